@@ -1,0 +1,53 @@
+"""Writing files so that a crash or a full disk never leaves half a file in place of a good one."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+from swifttailor.errors import InputError
+
+
+def write_atomically(path: Path | str, write: Callable[[Path], None]) -> Path:
+    """Lets `write` fill a temporary file beside `path`, then renames it over `path`.
+
+    Args:
+        path: Final file name. Its folder is created when missing.
+        write: Called with the temporary file's path, which has the same ending as `path`, so that
+            libraries which pick the format from the name do the same for both.
+
+    Returns:
+        `path`.
+
+    Raises:
+        InputError: The folder cannot be created or written.
+    """
+    path = Path(path)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(prefix=f".{path.stem}-", suffix=path.suffix, dir=path.parent)
+    except OSError as error:
+        raise InputError(
+            f"Cannot write '{path}': {error.strerror or error}. Choose a folder you may write to."
+        ) from error
+    os.close(handle)
+    temporary = Path(name)
+    try:
+        write(temporary)
+        # mkstemp makes private files; give the result the permissions an ordinary open() would have.
+        mask = os.umask(0)
+        os.umask(mask)
+        temporary.chmod(0o666 & ~mask)
+        os.replace(temporary, path)
+    except OSError as error:
+        raise InputError(f"Cannot write '{path}': {error.strerror or error}.") from error
+    finally:
+        temporary.unlink(missing_ok=True)
+    return path
+
+
+def write_text(path: Path | str, text: str) -> Path:
+    """Writes `text` as UTF-8 to `path` by way of `write_atomically`."""
+    return write_atomically(path, lambda temporary: temporary.write_text(text, encoding="utf-8"))

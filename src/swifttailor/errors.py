@@ -1,0 +1,40 @@
+"""The one error family of the package.
+
+Every error a user can cause derives from `SwiftTailorError` and its text says what is wrong, the value
+received, what is accepted and how to mend it. The command line prints that text without a traceback
+(``--debug`` shows it) and exits with `SwiftTailorError.exit_code`.
+"""
+
+from __future__ import annotations
+
+
+class SwiftTailorError(Exception):
+    """Base of all errors that a user or a caller can cause and mend."""
+
+    exit_code = 2
+
+
+class InputError(SwiftTailorError):
+    """A file or an argument cannot be read, is of the wrong kind, or lies outside what is accepted."""
+
+
+class PatternError(SwiftTailorError):
+    """A sewing pattern breaks the rules of the format or cannot be sewn."""
+
+
+class GeometryError(SwiftTailorError):
+    """A shape cannot be meshed, measured or joined."""
+
+
+class SimulationError(SwiftTailorError):
+    """The physics could not produce a usable garment."""
+
+
+class MissingExtraError(SwiftTailorError):
+    """An optional package is needed and is not installed."""
+
+    def __init__(self, package: str, extra: str, purpose: str) -> None:
+        super().__init__(
+            f"{purpose} needs the package '{package}', which is not installed. "
+            f"Install it with: pip install 'swifttailor[{extra}]'"
+        )

@@ -1,0 +1,40 @@
+"""What a sewing pattern is (paper, Sec. 3.1): panels, edges, placements, stitches; reading and writing."""
+
+from __future__ import annotations
+
+from swifttailor.pattern.curve import Arc, Cubic, Curve, Line, Quadratic
+from swifttailor.pattern.finding import Finding, Severity
+from swifttailor.pattern.garmentcode_reader import (
+    Reading,
+    load_pattern,
+    read_pattern_file,
+    read_specification,
+)
+from swifttailor.pattern.garmentcode_writer import to_specification, write_pattern
+from swifttailor.pattern.names import PANEL_NAMES, body_region
+from swifttailor.pattern.panel import Edge, Panel, Placement
+from swifttailor.pattern.pattern import EdgeRef, Pattern, Stitch
+
+__all__ = [
+    "PANEL_NAMES",
+    "Arc",
+    "Cubic",
+    "Curve",
+    "Edge",
+    "EdgeRef",
+    "Finding",
+    "Line",
+    "Panel",
+    "Pattern",
+    "Placement",
+    "Quadratic",
+    "Reading",
+    "Severity",
+    "Stitch",
+    "body_region",
+    "load_pattern",
+    "read_pattern_file",
+    "read_specification",
+    "to_specification",
+    "write_pattern",
+]
