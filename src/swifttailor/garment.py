@@ -49,7 +49,7 @@ class PatternMesh:
     """(m,) welded vertex of each flat vertex."""
     seams: tuple[Seam, ...]
     edge_vertices: tuple[tuple[Ints, ...], ...]
-    """Flat vertices along every edge of every panel, both corners included: ``edge_vertices[panel][edge]``."""
+    """``edge_vertices[panel][edge]``: flat vertices along the edge, both corners included."""
 
     @cached_property
     def faces(self) -> Ints:

@@ -98,7 +98,8 @@ def _walk(panel: str, edges: list[RawEdge]) -> tuple[list[int], list[bool]]:
     for k, e in enumerate(edges):
         if e.start == e.end:
             raise PatternError(
-                f"panel '{panel}': edge {k} joins vertex {e.start} to itself. Remove it, or give it two vertices."
+                f"panel '{panel}': edge {k} joins vertex {e.start} to itself. "
+                "Remove it, or give it two vertices."
             )
         touching.setdefault(e.start, []).append(k)
         touching.setdefault(e.end, []).append(k)

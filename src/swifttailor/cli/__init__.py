@@ -1,0 +1,1 @@
+"""The command line: one module per command, each a frozen dataclass of its options with a `run` method."""
