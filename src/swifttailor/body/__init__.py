@@ -1,0 +1,50 @@
+"""The body a garment is sewn around: a mesh, its measurements, and the distance to its surface.
+
+The names below are loaded on first use, so ``import swifttailor.body`` costs next to nothing.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from swifttailor.body.body import Body
+    from swifttailor.body.distance_field import DistanceField
+    from swifttailor.body.measurements import BodyMeasurements
+    from swifttailor.body.measuring import girth, measure_body
+    from swifttailor.body.parts import BodyPart
+    from swifttailor.body.surface_distance import SurfaceTree, signed_distance
+
+_PUBLIC = {
+    "Body": "body",
+    "BodyMeasurements": "measurements",
+    "BodyPart": "parts",
+    "DistanceField": "distance_field",
+    "SurfaceTree": "surface_distance",
+    "girth": "measuring",
+    "measure_body": "measuring",
+    "signed_distance": "surface_distance",
+}
+
+__all__ = [
+    "Body",
+    "BodyMeasurements",
+    "BodyPart",
+    "DistanceField",
+    "SurfaceTree",
+    "girth",
+    "measure_body",
+    "signed_distance",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Imports a public name when it is first used (PEP 562)."""
+    if name in _PUBLIC:
+        return getattr(importlib.import_module(f"swifttailor.body.{_PUBLIC[name]}"), name)
+    raise AttributeError(f"module 'swifttailor.body' has no attribute '{name}'")
+
+
+def __dir__() -> list[str]:
+    return __all__
