@@ -1,0 +1,76 @@
+"""The folder that every command leaves behind: pattern, garment, report and preview."""
+
+from __future__ import annotations
+
+import io
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from swifttailor.atomic_files import write_atomically, write_text
+from swifttailor.garment_files.glb import write_glb
+from swifttailor.garment_files.obj import write_obj
+from swifttailor.garment_files.triangle_mesh import mesh_of_garment
+
+if TYPE_CHECKING:
+    from swifttailor.body import Body
+    from swifttailor.garment import Garment
+
+PATTERN, DRAWING, GLB, OBJ = "pattern.json", "pattern.svg", "garment.glb", "garment.obj"
+REPORT, PREVIEW = "report.json", "preview.png"
+
+
+def save_folder(
+    garment: Garment, folder: Path | str, *, body: Body | None = None, preview: bool = True
+) -> Path:
+    """Writes a garment's folder.
+
+    Args:
+        garment: What to write.
+        folder: Created when missing; files of the same names are replaced one by one, others left alone.
+        body: Drawn in the preview; the default body when None.
+        preview: Whether to draw preview.png.
+
+    Returns:
+        The folder.
+
+    Raises:
+        InputError: The folder cannot be written.
+    """
+    from swifttailor.pattern.svg import write_svg
+
+    folder = Path(folder)
+    mesh = mesh_of_garment(garment)
+    garment.pattern.save(folder / PATTERN)
+    write_svg(garment.pattern, folder / DRAWING)
+    write_glb(mesh, folder / GLB)
+    write_obj(mesh, folder / OBJ)
+    if preview:
+        from swifttailor.body import Body as BodyClass
+        from swifttailor.render import render_preview
+
+        picture = render_preview(garment, body if body is not None else BodyClass.default())
+        encoded = io.BytesIO()
+        picture.save(encoded, "PNG", compress_level=6)
+        write_atomically(folder / PREVIEW, lambda temporary: temporary.write_bytes(encoded.getvalue()))
+    write_text(folder / REPORT, json.dumps(plain(garment.report), indent=2, allow_nan=False) + "\n")
+    return folder
+
+
+def plain(value: Any) -> Any:
+    """A report as JSON can hold it: arrays as lists, numbers that are not finite as null."""
+    if isinstance(value, dict):
+        return {str(key): plain(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray):
+        return plain(value.tolist())
+    if isinstance(value, list | tuple | set | frozenset):
+        return [plain(item) for item in (sorted(value, key=str) if isinstance(value, set | frozenset) else value)]
+    if isinstance(value, np.generic):
+        return plain(value.item())
+    if isinstance(value, float) and not np.isfinite(value):
+        return None
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
+    return str(value)

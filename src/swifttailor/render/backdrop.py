@@ -1,0 +1,77 @@
+"""What stands behind the figure: a lit wall that runs into the floor, and the figure's shadow on it."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.ndimage import gaussian_filter
+
+from swifttailor.render.camera import Camera
+from swifttailor.render.rasterize import depth_at, rasterize
+from swifttailor.render.surface import Array
+
+
+def wall(size: tuple[int, int], color: Array) -> Array:
+    """Linear light (height, width, 3) of a backdrop of linear `color` (3,), lightest around the middle."""
+    width, height = size
+    u = (np.arange(width) + 0.5) / width - 0.5
+    v = (np.arange(height) + 0.5) / height - 0.42
+    glow = 1.0 - 0.50 * v[:, None] ** 2 - 0.20 * u[None] ** 2
+    return (glow[:, :, None] * color).astype(np.float32)
+
+
+class FloorShadow:
+    """Darkness on the floor y = 0 under a scene: sharp where something touches it, wide where it hangs."""
+
+    _MARGIN = 40.0
+    _CELL = 1.5
+
+    def __init__(self, triangles: Array) -> None:
+        """Takes world triangles (m, 3, 3), cm."""
+        flat = triangles[:, :, [0, 2]]
+        self._low = flat.min(axis=(0, 1)) - self._MARGIN
+        self._high = flat.max(axis=(0, 1)) + self._MARGIN
+        extent = self._high - self._low
+        self._cell = max(self._CELL, float(extent.max()) / 300)
+        width, height = (int(n) for n in np.ceil(extent / self._cell))
+        corners = triangles[:, :, [0, 2, 1]].astype(np.float64)
+        corners[:, :, :2] = (corners[:, :, :2] - self._low) / self._cell
+        above = np.maximum(depth_at(corners, rasterize(corners, (width, height)), fill=1e6), 0.0)
+        touching = gaussian_filter(np.exp(-above / 2.5), 2.0 / self._cell, mode="constant")
+        hanging = gaussian_filter(np.exp(-above / 45.0), 12.0 / self._cell, mode="constant")
+        self._map = np.clip(0.45 * touching + 0.40 * hanging, 0.0, 0.75)
+
+    def darken(self, backdrop: Array, camera: Camera) -> None:
+        """Takes the light away from the backdrop (height, width, 3) as the camera sees it, in place."""
+        height, width = backdrop.shape[:2]
+        if camera.elevation <= 0.0:
+            return  # the floor is seen edge on, or from below
+        (x0, z0), (x1, z1) = self._low, self._high
+        edge = np.array([[x0, 0.0, z0], [x0, 0.0, z1], [x1, 0.0, z0], [x1, 0.0, z1]])
+        seen = camera.project(edge, (width, height))
+        if seen[:, 2].min() <= 1.0:
+            return
+        left, top = np.clip(np.floor(seen[:, :2].min(axis=0)), 0, (width, height)).astype(int)
+        right, bottom = np.clip(np.ceil(seen[:, :2].max(axis=0)), 0, (width, height)).astype(int)
+        if left >= right or top >= bottom:
+            return
+        x, y = np.meshgrid(np.arange(left, right) + 0.5, np.arange(top, bottom) + 0.5)
+        origin, direction = camera.rays(x.ravel(), y.ravel(), (width, height))
+        along = -origin[:, 1] / np.minimum(direction[:, 1], -1e-6)
+        points = (origin + along[:, None] * direction)[:, [0, 2]]
+        kept = 1.0 - _bilinear(self._map, (points - self._low) / self._cell - 0.5)
+        backdrop[top:bottom, left:right] *= kept.reshape(bottom - top, right - left, 1).astype(np.float32)
+
+
+def _bilinear(grid: Array, at: Array) -> Array:
+    """Values (n,) of a grid (rows, columns) at positions (n, 2) column, row; 0 outside."""
+    rows, columns = grid.shape
+    inside = (at[:, 0] >= 0) & (at[:, 0] < columns - 1) & (at[:, 1] >= 0) & (at[:, 1] < rows - 1)
+    x, y = at[inside].T
+    i, j = x.astype(np.int64), y.astype(np.int64)
+    u, v = x - i, y - j
+    flat, corner = grid.ravel(), j * columns + i
+    upper = (1 - u) * flat[corner] + u * flat[corner + 1]
+    lower = (1 - u) * flat[corner + columns] + u * flat[corner + columns + 1]
+    value = np.zeros(len(at))
+    value[inside] = (1 - v) * upper + v * lower
+    return value

@@ -1,0 +1,167 @@
+"""The preview picture of a garment: front, back and side on the body."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from swifttailor.render.camera import Camera
+from swifttailor.render.backdrop import wall
+from swifttailor.render.color import BACKGROUND, BODY, CLOTH, Color, encode_srgb, to_linear
+from swifttailor.render.scene import Scene
+from swifttailor.render.surface import Array, LineSet, Surface
+from swifttailor.render.view import draw_figure
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+    from swifttailor.body import Body
+    from swifttailor.garment import Garment
+
+
+def cloth_surface(garment: Garment, color: Color = CLOTH, *, tint_panels: bool = True, lines: bool = True) -> Surface:
+    """The garment as the renderer draws it.
+
+    Args:
+        garment: Any garment.
+        color: Right side of the cloth; the inside is darker and greyer.
+        tint_panels: Whether neighbouring panels differ a little in lightness.
+        lines: Whether seams and hems are drawn.
+    """
+    base = to_linear(color)
+    right = np.broadcast_to(base, (len(garment.faces), 3))
+    if tint_panels:
+        # Golden-ratio steps keep consecutive panels apart whatever their number.
+        step = (np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0
+        right = base * (0.90 + 0.20 * step)[garment.mesh.face_panel][:, None]
+    grey = float(base @ (0.2126, 0.7152, 0.0722))
+    inside = 0.5 * (0.55 * base + 0.45 * grey) + 0.015
+    drawn = ()
+    if lines:
+        drawn = (
+            LineSet(_seam_edges(garment), strength=0.42, width=1.1),
+            LineSet(border_edges(garment.faces), strength=0.30, width=1.2),
+        )
+    return Surface(
+        garment.vertices, garment.faces, np.clip(right, 0, 1), inside, lines=drawn, lift=0.35, sheen=0.10
+    )
+
+
+def body_surface(body: Body, color: Color = BODY) -> Surface:
+    """The body as a mannequin."""
+    return Surface(body.vertices, body.faces, to_linear(color), gloss=0.05)
+
+
+def render_preview(
+    garment: Garment,
+    body: Body | None,
+    *,
+    size: tuple[int, int] = (1500, 900),
+    color: Color = CLOTH,
+    background: Color = BACKGROUND,
+) -> Image:
+    """Draws a garment from the front, the back and the wearer's left side by side.
+
+    Args:
+        garment: What to show.
+        body: Who wears it; None draws the garment alone.
+        size: Width and height of the whole picture in pixels.
+        color: Right side of the cloth.
+        background: Backdrop.
+
+    Returns:
+        An RGB picture.
+    """
+    from PIL import Image
+
+    surfaces = [cloth_surface(garment, color)]
+    if body is not None:
+        surfaces.insert(0, body_surface(body))
+    frame = _frame(garment.vertices, None if body is None else body.vertices)
+    width, height = size
+    wide, deep = 2 * frame.half_width, 2 * frame.half_depth
+    total = 2 * wide + deep
+    seen = max(frame.top - frame.bottom, total * height / width)
+    columns = np.round(np.cumsum([0, wide, wide, deep]) * width / total).astype(int)
+    center = (frame.top + frame.bottom) / 2
+    scene = Scene(surfaces)
+    picture = wall(size, to_linear(background))
+    for k, azimuth in enumerate((0.0, 180.0, 90.0)):
+        middle = (0.0, center, frame.middle_z) if azimuth == 90.0 else (frame.middle_x, center, 0.0)
+        camera = Camera(middle, seen, azimuth, elevation=5.0, field_of_view=16.0)
+        column = slice(columns[k], columns[k + 1])
+        part = (int(columns[k + 1] - columns[k]), height)
+        light, coverage = draw_figure(scene, camera, part)
+        fade = _fade(part[0])
+        if scene.floor_shadow is not None:
+            scene.floor_shadow.darken(picture[:, column], camera)
+        picture[:, column] *= 1.0 - coverage * fade
+        picture[:, column] += light * fade
+    return Image.fromarray(encode_srgb(picture))
+
+
+def _fade(width: int) -> Array:
+    """(width, 1) share of the figure drawn in each column of a view: what a frame cuts off ends softly."""
+    from_border = np.minimum(np.arange(width), np.arange(width)[::-1]) + 0.5
+    t = np.clip(from_border / min(28.0, width / 8), 0.0, 1.0)
+    return (t * t * (3 - 2 * t)).astype(np.float32)[:, None]
+
+
+@dataclass(frozen=True)
+class _Frame:
+    """The part of the world to show, cm."""
+
+    bottom: float
+    top: float
+    middle_x: float
+    half_width: float
+    middle_z: float
+    half_depth: float
+
+
+def _frame(garment: Array, body: Array | None) -> _Frame:
+    points = garment if len(garment) else np.zeros((1, 3))
+    low, high = points.min(axis=0), points.max(axis=0)
+    bottom, top = float(low[1]), float(high[1])
+    if body is not None:
+        stature = float(body[:, 1].max())
+        # A top is shown with the head and down to the thighs, a skirt up to the chest; what covers most
+        # of the figure, with the whole figure.
+        if top > 0.70 * stature:
+            top = max(top, stature)
+        else:
+            top = min(top + 0.22 * stature, stature)
+        bottom = bottom - 0.12 * stature if bottom > 0.30 * stature else min(bottom, 0.0)
+        if top - bottom > 0.78 * stature:
+            bottom, top = min(bottom, 0.0), max(top, stature)
+        worn = body[(body[:, 1] >= bottom) & (body[:, 1] <= top)]
+        if len(worn):
+            low[2], high[2] = min(low[2], worn[:, 2].min()), max(high[2], worn[:, 2].max())
+            reach = float(np.abs(worn[:, 0]).max())
+            if top - bottom < 0.78 * stature:
+                reach = min(reach, float(np.abs(points[:, 0]).max()) + 6.0)
+            low[0], high[0] = min(low[0], -reach), max(high[0], reach)
+    margin = 0.035 * (top - bottom) + 1.0
+    return _Frame(
+        bottom - 1.6 * margin,
+        top + margin,
+        float(low[0] + high[0]) / 2,
+        float(high[0] - low[0]) / 2 + margin,
+        float(low[2] + high[2]) / 2,
+        float(high[2] - low[2]) / 2 + 2 * margin,
+    )
+
+
+def _seam_edges(garment: Garment) -> Array:
+    parts = [np.stack([s.vertices[:-1], s.vertices[1:]], axis=1) for s in garment.seams if len(s.vertices) > 1]
+    return np.concatenate(parts) if parts else np.zeros((0, 2), np.int32)
+
+
+def border_edges(faces: Array) -> Array:
+    """(n, 2) vertex indices of the edges that only one of the faces (m, 3) has."""
+    edges = np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1).astype(np.int64)
+    key = edges[:, 0] * (int(faces.max(initial=0)) + 1) + edges[:, 1]
+    _, first, count = np.unique(key, return_index=True, return_counts=True)
+    return edges[first[count == 1]].astype(np.int32)

@@ -1,0 +1,180 @@
+"""One picture of some surfaces: rasterised once, then lit where something is seen (deferred shading)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from swifttailor.errors import InputError
+from swifttailor.render.backdrop import wall
+from swifttailor.render.camera import Camera
+from swifttailor.render.color import BACKGROUND, Color, encode_srgb, to_linear
+from swifttailor.render.lighting import KEY, Samples, shade
+from swifttailor.render.lines import draw_lines
+from swifttailor.render.open_sky import box_mean, open_sky
+from swifttailor.render.rasterize import barycentric, rasterize
+from swifttailor.render.scene import Projection, Scene
+from swifttailor.render.shadow_map import ShadowMap
+from swifttailor.render.surface import Array, Surface
+
+MAX_SAMPLES = 64_000_000
+"""Most samples in one picture."""
+
+
+def render_view(
+    surfaces: Sequence[Surface],
+    camera: Camera,
+    size: tuple[int, int],
+    *,
+    background: Color | None = BACKGROUND,
+    shadows: bool = True,
+    floor: bool = True,
+    samples: int = 2,
+) -> Array:
+    """Draws surfaces as one camera sees them.
+
+    Args:
+        surfaces: What to draw.
+        camera: From where.
+        size: Width and height in pixels.
+        background: Colour of the backdrop. None: the picture gets a fourth channel, opaque where something
+            is seen.
+        shadows: Whether the key light casts shadows and folds are darkened.
+        floor: Whether what stands on the floor y = 0 darkens it.
+        samples: Samples along each side of a pixel.
+
+    Returns:
+        (height, width, 3) uint8 sRGB, or (height, width, 4) without a background.
+
+    Raises:
+        InputError: The size is not positive or too large.
+    """
+    scene = Scene(surfaces)
+    light, coverage = draw_figure(scene, camera, size, shadows=shadows, samples=samples)
+    if background is None:
+        alpha = np.round(coverage * 255.0).astype(np.uint8)
+        return np.concatenate([encode_srgb(light / np.maximum(coverage, 1e-6)), alpha], axis=2)
+    backdrop = wall(size, to_linear(background))
+    if floor and scene.floor_shadow is not None:
+        scene.floor_shadow.darken(backdrop, camera)
+    return encode_srgb(light + (1.0 - coverage) * backdrop)
+
+
+def draw_figure(
+    scene: Scene, camera: Camera, size: tuple[int, int], *, shadows: bool = True, samples: int = 2
+) -> tuple[Array, Array]:
+    """Draws a scene before nothing.
+
+    Args:
+        scene: What to draw.
+        camera: From where.
+        size: Width and height in pixels.
+        shadows: See `render_view`.
+        samples: See `render_view`.
+
+    Returns:
+        Linear light (height, width, 3) already multiplied by the coverage, and the coverage
+        (height, width, 1) from 0 to 1; float32.
+    """
+    width, height = size
+    if width < 1 or height < 1 or samples < 1 or width * height * samples**2 > MAX_SAMPLES:
+        raise InputError(
+            f"A picture has 1 to {MAX_SAMPLES} samples in all, got {width} x {height} pixels "
+            f"with {samples} x {samples} samples each."
+        )
+    projection = Projection(scene, camera, (width * samples, height * samples))
+    face = rasterize(projection.corners, projection.size)
+    light = np.zeros((*face.shape, 3), np.float32)
+    seen = _find_visible(projection, face)
+    if len(seen.at):
+        light.reshape(-1, 3)[seen.at] = _light(projection, seen, face.shape, samples, shadows)
+    coverage = (face >= 0).astype(np.float32)[:, :, None]
+    return box_mean(light, samples), box_mean(coverage, samples)
+
+
+@dataclass(frozen=True)
+class _Visible:
+    """The samples that show something, n of them."""
+
+    at: Array
+    """(n,) position in the flattened picture of samples."""
+    face: Array
+    """(n,) triangle of the projection."""
+    normal: Array
+    """(n, 3) unit normals turned towards the camera, in its frame."""
+    distance: Array
+    """(n,) from the camera, cm."""
+
+
+def _find_visible(projection: Projection, face: Array) -> _Visible:
+    at = np.flatnonzero(face.ravel() >= 0)
+    seen = face.ravel()[at]
+    # Weights are taken from each triangle's own first corner: exact enough in float32 for slivers, too.
+    weights = np.concatenate([projection.corners[:, 0, :2], barycentric(projection.corners)[:, :, :2].reshape(-1, 4)], axis=1)
+    row, column = np.divmod(at.astype(np.int32), np.int32(face.shape[1]))
+    x0, y0, ax, ay, bx, by = weights.astype(np.float32)[seen].T
+    x, y = column + np.float32(0.5) - x0, row + np.float32(0.5) - y0
+    w1, w2 = np.clip(ax * x + ay * y, 0, 1), np.clip(bx * x + by * y, 0, 1)
+    w0 = np.clip(1 - w1 - w2, 0, 1)
+    d0, d1, d2 = projection.distance.astype(np.float32)[seen].T
+    if projection.camera.perspective:
+        w0, w1, w2 = w0 / d0, w1 / d1, w2 / d2
+    total = w0 + w1 + w2
+    w0, w1, w2 = w0 / total, w1 / total, w2 / total
+
+    corner = projection.normals.reshape(-1, 9)[seen]
+    normal = w0[:, None] * corner[:, 0:3]
+    normal += w1[:, None] * corner[:, 3:6]
+    normal += w2[:, None] * corner[:, 6:9]
+    length = np.sqrt(np.einsum("ij,ij->i", normal, normal))
+    turned = np.where(projection.front[seen], np.float32(1), np.float32(-1))
+    normal *= (turned / np.maximum(length, np.float32(1e-6)))[:, None]
+    return _Visible(at, seen, normal, w0 * d0 + w1 * d1 + w2 * d2)
+
+
+def _light(
+    projection: Projection, seen: _Visible, shape: tuple[int, int], samples: int, shadows: bool
+) -> Array:
+    """Linear light (n, 3) of the visible samples."""
+    depth = np.full(shape, np.float32(np.inf))
+    depth.ravel()[seen.at] = seen.distance
+    key = room = np.ones(len(seen.at), np.float32)
+    if shadows:
+        key, room = _occlusion(projection, seen, depth, samples)
+    material = projection.materials[seen.face]
+    color = np.where(projection.front[seen.face][:, None], material[:, 0:3], material[:, 3:6])
+    facing = np.clip(seen.normal[:, 2], 0, 1)
+    up = seen.normal @ projection.camera.axes[:, 1].astype(np.float32)
+    lit = shade(Samples(seen.normal, up, facing, color, material[:, 6], material[:, 7], key, room))
+    if any(s.lines for s in projection.scene.surfaces):
+        kept = np.ones(shape, np.float32)
+        for surface, pixels in zip(projection.scene.surfaces, projection.pixels, strict=True):
+            for line in surface.lines:
+                draw_lines(kept, pixels, line, depth, samples)
+        lit *= kept.ravel()[seen.at][:, None]
+    return lit
+
+
+def _occlusion(projection: Projection, seen: _Visible, depth: Array, samples: int) -> tuple[Array, Array]:
+    """Shares of the key light and of the room's light (n,) at the samples, found once per pixel."""
+    camera, (width, height) = projection.camera, projection.size
+    index = np.full(depth.shape, -1, np.int32)
+    index.ravel()[seen.at] = np.arange(len(seen.at), dtype=np.int32)
+    step = slice(samples // 2, None, samples)
+    coarse, index = depth[step, step], index[step, step]
+    there = index >= 0
+    room = open_sky(coarse, there, coarse.shape[0] / camera.height)
+    key = np.ones(coarse.shape, np.float32)
+    j, i = np.nonzero(there)
+    if len(j):
+        middle = samples // 2 + 0.5
+        origin, direction = camera.rays(i * samples + middle, j * samples + middle, (width, height))
+        along = coarse[j, i] / -(direction @ camera.axes[2])
+        normals = seen.normal[index[j, i]] @ camera.axes.astype(np.float32)
+        shadow_map = ShadowMap(projection.scene.triangles, KEY.unit() @ camera.axes)
+        key[j, i] = shadow_map.light(origin + direction * along[:, None], normals)
+    row, column = np.divmod(seen.at.astype(np.int32), np.int32(width))
+    pick = (row // samples) * np.int32(coarse.shape[1]) + column // samples
+    return key.ravel()[pick], room.ravel()[pick]
