@@ -9,7 +9,7 @@ from shapes import icosphere
 from swifttailor.body import Body, BodyPart, DistanceField
 from swifttailor.body.distance_field import build_field, cache_folder, cached_field
 from swifttailor.body.parts import ARMS, face_parts
-from swifttailor.errors import InputError
+from swifttailor.errors import GeometryError, InputError
 
 
 @pytest.fixture(scope="module")
@@ -80,9 +80,6 @@ def test_without_arms_the_arms_are_outside_and_the_rest_stays(body, field):
     arm = centres[np.isin(part, [int(p) for p in ARMS]) & (np.abs(centres[:, 0]) > 24)]
     assert (bare.sample(arm)[0] > 1.0).all()
     assert bare.sample(arm[np.abs(arm[:, 0]) > 50])[0].min() > 20
-    axis = np.stack(
-        [np.linspace(28, 50, 12), np.interp(np.linspace(28, 50, 12), [28, 50], [126, 106])], axis=1
-    )
     inner = body.vertices[body.vertex_part == BodyPart.LEFT_ARM]
     core = [inner[np.abs(inner[:, 0] - x) < 1.5].mean(axis=0) for x in np.linspace(28, 50, 12)]
     assert (field.sample(core)[0] < -1.0).all()
@@ -90,6 +87,15 @@ def test_without_arms_the_arms_are_outside_and_the_rest_stays(body, field):
     low = centres[(centres[:, 1] < 115) & (part != BodyPart.LEFT_ARM) & (part != BodyPart.RIGHT_ARM)]
     near = low + np.random.default_rng(4).normal(0, 0.5, low.shape)
     np.testing.assert_allclose(bare.sample(near)[0], field.sample(near)[0], atol=1e-4)
+
+
+def test_points_that_are_no_places_are_refused(field):
+    for points in (np.full((2, 3), np.nan), np.full((1, 3), np.inf), np.zeros(3), np.zeros((4, 2))):
+        with pytest.raises(GeometryError, match="points"):
+            field.sample(points)
+    distance, gradient = field.sample(np.zeros((0, 3)))
+    assert distance.shape == (0,)
+    assert gradient.shape == (0, 3)
 
 
 def test_without_everything_is_refused(body):

@@ -9,6 +9,7 @@ from shapes import garmentcode_folder, icosphere, mesh_of, write_obj
 
 from swifttailor.body import Body, BodyPart
 from swifttailor.body.measuring import MEAN_BODY
+from swifttailor.body.orientation import oriented_outward
 from swifttailor.errors import InputError
 
 
@@ -49,6 +50,25 @@ def test_a_body_near_the_axis_stays_where_it_is(body, tmp_path):
 def test_an_inside_out_body_is_turned(body, tmp_path):
     own = Body.load(write_obj(tmp_path / "me.obj", body.vertices, body.faces[:, ::-1]))
     assert mesh_of(own.vertices, own.faces).volume > 0
+
+
+def test_faces_turned_at_random_are_turned_back(body, tmp_path):
+    flip = np.random.default_rng(0).random(len(body.faces)) < 0.4
+    faces = np.where(flip[:, None], body.faces[:, ::-1], body.faces)
+    own = Body.load(write_obj(tmp_path / "me.obj", body.vertices, faces))
+    mesh = mesh_of(own.vertices, own.faces)
+    assert mesh.is_winding_consistent
+    assert mesh.volume == pytest.approx(mesh_of(body.vertices, body.faces).volume, rel=1e-4)
+
+
+def test_every_piece_is_turned_outward():
+    outer, inner = icosphere(10.0, 2), icosphere(2.0, 2, centre=(1, 2, 3))
+    vertices = np.concatenate([outer[0], inner[0]])
+    faces = np.concatenate([outer[1][:, ::-1], inner[1][:, ::-1] + len(outer[0])])
+    faces[::3] = faces[::3, ::-1]
+    mesh = mesh_of(vertices, oriented_outward(vertices, faces))
+    assert mesh.is_winding_consistent
+    assert mesh.volume == pytest.approx(mesh_of(*outer).volume + mesh_of(*inner).volume)
 
 
 def test_missing_measurements_are_measured(body, tmp_path):
@@ -130,7 +150,8 @@ def test_files_that_are_no_meshes_are_refused(tmp_path):
     lying = tmp_path / "lying.ply"
     lying.write_text(
         "ply\nformat binary_little_endian 1.0\nelement vertex 999999999999\nproperty float x\n"
-        "property float y\nproperty float z\nelement face 999999999\nproperty list uchar int vertex_indices\nend_header\n"
+        "property float y\nproperty float z\nelement face 999999999\n"
+        "property list uchar int vertex_indices\nend_header\n"
     )
     flat = tmp_path / "flat.obj"
     flat.write_text("v 0 0 0\nv 0 1.7 0\nv 0 1 0\nf 1 2 3\n")

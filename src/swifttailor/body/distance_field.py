@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from swifttailor.atomic_files import write_atomically
-from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.errors import GeometryError, InputError, SwiftTailorError
 
 Array = np.ndarray[Any, np.dtype[Any]]
 
@@ -50,8 +50,15 @@ class DistanceField:
         Returns:
             Distances (P,) float64 in cm and unit gradients (P, 3) float64, which point outwards; the
             gradient is zero where the field has none.
+
+        Raises:
+            GeometryError: `points` has another shape, or holds a NaN or an infinity.
         """
-        points = np.asarray(points, np.float64).reshape(-1, 3)
+        points = np.asarray(points, np.float64)
+        if points.ndim != 2 or points.shape[1] != 3:
+            raise GeometryError(f"points must have the shape (P, 3), received {points.shape}.")
+        if not np.isfinite(points).all():
+            raise GeometryError("points hold a NaN or an infinity; remove or mend those rows first.")
         top = np.array(self.values.shape) - 1
         place = (points - self.origin) / self.spacing
         inside = np.clip(place, 0.0, top)

@@ -11,6 +11,7 @@ import numpy as np
 from swifttailor.body.body import Body
 from swifttailor.body.measurements import BodyMeasurements, read_measurements
 from swifttailor.body.measuring import measure_body
+from swifttailor.body.orientation import oriented_outward
 from swifttailor.body.parts import transfer_parts
 from swifttailor.errors import InputError
 
@@ -154,8 +155,6 @@ def _centimetres(vertices: Array, path: Path) -> float:
 
 def _merged(vertices: Array, faces: Array, path: Path) -> tuple[Array, Array]:
     """One vertex per place, no degenerate faces, oriented outward."""
-    import trimesh
-
     _, first, index = np.unique(
         np.round(vertices / _MERGE).astype(np.int64), axis=0, return_index=True, return_inverse=True
     )
@@ -165,13 +164,9 @@ def _merged(vertices: Array, faces: Array, path: Path) -> tuple[Array, Array]:
     faces = faces[(a != b) & (b != c) & (c != a)]
     if len(faces) == 0:
         raise InputError(f"'{path}' has only degenerate faces (no area). Export the body again.")
-    mesh: Any = trimesh.Trimesh(vertices, faces, process=False)
-    if not mesh.is_winding_consistent:
-        trimesh.repair.fix_winding(mesh)
-    if mesh.volume < 0:
-        mesh.invert()
-    used = np.unique(mesh.faces)
-    return vertices[used], np.searchsorted(used, mesh.faces)
+    used = np.unique(faces)
+    vertices, faces = vertices[used], np.searchsorted(used, faces)
+    return vertices, oriented_outward(vertices, faces)
 
 
 def _placed(vertices: Array) -> Array:
