@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from swifttailor.pattern.check import check_pattern, repair_pattern
 from swifttailor.pattern.curve import Arc, Cubic, Curve, Line, Quadratic
 from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.garmentcode_reader import (
@@ -32,9 +33,11 @@ __all__ = [
     "Severity",
     "Stitch",
     "body_region",
+    "check_pattern",
     "load_pattern",
     "read_pattern_file",
     "read_specification",
+    "repair_pattern",
     "to_specification",
     "write_pattern",
 ]

@@ -1,0 +1,51 @@
+"""The linter itself: all checks over one pattern."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from swifttailor.pattern.check.outline import trace_outline
+from swifttailor.pattern.check.panel_checks import check_panel
+from swifttailor.pattern.check.placement_checks import (
+    BodyProbe,
+    SignedDistance,
+    check_placement,
+    check_size,
+)
+from swifttailor.pattern.check.seam_direction import judge_directions
+from swifttailor.pattern.check.stitch_checks import check_stitches, usable_stitches
+from swifttailor.pattern.finding import Finding, Severity
+from swifttailor.pattern.pattern import Pattern
+
+_RANK = {Severity.ERROR: 0, Severity.WARNING: 1, Severity.INFO: 2}
+
+
+def check_pattern(
+    pattern: Pattern,
+    *,
+    reader_findings: Iterable[Finding] = (),
+    body: BodyProbe | SignedDistance | None = None,
+) -> tuple[Finding, ...]:
+    """Looks for everything that would make a pattern fail or surprise when it is sewn.
+
+    Codes, bounds and their reasons: docs/checks.md.
+
+    Args:
+        pattern: Any pattern, faulty ones included.
+        reader_findings: What the reader had to say (`Reading.findings`); put in with the rest.
+        body: Signed distance to the body the panels are placed around, to find panels inside it; a callable,
+            or a `BodyProbe` that knows the body's height too. Without it that check is left out.
+
+    Returns:
+        Findings, errors first; stitch and edge numbers are those of `pattern`.
+    """
+    outlines = {panel.name: trace_outline(panel) for panel in pattern.panels}
+    usable = usable_stitches(pattern)
+    directions = judge_directions(pattern, outlines, usable)
+    findings = list(reader_findings)
+    findings += check_size(pattern, outlines)
+    for outline in outlines.values():
+        findings += check_panel(outline)
+    findings += check_stitches(pattern, outlines, usable, directions)
+    findings += check_placement(outlines, directions, body)
+    return tuple(sorted(findings, key=lambda f: _RANK[f.severity]))

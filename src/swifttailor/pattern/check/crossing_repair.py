@@ -1,0 +1,139 @@
+"""Moves corners and flattens curves by a few millimetres so that an outline no longer overlaps itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+import shapely
+
+from swifttailor.pattern import curve as curves
+from swifttailor.pattern.check.crossings import Crossing, find_crossing
+from swifttailor.pattern.check.outline import trace_outline
+from swifttailor.pattern.curve import Arc, Array, Cubic, Curve, Quadratic
+from swifttailor.pattern.panel import Panel
+
+MAX_MOVE_CM = 0.5
+"""No point of the outline is moved further: beyond that the shape is wrong, not inexact."""
+CLEARANCE_CM = 0.01
+"""Gap left between parts of the outline that overlapped."""
+
+_MAX_ROUNDS = 8
+_FLATTENINGS = (0.995, 0.99, 0.98, 0.97, 0.96, 0.95, 0.93, 0.9)
+
+
+def mend_crossings(panel: Panel) -> tuple[Panel, float] | None:
+    """Tries to free an outline of self-intersections.
+
+    A corner that pokes through another edge is put back to its side of it; where two neighbouring edges
+    cross beside their common corner, the corner is moved to the crossing; where a curve bulges over another
+    edge, it is flattened. The smallest change that works is taken.
+
+    Args:
+        panel: A panel whose outline meets itself.
+
+    Returns:
+        The panel with a simple outline and the longest way a point of it was moved in cm, or None when
+        changes of up to `MAX_MOVE_CM` do not do it.
+    """
+    mended = panel
+    crossing = find_crossing(trace_outline(panel))
+    for _ in range(_MAX_ROUNDS):
+        if crossing is None:
+            return mended, _distance_moved(panel, mended)
+        if not np.isfinite(crossing.depth) or crossing.depth > MAX_MOVE_CM:
+            return None
+        trials = [(_distance_moved(panel, trial), trial) for trial in _moves(mended, crossing)]
+        best, best_crossing = None, crossing
+        for moved, trial in sorted(trials, key=lambda t: t[0]):
+            if moved > MAX_MOVE_CM:
+                break
+            left = find_crossing(trace_outline(trial))
+            if left is None:
+                return trial, moved
+            if _badness(left) < _badness(best_crossing):
+                best, best_crossing = trial, left
+        if best is None:
+            return None
+        mended, crossing = best, best_crossing
+    return None
+
+
+def _distance_moved(before: Panel, after: Panel) -> float:
+    """Longest way, cm, between points of equal parameter on two panels with the same edges."""
+    t = np.linspace(0.0, 1.0, 17)
+    longest = 0.0
+    for k, (old, new) in enumerate(zip(before.edges, after.edges, strict=True)):
+        if old == new and np.array_equal(before.chord(k), after.chord(k)):
+            continue
+        points = [curves.evaluate(e.curve, p.chord(k), t) for e, p in ((old, before), (new, after))]
+        longest = max(longest, float(np.hypot(*(points[1] - points[0]).T).max()))
+    return longest
+
+
+def _badness(crossing: Crossing) -> tuple[int, float]:
+    return crossing.places, crossing.depth
+
+
+def _moves(panel: Panel, crossing: Crossing) -> Iterator[Panel]:
+    """The panel with one corner moved or one curve flattened."""
+    for corner, place in _corner_moves(panel, crossing):
+        vertices = panel.vertices.copy()
+        vertices[corner] = place
+        yield replace(panel, vertices=vertices)
+    for k in set(crossing.edges):
+        for factor in _FLATTENINGS:
+            flatter = _flattened(panel.edges[k].curve, panel.chord(k), factor)
+            if flatter is not None:
+                edges = list(panel.edges)
+                edges[k] = replace(edges[k], curve=flatter)
+                yield replace(panel, edges=tuple(edges))
+
+
+def _flattened(curve: Curve, chord: Array, factor: float) -> Curve | None:
+    """The curve with its bulge times `factor`; None for lines, arcs beyond a semicircle and bare points."""
+    if isinstance(curve, Quadratic):
+        return Quadratic((curve.control[0], curve.control[1] * factor))
+    if isinstance(curve, Cubic):
+        (x1, y1), (x2, y2) = curve.control_1, curve.control_2
+        return Cubic((x1, y1 * factor), (x2, y2 * factor))
+    half = float(np.hypot(*(chord[1] - chord[0]))) / 2
+    if not isinstance(curve, Arc) or curve.large or half == 0.0:
+        return None
+    radius = max(curve.radius, half)
+    sagitta = factor * (radius - np.sqrt(radius**2 - half**2))
+    return replace(curve, radius=float((half**2 + sagitta**2) / (2 * sagitta))) if sagitta > 0 else None
+
+
+def _corner_moves(panel: Panel, crossing: Crossing) -> Iterator[tuple[int, Array]]:
+    """Corners and where to try putting them."""
+    count = len(panel.edges)
+    first, second = crossing.edges
+    shared = {first, (first + 1) % count} & {second, (second + 1) % count}
+    for corner in sorted(shared):
+        yield corner, np.array(crossing.point)
+    lines = {k: shapely.linestrings(panel.flatten_edge(k, 0.001)) for k in (first, second)}
+    for own, other in ((first, second), (second, first)):
+        for corner in (own, (own + 1) % count):
+            if corner in (other, (other + 1) % count):
+                continue
+            here = panel.vertices[corner]
+            target = shapely.get_coordinates(shapely.shortest_line(shapely.points(here), lines[other]))[1]
+            way = target - here
+            distance = float(np.hypot(*way))
+            if distance > MAX_MOVE_CM:
+                continue
+            direction = way / distance if distance > 1e-9 else _across(panel, other, target)
+            for sign in (1.0, -1.0):
+                for clearance in (CLEARANCE_CM, 5 * CLEARANCE_CM):
+                    yield corner, here + sign * direction * ((distance if sign > 0 else 0.0) + clearance)
+
+
+def _across(panel: Panel, edge: int, point: Array) -> Array:
+    """Unit normal (2,) of an edge's polyline at the segment nearest to a point."""
+    line = panel.flatten_edge(edge, 0.001)
+    middle = (line[1:] + line[:-1]) / 2
+    k = int(np.argmin(np.hypot(*(middle - point).T)))
+    step = line[k + 1] - line[k]
+    return np.array([-step[1], step[0]]) / max(float(np.hypot(*step)), 1e-300)

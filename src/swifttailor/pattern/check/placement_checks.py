@@ -1,0 +1,154 @@
+"""Findings about where the panels stand: distance, facing, inside the body; and the pattern's whole size."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from swifttailor.errors import PatternError
+from swifttailor.pattern.check.outline import Outline
+from swifttailor.pattern.check.seam_direction import Directions
+from swifttailor.pattern.curve import Array
+from swifttailor.pattern.finding import Finding, Severity
+from swifttailor.pattern.pattern import Pattern
+
+SignedDistance = Callable[[Array], Array]
+"""Takes points (n, 3) in cm, gives distances (n,) in cm to the body, negative inside."""
+
+TINY_CM = 5.0
+ABSURDLY_TINY_CM = 1.0
+FAR_CM = 300.0
+DEEP_CM = 1.0
+INSIDE_SHARE = 0.25
+
+_GRID = 10
+
+
+@dataclass(frozen=True)
+class BodyProbe:
+    """What the checks need to know of a body."""
+
+    signed_distance: SignedDistance
+    bottom: float = 0.0
+    """Height of the soles, cm."""
+    top: float = 180.0
+    """Height of the crown, cm."""
+
+
+def check_placement(
+    outlines: dict[str, Outline], directions: Directions, body: BodyProbe | SignedDistance | None
+) -> list[Finding]:
+    """All findings about placements."""
+    probe = BodyProbe(body) if body is not None and not isinstance(body, BodyProbe) else body
+    findings = [*_facing(directions)]
+    for outline in outlines.values():
+        findings += _far(outline, probe)
+        if probe is not None:
+            findings += _inside(outline, probe)
+    return findings
+
+
+def check_size(pattern: Pattern, outlines: dict[str, Outline]) -> list[Finding]:
+    """A finding when even the largest panel is too small for any garment."""
+    largest = max((o.size for o in outlines.values()), default=0.0)
+    if not pattern.panels or largest >= TINY_CM:
+        return []
+    return [
+        Finding(
+            "tiny-pattern",
+            Severity.ERROR if largest < ABSURDLY_TINY_CM else Severity.WARNING,
+            f"the largest panel is only {largest:.2g} cm long",
+            value=largest,
+            why="no garment is that small; lengths in metres look like this when read as cm",
+            repair="set properties.units_in_meter to 1 for metres, 39.37 for inches",
+        )
+    ]
+
+
+def _facing(directions: Directions) -> list[Finding]:
+    findings = [
+        Finding(
+            "inside-out-panel",
+            Severity.WARNING,
+            "the right side of the cloth faces the body",
+            panel=p.panel,
+            value=round(p.outward, 3),
+            why="the loop's direction decides the right side, and with it which ends of its seams meet",
+            repair="--repair reverses the loop, which also sets its seams right"
+            if p.reversible
+            else "turn the panel's placement, or reverse its loop if its seams are wrong too",
+        )
+        for p in directions.inward
+    ]
+    findings += [
+        Finding(
+            "turned-panel",
+            Severity.WARNING,
+            "every seam of the panel runs against the placement, though the seams fit each other",
+            panel=name,
+            value=round(agreement, 3),
+            why="it seems to stand upside down or the wrong way round, and would twist when sewn",
+            repair="turn the placement by 180 degrees in the panel's plane",
+        )
+        for name, agreement in directions.turned_panels
+    ]
+    return findings
+
+
+def _far(outline: Outline, probe: BodyProbe | None) -> list[Finding]:
+    bottom, top = (probe.bottom, probe.top) if probe else (0.0, 180.0)
+    heights = outline.world[:, 1]
+    sideways = float(np.hypot(outline.world[:, 0], outline.world[:, 2]).min())
+    distance = max(sideways, float(heights.min()) - top, bottom - float(heights.max()))
+    if distance <= FAR_CM:
+        return []
+    return [
+        Finding(
+            "far-placement",
+            Severity.WARNING,
+            f"the panel is placed {distance:.0f} cm away from the body",
+            panel=outline.panel.name,
+            value=distance,
+            why="its seams are stretched over metres before sewing and catch on the body",
+            repair="move its translation closer; check properties.units_in_meter",
+        )
+    ]
+
+
+def _inside(outline: Outline, probe: BodyProbe) -> list[Finding]:
+    points = outline.panel.to_world(_spread_points(outline))
+    distances = np.asarray(probe.signed_distance(points), float)
+    if distances.shape != (len(points),):
+        raise PatternError(
+            f"check_pattern(body=...): the signed distance of {len(points)} points must have the shape "
+            f"({len(points)},), got {distances.shape}. Pass a callable that gives one distance per point."
+        )
+    share = float((distances < -DEEP_CM).mean())
+    if share <= INSIDE_SHARE:
+        return []
+    return [
+        Finding(
+            "inside-body",
+            Severity.WARNING,
+            f"{share:.0%} of the panel is placed inside the body, up to {-distances.min():.1f} cm deep",
+            panel=outline.panel.name,
+            value=share,
+            why="cloth that starts inside the body is hard to get out by draping",
+            repair="move its translation outward",
+        )
+    ]
+
+
+def _spread_points(outline: Outline) -> Array:
+    """Corners and a grid of inner points (n, 2), panel-local cm."""
+    low, high = outline.points.min(axis=0), outline.points.max(axis=0)
+    steps = [np.linspace(a, b, _GRID + 2)[1:-1] for a, b in zip(low, high, strict=True)]
+    grid = np.stack(np.meshgrid(*steps), axis=-1).reshape(-1, 2)
+    corners = outline.panel.vertices
+    if len(outline.points) < 3:
+        return corners
+    polygon = shapely.polygons(outline.points)
+    return np.concatenate([corners, grid[shapely.contains_xy(polygon, grid[:, 0], grid[:, 1])]])
