@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from swifttailor.atomic_files import write_atomically, write_text
+from swifttailor.atomic_files import write_text
+from swifttailor.garment_files.binary_file import write_bytes
 from swifttailor.garment_files.glb import write_glb
 from swifttailor.garment_files.obj import write_obj
 from swifttailor.garment_files.triangle_mesh import mesh_of_garment
@@ -54,7 +55,7 @@ def save_folder(
         picture = render_preview(garment, body if body is not None else BodyClass.default())
         encoded = io.BytesIO()
         picture.save(encoded, "PNG", compress_level=6)
-        write_atomically(folder / PREVIEW, lambda temporary: temporary.write_bytes(encoded.getvalue()))
+        write_bytes(folder / PREVIEW, encoded.getvalue())
     write_text(folder / REPORT, json.dumps(plain(garment.report), indent=2, allow_nan=False) + "\n")
     return folder
 
@@ -66,7 +67,9 @@ def plain(value: Any) -> Any:
     if isinstance(value, np.ndarray):
         return plain(value.tolist())
     if isinstance(value, list | tuple | set | frozenset):
-        return [plain(item) for item in (sorted(value, key=str) if isinstance(value, set | frozenset) else value)]
+        return [
+            plain(item) for item in (sorted(value, key=str) if isinstance(value, set | frozenset) else value)
+        ]
     if isinstance(value, np.generic):
         return plain(value.item())
     if isinstance(value, float) and not np.isfinite(value):

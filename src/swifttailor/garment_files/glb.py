@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from swifttailor.atomic_files import write_atomically
+from swifttailor.garment_files.binary_file import write_bytes
 from swifttailor.garment_files.triangle_mesh import Array, TriangleMesh
 from swifttailor.garment_files.units import to_metres
 
@@ -29,8 +29,7 @@ def write_glb(mesh: TriangleMesh, path: Path | str) -> Path:
     vertices of the stitched mesh, so that readers can join them again. Seams are line segments in the node
     ``seams``.
     """
-    content = glb_bytes(mesh)
-    return write_atomically(path, lambda temporary: temporary.write_bytes(content))
+    return write_bytes(path, glb_bytes(mesh))
 
 
 def glb_bytes(mesh: TriangleMesh) -> bytes:
@@ -68,7 +67,7 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         meshes.append({"name": name, "primitives": [primitive]})
     segments = [np.stack([line[:-1], line[1:]], axis=1) for line in mesh.lines if len(line) > 1]
     if segments:
-        used, index = np.unique(np.concatenate(segments), return_inverse=True)
+        used, index = np.unique(np.concatenate(segments).astype(np.int32), return_inverse=True)
         primitive = {
             "attributes": {"POSITION": buffer.add(positions[used], bounds=True)},
             "indices": buffer.add_indices(index),

@@ -30,10 +30,10 @@ def obj_text(mesh: TriangleMesh) -> str:
         "# v: stitched vertices shared by all panels; vt: one per panel vertex, origin lower left",
         "o garment",
     ]
-    lines += ["v %.6f %.6f %.6f" % tuple(p) for p in (mesh.vertices + 0.0).tolist()]
+    lines += [f"v {x:.6f} {y:.6f} {z:.6f}" for x, y, z in (mesh.vertices + 0.0).tolist()]
     if mesh.uv is not None:
-        lines += ["vt %.8f %.8f" % tuple(p) for p in mesh.uv.tolist()]
-    lines += ["vn %.5f %.5f %.5f" % tuple(p) for p in (mesh.vertex_normals + 0.0).tolist()]
+        lines += [f"vt {u:.8f} {v:.8f}" for u, v in mesh.uv.tolist()]
+    lines += [f"vn {x:.5f} {y:.5f} {z:.5f}" for x, y, z in (mesh.vertex_normals + 0.0).tolist()]
     names = safe_names(mesh.groups) or ["mesh"]
     group = np.zeros(len(mesh.faces), np.int32) if mesh.face_group is None else mesh.face_group
     for k, name in enumerate(names):
@@ -41,11 +41,11 @@ def obj_text(mesh: TriangleMesh) -> str:
         lines += [f"g {name}", f"usemtl {name}"]
         faces = (mesh.faces[of_group] + 1).tolist()
         if mesh.uv_faces is None:
-            lines += ["f %d//%d %d//%d %d//%d" % (a, a, b, b, c, c) for a, b, c in faces]
+            lines += [f"f {a}//{a} {b}//{b} {c}//{c}" for a, b, c in faces]
         else:
             uv = (mesh.uv_faces[of_group] + 1).tolist()
             lines += [
-                "f %d/%d/%d %d/%d/%d %d/%d/%d" % (a, s, a, b, t, b, c, u, c)
+                f"f {a}/{s}/{a} {b}/{t}/{b} {c}/{u}/{c}"
                 for (a, b, c), (s, t, u) in zip(faces, uv, strict=True)
             ]
     polylines = [line for line in mesh.lines if len(line) > 1]

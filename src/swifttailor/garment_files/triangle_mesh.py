@@ -65,7 +65,9 @@ class TriangleMesh:
 
     def _require_length(self, name: str) -> None:
         if len(getattr(self, name)) != len(self.faces):
-            raise InputError(f"{name} has {len(getattr(self, name))} rows, but there are {len(self.faces)} faces.")
+            raise InputError(
+                f"{name} has {len(getattr(self, name))} rows, but there are {len(self.faces)} faces."
+            )
 
     @cached_property
     def vertex_normals(self) -> Array:
@@ -136,7 +138,9 @@ def _indices(name: str, values: Any, count: int, dimensions: int = 2) -> Array:
     if array.size == 0:
         array = np.zeros((0, 3) if dimensions == 2 else 0, np.int32)
     if array.ndim != dimensions or (dimensions == 2 and array.shape[1] != 3):
-        raise InputError(f"A mesh's {name} must be triangles, rows of 3 indices; got the shape {array.shape}.")
+        raise InputError(
+            f"A mesh's {name} must be triangles, rows of 3 indices; got the shape {array.shape}."
+        )
     if not np.issubdtype(array.dtype, np.integer):
         raise InputError(f"A mesh's {name} must be whole numbers, got {array.dtype}.")
     if array.size and (array.min() < 0 or array.max() >= count):

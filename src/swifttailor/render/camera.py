@@ -86,7 +86,7 @@ class Camera:
         return np.stack([width / 2 + view[:, 0] * scale, height / 2 - view[:, 1] * scale, view[:, 2]], axis=1)
 
     def rays(self, x: Array, y: Array, size: tuple[int, int]) -> tuple[Array, Array]:
-        """World origin and unit direction, both (n, 3) cm, of the sight lines through pixel positions (n,)."""
+        """Origin and unit direction, both (n, 3) cm, of the sight lines through pixel positions (n,)."""
         width, height = size
         scale = self.height / height
         right, up, back = self.axes

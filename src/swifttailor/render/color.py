@@ -39,9 +39,7 @@ def to_linear(color: Color) -> Array:
     else:
         values = np.asarray(color, np.float64)
     if values.shape != (3,) or not np.all((values >= 0.0) & (values <= 1.0)):
-        raise InputError(
-            f"A colour is '#rrggbb' or three numbers from 0 to 1, got {color!r}. Try '#4a78b0'."
-        )
+        raise InputError(f"A colour is '#rrggbb' or three numbers from 0 to 1, got {color!r}. Try '#4a78b0'.")
     return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
 
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from swifttailor.render.camera import Camera
 from swifttailor.render.backdrop import wall
+from swifttailor.render.camera import Camera
 from swifttailor.render.color import BACKGROUND, BODY, CLOTH, Color, encode_srgb, to_linear
 from swifttailor.render.scene import Scene
 from swifttailor.render.surface import Array, LineSet, Surface
@@ -21,7 +21,9 @@ if TYPE_CHECKING:
     from swifttailor.garment import Garment
 
 
-def cloth_surface(garment: Garment, color: Color = CLOTH, *, tint_panels: bool = True, lines: bool = True) -> Surface:
+def cloth_surface(
+    garment: Garment, color: Color = CLOTH, *, tint_panels: bool = True, lines: bool = True
+) -> Surface:
     """The garment as the renderer draws it.
 
     Args:
@@ -155,7 +157,9 @@ def _frame(garment: Array, body: Array | None) -> _Frame:
 
 
 def _seam_edges(garment: Garment) -> Array:
-    parts = [np.stack([s.vertices[:-1], s.vertices[1:]], axis=1) for s in garment.seams if len(s.vertices) > 1]
+    parts = [
+        np.stack([s.vertices[:-1], s.vertices[1:]], axis=1) for s in garment.seams if len(s.vertices) > 1
+    ]
     return np.concatenate(parts) if parts else np.zeros((0, 2), np.int32)
 
 

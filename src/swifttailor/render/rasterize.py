@@ -6,6 +6,8 @@ sharing an edge never both claim a pixel nor leave one unclaimed.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from swifttailor.render.surface import Array
@@ -118,7 +120,7 @@ def _chunks(counts: Array) -> list[tuple[int, int]]:
         return []
     cuts = np.searchsorted(total, np.arange(CHUNK, total[-1], CHUNK), side="left") + 1
     bounds = np.unique(np.concatenate([[0], cuts, [len(counts)]]))
-    return [(int(a), int(b)) for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
+    return [(int(a), int(b)) for a, b in pairwise(bounds)]
 
 
 def _fill(nearest: Array, rows: _Rows, depth: _Depth, width: int) -> None:

@@ -59,7 +59,12 @@ class ShadowMap:
 def _tent(fraction: Array) -> list[Array]:
     """Weights of four neighbouring cells for a box of width 3 at `fraction` between the middle two."""
     third = np.float32(1 / 3)
-    return [(1 - fraction) * third, np.full_like(fraction, third), np.full_like(fraction, third), fraction * third]
+    return [
+        (1 - fraction) * third,
+        np.full_like(fraction, third),
+        np.full_like(fraction, third),
+        fraction * third,
+    ]
 
 
 def _axes_towards(direction: Array) -> Array:

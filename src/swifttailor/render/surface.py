@@ -58,7 +58,9 @@ class Surface:
         if faces.size == 0:
             faces = np.zeros((0, 3), np.int32)
         if faces.ndim != 2 or faces.shape[1] != 3 or not np.issubdtype(faces.dtype, np.integer):
-            raise InputError(f"Faces to draw must be integers of shape (m, 3), got {faces.shape} {faces.dtype}.")
+            raise InputError(
+                f"Faces to draw must be integers of shape (m, 3), got {faces.shape} {faces.dtype}."
+            )
         _require_indices("Faces", faces, len(vertices))
         object.__setattr__(self, "vertices", vertices)
         object.__setattr__(self, "faces", faces.astype(np.int32))

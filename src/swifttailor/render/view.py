@@ -112,7 +112,9 @@ def _find_visible(projection: Projection, face: Array) -> _Visible:
     at = np.flatnonzero(face.ravel() >= 0)
     seen = face.ravel()[at]
     # Weights are taken from each triangle's own first corner: exact enough in float32 for slivers, too.
-    weights = np.concatenate([projection.corners[:, 0, :2], barycentric(projection.corners)[:, :, :2].reshape(-1, 4)], axis=1)
+    weights = np.concatenate(
+        [projection.corners[:, 0, :2], barycentric(projection.corners)[:, :, :2].reshape(-1, 4)], axis=1
+    )
     row, column = np.divmod(at.astype(np.int32), np.int32(face.shape[1]))
     x0, y0, ax, ay, bx, by = weights.astype(np.float32)[seen].T
     x, y = column + np.float32(0.5) - x0, row + np.float32(0.5) - y0

@@ -15,7 +15,8 @@ from swifttailor.pattern.svg.paths import edge_path, number, outline_path
 from swifttailor.pattern.svg.placing import PlacedPanel, place_panel, shelves
 
 PALETTE = (
-    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#b07d00", "#7b3294", "#5a6b00", "#a6303f", "#00736f",
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9",
+    "#b07d00", "#7b3294", "#5a6b00", "#a6303f", "#00736f",
 )  # fmt: skip
 """Seam colours: Okabe and Ito's, without their yellow, which white paper swallows; then four darker ones."""
 
@@ -48,18 +49,19 @@ def pattern_to_svg(pattern: Pattern) -> str:
     """
     seams = _seams(pattern)
     extents = np.array([np.ptp(p.bounding_box(), axis=0) for p in pattern.panels]).reshape(-1, 2) * 10.0
-    unit = float(np.clip(np.sqrt((extents + 20.0).prod(axis=1).sum()) / 110.0, 2.5, 120.0))
+    unit = float(np.clip(np.sqrt((extents + 20.0).prod(axis=1).sum()) / 95.0, 2.5, 150.0))
     placed = [place_panel(k, p, unit) for k, p in enumerate(pattern.panels)]
     sizes = np.array([p.size for p in placed]).reshape(-1, 2)
     gap = 3.0 * unit
     corners, sheet = shelves(sizes, gap) if placed else (np.zeros((0, 2)), np.zeros(2))
     border = 3.0 * unit
-    footer = 6.5 * unit
+    footer = 8.0 * unit
     width = max(float(sheet[0]), 62.0 * unit) + 2 * border
     height = float(sheet[1]) + 2 * border + footer
-    body = [
-        _panel(item, corner + border, seams, unit) for item, corner in zip(placed, corners, strict=True)
-    ]
+    body = [_panel(item, corner + border, seams, unit) for item, corner in zip(placed, corners, strict=True)]
+    kinds = {s.kind for s in seams.values()}
+    if len(seams) < sum(len(p.edges) for p in pattern.panels):
+        kinds.add("free")
     w, h = _short(width), _short(height)
     return "\n".join(
         [
@@ -70,7 +72,7 @@ def pattern_to_svg(pattern: Pattern) -> str:
             f"<style>{_style(unit)}</style>",
             f'<rect class="sheet" width="{w}" height="{h}"/>',
             *body,
-            _footer(pattern, border, height - border, width - 2 * border, unit),
+            _footer(pattern, kinds, border, height - border, width - 2 * border, unit),
             "</svg>",
             "",
         ]
@@ -95,8 +97,7 @@ def _style(unit: float) -> str:
         "dominant-baseline:central}",
         ".name{fill:#3a3835}",
         ".legend{fill:#6b6762;text-anchor:start}",
-        f".number{{font-size:{_short(0.62 * unit)}px;font-weight:bold;paint-order:stroke;stroke:#f4f1ec;"
-        f"stroke-width:{_short(0.18 * unit)}px;stroke-linejoin:round}}",
+        f".number{{font-size:{_short(0.66 * unit)}px;font-weight:bold}}",
         f".bar{{fill:none;stroke:#3a3835;stroke-width:{_short(0.14 * unit)}}}",
     )
     return "".join(rules)
@@ -174,7 +175,7 @@ def _seam_number(item: PlacedPanel, edge: int, seam: _Seam, unit: float) -> str:
     return f'<text class="number" x="{_short(x)}" y="{_short(-y)}" fill="{seam.color}">{seam.number}</text>'
 
 
-def _footer(pattern: Pattern, left: float, bottom: float, width: float, unit: float) -> str:
+def _footer(pattern: Pattern, kinds: set[str], left: float, bottom: float, width: float, unit: float) -> str:
     """Scale bar, title and what the marks mean."""
     bar = next((b for b in (10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0) if b >= 6 * unit), 2000.0)
     label = f"{bar / 10:g} cm" if bar < 1000 else f"{bar / 1000:g} m"
@@ -184,12 +185,13 @@ def _footer(pattern: Pattern, left: float, bottom: float, width: float, unit: fl
     title = f"{_clean(pattern.name)}: {count[0]} panels, {count[1]} stitches"
     size = min(unit, width / (0.58 * max(len(title), 1)))
     note = "seen from the right side of the cloth; print at 100 %"
-    marks = (
-        ("edge", f'stroke="{PALETTE[0]}"', "seam (equal numbers meet)"),
+    marks = [
+        ("edge seam", f'stroke="{PALETTE[0]}"', "seam (equal numbers meet)"),
         ("edge gather", f'stroke="{PALETTE[0]}"', "gathered"),
         ("edge dart", f'stroke="{PALETTE[0]}"', "dart"),
         ("edge free", "", "free edge"),
-    )
+    ]
+    marks = [m for m in marks if m[0].split()[1] in kinds]
     small = 0.8 * unit
     parts = ['<g class="footer">']
     parts.append(
@@ -197,8 +199,9 @@ def _footer(pattern: Pattern, left: float, bottom: float, width: float, unit: fl
         f'font-size="{_short(size)}">{escape(title)}</text>'
     )
     parts.append(
-        f'<path class="bar" data-length="{_short(bar)}" d="M{_short(x0)},{_short(y - tick)}V{_short(y + tick)}'
-        f'M{_short(x0)},{_short(y)}H{_short(x1)}M{_short(x1)},{_short(y - tick)}V{_short(y + tick)}"/>'
+        f'<path class="bar" data-length="{_short(bar)}" d="M{_short(x0)},{_short(y - tick)}'
+        f"V{_short(y + tick)}M{_short(x0)},{_short(y)}H{_short(x1)}"
+        f'M{_short(x1)},{_short(y - tick)}V{_short(y + tick)}"/>'
     )
     parts.append(
         f'<text class="legend" x="{_short(x1 + unit)}" y="{_short(y)}" font-size="{_short(small)}">'
@@ -218,7 +221,9 @@ def _footer(pattern: Pattern, left: float, bottom: float, width: float, unit: fl
 
 def _clean(text: str) -> str:
     """Text without the control characters that XML forbids."""
-    return "".join(c if c >= " " and not "\ud800" <= c <= "\udfff" and c not in "\ufffe\uffff" else " " for c in text)
+    return "".join(
+        c if c >= " " and not "\ud800" <= c <= "\udfff" and c not in "\ufffe\uffff" else " " for c in text
+    )
 
 
 def _short(value: float) -> str:

@@ -106,7 +106,9 @@ def _middle(outline: Array) -> tuple[tuple[float, float], float]:
     """The point of a grid that lies deepest inside a polygon (n, 2), and how deep."""
     low, high = outline.min(axis=0), outline.max(axis=0)
     steps = (np.arange(_GRID) + 0.5) / _GRID
-    x, y = (a.ravel() for a in np.meshgrid(low[0] + steps * (high - low)[0], low[1] + steps * (high - low)[1]))
+    x, y = (
+        a.ravel() for a in np.meshgrid(low[0] + steps * (high - low)[0], low[1] + steps * (high - low)[1])
+    )
     start, end = outline, np.roll(outline, -1, axis=0)
     step = end - start
     rise = np.where(step[:, 1] == 0.0, 1.0, step[:, 1])
