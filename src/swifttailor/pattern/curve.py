@@ -227,10 +227,12 @@ def split(curve: Curve, chord: ArrayLike, parameter: float) -> tuple[Curve, Curv
     if isinstance(curve, Line):
         return curve, curve, point
     if isinstance(curve, Arc):
-        sweep = abs(arc_geometry(curve, chord).sweep)
+        g = arc_geometry(curve, chord)
+        whole = replace(curve, radius=max(g.radius, curve.radius))
+        sweep = abs(g.sweep)
         return (
-            replace(curve, large=sweep * parameter > math.pi),
-            replace(curve, large=sweep * (1 - parameter) > math.pi),
+            replace(whole, large=sweep * parameter > math.pi),
+            replace(whole, large=sweep * (1 - parameter) > math.pi),
             point,
         )
     left, right = _de_casteljau(control_polygon(curve, chord), parameter)
@@ -302,13 +304,18 @@ def _from_polygon(control: Array, chord: Array) -> Curve:
 def _bezier_roots(coefficients: Array) -> list[float]:
     """Roots in (0, 1) of a Bezier polynomial of degree one or two given by its coefficients."""
     if len(coefficients) == 2:
-        a, b = coefficients
-        polynomial = [b - a, a]
+        start, end = (float(c) for c in coefficients)
+        roots = [start / (start - end)] if start != end else []
     else:
-        a, b, c = coefficients
-        polynomial = [a - 2 * b + c, 2 * (b - a), a]
-    roots = np.roots(polynomial) if np.any(polynomial) else np.zeros(0)
-    return [float(r.real) for r in roots if abs(r.imag) < 1e-12 and 0.0 < r.real < 1.0]
+        start, middle, end = (float(c) for c in coefficients)
+        # a t^2 - 2 h t + start = 0, solved without cancellation, so that a near zero (a cubic that is almost
+        # a quadratic) loses no digits.
+        a, h = start - 2 * middle + end, start - middle
+        discriminant = h * h - a * start
+        q = h + math.copysign(math.sqrt(max(discriminant, 0.0)), h)
+        roots = [numerator / part for numerator, part in ((q, a), (start, q)) if part != 0.0]
+        roots = roots if discriminant >= 0.0 else []
+    return [t for t in roots if 0.0 < t < 1.0]
 
 
 @lru_cache(maxsize=1)

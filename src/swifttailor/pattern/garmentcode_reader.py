@@ -24,11 +24,14 @@ from swifttailor.pattern.pattern import EdgeRef, Pattern, Stitch
 
 MAX_PANELS = 500
 MAX_EDGES_PER_PANEL = 2000
+MAX_EDGES = 20_000
+"""In the whole pattern: a hundred times the largest one of GarmentCode."""
 MAX_STITCHES = 20_000
 
 _PANEL_KEYS = {"translation", "rotation", "vertices", "edges", "label"}
 _TOP_KEYS = {"pattern", "parameters", "parameter_order", "properties"}
 _EDGE_KEYS = {"endpoints", "curvature", "label"}
+_MAX_UNKNOWN_KEYS = 50
 
 
 @dataclass(frozen=True)
@@ -45,6 +48,18 @@ class _Context:
     absolute_curvature: bool = False
     rotation: RotationReading = "intrinsic"
     findings: list[Finding] = field(default_factory=list)
+    edges: int = 0
+    unknown_keys: int = 0
+
+    def in_cm(self, number: float, where: str) -> float:
+        """A length of the file in cm, refused where the unit makes it larger than any garment."""
+        length = number * self.scale
+        if abs(length) > values.MAX_ABSOLUTE:
+            raise PatternError(
+                f"{where}: {length:g} cm is larger than any garment (limit {values.MAX_ABSOLUTE:g}); "
+                "check properties.units_in_meter."
+            )
+        return length
 
 
 def load_pattern(path: Path | str, *, rotation: RotationReading = "intrinsic") -> Pattern:
@@ -161,16 +176,19 @@ def _read_panel(name: str, raw: Any, context: _Context) -> tuple[Panel, dict[int
     vertices = [values.as_vector(v, f"{where}.vertices[{k}]", 2) for k, v in enumerate(listed)]
     if len(vertices) < 2:
         raise PatternError(f"{where}: at least 2 vertices are needed, got {len(vertices)}.")
-    points = np.array(vertices) * context.scale
+    points = np.array([[context.in_cm(x, f"{where}.vertices") for x in v] for v in vertices])
     listed = values.as_list(panel["edges"], f"{where}.edges", limit=MAX_EDGES_PER_PANEL)
     if not listed:
         raise PatternError(f"{where} has no edges.")
+    context.edges += len(listed)
+    if context.edges > MAX_EDGES:
+        raise PatternError(f"panels: more than {MAX_EDGES} edges in all, which is more than any garment has.")
     edges = [_read_edge(e, f"{where}.edges[{k}]", points, context, name) for k, e in enumerate(listed)]
     loop = order_loop(name, points, edges)
     context.findings.extend(loop.findings)
     placement = Placement(
         tuple(
-            context.scale * x
+            context.in_cm(x, f"{where}.translation")
             for x in values.as_vector(panel.get("translation", [0, 0, 0]), f"{where}.translation", 3)
         ),  # ty: ignore[invalid-argument-type]
         values.as_vector(panel.get("rotation", [0, 0, 0]), f"{where}.rotation", 3),  # ty: ignore[invalid-argument-type]
@@ -217,7 +235,8 @@ def _read_curvature(raw: Any, where: str, chord: Array, context: _Context) -> Cu
         )
     params = values.as_list(curvature.get("params"), f"{where}.params", (counts[kind],))
     if kind == "circle":
-        radius = values.as_number(params[0], f"{where}.params[0] (radius)") * context.scale
+        place = f"{where}.params[0] (radius)"
+        radius = context.in_cm(values.as_number(params[0], place), place)
         if radius <= 0:
             raise PatternError(f"{where}: the radius must be positive, got {radius:g} cm.")
         large, right = (_read_flag(p, f"{where}.params[{k + 1}]") for k, p in enumerate(params[1:]))
@@ -227,6 +246,11 @@ def _read_curvature(raw: Any, where: str, chord: Array, context: _Context) -> Cu
         x, y = values.as_vector(p, f"{where}.params[{k}]", 2)
         if context.absolute_curvature:
             x, y = to_relative(np.array([x, y]) * context.scale, chord)
+            if max(abs(x), abs(y)) > values.MAX_ABSOLUTE:
+                raise PatternError(
+                    f"{where}.params[{k}]: the control point is too far from the edge, whose ends all but "
+                    "coincide. Split the edge or move its ends apart."
+                )
         controls.append((x, y))
     return Quadratic(controls[0]) if kind == "quadratic" else Cubic(controls[0], controls[1])
 
@@ -296,12 +320,16 @@ def _read_stitches(
 
 def _note_unknown(context: _Context, keys: set[str], where: str, panel: str = "") -> None:
     for key in sorted(keys):
+        context.unknown_keys += 1
+        if context.unknown_keys > _MAX_UNKNOWN_KEYS:
+            return
+        shown = key[:60] if key[:60].isprintable() else ascii(key[:60])
         context.findings.append(
             Finding(
                 "unknown-key",
                 Severity.INFO,
-                f"{where} has an unknown key {key[:60]!r}, which is not kept",
+                f"{where} has an unknown key {shown!r}, which is not kept",
                 panel=panel,
-                value=key[:60],
+                value=shown,
             )
         )

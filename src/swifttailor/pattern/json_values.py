@@ -11,7 +11,7 @@ from typing import Any
 from swifttailor.errors import InputError, PatternError
 
 MAX_FILE_BYTES = 32 * 1024 * 1024
-_MAX_ABSOLUTE = 1e7
+MAX_ABSOLUTE = 1e7
 """No coordinate of a garment is 100 km; beyond this, arithmetic on it is noise."""
 
 
@@ -35,6 +35,8 @@ def read_json_file(path: Path | str) -> Any:
         data = path.read_bytes()
     except OSError as error:
         raise InputError(f"Cannot read '{path}': {error.strerror or error}.") from error
+    except ValueError as error:  # a name with a zero byte in it
+        raise InputError(f"{str(path)!r} is no file name: {error}. Give the path of a JSON file.") from error
     return parse_json(data, str(path))
 
 
@@ -87,10 +89,10 @@ def as_number(value: Any, where: str) -> float:
     """`value` as a finite float of sensible size."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise PatternError(f"{where}: a number was expected, got {describe(value)}.")
-    if isinstance(value, int) and abs(value) > _MAX_ABSOLUTE:
-        raise PatternError(f"{where}: the number is larger than any garment (limit {_MAX_ABSOLUTE:g}).")
-    if not math.isfinite(value) or abs(value) > _MAX_ABSOLUTE:
-        raise PatternError(f"{where}: {value!r} is not a finite number below {_MAX_ABSOLUTE:g}.")
+    if isinstance(value, int) and abs(value) > MAX_ABSOLUTE:
+        raise PatternError(f"{where}: the number is larger than any garment (limit {MAX_ABSOLUTE:g}).")
+    if not math.isfinite(value) or abs(value) > MAX_ABSOLUTE:
+        raise PatternError(f"{where}: {value!r} is not a finite number below {MAX_ABSOLUTE:g}.")
     return float(value)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -93,7 +94,7 @@ class Panel:
         ) and np.array_equal(self.vertices, other.vertices)
 
     def __hash__(self) -> int:
-        return hash((self.name, self.edges, self.vertices.tobytes()))
+        return hash((self.name, self.edges, (self.vertices + 0.0).tobytes()))  # -0.0 equals 0.0
 
     def chord(self, edge: int) -> Array:
         """Start and end (2, 2) of an edge, cm."""
@@ -140,7 +141,16 @@ class Panel:
         return self.placement.apply(points)
 
     def split_edge(self, edge: int, fractions: Sequence[float]) -> Panel:
-        """Cuts an edge at increasing fractions of its length; later edges move up by ``len(fractions)``."""
+        """Cuts an edge at increasing fractions of its length; later edges move up by ``len(fractions)``.
+
+        Raises:
+            PatternError: The fractions do not increase strictly between 0 and 1.
+        """
+        if any(not low < high for low, high in pairwise([0.0, *fractions, 1.0])):
+            raise PatternError(
+                f"Panel '{self.name}', edge {edge}: fractions must increase strictly between 0 and 1, "
+                f"got {list(fractions)}."
+            )
         chord, curve = self.chord(edge), self.edges[edge].curve
         cuts = curves.parameters_by_length(curve, chord, list(fractions))
         pieces: list[Edge] = []
