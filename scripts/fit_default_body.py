@@ -28,6 +28,7 @@ import numpy as np
 from swifttailor.atomic_files import write_atomically
 from swifttailor.body import BodyMeasurements, BodyPart, measure_body, signed_distance
 from swifttailor.body.measurements import read_measurements
+from swifttailor.body.parts import fill_holes
 
 Array = np.ndarray[Any, np.dtype[Any]]
 
@@ -97,13 +98,10 @@ class SymmetricAnny:
             rig="anny", topology="anny-quads", local_changes="default", skinning_method="lbs"
         )
         self.kind = self.model.dtype
-        template = self.model.template_vertices.numpy()
-        self.mirror = _mirror_map(template)
+        self.mirror = _mirror_map(self.model.template_vertices.numpy())
         quads = self.model.faces.numpy()
         cavity = get_face_segmentation_mask(self.model, list(CAVITIES)).numpy()
-        self.quads = _largest_component(quads, len(template))
-        kept = {tuple(quad) for quad in quads[~cavity].tolist()}
-        self.skin = np.array([quad for quad in self.quads.tolist() if tuple(quad) in kept])
+        self.skin = _largest_component(quads[~cavity], len(self.mirror))
         labels = set(self.model.local_change_labels)
         self.changes = [
             [name] if name in labels else [f"l-{name}", f"r-{name}"]
@@ -167,12 +165,7 @@ class SymmetricAnny:
             part_of.append(int(roots.get(name, inherited)))
         weights = np.zeros((len(self.mirror), len(BodyPart)))
         table = np.array(part_of)[self.model.vertex_bone_indices.numpy()]
-        for column in range(table.shape[1]):
-            np.add.at(
-                weights,
-                (np.arange(len(table)), table[:, column]),
-                self.model.vertex_bone_weights.numpy()[:, column],
-            )
+        np.add.at(weights, (np.arange(len(table))[:, None], table), self.model.vertex_bone_weights.numpy())
         swapped = weights[self.mirror][:, [0, 1, 3, 2, 5, 4]]
         return (weights + swapped).argmax(axis=1).astype(np.uint8)
 
@@ -270,8 +263,9 @@ def finished_mesh(body: SymmetricAnny) -> tuple[Array, Array, Array]:
     vertices[middle, 0] = 0.0
     part = body.parts()
     used = np.unique(faces)
-    faces, vertices, part = np.searchsorted(used, faces), vertices[used], part[used]
-    faces, vertices, part = _close_holes(faces, vertices, part)
+    vertices, faces = fill_holes(vertices[used], np.searchsorted(used, faces))
+    heads = np.full(len(vertices) - len(used), BodyPart.HEAD, np.uint8)
+    part = np.concatenate([part[used], heads])
     vertices[:, 1] -= vertices[:, 1].min()
     return vertices.astype(np.float32), faces.astype(np.int32), part
 
@@ -310,35 +304,10 @@ def _largest_component(quads: Array, count: int) -> Array:
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    ends = np.concatenate([quads[:, [0, 1]], quads[:, [1, 2]], quads[:, [2, 3]]])
-    graph = coo_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(count, count))
-    _, label = connected_components(graph, directed=False)
-    label = label[quads[:, 0]]
+    ends = np.concatenate([quads[:, :2], quads[:, 1:3], quads[:, 2:]])
+    graph = coo_array((np.ones(len(ends)), ends.T), shape=(count, count))
+    label = connected_components(graph, directed=False)[1][quads[:, 0]]
     return quads[label == np.bincount(label).argmax()]
-
-
-def _close_holes(faces: Array, vertices: Array, part: Array) -> tuple[Array, Array, Array]:
-    """Fills every hole with a fan of triangles about the middle of its rim."""
-    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    base = len(vertices)
-    lone = ~np.isin(edges[:, 0] * base + edges[:, 1], edges[:, 1] * base + edges[:, 0])
-    follower = {int(start): int(end) for start, end in edges[lone]}
-    if len(follower) != lone.sum():
-        sys.exit("A hole's rim touches itself; choose other cavities to remove.")
-    new_faces, new_vertices = [faces], [vertices]
-    while follower:
-        start, end = follower.popitem()
-        rim = [start]
-        while end != start:
-            rim.append(end)
-            end = follower.pop(end)
-        loop = np.array(rim)
-        centre = np.full(len(loop), base)
-        new_faces.append(np.stack([np.roll(loop, -1), loop, centre], axis=1))
-        new_vertices.append(vertices[loop].mean(axis=0)[None])
-        part = np.append(part, part[loop[0]])
-        base += 1
-    return np.concatenate(new_faces), np.concatenate(new_vertices), part
 
 
 def check_mesh(vertices: Array, faces: Array) -> None:
@@ -362,11 +331,10 @@ def report(vertices: Array, faces: Array, part: Array, target: Target, wanted: B
     """Prints distances to the target, and our measurements beside the wanted ones."""
     away = np.abs(signed_distance(target.vertices, target.faces, vertices)[0])
     back = np.abs(signed_distance(vertices, faces, target.points)[0])
-    body = (part != BodyPart.HEAD) & (np.abs(vertices[:, 0]) < 50)
-    for name, gap in (("ours to target", away), ("without head and hands", away[body]), ("back", back)):
+    clothed = (part != BodyPart.HEAD) & (np.abs(vertices[:, 0]) < 50)
+    for name, gap in (("ours to target", away), ("without head and hands", away[clothed]), ("back", back)):
         print(f"{name}: mean {gap.mean() * 10:.1f} mm, p95 {np.percentile(gap, 95) * 10:.1f} mm")
-    levels = ("head_l", "vert_bust_line", "waist_line", "hips_line")
-    known = {name: wanted.as_dict()[name] for name in levels}
+    known = {k: wanted.as_dict()[k] for k in ("head_l", "vert_bust_line", "waist_line", "hips_line")}
     ours = measure_body(vertices.astype(np.float64), faces, part, known).as_dict()
     for name, value in wanted.as_dict().items():
         print(f"{name:22s} wanted {value:7.1f}  measured {ours[name]:7.1f}")
@@ -416,19 +384,15 @@ def main() -> None:
         "measurements copied from the measurements file; see docs/body.md",
     ]
 
-    def write(temporary: Path) -> None:
-        with temporary.open("wb") as stream:
-            np.savez_compressed(
-                stream,
-                vertices=vertices,
-                faces=faces,
-                vertex_part=part,
-                measurement_names=np.array(list(wanted.as_dict())),
-                measurement_values=np.array(list(wanted.as_dict().values())),
-                provenance=np.array(provenance),
-            )
-
-    write_atomically(options.out, write)
+    content = {
+        "vertices": vertices,
+        "faces": faces,
+        "vertex_part": part,
+        "measurement_names": np.array(list(wanted.as_dict())),
+        "measurement_values": np.array(list(wanted.as_dict().values())),
+        "provenance": np.array(provenance),
+    }
+    write_atomically(options.out, lambda temporary: np.savez_compressed(temporary, **content))
     print(f"{options.out}: {len(vertices)} vertices, {len(faces)} faces, {options.out.stat().st_size} bytes")
 
 

@@ -20,7 +20,7 @@ Array = np.ndarray[Any, np.dtype[Any]]
 DEFAULT_FILE = Path(__file__).with_name("default_body.npz")
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Body:
     """A body standing on the floor, on the Y axis, facing +Z; centimetres.
 
@@ -37,7 +37,7 @@ class Body:
     """(N,) uint8 `BodyPart` of each vertex."""
     measurements: BodyMeasurements
     """GarmentCode's measurements of this body."""
-    _made: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
+    _made: dict[Any, Any] = field(default_factory=dict, init=False)
 
     def __post_init__(self) -> None:
         for name, kind, shape in (
@@ -66,6 +66,10 @@ class Body:
             raise InputError(
                 f"A body's part labels run from 0 to {int(max(BodyPart))}, received {self.vertex_part.max()}."
             )
+
+    def __repr__(self) -> str:
+        size = f"{len(self.vertices)} vertices, {len(self.faces)} faces"
+        return f"Body({self.name!r}, {size}, {np.ptp(self.vertices[:, 1]):.1f} cm tall)"
 
     @staticmethod
     def default() -> Body:

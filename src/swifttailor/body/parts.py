@@ -67,8 +67,7 @@ def surface_without(
 ) -> tuple[Array, Array]:
     """The surface with some parts cut off and the cuts closed.
 
-    Every boundary loop that the cut opens is filled with a fan of triangles about its centre, so the rest
-    still has an inside and an outside.
+    Every hole that the cut opens is filled (see `fill_holes`), so the rest still has an inside.
 
     Args:
         vertices: (N, 3) positions, cm.
@@ -82,25 +81,38 @@ def surface_without(
     if not without:
         return vertices, faces
     kept = faces[~np.isin(face_parts(faces, vertex_part), [int(part) for part in without])]
-    loops = _cut_loops(kept, faces)
-    centres, fans = [], []
-    for number, loop in enumerate(loops):
-        centres.append(vertices[loop[:, 0]].mean(axis=0))
-        apex = np.full(len(loop), len(vertices) + number)
-        fans.append(np.stack([loop[:, 1], loop[:, 0], apex], axis=1))
+    return fill_holes(vertices, kept, faces)
+
+
+def fill_holes(vertices: Array, faces: Array, whole: Array | None = None) -> tuple[Array, Array]:
+    """Fills every hole with a fan of triangles about the middle of its rim.
+
+    Args:
+        vertices: (N, 3) positions.
+        faces: (M, 3) vertex indices.
+        whole: (K, 3) faces of a surface that `faces` are part of; its own holes stay open.
+
+    Returns:
+        Vertices (N + holes, 3), the middles last, and faces (M + rim edges, 3).
+    """
+    loops = _rims(faces, faces[:0] if whole is None else whole)
     if not loops:
-        return vertices, kept
-    return np.concatenate([vertices, centres]), np.concatenate([kept, *fans]).astype(np.int32)
+        return vertices, faces
+    middles = [vertices[rim[:, 0]].mean(axis=0) for rim in loops]
+    fans = [
+        np.stack([rim[:, 1], rim[:, 0], np.full(len(rim), len(vertices) + number)], axis=1)
+        for number, rim in enumerate(loops)
+    ]
+    return np.concatenate([vertices, middles]), np.concatenate([faces, *fans]).astype(np.int32)
 
 
-def _cut_loops(kept: Array, faces: Array) -> list[Array]:
-    """Directed edges (E, 2) of each connected boundary of `kept` that is no boundary of `faces`."""
+def _rims(faces: Array, whole: Array) -> list[Array]:
+    """Directed edges (E, 2) of each connected boundary of `faces` that is no boundary of `whole`."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    open_edges = _open_edges(kept)
-    already = {tuple(edge) for edge in _open_edges(faces).tolist()}
-    edges = np.array([e for e in open_edges.tolist() if tuple(e) not in already], np.int64).reshape(-1, 2)
+    already = {tuple(edge) for edge in _open_edges(whole).tolist()}
+    edges = np.array([edge for edge in _open_edges(faces).tolist() if tuple(edge) not in already], np.int64)
     if not len(edges):
         return []
     ids, ends = np.unique(edges, return_inverse=True)
