@@ -156,7 +156,7 @@ def length(curve: Curve, chord: ArrayLike) -> float:
     if isinstance(curve, Arc):
         g = arc_geometry(curve, chord)
         return g.radius * abs(g.sweep)
-    return float(_length_table(curve, chord)[-1])
+    return float(_length_table(curve, chord)[1][-1])
 
 
 def parameters_by_length(curve: Curve, chord: ArrayLike, fractions: ArrayLike) -> Array:
@@ -164,10 +164,9 @@ def parameters_by_length(curve: Curve, chord: ArrayLike, fractions: ArrayLike) -
     fractions = np.atleast_1d(np.asarray(fractions, float))
     if isinstance(curve, Line | Arc):
         return fractions.copy()
-    table = _length_table(curve, chord)
+    knots, table = _length_table(curve, chord)
     if table[-1] == 0.0:
         return fractions.copy()
-    knots = np.linspace(0.0, 1.0, len(table))
     target = fractions * table[-1]
     t = np.interp(target, table, knots)
     cell = np.clip(np.searchsorted(table, target, side="right") - 1, 0, len(table) - 2)
@@ -334,14 +333,37 @@ def _interval_lengths(control: Array, low: Array, high: Array) -> Array:
     return (_speed(control, t.ravel()).reshape(t.shape) @ weights) * (high - low)
 
 
-def _length_table(curve: Quadratic | Cubic, chord: ArrayLike) -> Array:
-    """Cumulative arc length at equally spaced parameters, refined until the total no longer changes."""
+def _length_table(curve: Quadratic | Cubic, chord: ArrayLike) -> tuple[Array, Array]:
+    """Parameters and the arc length up to each, refined until the total no longer changes.
+
+    The parameters of least speed are among them: at a cusp the speed has a kink, which quadrature across it
+    would not see.
+    """
     control = control_polygon(curve, chord)
+    slowest = _slowest_parameters(control)
     count, previous = 16, -1.0
     while True:
-        knots = np.linspace(0.0, 1.0, count + 1)
+        knots = np.union1d(np.linspace(0.0, 1.0, count + 1), slowest)
         lengths = _interval_lengths(control, knots[:-1], knots[1:])
         total = float(lengths.sum())
         if abs(total - previous) <= _LENGTH_TOLERANCE * max(total, 1e-12) or count >= _MAX_INTERVALS:
-            return np.concatenate([[0.0], np.cumsum(lengths)])
+            return knots, np.concatenate([[0.0], np.cumsum(lengths)])
         count, previous = count * 2, total
+
+
+def _slowest_parameters(control: Array) -> Array:
+    """Parameters in (0, 1) where the speed of a Bezier curve is stationary."""
+    steps = np.diff(control, axis=0)
+    size = np.abs(steps).max(initial=0.0)
+    if size == 0.0:
+        return np.zeros(0)
+    steps = steps / size
+    if len(steps) == 2:
+        power = np.array([steps[0], steps[1] - steps[0]])
+    else:
+        power = np.array([steps[0], 2 * (steps[1] - steps[0]), steps[0] - 2 * steps[1] + steps[2]])
+    squared = np.convolve(power[:, 0], power[:, 0]) + np.convolve(power[:, 1], power[:, 1])
+    slope = np.polynomial.Polynomial(squared).deriv().trim(1e-12)
+    roots = slope.roots() if slope.degree() > 0 else np.zeros(0)
+    real = roots.real[np.abs(roots.imag) < 1e-6]
+    return real[(real > 0.0) & (real < 1.0)]
