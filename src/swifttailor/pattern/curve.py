@@ -352,10 +352,10 @@ def _length_table(curve: Quadratic | Cubic, chord: ArrayLike) -> tuple[Array, Ar
 
 
 def _slowest_parameters(control: Array) -> Array:
-    """Parameters in (0, 1) where the speed of a Bezier curve is stationary."""
+    """Parameters in (0, 1) where the speed of a Bezier curve that may have a cusp is stationary."""
     steps = np.diff(control, axis=0)
     size = np.abs(steps).max(initial=0.0)
-    if size == 0.0:
+    if size == 0.0 or np.all(steps @ steps.sum(axis=0) > 0):  # never turns back: no cusp
         return np.zeros(0)
     steps = steps / size
     if len(steps) == 2:

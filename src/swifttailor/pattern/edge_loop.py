@@ -37,9 +37,10 @@ class Loop:
 def order_loop(panel: str, vertices: Array, edges: list[RawEdge]) -> Loop:
     """Orders edges head to tail.
 
-    Files of GarmentCode list them in order; the older formats do not promise it. Edges listed backwards are
-    reversed. A loop with a gap is closed (by joining coincident end points, else by a straight edge) and
-    reported as an error, so that a checker can go on and a loader can refuse.
+    Files of GarmentCode list them in order; the older formats do not promise it. The loop runs the way most
+    edges are listed, since its direction decides the right side of the cloth; the others are reversed. A loop
+    with a gap is closed (by joining coincident end points, else by a straight edge) and reported as an error,
+    so that a checker can go on and a loader can refuse.
 
     Args:
         panel: Panel name, for findings and errors.
@@ -54,7 +55,7 @@ def order_loop(panel: str, vertices: Array, edges: list[RawEdge]) -> Loop:
         return Loop(vertices, tuple(edges), {k: k for k in range(n)})
 
     findings: list[Finding] = []
-    chain, flipped = _walk(panel, edges)
+    chain, flipped = _with_the_majority(*_walk(panel, edges), edges)
     ordered = [_flip(edges[k]) if flipped[k] else edges[k] for k in chain]
     corners = [e.start for e in ordered]
     edge_ids = {k: position for position, k in enumerate(chain)}
@@ -141,6 +142,19 @@ def _walk(panel: str, edges: list[RawEdge]) -> tuple[list[int], list[bool]]:
             "are in the first). A panel is one closed loop without holes; make a panel of each loop."
         )
     return chain, flipped
+
+
+def _with_the_majority(
+    chain: list[int], flipped: list[bool], edges: list[RawEdge]
+) -> tuple[list[int], list[bool]]:
+    """The same chain travelled the way in which fewer edges are backwards; a loop keeps its first edge."""
+    if 2 * sum(flipped) <= len(edges):
+        return chain, flipped
+    ends = [edges[chain[0]].end if flipped[chain[0]] else edges[chain[0]].start]
+    ends.append(edges[chain[-1]].start if flipped[chain[-1]] else edges[chain[-1]].end)
+    closed = ends[0] == ends[1]
+    turned = [chain[0], *chain[:0:-1]] if closed else chain[::-1]
+    return turned, [not f for f in flipped]
 
 
 def _flip(edge: RawEdge) -> RawEdge:

@@ -143,7 +143,7 @@ def _crossing_finding(crossing: Crossing, panel: str, edge: int, place: str, at:
             edge=edge,
             value=crossing.depth if np.isfinite(crossing.depth) else None,
             why="cloth cannot be cut where it would lie in two layers",
-            repair="move the corner or bend the edge away; --repair mends crossings at a corner",
+            repair="move the corner or bend the edge away; --repair does it where half a centimetre is enough",
         )
     if crossing.kind == "noise":
         return Finding(
@@ -154,7 +154,7 @@ def _crossing_finding(crossing: Crossing, panel: str, edge: int, place: str, at:
             edge=edge,
             value=crossing.depth,
             why="less than the accuracy of cutting, but meshing programs may refuse it",
-            repair="--repair moves the corner there",
+            repair="--repair moves the corner or flattens the curve, by half a centimetre at most",
         )
     return Finding(
         "self-touching",
