@@ -80,14 +80,20 @@ def read_garment_mesh(path: Path | str) -> TriangleMesh:
         if str(path) in str(error) or not isinstance(error, InputError):
             raise
         raise InputError(f"'{path}' is no usable mesh: {error}") from error
-    except (KeyboardInterrupt, SystemExit):
-        raise
-    except BaseException as error:  # parsers of other packages raise whatever a broken file makes them raise
-        reason = str(error).strip().splitlines()[0][:200] if str(error).strip() else type(error).__name__
+    except Exception as error:  # parsers of other packages raise whatever a broken file makes them raise
         raise InputError(
-            f"'{path}' cannot be read as {ending.removeprefix('.').upper()}: {reason}. "
+            f"'{path}' cannot be read as {ending.removeprefix('.').upper()}: {_reason(error)}. "
             "Check that the file is complete and that its ending tells its format."
         ) from error
+
+
+def _reason(error: Exception) -> str:
+    """The first line of an error's text, or its kind; USD's errors can fail to say even that."""
+    try:
+        lines = str(error).strip().splitlines()
+    except Exception:
+        lines = []
+    return lines[0][:200].rstrip(".") if lines else type(error).__name__
 
 
 def _known(path: Path) -> str:

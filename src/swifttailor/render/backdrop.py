@@ -38,28 +38,30 @@ class FloorShadow:
         above = np.maximum(depth_at(corners, rasterize(corners, (width, height)), fill=1e6), 0.0)
         touching = gaussian_filter(np.exp(-above / 2.5), 2.0 / self._cell, mode="constant")
         hanging = gaussian_filter(np.exp(-above / 45.0), 12.0 / self._cell, mode="constant")
-        self._map = np.clip(0.45 * touching + 0.40 * hanging, 0.0, 0.75)
+        self._map = np.clip(0.55 * touching + 0.50 * hanging, 0.0, 0.8)
 
-    def darken(self, backdrop: Array, camera: Camera) -> None:
-        """Takes the light away from the backdrop (height, width, 3) as the camera sees it, in place."""
-        height, width = backdrop.shape[:2]
+    def light(self, camera: Camera, size: tuple[int, int]) -> Array:
+        """Share of the light (height, width, 1) float32 that is left in a picture of the floor."""
+        width, height = size
+        kept = np.ones((height, width, 1), np.float32)
         if camera.elevation <= 0.0:
-            return  # the floor is seen edge on, or from below
+            return kept  # the floor is seen edge on, or from below
         (x0, z0), (x1, z1) = self._low, self._high
         edge = np.array([[x0, 0.0, z0], [x0, 0.0, z1], [x1, 0.0, z0], [x1, 0.0, z1]])
-        seen = camera.project(edge, (width, height))
+        seen = camera.project(edge, size)
         if seen[:, 2].min() <= 1.0:
-            return
-        left, top = np.clip(np.floor(seen[:, :2].min(axis=0)), 0, (width, height)).astype(int)
-        right, bottom = np.clip(np.ceil(seen[:, :2].max(axis=0)), 0, (width, height)).astype(int)
+            return kept
+        left, top = np.clip(np.floor(seen[:, :2].min(axis=0)), 0, size).astype(int)
+        right, bottom = np.clip(np.ceil(seen[:, :2].max(axis=0)), 0, size).astype(int)
         if left >= right or top >= bottom:
-            return
+            return kept
         x, y = np.meshgrid(np.arange(left, right) + 0.5, np.arange(top, bottom) + 0.5)
-        origin, direction = camera.rays(x.ravel(), y.ravel(), (width, height))
+        origin, direction = camera.rays(x.ravel(), y.ravel(), size)
         along = -origin[:, 1] / np.minimum(direction[:, 1], -1e-6)
         points = (origin + along[:, None] * direction)[:, [0, 2]]
-        kept = 1.0 - _bilinear(self._map, (points - self._low) / self._cell - 0.5)
-        backdrop[top:bottom, left:right] *= kept.reshape(bottom - top, right - left, 1).astype(np.float32)
+        dark = _bilinear(self._map, (points - self._low) / self._cell - 0.5)
+        kept[top:bottom, left:right] -= dark.reshape(bottom - top, right - left, 1)
+        return kept
 
 
 def _bilinear(grid: Array, at: Array) -> Array:
@@ -72,6 +74,6 @@ def _bilinear(grid: Array, at: Array) -> Array:
     flat, corner = grid.ravel(), j * columns + i
     upper = (1 - u) * flat[corner] + u * flat[corner + 1]
     lower = (1 - u) * flat[corner + columns] + u * flat[corner + columns + 1]
-    value = np.zeros(len(at))
+    value = np.zeros(len(at), np.float32)
     value[inside] = (1 - v) * upper + v * lower
     return value

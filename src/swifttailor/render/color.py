@@ -9,7 +9,7 @@ import numpy as np
 from swifttailor.errors import InputError
 from swifttailor.render.surface import Array
 
-CLOTH = "#4a78b0"
+CLOTH = "#47788f"
 """Default colour of the right side of the cloth."""
 BODY = "#c9bfb6"
 """The mannequin."""

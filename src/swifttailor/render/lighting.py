@@ -26,15 +26,15 @@ class Light:
         return direction / np.linalg.norm(direction)
 
 
-KEY = Light((-0.55, 0.75, 0.75), (0.86, 0.83, 0.78), wrap=0.12)
+KEY = Light((-0.80, 0.80, 0.62), (1.02, 0.98, 0.92), wrap=0.10)
 """From the upper left, before the figure; it casts the shadows."""
-FILL = Light((0.80, 0.10, 0.55), (0.13, 0.15, 0.18), wrap=0.40)
+FILL = Light((0.85, 0.15, 0.50), (0.13, 0.15, 0.19), wrap=0.30)
 """Low, from the right, a little cooler."""
 RIM = Light((0.70, 0.55, -0.75), (0.26, 0.28, 0.30))
 """From behind, drawing the outline on the shadow side."""
-SKY = np.array([0.40, 0.41, 0.43])
+SKY = np.array([0.36, 0.37, 0.40])
 """Light from above."""
-GROUND = np.array([0.22, 0.21, 0.20])
+GROUND = np.array([0.17, 0.165, 0.16])
 """Light thrown back by the floor."""
 
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from swifttailor.render.backdrop import wall
-from swifttailor.render.camera import Camera
 from swifttailor.render.color import BACKGROUND, BODY, CLOTH, Color, encode_srgb, to_linear
+from swifttailor.render.framing import frame_views
 from swifttailor.render.scene import Scene
 from swifttailor.render.surface import Array, LineSet, Surface
 from swifttailor.render.view import draw_figure
@@ -39,7 +38,7 @@ def cloth_surface(
         step = (np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0
         right = base * (0.90 + 0.20 * step)[garment.mesh.face_panel][:, None]
     grey = float(base @ (0.2126, 0.7152, 0.0722))
-    inside = 0.5 * (0.55 * base + 0.45 * grey) + 0.015
+    inside = 0.55 * (0.5 * base + 0.5 * grey) + np.array([0.035, 0.028, 0.022])
     drawn = ()
     if lines:
         drawn = (
@@ -81,26 +80,17 @@ def render_preview(
     surfaces = [cloth_surface(garment, color)]
     if body is not None:
         surfaces.insert(0, body_surface(body))
-    frame = _frame(garment.vertices, None if body is None else body.vertices)
-    width, height = size
-    wide, deep = 2 * frame.half_width, 2 * frame.half_depth
-    total = 2 * wide + deep
-    seen = max(frame.top - frame.bottom, total * height / width)
-    columns = np.round(np.cumsum([0, wide, wide, deep]) * width / total).astype(int)
-    center = (frame.top + frame.bottom) / 2
     scene = Scene(surfaces)
     picture = wall(size, to_linear(background))
-    for k, azimuth in enumerate((0.0, 180.0, 90.0)):
-        middle = (0.0, center, frame.middle_z) if azimuth == 90.0 else (frame.middle_x, center, 0.0)
-        camera = Camera(middle, seen, azimuth, elevation=5.0, field_of_view=16.0)
-        column = slice(columns[k], columns[k + 1])
-        part = (int(columns[k + 1] - columns[k]), height)
-        light, coverage = draw_figure(scene, camera, part)
-        fade = _fade(part[0])
+    for view in frame_views(garment.vertices, None if body is None else body.vertices, size):
+        part = view.width, size[1]
+        column = picture[:, view.first : view.first + view.width]
+        light, coverage = draw_figure(scene, view.camera, part)
+        fade = _fade(view.width)
         if scene.floor_shadow is not None:
-            scene.floor_shadow.darken(picture[:, column], camera)
-        picture[:, column] *= 1.0 - coverage * fade
-        picture[:, column] += light * fade
+            column *= 1.0 - fade * (1.0 - scene.floor_shadow.light(view.camera, part))
+        column *= 1.0 - coverage * fade
+        column += light * fade
     return Image.fromarray(encode_srgb(picture))
 
 
@@ -109,51 +99,6 @@ def _fade(width: int) -> Array:
     from_border = np.minimum(np.arange(width), np.arange(width)[::-1]) + 0.5
     t = np.clip(from_border / min(28.0, width / 8), 0.0, 1.0)
     return (t * t * (3 - 2 * t)).astype(np.float32)[:, None]
-
-
-@dataclass(frozen=True)
-class _Frame:
-    """The part of the world to show, cm."""
-
-    bottom: float
-    top: float
-    middle_x: float
-    half_width: float
-    middle_z: float
-    half_depth: float
-
-
-def _frame(garment: Array, body: Array | None) -> _Frame:
-    points = garment if len(garment) else np.zeros((1, 3))
-    low, high = points.min(axis=0), points.max(axis=0)
-    bottom, top = float(low[1]), float(high[1])
-    if body is not None:
-        stature = float(body[:, 1].max())
-        # A top is shown with the head and down to the thighs, a skirt up to the chest; what covers most
-        # of the figure, with the whole figure.
-        if top > 0.70 * stature:
-            top = max(top, stature)
-        else:
-            top = min(top + 0.22 * stature, stature)
-        bottom = bottom - 0.12 * stature if bottom > 0.30 * stature else min(bottom, 0.0)
-        if top - bottom > 0.78 * stature:
-            bottom, top = min(bottom, 0.0), max(top, stature)
-        worn = body[(body[:, 1] >= bottom) & (body[:, 1] <= top)]
-        if len(worn):
-            low[2], high[2] = min(low[2], worn[:, 2].min()), max(high[2], worn[:, 2].max())
-            reach = float(np.abs(worn[:, 0]).max())
-            if top - bottom < 0.78 * stature:
-                reach = min(reach, float(np.abs(points[:, 0]).max()) + 6.0)
-            low[0], high[0] = min(low[0], -reach), max(high[0], reach)
-    margin = 0.035 * (top - bottom) + 1.0
-    return _Frame(
-        bottom - 1.6 * margin,
-        top + margin,
-        float(low[0] + high[0]) / 2,
-        float(high[0] - low[0]) / 2 + margin,
-        float(low[2] + high[2]) / 2,
-        float(high[2] - low[2]) / 2 + 2 * margin,
-    )
 
 
 def _seam_edges(garment: Garment) -> Array:

@@ -88,7 +88,10 @@ def vertex_normals(vertices: Array, faces: Array) -> Array:
     face_normals = np.cross(b - a, c - a)
     corner = faces.ravel()
     normals = np.stack(
-        [np.bincount(corner, np.repeat(face_normals[:, k], 3), len(vertices)) for k in range(3)], axis=1
+        [np.bincount(corner, np.repeat(face_normals[:, k], 3), len(vertices)) for k in range(3)],
+        axis=1,
+        dtype=np.float64,
+        casting="unsafe",
     )
     norm = np.linalg.norm(normals, axis=1, keepdims=True)
     return np.divide(normals, norm, out=np.zeros_like(normals), where=norm > 1e-12)

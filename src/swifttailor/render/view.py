@@ -58,7 +58,7 @@ def render_view(
         return np.concatenate([encode_srgb(light / np.maximum(coverage, 1e-6)), alpha], axis=2)
     backdrop = wall(size, to_linear(background))
     if floor and scene.floor_shadow is not None:
-        scene.floor_shadow.darken(backdrop, camera)
+        backdrop *= scene.floor_shadow.light(camera, size)
     return encode_srgb(light + (1.0 - coverage) * backdrop)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from swifttailor.atomic_files import write_text
 from swifttailor.pattern import curve as curves
-from swifttailor.pattern.pattern import EdgeRef, Pattern
+from swifttailor.pattern.pattern import EdgeRef, Pattern, Stitch
 from swifttailor.pattern.svg.paths import edge_path, number, outline_path
 from swifttailor.pattern.svg.placing import PlacedPanel, place_panel, shelves
 
@@ -110,18 +110,26 @@ def _seams(pattern: Pattern) -> dict[EdgeRef, _Seam]:
         if not all(pattern.has_edge(side) for side in stitch.sides):
             continue
         lengths = [pattern.edge_length(side) for side in stitch.sides]
-        same_panel = stitch.first.panel == stitch.second.panel
+        dart = _is_dart(pattern, stitch)
         for side, other, own, its in (
             (stitch.first, stitch.second, *lengths),
             (stitch.second, stitch.first, *lengths[::-1]),
         ):
             gathered = own > GATHER_RATIO * its + 0.05
-            kind = "gather" if gathered else "dart" if same_panel else "seam"
+            kind = "gather" if gathered else "dart" if dart else "seam"
             title = f"stitch {k}: to {other.panel}, edge {other.edge}; {own:.1f} cm"
             title += f" gathered to {its:.1f} cm" if gathered else ""
             title += "; right side to wrong side" if stitch.right_wrong else ""
             seams[side] = _Seam(k, PALETTE[k % len(PALETTE)], kind, title)
     return seams
+
+
+def _is_dart(pattern: Pattern, stitch: Stitch) -> bool:
+    """Whether a stitch closes two neighbouring edges of one panel."""
+    if stitch.first.panel != stitch.second.panel:
+        return False
+    count = len(pattern.panel(stitch.first.panel).edges)
+    return (stitch.first.edge - stitch.second.edge) % count in (1, count - 1)
 
 
 def _panel(item: PlacedPanel, corner: np.ndarray, seams: dict[EdgeRef, _Seam], unit: float) -> str:
