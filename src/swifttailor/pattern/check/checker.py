@@ -13,7 +13,7 @@ from swifttailor.pattern.check.placement_checks import (
     check_size,
 )
 from swifttailor.pattern.check.seam_direction import judge_directions
-from swifttailor.pattern.check.stitch_checks import check_stitches, usable_stitches
+from swifttailor.pattern.check.stitch_checks import check_stitches, single_stitches, usable_stitches
 from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.pattern import Pattern
 
@@ -41,7 +41,7 @@ def check_pattern(
     """
     outlines = {panel.name: trace_outline(panel) for panel in pattern.panels}
     usable = usable_stitches(pattern)
-    directions = judge_directions(pattern, outlines, usable)
+    directions = judge_directions(pattern, outlines, single_stitches(pattern, usable))
     findings = list(reader_findings)
     findings += check_size(pattern, outlines)
     for outline in outlines.values():

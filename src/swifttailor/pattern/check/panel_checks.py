@@ -143,7 +143,7 @@ def _crossing_finding(crossing: Crossing, panel: str, edge: int, place: str, at:
             edge=edge,
             value=crossing.depth if np.isfinite(crossing.depth) else None,
             why="cloth cannot be cut where it would lie in two layers",
-            repair="move the corner or bend the edge away; --repair does it where half a centimetre is enough",
+            repair="move the corner or bend the edge away; --repair does it within half a centimetre",
         )
     if crossing.kind == "noise":
         return Finding(

@@ -14,7 +14,7 @@ from swifttailor.pattern.check.outline import trace_outline
 from swifttailor.pattern.check.panel_checks import SLIVER_EDGE_CM, ZERO_LENGTH_CM, radius_needed
 from swifttailor.pattern.check.placement_checks import BodyProbe, SignedDistance
 from swifttailor.pattern.check.seam_direction import Directions, judge_directions
-from swifttailor.pattern.check.stitch_checks import usable_stitches
+from swifttailor.pattern.check.stitch_checks import single_stitches, usable_stitches
 from swifttailor.pattern.curve import Arc
 from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.panel import Panel
@@ -150,6 +150,8 @@ def _drop_zero_edges(pattern: Pattern) -> tuple[Pattern, list[Change]]:
     for panel in pattern.panels:
         for k in np.flatnonzero(lengths[panel.name] < ZERO_LENGTH_CM).tolist():
             ref = EdgeRef(panel.name, k)
+            if k in drop.get(panel.name, ()):
+                continue  # went with its partner
             sewn = partners.get(ref, [])
             gone = {ref, *sewn}
             alone = len(sewn) <= 1 and all(partners.get(other) == [ref] for other in sewn)
@@ -234,7 +236,7 @@ def _free_crossings(pattern: Pattern) -> tuple[Pattern, list[Change]]:
 
 def _directions(pattern: Pattern) -> Directions:
     outlines = {panel.name: trace_outline(panel) for panel in pattern.panels}
-    return judge_directions(pattern, outlines, usable_stitches(pattern))
+    return judge_directions(pattern, outlines, single_stitches(pattern, usable_stitches(pattern)))
 
 
 _STEPS: tuple[Callable[[Pattern], tuple[Pattern, list[Change]]], ...] = (

@@ -66,7 +66,7 @@ def judge_directions(pattern: Pattern, outlines: dict[str, Outline], usable: Seq
     Args:
         pattern: Any pattern.
         outlines: Outline of each panel by name.
-        usable: Indices of the stitches that join two different, existing edges.
+        usable: Indices of the stitches that join two different, existing edges, each in no other stitch.
     """
     topology = SeamTopology(pattern, usable)
     agreement = {s: _agreement(pattern.stitches[s], outlines) for s in usable}

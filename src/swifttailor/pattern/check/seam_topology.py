@@ -90,9 +90,9 @@ class SeamTopology:
         """
         turned = set(stitches)
         touched = {self.class_of[v] for s in stitches for pair in self.pairs(s) for v in pair}
-        kept = [(s, pair) for c in touched for s, pair in self._pairs_of_class[c]]
-        if len(kept) + 2 * len(stitches) > _MAX_LOCAL_PAIRS:
+        if sum(len(self._pairs_of_class[c]) for c in touched) + 2 * len(stitches) > _MAX_LOCAL_PAIRS:
             return None
+        kept = [(s, pair) for c in touched for s, pair in self._pairs_of_class[c]]
         before = self._collapses([pair for _, pair in kept])
         after = [pair for s, pair in kept if s not in turned]
         for s in stitches:
@@ -100,9 +100,10 @@ class SeamTopology:
         return before - self._collapses(after)
 
     def touching(self, stitches: Iterable[int]) -> set[int]:
-        """Stitches that share a class of corners with any of `stitches`."""
+        """Stitches that share a class of corners with any of `stitches`; classes beyond sense left out."""
         classes = {self.class_of[v] for s in stitches for pair in self.pairs(s) for v in pair}
-        return {s for c in classes for s, _ in self._pairs_of_class[c]}
+        members = (self._pairs_of_class[c] for c in classes)
+        return {s for pairs in members if len(pairs) <= _MAX_LOCAL_PAIRS for s, _ in pairs}
 
     def collapsed_edges(self) -> list[EdgeRef]:
         """Edges whose two ends the stitches join into one point."""

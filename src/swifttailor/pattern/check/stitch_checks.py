@@ -61,6 +61,15 @@ def usable_stitches(pattern: Pattern) -> list[int]:
     return usable
 
 
+def single_stitches(pattern: Pattern, usable: list[int]) -> list[int]:
+    """Those of the usable stitches whose two edges are in no other stitch.
+
+    Only these say anything about directions: where an edge is stitched twice, one of the stitches is wrong.
+    """
+    uses = Counter(ref for k in usable for ref in pattern.stitches[k].sides)
+    return [k for k in usable if all(uses[ref] == 1 for ref in pattern.stitches[k].sides)]
+
+
 def check_stitches(
     pattern: Pattern, outlines: dict[str, Outline], usable: list[int], directions: Directions
 ) -> list[Finding]:
@@ -185,7 +194,7 @@ def _twisted(pattern: Pattern, directions: Directions) -> list[Finding]:
 def _collapsed(
     pattern: Pattern, outlines: dict[str, Outline], usable: list[int], directions: Directions
 ) -> list[Finding]:
-    topology = SeamTopology(pattern, usable)
+    topology = SeamTopology(pattern, single_stitches(pattern, usable))
     topology.flip([t.stitch for t in directions.twisted])
     return [
         Finding(
