@@ -11,6 +11,8 @@ from swifttailor.render.surface import Array
 
 _ELEVATION = 5.0
 _FIELD_OF_VIEW = 16.0
+_CHEST = 0.70
+"""A top reaches above this share of the stature."""
 _WHOLE = 0.78
 """A frame higher than this share of the stature shows the whole figure instead."""
 
@@ -29,8 +31,8 @@ class PlacedView:
 def frame_views(garment: Array, body: Array | None, size: tuple[int, int]) -> list[PlacedView]:
     """Frames the front, the back and the wearer's left side, all at one scale.
 
-    A top is shown with the head, a skirt with the legs; what covers most of the figure, or is so wide that
-    there is room for it, with the whole figure from head to feet.
+    A top is shown with the head and part of the legs. Everything else, and a top so wide that there is room
+    for it, is shown with the whole figure.
 
     Args:
         garment: (n, 3) vertices, cm.
@@ -41,8 +43,11 @@ def frame_views(garment: Array, body: Array | None, size: tuple[int, int]) -> li
     if not len(garment):
         garment = np.array([[-20.0, 60, -20], [20, 140, 20]])
     frame = _frame(garment, body, whole=False)
-    if body is not None and _seen(frame, size) > _WHOLE * float(body[:, 1].max()):
-        frame = _frame(garment, body, whole=True)
+    if body is not None:
+        stature = float(body[:, 1].max())
+        is_top = garment[:, 1].max() > _CHEST * stature
+        if not is_top or _seen(frame, size) > _WHOLE * stature:
+            frame = _frame(garment, body, whole=True)
     seen = _seen(frame, size)
     shares = np.cumsum([0.0, frame.half_width, frame.half_width, frame.half_depth])
     columns = np.round(shares * width / shares[-1]).astype(int)
@@ -81,8 +86,7 @@ def _frame(garment: Array, body: Array | None, *, whole: bool) -> _Frame:
         if whole:
             bottom, top = min(bottom, 0.0), max(top, stature)
         else:
-            top = max(top, stature) if top > 0.70 * stature else top + 0.15 * stature
-            bottom = bottom - 0.12 * stature if bottom > 0.30 * stature else min(bottom, 0.0)
+            bottom, top = bottom - 0.12 * stature, max(top, stature)
         worn = body[(body[:, 1] >= bottom) & (body[:, 1] <= top)]
         if len(worn):
             low[2], high[2] = min(low[2], worn[:, 2].min()), max(high[2], worn[:, 2].max())

@@ -38,7 +38,7 @@ def cloth_surface(
         step = (np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0
         right = base * (0.90 + 0.20 * step)[garment.mesh.face_panel][:, None]
     grey = float(base @ (0.2126, 0.7152, 0.0722))
-    inside = 0.55 * (0.5 * base + 0.5 * grey) + np.array([0.035, 0.028, 0.022])
+    inside = 0.70 * (0.5 * base + 0.5 * grey) + np.array([0.065, 0.055, 0.045])
     drawn = ()
     if lines:
         drawn = (

@@ -144,6 +144,8 @@ class _Depth:
         z = corners[:, :, 2]
         z = (z - z.min()) * (_DEPTH_STEPS / max(float(np.ptp(z)), 1e-12))
         change = z[:, 1:] - z[:, :1]
-        self.plane = (change[:, :, None] * barycentric(corners)).sum(axis=1)
+        weights = barycentric(corners)
+        self.plane = change[:, :1] * weights[:, 0] + change[:, 1:] * weights[:, 1]
         self.plane[:, 2] += z[:, 0]
-        self.low, self.high = z.min(axis=1), z.max(axis=1)
+        self.low = np.minimum(np.minimum(z[:, 0], z[:, 1]), z[:, 2])
+        self.high = np.maximum(np.maximum(z[:, 0], z[:, 1]), z[:, 2])

@@ -56,7 +56,8 @@ class Projection:
             pixels = camera.project(surface.vertices, size)
             self.pixels.append(pixels)
             drawn = pixels[surface.faces]
-            keep = (pixels[:, 2] > NEAR + surface.lift)[surface.faces].all(axis=1)
+            ahead = pixels[:, 2] > NEAR + surface.lift
+            keep = ahead[surface.faces[:, 0]] & ahead[surface.faces[:, 1]] & ahead[surface.faces[:, 2]]
             if surface.back_color is None:
                 keep &= _from_right_side(drawn)
             index = np.flatnonzero(keep)

@@ -21,6 +21,7 @@ from swifttailor.render.surface import Array, Surface
 
 MAX_SAMPLES = 64_000_000
 """Most samples in one picture."""
+_BLOCK = 1 << 15
 
 
 def render_view(
@@ -111,29 +112,37 @@ class _Visible:
 def _find_visible(projection: Projection, face: Array) -> _Visible:
     at = np.flatnonzero(face.ravel() >= 0)
     seen = face.ravel()[at]
-    # Weights are taken from each triangle's own first corner: exact enough in float32 for slivers, too.
-    weights = np.concatenate(
-        [projection.corners[:, 0, :2], barycentric(projection.corners)[:, :, :2].reshape(-1, 4)], axis=1
-    )
     row, column = np.divmod(at.astype(np.int32), np.int32(face.shape[1]))
-    x0, y0, ax, ay, bx, by = weights.astype(np.float32)[seen].T
-    x, y = column + np.float32(0.5) - x0, row + np.float32(0.5) - y0
-    w1, w2 = np.clip(ax * x + ay * y, 0, 1), np.clip(bx * x + by * y, 0, 1)
-    w0 = np.clip(1 - w1 - w2, 0, 1)
-    d0, d1, d2 = projection.distance.astype(np.float32)[seen].T
-    if projection.camera.perspective:
-        w0, w1, w2 = w0 / d0, w1 / d1, w2 / d2
-    total = w0 + w1 + w2
-    w0, w1, w2 = w0 / total, w1 / total, w2 / total
+    # Weights are taken from each triangle's own first corner: exact enough in float32 for slivers, too.
+    slopes = barycentric(projection.corners)[:, :, :2].reshape(-1, 4)
+    table = np.concatenate(
+        [projection.corners[:, 0, :2], slopes, projection.distance, projection.normals.reshape(-1, 9)], axis=1
+    ).astype(np.float32)
+    turned = np.where(projection.front, np.float32(1), np.float32(-1))
+    normal = np.zeros((len(at), 3), np.float32)
+    distance = np.zeros(len(at), np.float32)
+    for part in _blocks(len(at)):
+        values = table[seen[part]]
+        x0, y0, ax, ay, bx, by, d0, d1, d2 = (np.ascontiguousarray(values[:, k]) for k in range(9))
+        x, y = column[part] + np.float32(0.5) - x0, row[part] + np.float32(0.5) - y0
+        w1, w2 = np.clip(ax * x + ay * y, 0, 1), np.clip(bx * x + by * y, 0, 1)
+        w0 = np.clip(1 - w1 - w2, 0, 1)
+        if projection.camera.perspective:
+            w0, w1, w2 = w0 / d0, w1 / d1, w2 / d2
+        total = 1 / (w0 + w1 + w2)
+        w0, w1, w2 = w0 * total, w1 * total, w2 * total
+        distance[part] = w0 * d0 + w1 * d1 + w2 * d2
+        blend = (
+            w0[:, None] * values[:, 9:12] + w1[:, None] * values[:, 12:15] + w2[:, None] * values[:, 15:18]
+        )
+        length = np.sqrt(np.einsum("ij,ij->i", blend, blend))
+        normal[part] = blend * (turned[seen[part]] / np.maximum(length, np.float32(1e-6)))[:, None]
+    return _Visible(at, seen, normal, distance)
 
-    corner = projection.normals.reshape(-1, 9)[seen]
-    normal = w0[:, None] * corner[:, 0:3]
-    normal += w1[:, None] * corner[:, 3:6]
-    normal += w2[:, None] * corner[:, 6:9]
-    length = np.sqrt(np.einsum("ij,ij->i", normal, normal))
-    turned = np.where(projection.front[seen], np.float32(1), np.float32(-1))
-    normal *= (turned / np.maximum(length, np.float32(1e-6)))[:, None]
-    return _Visible(at, seen, normal, w0 * d0 + w1 * d1 + w2 * d2)
+
+def _blocks(count: int) -> list[slice]:
+    """Consecutive parts of `count` samples, small enough that work on one stays in the caches."""
+    return [slice(k, min(k + _BLOCK, count)) for k in range(0, count, _BLOCK)]
 
 
 def _light(
@@ -145,11 +154,18 @@ def _light(
     key = room = np.ones(len(seen.at), np.float32)
     if shadows:
         key, room = _occlusion(projection, seen, depth, samples)
-    material = projection.materials[seen.face]
-    color = np.where(projection.front[seen.face][:, None], material[:, 0:3], material[:, 3:6])
-    facing = np.clip(seen.normal[:, 2], 0, 1)
-    up = seen.normal @ projection.camera.axes[:, 1].astype(np.float32)
-    lit = shade(Samples(seen.normal, up, facing, color, material[:, 6], material[:, 7], key, room))
+    up_axis = projection.camera.axes[:, 1].astype(np.float32)
+    lit = np.zeros((len(seen.at), 3), np.float32)
+    for part in _blocks(len(seen.at)):
+        normal, face = seen.normal[part], seen.face[part]
+        material = projection.materials[face]
+        color = np.where(projection.front[face][:, None], material[:, 0:3], material[:, 3:6])
+        facing = np.clip(normal[:, 2], 0, 1)
+        lit[part] = shade(
+            Samples(
+                normal, normal @ up_axis, facing, color, material[:, 6], material[:, 7], key[part], room[part]
+            )
+        )
     if any(s.lines for s in projection.scene.surfaces):
         kept = np.ones(shape, np.float32)
         for surface, pixels in zip(projection.scene.surfaces, projection.pixels, strict=True):
