@@ -1,0 +1,84 @@
+"""Waistbands, hem bands and cuffs."""
+
+from __future__ import annotations
+
+from swifttailor.pattern.drafts.cutting_table import CuttingTable, turned
+from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.outline import Outline, annular_sector
+from swifttailor.pattern.drafts.sleeve import place_on_arm
+
+CONTOUR = 0.2
+"""Part of the body's widening below the waist that a waistband follows; a fully shaped one slides down."""
+BAND_FRONT_Z = 24.0
+"""Where front bands stand before draping, cm."""
+BAND_BACK_Z = -20.0
+"""Where back bands stand before draping, cm."""
+
+
+def lay_waist_band(
+    table: CuttingTable, upper: Halves, lower: Halves, height: float, top_y: float, *, at_waist: bool
+) -> None:
+    """Lays ``wb_front`` and ``wb_back`` and sews their sides.
+
+    Edges: bottom, left_side, top, right_side.
+
+    Args:
+        table: Where they go.
+        upper: Half widths of the upper edge, cm.
+        lower: Half widths of the lower edge; wider than the upper ones for a band shaped to the body, cm.
+        height: Height of the band, cm.
+        top_y: World height of the upper edge, cm.
+        at_waist: Whether the upper edge sits at the waist (it is then labelled for attachment).
+    """
+    for name, above, below in (
+        ("wb_front", upper.front, lower.front),
+        ("wb_back", upper.back, lower.back),
+    ):
+        front = name == "wb_front"
+        outline = annular_sector("top", 2 * above, 2 * max(below, above), height, top_y)
+        z = BAND_FRONT_Z if front else BAND_BACK_Z
+        table.lay(name, outline, label="body", at=(0.0, 0.0, z), back=not front)
+        if at_waist:
+            table.label(f"{name}.top", "lower_interface")
+    table.seam("wb_front.left_side", "wb_back.left_side")
+    table.seam("wb_front.right_side", "wb_back.right_side")
+
+
+def lay_body_waist_band(table: CuttingTable, figure: Figure, height: float, ease: float) -> Halves:
+    """Lays a waistband shaped to the body, its upper edge at the waist.
+
+    Returns:
+        Half widths of its lower edge, cm: what is sewn to it.
+    """
+    upper = figure.waist.eased(ease)
+    below = figure.girth_below_waist(height).eased(ease)
+    lower = Halves(
+        upper.front + CONTOUR * max(below.front - upper.front, 0.0),
+        upper.back + CONTOUR * max(below.back - upper.back, 0.0),
+    )
+    lay_waist_band(table, upper, lower, height, figure.waist_y, at_waist=True)
+    return lower
+
+
+def lay_sleeve_cuff(table: CuttingTable, figure: Figure, width: float, height: float) -> None:
+    """Lays the left cuff below the left sleeve and sews it on; the sleeve may be gathered into it.
+
+    Edges of ``sl_left_cuff_f`` and ``sl_left_cuff_b``: under, end, top, join.
+
+    Args:
+        table: Must already hold the left sleeve.
+        figure: Gives the arm's direction.
+        width: Around the wrist, cm; split like the sleeve's end.
+        height: Along the arm, cm.
+    """
+    start = table.pieces["left_sleeve_f"].find("hem")[0].end[0] + 4.0
+    total = table.length("left_sleeve_f.hem", "left_sleeve_b.hem")
+    for side in "fb":
+        half = width * table.length(f"left_sleeve_{side}.hem") / total
+        outline = Outline(start, -half).line("under", start + height, -half)
+        outline.line("end", start + height, 0.0).line("top", start, 0.0).line("join", start, -half)
+        name = f"sl_left_cuff_{side}"
+        place_on_arm(table, figure, name, turned(outline.closed(), -90.0), turn=90.0)
+        table.seam(f"left_sleeve_{side}.hem", f"{name}.join", gathered=True)
+    table.seam("sl_left_cuff_f.top", "sl_left_cuff_b.top")
+    table.seam("sl_left_cuff_f.under", "sl_left_cuff_b.under")

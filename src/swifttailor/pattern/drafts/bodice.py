@@ -1,0 +1,133 @@
+"""The loose torso block: fronts and backs without darts, for t-shirts, tops and hoodies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.neckline import Neckline, draw_neckline
+from swifttailor.pattern.drafts.outline import Outline, Point
+
+FRONT_Z = 30.0
+"""Where front torso panels stand before draping, cm."""
+BACK_Z = -25.0
+"""Where back torso panels stand before draping, cm."""
+FRONT_BALANCE = 1.0
+"""Part of the front's extra length over the bust that a loose garment has at neck and shoulder."""
+HEM_BALANCE = 0.45
+"""Part of it that a loose garment has at the centre front of its hem."""
+BLADE_FULLNESS = 0.065
+"""Extra length of the back over the shoulder blades, as a part of the waist line."""
+SIDE_MINIMUM = 4.0
+"""Shortest side seam, cm."""
+
+
+@dataclass(frozen=True)
+class LooseBodice:
+    """How the loose block is cut."""
+
+    neckline: Neckline
+    chest_ease: float
+    """On top of the bust girth, cm around."""
+    length: float
+    """Hem below the waist, cm."""
+    armhole_drop: float
+    """Underarm point below the armpit, cm."""
+    hip_ease: float = 4.0
+    """Least ease at the hem over the body there, cm around."""
+    flare: float = 0.0
+    """Extra width at the hem, cm around."""
+    shoulder_extension: float = 0.0
+    """Armhole seam beyond (positive) or inside (negative) the shoulder tip, cm."""
+
+
+def armhole(outline: Outline, tip: Point, slope: float, scoop: float) -> None:
+    """Draws from the underarm point to the shoulder `tip`, at right angles to side and shoulder.
+
+    Args:
+        outline: Continues at the underarm point.
+        tip: Shoulder end, local cm.
+        slope: Fall of the shoulder over its run.
+        scoop: How deep the lower bend is cut, 0.4 (back) to 0.75 (front).
+    """
+    start = outline.sides[-1].end
+    across, rise = start[0] - tip[0], tip[1] - start[1]
+    reach = 0.52 * rise
+    inward = (start[0] - scoop * across - 0.06 * rise, start[1] + 0.04 * rise)
+    outline.cubic("armhole", inward, (tip[0] - slope * reach, tip[1] - reach), tip)
+
+
+def shoulder_tip_x(figure: Figure, neckline: Neckline, extension: float) -> float:
+    """Distance of the armhole's upper end from the middle; at least 3 cm of shoulder remain, cm."""
+    widest = figure.shoulder_x + min(extension, min(figure.bust.front, figure.bust.back) - figure.shoulder_x)
+    return max(widest, neckline.start_x(figure) + 3.0)
+
+
+def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) -> None:
+    """Lays and sews both fronts and backs; call before `CuttingTable.mirror` lays the right-hand ones.
+
+    Edges of ``left_ftorso`` and ``left_btorso``: hem, side, armhole, shoulder, neck, centre.
+    """
+    chest = figure.bust.eased(max(shape.chest_ease, 0.0))
+    hem_y = figure.waist_y - shape.length
+    under_y = max(figure.armpit_y - shape.armhole_drop, hem_y + SIDE_MINIMUM)
+    body = figure.girth_below_waist(shape.length).eased(shape.hip_ease)
+    # Front and back side seams slant alike, so that they are equally long.
+    widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
+    widening += shape.flare / 4
+    rise = _hem_rise(widening, under_y - hem_y, chest.girth / 4 + widening)
+    tip_x = shoulder_tip_x(figure, shape.neckline, shape.shoulder_extension)
+    neck_x = shape.neckline.start_x(figure)
+    for side, half in (("f", chest.front), ("b", chest.back)):
+        front = side == "f"
+        lift = (
+            FRONT_BALANCE * figure.front_fullness
+            if front
+            else BLADE_FULLNESS * (figure.neck_y - figure.waist_y)
+        )
+        drop = HEM_BALANCE * figure.front_fullness if front else 0.0
+        neck = (neck_x, figure.shoulder_line(neck_x) + lift)
+        tip = (tip_x, figure.shoulder_line(tip_x) + lift)
+        fall = figure.neck_y + lift - neck[1]
+        neck_shape = shape.neckline.shape if front else "round"
+        depth = (shape.neckline.front_depth if front else shape.neckline.back_depth) - fall
+        outline = Outline(0.0, hem_y - drop)
+        if rise + drop > 0.01:
+            middle = ((half + widening) * 0.6, hem_y - drop)
+            outline.quadratic("hem", middle, (half + widening, hem_y + rise))
+        else:
+            outline.line("hem", half + widening, hem_y)
+        outline.line("side", half, under_y)
+        armhole(outline, tip, figure.slope, 0.72 if front else 0.5)
+        outline.line("shoulder", *neck)
+        draw_neckline(outline, neck, max(depth, 0.5), figure.slope, neck_shape)
+        outline.line("centre", 0.0, hem_y - drop).closed()
+        table.lay(
+            f"left_{side}torso",
+            outline,
+            label="body",
+            at=(0.0, 0.0, FRONT_Z if front else BACK_Z),
+            back=not front,
+        )
+    sew_torso(table)
+
+
+def sew_torso(table: CuttingTable) -> None:
+    """Sews sides and shoulders of the left half and labels its armhole and neckline."""
+    table.seam("left_ftorso.side", "left_btorso.side")
+    table.seam("left_ftorso.shoulder", "left_btorso.shoulder")
+    for panel in ("left_ftorso", "left_btorso"):
+        table.label(f"{panel}.armhole", "left_armhole")
+        table.label(f"{panel}.neck", "left_collar")
+
+
+def sew_centres(table: CuttingTable) -> None:
+    """Sews the right half to the left one along centre front and centre back."""
+    table.seam("right_ftorso.centre", "left_ftorso.centre")
+    table.seam("left_btorso.centre", "right_btorso.centre")
+
+
+def _hem_rise(widening: float, side: float, hem_x: float) -> float:
+    """How much the hem rises at the side so that it meets the slanted side seam at a right angle, cm."""
+    return min(0.5 * hem_x * widening / max(side, 1.0) * 0.8, 0.25 * side, 4.0)

@@ -1,0 +1,50 @@
+"""Option declarations that several garments share."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from swifttailor.pattern.drafts.neckline import NeckShape
+from swifttailor.pattern.drafts.options import Option
+
+NeckShapeOption = Annotated[NeckShape, Option("Shape of the front neckline; the back is round.")]
+NeckWidening = Annotated[
+    float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 0.0, 6.0)
+]
+NeckDepth = Annotated[
+    float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 6.0, 22.0)
+]
+BackNeckDepth = Annotated[
+    float, Option("Fall of the back neckline below the neck-shoulder point.", "cm", 1.0, 16.0)
+]
+ChestEase = Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 2.0, 36.0)]
+BustEase = Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 1.0, 16.0)]
+WaistEase = Annotated[float, Option("Room on top of the waist girth, all around.", "cm", 0.0, 16.0)]
+HipEase = Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 1.0, 20.0)]
+ArmholeDrop = Annotated[float, Option("How far the underarm lies below the armpit.", "cm", 0.5, 8.0)]
+TopLength = Annotated[float, Option("Hem below the waist; negative ends above it.", "cm", -12.0, 60.0)]
+HemFlare = Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 40.0)]
+SleeveLength = Annotated[
+    float, Option("Shoulder tip to the sleeve's end along the arm, cuff included.", "cm", 12.0, 66.0)
+]
+ArmEase = Annotated[float, Option("Room on top of the upper arm girth, all around.", "cm", 3.0, 18.0)]
+SleeveEnd = Annotated[
+    float,
+    Option("Width around at the sleeve's end; at most that at the underarm.", "cm", 18.0, 50.0),
+]
+CapEase = Annotated[float, Option("Fullness of the sleeve cap over the armhole.", "%", 0.0, 6.0)]
+CuffWidth = Annotated[float, Option("Room of the cuff on top of the wrist girth.", "cm", 2.0, 10.0)]
+SkirtLength = Annotated[float, Option("Body's waist to the hem, down the middle.", "cm", 36.0, 100.0)]
+SkirtFlare = Annotated[
+    float, Option("Slant of the side seams below the hips; negative narrows the hem.", "degrees", -4.0, 18.0)
+]
+BandHeight = Annotated[float, Option("Height of the waistband.", "cm", 2.0, 9.0)]
+TrouserLength = Annotated[float, Option("Body's waist to the hem, down the side.", "cm", 42.0, 106.0)]
+LegEase = Annotated[float, Option("Room on top of the leg's girth at knee and hem.", "cm", 3.0, 30.0)]
+LegFlare = Annotated[
+    float, Option("Extra width of the hem over the knee; negative narrows it.", "cm", -8.0, 30.0)
+]
+CircleFraction = Annotated[
+    float, Option("Part of a full circle that the skirt is cut from.", "circles", 0.3, 1.5)
+]
+BandEase = Annotated[float, Option("Room of the waistband on top of the waist girth.", "cm", -2.0, 4.0)]

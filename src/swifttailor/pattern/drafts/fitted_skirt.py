@@ -1,0 +1,94 @@
+"""Skirts shaped by side seams and back darts: pencil, A-line, pegged."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.outline import Outline
+from swifttailor.pattern.drafts.suppression import dart_places, suppress, waist_darts
+
+SKIRT_FRONT_Z = 25.0
+"""Where front skirt panels stand before draping, cm."""
+SKIRT_BACK_Z = -22.0
+"""Where back skirt panels stand before draping, cm."""
+
+
+@dataclass(frozen=True)
+class FittedSkirt:
+    """How the skirt is cut."""
+
+    length: float
+    """From the body's waist to the hem along the middle, cm."""
+    hip_ease: float
+    """On top of the hip girth, cm around."""
+    flare: float
+    """Slant of the side seams below the hips, degrees; negative narrows the hem."""
+
+
+def lay_fitted_skirt(
+    table: CuttingTable, figure: Figure, shape: FittedSkirt, waist: Halves, top_y: float
+) -> None:
+    """Lays ``skirt_front`` and ``skirt_back`` and sews their sides.
+
+    Edges: hem, left_side, left_waist, right_waist, right_side, dart.
+
+    Args:
+        table: Where they go.
+        figure: The body.
+        shape: The cut.
+        waist: Sewn half widths of the upper edge, cm.
+        top_y: World height of the upper edge, cm.
+    """
+    taken = suppress(figure.hips.eased(shape.hip_ease), waist, 1.0, 3.5)
+    hips = taken.wide(waist)
+    hem_y = figure.waist_y - shape.length
+    rise = min(0.8, 0.25 * max(taken.side, 0.0))
+    # Both side seams are drawn with the same slant from hip to hem, so that they stay equally long.
+    middle = hips.girth / 4
+    slant = math.radians(shape.flare)
+    corner_y = _corner_height(hem_y, middle, figure.hip_y, slant)
+    widening = (figure.hip_y - corner_y) * math.tan(slant)
+    widening = max(widening, 8.0 - min(hips.front, hips.back))
+    places = dart_places(figure, waist)
+    for name, hip, narrow, lost, place in (
+        ("skirt_front", hips.front, waist.front, taken.front, places.front),
+        ("skirt_back", hips.back, waist.back, taken.back, places.back),
+    ):
+        front = name == "skirt_front"
+        corner = hip + widening
+        outline = Outline(corner, corner_y).line("side", hip, figure.hip_y)
+        # The waist line is straight and rises a little to the side; its length is what counts.
+        side_x = math.sqrt((narrow + lost) ** 2 - rise**2)
+        fall = top_y + rise - figure.hip_y
+        outline.cubic(
+            "side",
+            (hip - math.tan(slant) * 0.4 * fall, figure.hip_y + 0.4 * fall),
+            (side_x + 0.3 * taken.side, top_y + rise - 0.35 * fall),
+            (side_x, top_y + rise),
+        )
+        depth = min(9.5 if front else 13.0, 0.6 * fall)
+        outline.darted_line("waist", (0.0, top_y), waist_darts(narrow, lost, place, depth))
+        whole = outline.both_halves()
+        _draw_hem(whole, corner, corner_y, widening, figure.hip_y)
+        at = (0.0, 0.0, SKIRT_FRONT_Z if front else SKIRT_BACK_Z)
+        table.lay(name, whole.closed(), label="leg", at=at, back=not front)
+    table.seam("skirt_front.left_side", "skirt_back.left_side")
+    table.seam("skirt_front.right_side", "skirt_back.right_side")
+
+
+def _corner_height(hem_y: float, hip: float, hip_y: float, slant: float) -> float:
+    """Height of the hem's corners, raised so that a slanted side seam is as long as the middle."""
+    lift, run = math.tan(slant / 2), math.tan(slant)
+    return (hem_y + lift * (hip + hip_y * run)) / (1 + lift * run)
+
+
+def _draw_hem(outline: Outline, corner: float, corner_y: float, widening: float, hip_y: float) -> None:
+    """Closes the outline with an arc that meets both side seams at right angles."""
+    slant = math.atan2(widening, hip_y - corner_y)
+    if abs(slant) < 1e-3:
+        outline.line("hem", corner, corner_y)
+    else:
+        outline.arc("hem", (corner, corner_y), corner / math.sin(abs(slant)), right=slant > 0)

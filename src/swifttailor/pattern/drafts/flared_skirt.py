@@ -1,0 +1,60 @@
+"""Skirts cut from circles, and gathered skirts: an upper edge and a hem, no shaping at the hips."""
+
+from __future__ import annotations
+
+import math
+
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Halves
+from swifttailor.pattern.drafts.fitted_skirt import SKIRT_BACK_Z, SKIRT_FRONT_Z
+from swifttailor.pattern.drafts.outline import Outline, annular_sector
+
+LARGEST_TURN = 0.93
+"""Most of a full turn that one panel may cover."""
+
+
+def lay_flared_skirt(
+    table: CuttingTable, waist: Halves, length: float, top_y: float, fraction: float
+) -> None:
+    """Lays ``skirt_front`` and ``skirt_back`` cut from one circle and sews their sides.
+
+    Edges: bottom, left_side, waist, right_side.
+
+    Args:
+        table: Where they go.
+        waist: Half widths of the upper edge, cm.
+        length: Upper edge to hem, cm.
+        top_y: World height of the middle of the upper edge, cm.
+        fraction: Part of a full circle that both panels make together; 1 is a full circle skirt.
+    """
+    radius = waist.girth / (2 * math.pi * fraction)
+    for name, half in (("skirt_front", waist.front), ("skirt_back", waist.back)):
+        upper = 2 * half
+        turn = min(upper / radius / (2 * math.pi), LARGEST_TURN)
+        lower = upper + 2 * math.pi * turn * length
+        outline = annular_sector("waist", upper, lower, length, top_y)
+        _lay(table, name, outline, name == "skirt_front")
+    _sew_sides(table)
+
+
+def lay_gathered_skirt(
+    table: CuttingTable, waist: Halves, length: float, top_y: float, fullness: float
+) -> None:
+    """Lays two rectangles, `fullness` times as wide as the waist, and sews their sides.
+
+    Edges: bottom, left_side, waist, right_side.
+    """
+    for name, half in (("skirt_front", waist.front), ("skirt_back", waist.back)):
+        width = 2 * half * fullness
+        _lay(table, name, annular_sector("waist", width, width, length, top_y), name == "skirt_front")
+    _sew_sides(table)
+
+
+def _lay(table: CuttingTable, name: str, outline: Outline, front: bool) -> None:
+    at = (0.0, 0.0, SKIRT_FRONT_Z if front else SKIRT_BACK_Z)
+    table.lay(name, outline, label="leg", at=at, back=not front)
+
+
+def _sew_sides(table: CuttingTable) -> None:
+    table.seam("skirt_front.left_side", "skirt_back.left_side")
+    table.seam("skirt_front.right_side", "skirt_back.right_side")

@@ -1,0 +1,1 @@
+"""The garments, one module each: an options dataclass and a draft function."""

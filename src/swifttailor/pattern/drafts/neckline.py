@@ -1,0 +1,54 @@
+"""Necklines of the torso halves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.outline import Outline, Point
+
+NeckShape = Literal["round", "v", "square"]
+
+
+@dataclass(frozen=True)
+class Neckline:
+    """Where the neckline runs, relative to the point where neck meets shoulder."""
+
+    shape: NeckShape = "round"
+    """Shape of the front; the back is always round."""
+    widening: float = 1.0
+    """How far along the shoulder the neckline starts, outward from the neck, cm."""
+    front_depth: float = 9.0
+    """Fall of the centre front below the neck-shoulder point, cm."""
+    back_depth: float = 2.0
+    """Fall of the centre back below the neck-shoulder point, cm."""
+
+    def start_x(self, figure: Figure) -> float:
+        """Where on the shoulder the neckline starts; at least 3 cm of shoulder remain."""
+        return min(figure.neck_x + self.widening, figure.shoulder_x - 3.0)
+
+
+def draw_neckline(outline: Outline, start: Point, depth: float, slope: float, shape: NeckShape) -> None:
+    """Draws from the shoulder point `start` to the middle line x = 0, `depth` cm lower.
+
+    Round and square necklines leave the shoulder at right angles, so that front and back join smoothly.
+
+    Args:
+        outline: Continues at `start`.
+        start: Shoulder end of the neckline, local cm.
+        depth: Fall from `start` to the middle, cm.
+        slope: Fall of the shoulder over its run.
+        shape: Shape of the curve.
+    """
+    x, y = start
+    low = y - depth
+    if shape == "v":
+        outline.quadratic("neck", (x * 0.55, low + depth * 0.38), (0.0, low))
+    elif shape == "square":
+        corner = x - min(slope, 0.3) * depth * 0.35
+        outline.quadratic("neck", (corner - 0.1 * x, y - 0.55 * depth), (corner * 0.92, low))
+        outline.line("neck", 0.0, low)
+    else:
+        run = min(0.55 * depth, 0.8 * x)
+        outline.cubic("neck", (x - slope * run, y - run), (0.56 * x, low), (0.0, low))

@@ -1,0 +1,104 @@
+"""The list of drafts, and the one function that makes any of them."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from swifttailor.errors import PatternError
+from swifttailor.pattern.drafts.garments.circle_skirt import CircleSkirtOptions, draft_circle_skirt
+from swifttailor.pattern.drafts.garments.fitted_dress import FittedDressOptions, draft_fitted_dress
+from swifttailor.pattern.drafts.garments.fitted_skirt import FittedSkirtOptions, draft_fitted_skirt
+from swifttailor.pattern.drafts.garments.gathered_skirt import GatheredSkirtOptions, draft_gathered_skirt
+from swifttailor.pattern.drafts.garments.hoodie import HoodieOptions, draft_hoodie
+from swifttailor.pattern.drafts.garments.jumpsuit import JumpsuitOptions, draft_jumpsuit
+from swifttailor.pattern.drafts.garments.shirt_dress import ShirtDressOptions, draft_shirt_dress
+from swifttailor.pattern.drafts.garments.t_shirt import TShirtOptions, draft_t_shirt
+from swifttailor.pattern.drafts.garments.tank_top import TankTopOptions, draft_tank_top
+from swifttailor.pattern.drafts.garments.trousers import TrousersOptions, draft_trousers
+from swifttailor.pattern.drafts.measurements import Measurements, checked
+from swifttailor.pattern.drafts.options import OptionField, make_options, option_fields
+from swifttailor.pattern.pattern import Pattern
+
+
+@dataclass(frozen=True)
+class DraftInfo:
+    """One garment that can be drafted."""
+
+    name: str
+    """Such as ``t-shirt``."""
+    summary: str
+    """What it is, in one line."""
+    options_class: type
+    """A frozen dataclass; every field declares unit, range and help."""
+    function: Callable[[Any, Measurements], Pattern]
+    """Makes the pattern from filled-in options and body measurements."""
+
+    @property
+    def options(self) -> tuple[OptionField, ...]:
+        """The options, in order."""
+        return option_fields(self.options_class)
+
+
+_DRAFTS = (
+    DraftInfo("t-shirt", "Loose top with set-in sleeves", TShirtOptions, draft_t_shirt),
+    DraftInfo("tank-top", "Sleeveless top with straps", TankTopOptions, draft_tank_top),
+    DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", HoodieOptions, draft_hoodie),
+    DraftInfo(
+        "fitted-dress",
+        "Sleeveless dress with darts, waist seam, pencil or A-line skirt",
+        FittedDressOptions,
+        draft_fitted_dress,
+    ),
+    DraftInfo(
+        "shirt-dress",
+        "Easy bodice, sleeves with cuffs, waist seam, flared skirt",
+        ShirtDressOptions,
+        draft_shirt_dress,
+    ),
+    DraftInfo("jumpsuit", "Bodice and trousers joined at the waist", JumpsuitOptions, draft_jumpsuit),
+    DraftInfo("trousers", "Long or short legs, back darts, waistband", TrousersOptions, draft_trousers),
+    DraftInfo("fitted-skirt", "Pencil or A-line skirt, waistband", FittedSkirtOptions, draft_fitted_skirt),
+    DraftInfo("circle-skirt", "Part of a circle on a waistband", CircleSkirtOptions, draft_circle_skirt),
+    DraftInfo(
+        "gathered-skirt", "Rectangles gathered into a waistband", GatheredSkirtOptions, draft_gathered_skirt
+    ),
+)
+
+
+def list_drafts() -> tuple[DraftInfo, ...]:
+    """All garments that can be drafted."""
+    return _DRAFTS
+
+
+def find_draft(name: str) -> DraftInfo:
+    """The draft of that name; underscores count as hyphens.
+
+    Raises:
+        PatternError: There is none.
+    """
+    known = {d.name: d for d in _DRAFTS}
+    wanted = name.replace("_", "-")
+    if wanted not in known:
+        near = difflib.get_close_matches(wanted, known, n=3, cutoff=0.4)
+        meant = f" Did you mean {' or '.join(repr(n) for n in near)}?" if near else ""
+        raise PatternError(f"There is no draft '{name}'.{meant} Known: {', '.join(known)}.")
+    return known[wanted]
+
+
+def draft(name: str, *, measurements: Measurements | None = None, **options: Any) -> Pattern:
+    """Makes the sewing pattern of a garment.
+
+    Args:
+        name: Such as ``t-shirt``; see `list_drafts`.
+        measurements: The body, in cm and degrees (`DraftMeasurements` or anything with those attributes);
+            None for the default body.
+        options: Options of that garment, such as ``sleeve_length=40``; the others keep their defaults.
+
+    Raises:
+        PatternError: The garment, an option or a measurement is unknown or out of range.
+    """
+    info = find_draft(name)
+    return info.function(make_options(info.name, info.options_class, options), checked(measurements))

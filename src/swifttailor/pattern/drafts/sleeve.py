@@ -1,0 +1,140 @@
+"""Two-piece sleeves whose caps are fitted to the armhole."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from scipy.optimize import brentq
+
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.outline import Outline
+
+ARM_Z = -1.5
+"""z of the middle of the arm near the shoulder, cm."""
+CLEARANCE = 14.0
+"""Distance of the sleeve panels from the middle of the arm before draping, cm."""
+GAP = 5.0
+"""Distance of the sleeve from the armhole before draping, along the arm, cm."""
+LIFT = 0.8
+"""Height of the sleeve's upper seam over the shoulder tip before draping, across the arm, cm."""
+LOWEST_CAP = 3.0
+"""Lowest sleeve cap, cm."""
+HIGHEST_CAP = 17.0
+"""Highest sleeve cap, cm."""
+
+
+@dataclass(frozen=True)
+class Sleeve:
+    """How the sleeves are cut."""
+
+    length: float
+    """From the shoulder tip along the arm to the sleeve's end, cm; without a cuff."""
+    arm_ease: float
+    """On top of the upper arm girth, cm around."""
+    end_width: float
+    """Width around at the end, cm; never wider than at the underarm."""
+    cap_ease: float
+    """Part by which the cap is longer than the armhole, such as 0.03."""
+    shoulder_extension: float = 0.0
+    """How far the armhole already lies beyond the shoulder tip, cm."""
+
+
+@dataclass(frozen=True)
+class Cap:
+    """A fitted sleeve cap: its height along the arm and half widths, cm."""
+
+    height: float
+    front: float
+    back: float
+
+
+def lay_sleeve(table: CuttingTable, figure: Figure, shape: Sleeve) -> None:
+    """Lays the left sleeve and sews it to the left torso, which must already lie on the table.
+
+    Edges of ``left_sleeve_f`` and ``left_sleeve_b``: under, hem, top, cap.
+    """
+    length = max(shape.length - shape.shoulder_extension, LOWEST_CAP + 4.0)
+    holes = [(1 + shape.cap_ease) * table.length(f"left_{side}torso.armhole") for side in "fb"]
+    cap = fit_cap(holes[0], holes[1], figure.upper_arm + shape.arm_ease, min(HIGHEST_CAP, length - 3.0))
+    narrowing = max((cap.front + cap.back - shape.end_width) / 2, 0.0)
+    narrowing = min(narrowing, min(cap.front, cap.back) - 3.0)
+    for side, half in (("f", cap.front), ("b", cap.back)):
+        front = side == "f"
+        outline = Outline(cap.height, -half)
+        outline.line("under", length, -half + narrowing)
+        outline.line("hem", length, 0.0).line("top", 0.0, 0.0)
+        _cap_curve(outline, cap.height, half, front)
+        place_on_arm(table, figure, f"left_sleeve_{side}", outline.closed())
+        table.seam(f"left_{side}torso.armhole", f"left_sleeve_{side}.cap", gathered=True)
+    table.seam("left_sleeve_f.top", "left_sleeve_b.top")
+    table.seam("left_sleeve_f.under", "left_sleeve_b.under")
+
+
+def place_on_arm(
+    table: CuttingTable, figure: Figure, name: str, outline: Outline, *, turn: float = 0.0
+) -> None:
+    """Lays a panel drawn with x along the arm from the shoulder tip and y across it.
+
+    Args:
+        table: Must already hold the left torso, whose armhole says where the arm begins.
+        figure: Gives the arm's direction.
+        name: Panel name; those ending in ``_b`` stand behind the arm.
+        outline: Closed counter-clockwise outline, its axes turned back by `turn`.
+        turn: Degrees by which the panel's own axes are turned against the arm's.
+    """
+    back = name.endswith("_b")
+    tip = max((s.end for s in table.pieces["left_ftorso"].find("armhole")), key=lambda p: p[1])
+    angle = math.radians(figure.arm_angle)
+    along, up = (math.cos(angle), -math.sin(angle)), (math.sin(angle), math.cos(angle))
+    x, y = (tip[k] + GAP * along[k] + LIFT * up[k] for k in (0, 1))
+    z = ARM_Z + (-CLEARANCE if back else CLEARANCE + 3.0)
+    rotation = (0.0, 0.0, turn - figure.arm_angle)
+    table.lay(name, outline, label="arm", at=(x, y, z), rotation=rotation, back=back)
+
+
+def fit_cap(front: float, back: float, width: float, highest: float) -> Cap:
+    """Finds the cap whose curves have the given lengths and which is `width` cm around at the underarm.
+
+    A higher cap makes a narrower sleeve. Where no height from `LOWEST_CAP` to `highest` gives the width, the
+    nearest height is used and the width follows.
+    """
+
+    def at(height: float) -> Cap:
+        return Cap(height, _half_width(height, front, True), _half_width(height, back, False))
+
+    def excess(height: float) -> float:
+        cap = at(height)
+        return cap.front + cap.back - width
+
+    highest = max(min(highest, 0.75 * min(front, back)), LOWEST_CAP)
+    if excess(LOWEST_CAP) <= 0:
+        return at(LOWEST_CAP)
+    if excess(highest) >= 0:
+        return at(highest)
+    return at(_root(excess, LOWEST_CAP, highest))
+
+
+def _cap_curve(outline: Outline, height: float, half: float, front: bool) -> None:
+    """Draws the S from the top of the cap to the underarm; the front is hollowed out more than the back."""
+    top, under = (0.42, 0.5) if front else (0.5, 0.38)
+    outline.cubic("cap", (0.0, -top * half), (height, -(1 - under) * half), (height, -half))
+
+
+def _half_width(height: float, length: float, front: bool) -> float:
+    """Half width at which the cap curve has the given length, cm."""
+
+    def excess(half: float) -> float:
+        outline = Outline(0.0, 0.0)
+        _cap_curve(outline, height, half, front)
+        return outline.sides[0].length - length
+
+    return _root(excess, 1e-3, length)
+
+
+def _root(function: Callable[[float], float], low: float, high: float) -> float:
+    root = brentq(function, low, high, xtol=1e-10)
+    assert isinstance(root, float)
+    return root

@@ -1,0 +1,230 @@
+"""The trouser block: four legs' panels with shaped crotch, back darts and a slanted centre back."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from scipy.optimize import brentq
+
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.outline import Outline, Point
+from swifttailor.pattern.drafts.suppression import Suppression, dart_places, suppress, waist_darts
+
+FRONT_Z = 25.0
+"""Where front leg panels stand before draping, cm."""
+BACK_Z = -22.0
+"""Where back leg panels stand before draping, cm."""
+STEP = 1.2
+"""At knee and below, the back is this much wider than half of the leg, the front this much narrower, cm."""
+
+SHORTEST_INSEAM = 8.0
+"""Hem below the crotch at least, cm."""
+
+
+@dataclass(frozen=True)
+class Trousers:
+    """How the legs are cut."""
+
+    length: float
+    """From the body's waist to the hem along the side, cm."""
+    hip_ease: float
+    """On top of the hip girth, cm around."""
+    leg_ease: float
+    """On top of the leg's girth at knee and hem, cm around."""
+    flare: float
+    """Extra width of the hem, cm around; negative narrows it."""
+    crotch_drop: float
+    """Crotch of the garment below the body's, cm."""
+
+
+@dataclass(frozen=True)
+class LegLines:
+    """What front and back share: heights and the shape of the side seam, cm."""
+
+    top_y: float
+    hip_y: float
+    crotch_y: float
+    knee_y: float | None
+    """None when the leg ends near or above the knee."""
+    hem_y: float
+    side_taken: float
+    """What the side seam loses from hip to waist."""
+    knee_width: float
+    """Half of the leg's width around at the knee (or at the hem of short legs)."""
+    hem_width: float
+    side_shift: float
+    """How far the side seam moves inward from hip to knee."""
+    step: float
+    """By how much the back of the hem is wider than half of the leg, and the front narrower."""
+
+
+def lay_trousers(table: CuttingTable, figure: Figure, shape: Trousers, waist: Halves, top_y: float) -> None:
+    """Lays the left leg and sews its side, inseam and darts; see `sew_legs` for the rest.
+
+    Edges of ``pant_f_l`` and ``pant_b_l``: hem, side, waist, centre, inseam, dart.
+
+    Args:
+        table: Where they go.
+        figure: The body.
+        shape: The cut.
+        waist: Sewn half widths of the upper edge, cm.
+        top_y: World height of the upper edge, cm.
+    """
+    taken = suppress(figure.hips.eased(shape.hip_ease), waist, 1.0, 3.5)
+    hips = taken.wide(waist)
+    lines = _leg_lines(figure, shape, hips, taken, top_y)
+    places = dart_places(figure, waist)
+    front = _front(lines, figure, hips.front, waist.front, taken.front, places.front)
+    inseam = sum(s.length for s in front.sides if s.name == "inseam")
+
+    def back_leg(drop: float) -> Outline:
+        return _back(lines, figure, hips.back, waist.back, taken.back, places.back, drop)
+
+    def excess(drop: float) -> float:
+        back = back_leg(drop)
+        return sum(s.length for s in back.sides if s.name == "inseam") - inseam
+
+    lowest = lines.crotch_y - (lines.hem_y if lines.knee_y is None else lines.knee_y) - 2.0
+    drop = brentq(excess, -6.0, min(lowest, 12.0), xtol=1e-10)
+    assert isinstance(drop, float)
+    back = back_leg(drop)
+    # The legs stand apart so far that the crotch points of both sides do not overlap.
+    for name, outline, z in (("pant_f_l", front, FRONT_Z), ("pant_b_l", back, BACK_Z)):
+        x = 0.5 - min(s.start[0] for s in outline.sides)
+        table.lay(name, outline.closed(), label="leg", at=(x, 0.0, z), back=name == "pant_b_l")
+    table.seam("pant_f_l.side", "pant_b_l.side")
+    table.seam("pant_b_l.inseam", "pant_f_l.inseam")
+
+
+def sew_legs(table: CuttingTable) -> None:
+    """Sews the right legs to the left ones along centre front and centre back."""
+    table.seam("pant_f_r.centre", "pant_f_l.centre")
+    table.seam("pant_b_l.centre", "pant_b_r.centre")
+
+
+def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression, top_y: float) -> LegLines:
+    crotch_y = figure.crotch_y - shape.crotch_drop
+    hem_y = min(figure.waist_y - shape.length, crotch_y - SHORTEST_INSEAM)
+    knee_y = figure.knee_y if hem_y < figure.knee_y - 10.0 else None
+    knee = figure.leg_girth(hem_y if knee_y is None else knee_y) + shape.leg_ease
+    hem = figure.leg_girth(hem_y) + shape.leg_ease
+    front_reach, back_reach = _reach(figure)
+    front_thigh, back_thigh = hips.front + front_reach, hips.back + back_reach
+    thigh = front_thigh + back_thigh
+    knee = min(knee, thigh - 2.0)
+    hem = max((knee if knee_y is None else hem) + shape.flare, 0.55 * figure.thigh)
+    # Short legs keep the thigh's division into a narrow front and a wide back; it evens out to the knee.
+    near_thigh = min(max((hem_y - figure.knee_y) / (crotch_y - figure.knee_y), 0.0), 1.0)
+    step = STEP + near_thigh * ((back_thigh - front_thigh) / 2 - STEP)
+    # Half of what the leg loses from thigh to knee goes at the inseam, a third at the side.
+    return LegLines(
+        top_y,
+        figure.hip_y,
+        crotch_y,
+        knee_y,
+        hem_y,
+        taken.side,
+        (hem if knee_y is None else knee) / 2,
+        hem / 2,
+        0.18 * (thigh - (hem if knee_y is None else knee)),
+        step,
+    )
+
+
+def _reach(figure: Figure) -> tuple[float, float]:
+    """How far front and back reach under the crotch, cm."""
+    return 0.052 * figure.hips.girth, 0.092 * figure.hips.girth
+
+
+def _front(lines: LegLines, figure: Figure, hip: float, waist: float, lost: float, place: float) -> Outline:
+    outline = _leg_and_side(lines, hip, -lines.step)
+    side_x = outline.sides[-1].end[0]
+    end = (side_x - math.sqrt((waist + lost) ** 2 - _rise(lines) ** 2), lines.top_y)
+    outline.darted_line("waist", end, waist_darts(waist, lost, place, 9.0))
+    reach = _reach(figure)[0]
+    outline.line("centre", 0.0, lines.hip_y)
+    drop = lines.hip_y - lines.crotch_y
+    outline.cubic(
+        "centre",
+        (0.0, lines.hip_y - 0.62 * drop),
+        (-0.45 * reach, lines.crotch_y + 0.04 * drop),
+        (-reach, lines.crotch_y),
+    )
+    return _inseam(outline, lines)
+
+
+def _back(
+    lines: LegLines, figure: Figure, hip: float, waist: float, lost: float, place: float, drop: float
+) -> Outline:
+    outline = _leg_and_side(lines, hip, lines.step)
+    side_x, side_y = outline.sides[-1].end
+    # Part of what the back loses goes into the slant of the centre back, which also rises for sitting.
+    darts = lost - min(0.4 * lost, 3.2)
+    darts = darts if darts >= 1.2 else 0.0
+    raised = lines.top_y + 2.0
+    length = waist + darts
+    end = (side_x - math.sqrt(length**2 - (raised - side_y) ** 2), raised)
+    outline.darted_line("waist", end, waist_darts(waist, darts, place, 0.55 * (lines.top_y - lines.hip_y)))
+    reach = _reach(figure)[1]
+    outline.line("centre", 0.0, lines.hip_y)
+    low = lines.crotch_y - drop
+    fall = lines.hip_y - low
+    lean = end[0] / (raised - lines.hip_y)
+    outline.cubic(
+        "centre",
+        (-lean * 0.6 * fall, lines.hip_y - 0.6 * fall),
+        (-0.5 * reach, low + 0.02 * fall),
+        (-reach, low),
+    )
+    return _inseam(outline, lines)
+
+
+def _leg_and_side(lines: LegLines, hip: float, step: float) -> Outline:
+    """Draws hem and side seam up to the waist; front and back side seams have the same shape."""
+    knee_x = hip - lines.side_shift
+    hem_x = knee_x + (lines.hem_width - lines.knee_width) / 2
+    inner_hem = hem_x - lines.hem_width - step
+    outline = Outline(inner_hem, lines.hem_y).line("hem", hem_x, lines.hem_y)
+    below = lines.hem_y
+    if lines.knee_y is not None:
+        outline.line("side", knee_x, lines.knee_y)
+        below = lines.knee_y
+    fall = lines.hip_y - below
+    lean = (knee_x - hem_x) / max(below - lines.hem_y, 1.0) if lines.knee_y is not None else 0.0
+    start = outline.sides[-1].end
+    outline.cubic(
+        "side",
+        (start[0] + lean * 0.3 * fall, below + 0.3 * fall),
+        (hip, lines.hip_y - 0.35 * fall),
+        (hip, lines.hip_y),
+    )
+    top = lines.top_y + _rise(lines)
+    fall = top - lines.hip_y
+    outline.cubic(
+        "side",
+        (hip, lines.hip_y + 0.4 * fall),
+        (hip - 0.75 * lines.side_taken, top - 0.35 * fall),
+        (hip - lines.side_taken, top),
+    )
+    return outline
+
+
+def _inseam(outline: Outline, lines: LegLines) -> Outline:
+    """Draws from the crotch point over the knee back to the hem."""
+    x, y = outline.sides[-1].end
+    hem: Point = outline.sides[0].start
+    if lines.knee_y is None:
+        return outline.quadratic("inseam", (0.75 * hem[0] + 0.25 * x, y - 0.45 * (y - hem[1])), hem)
+    knee = (hem[0] + (lines.hem_width - lines.knee_width) / 2, lines.knee_y)
+    fall = y - knee[1]
+    lean = (hem[0] - knee[0]) / (knee[1] - hem[1])
+    upper = (x + 0.4 * (knee[0] - x), y - 0.3 * fall)
+    outline.cubic("inseam", upper, (knee[0] - lean * 0.35 * fall, knee[1] + 0.35 * fall), knee)
+    return outline.line("inseam", *hem)
+
+
+def _rise(lines: LegLines) -> float:
+    """How much the waist rises from the middle to the side, cm."""
+    return min(0.8, 0.25 * max(lines.side_taken, 0.0))

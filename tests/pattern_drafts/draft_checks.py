@@ -1,0 +1,75 @@
+"""What every draft must be, whatever its options and the body: the checks that several tests share."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import shapely
+from hypothesis import strategies as st
+
+from swifttailor.pattern import Pattern, Stitch
+from swifttailor.pattern.drafts import DraftInfo, DraftMeasurements
+
+MEASURED = list(DraftMeasurements.__dataclass_fields__)
+WITH_BACK = {"bust": "back_width", "waist": "waist_back_width", "hips": "hip_back_width"}
+
+
+def is_gathered(pattern: Pattern, stitch: Stitch) -> bool:
+    """Whether the draft declares fullness in this seam: sleeve caps, cuffs, hem bands, gathered skirts."""
+    names = {stitch.first.panel, stitch.second.panel}
+    cap = any("torso" in n for n in names) and any("sleeve" in n for n in names)
+    cuff = any("sleeve" in n for n in names) and any("cuff" in n for n in names)
+    band = any(n.startswith("wb_") for n in names) and (
+        any("torso" in n for n in names) or pattern.name == "gathered-skirt"
+    )
+    return cap or cuff or (band and len(names) == 2 and not all(n.startswith("wb_") for n in names))
+
+
+def assert_sound(pattern: Pattern) -> None:
+    """Simple panels with area, every edge sewn at most once, seams that fit, one connected garment."""
+    for panel in pattern.panels:
+        outline = shapely.Polygon(panel.outline(0.002))
+        assert outline.is_valid, f"{panel.name} crosses itself: {shapely.is_valid_reason(outline)}"
+        assert outline.area > 4.0, panel.name
+        lengths = [panel.edge_length(k) for k in range(len(panel.edges))]
+        assert min(lengths) > 0.05, f"{panel.name}: sliver edge {lengths}"
+        back = panel.name.endswith(("_b", "_b_l", "_b_r", "_back")) or "btorso" in panel.name
+        assert (panel.signed_area() < 0) == back, f"{panel.name} runs the wrong way"
+        assert panel.normal() @ np.array(panel.placement.translation) >= 0, f"{panel.name} faces inward"
+    sewn = [side for s in pattern.stitches for side in s.sides]
+    assert len(sewn) == len(set(sewn))
+    for stitch in pattern.stitches:
+        assert not stitch.right_wrong
+        a, b = (pattern.edge_length(side) for side in stitch.sides)
+        if not is_gathered(pattern, stitch):
+            assert abs(a - b) <= 1e-3 * max(a, b), f"{stitch}: {a} against {b}"
+    assert len(pattern.components()) == 1
+
+
+@st.composite
+def bodies(draw: st.DrawFn) -> DraftMeasurements:
+    """The default body with every measurement up to 10 % larger or smaller; backs go with their girths."""
+    around = st.floats(0.9, 1.1)
+    values = {name: getattr(DraftMeasurements(), name) * draw(around) for name in MEASURED}
+    for girth, back in WITH_BACK.items():
+        share = getattr(DraftMeasurements(), back) / getattr(DraftMeasurements(), girth)
+        values[back] = values[girth] * share * draw(st.floats(0.96, 1.04))
+    return DraftMeasurements(**values)
+
+
+@st.composite
+def options_of(draw: st.DrawFn, info: DraftInfo) -> dict[str, Any]:
+    """Any options within their ranges, the ends of the ranges included."""
+    chosen: dict[str, Any] = {}
+    for field in info.options:
+        if field.choices:
+            chosen[field.name] = draw(st.sampled_from(field.choices))
+        elif field.kind is bool:
+            chosen[field.name] = draw(st.booleans())
+        else:
+            low, high = field.option.low, field.option.high
+            assert low is not None and high is not None
+            numbers = st.floats(low, high) if field.kind is float else st.integers(int(low), int(high))
+            chosen[field.name] = draw(st.one_of(st.sampled_from([low, high, field.default]), numbers))
+    return chosen
