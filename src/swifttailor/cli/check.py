@@ -14,7 +14,7 @@ import tyro
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from swifttailor.pattern import Finding, Reading
+    from swifttailor.pattern import Finding, Pattern
     from swifttailor.pattern.check import BodyProbe, Change
 
 UNREADABLE = 2
@@ -70,7 +70,7 @@ class Check:
         else:
             repair = repair_pattern(reading.pattern, reading.findings, body=body)
             findings, changes = repair.remaining, repair.changes
-            self._write(reading, repair.pattern, changed=bool(changes))
+            self._write(repair.pattern, changed=bool(changes))
         ok = not any(f.severity in (Severity.ERROR, Severity.WARNING) for f in findings)
         if self.json:
             _print_json(
@@ -85,11 +85,10 @@ class Check:
             self._print_text(findings, changes)
         return 0 if ok else 1
 
-    def _write(self, reading: Reading, mended: Any, *, changed: bool) -> None:
+    def _write(self, mended: Pattern, *, changed: bool) -> None:
         """Writes the mended pattern; a sound one is not written over itself."""
         assert self.repair is not None
-        same = self.repair.exists() and self.repair.samefile(self.pattern)
-        if changed or not same:
+        if changed or not (self.repair.exists() and self.repair.samefile(self.pattern)):
             mended.save(self.repair)
 
     def _print_text(self, findings: tuple[Finding, ...], changes: tuple[Change, ...]) -> None:
@@ -102,7 +101,8 @@ class Check:
         _print_findings(console, findings)
         _print_plain(console, f"{self.pattern}: {_summary(findings)}")
         if self.repair is not None:
-            _print_plain(console, f"{len(changes)} changes; written to {self.repair}")
+            count = "1 change" if len(changes) == 1 else f"{len(changes) or 'no'} changes"
+            _print_plain(console, f"{count}; the pattern is in {self.repair}")
 
 
 def _print_findings(console: Console, findings: tuple[Finding, ...]) -> None:

@@ -242,11 +242,19 @@ def _turn_while_better(
 def _by_placement(
     pattern: Pattern, topology: SeamTopology, agreement: dict[int, float], doubtful: set[str]
 ) -> list[TwistedSeam]:
-    """Stitches on which the topology is silent and the placement is not, such as the two sides of a tube."""
+    """Stitches on which the topology is silent and the placement is not, such as the two sides of a tube.
+
+    Certain only where the placement of both panels is borne out by another of their seams.
+    """
     against = [s for s in topology.stitches if agreement[s] < AGAINST]
     twisted = [s for s in against if topology.collapses_saved([s]) == 0]
+    borne_out = {
+        ref.panel for s in topology.stitches if agreement[s] > -AGAINST for ref in pattern.stitches[s].sides
+    } - doubtful
     return [
-        TwistedSeam(s, 0, agreement[s], agreement[s] < -0.8 and not _sides_in(pattern.stitches[s], doubtful))
+        TwistedSeam(
+            s, 0, agreement[s], agreement[s] < -0.8 and _sides_in(pattern.stitches[s], borne_out) == 2
+        )
         for s in twisted
     ]
 

@@ -9,7 +9,6 @@ looking at the placement.
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterable, Sequence
 
 from swifttailor.pattern.pattern import EdgeRef, Pattern
@@ -44,8 +43,10 @@ class SeamTopology:
         chosen = range(len(pattern.stitches)) if stitches is None else stitches
         self.stitches = tuple(chosen)
         self.reverse = dict.fromkeys(self.stitches, False)
-        self.class_of: list[int] = []
-        self._join()
+        self.class_of = list(range(len(self.panel_of)))
+        self._corners_of_class: dict[int, list[int]] = {}
+        self._pairs_of_class: dict[int, list[tuple[int, Pair]]] = {}
+        self._join(self.class_of, [(s, pair) for s in self.stitches for pair in self.pairs(s)])
 
     def corners(self, ref: EdgeRef) -> Pair:
         """Numbers of the start and end corner of an edge."""
@@ -73,10 +74,15 @@ class SeamTopology:
         return sum(s.first.panel == s.second.panel for s in chosen)
 
     def flip(self, stitches: Iterable[int]) -> None:
-        """Runs some stitches the other way from now on."""
-        for s in stitches:
+        """Runs some stitches the other way from now on; joins only the classes they touch anew."""
+        turned = list(stitches)
+        touched = {self.class_of[v] for s in turned for pair in self.pairs(s) for v in pair}
+        corners = [v for c in touched for v in self._corners_of_class.pop(c)]
+        affected = {s for c in touched for s, _ in self._pairs_of_class.pop(c, [])}
+        for s in turned:
             self.reverse[s] = not self.reverse[s]
-        self._join()
+        inside = set(corners)
+        self._join(corners, [(s, p) for s in affected for p in self.pairs(s) if p[0] in inside])
 
     def collapses_saved(self, stitches: Sequence[int]) -> int | None:
         """How many collapses fewer there would be if all of `stitches` ran the other way.
@@ -90,9 +96,9 @@ class SeamTopology:
         """
         turned = set(stitches)
         touched = {self.class_of[v] for s in stitches for pair in self.pairs(s) for v in pair}
-        if sum(len(self._pairs_of_class[c]) for c in touched) + 2 * len(stitches) > _MAX_LOCAL_PAIRS:
+        if sum(len(self._pairs_of_class.get(c, ())) for c in touched) + 2 * len(stitches) > _MAX_LOCAL_PAIRS:
             return None
-        kept = [(s, pair) for c in touched for s, pair in self._pairs_of_class[c]]
+        kept = [(s, pair) for c in touched for s, pair in self._pairs_of_class.get(c, ())]
         before = self._collapses([pair for _, pair in kept])
         after = [pair for s, pair in kept if s not in turned]
         for s in stitches:
@@ -102,7 +108,7 @@ class SeamTopology:
     def touching(self, stitches: Iterable[int]) -> set[int]:
         """Stitches that share a class of corners with any of `stitches`; classes beyond sense left out."""
         classes = {self.class_of[v] for s in stitches for pair in self.pairs(s) for v in pair}
-        members = (self._pairs_of_class[c] for c in classes)
+        members = (self._pairs_of_class.get(c, ()) for c in classes)
         return {s for pairs in members if len(pairs) <= _MAX_LOCAL_PAIRS for s, _ in pairs}
 
     def collapsed_edges(self) -> list[EdgeRef]:
@@ -115,24 +121,25 @@ class SeamTopology:
                     found.append(EdgeRef(panel.name, k))
         return found
 
-    def _join(self) -> None:
-        pairs = [(s, pair) for s in self.stitches for pair in self.pairs(s)]
-        self.class_of = _classes(len(self.panel_of), [pair for _, pair in pairs])
-        self._pairs_of_class: dict[int, list[tuple[int, Pair]]] = defaultdict(list)
+    def _join(self, corners: Sequence[int], pairs: Sequence[tuple[int, Pair]]) -> None:
+        """Finds the classes of `corners`, which `pairs` (with their stitches) join among themselves."""
+        corners = list(corners)
+        for v, c in zip(corners, _classes(corners, [pair for _, pair in pairs]), strict=True):
+            self.class_of[v] = c
+            self._corners_of_class.setdefault(c, []).append(v)
         for s, pair in pairs:
-            self._pairs_of_class[self.class_of[pair[0]]].append((s, pair))
+            self._pairs_of_class.setdefault(self.class_of[pair[0]], []).append((s, pair))
 
     def _collapses(self, pairs: Sequence[Pair]) -> int:
         """Corners that share both their panel and their class with an earlier one, over `pairs` alone."""
         corners = sorted({v for pair in pairs for v in pair})
-        local = {v: k for k, v in enumerate(corners)}
-        classes = _classes(len(corners), [(local[a], local[b]) for a, b in pairs])
-        return len(corners) - len({(self.panel_of[v], classes[k]) for k, v in enumerate(corners)})
+        classes = _classes(corners, pairs)
+        return len(corners) - len({(self.panel_of[v], c) for v, c in zip(corners, classes, strict=True)})
 
 
-def _classes(count: int, pairs: Iterable[Pair]) -> list[int]:
-    """Representative of every number's class after joining the pairs."""
-    parent = list(range(count))
+def _classes(corners: Sequence[int], pairs: Iterable[Pair]) -> list[int]:
+    """One corner to stand for the class of each of `corners` after joining the pairs."""
+    parent = {v: v for v in corners}
 
     def find(v: int) -> int:
         while parent[v] != v:
@@ -142,4 +149,4 @@ def _classes(count: int, pairs: Iterable[Pair]) -> list[int]:
 
     for a, b in pairs:
         parent[find(a)] = find(b)
-    return [find(v) for v in range(count)]
+    return [find(v) for v in corners]
