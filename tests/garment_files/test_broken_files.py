@@ -119,4 +119,6 @@ def test_a_mesh_without_faces_can_be_written(tmp_path, ending):
     empty = TriangleMesh(np.zeros((0, 3)), np.zeros((0, 3), int))
     path = write_garment_mesh(empty, tmp_path / f"empty{ending}")
     assert path.stat().st_size > 0
+    if ending == ".glb":
+        assert b'"buffers"' not in path.read_bytes()  # glTF allows none of no bytes
     read_or_refuse(path)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from sewn_tube import component_count, edge_counts, tube_garment
 
-from swifttailor.garment_files import mesh_of_garment, read_garment_mesh, write_garment_mesh
+from swifttailor.garment_files import TriangleMesh, mesh_of_garment, read_garment_mesh, write_garment_mesh
 from swifttailor.garment_files.obj import obj_text, safe_names
 from swifttailor.garment_files.ply import ply_bytes
 from swifttailor.garment_files.stl import stl_bytes
@@ -62,6 +62,23 @@ def test_stl_keeps_the_surface(tube, tube_mesh, tmp_path):
     back = read_garment_mesh(write_garment_mesh(tube_mesh, tmp_path / "tube.stl"))
     assert len(back.vertices) == len(tube.vertices) and component_count(back.faces) == 1
     np.testing.assert_allclose(back.vertices[back.faces], tube.vertices[tube.faces], atol=1e-4)
+
+
+def test_stl_normals_point_out_of_the_right_side(tube, tube_mesh):
+    rows = np.frombuffer(stl_bytes(tube_mesh)[84:], [("n", "<f4", 3), ("c", "<f4", (3, 3)), ("a", "<u2")])
+    middle = tube.vertices[tube.faces].mean(axis=1)
+    outward = (rows["n"] * middle * (1, 0, 1)).sum(axis=1)
+    assert (outward > 0).mean() > 0.99
+    np.testing.assert_allclose(np.linalg.norm(rows["n"], axis=1), 1.0, atol=1e-5)
+
+
+def test_bare_mesh_keeps_its_faces(tube, tmp_path):
+    """Without texture coordinates, groups and seams."""
+    bare = TriangleMesh(tube.vertices, tube.faces)
+    for ending in (".obj", ".ply", ".glb", ".usda"):
+        back = read_garment_mesh(write_garment_mesh(bare, tmp_path / f"bare{ending}"))
+        assert back.uv is None and back.lines == ()
+        np.testing.assert_allclose(back.vertices[back.faces], tube.vertices[tube.faces], atol=1e-4)
 
 
 @pytest.mark.parametrize("write", [obj_text, ply_bytes, stl_bytes])

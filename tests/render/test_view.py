@@ -46,6 +46,25 @@ def test_same_as_ray_tracing(camera, open_surface):
     assert (difference <= 1).mean() > 0.98
 
 
+def test_large_triangles_in_strong_perspective():
+    """Two crossing tents, far from affine in the picture: their line of crossing and their smooth normals."""
+    tent = np.array(
+        [[-30.0, -6, 10], [30, -6, 10], [-30, 7, -4], [30, 9, -40], [-30, -6, -90], [30, -6, -90]]
+    )
+    faces = np.array([[0, 1, 2], [1, 3, 2], [2, 3, 4], [3, 5, 4]])
+    points = np.concatenate([tent, tent * (1, -1, 1) + (0, 3, -5)])
+    colors = np.repeat([[0.8, 0.1, 0.1], [0.1, 0.1, 0.8]], 4, axis=0)
+    surface = Surface(points, np.concatenate([faces, faces + 6]), colors, np.full(3, 0.4))
+    camera = Camera((0, 0, 0), 30, 5, 3, 70.0)
+    light, seen = ray_trace(surface, camera, (60, 48))
+    got = render_view([surface], camera, (60, 48), background=None, shadows=False, samples=1).astype(int)
+    assert len(np.unique(seen)) >= 5 and (seen >= 0).mean() > 0.4
+    alike = (got[:, :, 3] == 255) == (seen >= 0)
+    assert alike.mean() > 0.998
+    difference = np.abs(got[:, :, :3] - encode_srgb(light)).max(axis=2)[alike & (seen >= 0)]
+    assert (difference <= 1).mean() > 0.985
+
+
 def test_wearers_left_is_on_the_right_of_the_front_view():
     red, green = box((8, 0, 0), 3, (0.8, 0.02, 0.02)), box((-8, 0, 0), 3, (0.02, 0.8, 0.02))
     for azimuth, sign in ((0, 1), (180, -1)):

@@ -86,7 +86,7 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         "materials": [_material("cloth", CLOTH_COLOR), _material("seam", _SEAM_COLOR)],
         "accessors": buffer.accessors,
         "bufferViews": buffer.views,
-        "buffers": [{"byteLength": len(buffer.data)}],
+        "buffers": [{"byteLength": len(buffer.data)}] if buffer.data else [],
     }
     # Empty arrays are not allowed in glTF.
     return _container({key: value for key, value in document.items() if value != []}, bytes(buffer.data))
