@@ -65,6 +65,24 @@ def test_large_triangles_in_strong_perspective():
     assert (difference <= 1).mean() > 0.985
 
 
+def test_surfaces_cross_where_they_do_in_perspective():
+    """A ramp that runs far away cuts a wall; depth that were affine would move the cut."""
+    points = np.array(
+        [[-30.0, -8, 10], [30, -8, 10], [30, 10, -90], [-30, 10, -90]]
+        + [[-30.0, -30, -15], [30, -30, -15], [30, 30, -15], [-30, 30, -15]]
+    )
+    faces = np.array([[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]])
+    colors = np.repeat([[0.9, 0.0, 0.0], [0.0, 0.0, 0.9]], 2, axis=0)
+    surface = Surface(points, faces, colors, np.full(3, 0.4))
+    camera = Camera((0, 0, 0), 30, field_of_view=70.0)
+    _, seen = ray_trace(surface, camera, (40, 80))
+    got = render_view([surface], camera, (40, 80), background=None, shadows=False, samples=1).astype(int)
+    red = got[:, :, 0] > got[:, :, 2]
+    covered = (got[:, :, 3] == 255) & (seen >= 0)
+    assert covered.mean() > 0.95 and 0.2 < red.mean() < 0.8
+    assert (red == (seen < 2))[covered].mean() > 0.99
+
+
 def test_wearers_left_is_on_the_right_of_the_front_view():
     red, green = box((8, 0, 0), 3, (0.8, 0.02, 0.02)), box((-8, 0, 0), 3, (0.02, 0.8, 0.02))
     for azimuth, sign in ((0, 1), (180, -1)):
