@@ -46,12 +46,12 @@ def lay_fitted_skirt(
     hips = taken.wide(waist)
     hem_y = figure.waist_y - shape.length
     rise = min(0.8, 0.25 * max(taken.side, 0.0))
-    # Both side seams are drawn with the same slant from hip to hem, so that they stay equally long.
-    middle = hips.girth / 4
-    slant = math.radians(shape.flare)
-    corner_y = _corner_height(hem_y, middle, figure.hip_y, slant)
-    widening = (figure.hip_y - corner_y) * math.tan(slant)
-    widening = max(widening, 8.0 - min(hips.front, hips.back))
+    # Below the hips the side seam is as long as the middle, so its corner lies higher by `lift`.
+    slant, below = math.radians(shape.flare), figure.hip_y - hem_y
+    widening = max(below * math.sin(slant), 8.0 - min(hips.front, hips.back))
+    slant = math.asin(widening / below)
+    lift = below * (1 - math.cos(slant))
+    corner_y = hem_y + lift
     places = dart_places(figure, waist)
     for name, hip, narrow, lost, place in (
         ("skirt_front", hips.front, waist.front, taken.front, places.front),
@@ -72,23 +72,19 @@ def lay_fitted_skirt(
         depth = min(9.5 if front else 13.0, 0.6 * fall)
         outline.darted_line("waist", (0.0, top_y), waist_darts(narrow, lost, place, depth))
         whole = outline.both_halves()
-        _draw_hem(whole, corner, corner_y, widening, figure.hip_y)
+        _draw_hem(whole, corner, corner_y, slant, lift)
         at = (0.0, 0.0, SKIRT_FRONT_Z if front else SKIRT_BACK_Z)
         table.lay(name, whole.closed(), label="leg", at=at, back=not front)
     table.seam("skirt_front.left_side", "skirt_back.left_side")
     table.seam("skirt_front.right_side", "skirt_back.right_side")
 
 
-def _corner_height(hem_y: float, hip: float, hip_y: float, slant: float) -> float:
-    """Height of the hem's corners, raised so that a slanted side seam is as long as the middle."""
-    lift, run = math.tan(slant / 2), math.tan(slant)
-    return (hem_y + lift * (hip + hip_y * run)) / (1 + lift * run)
-
-
-def _draw_hem(outline: Outline, corner: float, corner_y: float, widening: float, hip_y: float) -> None:
-    """Closes the outline with an arc that meets both side seams at right angles."""
-    slant = math.atan2(widening, hip_y - corner_y)
-    if abs(slant) < 1e-3:
+def _draw_hem(outline: Outline, corner: float, corner_y: float, slant: float, lift: float) -> None:
+    """Closes the outline with a curve that meets both side seams at right angles, `lift` deep."""
+    depth = lift / 0.75  # a symmetric cubic reaches three quarters of the way to its control points
+    if depth < 1e-3:
         outline.line("hem", corner, corner_y)
-    else:
-        outline.arc("hem", (corner, corner_y), corner / math.sin(abs(slant)), right=slant > 0)
+        return
+    reach = min(depth / math.tan(abs(slant)), 0.6 * corner)
+    low = corner_y - depth
+    outline.cubic("hem", (reach - corner, low), (corner - reach, low), (corner, corner_y))

@@ -13,7 +13,7 @@ from swifttailor.pattern.drafts.outline import Outline, Point
 
 SIDE_X = 15.5
 """Distance of the hood panels from the middle before draping, cm."""
-BACK_Z = -15.0
+BACK_Z = -12.0
 """z of the nape end of the hood panels before draping, cm."""
 _BACK_BEND, _FRONT_BEND = Quadratic((0.5, 0.08)), Quadratic((0.5, 0.1))
 
@@ -44,13 +44,13 @@ def lay_hood(table: CuttingTable, figure: Figure, shape: Hood) -> None:
     outline = Outline(*throat)
     outline.quadratic("neck_front", _control(shoulder, throat, _FRONT_BEND), shoulder)
     outline.quadratic("neck_back", _control((0.0, 0.0), shoulder, _BACK_BEND), (0.0, 0.0))
-    rear = max(3.5, depth + face_x + 3.5)
+    rear = max(3.0, depth + face_x + 2.0)
     middle: Point = (0.2 * rear, 0.62 * height)
     crown: Point = (face_x + 1.5, height)
     outline.cubic("centre", (0.15 * rear, 0.16 * height), (rear * 0.9, 0.36 * height), middle)
     outline.cubic("centre", (-0.55 * rear, 0.92 * height), (0.5 * crown[0], height + 0.6), crown)
     outline.quadratic("face", (face_x - 0.8, 0.45 * height), throat)
-    at = (max(SIDE_X, figure.neck_x + 5.0), figure.neck_y + 1.0, BACK_Z)
+    at = (max(SIDE_X, figure.neck_x + 5.0), figure.neck_y + 4.0, BACK_Z)
     table.lay("left_hood", outline.closed(), label="body", at=at, rotation=(0.0, 90.0, 0.0))
     table.seam("left_ftorso.neck", "left_hood.neck_front")
     table.seam("left_btorso.neck", "left_hood.neck_back")

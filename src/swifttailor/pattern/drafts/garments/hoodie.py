@@ -37,8 +37,8 @@ class HoodieOptions:
     sleeve_length: declared.SleeveLength = 57.0
     arm_ease: declared.ArmEase = 12.0
     sleeve_end: declared.SleeveEnd = 28.0
-    hood_height: Annotated[float, Option("Height of the hood over the head length.", "cm", 6.0, 20.0)] = 8.0
-    hood_depth: Annotated[float, Option("Depth of the hood on top of the head's own.", "cm", 2.0, 14.0)] = 7.0
+    hood_height: Annotated[float, Option("Height of the hood over the head length.", "cm", 4.0, 18.0)] = 6.0
+    hood_depth: Annotated[float, Option("Depth of the hood on top of the head's own.", "cm", 2.0, 14.0)] = 5.0
     cuffs: Annotated[bool, Option("Sew ribbed cuffs to the sleeves.")] = True
     cuff_height: Annotated[float, Option("Height of the cuffs.", "cm", 3.0, 10.0)] = 6.0
     cuff_ease: declared.CuffWidth = 5.0
