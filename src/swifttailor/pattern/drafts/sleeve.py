@@ -114,7 +114,7 @@ def fit_cap(front: float, back: float, width: float, highest: float) -> Cap:
         return at(LOWEST_CAP)
     if excess(highest) >= 0:
         return at(highest)
-    return at(_root(excess, LOWEST_CAP, highest))
+    return at(_root(excess, LOWEST_CAP, highest, 1e-4))
 
 
 def _cap_curve(outline: Outline, height: float, half: float, front: bool) -> None:
@@ -131,10 +131,10 @@ def _half_width(height: float, length: float, front: bool) -> float:
         _cap_curve(outline, height, half, front)
         return outline.sides[0].length - length
 
-    return _root(excess, 1e-3, length)
+    return _root(excess, 0.3 * length, length, 1e-9)
 
 
-def _root(function: Callable[[float], float], low: float, high: float) -> float:
-    root = brentq(function, low, high, xtol=1e-10)
+def _root(function: Callable[[float], float], low: float, high: float, tolerance: float) -> float:
+    root = brentq(function, low, high, xtol=tolerance)
     assert isinstance(root, float)
     return root
