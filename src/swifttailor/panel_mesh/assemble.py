@@ -107,12 +107,37 @@ def _weld(pattern: Pattern, edges: list[tuple[Ints, ...]], count: int) -> tuple[
     joined = np.concatenate(pairs) if pairs else np.zeros((0, 2), dtype=np.int32)
     graph = coo_array((np.ones(len(joined)), (joined[:, 0], joined[:, 1])), shape=(count, count))
     _, labels = connected_components(graph, directed=False)
-    # Number welded vertices by their first flat vertex, whatever order the library found them in.
-    _, first, inverse = np.unique(labels, return_index=True, return_inverse=True)
-    rank = np.argsort(np.argsort(first, kind="stable"), kind="stable")
-    weld = rank[inverse].astype(np.int32)
+    weld = _numbered_by_first_use(labels)
     seams = tuple(Seam(k, weld[p[:, 0]]) for k, p in enumerate(pairs))
     return weld, seams
+
+
+def _numbered_by_first_use(labels: Ints) -> Ints:
+    """Renames labels to 0, 1, 2, ... in the order in which they first occur."""
+    _, first, inverse = np.unique(labels, return_index=True, return_inverse=True)
+    rank = np.argsort(np.argsort(first, kind="stable"), kind="stable")
+    return rank[inverse].astype(np.int32)
+
+
+def _in_panel_order(mesh: PatternMesh) -> PatternMesh:
+    """Moves vertices that splitting has put at the end back to their panels."""
+    order = np.argsort(mesh.flat_panel, kind="stable")
+    if (order[1:] > order[:-1]).all():
+        return mesh
+    position = np.argsort(order).astype(np.int32)
+    faces = position[mesh.flat_faces]
+    weld = _numbered_by_first_use(mesh.weld[order])
+    renamed = np.zeros(mesh.vertex_count, dtype=np.int32)
+    renamed[mesh.weld[order]] = weld
+    return PatternMesh(
+        mesh.pattern,
+        mesh.flat_vertices[order],
+        mesh.flat_panel[order],
+        np.ascontiguousarray(faces[np.argsort(mesh.face_panel, kind="stable")]),
+        weld,
+        tuple(Seam(s.stitch, renamed[s.vertices]) for s in mesh.seams),
+        tuple(tuple(position[e] for e in edges) for edges in mesh.edge_vertices),
+    )
 
 
 def _collapsed_edges(mesh: PatternMesh) -> list[EdgeRef]:
@@ -142,7 +167,7 @@ def _separate_coincident_edges(mesh: PatternMesh) -> PatternMesh:
     for _ in range(_MAX_ROUNDS):
         doubled = _coincident_inner_edges(mesh)
         if not len(doubled):
-            return mesh
+            return _in_panel_order(mesh)
         mesh = _split_edges(mesh, doubled)
     raise GeometryError(
         "The stitched panels do not form a surface: the same seam line is used by more than two of them. "

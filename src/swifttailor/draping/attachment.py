@@ -1,0 +1,73 @@
+"""Which vertices are held up by a waistband or a strapless top, and at what height."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.body import BodyMeasurements
+from swifttailor.garment import PatternMesh
+from swifttailor.pattern import Pattern, body_region
+
+Ints = NDArray[np.int32]
+
+
+@dataclass(frozen=True, eq=False)
+class Attachment:
+    """Vertices that may not slide below a level."""
+
+    vertices: Ints
+    """(k,) welded vertices."""
+    level: float
+    """Height, cm; what has been sewn on lower is held there."""
+    while_sewing: bool
+    """Whether it already holds while the seams close."""
+
+
+def find_attachment(mesh: PatternMesh, measurements: BodyMeasurements) -> Attachment:
+    """Finds what holds a garment up that does not hang from the shoulders.
+
+    A skirt or trousers are held at the waist by the edges labelled ``lower_interface``; files without
+    labels by the topmost free edges. A strapless top is held by ``strapless_top``. A garment with a
+    shoulder needs nothing, and pulling its waist up would turn its bodice over.
+    """
+    pattern = mesh.pattern
+    if hangs_from_shoulders(pattern):
+        return Attachment(_labelled(mesh, "strapless_top"), measurements.armpit_level, while_sewing=False)
+    held = _labelled(mesh, "lower_interface")
+    return Attachment(held if len(held) else _top_edges(mesh), measurements.waist_level, while_sewing=True)
+
+
+def hangs_from_shoulders(pattern: Pattern) -> bool:
+    """Whether the pattern has a bodice, sleeves, a hood or a collar (waistbands do not count)."""
+    return any(body_region(p.name, p.label) != "leg" and not p.name.startswith("wb") for p in pattern.panels)
+
+
+def _labelled(mesh: PatternMesh, label: str) -> Ints:
+    found = [
+        mesh.edge_vertices[i][k]
+        for i, panel in enumerate(mesh.pattern.panels)
+        for k, edge in enumerate(panel.edges)
+        if edge.label == label
+    ]
+    return np.unique(mesh.weld[np.concatenate(found)]) if found else np.zeros(0, dtype=np.int32)
+
+
+def _top_edges(mesh: PatternMesh) -> Ints:
+    """Vertices of the free edges whose middle lies within 10 cm of the highest free edge's, as placed."""
+    stitched = {ref for s in mesh.pattern.stitches for ref in s.sides}
+    heights, runs = [], []
+    for i, panel in enumerate(mesh.pattern.panels):
+        for k in range(len(panel.edges)):
+            if any(r.panel == panel.name and r.edge == k for r in stitched):
+                continue
+            run = mesh.edge_vertices[i][k]
+            middle = mesh.flat_vertices[run].mean(axis=0, keepdims=True)
+            heights.append(panel.to_world(middle)[0, 1])
+            runs.append(run)
+    if not runs:
+        return np.zeros(0, dtype=np.int32)
+    top = [r for r, h in zip(runs, heights, strict=True) if h > max(heights) - 10]
+    return np.unique(mesh.weld[np.concatenate(top)])

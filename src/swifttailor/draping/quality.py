@@ -1,0 +1,178 @@
+"""Whether a drape is good enough to learn from or to show, and why not."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.body import Body
+from swifttailor.draping.cloth import ClothModel
+from swifttailor.draping.intersections import mesh_intersections, self_intersections
+from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.topology import component_count
+
+Floats = NDArray[np.float64]
+
+MAX_BODY_INTERSECTIONS = 35
+MAX_SELF_INTERSECTIONS = 300
+MAX_STRAIN_P95 = 0.12
+MAX_PENETRATING_FRACTION = 0.01
+MAX_SLIP_CM = 20.0
+
+
+@dataclass(frozen=True)
+class Quality:
+    """Measurements of a drape. The limits are GarmentCode's where it has one."""
+
+    accepted: bool
+    reasons: tuple[str, ...]
+    """Why it was not accepted, in words with the values."""
+    static: bool
+    """Whether it came to rest."""
+    fell_off: bool
+    """Whether it slid down the body more than `MAX_SLIP_CM` after sewing."""
+    slip_cm: float
+    """How far its top came down after sewing."""
+    penetrating_fraction: float
+    """Share of the vertices inside the body."""
+    max_penetration_cm: float
+    body_intersections: int
+    """Mesh edges that pass through a face of the body (panels over the legs may pass through the arms)."""
+    self_intersections: int
+    """Edge-face pairs of the cloth that cross."""
+    strain_p50: float
+    """Median of abs(length / rest - 1) over the edges that are not gathered."""
+    strain_p95: float
+    strain_max: float
+    """Largest stretch of such an edge."""
+    seam_gap_max_cm: float
+    """Largest distance between two stitched points; zero, since they are one vertex."""
+    components: int
+    """Connected pieces of the stitched mesh."""
+    frames: int
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain JSON values."""
+        return asdict(self) | {"reasons": list(self.reasons)}
+
+
+def measure_quality(
+    mesh: PatternMesh,
+    positions: Floats,
+    cloth: ClothModel,
+    body: Body,
+    *,
+    static: bool,
+    frames: int,
+    sewn_top: float,
+    ignores_arms: NDArray[np.uint8],
+) -> Quality:
+    """Measures a drape and judges it by the limits of this module.
+
+    Args:
+        mesh: What was draped.
+        positions: (v, 3) resting vertices, cm.
+        cloth: Gives the rest lengths.
+        body: What it hangs on.
+        static: Whether the simulation came to rest.
+        frames: Frames it took.
+        sewn_top: Height of the garment's top when its seams had just closed, cm.
+        ignores_arms: (v,) 1 for vertices that may pass through the arms.
+    """
+    arrays = cloth.arrays
+    lengths = np.linalg.norm(positions[arrays.edges[:, 0]] - positions[arrays.edges[:, 1]], axis=1)
+    strain = (lengths / arrays.rest - 1)[~cloth.gathered]
+    strain = strain if len(strain) else np.zeros(1)
+    distance = _body_distance(body, positions, ignores_arms)
+    slip = sewn_top - garment_top(positions)
+    crossings = self_intersections(positions, arrays.edges, arrays.faces)
+    body_crossings = _body_crossings(body, positions, arrays.edges, ignores_arms)
+    measured = {
+        "static": static,
+        "fell_off": slip > MAX_SLIP_CM,
+        "slip_cm": float(slip),
+        "penetrating_fraction": float((distance < 0).mean()),
+        "max_penetration_cm": float(max(0.0, -distance.min())),
+        "body_intersections": body_crossings,
+        "self_intersections": crossings,
+        "strain_p50": float(np.percentile(np.abs(strain), 50)),
+        "strain_p95": float(np.percentile(np.abs(strain), 95)),
+        "strain_max": float(strain.max()),
+        "seam_gap_max_cm": seam_gap(mesh, positions),
+        "components": component_count(mesh.faces, mesh.vertex_count),
+        "frames": frames,
+    }
+    reasons = _reasons(measured)
+    return Quality(accepted=not reasons, reasons=reasons, **measured)
+
+
+def garment_top(positions: Floats) -> float:
+    """Height in cm that the top twentieth of the vertices reaches: steadier than the highest vertex."""
+    return float(np.percentile(positions[:, 1], 95))
+
+
+def seam_gap(mesh: PatternMesh, positions: Floats) -> float:
+    """Largest distance in cm between the two sides of any stitch."""
+    largest = 0.0
+    for stitch in mesh.pattern.stitches:
+        first, second = (
+            positions[mesh.weld[mesh.edge_vertices[mesh.pattern.panel_index(r.panel)][r.edge]]]
+            for r in stitch.sides
+        )
+        gap = np.linalg.norm(first - (second if stitch.right_wrong else second[::-1]), axis=1)
+        largest = max(largest, float(gap.max()))
+    return largest
+
+
+def _reasons(q: dict[str, Any]) -> tuple[str, ...]:
+    limits = [
+        (not q["static"], "did not come to rest"),
+        (q["fell_off"], f"slid {q['slip_cm']:.0f} cm down the body"),
+        (
+            q["body_intersections"] > MAX_BODY_INTERSECTIONS,
+            f"{q['body_intersections']} edges pass through the body (limit {MAX_BODY_INTERSECTIONS})",
+        ),
+        (
+            q["self_intersections"] > MAX_SELF_INTERSECTIONS,
+            f"the cloth passes through itself at {q['self_intersections']} places (limit {MAX_SELF_INTERSECTIONS})",
+        ),
+        (
+            q["penetrating_fraction"] > MAX_PENETRATING_FRACTION,
+            f"{q['penetrating_fraction']:.1%} of the vertices are inside the body "
+            f"(limit {MAX_PENETRATING_FRACTION:.0%})",
+        ),
+        (
+            q["strain_p95"] > MAX_STRAIN_P95,
+            f"too tight: 5 % of the edges are strained by more than {q['strain_p95']:.0%} "
+            f"(limit {MAX_STRAIN_P95:.0%})",
+        ),
+    ]
+    return tuple(reason for failed, reason in limits if failed)
+
+
+def _body_distance(body: Body, positions: Floats, ignores_arms: NDArray[np.uint8]) -> Floats:
+    """Exact signed distance (v,) in cm, to the body without arms for vertices that ignore them."""
+    distance, _ = body.signed_distance(positions)
+    inside = (distance < 0) & (ignores_arms == 1)
+    if inside.any():
+        from swifttailor.draping.collider import ARMS, FIELD_SPACING_CM
+
+        armless = body.distance_field(spacing=FIELD_SPACING_CM, without=ARMS)
+        distance = distance.copy()
+        distance[inside] = armless.sample(positions[inside])[0]
+    return distance
+
+
+def _body_crossings(
+    body: Body, positions: Floats, edges: NDArray[np.int32], ignores_arms: NDArray[np.uint8]
+) -> int:
+    from swifttailor.draping.collider import faces_without_arms
+
+    free = (ignores_arms[edges] == 1).all(axis=1)
+    count = mesh_intersections(positions, edges[~free], body.vertices, body.faces)
+    if free.any():
+        count += mesh_intersections(positions, edges[free], body.vertices, faces_without_arms(body))
+    return count

@@ -1,0 +1,214 @@
+"""The staged drape on the XPBD solver: sew the flat panels together, then let the garment hang to rest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.body import Body
+from swifttailor.draping.attachment import Attachment
+from swifttailor.draping.cloth import ClothArrays, ClothModel
+from swifttailor.draping.collider import build_field_arrays
+from swifttailor.draping.contact_kernels import NeighborLists
+from swifttailor.draping.fabric import Fabric
+from swifttailor.draping.xpbd_kernels import (
+    ContactArrays,
+    FieldArrays,
+    HeldArrays,
+    StepSettings,
+    advance_frame,
+)
+from swifttailor.garment import PatternMesh
+
+Floats = NDArray[np.float64]
+Progress = Callable[[str, float], None]
+
+FRAME_RATE = 60.0
+GRAVITY = 981.0
+_FOOTPRINT_LEVEL = 2.0
+
+
+@dataclass(frozen=True)
+class SimulationSettings:
+    """How long and how finely to simulate."""
+
+    substeps: int = 20
+    sewing_frames: int = 40
+    settling_frames: int = 10
+    max_frames: int = 600
+    self_collision: bool = True
+    still_cm: float = 0.03
+    """A vertex is at rest when it moves less than this in a frame (GarmentCode's rule)."""
+    still_share: float = 0.015
+    """The garment is at rest when at most this share of its vertices still moves."""
+
+
+@dataclass(frozen=True)
+class SimulationResult:
+    """Where the cloth came to lie."""
+
+    positions: Floats
+    """(v, 3) cm"""
+    frames: int
+    static: bool
+    moving_share: float
+    sewn_top: float
+    """Highest vertex when the seams had closed, cm."""
+    history: list[float] = field(default_factory=list)
+
+
+class Simulation:
+    """A cloth, a body and the state of their motion."""
+
+    def __init__(
+        self,
+        mesh: PatternMesh,
+        cloth: ClothModel,
+        body: Body,
+        fabric: Fabric,
+        attachment: Attachment,
+        positions: Floats,
+        settings: SimulationSettings,
+    ) -> None:
+        self.cloth: ClothArrays = cloth.arrays
+        self.fabric = fabric
+        self.settings = settings
+        self.attachment = attachment
+        self.field: FieldArrays = build_field_arrays(body, mesh)
+        self.positions = np.ascontiguousarray(positions, dtype=np.float64).copy()
+        self.velocities = np.zeros_like(self.positions)
+        self.held = HeldArrays(
+            np.ascontiguousarray(attachment.vertices, dtype=np.int32),
+            np.full(len(attachment.vertices), attachment.level if attachment.while_sewing else -np.inf),
+        )
+        self.moving = 1.0
+        self.contacts_found = 0
+        self.crossings = 0
+        self._contacts = _contact_buffers(len(self.positions))
+        self._clearance = np.zeros(len(self.positions))
+        none = np.zeros(0, np.int32)
+        self._lists = NeighborLists(none, none, np.zeros((0, 3)))
+
+    def frame(
+        self,
+        *,
+        gravity: float,
+        inflation: float = 0.0,
+        damping: float,
+        friction: float,
+        bending_factor: float = 1.0,
+        sewing: bool = False,
+        self_collision: bool,
+        rest: Floats | None = None,
+    ) -> None:
+        """Advances by one frame of 1/60 s."""
+        s = self.settings
+        step = StepSettings(
+            substeps=s.substeps,
+            step=1.0 / (FRAME_RATE * s.substeps),
+            gravity=gravity,
+            inflation=inflation,
+            damping=damping,
+            friction=friction,
+            thickness=self.fabric.thickness,
+            max_speed=300.0,
+            bending_factor=bending_factor,
+            # Hems may start or hang below the floor: there the body goes on as the print of its feet.
+            lowest_level=_FOOTPRINT_LEVEL,
+            long_edges=sewing,
+            self_collision=self_collision,
+            contact_interval=5,
+            still=s.still_cm,
+        )
+        self._clearance[:] = 0.0
+        cloth = self.cloth if rest is None else self.cloth._replace(rest=rest)
+        self.moving, self.contacts_found, self.crossings, self._lists = advance_frame(
+            self.positions,
+            self.velocities,
+            cloth,
+            self.field,
+            self.held,
+            self._contacts,
+            self._lists,
+            self._clearance,
+            step,
+        )
+
+    def hold(self) -> None:
+        """Holds the attached vertices at their level, or where they are if that is lower."""
+        heights = self.positions[self.held.vertices, 1]
+        self.held.levels[:] = np.minimum(self.attachment.level, heights)
+
+    def edge_lengths(self) -> Floats:
+        """Current length of every spring, cm."""
+        a, b = self.positions[self.cloth.edges[:, 0]], self.positions[self.cloth.edges[:, 1]]
+        return np.linalg.norm(a - b, axis=1)
+
+
+def sew(simulation: Simulation, progress: Progress) -> None:
+    """Closes the seams: rest lengths shrink from those of the placed panels to the true ones.
+
+    No gravity, no friction and strong damping, so that panels slide around the body instead of sticking
+    to it or jumping over it; stiff bending keeps bands from folding.
+    """
+    s = simulation.settings
+    initial = simulation.edge_lengths()
+    true = simulation.cloth.rest
+    total = s.sewing_frames + s.settling_frames
+    for k in range(total):
+        share = min(1.0, (k + 1) / s.sewing_frames)
+        rest = np.maximum(true, initial * (1 - share) + true * share)
+        simulation.frame(
+            gravity=0.0,
+            inflation=SEWING_INFLATION,
+            damping=20.0,
+            friction=0.0,
+            bending_factor=SEWING_BENDING,
+            sewing=True,
+            self_collision=s.self_collision and share > SEWING_CONTACT,
+            rest=rest,
+        )
+        progress("sewing", (k + 1) / total)
+
+
+import os
+
+SEWING_INFLATION = float(os.environ.get("INF", "3000"))
+SEWING_BENDING = float(os.environ.get("BEND", "20"))
+SEWING_CONTACT = float(os.environ.get("CON", ".9"))
+
+
+def settle(simulation: Simulation, progress: Progress) -> tuple[int, bool]:
+    """Lets the garment hang until it rests. Returns the frames used and whether it came to rest."""
+    s = simulation.settings
+    simulation.hold()
+    for k in range(s.max_frames):
+        # Damping grows with time: a garment that will not rest within two seconds only chatters.
+        damping = 2.0 + 8.0 * min(max(k - 90, 0) / 200, 1.0)
+        simulation.frame(
+            gravity=GRAVITY,
+            damping=damping,
+            friction=simulation.fabric.friction,
+            self_collision=s.self_collision,
+            sewing=k < 15,
+        )
+        progress("draping", min((k + 1) / 180, 0.99))
+        if k >= 30 and simulation.moving <= s.still_share:
+            return k + 1, True
+    return s.max_frames, False
+
+
+def _contact_buffers(count: int) -> ContactArrays:
+    contacts, crossings = 40 * count + 1000, 10 * count + 1000
+    return ContactArrays(
+        np.zeros(contacts, np.int32),
+        np.zeros(contacts, np.int32),
+        np.zeros(contacts, np.float64),
+        np.zeros(crossings, np.int32),
+        np.zeros(crossings, np.int32),
+        np.zeros((crossings, 3), np.float64),
+        np.zeros(count, np.uint8),
+    )
