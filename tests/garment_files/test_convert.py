@@ -67,7 +67,7 @@ def test_same_file_is_seen_through_links(folder):
     ("source", "target", "reason"),
     [
         ("pattern.json", "x.docx", r"Accepted: \.svg, \.json"),
-        ("pattern.json", "x.glb", "swifttailor sew"),
+        ("pattern.json", "x.glb", "swifttailor drape"),
         ("garment.glb", "x.svg", r"Accepted: \.glb"),
         ("garment.glb", "x", r"Accepted: \.glb"),
         ("report.txt", "x.glb", "neither a pattern"),

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import tyro
 
@@ -29,9 +29,9 @@ class Check:
 
     pattern: tyro.conf.Positional[Path]
     """GarmentCode JSON file to check."""
-    repair: Path | None = None
+    repair: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Write the mended pattern to this file. The exit code then tells what is left to mend."""
-    json: bool = False
+    json: tyro.conf.FlagCreatePairsOff[bool] = False
     """Print one JSON object (path, ok, findings, changes) instead of text."""
     rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"
     """How to read the placement angles: intrinsic, as GarmentCode writes them, or extrinsic, as its

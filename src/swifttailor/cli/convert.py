@@ -63,7 +63,7 @@ class Convert:
             raise InputError(
                 f"A pattern cannot be converted to '{self.target.name}': the ending '{ending}' is unknown. "
                 f"Accepted: {', '.join(PATTERN_ENDINGS)}. "
-                f"For a garment in 3D: swifttailor sew {source} --out DIR."
+                f"For a garment in 3D: swifttailor drape {source} --out DIR."
             )
         pattern = load_pattern(source, rotation=self.rotation)
         if ending == ".svg":

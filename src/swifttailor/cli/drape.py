@@ -1,0 +1,228 @@
+"""``swifttailor drape``: sewing patterns to stitched 3D garments, by physics."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import sys
+import time
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import tyro
+
+from swifttailor.errors import InputError, SwiftTailorError
+
+if TYPE_CHECKING:
+    from swifttailor.garment import Garment
+
+NOT_ACCEPTED = 1
+UNUSABLE = 2
+MIN_EDGE_CM, MAX_EDGE_CM = 0.5, 10.0
+MAX_WORKERS = 256
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drape:
+    """Sew a pattern together on a body and let it hang to rest.
+
+    Writes pattern.json, pattern.svg, garment.glb, garment.obj, preview.png and report.json into a folder.
+
+    With --batch, drapes all patterns of a .jsonl or .jsonl.gz file or of a folder, each into a folder of its
+    own, with results.jsonl, summary.json and sheets of the previews. Started again, it goes on where it
+    stopped.
+
+    Exit code 0: made, and within the limits of quality; 1: made, but something is beyond the limits (with
+    --batch: for some garment, or some failed); 2: not made.
+    """
+
+    pattern: Annotated[tyro.conf.Positional[Path | None], tyro.conf.arg(metavar="PATTERN")] = None
+    """GarmentCode JSON file to drape."""
+    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    """Folder to write; created when missing."""
+    body: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Body mesh to drape on (.obj, .ply, .glb, .stl), standing upright, facing +Z. The default body without
+    it."""
+    fabric: str = "cotton"
+    """cotton, denim, silk or jersey."""
+    edge_length: float = 2.0
+    """Edge length of the cloth's triangles in cm, 0.5 to 10: shorter is finer and slower."""
+    engine: Literal["xpbd", "newton"] = "xpbd"
+    """The built-in solver, or Newton (package 'newton') for the last stage."""
+    seed: int = 0
+    """0 gives the same garment every time; others shift the start by a hundredth of a millimetre."""
+    rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"
+    """How to read the placement angles: as GarmentCode's generator writes them (intrinsic), or as its
+    simulator and older files do (extrinsic)."""
+    repair: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Mend the pattern first, as swifttailor check --repair does."""
+    preview: bool = True
+    """Draw preview.png, and with --batch the sheets."""
+    json: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Print the report (with --batch: the summary) as JSON."""
+    batch: Annotated[Path | None, tyro.conf.arg(metavar="PATTERNS")] = None
+    """Drape many: .jsonl or .jsonl.gz with one {"id": ..., "pattern": ...} a line, or a folder of .json."""
+    workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """With --batch: garments draped at the same time; one per processor core without it."""
+    limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """With --batch: only the first N patterns."""
+    time_limit: Annotated[float | None, tyro.conf.arg(metavar="SECONDS")] = None
+    """With --batch: give a garment up after this long; 600 without it."""
+    retry_failed: tyro.conf.FlagCreatePairsOff[bool] = False
+    """With --batch: when going on, try again what failed before."""
+
+    def run(self) -> int:
+        """Drapes, prints what came of it, and returns the exit code.
+
+        Raises:
+            SwiftTailorError: Something is not usable. With `json`, that is printed as JSON instead and 2
+                returned.
+        """
+        try:
+            self._validate()
+            if self.batch is not None:
+                from swifttailor.cli.drape_batch import run_drape_batch
+
+                return run_drape_batch(self, self.batch)
+            assert self.pattern is not None
+            return self._drape_one(self.pattern)
+        except SwiftTailorError as error:
+            if not self.json:
+                raise
+            _print_json({"error": str(error)})
+            return UNUSABLE
+
+    def _validate(self) -> None:
+        """Refuses what cannot work before anything is loaded."""
+        if self.pattern is not None and self.batch is not None:
+            raise InputError(
+                f"Both a pattern ('{self.pattern}') and --batch ('{self.batch}') were given. "
+                "Give PATTERN for one garment or --batch PATTERNS for many."
+            )
+        if self.pattern is None and self.batch is None:
+            raise InputError(
+                "No pattern was given. Give one: swifttailor drape PATTERN --out DIR, "
+                "or many: swifttailor drape --batch PATTERNS --out DIR"
+            )
+        if self.batch is None:
+            self._refuse_batch_options()
+        if not (math.isfinite(self.edge_length) and MIN_EDGE_CM <= self.edge_length <= MAX_EDGE_CM):
+            raise InputError(
+                f"--edge-length is {self.edge_length:g}; from {MIN_EDGE_CM:g} to {MAX_EDGE_CM:g} cm is "
+                "accepted. 2 is usual, 1 fine, 4 coarse."
+            )
+        if not 0 <= self.seed < 2**63:
+            raise InputError(f"--seed is {self.seed}; a whole number from 0 to 2^63 - 1 is accepted.")
+        if self.workers is not None and not 1 <= self.workers <= MAX_WORKERS:
+            raise InputError(f"--workers is {self.workers}; from 1 to {MAX_WORKERS} is accepted.")
+        if self.limit is not None and self.limit < 1:
+            raise InputError(f"--limit is {self.limit}; a whole number of at least 1 is accepted.")
+        if self.time_limit is not None and not (math.isfinite(self.time_limit) and self.time_limit >= 1):
+            raise InputError(f"--time-limit is {self.time_limit:g}; at least 1 second is accepted.")
+        require_writable_folder(self.out)
+
+    def _refuse_batch_options(self) -> None:
+        given = {
+            "--workers": self.workers is not None,
+            "--limit": self.limit is not None,
+            "--time-limit": self.time_limit is not None,
+            "--retry-failed": self.retry_failed,
+        }
+        for name, is_given in given.items():
+            if is_given:
+                raise InputError(f"{name} goes with --batch PATTERNS; for a single pattern leave it out.")
+
+    def _drape_one(self, source: Path) -> int:
+        from swifttailor.cli.progress import StageProgress
+        from swifttailor.pattern import read_pattern_file
+
+        started = time.perf_counter()
+        reading = read_pattern_file(source, rotation=self.rotation)
+        with StageProgress() as progress:
+            from swifttailor.body import Body
+            from swifttailor.draping import drape, get_fabric
+            from swifttailor.draping.compiled_code import COMPILE_NOTE, solver_is_compiled
+            from swifttailor.draping.sewable import require_sewable
+
+            fabric = get_fabric(self.fabric)
+            sewable = require_sewable(reading, str(source), repair=self.repair)
+            body = Body.default() if self.body is None else Body.load(self.body)
+            loaded = time.perf_counter()
+            if not solver_is_compiled():
+                progress.note(COMPILE_NOTE)
+            garment = drape(
+                sewable.pattern,
+                body=body,
+                fabric=fabric,
+                edge_length=self.edge_length,
+                engine=self.engine,
+                seed=self.seed,
+                progress=progress,
+            )
+            garment = replace(garment, report=complete_report(garment, sewable.changes, loaded - started))
+            before_saving = time.perf_counter()
+            progress("saving", 0.0)
+            garment.save(self.out, body=body, preview=self.preview)
+            saving = time.perf_counter() - before_saving
+        if self.json:
+            _print_json(garment.report)
+        else:
+            self._print_summary(garment, saving)
+        return 0 if garment.report["quality"]["accepted"] else NOT_ACCEPTED
+
+    def _print_summary(self, garment: Garment, saving: float) -> None:
+        report = garment.report
+        quality = report["quality"]
+        for change in report.get("mended", ()):
+            print(f"Mended {change}")  # noqa: T201
+        if quality["accepted"]:
+            verdict = "Accepted: it hangs at rest, within all limits of quality."
+        else:
+            verdict = f"Not accepted: {'; '.join(quality['reasons'])}."
+        seconds = report["seconds"] | {"saving": saving}
+        stages = ", ".join(f"{name} {value:.1f}" for name, value in seconds.items() if value >= 0.05)
+        look = self.out / ("preview.png" if self.preview else "garment.glb")
+        lines = [
+            verdict,
+            f"{report['panels']} panels, {report['vertices']} vertices, {report['faces']} faces.",
+            f"{sum(seconds.values()):.1f} s: {stages}.",
+            f"Look at {look}; the numbers are in {self.out / 'report.json'}.",
+        ]
+        print("\n".join(lines))  # noqa: T201
+
+
+def complete_report(garment: Garment, changes: tuple[Any, ...], loading: float) -> dict[str, Any]:
+    """The drape's report with the time to load and check the pattern, and what was mended in it."""
+    report = dict(garment.report)
+    report["seconds"] = {"loading": round(loading, 4)} | report["seconds"]
+    if changes:
+        places = (f"{c.code}{f' ({c.where()})' if c.where() else ''}: {c.message}" for c in changes)
+        report["mended"] = list(places)
+    return report
+
+
+def require_writable_folder(folder: Path) -> None:
+    """Refuses, before the work is done, a folder that cannot be written after it.
+
+    Raises:
+        InputError: It is a file, or it cannot be made or written.
+    """
+    existing = folder
+    try:
+        while not existing.exists() and existing != existing.parent:
+            existing = existing.parent
+        is_folder = existing.is_dir()
+    except (OSError, ValueError) as error:
+        raise InputError(f"{str(folder)!r} cannot be a folder: {error}. Choose another --out.") from error
+    if not is_folder:
+        raise InputError(f"'{existing}' is a file, not a folder. Choose another --out.")
+    if not os.access(existing, os.W_OK | os.X_OK):
+        raise InputError(f"'{existing}' cannot be written to. Choose another --out.")
+
+
+def _print_json(value: dict[str, Any]) -> None:
+    from swifttailor.garment_files.folder import plain
+
+    sys.stdout.write(json.dumps(plain(value), indent=2, allow_nan=False) + "\n")

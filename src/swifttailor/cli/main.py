@@ -1,0 +1,216 @@
+"""The ``swifttailor`` command: finds the command that was asked for, runs it, turns errors into messages.
+
+Only the chosen command's module is imported, and nothing at all for ``--help``, so that both answer at once.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+
+USAGE_ERROR = 2
+INTERNAL_ERROR = 70
+"""What sysexits.h calls EX_SOFTWARE."""
+INTERRUPTED = 130
+BROKEN_PIPE = 141
+
+Runner = Callable[[list[str]], int]
+
+
+@dataclass(frozen=True)
+class Command:
+    """One command of the list."""
+
+    summary: str
+    usage: str
+    load: Callable[[], Runner]
+    """Imports the command's module and gives what runs it."""
+
+
+def run(argv: list[str]) -> int:
+    """Runs the command line.
+
+    Args:
+        argv: Arguments without the program's name. ``--debug`` may stand anywhere before a ``--``.
+
+    Returns:
+        The exit code. 0: done; 1: done, with something to look at (findings, a drape beyond the limits);
+        2: not done, for a reason the user can mend; 70: a fault of SwiftTailor; 130: interrupted.
+    """
+    _never_fail_to_print()
+    argv, debug = _take_debug(argv)
+    try:
+        code = _dispatch(argv)
+        sys.stdout.flush()
+        return code
+    except KeyboardInterrupt:
+        if debug:
+            raise
+        _say("Interrupted.")
+        return INTERRUPTED
+    except BrokenPipeError:
+        # Whoever read our output has seen enough. Python would complain once more while closing stdout.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return BROKEN_PIPE
+    except Exception as error:
+        if debug:
+            raise
+        return _report(error)
+
+
+def _dispatch(argv: list[str]) -> int:
+    name = argv[0] if argv else ""
+    if name in ("-h", "--help") or (name == "help" and len(argv) == 1):
+        sys.stdout.write(_overview())
+        return 0
+    if name in ("-V", "--version"):
+        from swifttailor import __version__
+
+        sys.stdout.write(f"swifttailor {__version__}\n")
+        return 0
+    if not name:
+        sys.stderr.write(_overview())
+        return USAGE_ERROR
+    if name == "help":
+        name, argv = argv[1], [argv[1], "--help"]
+    if name in COMMANDS:
+        try:
+            return COMMANDS[name].load()(argv[1:])
+        except SystemExit as leaving:  # tyro has printed help or a usage error
+            return leaving.code if isinstance(leaving.code, int) else USAGE_ERROR
+    _say(_unknown(name))
+    return USAGE_ERROR
+
+
+def _unknown(name: str) -> str:
+    if name.startswith("-"):
+        return f"There is no option '{name}' before a command. See: swifttailor --help"
+    if name.lower().endswith(".json"):
+        return f"'{name}' is a file, not a command. To drape it: swifttailor drape {name} --out DIR"
+    from difflib import get_close_matches
+
+    close = get_close_matches(name.lower(), COMMANDS, n=1, cutoff=0.5)
+    hint = f"Did you mean '{close[0]}'?" if close else f"The commands are: {', '.join(COMMANDS)}."
+    return f"There is no command '{name}'. {hint} See: swifttailor --help"
+
+
+def _report(error: Exception) -> int:
+    """Prints an error without its traceback and returns the exit code."""
+    from swifttailor.errors import SwiftTailorError
+
+    again = "Run the same command with --debug to see where it happened."
+    if isinstance(error, SwiftTailorError):
+        _say(f"Error: {error}")
+        return error.exit_code
+    if isinstance(error, MemoryError):
+        _say(
+            "Error: there is not enough memory for this. A longer --edge-length needs less, "
+            f"and so do fewer --workers. {again}"
+        )
+        return INTERNAL_ERROR
+    if isinstance(error, OSError):
+        place = f"'{error.filename}': " if error.filename else ""
+        _say(f"Error: {place}{error.strerror or error}. {again}")
+        return USAGE_ERROR
+    _say(
+        f"Error inside SwiftTailor, not your fault: {type(error).__name__}: {error}\n{again} "
+        "Please report it with that output and, if you can, the input file."
+    )
+    return INTERNAL_ERROR
+
+
+def _take_debug(argv: list[str]) -> tuple[list[str], bool]:
+    end = argv.index("--") if "--" in argv else len(argv)
+    kept = [a for a in argv[:end] if a != "--debug"]
+    return kept + argv[end:], len(kept) < end
+
+
+def _overview() -> str:
+    width = max(len(name) for name in COMMANDS)
+    lines = [
+        "SwiftTailor: sewing patterns to stitched 3D garments.",
+        "",
+        "usage: swifttailor COMMAND [OPTIONS]",
+        "",
+        *(f"  {name:<{width}}  {c.summary}\n  {'':<{width}}  {c.usage}" for name, c in COMMANDS.items()),
+        "",
+        "  swifttailor COMMAND --help   all options of a command",
+        "  swifttailor --version        the version",
+        "  --debug                      with any command: show where an error happened",
+        "",
+        "Exit codes: 0 done; 1 done, but look at what it says; 2 not done, and why; 130 interrupted.",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _say(text: str) -> None:
+    sys.stderr.write(text + "\n")
+
+
+def _never_fail_to_print() -> None:
+    """File names and pattern texts may hold what the terminal cannot show."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
+
+
+def _runner(kind: type, name: str) -> Runner:
+    """Runs a command that is a dataclass of options with a `run` method."""
+
+    def runner(arguments: list[str]) -> int:
+        import tyro
+
+        return tyro.cli(kind, args=arguments, prog=f"swifttailor {name}").run()
+
+    return runner
+
+
+def _load_draft() -> Runner:
+    from swifttailor.cli.draft import run_draft
+
+    return run_draft
+
+
+def _load_drape() -> Runner:
+    from swifttailor.cli.drape import Drape
+
+    return _runner(Drape, "drape")
+
+
+def _load_check() -> Runner:
+    from swifttailor.cli.check import Check
+
+    return _runner(Check, "check")
+
+
+def _load_convert() -> Runner:
+    from swifttailor.cli.convert import Convert
+
+    return _runner(Convert, "convert")
+
+
+COMMANDS: dict[str, Command] = {
+    "drape": Command(
+        "Sew a pattern together on a body and let it hang: pattern in, 3D garment out.",
+        "swifttailor drape PATTERN --out DIR    or many: --batch PATTERNS.jsonl.gz --out DIR",
+        _load_drape,
+    ),
+    "draft": Command(
+        "Draft a sewing pattern from a garment's name, a few options and a body.",
+        "swifttailor draft t-shirt --out t-shirt.json    all garments: --list",
+        _load_draft,
+    ),
+    "check": Command(
+        "Look for faults in a sewing pattern; mend those that are safe to mend.",
+        "swifttailor check PATTERN [--repair MENDED]",
+        _load_check,
+    ),
+    "convert": Command(
+        "Convert a pattern (.svg, .json) or a garment (.glb, .obj, .ply, .stl, .usd).",
+        "swifttailor convert IN OUT",
+        _load_convert,
+    ),
+}
+"""In the order in which a newcomer needs them."""

@@ -1,0 +1,57 @@
+"""What stands between a file and the physics: only patterns without errors are draped."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from swifttailor.errors import PatternError
+from swifttailor.pattern import Finding, Pattern, Reading, Severity, check_pattern, repair_pattern
+from swifttailor.pattern.check import Change
+
+
+@dataclass(frozen=True)
+class Sewable:
+    """A pattern that may be sewn, and what was done to it."""
+
+    pattern: Pattern
+    changes: tuple[Change, ...] = ()
+    """What was mended."""
+    findings: tuple[Finding, ...] = ()
+    """Warnings and notes that remain."""
+
+
+def require_sewable(reading: Reading, source: str, *, repair: bool = False) -> Sewable:
+    """Checks a pattern that was read, and mends it where asked.
+
+    Args:
+        reading: From `read_pattern_file` or `read_specification`.
+        source: File name or id, for messages.
+        repair: Mend what `repair_pattern` can.
+
+    Raises:
+        PatternError: There are errors (left); the text names the first and how to mend them.
+    """
+    changes: tuple[Change, ...] = ()
+    pattern = reading.pattern
+    if repair:
+        repaired = repair_pattern(pattern, reading.findings)
+        pattern, changes, findings = repaired.pattern, repaired.changes, repaired.remaining
+    else:
+        findings = check_pattern(pattern, reader_findings=reading.findings)
+    errors = [f for f in findings if f.severity is Severity.ERROR]
+    if errors:
+        raise PatternError(_refusal(errors, source, repair=repair))
+    return Sewable(pattern, changes, findings)
+
+
+def _refusal(errors: list[Finding], source: str, *, repair: bool) -> str:
+    first = errors[0]
+    place = f" ({first.where()})" if first.where() else ""
+    count = "an error" if len(errors) == 1 else f"{len(errors)} errors, the first of them"
+    mend = (
+        "What is left cannot be mended without a guess; mend it by hand."
+        if repair
+        else "Mend what is safe to mend with: swifttailor check PATTERN --repair MENDED, "
+        "or add --repair to this command."
+    )
+    return f"'{source}' cannot be sewn, it has {count}: {first.code}{place}: {first.message}. {mend}"
