@@ -161,7 +161,8 @@ class Drape:
                 seed=self.seed,
                 progress=progress,
             )
-            garment = replace(garment, report=complete_report(garment, sewable.changes, loaded - started))
+            report = sewable.complete_report(garment.report, loaded - started)
+            garment = replace(garment, report=report)
             before_saving = time.perf_counter()
             progress("saving", 0.0)
             garment.save(self.out, body=body, preview=self.preview)
@@ -191,16 +192,6 @@ class Drape:
             f"Look at {look}; the numbers are in {self.out / 'report.json'}.",
         ]
         print("\n".join(lines))  # noqa: T201
-
-
-def complete_report(garment: Garment, changes: tuple[Any, ...], loading: float) -> dict[str, Any]:
-    """The drape's report with the time to load and check the pattern, and what was mended in it."""
-    report = dict(garment.report)
-    report["seconds"] = {"loading": round(loading, 4)} | report["seconds"]
-    if changes:
-        places = (f"{c.code}{f' ({c.where()})' if c.where() else ''}: {c.message}" for c in changes)
-        report["mended"] = list(places)
-    return report
 
 
 def require_writable_folder(folder: Path) -> None:

@@ -5,10 +5,12 @@ Only the chosen command's module is imported, and nothing at all for ``--help``,
 
 from __future__ import annotations
 
+import io
 import os
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 USAGE_ERROR = 2
 INTERNAL_ERROR = 70
@@ -152,11 +154,11 @@ def _say(text: str) -> None:
 def _never_fail_to_print() -> None:
     """File names and pattern texts may hold what the terminal cannot show."""
     for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
+        if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
 
 
-def _runner(kind: type, name: str) -> Runner:
+def _runner(kind: Any, name: str) -> Runner:
     """Runs a command that is a dataclass of options with a `run` method."""
 
     def runner(arguments: list[str]) -> int:

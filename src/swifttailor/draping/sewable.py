@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from swifttailor.errors import PatternError
 from swifttailor.pattern import Finding, Pattern, Reading, Severity, check_pattern, repair_pattern
@@ -18,6 +19,15 @@ class Sewable:
     """What was mended."""
     findings: tuple[Finding, ...] = ()
     """Warnings and notes that remain."""
+
+    def complete_report(self, report: dict[str, Any], loading: float) -> dict[str, Any]:
+        """A drape's report with the seconds for loading and what was mended in the pattern."""
+        report = report | {"seconds": {"loading": round(loading, 4)} | report["seconds"]}
+        if self.changes:
+            report["mended"] = [
+                f"{c.code}{f' ({c.where()})' if c.where() else ''}: {c.message}" for c in self.changes
+            ]
+        return report
 
 
 def require_sewable(reading: Reading, source: str, *, repair: bool = False) -> Sewable:

@@ -1,0 +1,148 @@
+"""``swifttailor drape --batch``: what it shows while it works and when it is done."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import time
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rich.progress import Progress, TaskID
+
+    from swifttailor.cli.drape import Drape
+
+NOT_ALL_ACCEPTED = 1
+
+
+def run_drape_batch(options: Drape, source: Path) -> int:
+    """Drapes all patterns of `source` with the options of the command; returns the exit code."""
+    from swifttailor.draping.batch import BatchSettings, run_batch
+    from swifttailor.draping.batch.patterns import count_patterns
+    from swifttailor.draping.batch.run import TIME_LIMIT
+
+    settings = BatchSettings(
+        fabric=options.fabric,
+        edge_length=options.edge_length,
+        engine=options.engine,
+        seed=options.seed,
+        body=options.body,
+        rotation=options.rotation,
+        repair=options.repair,
+        preview=options.preview,
+    )
+    total = count_patterns(source) if source.exists() else 0
+    started = time.perf_counter()
+    with _BatchProgress(min(total, options.limit or total)) as progress:
+        summary = run_batch(
+            source,
+            options.out,
+            settings,
+            workers=options.workers or _available_cores(),
+            limit=options.limit,
+            time_limit=options.time_limit or TIME_LIMIT,
+            retry_failed=options.retry_failed,
+            on_start=progress.start,
+            on_record=progress.show,
+        )
+    if options.json:
+        sys.stdout.write(json.dumps(summary, indent=2) + "\n")
+    else:
+        _print_summary(summary, options.out, progress.shown, time.perf_counter() - started)
+    counts = summary["counts"]
+    return 0 if counts["accepted"] == counts["patterns"] else NOT_ALL_ACCEPTED
+
+
+def _print_summary(summary: dict[str, Any], out: Path, new: int, seconds: float) -> None:
+    counts = summary["counts"]
+    lines = [
+        f"{counts['patterns']} patterns: {counts['accepted']} accepted, "
+        f"{counts['not_accepted']} not accepted, {counts['failed']} failed.",
+        f"{new} of them now, in {seconds:.0f} s.",
+    ]
+    lines += [f"  {number:5}  {reason}" for reason, number in summary["reasons"].items()]
+    lines += [f"  {number:5}  failed: {kind}" for kind, number in summary["failures"].items()]
+    sheets = len(list(out.glob("sheet-*.png")))
+    look = (
+        f"Look at {out / 'sheet-01.png'}{f' to sheet-{sheets:02d}.png' if sheets > 1 else ''}; "
+        if sheets
+        else ""
+    )
+    lines.append(f"{look}{'the' if look else 'The'} numbers are in {out / 'summary.json'}.")
+    sys.stdout.write("\n".join(lines) + "\n")
+
+
+class _BatchProgress:
+    """A bar in a terminal, a line per garment elsewhere; both on stderr."""
+
+    def __init__(self, total: int) -> None:
+        self.shown = 0
+        self._total = total
+        self._done_before = 0
+        self._bar: Progress | None = None
+        self._task: TaskID | None = None
+
+    def __enter__(self) -> _BatchProgress:
+        if sys.stderr.isatty():
+            from rich.console import Console
+            from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+            columns = (
+                BarColumn(),
+                MofNCompleteColumn(),
+                TimeRemainingColumn(),
+                TextColumn("{task.description}"),
+            )
+            self._bar = Progress(*columns, console=Console(stderr=True), transient=True)
+            self._task = self._bar.add_task("", total=self._total)
+            self._bar.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+
+    def start(self, done_before: int, compiled: bool) -> None:
+        """Says what the batch starts from."""
+        from swifttailor.draping.compiled_code import COMPILE_NOTE
+
+        self._done_before = done_before
+        if done_before:
+            self._note(f"going on: {done_before} were done before")
+        if not compiled:
+            self._note(COMPILE_NOTE)
+
+    def show(self, record: dict[str, Any]) -> None:
+        """Takes note of a garment."""
+        self.shown += 1
+        if record["status"] == "failed":
+            text = f"failed: {record['error']}"
+        elif record["accepted"]:
+            text = "accepted"
+        else:
+            text = f"not accepted: {'; '.join(record['reasons'])}"
+        line = f"{record['id']}: {text}"
+        if self._bar is not None and self._task is not None:
+            if record["status"] == "failed":
+                self._note(line)
+            self._bar.update(self._task, completed=self._done_before + self.shown, description=record["id"])
+        else:
+            self._note(f"{self._done_before + self.shown}/{self._total} {line}")
+
+    def _note(self, text: str) -> None:
+        if self._bar is not None:
+            self._bar.console.print(text, markup=False, highlight=False)
+        else:
+            sys.stderr.write(text + "\n")
+            sys.stderr.flush()
+
+
+def _available_cores() -> int:
+    if hasattr(os, "sched_getaffinity"):
+        return max(1, len(os.sched_getaffinity(0)))
+    return os.cpu_count() or 1

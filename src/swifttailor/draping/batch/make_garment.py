@@ -1,0 +1,111 @@
+"""One garment of a batch, in a worker process: read, check, drape, save."""
+
+from __future__ import annotations
+
+import functools
+import os
+import shutil
+import time
+import traceback
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from swifttailor.body import Body
+from swifttailor.draping.batch.patterns import BatchPattern
+from swifttailor.draping.batch.settings import BatchSettings
+from swifttailor.draping.drape import drape
+from swifttailor.draping.sewable import Sewable, require_sewable
+from swifttailor.errors import SwiftTailorError
+from swifttailor.pattern import read_pattern_file, read_specification
+from swifttailor.pattern.json_values import parse_json
+
+UNFINISHED_PREFIX = ".making-"
+
+
+@dataclass(frozen=True)
+class GarmentTask:
+    """What a worker gets."""
+
+    pattern: BatchPattern
+    settings: BatchSettings
+    out: Path
+    """Folder of the batch."""
+
+
+def make_garment(task: GarmentTask) -> dict[str, Any]:
+    """Makes one garment and its folder.
+
+    Returns:
+        Its record for results.jsonl. Nothing is raised: whatever goes wrong is in the record.
+    """
+    record: dict[str, Any] = {"id": task.pattern.id, "folder": task.pattern.folder}
+    try:
+        return record | _make(task)
+    except SwiftTailorError as error:
+        return record | failure(type(error).__name__, str(error))
+    except Exception as error:
+        last = traceback.extract_tb(error.__traceback__)[-1]
+        place = f"{Path(last.filename).name}:{last.lineno}"
+        return record | failure(type(error).__name__, f"{error} (at {place})")
+
+
+def failure(kind: str, error: str) -> dict[str, Any]:
+    """The part of a record that says why there is no garment."""
+    return {"status": "failed", "kind": kind, "error": error}
+
+
+def _make(task: GarmentTask) -> dict[str, Any]:
+    settings = task.settings
+    started = time.perf_counter()
+    sewable = _read(task.pattern, settings)
+    body = _body(settings)
+    loading = time.perf_counter() - started
+    garment = drape(
+        sewable.pattern,
+        body=body,
+        fabric=settings.fabric,
+        edge_length=settings.edge_length,
+        engine=settings.engine,
+        seed=settings.seed,
+    )
+    report = sewable.complete_report(garment.report, loading)
+    garment = replace(garment, report={"id": task.pattern.id} | report)
+    before_saving = time.perf_counter()
+    unfinished = task.out / f"{UNFINISHED_PREFIX}{os.getpid()}-{task.pattern.folder}"
+    try:
+        garment.save(unfinished, body=body, preview=settings.preview)
+        _replace_folder(unfinished, task.out / task.pattern.folder)
+    finally:
+        shutil.rmtree(unfinished, ignore_errors=True)
+    return {
+        "status": "made",
+        "accepted": report["quality"]["accepted"],
+        "reasons": list(report["quality"]["reasons"]),
+        "quality": report["quality"],
+        "panels": report["panels"],
+        "vertices": report["vertices"],
+        "seconds": report["seconds"] | {"saving": round(time.perf_counter() - before_saving, 4)},
+    }
+
+
+def _read(pattern: BatchPattern, settings: BatchSettings) -> Sewable:
+    if pattern.path is not None:
+        reading = read_pattern_file(pattern.path, rotation=settings.rotation)
+    else:
+        assert pattern.line is not None
+        specification = parse_json(pattern.line, pattern.source)["pattern"]
+        reading = read_specification(specification, name=pattern.id, rotation=settings.rotation)
+    return require_sewable(reading, pattern.id, repair=settings.repair)
+
+
+@functools.lru_cache(maxsize=1)
+def _body(settings: BatchSettings) -> Body:
+    return settings.load_body()
+
+
+def _replace_folder(made: Path, final: Path) -> None:
+    """Puts a finished folder in its place; what a crashed run left there goes."""
+    if final.exists():
+        shutil.rmtree(final)
+    made.rename(final)

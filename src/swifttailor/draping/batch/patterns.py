@@ -1,0 +1,165 @@
+"""The patterns of a batch, one by one: from JSON lines (.jsonl, .jsonl.gz) or a folder of JSON files."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import re
+import zlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from io import BufferedReader
+from pathlib import Path
+
+from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.pattern.json_values import MAX_FILE_BYTES, parse_json
+
+LINE_ENDINGS = (".jsonl", ".jsonl.gz")
+MAX_ID_LENGTH = 200
+_FOLDER_LENGTH = 80
+_CHUNK = 1 << 20
+_UNSAFE = re.compile(r"[^A-Za-z0-9_-]+")
+_DEVICE_NAME = re.compile(r"(?i)(con|prn|aux|nul|com\d|lpt\d)")
+
+
+@dataclass(frozen=True)
+class BatchPattern:
+    """One pattern of a batch, not parsed yet."""
+
+    id: str
+    """Its id; ``#7`` when line 7 has none that can be used."""
+    folder: str
+    """Name of the folder its garment goes to."""
+    source: str
+    """Where it comes from, for messages."""
+    line: bytes | None = None
+    """Its line, where it comes from a file of JSON lines."""
+    path: Path | None = None
+    """Its own file, where it comes from a folder."""
+    error: str = ""
+    """Why it cannot be used, when that is plain before it is parsed."""
+
+
+def count_patterns(source: Path) -> int:
+    """About how many patterns there are (exact unless the file is damaged)."""
+    if source.is_dir():
+        return sum(1 for _ in source.glob("*.json"))
+    count, last = 0, b"\n"
+    try:
+        with _open(source) as stream:
+            while chunk := stream.read(_CHUNK):
+                count, last = count + chunk.count(b"\n"), chunk[-1:]
+    except (OSError, EOFError, zlib.error):
+        pass
+    return count + (last != b"\n")
+
+
+def read_patterns(source: Path) -> Iterator[BatchPattern]:
+    """Goes through the patterns of a batch; bad ones come with their `error`.
+
+    Raises:
+        InputError: `source` is neither such a file nor a folder with JSON files.
+    """
+    if not source.exists():
+        raise InputError(
+            f"There is no file or folder '{source}'. Give patterns as .jsonl, .jsonl.gz or folder."
+        )
+    if source.is_dir():
+        found = _from_folder(source)
+    elif source.name.lower().endswith(LINE_ENDINGS):
+        found = _from_lines(source)
+    else:
+        raise InputError(
+            f"'{source.name}' is no batch of patterns. Give a .jsonl or .jsonl.gz file with one "
+            '{"id": ..., "pattern": ...} a line, or a folder of .json files. '
+            "For a single pattern: swifttailor drape PATTERN --out DIR"
+        )
+    return _refuse_repeats(found)
+
+
+def folder_name(id: str) -> str:
+    """A folder name for an id: the id itself where it is safe on all systems, else with a hash."""
+    safe = _UNSAFE.sub("_", id)[:_FOLDER_LENGTH]
+    if safe == id and not _DEVICE_NAME.fullmatch(id):
+        return id
+    return f"{safe}-{hashlib.sha256(id.encode()).hexdigest()[:8]}"
+
+
+def _from_folder(folder: Path) -> Iterator[BatchPattern]:
+    paths = sorted(folder.glob("*.json"))
+    if not paths:
+        raise InputError(
+            f"The folder '{folder}' holds no .json files. Give a folder of GarmentCode patterns."
+        )
+    for path in paths:
+        yield BatchPattern(path.stem, folder_name(path.stem), str(path), path=path)
+
+
+def _from_lines(source: Path) -> Iterator[BatchPattern]:
+    for number, line, trouble in _bounded_lines(source):
+        where = f"{source.name} line {number}"
+        if trouble:
+            yield _unusable(number, where, trouble)
+        elif line.strip():
+            yield _parse_line(number, where, line)
+
+
+def _parse_line(number: int, where: str, line: bytes) -> BatchPattern:
+    try:
+        value = parse_json(line, where)
+    except SwiftTailorError as error:
+        return _unusable(number, where, str(error))
+    if not isinstance(value, dict) or "pattern" not in value or "id" not in value:
+        return _unusable(number, where, 'The line is not an object with "id" and "pattern".')
+    id = value["id"]
+    if isinstance(id, int) and not isinstance(id, bool):
+        id = str(id)
+    if not isinstance(id, str) or not 1 <= len(id) <= MAX_ID_LENGTH or not id.isprintable() or id[0] == "#":
+        return _unusable(
+            number,
+            where,
+            f"The id {str(id)[:60]!r} cannot be used; text of 1 to {MAX_ID_LENGTH} printable characters "
+            "that does not start with # is accepted.",
+        )
+    return BatchPattern(id, folder_name(id), where, line=line)
+
+
+def _unusable(number: int, where: str, error: str) -> BatchPattern:
+    return BatchPattern(f"#{number}", "", where, error=error)
+
+
+def _bounded_lines(source: Path) -> Iterator[tuple[int, bytes, str]]:
+    """(number from 1, line, what is wrong with it); a damaged file ends with such a trouble."""
+    number = 0
+    try:
+        with _open(source) as stream:
+            while line := stream.readline(MAX_FILE_BYTES):
+                number += 1
+                if len(line) < MAX_FILE_BYTES or line.endswith(b"\n"):
+                    yield number, line, ""
+                    continue
+                while (rest := stream.readline(_CHUNK)) and not rest.endswith(b"\n"):
+                    pass
+                yield number, b"", f"The line is longer than {MAX_FILE_BYTES // 2**20} MB."
+    except (OSError, EOFError, zlib.error) as error:
+        if number == 0 and isinstance(error, OSError) and not isinstance(error, gzip.BadGzipFile):
+            raise InputError(f"Cannot read '{source}': {error.strerror or error}.") from error
+        yield number + 1, b"", f"The file is damaged from here on ({error}); the rest was not read."
+
+
+def _open(source: Path) -> gzip.GzipFile | BufferedReader:
+    return gzip.open(source, "rb") if source.name.lower().endswith(".gz") else source.open("rb")
+
+
+def _refuse_repeats(patterns: Iterator[BatchPattern]) -> Iterator[BatchPattern]:
+    """Ids must differ, also where upper and lower case are the same to the file system."""
+    seen: dict[str, str] = {}
+    for number, pattern in enumerate(patterns, 1):
+        key = pattern.folder.lower()
+        if pattern.error or key not in seen:
+            if not pattern.error:
+                seen[key] = pattern.source
+            yield pattern
+        else:
+            message = f"The id '{pattern.id}' was used before ({seen[key]}); ids must differ."
+            yield BatchPattern(f"#{number}", "", pattern.source, error=message)

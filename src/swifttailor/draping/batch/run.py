@@ -1,0 +1,136 @@
+"""Drapes many patterns, in worker processes, so that it can be interrupted and go on."""
+
+from __future__ import annotations
+
+import json
+import signal
+import threading
+from collections.abc import Callable, Generator, Iterator
+from contextlib import contextmanager
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+from swifttailor.atomic_files import write_text
+from swifttailor.draping.batch.ledger import Ledger
+from swifttailor.draping.batch.make_garment import GarmentTask, failure, make_garment
+from swifttailor.draping.batch.patterns import BatchPattern, read_patterns
+from swifttailor.draping.batch.settings import BatchSettings
+from swifttailor.draping.batch.sheets import write_sheets
+from swifttailor.draping.batch.summary import summarize
+from swifttailor.draping.batch.worker_pool import run_tasks
+from swifttailor.draping.compiled_code import solver_is_compiled
+from swifttailor.garment_files.folder import plain
+
+SUMMARY = "summary.json"
+TIME_LIMIT = 600.0
+
+OnStart = Callable[[int, bool], None]
+OnRecord = Callable[[dict[str, Any]], None]
+
+
+def run_batch(
+    source: Path,
+    out: Path,
+    settings: BatchSettings,
+    *,
+    workers: int,
+    limit: int | None = None,
+    time_limit: float = TIME_LIMIT,
+    retry_failed: bool = False,
+    on_start: OnStart | None = None,
+    on_record: OnRecord | None = None,
+    make: Callable[[GarmentTask], dict[str, Any]] = make_garment,
+) -> dict[str, Any]:
+    """Drapes all patterns of a file or folder into folders of their own.
+
+    Each garment is saved whole or not at all, and its record is on disk before the next is taken in: after
+    any interruption the same call goes on where it stopped. The garments do not depend on `workers`.
+
+    Args:
+        source: .jsonl, .jsonl.gz, or a folder of .json files.
+        out: Folder of the batch: <id>/, results.jsonl, summary.json, sheet-01.png.
+        settings: What the garments are made with.
+        workers: Processes at the same time, each with one thread.
+        limit: Only the first so many patterns.
+        time_limit: Seconds after which a garment is given up.
+        retry_failed: Try again what failed in an earlier call.
+        on_start: Called with the number of records from earlier calls and whether the solver is compiled.
+        on_record: Called with each new record.
+        make: Makes one garment (for tests).
+
+    Returns:
+        The content of summary.json.
+
+    Raises:
+        InputError: The source, the settings or the folder cannot be used.
+        SimulationError: No worker can be started.
+        KeyboardInterrupt: After Ctrl-C or SIGTERM; summary.json is written before.
+    """
+    patterns = islice(read_patterns(source), limit)
+    first = next(patterns, None)  # so that a source that cannot be read leaves no folder behind
+    settings.require_usable()
+    with Ledger(out, settings) as ledger:
+        seen: dict[str, dict[str, Any]] = {}
+
+        def take_in(record: dict[str, Any]) -> None:
+            ledger.add(record)
+            seen[record["id"]] = record
+            if on_record is not None:
+                on_record(record)
+
+        def tasks() -> Iterator[GarmentTask]:
+            for pattern in () if first is None else _chain(first, patterns):
+                if ledger.is_done(pattern.id, retry_failed=retry_failed):
+                    seen[pattern.id] = ledger.records[pattern.id]
+                elif pattern.error:
+                    take_in(_unusable(pattern))
+                else:
+                    yield GarmentTask(pattern, settings, out)
+
+        complete, compiled = False, solver_is_compiled()
+        if on_start is not None:
+            on_start(len(ledger.records), compiled)
+        outcomes = run_tasks(make, tasks(), workers=workers, time_limit=time_limit, first_alone=not compiled)
+        try:
+            with _sigterm_as_interrupt():
+                for outcome in outcomes:
+                    take_in(_lost(outcome.task, outcome.lost) if outcome.lost else outcome.result)
+                complete = True
+        finally:
+            outcomes.close()
+            summary = plain(summarize(seen.values(), settings.identity(), complete=complete))
+            write_text(out / SUMMARY, json.dumps(summary, indent=2, allow_nan=False) + "\n")
+        if settings.preview:
+            write_sheets(out, summary["garments"])
+        return summary
+
+
+def _chain(first: BatchPattern, rest: Iterator[BatchPattern]) -> Iterator[BatchPattern]:
+    yield first
+    yield from rest
+
+
+def _unusable(pattern: BatchPattern) -> dict[str, Any]:
+    return {"id": pattern.id, "folder": ""} | failure("Unreadable", f"{pattern.source}: {pattern.error}")
+
+
+def _lost(task: GarmentTask, why: str) -> dict[str, Any]:
+    return {"id": task.pattern.id, "folder": task.pattern.folder} | failure("WorkerLost", why)
+
+
+@contextmanager
+def _sigterm_as_interrupt() -> Generator[None]:
+    """Schedulers stop programs with SIGTERM: leave as tidily as after Ctrl-C."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def interrupt(number: int, frame: object) -> None:
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGTERM, interrupt)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
