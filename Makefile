@@ -1,0 +1,64 @@
+# What can be done with this repository: `make help`. Nothing needs to be installed first but Python 3.11 and
+# GNU make; every target sets up .venv/ by itself.
+
+SHELL := bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+
+BIN := .venv/bin
+READY := .venv/.ready
+JOBS ?= 2
+GARMENTCODE ?= $(or $(SWIFTTAILOR_GARMENTCODE),../shared/garmentcode)
+
+help:  ## show this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+setup: $(READY)  ## make .venv with the pinned development packages and this package, editable
+
+$(READY): pyproject.toml requirements/dev.txt
+	uv=$$(scripts/find_uv.sh); \
+	[ -x $(BIN)/python ] || "$$uv" venv --quiet .venv; \
+	"$$uv" pip install --quiet --python $(BIN)/python -r requirements/dev.txt -e .
+	touch $@
+
+demo: $(READY)  ## draft a dress, drape it (and a real pattern where there is one) into ./demo/
+	mkdir -p demo
+	$(BIN)/swifttailor draft fitted-dress --neckline v --skirt-flare 8 --out demo/dress.json
+	$(BIN)/swifttailor drape demo/dress.json --out demo/dress || [ $$? -eq 1 ]
+	real='$(GARMENTCODE)/dress_pencil_specification.json'; \
+	if [ -f "$$real" ]; then \
+		echo; echo "A pattern of GarmentCode's: $$real"; \
+		$(BIN)/swifttailor drape "$$real" --out demo/real || [ $$? -eq 1 ]; \
+	fi
+	@echo; echo "Made:"; ls demo/*/preview.png demo/*/garment.glb demo/*/pattern.svg
+
+test: $(READY)  ## run all tests on JOBS processes (2)
+	$(BIN)/python -m pytest -n $(JOBS)
+
+lint: $(READY)  ## look for faults in the code
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+format: $(READY)  ## lay the code out and mend what can be mended
+	$(BIN)/ruff format .
+	$(BIN)/ruff check --fix .
+
+types: $(READY)  ## check the type annotations
+	$(BIN)/ty check src/swifttailor
+
+bench: $(READY)  ## time drapes, stage by stage
+	$(BIN)/python benchmarks/drape_stages.py
+
+lock:  ## pin the newest development packages in requirements/dev.txt
+	uv=$$(scripts/find_uv.sh); \
+	"$$uv" pip compile --quiet --upgrade --universal --python-version 3.11 pyproject.toml --group dev \
+		--no-emit-index-url --no-header --no-annotate --output-file requirements/dev.txt
+
+clean-cache:  ## delete numba's compiled code: it does not see changes in modules that a kernel calls
+	find src tests -name '*.nb[ic]' -delete
+
+clean: clean-cache  ## delete everything that was made, .venv included
+	rm -rf .venv .uv demo out .pytest_cache .ruff_cache .hypothesis dist build
+
+.PHONY: help setup demo test lint format types bench lock clean-cache clean
