@@ -17,18 +17,19 @@ help:  ## show this list
 setup: $(READY)  ## make .venv with the pinned development packages and this package, editable
 
 $(READY): pyproject.toml requirements/dev.txt
-	uv=$$(scripts/find_uv.sh); \
+	@uv=$$(scripts/find_uv.sh); \
+	echo 'Setting up .venv/ ...'; \
 	[ -x $(BIN)/python ] || "$$uv" venv --quiet .venv; \
 	"$$uv" pip install --quiet --python $(BIN)/python -r requirements/dev.txt -e .
-	touch $@
+	@touch $@
 
 demo: $(READY)  ## draft a dress, drape it (and a real pattern where there is one) into ./demo/
-	mkdir -p demo
+	@mkdir -p demo
 	$(BIN)/swifttailor draft fitted-dress --neckline v --skirt-flare 8 --out demo/dress.json
 	$(BIN)/swifttailor drape demo/dress.json --out demo/dress || [ $$? -eq 1 ]
-	real='$(GARMENTCODE)/dress_pencil_specification.json'; \
+	@real='$(GARMENTCODE)/dress_pencil_specification.json'; \
 	if [ -f "$$real" ]; then \
-		echo; echo "A pattern of GarmentCode's: $$real"; \
+		echo "$(BIN)/swifttailor drape $$real --out demo/real"; \
 		$(BIN)/swifttailor drape "$$real" --out demo/real || [ $$? -eq 1 ]; \
 	fi
 	@echo; echo "Made:"; ls demo/*/preview.png demo/*/garment.glb demo/*/pattern.svg

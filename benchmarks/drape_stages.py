@@ -1,6 +1,6 @@
 """Times drapes of three drafts, stage by stage, in one process: ``make bench``.
 
-The first drape is left out of the table: it loads the compiled code (or compiles it) and the body's distances.
+The first drape is left out of the table: it loads (or compiles) the solver and the body's distances.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ from pathlib import Path
 from swifttailor.errors import InputError
 
 
-def write_atomically(path: Path | str, write: Callable[[Path], None]) -> Path:
+def write_atomically(path: Path | str, write: Callable[[Path], object]) -> Path:
     """Lets `write` fill a temporary file beside `path`, then renames it over `path`.
 
     Args:
@@ -28,10 +28,9 @@ def write_atomically(path: Path | str, write: Callable[[Path], None]) -> Path:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(prefix=f".{path.stem}-", suffix=path.suffix, dir=path.parent)
-    except OSError as error:
-        raise InputError(
-            f"Cannot write '{path}': {error.strerror or error}. Choose a folder you may write to."
-        ) from error
+    except (OSError, ValueError) as error:  # ValueError: a name with a zero byte in it
+        why = getattr(error, "strerror", None) or error
+        raise InputError(f"Cannot write {str(path)!r}: {why}. Choose a folder you may write to.") from error
     os.close(handle)
     temporary = Path(name)
     try:

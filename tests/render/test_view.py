@@ -68,8 +68,10 @@ def test_large_triangles_in_strong_perspective():
 def test_surfaces_cross_where_they_do_in_perspective():
     """A ramp that runs far away cuts a wall; depth that were affine would move the cut."""
     points = np.array(
-        [[-30.0, -8, 10], [30, -8, 10], [30, 10, -90], [-30, 10, -90]]
-        + [[-30.0, -30, -15], [30, -30, -15], [30, 30, -15], [-30, 30, -15]]
+        [
+            *([-30.0, -8, 10], [30, -8, 10], [30, 10, -90], [-30, 10, -90]),
+            *([-30.0, -30, -15], [30, -30, -15], [30, 30, -15], [-30, 30, -15]),
+        ]
     )
     faces = np.array([[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]])
     colors = np.repeat([[0.9, 0.0, 0.0], [0.0, 0.0, 0.9]], 2, axis=0)

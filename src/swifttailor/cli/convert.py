@@ -88,6 +88,7 @@ class Convert:
 
 
 def _same_file(first: Path, second: Path) -> bool:
-    if second.exists():
-        return first.samefile(second)
-    return first.resolve() == second.resolve()
+    try:
+        return first.samefile(second) if second.exists() else first.resolve() == second.resolve()
+    except (OSError, ValueError):  # no possible file name; writing will say so
+        return False

@@ -34,7 +34,7 @@ def run_drape_batch(options: Drape, source: Path) -> int:
         repair=options.repair,
         preview=options.preview,
     )
-    total = count_patterns(source) if source.exists() else 0
+    total = count_patterns(source)
     started = time.perf_counter()
     with _BatchProgress(min(total, options.limit or total)) as progress:
         summary = run_batch(

@@ -180,6 +180,7 @@ def _coincident_inner_edges(mesh: PatternMesh) -> NDArray[np.int64]:
     faces = mesh.flat_faces
     halves = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).astype(np.int64)
     flat, uses = np.unique(np.sort(halves, axis=1), axis=0, return_counts=True)
+    flat = flat.astype(np.int64)
     welded = np.sort(mesh.weld[flat].astype(np.int64), axis=1)
     _, inverse = np.unique(welded, axis=0, return_inverse=True)
     total = np.bincount(inverse.ravel(), weights=uses)[inverse.ravel()]

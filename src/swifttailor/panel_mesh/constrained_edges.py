@@ -32,7 +32,7 @@ def recover_edges(points: Floats, faces: Ints, wanted: Ints) -> Ints:
     missing = wanted[~np.isin(_edge_keys(wanted, len(points)), present)]
     if not len(missing):
         return faces
-    triangles = [tuple(int(v) for v in f) for f in faces]
+    triangles = [(int(a), int(b), int(c)) for a, b, c in faces]
     left: dict[tuple[int, int], int] = {}
     for t, (a, b, c) in enumerate(triangles):
         left[a, b] = left[b, c] = left[c, a] = t

@@ -42,14 +42,14 @@ class BatchPattern:
 
 def count_patterns(source: Path) -> int:
     """About how many patterns there are (exact unless the file is damaged)."""
-    if source.is_dir():
-        return sum(1 for _ in source.glob("*.json"))
     count, last = 0, b"\n"
     try:
+        if source.is_dir():
+            return sum(1 for _ in source.glob("*.json"))
         with _open(source) as stream:
             while chunk := stream.read(_CHUNK):
                 count, last = count + chunk.count(b"\n"), chunk[-1:]
-    except (OSError, EOFError, zlib.error):
+    except (OSError, EOFError, ValueError, zlib.error):
         pass
     return count + (last != b"\n")
 
@@ -60,7 +60,11 @@ def read_patterns(source: Path) -> Iterator[BatchPattern]:
     Raises:
         InputError: `source` is neither such a file nor a folder with JSON files.
     """
-    if not source.exists():
+    try:
+        exists = source.exists()
+    except (OSError, ValueError) as error:  # no possible file name
+        raise InputError(f"Cannot read {str(source)!r}: {error}.") from error
+    if not exists:
         raise InputError(
             f"There is no file or folder '{source}'. Give patterns as .jsonl, .jsonl.gz or folder."
         )
@@ -142,8 +146,9 @@ def _bounded_lines(source: Path) -> Iterator[tuple[int, bytes, str]]:
                     pass
                 yield number, b"", f"The line is longer than {MAX_FILE_BYTES // 2**20} MB."
     except (OSError, EOFError, zlib.error) as error:
-        if number == 0 and isinstance(error, OSError) and not isinstance(error, gzip.BadGzipFile):
-            raise InputError(f"Cannot read '{source}': {error.strerror or error}.") from error
+        if number == 0:
+            why = getattr(error, "strerror", None) or error
+            raise InputError(f"Cannot read '{source}' as patterns: {why}.") from error
         yield number + 1, b"", f"The file is damaged from here on ({error}); the rest was not read."
 
 

@@ -7,7 +7,7 @@ import signal
 import threading
 from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
-from itertools import islice
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +20,7 @@ from swifttailor.draping.batch.sheets import write_sheets
 from swifttailor.draping.batch.summary import summarize
 from swifttailor.draping.batch.worker_pool import run_tasks
 from swifttailor.draping.compiled_code import solver_is_compiled
+from swifttailor.errors import InputError
 from swifttailor.garment_files.folder import plain
 
 SUMMARY = "summary.json"
@@ -69,6 +70,10 @@ def run_batch(
     """
     patterns = islice(read_patterns(source), limit)
     first = next(patterns, None)  # so that a source that cannot be read leaves no folder behind
+    if first is None:
+        raise InputError(
+            f"'{source}' holds no patterns. Give one pattern a line, or a folder of .json files."
+        )
     settings.require_usable()
     with Ledger(out, settings) as ledger:
         seen: dict[str, dict[str, Any]] = {}
@@ -80,7 +85,7 @@ def run_batch(
                 on_record(record)
 
         def tasks() -> Iterator[GarmentTask]:
-            for pattern in () if first is None else _chain(first, patterns):
+            for pattern in chain([first], patterns):
                 if ledger.is_done(pattern.id, retry_failed=retry_failed):
                     seen[pattern.id] = ledger.records[pattern.id]
                 elif pattern.error:
@@ -104,11 +109,6 @@ def run_batch(
         if settings.preview:
             write_sheets(out, summary["garments"])
         return summary
-
-
-def _chain(first: BatchPattern, rest: Iterator[BatchPattern]) -> Iterator[BatchPattern]:
-    yield first
-    yield from rest
 
 
 def _unusable(pattern: BatchPattern) -> dict[str, Any]:
