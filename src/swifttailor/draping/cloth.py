@@ -1,4 +1,4 @@
-"""The mechanical model of a garment: masses, springs and hinges with their rest state from the flat pattern."""
+"""The mechanical model of a garment: masses, springs and hinges, their rest state from the flat pattern."""
 
 from __future__ import annotations
 
@@ -87,7 +87,8 @@ def build_cloth(mesh: PatternMesh, fabric: Fabric) -> ClothModel:
     edges, edge_of = np.unique(np.sort(halves, axis=1), axis=0, return_inverse=True)
     # Swept in the order of the mesh, the solver pumps energy along it and long skirts never rest.
     shuffled = np.random.default_rng(0).permutation(len(edges))
-    edges, edge_of = edges[shuffled], np.argsort(shuffled)[edge_of.ravel()]
+    edges = edges[shuffled].astype(np.int32)
+    edge_of = np.argsort(shuffled)[edge_of.ravel()]
     half_length = lengths[half_face, half_side]
     shortest = np.full(len(edges), np.inf)
     longest = np.zeros(len(edges))

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
 
-FAST = {"cache": True, "fastmath": {"reassoc", "contract", "arcp", "nsz"}, "error_model": "numpy"}
+FAST: dict[str, Any] = {
+    "cache": True,
+    "fastmath": {"reassoc", "contract", "arcp", "nsz"},
+    "error_model": "numpy",
+}
 
 CELL = 3.0
 """Size of a hash cell, cm."""
@@ -16,8 +20,8 @@ SKIN = 1.0
 """Neighbour lists reach this much further than needed and stay valid until a vertex has moved half of it."""
 MARGIN = 0.4
 """Contacts are noticed this much before they act, cm."""
-UNTANGLE_STEP = float(__import__("os").environ.get("UNT", "0.02"))
-"""Largest motion of a crossing edge against the face per substep, cm."""
+FOLDED = -0.6
+"""Barycentric coordinate beyond which a surface neighbour counts as lying beside the face, not on it."""
 CLOTH_FRICTION = 0.3
 """Coulomb friction between layers of cloth."""
 MAX_LIFT = 0.02
@@ -95,7 +99,7 @@ def has_moved(x, lists):
 
 @njit(**FAST)
 def list_neighbors(x, cloth):
-    """Lists vertices near faces, surface neighbours left out.
+    """Lists vertices near faces, surface neighbours only where the cloth is folded.
 
     An edge that passes through a face has an end within half its length of the face, so a vertex is listed
     as far out as half its longest edge; the same list then serves contacts and crossings.
@@ -124,6 +128,8 @@ def list_neighbors(x, cloth):
         nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
         norm = math.sqrt(nx * nx + ny * ny + nz * nz) + 1e-15
         nx, ny, nz = nx / norm, ny / norm, nz / norm
+        uu, uw, ww = ux * ux + uy * uy + uz * uz, ux * wx + uy * wy + uz * wz, wx * wx + wy * wy + wz * wz
+        inverse = 1.0 / (uu * ww - uw * uw + 1e-20)
         for i in range(math.floor((low0 - furthest) / CELL), math.floor((high0 + furthest) / CELL) + 1):
             for j in range(math.floor((low1 - furthest) / CELL), math.floor((high1 + furthest) / CELL) + 1):
                 for k in range(
@@ -150,7 +156,14 @@ def list_neighbors(x, cloth):
                                 near = True
                                 break
                         if near:
-                            continue
+                            # A surface neighbour matters only where the cloth is folded over onto itself;
+                            # lying flat it has a barycentric coordinate of about -1.
+                            dx, dy, dz = px - x[a, 0], py - x[a, 1], pz - x[a, 2]
+                            pu, pw = dx * ux + dy * uy + dz * uz, dx * wx + dy * wy + dz * wz
+                            g = (ww * pu - uw * pw) * inverse
+                            t = (uu * pw - uw * pu) * inverse
+                            if g < FOLDED or t < FOLDED or g + t > 1.0 - FOLDED:
+                                continue
                         if count == len(vertex):
                             vertex, face = grown(vertex), grown(face)
                         vertex[count], face[count] = p, f
@@ -327,7 +340,7 @@ def find_crossings(x, cloth, contacts, lists):
 
     Returns how many; marks the vertices around them as tangled.
     """
-    faces, edges = cloth.faces, cloth.edges
+    faces = cloth.faces
     contacts.tangled[:] = 0
     limit = contacts.crossing_edge.shape[0]
     found = 0
@@ -363,14 +376,14 @@ def find_crossings(x, cloth, contacts, lists):
 
 
 @njit(**FAST)
-def shrink_crossings(x, previous, cloth, contacts, count):
+def shrink_crossings(x, previous, cloth, contacts, count, largest):
     """Moves crossing edges and faces apart a little; the motion is not turned into velocity."""
     faces, edges = cloth.faces, cloth.edges
     for q in range(count):
         e, f = contacts.crossing_edge[q], contacts.crossing_face[q]
         gx, gy, gz = contacts.crossing_push[q, 0], contacts.crossing_push[q, 1], contacts.crossing_push[q, 2]
         norm = math.sqrt(gx * gx + gy * gy + gz * gz)
-        s = 0.5 * UNTANGLE_STEP / math.sqrt(norm * norm + 0.09)
+        s = 0.5 * largest / math.sqrt(norm * norm + 0.09)
         gx, gy, gz = s * gx, s * gy, s * gz
         for k in range(2):
             i = edges[e, k]

@@ -12,13 +12,14 @@ import numpy as np
 from swifttailor import __version__
 from swifttailor.body import Body
 from swifttailor.draping.attachment import find_attachment
-from swifttailor.draping.cloth import build_cloth
+from swifttailor.draping.cloth import ClothModel, build_cloth
 from swifttailor.draping.fabric import Fabric, get_fabric
 from swifttailor.draping.placement import place_vertices
 from swifttailor.draping.quality import garment_top, measure_quality
-from swifttailor.draping.simulation import Simulation, SimulationSettings, settle, sew
+from swifttailor.draping.simulation import DRESSINGS, Simulation, SimulationSettings, sew
+from swifttailor.draping.untangle import FEW_CROSSINGS, settle_untangled, untangle
 from swifttailor.errors import InputError, SimulationError
-from swifttailor.garment import Garment
+from swifttailor.garment import Garment, PatternMesh
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern import Pattern
 
@@ -80,16 +81,9 @@ def drape(
     pattern = pattern.canonical()
     mesh = mesh_pattern(pattern, edge_length)
     cloth = build_cloth(mesh, fabric)
-    positions = place_vertices(mesh)
-    if seed:
-        positions = positions + np.random.default_rng(seed).normal(0.0, 1e-3, positions.shape)
     clock.stop("meshing")
 
-    attachment = find_attachment(mesh, body.measurements)
-    simulation = Simulation(mesh, cloth, body, fabric, attachment, positions, settings)
-    clock.stop("preparing")
-    sew(simulation, report_progress)
-    _require_finite(simulation)
+    simulation = _dress(mesh, cloth, body, fabric, settings, seed, report_progress)
     clock.stop("sewing")
     sewn_top = garment_top(simulation.positions)
     if engine == "newton":
@@ -97,7 +91,7 @@ def drape(
 
         frames, static = settle_with_newton(simulation, cloth, mesh, body, report_progress)
     else:
-        frames, static = settle(simulation, report_progress)
+        frames, static = settle_untangled(simulation, report_progress)
     _require_finite(simulation)
     clock.stop("draping")
     quality = measure_quality(
@@ -131,6 +125,34 @@ def drape(
     }
     report_progress("draping", 1.0)
     return Garment(mesh, simulation.positions, report)
+
+
+def _dress(
+    mesh: PatternMesh,
+    cloth: ClothModel,
+    body: Body,
+    fabric: Fabric,
+    settings: SimulationSettings,
+    seed: int,
+    progress: Progress,
+) -> Simulation:
+    """Sews the panels on in the first way of `DRESSINGS` that leaves them untangled, else in the best."""
+    attachment = find_attachment(mesh, body.measurements)
+    best, fewest = None, float("inf")
+    for dressing in DRESSINGS:
+        positions = place_vertices(mesh, sleeves_out=dressing.sleeves_out)
+        if seed:
+            positions = positions + np.random.default_rng(seed).normal(0.0, 1e-3, positions.shape)
+        simulation = Simulation(mesh, cloth, body, fabric, attachment, positions, settings)
+        sew(simulation, dressing, progress)
+        _require_finite(simulation)
+        crossings = untangle(simulation) if settings.self_collision else 0
+        if crossings < fewest:
+            best, fewest = simulation, crossings
+        if fewest <= FEW_CROSSINGS or not simulation.sleeve_edges.any():
+            break
+    assert best is not None
+    return best
 
 
 class _Clock:

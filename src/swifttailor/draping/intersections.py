@@ -22,13 +22,18 @@ def self_intersections(vertices: Floats, edges: Ints, faces: Ints) -> int:
         edges: (e, 2)
         faces: (f, 3)
     """
-    return int(_count(np.ascontiguousarray(vertices, np.float64), _i32(edges), _i32(faces), True))
+    return len(crossing_pairs(vertices, edges, faces))
+
+
+def crossing_pairs(vertices: Floats, edges: Ints, faces: Ints) -> Ints:
+    """Which edges pass through which faces of the same mesh: (n, 2) indices of edge and face."""
+    return _crossings(np.ascontiguousarray(vertices, np.float64), _i32(edges), _i32(faces), True)
 
 
 def mesh_intersections(vertices: Floats, edges: Ints, other_vertices: Floats, other_faces: Ints) -> int:
     """Number of (edge, face) pairs in which an edge of the first mesh passes through a face of the second."""
     joined = np.ascontiguousarray(np.concatenate([vertices, other_vertices]), np.float64)
-    return int(_count(joined, _i32(edges), _i32(other_faces + len(vertices)), False))
+    return len(_crossings(joined, _i32(edges), _i32(other_faces + len(vertices)), False))
 
 
 def _i32(array: Ints) -> Ints:
@@ -36,10 +41,11 @@ def _i32(array: Ints) -> Ints:
 
 
 @njit(cache=True)
-def _count(x, edges, faces, same):
+def _crossings(x, edges, faces, same):
     """Hashes faces by the cells their boxes touch, then tests each edge against the faces of its cells."""
+    pairs = np.zeros((256, 2), np.int32)
     if len(edges) == 0 or len(faces) == 0:
-        return 0
+        return pairs[:0]
     cell = 2.0
     size = 16
     while size < 8 * len(faces):
@@ -53,8 +59,8 @@ def _count(x, edges, faces, same):
         for f in range(len(faces)):
             a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
             for k in range(3):
-                low[k] = int(math.floor(min(x[a, k], x[b, k], x[c, k]) / cell))
-                high[k] = int(math.floor(max(x[a, k], x[b, k], x[c, k]) / cell))
+                low[k] = math.floor(min(x[a, k], x[b, k], x[c, k]) / cell)
+                high[k] = math.floor(max(x[a, k], x[b, k], x[c, k]) / cell)
             for i in range(low[0], high[0] + 1):
                 for j in range(low[1], high[1] + 1):
                     for k in range(low[2], high[2] + 1):
@@ -74,8 +80,8 @@ def _count(x, edges, faces, same):
     for e in range(len(edges)):
         p, q = edges[e, 0], edges[e, 1]
         for k in range(3):
-            low[k] = int(math.floor(min(x[p, k], x[q, k]) / cell))
-            high[k] = int(math.floor(max(x[p, k], x[q, k]) / cell))
+            low[k] = math.floor(min(x[p, k], x[q, k]) / cell)
+            high[k] = math.floor(max(x[p, k], x[q, k]) / cell)
         for i in range(low[0], high[0] + 1):
             for j in range(low[1], high[1] + 1):
                 for k in range(low[2], high[2] + 1):
@@ -90,5 +96,10 @@ def _count(x, edges, faces, same):
                             continue
                         hit, _ = edge_hits_face(x, p, q, a, b, c)
                         if hit:
+                            if total == len(pairs):
+                                larger = np.zeros((2 * total, 2), np.int32)
+                                larger[:total] = pairs
+                                pairs = larger
+                            pairs[total, 0], pairs[total, 1] = e, f
                             total += 1
-    return total
+    return pairs[:total]

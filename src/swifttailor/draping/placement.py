@@ -13,17 +13,19 @@ from swifttailor.pattern import Panel, Pattern, body_region
 
 Floats = NDArray[np.float64]
 
-_CLEAR_CM = float(__import__("os").environ.get("CL", "1.0"))
-_MAX_SHIFT_CM = float(__import__("os").environ.get("SH", "20"))
+_CLEAR_CM = 1.0
+_MAX_SHIFT_CM = 20.0
 
 
-def place_vertices(mesh: PatternMesh) -> Floats:
+def place_vertices(mesh: PatternMesh, *, sleeves_out: bool = False) -> Floats:
     """Positions (v, 3) in cm of the welded vertices: each at the mean of its panels' placed vertices.
 
-    Sleeves are first moved out along the arm until they no longer overlap the torso: placed as a pattern
-    gives them, their underarm starts inside the torso and would be sewn in tucked through it.
+    Args:
+        mesh: The flat panels.
+        sleeves_out: Whether to move sleeves out along the arm until their underarm is clear of the torso.
+            Placed as a pattern gives them it often starts inside, and is then sewn in tucked through it.
     """
-    panels = _sleeves_moved_out(mesh.pattern)
+    panels = _sleeves_moved_out(mesh.pattern) if sleeves_out else mesh.pattern.panels
     placed = np.concatenate(
         [p.to_world(mesh.flat_vertices[mesh.flat_panel == k]) for k, p in enumerate(panels)]
     )

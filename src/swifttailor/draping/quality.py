@@ -137,7 +137,8 @@ def _reasons(q: dict[str, Any]) -> tuple[str, ...]:
         ),
         (
             q["self_intersections"] > MAX_SELF_INTERSECTIONS,
-            f"the cloth passes through itself at {q['self_intersections']} places (limit {MAX_SELF_INTERSECTIONS})",
+            f"the cloth passes through itself at {q['self_intersections']} places "
+            f"(limit {MAX_SELF_INTERSECTIONS})",
         ),
         (
             q["penetrating_fraction"] > MAX_PENETRATING_FRACTION,

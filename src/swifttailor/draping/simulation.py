@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,7 @@ from swifttailor.draping.xpbd_kernels import (
     advance_frame,
 )
 from swifttailor.garment import PatternMesh
+from swifttailor.pattern import body_region
 
 Floats = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -29,6 +30,8 @@ Progress = Callable[[str, float], None]
 FRAME_RATE = 60.0
 GRAVITY = 981.0
 _FOOTPRINT_LEVEL = 2.0
+_SEWING_BENDING = 20.0
+_UNTANGLING = 0.05
 
 
 @dataclass(frozen=True)
@@ -47,17 +50,22 @@ class SimulationSettings:
 
 
 @dataclass(frozen=True)
-class SimulationResult:
-    """Where the cloth came to lie."""
+class Dressing:
+    """One way of getting the panels onto the body. None suits every garment."""
 
-    positions: Floats
-    """(v, 3) cm"""
-    frames: int
-    static: bool
-    moving_share: float
-    sewn_top: float
-    """Highest vertex when the seams had closed, cm."""
-    history: list[float] = field(default_factory=list)
+    sleeves_out: bool
+    """Whether sleeves start further out on the arms (see `place_vertices`)."""
+    sleeve_delay_frames: int
+    """How much later than the torso is closed the sleeves are sewn on."""
+    contact_from: float
+    """Share of the sewing after which self-collision acts."""
+
+
+DRESSINGS = (
+    Dressing(sleeves_out=False, sleeve_delay_frames=0, contact_from=0.5),
+    Dressing(sleeves_out=True, sleeve_delay_frames=20, contact_from=0.0),
+)
+"""Tried in this order until one leaves the cloth untangled."""
 
 
 class Simulation:
@@ -77,6 +85,7 @@ class Simulation:
         self.fabric = fabric
         self.settings = settings
         self.attachment = attachment
+        self.sleeve_edges = _sleeve_edges(mesh, self.cloth.edges)
         self.field: FieldArrays = build_field_arrays(body, mesh)
         self.positions = np.ascontiguousarray(positions, dtype=np.float64).copy()
         self.velocities = np.zeros_like(self.positions)
@@ -96,12 +105,12 @@ class Simulation:
         self,
         *,
         gravity: float,
-        inflation: float = 0.0,
         damping: float,
         friction: float,
         bending_factor: float = 1.0,
-        sewing: bool = False,
+        long_edges: bool = False,
         self_collision: bool,
+        untangling: float = _UNTANGLING,
         rest: Floats | None = None,
     ) -> None:
         """Advances by one frame of 1/60 s."""
@@ -110,7 +119,6 @@ class Simulation:
             substeps=s.substeps,
             step=1.0 / (FRAME_RATE * s.substeps),
             gravity=gravity,
-            inflation=inflation,
             damping=damping,
             friction=friction,
             thickness=self.fabric.thickness,
@@ -118,8 +126,9 @@ class Simulation:
             bending_factor=bending_factor,
             # Hems may start or hang below the floor: there the body goes on as the print of its feet.
             lowest_level=_FOOTPRINT_LEVEL,
-            long_edges=sewing,
+            long_edges=long_edges,
             self_collision=self_collision,
+            untangling=untangling,
             contact_interval=5,
             still=s.still_cm,
         )
@@ -148,7 +157,7 @@ class Simulation:
         return np.linalg.norm(a - b, axis=1)
 
 
-def sew(simulation: Simulation, progress: Progress) -> None:
+def sew(simulation: Simulation, dressing: Dressing, progress: Progress) -> None:
     """Closes the seams: rest lengths shrink from those of the placed panels to the true ones.
 
     No gravity, no friction and strong damping, so that panels slide around the body instead of sticking
@@ -157,28 +166,23 @@ def sew(simulation: Simulation, progress: Progress) -> None:
     s = simulation.settings
     initial = simulation.edge_lengths()
     true = simulation.cloth.rest
-    total = s.sewing_frames + s.settling_frames
+    delay = dressing.sleeve_delay_frames if simulation.sleeve_edges.any() else 0
+    total = s.sewing_frames + delay + s.settling_frames
     for k in range(total):
-        share = min(1.0, (k + 1) / s.sewing_frames)
+        first = min(1.0, (k + 1) / s.sewing_frames)
+        later = min(1.0, max(0.0, (k + 1 - delay) / s.sewing_frames))
+        share = np.where(simulation.sleeve_edges, later, first)
         rest = np.maximum(true, initial * (1 - share) + true * share)
         simulation.frame(
             gravity=0.0,
-            inflation=SEWING_INFLATION,
             damping=20.0,
             friction=0.0,
-            bending_factor=SEWING_BENDING,
-            sewing=True,
-            self_collision=s.self_collision and share > SEWING_CONTACT,
+            bending_factor=_SEWING_BENDING,
+            long_edges=True,
+            self_collision=s.self_collision and first > dressing.contact_from,
             rest=rest,
         )
         progress("sewing", (k + 1) / total)
-
-
-import os
-
-SEWING_INFLATION = float(os.environ.get("INF", "3000"))
-SEWING_BENDING = float(os.environ.get("BEND", "20"))
-SEWING_CONTACT = float(os.environ.get("CON", ".9"))
 
 
 def settle(simulation: Simulation, progress: Progress) -> tuple[int, bool]:
@@ -190,15 +194,26 @@ def settle(simulation: Simulation, progress: Progress) -> tuple[int, bool]:
         damping = 2.0 + 8.0 * min(max(k - 90, 0) / 200, 1.0)
         simulation.frame(
             gravity=GRAVITY,
+            untangling=_UNTANGLING * max(0.0, 1 - k / 120),
             damping=damping,
             friction=simulation.fabric.friction,
             self_collision=s.self_collision,
-            sewing=k < 15,
+            long_edges=k < 15,
         )
         progress("draping", min((k + 1) / 180, 0.99))
         if k >= 30 and simulation.moving <= s.still_share:
             return k + 1, True
     return s.max_frames, False
+
+
+def _sleeve_edges(mesh: PatternMesh, edges: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """(e,) edges with an end that lies on sleeves alone."""
+    on_sleeve = np.array([body_region(p.name, p.label) == "arm" for p in mesh.pattern.panels])
+    elsewhere = np.zeros(mesh.vertex_count, dtype=bool)
+    elsewhere[mesh.weld[~on_sleeve[mesh.flat_panel]]] = True
+    if not elsewhere.any():
+        return np.zeros(len(edges), dtype=bool)
+    return ~(elsewhere[edges[:, 0]] & elsewhere[edges[:, 1]])
 
 
 def _contact_buffers(count: int) -> ContactArrays:

@@ -23,6 +23,11 @@ from swifttailor.draping.contact_kernels import (
     shrink_crossings,
 )
 
+NEAR_BODY = 0.3
+"""Ends further from contact than this cannot bring the middle of their edge into the body, cm."""
+MIDDLE_DISTANCE = 0.15
+"""Distance from the body kept by the middle of an edge, cm."""
+
 
 class FieldArrays(NamedTuple):
     """Distance fields of the body for the solver (see `swifttailor.body.DistanceField`)."""
@@ -55,8 +60,6 @@ class StepSettings(NamedTuple):
     """Substep length, s."""
     gravity: float
     """cm/s^2"""
-    inflation: float
-    """Acceleration along the outward normal, cm/s^2."""
     damping: float
     """Velocity decay, 1/s."""
     friction: float
@@ -71,6 +74,8 @@ class StepSettings(NamedTuple):
     long_edges: bool
     """Whether stretched edges are also held off the body between their vertices."""
     self_collision: bool
+    untangling: float
+    """Largest motion of a crossing edge against the face per substep, cm."""
     contact_interval: int
     """Substeps between searches for contacts."""
     still: float
@@ -149,27 +154,6 @@ def predict(x, v, previous, settings):
         x[i, 0] += vx * dt
         x[i, 1] += vy * dt
         x[i, 2] += vz * dt
-
-
-@njit(**FAST)
-def inflate(x, v, faces, acceleration, dt):
-    """Blows the garment up a little: speeds every vertex along its outward normal."""
-    normals = np.zeros_like(x)
-    for f in range(faces.shape[0]):
-        a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
-        ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
-        wx, wy, wz = x[c, 0] - x[a, 0], x[c, 1] - x[a, 1], x[c, 2] - x[a, 2]
-        nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
-        for i in (a, b, c):
-            normals[i, 0] += nx
-            normals[i, 1] += ny
-            normals[i, 2] += nz
-    for i in range(x.shape[0]):
-        nx, ny, nz = normals[i, 0], normals[i, 1], normals[i, 2]
-        s = acceleration * dt / (math.sqrt(nx * nx + ny * ny + nz * nz) + 1e-12)
-        v[i, 0] += s * nx
-        v[i, 1] += s * ny
-        v[i, 2] += s * nz
 
 
 @njit(**FAST)
@@ -262,6 +246,31 @@ def push_long_edges(x, cloth, field, settings):
 
 
 @njit(**FAST)
+def push_edge_middles(x, previous, cloth, field, clearance, settings):
+    """Keeps the middles of edges outside the body where it is more curved than the mesh.
+
+    Only edges whose ends both lie on it are looked at. Like all lifting, this is no velocity.
+    """
+    edges = cloth.edges
+    for e in range(edges.shape[0]):
+        a, b = edges[e, 0], edges[e, 1]
+        if clearance[a] > NEAR_BODY or clearance[b] > NEAR_BODY:
+            continue
+        px, py, pz = 0.5 * (x[a, 0] + x[b, 0]), 0.5 * (x[a, 1] + x[b, 1]), 0.5 * (x[a, 2] + x[b, 2])
+        d, nx, ny, nz = body_distance(field, a, b, px, py, pz, settings.lowest_level)
+        depth = MIDDLE_DISTANCE - d
+        if depth > 0:
+            depth = min(depth, 0.1)
+            for i in (a, b):
+                x[i, 0] += depth * nx
+                x[i, 1] += depth * ny
+                x[i, 2] += depth * nz
+                previous[i, 0] += depth * nx
+                previous[i, 1] += depth * ny
+                previous[i, 2] += depth * nz
+
+
+@njit(**FAST)
 def push_off_body(x, previous, field, clearance, settings):
     """Moves vertices to the surface and takes their sliding back as far as Coulomb friction allows.
 
@@ -319,18 +328,18 @@ def advance_frame(x, v, cloth, field, held, contacts, lists, clearance, settings
                 lists = list_neighbors(x, cloth)
             crossing_count = find_crossings(x, cloth, contacts, lists)
             contact_count = find_contacts(x, cloth, contacts, lists)
-        if settings.inflation > 0 and s % settings.contact_interval == 0:
-            inflate(x, v, cloth.faces, settings.inflation, settings.contact_interval * settings.step)
         predict(x, v, previous, settings)
         solve_springs(x, cloth, inverse_dt2)
         solve_hinges(x, cloth, inverse_dt2, settings.bending_factor)
         hold_up(x, held, inverse_dt2, cloth.inverse_mass)
         if settings.self_collision:
             resolve_contacts(x, previous, cloth, contacts, contact_count)
-            shrink_crossings(x, previous, cloth, contacts, crossing_count)
+            shrink_crossings(x, previous, cloth, contacts, crossing_count, settings.untangling)
         if settings.long_edges:
             push_long_edges(x, cloth, field, settings)
         push_off_body(x, previous, field, clearance, settings)
+        if not settings.long_edges and s % settings.contact_interval == settings.contact_interval - 1:
+            push_edge_middles(x, previous, cloth, field, clearance, settings)
         for i in range(n):
             v[i, 0] = (x[i, 0] - previous[i, 0]) / settings.step
             v[i, 1] = (x[i, 1] - previous[i, 1]) / settings.step
