@@ -18,6 +18,7 @@ Ints = NDArray[np.int32]
 _CLEARANCE = 0.62
 """Interior points keep this share of the edge length from the outline, so that no sliver fits between."""
 _SMOOTHING_ROUNDS = 3
+_BULGE = 1e-4
 
 
 def triangulate_polygon(boundary: Floats, edge_length: float) -> tuple[Floats, Ints]:
@@ -41,8 +42,8 @@ def triangulate_polygon(boundary: Floats, edge_length: float) -> tuple[Floats, I
     inner = _lattice(forward, edge_length)
     if len(inner):
         inner = _smooth(forward, inner, edge_length)
+    faces = _conforming_delaunay(np.concatenate([_bulged(forward), inner]), len(forward))
     points = np.concatenate([forward, inner])
-    faces = _conforming_delaunay(points, len(forward))
     if area < 0:
         count = len(boundary)
         renumber = np.arange(len(points), dtype=np.int32)
@@ -55,6 +56,32 @@ def triangulate_polygon(boundary: Floats, edge_length: float) -> tuple[Floats, I
 def _signed_area(points: Floats) -> float:
     x, y = (points - points.mean(axis=0)).T
     return float(x @ np.roll(y, -1) - np.roll(x, -1) @ y) / 2
+
+
+def _bulged(boundary: Floats) -> Floats:
+    """The outline (counter-clockwise) with every straight run bent outwards by a ten-thousandth.
+
+    Exactly straight rows of points leave Delaunay with triangles of no area, whose winding is chance.
+    """
+    ahead = np.roll(boundary, -1, axis=0) - boundary
+    length = np.linalg.norm(ahead, axis=1)
+    unit = ahead / np.maximum(length, 1e-12)[:, None]
+    behind = np.roll(unit, 1, axis=0)
+    turn = behind[:, 0] * unit[:, 1] - behind[:, 1] * unit[:, 0]
+    corners = np.flatnonzero((np.abs(turn) > 1e-5) | ((behind * unit).sum(axis=1) < 0))
+    if len(corners) < 2:
+        return boundary
+    bulged = boundary.copy()
+    for first, last in zip(corners, np.roll(corners, -1), strict=True):
+        count = (last - first) % len(boundary)
+        if count < 2:
+            continue
+        run = (first + np.arange(count)) % len(boundary)
+        way = np.concatenate([[0.0], np.cumsum(length[run])])
+        t = way[1:-1] / way[-1]
+        outward = np.array([unit[first, 1], -unit[first, 0]])
+        bulged[run[1:]] += (_BULGE * way[-1] * 4 * t * (1 - t))[:, None] * outward
+    return bulged
 
 
 def _lattice(boundary: Floats, edge_length: float) -> Floats:
