@@ -32,6 +32,8 @@ class BatchPattern:
     """Name of the folder its garment goes to."""
     source: str
     """Where it comes from, for messages."""
+    number: int
+    """Its line, or its place in the folder, from 1."""
     line: bytes | None = None
     """Its line, where it comes from a file of JSON lines."""
     path: Path | None = None
@@ -95,8 +97,8 @@ def _from_folder(folder: Path) -> Iterator[BatchPattern]:
         raise InputError(
             f"The folder '{folder}' holds no .json files. Give a folder of GarmentCode patterns."
         )
-    for path in paths:
-        yield BatchPattern(path.stem, folder_name(path.stem), str(path), path=path)
+    for number, path in enumerate(paths, 1):
+        yield BatchPattern(path.stem, folder_name(path.stem), str(path), number, path=path)
 
 
 def _from_lines(source: Path) -> Iterator[BatchPattern]:
@@ -125,11 +127,11 @@ def _parse_line(number: int, where: str, line: bytes) -> BatchPattern:
             f"The id {str(id)[:60]!r} cannot be used; text of 1 to {MAX_ID_LENGTH} printable characters "
             "that does not start with # is accepted.",
         )
-    return BatchPattern(id, folder_name(id), where, line=line)
+    return BatchPattern(id, folder_name(id), where, number, line=line)
 
 
 def _unusable(number: int, where: str, error: str) -> BatchPattern:
-    return BatchPattern(f"#{number}", "", where, error=error)
+    return BatchPattern(f"#{number}", "", where, number, error=error)
 
 
 def _bounded_lines(source: Path) -> Iterator[tuple[int, bytes, str]]:
@@ -159,7 +161,7 @@ def _open(source: Path) -> gzip.GzipFile | BufferedReader:
 def _refuse_repeats(patterns: Iterator[BatchPattern]) -> Iterator[BatchPattern]:
     """Ids must differ, also where upper and lower case are the same to the file system."""
     seen: dict[str, str] = {}
-    for number, pattern in enumerate(patterns, 1):
+    for pattern in patterns:
         key = pattern.folder.lower()
         if pattern.error or key not in seen:
             if not pattern.error:
@@ -167,4 +169,4 @@ def _refuse_repeats(patterns: Iterator[BatchPattern]) -> Iterator[BatchPattern]:
             yield pattern
         else:
             message = f"The id '{pattern.id}' was used before ({seen[key]}); ids must differ."
-            yield BatchPattern(f"#{number}", "", pattern.source, error=message)
+            yield _unusable(pattern.number, pattern.source, message)

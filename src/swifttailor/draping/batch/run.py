@@ -79,8 +79,8 @@ def run_batch(
         seen: dict[str, dict[str, Any]] = {}
 
         def take_in(record: dict[str, Any]) -> None:
+            seen[record["id"]] = record  # first, so that an interruption never loses what is on disk
             ledger.add(record)
-            seen[record["id"]] = record
             if on_record is not None:
                 on_record(record)
 
