@@ -18,7 +18,7 @@ CELL = 3.0
 """Size of a hash cell, cm."""
 SKIN = 1.0
 """Neighbour lists reach this much further than needed and stay valid until a vertex has moved half of it."""
-MARGIN = 0.4
+MARGIN = 0.8
 """Contacts are noticed this much before they act, cm."""
 FOLDED = -0.6
 """Barycentric coordinate beyond which a surface neighbour counts as lying beside the face, not on it."""

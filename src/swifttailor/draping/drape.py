@@ -15,7 +15,7 @@ from swifttailor.draping.attachment import find_attachment
 from swifttailor.draping.cloth import ClothModel, build_cloth
 from swifttailor.draping.fabric import Fabric, get_fabric
 from swifttailor.draping.placement import place_vertices
-from swifttailor.draping.quality import garment_top, measure_quality
+from swifttailor.draping.quality import measure_quality
 from swifttailor.draping.simulation import DRESSINGS, Simulation, SimulationSettings, sew
 from swifttailor.draping.untangle import FEW_CROSSINGS, settle_untangled, untangle
 from swifttailor.errors import InputError, SimulationError
@@ -85,7 +85,6 @@ def drape(
 
     simulation = _dress(mesh, cloth, body, fabric, settings, seed, report_progress)
     clock.stop("sewing")
-    sewn_top = garment_top(simulation.positions)
     if engine == "newton":
         from swifttailor.draping.newton_engine import settle_with_newton
 
@@ -101,7 +100,6 @@ def drape(
         body,
         static=static,
         frames=frames,
-        sewn_top=sewn_top,
         ignores_arms=simulation.field.ignores_arms,
     )
     clock.stop("measuring")

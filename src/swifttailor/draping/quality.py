@@ -8,11 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.body import Body
+from swifttailor.body import Body, BodyMeasurements
+from swifttailor.draping.attachment import hangs_from_shoulders
 from swifttailor.draping.cloth import ClothModel
 from swifttailor.draping.intersections import mesh_intersections, self_intersections
 from swifttailor.garment import PatternMesh
 from swifttailor.panel_mesh.topology import component_count
+from swifttailor.pattern import Pattern
 
 Floats = NDArray[np.float64]
 
@@ -20,7 +22,6 @@ MAX_BODY_INTERSECTIONS = 35
 MAX_SELF_INTERSECTIONS = 300
 MAX_STRAIN_P95 = 0.12
 MAX_PENETRATING_FRACTION = 0.01
-MAX_SLIP_CM = 20.0
 
 
 @dataclass(frozen=True)
@@ -33,9 +34,9 @@ class Quality:
     static: bool
     """Whether it came to rest."""
     fell_off: bool
-    """Whether it slid down the body more than `MAX_SLIP_CM` after sewing."""
-    slip_cm: float
-    """How far its top came down after sewing."""
+    """Whether it slid down: its top lies below where such a garment must be held (`lowest_top`)."""
+    top_cm: float
+    """Height of its highest vertex."""
     penetrating_fraction: float
     """Share of the vertices inside the body."""
     max_penetration_cm: float
@@ -67,7 +68,6 @@ def measure_quality(
     *,
     static: bool,
     frames: int,
-    sewn_top: float,
     ignores_arms: NDArray[np.uint8],
 ) -> Quality:
     """Measures a drape and judges it by the limits of this module.
@@ -79,7 +79,6 @@ def measure_quality(
         body: What it hangs on.
         static: Whether the simulation came to rest.
         frames: Frames it took.
-        sewn_top: Height of the garment's top when its seams had just closed, cm.
         ignores_arms: (v,) 1 for vertices that may pass through the arms.
     """
     arrays = cloth.arrays
@@ -87,13 +86,13 @@ def measure_quality(
     strain = (lengths / arrays.rest - 1)[~cloth.gathered]
     strain = strain if len(strain) else np.zeros(1)
     distance = _body_distance(body, positions, ignores_arms)
-    slip = sewn_top - garment_top(positions)
+    top = float(positions[:, 1].max())
     crossings = self_intersections(positions, arrays.edges, arrays.faces)
     body_crossings = _body_crossings(body, positions, arrays.edges, ignores_arms)
     measured = {
         "static": static,
-        "fell_off": slip > MAX_SLIP_CM,
-        "slip_cm": float(slip),
+        "fell_off": top < lowest_top(mesh.pattern, body.measurements),
+        "top_cm": top,
         "penetrating_fraction": float((distance < 0).mean()),
         "max_penetration_cm": float(max(0.0, -distance.min())),
         "body_intersections": body_crossings,
@@ -109,9 +108,15 @@ def measure_quality(
     return Quality(accepted=not reasons, reasons=reasons, **measured)
 
 
-def garment_top(positions: Floats) -> float:
-    """Height in cm that the top twentieth of the vertices reaches: steadier than the highest vertex."""
-    return float(np.percentile(positions[:, 1], 95))
+def lowest_top(pattern: Pattern, measurements: BodyMeasurements) -> float:
+    """Height in cm that the top of a garment must reach to count as worn.
+
+    For what hangs from the shoulders or is strapless, a hand below the armpit; for skirts and trousers the
+    hips.
+    """
+    if hangs_from_shoulders(pattern):
+        return measurements.armpit_level - 10.0
+    return measurements.hips_level
 
 
 def seam_gap(mesh: PatternMesh, positions: Floats) -> float:
@@ -130,7 +135,7 @@ def seam_gap(mesh: PatternMesh, positions: Floats) -> float:
 def _reasons(q: dict[str, Any]) -> tuple[str, ...]:
     limits = [
         (not q["static"], "did not come to rest"),
-        (q["fell_off"], f"slid {q['slip_cm']:.0f} cm down the body"),
+        (q["fell_off"], f"slid down the body: its top is {q['top_cm']:.0f} cm above the floor"),
         (
             q["body_intersections"] > MAX_BODY_INTERSECTIONS,
             f"{q['body_intersections']} edges pass through the body (limit {MAX_BODY_INTERSECTIONS})",

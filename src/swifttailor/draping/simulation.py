@@ -31,7 +31,7 @@ FRAME_RATE = 60.0
 GRAVITY = 981.0
 _FOOTPRINT_LEVEL = 2.0
 _SEWING_BENDING = 20.0
-_UNTANGLING = 0.05
+_UNTANGLING = 0.1
 
 
 @dataclass(frozen=True)
@@ -122,7 +122,7 @@ class Simulation:
             damping=damping,
             friction=friction,
             thickness=self.fabric.thickness,
-            max_speed=300.0,
+            max_speed=250.0,
             bending_factor=bending_factor,
             # Hems may start or hang below the floor: there the body goes on as the print of its feet.
             lowest_level=_FOOTPRINT_LEVEL,

@@ -12,9 +12,9 @@ from swifttailor.draping.simulation import Progress, Simulation, settle
 _SHRINK_FRAMES = 12
 _GROW_FRAMES = 18
 _SHRUNK = 0.35
-_RINGS = (3, 5, 8)
+_RINGS = (3, 3, 6)
 
-FEW_CROSSINGS = 10
+FEW_CROSSINGS = 5
 """So few crossings of single edges cannot be seen; trying again costs more than it brings."""
 
 
@@ -32,7 +32,7 @@ def untangle(simulation: Simulation) -> int:
     cloth = simulation.cloth
     remaining = _crossings(simulation)
     for rings in _RINGS:
-        if remaining == 0:
+        if remaining <= FEW_CROSSINGS:
             break
         before = simulation.positions.copy()
         region = _neighborhood(simulation, rings)
@@ -48,8 +48,8 @@ def untangle(simulation: Simulation) -> int:
         if after >= remaining:
             simulation.positions[:] = before
             simulation.velocities[:] = 0.0
-        else:
-            remaining = after
+            break
+        remaining = after
     return remaining
 
 
