@@ -25,7 +25,7 @@ $(READY): pyproject.toml requirements/dev.txt
 
 demo: $(READY)  ## draft a dress, drape it (and a real pattern where there is one) into ./demo/
 	@mkdir -p demo
-	$(BIN)/swifttailor draft fitted-dress --neckline v --skirt-flare 8 --out demo/dress.json
+	$(BIN)/swifttailor draft shirt-dress --out demo/dress.json
 	$(BIN)/swifttailor drape demo/dress.json --out demo/dress || [ $$? -eq 1 ]
 	@real='$(GARMENTCODE)/dress_pencil_specification.json'; \
 	if [ -f "$$real" ]; then \

@@ -1,0 +1,126 @@
+"""Every command and every line of Python in the README and the guides works as printed."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+import swifttailor
+from swifttailor.cli.main import COMMANDS, run
+
+ROOT = Path(__file__).parents[1]
+BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"\]\(([^)#]+)(?:#[^)]*)?\)")
+PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")], key=lambda p: (p.parent != ROOT, p.name))
+
+pytestmark = pytest.mark.skipif(
+    not (ROOT / "README.md").is_file(), reason="only in the repository, not in an installed package"
+)
+
+
+def blocks(page: str, language: str) -> list[str]:
+    return [text for kind, text in BLOCK.findall((ROOT / page).read_text()) if kind == language]
+
+
+def commands(page: str) -> list[list[str]]:
+    lines = "".join(blocks(page, "console")).splitlines()
+    return [shlex.split(line, comments=True) for line in lines if line.strip()]
+
+
+@pytest.fixture
+def coarse(monkeypatch):
+    """The README's drapes at 6 cm: what is tested is that the commands are right."""
+    import swifttailor.draping
+
+    real = swifttailor.draping.drape
+    monkeypatch.setattr(swifttailor.draping, "drape", lambda p, **o: real(p, **o | {"edge_length": 6.0}))
+
+
+def run_all(page: str) -> None:
+    for command in commands(page):
+        assert command[0] == "swifttailor"
+        if "--batch" in command:
+            command += ["--edge-length", "6"]
+        assert run(command[1:]) in (0, 1), command
+
+
+def test_the_readme_from_top_to_bottom(tmp_path, monkeypatch, coarse, capsys):
+    monkeypatch.chdir(tmp_path)
+    run_all("README.md")
+    text = (ROOT / "README.md").read_text()
+    folder = {"preview.png", "garment.glb", "garment.obj", "pattern.svg", "pattern.json", "report.json"}
+    assert {p.name for p in (tmp_path / "dress").iterdir()} == folder
+    assert all(f"`{name}`" in text for name in folder)
+    quality = json.loads((tmp_path / "dress" / "report.json").read_text())["quality"]
+    table = text.split("### Reading report.json")[1].split("### ")[0]
+    documented = set(re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE))
+    assert documented and documented <= set(quality)
+    assert (tmp_path / "many" / "sheet-01.png").is_file()
+    assert json.loads((tmp_path / "many" / "summary.json").read_text())["counts"]["failed"] == 0
+    for block in blocks("README.md", "python"):
+        exec(compile(block, "README.md", "exec"), {})
+    assert (tmp_path / "silk-dress" / "garment.glb").is_file()
+    assert json.loads((tmp_path / "silk-dress" / "report.json").read_text())["fabric"] == "silk"
+
+
+def test_the_guide_to_draping(tmp_path, monkeypatch, coarse, capsys):
+    monkeypatch.chdir(tmp_path)
+    run_all("docs/draping.md")
+    for block in blocks("docs/draping.md", "python"):
+        exec(compile(block, "draping.md", "exec"), {})
+    for fabric in swifttailor.draping.FABRICS.values():
+        row = next(
+            line
+            for line in (ROOT / "docs/draping.md").read_text().splitlines()
+            if line.startswith(f"| `{fabric.name}`")
+        )
+        numbers = [float(cell) for cell in row.split("|")[2:-1]]
+        assert numbers == [
+            fabric.density, fabric.stretch, fabric.bending, fabric.friction, fabric.thickness
+        ]  # fmt: skip
+
+
+def test_the_readme_lists_the_commands_that_exist():
+    table = (ROOT / "README.md").read_text().split("## Commands")[1].split("###")[0]
+    assert set(re.findall(r"^\| `swifttailor (\w+)", table, re.MULTILINE)) == set(COMMANDS)
+
+
+def test_the_readme_lists_every_option_of_drape():
+    import dataclasses
+
+    from swifttailor.cli.drape import Drape
+
+    table = (ROOT / "README.md").read_text().split("### Options of `drape`")[1].split("###")[0]
+    shown = set(re.findall(r"`--(?:no-)?([a-z-]+)`", table))
+    fields = {f.name.replace("_", "-") for f in dataclasses.fields(Drape)} - {"pattern", "out"}
+    assert shown == fields
+
+
+def test_the_house_in_the_readme_is_the_one_on_disk():
+    tree = (ROOT / "README.md").read_text().split("## The house")[1].split("```")[1]
+    rooms = set(re.findall(r"^  (\w+)(?:/|\.py)", tree, re.MULTILINE))
+    package = Path(swifttailor.__file__).parent
+    on_disk = {p.name for p in package.iterdir() if (p / "__init__.py").exists()} | {"garment"}
+    assert rooms == on_disk
+    for folder in re.findall(r"^(\w+)/ ", tree, re.MULTILINE):
+        assert (ROOT / folder).is_dir(), folder
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: str(p.relative_to(ROOT)))
+def test_links_and_make_targets_exist(page):
+    text = page.read_text()
+    for target in LINK.findall(text):
+        if not target.startswith("http"):
+            assert (page.parent / target).exists(), target
+    makefile = (ROOT / "Makefile").read_text()
+    for targets in re.findall(r"^(?:`?)make ([a-z -]+?)(?:  |$|`)", text, re.MULTILINE):
+        for target in targets.split():
+            assert re.search(rf"^{target}:", makefile, re.MULTILINE), target
+
+
+def test_the_picture_is_small():
+    assert (ROOT / "docs/images/shirt-dress.png").stat().st_size < 400_000
