@@ -60,14 +60,14 @@ json_values = st.recursive(
 
 def read_or_refuse(specification):
     """Reads, and checks and repairs what could be read; any other exception fails the test."""
-    started = time.perf_counter()
+    started = time.process_time()
     try:
         reading = read_specification(specification)
     except SwiftTailorError as error:
         assert str(error) and len(str(error)) < 2000
         return None
     finally:
-        assert time.perf_counter() - started < SECONDS
+        assert time.process_time() - started < SECONDS
     assert isinstance(reading.pattern, Pattern) and reading.pattern.panels
     for finding in reading.findings:
         assert finding.code and finding.message and json.dumps(finding.to_json(), allow_nan=False)
@@ -78,7 +78,7 @@ def read_or_refuse(specification):
     mended = repair_pattern(reading.pattern, reading.findings)
     written = to_specification(mended.pattern)
     assert read_specification(json.loads(json.dumps(written, allow_nan=False))).pattern == mended.pattern
-    assert time.perf_counter() - started < SECONDS
+    assert time.process_time() - started < SECONDS
     return reading
 
 
@@ -213,10 +213,10 @@ def test_full_size_files_of_rubbish_stay_within_time_and_memory(filler, tmp_path
     path = tmp_path / "p.json"
     path.write_bytes(raw)
     tracemalloc.start()
-    started = time.perf_counter()
+    started = time.process_time()
     with pytest.raises(SwiftTailorError):
         read_pattern_file(path)
-    elapsed, peak = time.perf_counter() - started, tracemalloc.get_traced_memory()[1]
+    elapsed, peak = time.process_time() - started, tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert SHARE * elapsed < 10 * SECONDS and SHARE * peak < BYTES  # tracing slows it down some ten times
 
@@ -229,6 +229,6 @@ def test_extreme_but_finite_shapes_are_read_checked_and_repaired_in_time():
         {"endpoints": [k, (k + 1) % count], "curvature": {"type": "cubic", "params": [[1e6, 5], [-1e6, 3]]}}
         for k in range(count)
     ]
-    started = time.perf_counter()
+    started = time.process_time()
     read_or_refuse({"pattern": {"panels": {"a": {"vertices": far, "edges": edges}}}})
-    assert time.perf_counter() - started < SECONDS
+    assert time.process_time() - started < SECONDS
