@@ -16,12 +16,12 @@ SECONDS = 3.0
 
 
 def read_or_refuse(path) -> None:
-    started = time.perf_counter()
+    started = time.process_time()
     try:
         read_garment_mesh(path)
     except InputError as error:
         assert path.name in str(error)
-    assert time.perf_counter() - started < SECONDS
+    assert time.process_time() - started < SECONDS
 
 
 @pytest.mark.parametrize("ending", [".glb", ".obj", ".ply", ".stl", ".usda", ".usdc"])
@@ -62,10 +62,10 @@ def test_announced_sizes_are_not_believed(tmp_path):
         + text.encode()
     )
     for path in (ply, glb):
-        started = time.perf_counter()
+        started = time.process_time()
         with pytest.raises(InputError, match="more than the file can hold"):
             read_garment_mesh(path)
-        assert time.perf_counter() - started < SECONDS
+        assert time.process_time() - started < SECONDS
 
 
 @pytest.mark.parametrize(

@@ -202,9 +202,9 @@ def _wavy(count, crossing=False):
 @pytest.mark.parametrize("curve", [None, Cubic((0.3, 0.1), (0.7, -0.1)), Arc(300.0, False, True)])
 def test_a_panel_of_two_thousand_edges_is_checked_in_time(curve, crossing):
     curves = dict.fromkeys(range(2000), curve) if curve else None
-    started = time.perf_counter()
+    started = time.process_time()
     found = check_pattern(lone(_wavy(2000, crossing), curves))
-    assert time.perf_counter() - started < 10
+    assert time.process_time() - started < 10
     assert ("self-crossing" in [f.code for f in found]) == crossing
 
 
@@ -214,9 +214,9 @@ def test_five_hundred_panels_are_checked_in_time():
     panels = [panel(f"p{k}", corners, curves, z=20.0 + k / 10) for k in range(500)]
     stitches = [sew(f"p{k}", 1, f"p{k + 1}", 5) for k in range(499)]
     stitches += [sew(f"p{k}", 2, f"p{k + 1}", 4, k % 7 == 0) for k in range(499)]
-    started = time.perf_counter()
+    started = time.process_time()
     check_pattern(Pattern(tuple(panels), tuple(stitches)))
-    assert time.perf_counter() - started < 10
+    assert time.process_time() - started < 10
 
 
 def test_twenty_thousand_stitches_of_the_same_edges_are_checked_in_time():
@@ -224,7 +224,7 @@ def test_twenty_thousand_stitches_of_the_same_edges_are_checked_in_time():
     refs = [EdgeRef("front", int(k)) for k in range(1500)]
     pairs = rng.integers(0, 1500, (20_000, 2))
     stitches = tuple(Stitch(refs[a], refs[b], bool(a % 2)) for a, b in pairs)
-    started = time.perf_counter()
+    started = time.process_time()
     found = check_pattern(Pattern((panel("front", _wavy(1500)),), stitches))
-    assert time.perf_counter() - started < 10
+    assert time.process_time() - started < 10
     assert any(f.code == "edge-stitched-twice" for f in found)

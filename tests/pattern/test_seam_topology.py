@@ -69,7 +69,7 @@ def test_thousands_of_wrong_stitches_are_judged_in_time():
     refs = [EdgeRef(p.name, k) for p in panels for k in range(1000)]
     order = np.argsort(np.arange(10_000) + rng.uniform(0, 6, 10_000))
     stitches = [Stitch(refs[a], refs[b], bool(a % 2)) for a, b in order.reshape(-1, 2)]
-    started = time.perf_counter()
+    started = time.process_time()
     found = check_pattern(Pattern(panels, tuple(stitches)))
-    assert time.perf_counter() - started < 10
+    assert time.process_time() - started < 10
     assert any(f.code == "twisted-seam" for f in found)
