@@ -6,7 +6,10 @@ The names below are loaded on first use, so ``import swifttailor.body`` costs ne
 from __future__ import annotations
 
 import importlib
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from swifttailor.numba_cache import provide_numba_cache
 
 if TYPE_CHECKING:
     from swifttailor.body.body import Body
@@ -37,6 +40,9 @@ __all__ = [
     "measure_body",
     "signed_distance",
 ]
+
+
+provide_numba_cache(Path(__file__).parent)  # before any kernel, here or in draping, is imported
 
 
 def __getattr__(name: str) -> Any:
