@@ -17,7 +17,7 @@ _PUBLIC = {
     "Pattern": "swifttailor.pattern",
     "SwiftTailorError": "swifttailor.errors",
     "check_pattern": "swifttailor.pattern",
-    "drape": "swifttailor.drape",
+    "drape": "swifttailor.draping",
     "draft": "swifttailor.pattern.drafts",
     "load_pattern": "swifttailor.pattern",
 }
