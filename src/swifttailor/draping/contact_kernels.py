@@ -106,10 +106,11 @@ def list_neighbors(x, cloth):
     """
     faces, edges = cloth.faces, cloth.edges
     reach_of = cloth.radius + MARGIN
+    longest = min(0.65 * cloth.rest.mean(), MAX_REACH)
     for e in range(edges.shape[0]):
         p, q = edges[e, 0], edges[e, 1]
         dx, dy, dz = x[q, 0] - x[p, 0], x[q, 1] - x[p, 1], x[q, 2] - x[p, 2]
-        half = min(0.5 * math.sqrt(dx * dx + dy * dy + dz * dz), MAX_REACH)
+        half = min(0.5 * math.sqrt(dx * dx + dy * dy + dz * dz), longest)
         reach_of[p] = max(reach_of[p], half)
         reach_of[q] = max(reach_of[q], half)
     furthest = reach_of.max() + SKIN

@@ -326,7 +326,8 @@ def advance_frame(x, v, cloth, field, held, contacts, lists, clearance, settings
         if settings.self_collision and s % settings.contact_interval == 0:
             if has_moved(x, lists):
                 lists = list_neighbors(x, cloth)
-            crossing_count = find_crossings(x, cloth, contacts, lists)
+            if s % (2 * settings.contact_interval) == 0:
+                crossing_count = find_crossings(x, cloth, contacts, lists)
             contact_count = find_contacts(x, cloth, contacts, lists)
         predict(x, v, previous, settings)
         solve_springs(x, cloth, inverse_dt2)
@@ -335,7 +336,7 @@ def advance_frame(x, v, cloth, field, held, contacts, lists, clearance, settings
         if settings.self_collision:
             resolve_contacts(x, previous, cloth, contacts, contact_count)
             shrink_crossings(x, previous, cloth, contacts, crossing_count, settings.untangling)
-        if settings.long_edges:
+        if settings.long_edges and s % 2 == 0:
             push_long_edges(x, cloth, field, settings)
         push_off_body(x, previous, field, clearance, settings)
         if not settings.long_edges and s % settings.contact_interval == settings.contact_interval - 1:
