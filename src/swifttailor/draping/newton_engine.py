@@ -52,8 +52,9 @@ def settle_with_newton(
     velocities. What becomes of our model in Newton's:
 
     - Mass: `cloth.mass`, kg, vertex by vertex.
-    - Stretch: `Fabric.stretch`, N/m, but at most `newton_stage.MAX_STRETCH`, is Style3D's stiffness along
-      both thread directions; shear gets `SHEAR_SHARE` of it. Strains come out no larger than on XPBD.
+    - Stretch: `Fabric.stretch`, N/m, but at most `newton_stage.MAX_STRETCH` for each kg/m^2 of density, is
+      Style3D's stiffness along both thread directions; shear gets `SHEAR_SHARE` of it. That is softer than
+      on XPBD, but the strains measured afterwards are no larger.
       Rest shapes are the flat panels' triangles; next to a seam they are bent to `cloth.arrays.rest`, so
       that at a gather the shorter side holds (see `newton_stage.rest_triangles`).
     - Bending: `Fabric.bending` in N m as it is; both use the energy of Bergou et al. 2006.

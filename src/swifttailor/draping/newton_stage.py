@@ -29,8 +29,8 @@ Ints = NDArray[np.int32]
 SUBSTEPS = 2
 ITERATIONS = 10
 LINEAR_ITERATIONS = 10
-MAX_STRETCH = 100.0
-"""Largest stretch stiffness given to Style3D, N/m: stiffer cloth it moves as if in syrup."""
+MAX_STRETCH = 700.0
+"""Largest stretch stiffness over density, m^2/s^2: stiffer cloth Style3D moves as if in syrup."""
 _METRES = 0.01
 SHEAR_SHARE = 0.375
 """Shear stiffness over stretch stiffness: that of the spring lattice of the XPBD engine."""
@@ -85,7 +85,7 @@ def build_stage(simulation: Simulation, cloth: ClothModel, mesh: PatternMesh, bo
     newton.solvers.SolverStyle3D.register_custom_attributes(builder)
     builder.default_edge_ke = fabric.bending
     rest, sliver = rest_triangles(mesh, cloth)
-    stretch = min(fabric.stretch, MAX_STRETCH)
+    stretch = min(fabric.stretch, MAX_STRETCH * fabric.density)
     stiffness = stretch * np.outer(np.where(sliver, _SLIVER_SHARE, 1.0), [1.0, 1.0, SHEAR_SHARE])
     style3d.add_cloth_mesh(
         builder,
