@@ -54,7 +54,7 @@ def settle_with_newton(
     - Mass: `cloth.mass`, kg, vertex by vertex.
     - Stretch: `Fabric.stretch`, N/m, but at most `newton_stage.MAX_STRETCH` for each kg/m^2 of density, is
       Style3D's stiffness along both thread directions; shear gets `SHEAR_SHARE` of it. That is softer than
-      on XPBD, but the strains measured afterwards are no larger.
+      on XPBD; the strains measured afterwards are about the same, the largest ones smaller.
       Rest shapes are the flat panels' triangles; next to a seam they are bent to `cloth.arrays.rest`, so
       that at a gather the shorter side holds (see `newton_stage.rest_triangles`).
     - Bending: `Fabric.bending` in N m as it is; both use the energy of Bergou et al. 2006.
