@@ -158,7 +158,12 @@ def test_interrupted_batches_leave_a_summary(number, tmp_path):
     script = tmp_path / "script.py"
     script.write_text(program)
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parent)}
-    process = subprocess.Popen([sys.executable, str(script), str(source), str(out)], env=environment)
+    process = subprocess.Popen(
+        [sys.executable, str(script), str(source), str(out)],
+        env=environment,
+        # A shell that starts the tests in the background has them ignore Ctrl-C, and children inherit that.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )
     wait_for(lambda: (out / "results.jsonl").exists() and len(records(out)) > 1, process)
     process.send_signal(number)
     assert process.wait(timeout=30) == 130

@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numba import njit
 
+from swifttailor.draping.spatial_hash import grown, hash_cell, hash_points
+
 FAST: dict[str, Any] = {
     "cache": True,
     "fastmath": {"reassoc", "contract", "arcp", "nsz"},
@@ -39,49 +41,6 @@ class NeighborLists(NamedTuple):
     """(k,) ascending"""
     anchor: np.ndarray
     """(v, 3) cm; an empty array means that nothing is listed yet"""
-
-
-@njit(cache=True)
-def hash_cell(i, j, k, mask):
-    """Bucket of a lattice cell."""
-    return ((i * 73856093) ^ (j * 19349663) ^ (k * 83492791)) & mask
-
-
-@njit(cache=True)
-def hash_points(points, cell):
-    """Sorts points into buckets by their cell: (bucket starts, point ids, mask)."""
-    n = points.shape[0]
-    size = 16
-    while size < 2 * n:
-        size *= 2
-    mask = size - 1
-    start = np.zeros(size + 1, np.int32)
-    bucket = np.zeros(n, np.int32)
-    for i in range(n):
-        h = hash_cell(
-            math.floor(points[i, 0] / cell),
-            math.floor(points[i, 1] / cell),
-            math.floor(points[i, 2] / cell),
-            mask,
-        )
-        bucket[i] = h
-        start[h + 1] += 1
-    for h in range(size):
-        start[h + 1] += start[h]
-    fill = start[:-1].copy()
-    ids = np.zeros(n, np.int32)
-    for i in range(n):
-        ids[fill[bucket[i]]] = i
-        fill[bucket[i]] += 1
-    return start, ids, mask
-
-
-@njit(cache=True)
-def grown(array):
-    """The array with room for twice as many entries."""
-    larger = np.zeros(2 * len(array), array.dtype)
-    larger[: len(array)] = array
-    return larger
 
 
 @njit(**FAST)

@@ -8,7 +8,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from swifttailor.draping.contact_kernels import edge_hits_face, hash_cell
+from swifttailor.draping.contact_kernels import edge_hits_face
+from swifttailor.draping.spatial_hash import hash_cell
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
