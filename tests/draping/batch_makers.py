@@ -9,7 +9,7 @@ from typing import Any
 
 from swifttailor.draping.batch.make_garment import GarmentTask
 
-QUALITY = {"accepted": True, "reasons": [], "slip_cm": 1.0}
+QUALITY = {"accepted": True, "reasons": [], "top_cm": 140.0}
 
 
 def make_quickly(task: GarmentTask) -> dict[str, Any]:

@@ -324,7 +324,7 @@ def test_reasons_are_counted_by_kind(tmp_path):
     summary = quick(source, tmp_path / "out")
     assert summary["reasons"] == {"N edges pass through the body": 2, "did not come to rest": 2}
     assert summary["median_seconds"] == {"sewing": 2.0, "draping": 1.0, "total": 3.0}
-    assert summary["median_quality"] == {"slip_cm": 1.0}
+    assert summary["median_quality"] == {"top_cm": 140.0}
     assert kind_of_reason("1.2% of the vertices are inside the body (limit 1%)").startswith("N% of the")
 
 
