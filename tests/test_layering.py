@@ -25,6 +25,7 @@ ROWS = (
     {"panel_mesh", "render"},
     {"garment_files"},
     {"draping"},
+    {"data"},
     {"cli"},
     {"__main__"},
 )

@@ -1,0 +1,1 @@
+"""What the networks learn from: drapes in shards, captions, edits, renders (paper, Sec. 5.1)."""
