@@ -23,6 +23,7 @@ ROWS = (
     {"pattern"},
     {"body", "garment"},
     {"panel_mesh", "render"},
+    {"ggi"},
     {"garment_files"},
     {"draping"},
     {"data"},
@@ -127,6 +128,7 @@ def test_heavy_packages_are_imported_when_used():
     [
         ("swifttailor", {"numpy", "numba", "scipy", "tyro", "rich", "torch"}),
         ("swifttailor.pattern", {"numba", "trimesh", "torch", "PIL", "rich", "tyro"}),
+        ("swifttailor.ggi", {"numba", "trimesh", "torch", "PIL", "rich", "tyro"}),
         ("swifttailor.garment_files", {"numba", "trimesh", "torch", "PIL", "pxr"}),
         ("swifttailor.render", {"numba", "trimesh", "torch", "PIL"}),
         ("swifttailor.draping", {"trimesh", "torch", "PIL", "newton", "warp"}),
