@@ -17,10 +17,10 @@ from batch_makers import DiesWhenLoaded, make_quickly
 from swifttailor.draping.batch import BatchSettings, run_batch
 from swifttailor.draping.batch.patterns import count_patterns, folder_name, read_patterns
 from swifttailor.draping.batch.summary import kind_of_reason
-from swifttailor.draping.batch.worker_pool import Outcome
 from swifttailor.errors import InputError, SimulationError
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
+from swifttailor.workers import Outcome
 
 COARSE = BatchSettings(edge_length=8.0, preview=False)
 

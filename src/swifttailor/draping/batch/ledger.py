@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
 from pathlib import Path
 from types import TracebackType
-from typing import IO, Any
+from typing import Any
 
 from swifttailor.atomic_files import write_text
 from swifttailor.draping.batch.make_garment import UNFINISHED_PREFIX
 from swifttailor.draping.batch.settings import BatchSettings
 from swifttailor.errors import InputError
 from swifttailor.garment_files.folder import plain
+from swifttailor.workers.work_folder import FolderLock, RecordFile, differences
 
-SETTINGS, RESULTS, LOCK = "batch.json", "results.jsonl", ".lock"
+SETTINGS, RESULTS = "batch.json", "results.jsonl"
 
 
 class Ledger:
@@ -34,17 +34,17 @@ class Ledger:
         self.records: dict[str, dict[str, Any]] = {}
         """The last record of each id."""
         self._settings = settings
-        self._stream: IO[bytes] | None = None
-        self._lock: IO[bytes] | None = None
+        self._file: RecordFile | None = None
+        self._lock: FolderLock | None = None
 
     def __enter__(self) -> Ledger:
         try:
             self._check_settings()
-            self._lock = _lock(self.folder)
+            self._lock = FolderLock(self.folder, "batch")
             for unfinished in self.folder.glob(f"{UNFINISHED_PREFIX}*"):
                 shutil.rmtree(unfinished, ignore_errors=True)
-            self._read_results()
-            self._stream = (self.folder / RESULTS).open("ab")
+            self._file = RecordFile(self.folder / RESULTS)
+            self.records |= {r["id"]: r for r in self._file.found if _is_record(r)}
         except OSError as error:
             self._close()
             raise InputError(
@@ -62,10 +62,8 @@ class Ledger:
 
     def add(self, record: dict[str, Any]) -> None:
         """Writes a record to results.jsonl, all the way to the disk."""
-        assert self._stream is not None
-        self._stream.write(json.dumps(plain(record), allow_nan=False).encode() + b"\n")
-        self._stream.flush()
-        os.fsync(self._stream.fileno())
+        assert self._file is not None
+        self._file.add(plain(record))
         self.records[record["id"]] = record
 
     def is_done(self, id: str, *, retry_failed: bool) -> bool:
@@ -85,7 +83,7 @@ class Ledger:
             if before != identity:
                 raise InputError(
                     f"The batch in '{self.folder}' was made with other settings: "
-                    f"{_differences(before, identity)}. "
+                    f"{differences(before, identity)}. "
                     "Use the same settings to go on with it, or another --out."
                 )
             return
@@ -96,27 +94,11 @@ class Ledger:
             )
         write_text(path, json.dumps({"settings": identity}, indent=2) + "\n")
 
-    def _read_results(self) -> None:
-        """Reads what was done before; a last line cut short by a crash is removed."""
-        path = self.folder / RESULTS
-        if not path.exists():
-            return
-        sound = 0
-        with path.open("rb") as stream:
-            for line in stream:
-                if not line.endswith(b"\n"):
-                    break
-                sound += len(line)
-                record = _parse_record(line)
-                if record is not None:
-                    self.records[record["id"]] = record
-        if sound < path.stat().st_size:
-            os.truncate(path, sound)
-
     def _close(self) -> None:
-        for stream in (self._stream, self._lock):
-            if stream is not None:
-                stream.close()
+        if self._file is not None:
+            self._file.close()
+        if self._lock is not None:
+            self._lock.release()
 
 
 def _read_settings(path: Path) -> dict[str, Any]:
@@ -126,37 +108,10 @@ def _read_settings(path: Path) -> dict[str, Any]:
         raise InputError(f"'{path}' is damaged. Choose another --out for this batch.") from error
 
 
-def _differences(before: dict[str, Any], now: dict[str, Any]) -> str:
-    names = [n for n in {**before, **now} if before.get(n) != now.get(n)]
-    return ", ".join(f"{n} was {before.get(n)!r}, now {now.get(n)!r}" for n in names)
-
-
-def _parse_record(line: bytes) -> dict[str, Any] | None:
-    """A record, or None where the line is not one: that pattern is then made again."""
-    try:
-        record = json.loads(line)
-    except ValueError:
-        return None
-    sound = (
-        isinstance(record, dict)
-        and isinstance(record.get("id"), str)
-        and isinstance(record.get("folder"), str)
-        and record.get("status") in ("made", "failed")
+def _is_record(value: dict[str, Any]) -> bool:
+    """Whether a line is a record; the pattern of any other is made again."""
+    return (
+        isinstance(value.get("id"), str)
+        and isinstance(value.get("folder"), str)
+        and value.get("status") in ("made", "failed")
     )
-    return record if sound else None
-
-
-def _lock(folder: Path) -> IO[bytes]:
-    stream = (folder / LOCK).open("wb")
-    try:
-        import fcntl
-    except ImportError:  # Windows: two batches on one folder are not noticed
-        return stream
-    try:
-        fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError as error:
-        stream.close()
-        raise InputError(
-            f"Another batch is at work in '{folder}'. Wait for it or choose another --out."
-        ) from error
-    return stream

@@ -58,8 +58,8 @@ def failure(kind: str, error: str) -> dict[str, Any]:
 def _make(task: GarmentTask) -> dict[str, Any]:
     settings = task.settings
     started = time.perf_counter()
-    sewable = _read(task.pattern, settings)
-    body = _body(settings)
+    sewable = read_sewable(task.pattern, settings)
+    body = shared_body(settings)
     loading = time.perf_counter() - started
     garment = drape(
         sewable.pattern,
@@ -89,7 +89,12 @@ def _make(task: GarmentTask) -> dict[str, Any]:
     }
 
 
-def _read(pattern: BatchPattern, settings: BatchSettings) -> Sewable:
+def read_sewable(pattern: BatchPattern, settings: BatchSettings) -> Sewable:
+    """Reads a pattern of a batch and checks that it can be sewn.
+
+    Raises:
+        SwiftTailorError: It is no pattern, or has errors.
+    """
     if pattern.path is not None:
         reading = read_pattern_file(pattern.path, rotation=settings.rotation)
     else:
@@ -100,7 +105,8 @@ def _read(pattern: BatchPattern, settings: BatchSettings) -> Sewable:
 
 
 @functools.lru_cache(maxsize=1)
-def _body(settings: BatchSettings) -> Body:
+def shared_body(settings: BatchSettings) -> Body:
+    """The body of a batch, loaded once in each worker."""
     return settings.load_body()
 
 

@@ -9,6 +9,7 @@ import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from io import BufferedReader
+from itertools import chain
 from pathlib import Path
 
 from swifttailor.errors import InputError, SwiftTailorError
@@ -56,12 +57,17 @@ def count_patterns(source: Path) -> int:
     return count + (last != b"\n")
 
 
-def read_patterns(source: Path) -> Iterator[BatchPattern]:
-    """Goes through the patterns of a batch; bad ones come with their `error`.
+def read_patterns(*sources: Path) -> Iterator[BatchPattern]:
+    """Goes through the patterns of files and folders, in their order; bad ones come with their `error`.
 
     Raises:
-        InputError: `source` is neither such a file nor a folder with JSON files.
+        InputError: A source is neither such a file nor a folder with JSON files. That is found out before
+            the first pattern is given.
     """
+    return _refuse_repeats(chain.from_iterable([_patterns_of(source) for source in sources]))
+
+
+def _patterns_of(source: Path) -> Iterator[BatchPattern]:
     try:
         exists = source.exists()
     except (OSError, ValueError) as error:  # no possible file name
@@ -71,16 +77,14 @@ def read_patterns(source: Path) -> Iterator[BatchPattern]:
             f"There is no file or folder '{source}'. Give patterns as .jsonl, .jsonl.gz or folder."
         )
     if source.is_dir():
-        found = _from_folder(source)
-    elif source.name.lower().endswith(LINE_ENDINGS):
-        found = _from_lines(source)
-    else:
-        raise InputError(
-            f"'{source.name}' is no batch of patterns. Give a .jsonl or .jsonl.gz file with one "
-            '{"id": ..., "pattern": ...} a line, or a folder of .json files. '
-            "For a single pattern: swifttailor drape PATTERN --out DIR"
-        )
-    return _refuse_repeats(found)
+        return _from_folder(source)
+    if source.name.lower().endswith(LINE_ENDINGS):
+        return _from_lines(source)
+    raise InputError(
+        f"'{source.name}' is no batch of patterns. Give a .jsonl or .jsonl.gz file with one "
+        '{"id": ..., "pattern": ...} a line, or a folder of .json files. '
+        "For a single pattern: swifttailor drape PATTERN --out DIR"
+    )
 
 
 def folder_name(id: str) -> str:

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import json
-import signal
-import threading
-from collections.abc import Callable, Generator, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
 from itertools import chain, islice
 from pathlib import Path
 from typing import Any
@@ -18,10 +15,10 @@ from swifttailor.draping.batch.patterns import BatchPattern, read_patterns
 from swifttailor.draping.batch.settings import BatchSettings
 from swifttailor.draping.batch.sheets import write_sheets
 from swifttailor.draping.batch.summary import summarize
-from swifttailor.draping.batch.worker_pool import run_tasks
 from swifttailor.draping.compiled_code import solver_is_compiled
 from swifttailor.errors import InputError
 from swifttailor.garment_files.folder import plain
+from swifttailor.workers import run_tasks, sigterm_as_interrupt
 
 SUMMARY = "summary.json"
 TIME_LIMIT = 600.0
@@ -98,7 +95,7 @@ def run_batch(
             on_start(len(ledger.records), compiled)
         outcomes = run_tasks(make, tasks(), workers=workers, time_limit=time_limit, first_alone=not compiled)
         try:
-            with _sigterm_as_interrupt():
+            with sigterm_as_interrupt():
                 for outcome in outcomes:
                     take_in(_lost(outcome.task, outcome.lost) if outcome.lost else outcome.result)
                 complete = True
@@ -117,20 +114,3 @@ def _unusable(pattern: BatchPattern) -> dict[str, Any]:
 
 def _lost(task: GarmentTask, why: str) -> dict[str, Any]:
     return {"id": task.pattern.id, "folder": task.pattern.folder} | failure("WorkerLost", why)
-
-
-@contextmanager
-def _sigterm_as_interrupt() -> Generator[None]:
-    """Schedulers stop programs with SIGTERM: leave as tidily as after Ctrl-C."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-
-    def interrupt(number: int, frame: object) -> None:
-        raise KeyboardInterrupt
-
-    before = signal.signal(signal.SIGTERM, interrupt)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)

@@ -1,4 +1,4 @@
-"""Worker processes that may crash or hang without taking the batch with them."""
+"""Worker processes that may crash or hang without taking the rest of the work with them."""
 
 from __future__ import annotations
 
@@ -7,17 +7,20 @@ import os
 import signal
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Generator, Iterable
 from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
+from pathlib import Path
 from typing import Any
 
 from swifttailor.errors import SimulationError
 
 _READY = "ready"
 _MAX_FAILED_STARTS = 3
-_THREAD_SETTINGS = (
+TOO_LATE = "took longer than the time limit"
+THREAD_SETTINGS = (
     "OMP_NUM_THREADS",
     "OPENBLAS_NUM_THREADS",
     "MKL_NUM_THREADS",
@@ -35,6 +38,39 @@ class Outcome:
     """What the function returned."""
     lost: str = ""
     """Why there is no result: how the worker ended, or the time limit."""
+    late: bool = False
+    """Whether it was lost to the time limit."""
+
+
+class Waiting:
+    """Tasks that no worker has yet, those to be tried again first; true while there are any."""
+
+    def __init__(self, tasks: Iterable[Any], attempts: int) -> None:
+        self._tasks = iter(tasks)
+        self._again: deque[Any] = deque()
+        self._attempts = attempts
+        self._tried: dict[int, int] = {}
+        """Attempts that failed, by the identity of tasks that wait for another or have it."""
+        self._upcoming = next(self._tasks, None)
+
+    def __bool__(self) -> bool:
+        return bool(self._again) or self._upcoming is not None
+
+    def take(self) -> Any:
+        """The next task."""
+        if self._again:
+            return self._again.popleft()
+        task, self._upcoming = self._upcoming, next(self._tasks, None)
+        return task
+
+    def take_back(self, outcome: Outcome) -> bool:
+        """Whether the task of an outcome is to be tried again, and waits for that now."""
+        tried = self._tried.pop(id(outcome.task), 0) + 1
+        if not outcome.lost or outcome.late or tried >= self._attempts:
+            return False
+        self._tried[id(outcome.task)] = tried
+        self._again.append(outcome.task)
+        return True
 
 
 def run_tasks(
@@ -44,6 +80,7 @@ def run_tasks(
     workers: int,
     time_limit: float,
     first_alone: bool = False,
+    attempts: int = 1,
 ) -> Generator[Outcome]:
     """Runs a function on each task in worker processes, each with a single thread.
 
@@ -54,6 +91,8 @@ def run_tasks(
         time_limit: Seconds after which a task is given up and its worker killed.
         first_alone: Start the other workers only after the first outcome, for when the first task fills a
             cache that all others need.
+        attempts: How often a task is given to a worker that then ends; what ends so often is lost. A task
+            that took too long is lost at once.
 
     Yields:
         An outcome per task, in order of completion.
@@ -61,19 +100,17 @@ def run_tasks(
     Raises:
         SimulationError: No worker can be started.
     """
-    remaining = iter(tasks)
+    waiting = Waiting(tasks, attempts)
     running: list[_Worker] = []
     target = 1 if first_alone else workers
     failed_starts = 0
-    upcoming = next(remaining, None)
     try:
-        while upcoming is not None or any(w.busy for w in running):
-            while upcoming is not None and len(running) < target:
+        while waiting or any(w.busy for w in running):
+            while waiting and len(running) < target:
                 running.append(_Worker(function))
             for worker in running:
-                if upcoming is not None and worker.ready and not worker.busy:
-                    worker.give(upcoming, time_limit)
-                    upcoming = next(remaining, None)
+                if waiting and worker.ready and not worker.busy:
+                    worker.give(waiting.take(), time_limit)
             for worker in _with_news(running):
                 outcome = worker.news()
                 if worker.gone:
@@ -84,7 +121,7 @@ def run_tasks(
                             f"Worker processes end before they can start ({worker.how_it_ended()}). "
                             "Is there enough memory? Try --workers 1."
                         )
-                if outcome is not None:
+                if outcome is not None and not waiting.take_back(outcome):
                     target = workers
                     yield outcome
     finally:
@@ -131,7 +168,7 @@ class _Worker:
             return self._lost()
         if time.monotonic() >= self.deadline:
             self.end()
-            return self._finished(Outcome(self.task, lost="took longer than the time limit"))
+            return self._finished(Outcome(self.task, lost=TOO_LATE, late=True))
         return None if self.process.is_alive() else self._lost()
 
     def _lost(self) -> Outcome | None:
@@ -179,6 +216,7 @@ def _work(connection: Connection, function: Callable[[Any], Any]) -> None:
     """The life of a worker process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides what Ctrl-C means
     threading.Thread(target=_end_with_parent, daemon=True).start()
+    _die_first_without_memory()
     connection.send(_READY)
     while True:
         try:
@@ -193,18 +231,26 @@ def _work(connection: Connection, function: Callable[[Any], Any]) -> None:
 
 
 def _end_with_parent() -> None:
-    """Ends this process when the parent is killed: two batches must never write one folder."""
+    """Ends this process when the parent is killed: two at work must never write one folder."""
     parent = multiprocessing.parent_process()
     if parent is not None:
         parent.join()
         os._exit(1)
 
 
+def _die_first_without_memory() -> None:
+    """Where memory runs out, Linux ends a worker and not the process that holds the work together."""
+    try:
+        Path("/proc/self/oom_score_adj").write_text("1000")
+    except OSError:
+        pass
+
+
 @contextmanager
 def _single_threaded() -> Generator[None]:
     """Processes started inside get one thread for their arrays: more workers, not more threads."""
-    before = {name: os.environ.get(name) for name in _THREAD_SETTINGS}
-    os.environ.update(dict.fromkeys(_THREAD_SETTINGS, "1"))
+    before = {name: os.environ.get(name) for name in THREAD_SETTINGS}
+    os.environ.update(dict.fromkeys(THREAD_SETTINGS, "1"))
     try:
         yield
     finally:
