@@ -1,11 +1,12 @@
 import gzip
 import json
+from collections import Counter
 
 import numpy as np
 import pytest
 
 from swifttailor.errors import InputError, PatternError
-from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.panel_mesh import assemble, mesh_pattern
 from swifttailor.panel_mesh.edge_sampling import edge_segments
 from swifttailor.panel_mesh.topology import topology
 from swifttailor.pattern import (
@@ -107,6 +108,34 @@ def test_every_draft_meshes(name):
     assert_sound(mesh_pattern(draft(name), 2.5))
 
 
+def plain_coincident_edges(mesh):
+    """Plain reference of `_coincident_inner_edges`, over all edges."""
+    uses, welded = Counter(), Counter()
+    for a, b, c in mesh.flat_faces.tolist():
+        for u, v in ((a, b), (b, c), (c, a)):
+            uses[min(u, v), max(u, v)] += 1
+            welded[tuple(sorted(mesh.weld[[u, v]].tolist()))] += 1
+    return [
+        list(edge)
+        for edge, count in sorted(uses.items())
+        if count == 2
+        and (welded[key := tuple(sorted(mesh.weld[list(edge)].tolist()))] > 2 or len(set(key)) == 1)
+    ]
+
+
+@pytest.mark.parametrize("name", ["jumpsuit", "hoodie"])
+def test_edges_that_welding_folds_together_are_found_and_parted(name, monkeypatch):
+    seen = []
+    find = assemble._coincident_inner_edges
+    monkeypatch.setattr(
+        assemble, "_coincident_inner_edges", lambda mesh: seen.append((mesh, find(mesh))) or seen[-1][1]
+    )
+    mesh = mesh_pattern(draft(name), 12.0)
+    assert len(seen[0][1]) > 0
+    assert all(found.tolist() == plain_coincident_edges(given) for given, found in seen)
+    assert plain_coincident_edges(mesh) == []
+
+
 def test_impossible_stitches_are_refused_by_name():
     panels = (square("a"), square("b"), square("c"))
     twice = (Stitch(EdgeRef("a", 0), EdgeRef("b", 0)), Stitch(EdgeRef("a", 0), EdgeRef("c", 0)))
@@ -124,9 +153,16 @@ def test_edge_length_is_bounded(edge_length):
         mesh_pattern(Pattern((square("a"),)), edge_length)
 
 
+def test_a_pattern_without_panels_is_refused():
+    with pytest.raises(PatternError, match="no panels"):
+        mesh_pattern(Pattern(()))
+
+
 def test_too_many_vertices_are_refused_before_the_work():
     with pytest.raises(InputError, match="vertices"):
         mesh_pattern(Pattern((square("a", 900.0),)), 0.1)
+    with pytest.raises(InputError, match="outlines"):
+        mesh_pattern(Pattern((square("a", 1e6, height=0.1),)), 0.1)
 
 
 def test_real_patterns_mesh(garmentcode_folder):

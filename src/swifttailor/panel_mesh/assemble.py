@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import accumulate, pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import coo_array
@@ -9,12 +11,13 @@ from scipy.sparse.csgraph import connected_components
 
 from swifttailor.errors import GeometryError, InputError, PatternError
 from swifttailor.garment import PatternMesh, Seam
-from swifttailor.panel_mesh.edge_sampling import edge_segments, stitched_pairs
-from swifttailor.panel_mesh.triangulate import triangulate_polygon
-from swifttailor.pattern import EdgeRef, Panel, Pattern
+from swifttailor.panel_mesh.edge_sampling import edge_segments, measured_edges, stitched_pairs
+from swifttailor.panel_mesh.triangulate import signed_area, triangulate_polygons
+from swifttailor.pattern import EdgeRef, Pattern
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
+Longs = NDArray[np.int64]
 
 MAX_VERTICES = 400_000
 _MAX_ROUNDS = 8
@@ -32,84 +35,95 @@ def mesh_pattern(pattern: Pattern, edge_length: float = 2.0) -> PatternMesh:
 
     Raises:
         InputError: `edge_length` is not positive or would need more than `MAX_VERTICES` vertices.
-        PatternError: A stitch is impossible (dangling, used twice, closing an edge onto a point).
+        PatternError: There are no panels, or a stitch is impossible (dangling, used twice, closing an edge
+            onto a point).
         GeometryError: A panel crosses itself.
     """
     if not (np.isfinite(edge_length) and 0.05 <= edge_length <= 50):
         raise InputError(f"The edge length must lie between 0.05 and 50 cm, got {edge_length!r}.")
-    area = sum(abs(p.signed_area()) for p in pattern.panels)
-    expected = area / (edge_length**2 * 0.866)
+    if not pattern.panels:
+        raise PatternError("The pattern has no panels, so there is nothing to mesh. Give one with panels.")
+    edges = measured_edges(pattern)
+    segments = edge_segments(pattern, edge_length, edges)
+    for _ in range(_MAX_ROUNDS):
+        _refuse_too_many(sum(segments.values()), f"outlines of {edges.lengths.sum():.0f} cm", edge_length)
+        runs = _edge_runs(pattern, segments)
+        pairs, labels = _weld_boundary(pattern, runs)
+        collapsed = _collapsed_edges(pattern, runs, labels)
+        if not collapsed:
+            break
+        _refine(pattern, segments, collapsed)
+    else:
+        names = ", ".join(f"'{r.panel}' edge {r.edge}" for r in collapsed[:3])
+        raise PatternError(
+            f"The stitches close these edges onto a single point: {names}. "
+            "Check the direction of their stitches with: swifttailor check PATTERN"
+        )
+    points = edges.sample(list(segments.values()))
+    starts = np.array([r[0][0] for r in runs] + [len(points)])
+    boundaries = [points[a:b] for a, b in pairwise(starts.tolist())]
+    area = sum(abs(signed_area(b)) for b in boundaries)
+    _refuse_too_many(area / (edge_length**2 * 0.866), f"{area:.0f} cm2 of cloth", edge_length)
+    mesh = _fill(pattern, boundaries, edge_length, runs, pairs, labels)
+    return _separate_coincident_edges(mesh)
+
+
+def _refuse_too_many(expected: float, what: str, edge_length: float) -> None:
     if expected > MAX_VERTICES:
         raise InputError(
-            f"{area:.0f} cm2 of cloth at an edge length of {edge_length:g} cm needs about "
-            f"{expected:.0f} vertices; "
+            f"{what} at an edge length of {edge_length:g} cm need about {expected:.0f} vertices; "
             f"at most {MAX_VERTICES} are accepted. Choose a longer edge length."
         )
-    segments = edge_segments(pattern, edge_length)
-    for _ in range(_MAX_ROUNDS):
-        mesh = _build(pattern, segments, edge_length)
-        collapsed = _collapsed_edges(mesh)
-        if not collapsed:
-            return _separate_coincident_edges(mesh)
-        _refine(pattern, segments, collapsed)
-    names = ", ".join(f"'{r.panel}' edge {r.edge}" for r in collapsed[:3])
-    raise PatternError(
-        f"The stitches close these edges onto a single point: {names}. "
-        "Check the direction of their stitches with: swifttailor check PATTERN"
-    )
 
 
-def _build(pattern: Pattern, segments: dict[EdgeRef, int], edge_length: float) -> PatternMesh:
-    vertices, panel_ids, faces, edges = [], [], [], []
-    offset = 0
-    for index, panel in enumerate(pattern.panels):
-        boundary, panel_edges = _boundary(panel, segments)
-        try:
-            points, triangles = triangulate_polygon(boundary, edge_length)
-        except GeometryError as error:
-            raise GeometryError(f"Panel '{panel.name}': {error}") from error
-        vertices.append(points)
-        panel_ids.append(np.full(len(points), index, dtype=np.int32))
-        faces.append(triangles + offset)
-        edges.append(tuple((e + offset).astype(np.int32) for e in panel_edges))
-        offset += len(points)
-    flat = np.concatenate(vertices)
-    weld, seams = _weld(pattern, edges, len(flat))
+def _edge_runs(pattern: Pattern, segments: dict[EdgeRef, int]) -> list[list[Longs]]:
+    """Per panel and edge, the outline points it runs through, the outlines numbered one after the other."""
+    runs, start = [], 0
+    for panel in pattern.panels:
+        counts = [segments[EdgeRef(panel.name, k)] for k in range(len(panel.edges))]
+        around = np.append(np.arange(start, start + sum(counts)), start)
+        cuts = [0, *accumulate(counts)]
+        runs.append([around[a : b + 1] for a, b in pairwise(cuts)])
+        start += sum(counts)
+    return runs
+
+
+def _weld_boundary(pattern: Pattern, runs: list[list[Longs]]) -> tuple[list[Longs], Longs]:
+    """Pairs (n, 2) of outline points that each stitch joins, and a label of what each point becomes."""
+    pairs = []
+    for stitch in pattern.stitches:
+        first, second = (runs[pattern.panel_index(r.panel)][r.edge] for r in stitch.sides)
+        pairs.append(stitched_pairs(first, second, stitch.right_wrong))
+    joined = np.concatenate(pairs) if pairs else np.zeros((0, 2), np.int64)
+    count = int(runs[-1][-1][-2]) + 1
+    graph = coo_array((np.ones(len(joined), np.int8), (joined[:, 0], joined[:, 1])), shape=(count, count))
+    return pairs, connected_components(graph, directed=False)[1].astype(np.int64)
+
+
+def _fill(
+    pattern: Pattern,
+    boundaries: list[Floats],
+    edge_length: float,
+    runs: list[list[Longs]],
+    pairs: list[Longs],
+    labels: Longs,
+) -> PatternMesh:
+    """Triangulates the outlines and numbers outline points as vertices of the result."""
+    flat, faces, starts = triangulate_polygons(boundaries, edge_length, [p.name for p in pattern.panels])
+    sizes = np.array([len(b) for b in boundaries])
+    vertex = np.arange(len(labels)) + np.repeat(starts[:-1] - np.cumsum(sizes) + sizes, sizes)
+    all_labels = len(labels) + np.arange(len(flat))
+    all_labels[vertex] = labels
+    weld = _numbered_by_first_use(all_labels)
     return PatternMesh(
         pattern,
         flat,
-        np.concatenate(panel_ids),
-        np.ascontiguousarray(np.concatenate(faces), dtype=np.int32),
+        np.repeat(np.arange(len(boundaries), dtype=np.int32), np.diff(starts)),
+        faces,
         weld,
-        seams,
-        tuple(edges),
+        tuple(Seam(k, weld[vertex[p[:, 0]]]) for k, p in enumerate(pairs)),
+        tuple(tuple(vertex[run].astype(np.int32) for run in panel) for panel in runs),
     )
-
-
-def _boundary(panel: Panel, segments: dict[EdgeRef, int]) -> tuple[Floats, list[Ints]]:
-    """Sampled outline (n, 2) and, per edge, the outline points it runs through."""
-    pieces, counts = [], []
-    for k in range(len(panel.edges)):
-        count = segments[EdgeRef(panel.name, k)]
-        pieces.append(panel.sample_edge(k, count + 1)[:-1])
-        counts.append(count)
-    total = sum(counts)
-    starts = np.concatenate([[0], np.cumsum(counts)])
-    runs = [np.arange(starts[k], starts[k + 1] + 1, dtype=np.int32) % total for k in range(len(counts))]
-    return np.concatenate(pieces), runs
-
-
-def _weld(pattern: Pattern, edges: list[tuple[Ints, ...]], count: int) -> tuple[Ints, tuple[Seam, ...]]:
-    pairs = []
-    for stitch in pattern.stitches:
-        first, second = (edges[pattern.panel_index(r.panel)][r.edge] for r in stitch.sides)
-        pairs.append(stitched_pairs(first, second, stitch.right_wrong))
-    joined = np.concatenate(pairs) if pairs else np.zeros((0, 2), dtype=np.int32)
-    graph = coo_array((np.ones(len(joined)), (joined[:, 0], joined[:, 1])), shape=(count, count))
-    _, labels = connected_components(graph, directed=False)
-    weld = _numbered_by_first_use(labels)
-    seams = tuple(Seam(k, weld[p[:, 0]]) for k, p in enumerate(pairs))
-    return weld, seams
 
 
 def _numbered_by_first_use(labels: Ints) -> Ints:
@@ -140,15 +154,14 @@ def _in_panel_order(mesh: PatternMesh) -> PatternMesh:
     )
 
 
-def _collapsed_edges(mesh: PatternMesh) -> list[EdgeRef]:
+def _collapsed_edges(pattern: Pattern, runs: list[list[Longs]], labels: Longs) -> list[EdgeRef]:
     """Edges with a segment whose two ends a seam has welded together."""
-    found = []
-    for panel, runs in zip(mesh.pattern.panels, mesh.edge_vertices, strict=True):
-        for k, run in enumerate(runs):
-            welded = mesh.weld[run]
-            if (welded[1:] == welded[:-1]).any():
-                found.append(EdgeRef(panel.name, k))
-    return found
+    return [
+        EdgeRef(panel.name, k)
+        for panel, own in zip(pattern.panels, runs, strict=True)
+        for k, run in enumerate(own)
+        if (labels[run[1:]] == labels[run[:-1]]).any()
+    ]
 
 
 def _refine(pattern: Pattern, segments: dict[EdgeRef, int], edges: list[EdgeRef]) -> None:
@@ -175,21 +188,24 @@ def _separate_coincident_edges(mesh: PatternMesh) -> PatternMesh:
     )
 
 
-def _coincident_inner_edges(mesh: PatternMesh) -> NDArray[np.int64]:
+def _coincident_inner_edges(mesh: PatternMesh) -> Longs:
     """Flat vertex pairs (n, 2), ascending, of inner edges that are not unique after welding."""
-    faces = mesh.flat_faces
-    halves = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).astype(np.int64)
-    flat, uses = np.unique(np.sort(halves, axis=1), axis=0, return_counts=True)
-    flat = flat.astype(np.int64)
-    welded = np.sort(mesh.weld[flat].astype(np.int64), axis=1)
-    _, inverse = np.unique(welded, axis=0, return_inverse=True)
-    total = np.bincount(inverse.ravel(), weights=uses)[inverse.ravel()]
-    inner = uses == 2
-    bad = inner & ((total > 2) | (welded[:, 0] == welded[:, 1]))
-    return flat[bad]
+    shared = np.bincount(mesh.weld, minlength=mesh.vertex_count)[mesh.weld] > 1
+    faces = mesh.flat_faces.astype(np.int64)
+    start, end = faces.ravel(), faces[:, [1, 2, 0]].ravel()
+    # Only edges at a vertex that a seam has joined with another can have become like another edge.
+    near = shared[start] | shared[end]
+    start, end = start[near], end[near]
+    count = len(mesh.weld)
+    keys, uses = np.unique(np.minimum(start, end) * count + np.maximum(start, end), return_counts=True)
+    flat = np.stack([keys // count, keys % count], axis=1)
+    low, high = np.sort(mesh.weld[flat].astype(np.int64), axis=1).T
+    _, inverse = np.unique(low * count + high, return_inverse=True)
+    total = np.bincount(inverse, weights=uses)[inverse]
+    return flat[(uses == 2) & ((total > 2) | (low == high))]
 
 
-def _split_edges(mesh: PatternMesh, edges: NDArray[np.int64]) -> PatternMesh:
+def _split_edges(mesh: PatternMesh, edges: Longs) -> PatternMesh:
     """Puts a vertex in the middle of each given inner edge; faces around it become two."""
     vertices, panels, weld = list(mesh.flat_vertices), list(mesh.flat_panel), list(mesh.weld)
     faces = [tuple(int(v) for v in f) for f in mesh.flat_faces]

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from swifttailor.errors import GeometryError
 
@@ -11,8 +13,8 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 
-def recover_edges(points: Floats, faces: Ints, wanted: Ints) -> Ints:
-    """Flips edges until every wanted edge is in the triangulation.
+def recover_edges(points: Floats, faces: Ints, neighbors: Ints, following: Ints) -> tuple[Ints, Ints]:
+    """Flips edges until every boundary edge is in the triangulation.
 
     S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993. Only the few
     missing edges cost anything.
@@ -20,50 +22,50 @@ def recover_edges(points: Floats, faces: Ints, wanted: Ints) -> Ints:
     Args:
         points: (n, 2).
         faces: (f, 3) counter-clockwise triangles of the convex hull.
-        wanted: (m, 2) vertex pairs that must be edges.
+        neighbors: (f, 3) the triangle opposite each corner, or -1.
+        following: (n,) the boundary point that each boundary point is to be joined to, -1 for inner points.
 
     Returns:
-        Faces (f, 3) with the same vertices.
+        Faces and neighbours (f, 3) over the same vertices.
 
     Raises:
-        GeometryError: Two wanted edges cross, or a point lies on one.
+        GeometryError: Two boundary edges cross, or a point lies on one.
     """
-    present = _edge_keys(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), len(points))
-    missing = wanted[~np.isin(_edge_keys(wanted, len(points)), present)]
+    start, end = faces[:, [1, 2, 0]], faces[:, [2, 0, 1]]
+    present = following < 0
+    present[start[following[start] == end]] = True
+    present[end[following[end] == start]] = True
+    missing = np.flatnonzero(~present)
     if not len(missing):
-        return faces
+        return faces, neighbors
     triangles = [(int(a), int(b), int(c)) for a, b, c in faces]
     left: dict[tuple[int, int], int] = {}
     for t, (a, b, c) in enumerate(triangles):
         left[a, b] = left[b, c] = left[c, a] = t
-    kept = {tuple(sorted((int(a), int(b)))) for a, b in wanted}
-    for a, b in missing:
-        _insert(points, triangles, left, int(a), int(b), kept)
-    return np.array(triangles, dtype=np.int64)
+    kept = {tuple(sorted((a, b))) for a, b in enumerate(following.tolist()) if b >= 0}
+    for a in missing.tolist():
+        _insert(points, triangles, left, a, int(following[a]), kept)
+    recovered = np.array(triangles, dtype=np.int64)
+    across = [[left.get((c, b), -1), left.get((a, c), -1), left.get((b, a), -1)] for a, b, c in triangles]
+    return recovered, np.array(across, dtype=np.int64)
 
 
-def interior_triangles(faces: Ints, boundary: Ints) -> Ints:
-    """Triangles reachable from the left side of the boundary edges without crossing one, (k, 3)."""
-    left = {(int(f[k]), int(f[(k + 1) % 3])): t for t, f in enumerate(faces) for k in range(3)}
-    wall = {(int(a), int(b)) for a, b in boundary} | {(int(b), int(a)) for a, b in boundary}
-    stack = [left[int(a), int(b)] for a, b in boundary if (int(a), int(b)) in left]
-    inside = np.zeros(len(faces), dtype=bool)
-    inside[stack] = True
-    while stack:
-        a, b, c = (int(v) for v in faces[stack.pop()])
-        for edge in ((a, b), (b, c), (c, a)):
-            if edge in wall:
-                continue
-            other = left.get((edge[1], edge[0]))
-            if other is not None and not inside[other]:
-                inside[other] = True
-                stack.append(other)
-    return faces[inside]
+def interior_triangles(faces: Ints, neighbors: Ints, following: Ints) -> NDArray[np.bool_]:
+    """Which triangles (f,) are reachable from the left side of the boundary edges without crossing one.
 
-
-def _edge_keys(edges: Ints, count: int) -> Ints:
-    ordered = np.sort(edges, axis=1).astype(np.int64)
-    return ordered[:, 0] * count + ordered[:, 1]
+    Arguments are those of `recover_edges`; every boundary edge must be in the triangulation.
+    """
+    start, end = faces[:, [1, 2, 0]], faces[:, [2, 0, 1]]
+    inner_side = following[start] == end
+    wall = inner_side | (following[end] == start)
+    triangle, corner = np.nonzero(~wall & (neighbors >= 0))
+    graph = coo_array(
+        (np.ones(len(triangle), np.int8), (triangle, neighbors[triangle, corner])), shape=(len(faces),) * 2
+    )
+    count, part = connected_components(graph, directed=False)
+    inside = np.zeros(count, dtype=bool)
+    inside[part[inner_side.any(axis=1)]] = True
+    return inside[part]
 
 
 def _insert(

@@ -1,8 +1,9 @@
-"""Triangulation of one panel: exact boundary, near-equilateral inside."""
+"""Triangulation of panels: exact boundary, near-equilateral inside."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 import shapely
@@ -11,13 +12,14 @@ from scipy.spatial import Delaunay, QhullError
 
 from swifttailor.errors import GeometryError
 from swifttailor.panel_mesh.constrained_edges import interior_triangles, recover_edges
+from swifttailor.panel_mesh.smoothing import smooth
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
+Longs = NDArray[np.int64]
 
 _CLEARANCE = 0.62
-"""Interior points keep this share of the edge length from the outline, so that no sliver fits between."""
-_SMOOTHING_ROUNDS = 3
+"""Inner points start this share of the edge length or more from the outline: no sliver fits between."""
 _BULGE = 1e-4
 
 
@@ -25,7 +27,7 @@ def triangulate_polygon(boundary: Floats, edge_length: float) -> tuple[Floats, I
     """Fills a simple polygon with triangles of about the given edge length.
 
     The boundary is kept exactly: no point is added to it or moved. Inside, a triangular lattice is
-    smoothed and connected by a Delaunay triangulation in which missing boundary edges are recovered.
+    connected by a Delaunay triangulation in which missing boundary edges are recovered, then smoothed.
 
     Args:
         boundary: (n, 2) corners of the closed polygon in cm, in either direction, first not repeated.
@@ -37,111 +39,136 @@ def triangulate_polygon(boundary: Floats, edge_length: float) -> tuple[Floats, I
     Raises:
         GeometryError: The polygon crosses itself or is too thin to triangulate.
     """
-    area = _signed_area(boundary)
-    forward = boundary if area >= 0 else boundary[::-1]
-    inner = _lattice(forward, edge_length)
-    if len(inner):
-        inner = _smooth(forward, inner, edge_length)
-    faces = _conforming_delaunay(np.concatenate([_bulged(forward), inner]), len(forward))
-    points = np.concatenate([forward, inner])
-    if area < 0:
-        count = len(boundary)
-        renumber = np.arange(len(points), dtype=np.int32)
-        renumber[:count] = count - 1 - renumber[:count]
-        points = np.concatenate([boundary, inner])
-        faces = renumber[faces][:, ::-1]
-    return points, np.ascontiguousarray(faces, dtype=np.int32)
+    points, faces, _ = triangulate_polygons([boundary], edge_length, [""])
+    return points, faces
 
 
-def _signed_area(points: Floats) -> float:
+def triangulate_polygons(
+    boundaries: Sequence[Floats], edge_length: float, names: Sequence[str]
+) -> tuple[Floats, Ints, Longs]:
+    """Fills several polygons as `triangulate_polygon` does one; the steps they share run on all at once.
+
+    Args:
+        boundaries: Closed polygons (n, 2), cm.
+        edge_length: Target length of inner edges, cm.
+        names: What errors call the polygons; an empty name is left out.
+
+    Returns:
+        Points of all polygons one after the other, each polygon's boundary first; faces (f, 3) wound like
+        their boundary, in the order of the polygons; and where each polygon's points start (p + 1,).
+    """
+    counts = np.array([len(b) for b in boundaries], np.int64)
+    clockwise = [signed_area(b) < 0 for b in boundaries]
+    forward = [b[::-1] if turned else b for b, turned in zip(boundaries, clockwise, strict=True)]
+    bulged = np.split(_bulged(np.concatenate(forward), counts), np.cumsum(counts)[:-1])
+    pieces, faces, neighbors, following, starts, triangles = [], [], [], [], [0], 0
+    for k, boundary in enumerate(forward):
+        try:
+            inner = _lattice(boundary, edge_length)
+            found = _conforming_delaunay(np.concatenate([bulged[k], inner]), len(boundary))
+        except GeometryError as error:
+            raise GeometryError(f"Panel '{names[k]}': {error}" if names[k] else str(error)) from error
+        pieces += [boundary, inner]
+        for gathered, own, offset in zip(
+            (faces, neighbors, following), found, (starts[-1], triangles, starts[-1]), strict=True
+        ):
+            gathered.append(np.where(own < 0, -1, own + offset))
+        starts.append(starts[-1] + len(boundary) + len(inner))
+        triangles += len(faces[-1])
+    points, every, after = np.concatenate(pieces), np.concatenate(faces), np.concatenate(following)
+    kept = every[interior_triangles(every, np.concatenate(neighbors), after)]
+    points = smooth(points, kept, after >= 0)
+
+    renumber = np.arange(len(points))
+    turned = np.repeat(clockwise, np.diff(starts))
+    for k in np.flatnonzero(clockwise):
+        own = slice(starts[k], starts[k] + counts[k])
+        renumber[own] = renumber[own][::-1]
+    kept = renumber[kept]
+    kept[turned[kept[:, 0]]] = kept[turned[kept[:, 0]]][:, ::-1]
+    return points[renumber], np.ascontiguousarray(kept, np.int32), np.array(starts)
+
+
+def signed_area(points: Floats) -> float:
+    """Area of a closed polygon (n, 2), positive when it runs counter-clockwise."""
     x, y = (points - points.mean(axis=0)).T
     return float(x @ np.roll(y, -1) - np.roll(x, -1) @ y) / 2
 
 
-def _bulged(boundary: Floats) -> Floats:
-    """The outline (counter-clockwise) with every straight run bent outwards by a ten-thousandth.
+def _bulged(points: Floats, counts: Longs) -> Floats:
+    """Outlines (counter-clockwise) with every straight run bent outwards by a ten-thousandth of its length.
 
     Exactly straight rows of points leave Delaunay with triangles of no area, whose winding is chance.
+
+    Args:
+        points: (n, 2) outlines one after the other, cm.
+        counts: (p,) points of each.
     """
-    ahead = np.roll(boundary, -1, axis=0) - boundary
-    length = np.linalg.norm(ahead, axis=1)
+    start = np.repeat(np.cumsum(counts) - counts, counts)
+    size = np.repeat(counts, counts)
+    own = np.arange(len(points)) - start
+    ahead = points[start + (own + 1) % size] - points
+    length = np.hypot(ahead[:, 0], ahead[:, 1])
     unit = ahead / np.maximum(length, 1e-12)[:, None]
-    behind = np.roll(unit, 1, axis=0)
+    behind = unit[start + (own - 1) % size]
     turn = behind[:, 0] * unit[:, 1] - behind[:, 1] * unit[:, 0]
-    corners = np.flatnonzero((np.abs(turn) > 1e-5) | ((behind * unit).sum(axis=1) < 0))
-    if len(corners) < 2:
-        return boundary
-    bulged = boundary.copy()
-    for first, last in zip(corners, np.roll(corners, -1), strict=True):
-        count = (last - first) % len(boundary)
-        if count < 2:
-            continue
-        run = (first + np.arange(count)) % len(boundary)
-        way = np.concatenate([[0.0], np.cumsum(length[run])])
-        t = way[1:-1] / way[-1]
-        outward = np.array([unit[first, 1], -unit[first, 0]])
-        bulged[run[1:]] += (_BULGE * way[-1] * 4 * t * (1 - t))[:, None] * outward
+    corner = (np.abs(turn) > 1e-5) | ((behind * unit).sum(axis=1) < 0)
+    # Every outline is read from its first corner on, so that no run wraps around its end.
+    first = np.array([int(np.argmax(c)) for c in np.split(corner, np.cumsum(counts)[:-1])])
+    order = start + (own + np.repeat(first, counts)) % size
+    several = np.add.reduceat(corner, np.cumsum(counts) - counts) >= 2
+    begins = np.flatnonzero(corner[order] | (own == 0))
+    run = np.cumsum(np.isin(np.arange(len(points)), begins)) - 1
+    way = np.concatenate([[0.0], np.cumsum(length[order])])
+    run_start, run_end = way[begins], way[np.append(begins[1:], len(points))]
+    whole = (run_end - run_start)[run]
+    t = (way[:-1] - run_start[run]) / np.maximum(whole, 1e-300)
+    side = unit[order[begins]][run]
+    push = _BULGE * whole * 4 * t * (1 - t) * np.repeat(several, counts)
+    bulged = points.copy()
+    bulged[order] += push[:, None] * np.stack([side[:, 1], -side[:, 0]], axis=1)
     return bulged
 
 
 def _lattice(boundary: Floats, edge_length: float) -> Floats:
     """Points of a triangular lattice that lie well inside the polygon, (k, 2)."""
-    polygon = shapely.Polygon(boundary)
+    if len(boundary) < 3:
+        raise GeometryError(f"An outline needs 3 points, got {len(boundary)}. Run: swifttailor check PATTERN")
+    core = shapely.Polygon(boundary).buffer(-_CLEARANCE * edge_length, quad_segs=4)
+    if core.is_empty:
+        return np.zeros((0, 2))
     low, high = boundary.min(axis=0), boundary.max(axis=0)
     rows = np.arange(low[1], high[1], edge_length * math.sqrt(3) / 2)
     columns = np.arange(low[0], high[0] + edge_length, edge_length)
     x, y = np.meshgrid(columns, rows)
     x[1::2] -= edge_length / 2
-    points = np.stack([x.ravel(), y.ravel()], axis=1)
-    if not len(points):
-        return np.zeros((0, 2))
-    core = polygon.buffer(-_CLEARANCE * edge_length, quad_segs=4)
     shapely.prepare(core)
-    points = points[shapely.contains_xy(core, points[:, 0], points[:, 1])]
+    inside = shapely.contains_xy(core, x.ravel(), y.ravel())
+    points = np.stack([x.ravel()[inside], y.ravel()[inside]], axis=1)
     # A trace of noise keeps lattice points off common circles, where Delaunay is not unique.
     return points + np.random.default_rng(0).normal(0.0, 1e-4 * edge_length, points.shape)
 
 
-def _smooth(boundary: Floats, inner: Floats, edge_length: float) -> Floats:
-    """Moves inner points towards their neighbours' mean; points that end too near the outline go."""
-    count = len(boundary)
-    points = np.concatenate([boundary, inner])
-    polygon = shapely.Polygon(boundary)
-    shapely.prepare(polygon)
-    for _ in range(_SMOOTHING_ROUNDS):
-        faces = _delaunay(points)
-        centers = points[faces].mean(axis=1)
-        faces = faces[shapely.contains_xy(polygon, centers[:, 0], centers[:, 1])]
-        total, weight = np.zeros_like(points), np.zeros(len(points))
-        for k in range(3):
-            for step in (1, 2):
-                np.add.at(total, faces[:, k], points[faces[:, (k + step) % 3]])
-            np.add.at(weight, faces[:, k], 2)
-        moved = weight > 0
-        moved[:count] = False
-        points[moved] = total[moved] / weight[moved, None]
-    inner = points[count:]
-    core = polygon.buffer(-0.35 * edge_length, quad_segs=4)
-    return inner[shapely.contains_xy(core, inner[:, 0], inner[:, 1])]
+def _conforming_delaunay(points: Floats, boundary_count: int) -> tuple[Longs, Longs, Longs]:
+    """Triangulates the convex hull of points, of which the first so many form the boundary.
 
-
-def _delaunay(points: Floats) -> NDArray[np.int64]:
+    Returns:
+        Faces, neighbours and following as `recover_edges` has them; every boundary edge is among the faces.
+    """
     scale = np.ptp(points, axis=0).max()
     try:
-        return Delaunay((points - points.mean(axis=0)) / max(scale, 1e-9)).simplices.astype(np.int64)
+        found = Delaunay((points - points.mean(axis=0)) / max(scale, 1e-9))
     except (QhullError, ValueError) as error:
         raise GeometryError(
             f"A panel outline of {len(points)} points is too thin or degenerate to triangulate. "
             "Run: swifttailor check PATTERN"
         ) from error
-
-
-def _conforming_delaunay(points: Floats, boundary_count: int) -> NDArray[np.int64]:
-    faces = _delaunay(points)
+    faces, neighbors = found.simplices.astype(np.int64), found.neighbors.astype(np.int64)
     corners = points[faces]
     u, w = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     clockwise = u[:, 0] * w[:, 1] - u[:, 1] * w[:, 0] < 0
     faces[clockwise] = faces[clockwise][:, ::-1]
-    start = np.arange(boundary_count)
-    boundary = np.stack([start, (start + 1) % boundary_count], axis=1)
-    return interior_triangles(recover_edges(points, faces, boundary), boundary)
+    neighbors[clockwise] = neighbors[clockwise][:, ::-1]
+    following = np.full(len(points), -1)
+    following[:boundary_count] = (np.arange(boundary_count) + 1) % boundary_count
+    return *recover_edges(points, faces, neighbors, following), following

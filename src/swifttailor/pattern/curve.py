@@ -318,7 +318,8 @@ def _bezier_roots(coefficients: Array) -> list[float]:
 
 
 @lru_cache(maxsize=1)
-def _gauss() -> tuple[Array, Array]:
+def gauss_rule() -> tuple[Array, Array]:
+    """Nodes in [0, 1] and weights of the quadrature along a curve."""
     nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
     return (nodes + 1) / 2, weights / 2
 
@@ -328,7 +329,7 @@ def _speed(control: Array, t: Array) -> Array:
 
 
 def _interval_lengths(control: Array, low: Array, high: Array) -> Array:
-    nodes, weights = _gauss()
+    nodes, weights = gauss_rule()
     t = low[:, None] + (high - low)[:, None] * nodes
     return (_speed(control, t.ravel()).reshape(t.shape) @ weights) * (high - low)
 
