@@ -117,7 +117,7 @@ def _along_edges(
     pixel = np.flatnonzero(raster.edge >= 0)
     edge = raster.edge[pixel]
     segments = lengths[edge] - 1
-    position = np.clip(raster.fraction[pixel], 0.0, 1.0) * segments
+    position = raster.fraction[pixel] * segments
     before = np.minimum(position.astype(np.int64), segments - 1)
     t = position - before
     vertices[pixel] = along[(start[edge] + before)[:, None] + [0, 1, 1]]

@@ -44,7 +44,7 @@ def encode(
     *,
     gutter: int = 2,
     cm_per_pixel: float | None = None,
-    packing: str = "rows",
+    packing: str = "skyline",
 ) -> GarmentGeometryImage:
     """Draws a pattern (semantic and stitching image) or a garment (all three).
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from swifttailor.errors import InputError
 from swifttailor.ggi.outlines import Outlines, trace_outlines
-from swifttailor.ggi.packing import Packing, pack_rows
+from swifttailor.ggi.packing import Packing, pack_rows, pack_skyline
 from swifttailor.pattern import Pattern
 
 if TYPE_CHECKING:
@@ -27,8 +27,9 @@ BORDER = 1
 """Free pixels along the sides of the image."""
 SCALE_STEP = 1.0005
 """Scales that are tried lie this factor apart."""
-MAX_CM_PER_PIXEL = 1e4
-PACKINGS: dict[str, Packing] = {"rows": pack_rows}
+MAX_CM_PER_PIXEL = 1e8
+PACKINGS: dict[str, tuple[Packing, ...]] = {"skyline": (pack_rows, pack_skyline), "rows": (pack_rows,)}
+"""What is tried under each name, each for a finer scale than those before it have reached."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,6 +51,24 @@ class Layout:
     mirrored: NDArray[np.bool_]
     """(p,) whether local x runs from right to left."""
 
+    def __post_init__(self) -> None:
+        origins = np.array(self.origins, np.float64)
+        mirrored = np.array(self.mirrored, np.bool_)
+        count = len(self.pattern.panels)
+        if origins.shape != (count, 2) or mirrored.shape != (count,):
+            raise InputError(
+                f"A layout of {count} panels has origins of shape ({count}, 2) and mirrored of shape "
+                f"({count},), got {origins.shape} and {mirrored.shape}."
+            )
+        if not (np.isfinite(origins).all() and 0 < self.cm_per_pixel <= MAX_CM_PER_PIXEL):
+            raise InputError(
+                "A layout's origins must be finite numbers and its scale positive, at most "
+                f"{MAX_CM_PER_PIXEL:g} cm per pixel; the scale is {self.cm_per_pixel!r}."
+            )
+        origins.flags.writeable = mirrored.flags.writeable = False
+        object.__setattr__(self, "origins", origins)
+        object.__setattr__(self, "mirrored", mirrored)
+
     def to_pixels(self, panel_index: int | Ints, local_points: ArrayLike) -> Floats:
         """Pixel coordinates (n, 2) of points (n, 2) in panel-local cm; one panel index, or one per point."""
         points = np.asarray(local_points, np.float64)
@@ -69,6 +88,11 @@ class Layout:
         """The panels' outlines, panel-local."""
         return trace_outlines(self.pattern)
 
+    def _with(self, outlines: Outlines) -> Layout:
+        """This layout with outlines that were traced before."""
+        self.__dict__["outlines"] = outlines
+        return self
+
     @cached_property
     def boxes(self) -> Ints:
         """(p, 4) first column, first row, last column, last row (inclusive) of the pixels of each panel."""
@@ -78,6 +102,10 @@ class Layout:
         return np.concatenate([np.floor(ends.min(axis=0)), np.floor(ends.max(axis=0))], axis=1).astype(
             np.int64
         )
+
+    def local_points(self) -> Floats:
+        """(n, 2) panel-local cm of the points that the occupied pixels of `raster` stand for."""
+        return self.to_local(self.raster.pixel_panel.astype(np.int64), self.raster.points)
 
     @cached_property
     def raster(self) -> LayoutRaster:
@@ -93,19 +121,19 @@ def lay_out(
     *,
     gutter: int = 2,
     cm_per_pixel: float | None = None,
-    packing: str = "rows",
+    packing: str = "skyline",
 ) -> Layout:
     """Packs the panels of a pattern into a square image (paper, Alg. 1).
 
-    The boxes of the panels are sorted by decreasing height, then width. The largest scale at which they fit
-    is found by binary search over a fixed ladder of scales, so that equal patterns give equal layouts.
+    The boxes of the panels are sorted by decreasing height, then width. The finest scale at which they fit is
+    found by binary search over a fixed ladder of scales, so that equal patterns give equal layouts.
 
     Args:
         pattern: Brought into canonical order first.
         resolution: Pixels along each side, 16 to 4096.
         gutter: Free pixels kept between any two panels.
-        cm_per_pixel: A scale to use instead of the largest possible one.
-        packing: ``rows``, as in the paper.
+        cm_per_pixel: A scale to use instead of the finest possible one.
+        packing: ``rows``, as in the paper, or ``skyline``, which is never worse.
 
     Raises:
         InputError: An argument is out of range, or the panels do not fit.
@@ -114,59 +142,70 @@ def lay_out(
     pattern = pattern.canonical()
     outlines = trace_outlines(pattern)
     low, high = outlines.bounds
-    extent = high - low
-    order = np.lexsort((np.arange(len(extent)), -extent[:, 0], -extent[:, 1]))
-    side = resolution - 2 * BORDER + gutter
-    place = PACKINGS[packing]
-
-    def corners_at(scale: float) -> Ints | None:
-        # The first pixel's centre lies on the box's lower corner. The tiny excess keeps a box whose size is
-        # a whole number of pixels from being rounded both ways.
-        sizes = np.floor(extent[order] / scale + (0.5 + 1e-9)).astype(np.int64) + 1
-        return place(sizes + gutter, side)
-
-    if cm_per_pixel is None:
-        cm_per_pixel, corners = _largest_scale(corners_at, extent, resolution)
-    else:
-        corners = corners_at(cm_per_pixel)
-        if corners is None:
-            needed = _largest_scale(corners_at, extent, resolution)[0]
+    boxes = _Boxes(high - low, resolution, gutter)
+    corners = None
+    if cm_per_pixel is not None:
+        found = (boxes.place(place, cm_per_pixel) for place in PACKINGS[packing])
+        corners = next((c for c in found if c is not None), None)
+    if cm_per_pixel is None or corners is None:
+        finest, corners = boxes.place_finest(PACKINGS[packing])
+        if cm_per_pixel is not None and cm_per_pixel < finest:
             raise InputError(
-                f"At {cm_per_pixel:g} cm per pixel the {len(extent)} panels do not fit into {resolution} x "
-                f"{resolution} pixels; at {needed:.4g} they do. Give that many cm per pixel, a higher "
+                f"At {cm_per_pixel:g} cm per pixel the {len(low)} panels do not fit into {resolution} x "
+                f"{resolution} pixels; from {finest:.4g} on they do. Give that many cm per pixel, a higher "
                 "resolution, or no scale at all."
             )
+        # What fits at a finer scale fits in the same places at a coarser one.
+        cm_per_pixel = finest if cm_per_pixel is None else cm_per_pixel
     mirrored = outlines.signed_area < 0
     # What lies lowest and leftmost after mirroring.
     nearest = np.stack([np.where(mirrored, -high[:, 0], low[:, 0]), low[:, 1]], axis=1)
-    origins = np.zeros_like(extent)
-    origins[order] = corners + (BORDER + 0.5)
-    layout = Layout(pattern, resolution, float(cm_per_pixel), origins - nearest / cm_per_pixel, mirrored)
-    layout.__dict__["outlines"] = outlines  # what the cached property would compute again
-    return layout
+    # The centre of a panel's first pixel lies on the corner of its box.
+    origins = corners + (BORDER + 0.5) - nearest / cm_per_pixel
+    return Layout(pattern, resolution, float(cm_per_pixel), origins, mirrored)._with(outlines)
 
 
-def _largest_scale(
-    corners_at: Callable[[float], Ints | None], extent: Floats, resolution: int
-) -> tuple[float, Ints]:
-    """The finest scale of the ladder at which the boxes fit, in cm per pixel, and their corners."""
-    finest = max(float(np.sqrt(extent.prod(axis=1).sum())), float(extent.max()), 1e-6) / resolution
-    low, high = 0, int(np.ceil(np.log(MAX_CM_PER_PIXEL / finest) / np.log(SCALE_STEP)))
-    if corners_at(MAX_CM_PER_PIXEL) is None:
-        raise InputError(
-            f"{len(extent)} panels do not fit into {resolution} x {resolution} pixels, however small they "
-            "are drawn. Give a higher resolution or a smaller gutter."
-        )
-    while low < high:
-        middle = (low + high) // 2
-        if corners_at(finest * SCALE_STEP**middle) is None:
-            low = middle + 1
-        else:
-            high = middle
-    scale = finest * SCALE_STEP**high
-    corners = corners_at(scale)
-    assert corners is not None
-    return scale, corners
+class _Boxes:
+    """The panels' boxes in the order in which they are packed."""
+
+    def __init__(self, extent: Floats, resolution: int, gutter: int) -> None:
+        self.extent = extent
+        self.order = np.lexsort((np.arange(len(extent)), -extent[:, 0], -extent[:, 1]))
+        self.resolution, self.gutter = resolution, gutter
+
+    def place(self, packing: Packing, scale: float) -> Ints | None:
+        """Lower left corners (p, 2) in pixels at a scale in cm per pixel, or None when they do not fit."""
+        # Rounding must not make a box one pixel larger than it is reckoned here, hence the tiny excess.
+        sizes = np.floor(self.extent[self.order] / scale + (0.5 + 1e-6)).astype(np.int64) + 1
+        # The last box of a row needs no gutter, but the sides of the image have a border.
+        placed = packing(sizes + self.gutter, self.resolution - 2 * BORDER + self.gutter)
+        if placed is None:
+            return None
+        corners = np.zeros_like(placed)
+        corners[self.order] = placed
+        return corners
+
+    def place_finest(self, packings: tuple[Packing, ...]) -> tuple[float, Ints]:
+        """The finest scale of the ladder that is found, and the corners there."""
+        area = float(self.extent.prod(axis=1).sum())
+        start = max(math.sqrt(area), float(self.extent.max()), 1e-6) / self.resolution
+        high = math.ceil(math.log(MAX_CM_PER_PIXEL / start) / math.log(SCALE_STEP))
+        best = self.place(packings[0], start * SCALE_STEP**high)
+        if best is None:
+            raise InputError(
+                f"{len(self.extent)} panels do not fit into {self.resolution} x {self.resolution} pixels, "
+                "however small they are drawn. Give a higher resolution or a smaller gutter."
+            )
+        for packing in packings:
+            low = 0
+            while low < high:
+                middle = (low + high) // 2
+                corners = self.place(packing, start * SCALE_STEP**middle)
+                if corners is None:
+                    low = middle + 1
+                else:
+                    high, best = middle, corners
+        return start * SCALE_STEP**high, best
 
 
 def _validate(

@@ -15,6 +15,8 @@ Ints = NDArray[np.int32]
 
 TOLERANCE = 0.005
 """Largest distance in cm between a curved edge and its polyline: a hundredth of a pixel at usual scales."""
+RELATIVE_TOLERANCE = 2e-5
+"""The same for patterns of many metres, as a share of the largest panel: it bounds the number of points."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,12 +79,14 @@ class Outlines:
 
 
 def trace_outlines(pattern: Pattern) -> Outlines:
-    """Traces all edges of a pattern within `TOLERANCE`."""
+    """Traces all edges of a pattern within `TOLERANCE`, or `RELATIVE_TOLERANCE` where that is more."""
+    size = max((float(np.ptp(p.vertices, axis=0).max()) for p in pattern.panels), default=0.0)
+    tolerance = max(TOLERANCE, RELATIVE_TOLERANCE * size)
     points, fractions, edges = [], [], []
     first_edge, panels = [0], []
     for index, panel in enumerate(pattern.panels):
         for k in range(len(panel.edges)):
-            line = panel.flatten_edge(k, TOLERANCE)
+            line = panel.flatten_edge(k, tolerance)
             way = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
             # An edge of no length has no arc length to divide by; its points are one point.
             fractions.append(way / way[-1] if way[-1] > 0 else np.linspace(0.0, 1.0, len(way)))

@@ -17,11 +17,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.errors import InputError
+
 if TYPE_CHECKING:
     from swifttailor.ggi.layout import Layout
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
+
+MAX_CROSSINGS = 20_000_000
+"""Rows and columns that all outlines together may cross: a hundred times what GarmentCode's patterns do at
+4096 pixels."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,12 +71,27 @@ class LayoutRaster:
 
 
 def rasterize_layout(layout: Layout) -> LayoutRaster:
-    """Draws the outlines of a layout; the cost grows with the pixels, not with the panels' size in cm."""
-    outlines = layout.outlines
-    size = layout.resolution
+    """Draws the outlines of a layout; the cost grows with the pixels, not with the panels' size in cm.
+
+    Raises:
+        InputError: The layout's panels reach beyond the image, or their outlines are absurdly long.
+    """
+    outlines, size = layout.outlines, layout.resolution
+    if len(layout.boxes) and (layout.boxes.min() < 0 or layout.boxes.max() >= size):
+        raise InputError(
+            f"The layout does not fit its image of {size} x {size} pixels: panels reach from pixel "
+            f"{layout.boxes.min()} to {layout.boxes.max()}. Make one with lay_out()."
+        )
     at = layout.to_pixels(outlines.panel.astype(np.int64), outlines.points)
+    here, there = outlines.segments
+    crossings = float(np.abs(at[there] - at[here]).sum())
+    if crossings > MAX_CROSSINGS:
+        raise InputError(
+            f"The outlines cross {crossings:.0f} rows and columns of pixels; at most {MAX_CROSSINGS} are "
+            "drawn. Use a lower resolution."
+        )
     contour = _thinned(_contour(at, outlines.edge, outlines.fraction, size))
-    inside = _inside(at, *outlines.segments, size)
+    inside = _inside(at, here, there, size)
 
     panel = np.full((size, size), -1, np.int16)
     for k, (left, bottom, right, top) in enumerate(layout.boxes.tolist()):
@@ -143,7 +164,7 @@ def _contour(at: Floats, edge: Ints, fraction: Floats, size: int) -> _Contour:
     crossing = a[which] + t * step[which]
     crossing[np.arange(len(which)), major[which]] = middle  # exactly, so that rounding moves no sample
     way = fraction[here]
-    along = way[which] + t[:, 0] * (fraction[here + 1] - way)[which]
+    along = np.clip(way[which] + t[:, 0] * (fraction[here + 1] - way)[which], 0.0, 1.0)
 
     # Where an edge turns from running along x to running along y, or back, its samples change from one kind
     # to the other and could leave a pixel out.
