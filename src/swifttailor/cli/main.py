@@ -193,6 +193,12 @@ def _load_convert() -> Runner:
     return _runner(Convert, "convert")
 
 
+def _load_data() -> Runner:
+    from swifttailor.cli.data import run_data
+
+    return run_data
+
+
 COMMANDS: dict[str, Command] = {
     "drape": Command(
         "Sew a pattern together on a body and let it hang: pattern in, 3D garment out.",
@@ -213,6 +219,11 @@ COMMANDS: dict[str, Command] = {
         "Convert a pattern (.svg, .json) or a garment (.glb, .obj, .ply, .stl, .usd).",
         "swifttailor convert IN OUT",
         _load_convert,
+    ),
+    "data": Command(
+        "Data sets to learn from: build them from patterns, verify them, look at them.",
+        "swifttailor data build --patterns FILE... --out DIR    all: swifttailor data --help",
+        _load_data,
     ),
 }
 """In the order in which a newcomer needs them."""

@@ -1,0 +1,181 @@
+"""``swifttailor data build``: patterns to shards of drapes."""
+
+from __future__ import annotations
+
+import math
+import os
+import sys
+from collections import Counter
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import tyro
+
+from swifttailor.errors import InputError
+
+if TYPE_CHECKING:
+    from swifttailor.data.builder.run import Runner
+    from swifttailor.data.index import SplitIndex
+
+SOME_FAILED = 1
+MAX_WORKERS = 1024
+
+
+@dataclass(frozen=True, kw_only=True)
+class DataBuild:
+    """Drape patterns, keep those within the limits of quality, and put them into shards.
+
+    Writes a folder for the split into DIR: index.json, shard-00000-....safetensors, and results.jsonl with a
+    line for every pattern. Stopped at any moment and started again, it goes on where it stopped. The shards
+    are the same, byte for byte, however often that happens and however many workers there are.
+
+    Exit code 0: done; 1: done, but some patterns crashed or took too long (--retry-failed tries them again);
+    2: not done.
+    """
+
+    patterns: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE")]
+    """Files (.jsonl, .jsonl.gz) with one {"id": ..., "pattern": ...} a line, or folders of .json files."""
+    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    """Folder of the data set; created when missing."""
+    split: Annotated[str | None, tyro.conf.arg(metavar="NAME")] = None
+    """Name of the split (train, validation, test); the first file's name without it."""
+    workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """Patterns draped at the same time on this machine; one per processor core without it."""
+    ray: Annotated[str | None, tyro.conf.arg(metavar="ADDRESS")] = None
+    """Drape on a Ray cluster instead (package 'ray'): auto, HOST:PORT, or local."""
+    limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """Only the first N patterns. More can follow later."""
+    fabric: str = "cotton"
+    """cotton, denim, silk or jersey."""
+    edge_length: float = 2.0
+    """Edge length of the cloth's triangles in cm, 0.5 to 10."""
+    engine: Literal["xpbd", "newton"] = "xpbd"
+    """The built-in solver, or Newton (package 'newton') for the last stage."""
+    seed: int = 0
+    """0 gives the same drapes every time; others shift the start by a hundredth of a millimetre."""
+    rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"
+    """How to read the placement angles: as GarmentCode's generator writes them (intrinsic), or as its
+    simulator and older files do (extrinsic)."""
+    repair: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Mend patterns first, as swifttailor check --repair does."""
+    time_limit: Annotated[float, tyro.conf.arg(metavar="SECONDS")] = 600.0
+    """Give a pattern up after this long."""
+    retry_failed: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Try again what crashed or took too long before."""
+
+    def run(self) -> int:
+        """Builds, says what came of it, and returns the exit code.
+
+        Raises:
+            SwiftTailorError: Something is not usable; what was built so far is kept.
+        """
+        self._validate()
+        from swifttailor.cli.data_progress import BuildProgress
+        from swifttailor.data.builder import BuildSettings, build_split
+        from swifttailor.draping.batch import BatchSettings
+        from swifttailor.draping.batch.patterns import count_patterns
+
+        drape = BatchSettings(
+            fabric=self.fabric,
+            edge_length=self.edge_length,
+            engine=self.engine,
+            seed=self.seed,
+            rotation=self.rotation,
+            repair=self.repair,
+            preview=False,
+        )
+        total = sum(count_patterns(p) for p in self.patterns)
+        with BuildProgress(min(total, self.limit or total)) as progress:
+            index = build_split(
+                self.patterns,
+                self.out,
+                self._split(),
+                BuildSettings(drape),
+                runner=self._runner(),
+                limit=self.limit,
+                retry_failed=self.retry_failed,
+                on_start=progress.start,
+                on_record=progress.show,
+            )
+        _print_summary(index, self.out / index.split)
+        return SOME_FAILED if any(r.status == "failed" for s in index.shards for r in s.rejected) else 0
+
+    def _split(self) -> str:
+        name = self.split if self.split is not None else self.patterns[0].name.split(".")[0]
+        if not (name and name.isprintable() and not name.startswith(".") and not set(name) & set("/\\:")):
+            raise InputError(
+                f"The split's name {name!r} cannot be that of a folder. Give another: --split train"
+            )
+        return name
+
+    def _runner(self) -> Runner:
+        if self.ray is not None:
+            from swifttailor.data.builder.run import ATTEMPTS
+            from swifttailor.workers.ray_pool import require_ray, run_tasks_on_ray
+
+            require_ray()
+            return partial(run_tasks_on_ray, address=self.ray, time_limit=self.time_limit, attempts=ATTEMPTS)
+        from swifttailor.data.builder.run import ATTEMPTS
+        from swifttailor.draping.compiled_code import solver_is_compiled
+        from swifttailor.workers import run_tasks
+
+        return partial(
+            run_tasks,
+            workers=self.workers or available_cores(),
+            time_limit=self.time_limit,
+            first_alone=not solver_is_compiled(),
+            attempts=ATTEMPTS,
+        )
+
+    def _validate(self) -> None:
+        """Refuses what cannot work before anything is loaded."""
+        from swifttailor.cli.drape import MAX_EDGE_CM, MIN_EDGE_CM
+
+        if not self.patterns:
+            raise InputError("No patterns were given. Give at least one file: --patterns FILE")
+        self._split()
+        if self.ray is not None and self.workers is not None:
+            raise InputError("--workers and --ray exclude each other: a Ray cluster uses all of its cores.")
+        if not (math.isfinite(self.edge_length) and MIN_EDGE_CM <= self.edge_length <= MAX_EDGE_CM):
+            raise InputError(
+                f"--edge-length is {self.edge_length:g}; from {MIN_EDGE_CM:g} to {MAX_EDGE_CM:g} cm is "
+                "accepted. 2 is usual, 1 fine, 4 coarse."
+            )
+        if not 0 <= self.seed < 2**63:
+            raise InputError(f"--seed is {self.seed}; a whole number from 0 to 2^63 - 1 is accepted.")
+        if self.workers is not None and not 1 <= self.workers <= MAX_WORKERS:
+            raise InputError(f"--workers is {self.workers}; from 1 to {MAX_WORKERS} is accepted.")
+        if self.limit is not None and self.limit < 1:
+            raise InputError(f"--limit is {self.limit}; a whole number of at least 1 is accepted.")
+        if not (math.isfinite(self.time_limit) and self.time_limit >= 1):
+            raise InputError(f"--time-limit is {self.time_limit:g}; at least 1 second is accepted.")
+
+
+def available_cores() -> int:
+    """Processor cores that this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return max(1, len(os.sched_getaffinity(0)))
+    return os.cpu_count() or 1
+
+
+def _print_summary(index: SplitIndex, folder: Path) -> None:
+    from swifttailor.draping.batch.summary import kind_of_reason
+
+    rejected = [r for s in index.shards for r in s.rejected]
+    accepted = sum(len(s.ids) for s in index.shards)
+    failed = sum(r.status == "failed" for r in rejected)
+    size = sum(s.bytes for s in index.shards)
+    lines = [
+        f"{index.patterns} patterns: {accepted} accepted, {len(rejected) - failed} rejected, "
+        f"{failed} failed.",
+    ]
+    reasons = Counter(kind_of_reason(reason) for r in rejected for reason in r.reasons)
+    lines += [f"  {count:5}  {reason}" for reason, count in reasons.most_common(12)]
+    if accepted:
+        lines.append(
+            f"{size / 1e6:.1f} MB in {len(index.shards)} shards, {size / accepted / 1e3:.1f} KB a sample."
+        )
+    lines.append(f"The split '{index.split}' is in {folder}")
+    sys.stdout.write("\n".join(lines) + "\n")

@@ -1,0 +1,103 @@
+"""One sample of a data set, in a worker process: read, check, drape, judge, pack."""
+
+from __future__ import annotations
+
+import time
+import traceback
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from swifttailor.data.sample import Sample, store_sample
+from swifttailor.data.shard_file import pack_sample
+from swifttailor.draping.batch import BatchSettings
+from swifttailor.draping.batch.make_garment import read_sewable, shared_body
+from swifttailor.draping.batch.patterns import BatchPattern
+from swifttailor.draping.drape import drape
+from swifttailor.errors import MissingExtraError, SwiftTailorError
+from swifttailor.garment_files.folder import plain
+
+ACCEPTED, REJECTED, FAILED = "accepted", "rejected", "failed"
+
+
+@dataclass(frozen=True)
+class SampleTask:
+    """What a worker gets."""
+
+    position: int
+    """Of the pattern in the input."""
+    checksum: str
+    """Of the pattern."""
+    pattern: BatchPattern
+    settings: BatchSettings
+
+
+@dataclass(frozen=True)
+class MadeSample:
+    """What a worker hands back."""
+
+    record: dict[str, Any]
+    """For results.jsonl: position, id, status, reasons, checksum; quality and seconds where draped."""
+    data: bytes = b""
+    """The sample (`pack_sample`), where accepted."""
+
+
+def make_sample(task: SampleTask) -> MadeSample:
+    """Drapes a pattern and packs what came of it.
+
+    Returns:
+        The sample or why there is none. Nothing is raised: whatever goes wrong is in the record.
+    """
+    try:
+        return _make(task)
+    except MissingExtraError as error:  # not the pattern's fault
+        return not_made(task, FAILED, str(error))
+    except SwiftTailorError as error:
+        return not_made(task, REJECTED, f"{type(error).__name__}: {error}")
+    except Exception as error:
+        last = traceback.extract_tb(error.__traceback__)[-1]
+        place = f"{Path(last.filename).name}:{last.lineno}"
+        return not_made(task, FAILED, f"{type(error).__name__}: {error} (at {place})")
+
+
+def not_made(task: SampleTask, status: str, reason: str) -> MadeSample:
+    """The record of a pattern that gave no drape."""
+    return MadeSample(_record(task, status, [reason]))
+
+
+def _record(task: SampleTask, status: str, reasons: list[str]) -> dict[str, Any]:
+    return {
+        "position": task.position,
+        "id": task.pattern.id,
+        "status": status,
+        "reasons": reasons,
+        "checksum": task.checksum,
+    }
+
+
+def _make(task: SampleTask) -> MadeSample:
+    settings = task.settings
+    started = time.perf_counter()
+    sewable = read_sewable(task.pattern, settings)
+    body = shared_body(settings)
+    loading = time.perf_counter() - started
+    garment = drape(
+        sewable.pattern,
+        body=body,
+        fabric=settings.fabric,
+        edge_length=settings.edge_length,
+        engine=settings.engine,
+        seed=settings.seed,
+    )
+    report = plain(sewable.complete_report(garment.report, loading))
+    quality = report["quality"]
+    status = ACCEPTED if quality["accepted"] else REJECTED
+    measured = {name: report[name] for name in ("quality", "panels", "stitches", "vertices", "seconds")}
+    record = _record(task, status, list(quality["reasons"])) | measured
+    if status == REJECTED:
+        return MadeSample(record)
+    about = {"source": Path(task.pattern.source).name, "quality": quality}
+    if "mended" in report:
+        about["mended"] = report["mended"]
+    sample = Sample.of_garment(task.pattern.id, garment, settings.edge_length, about)
+    return MadeSample(record, pack_sample(store_sample(sample)))
