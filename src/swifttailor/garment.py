@@ -96,6 +96,17 @@ class Garment:
         vertices.flags.writeable = False
         object.__setattr__(self, "vertices", vertices)
 
+    @classmethod
+    def load(cls, folder: Path | str) -> Garment:
+        """Reads back what `save` has written.
+
+        Raises:
+            InputError: The folder's files are missing, unreadable, or do not belong together.
+        """
+        from swifttailor.garment_files.folder_reader import load_folder
+
+        return load_folder(folder)
+
     @property
     def pattern(self) -> Pattern:
         """The pattern it was sewn from."""

@@ -109,6 +109,7 @@ def drape(
         "engine": engine,
         "fabric": fabric.name,
         "edge_length_cm": edge_length,
+        "rotation": pattern.panels[0].placement.reading,
         "seed": seed,
         "body": body.name,
         "vertices": mesh.vertex_count,
