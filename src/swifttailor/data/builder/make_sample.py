@@ -96,7 +96,7 @@ def _make(task: SampleTask) -> MadeSample:
     record = _record(task, status, list(quality["reasons"])) | measured
     if status == REJECTED:
         return MadeSample(record)
-    about = {"source": Path(task.pattern.source).name, "quality": quality}
+    about = {"source": task.pattern.source, "quality": quality}
     if "mended" in report:
         about["mended"] = report["mended"]
     sample = Sample.of_garment(task.pattern.id, garment, settings.edge_length, about)

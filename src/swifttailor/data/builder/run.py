@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 from swifttailor.data.builder.make_sample import (
-    ACCEPTED,
     FAILED,
     REJECTED,
     MadeSample,
@@ -144,7 +143,7 @@ class _Work:
                 continue
             part.missing.add(position)
             if task.pattern.error:
-                reason = f"Unreadable: {pattern.source}: {task.pattern.error}"
+                reason = f"Unreadable: {task.pattern.source}: {task.pattern.error}"
                 self.take_in(not_made(task, REJECTED, reason))
             else:
                 yield task
@@ -211,10 +210,9 @@ def _chain(first: BatchPattern, rest: Iterator[BatchPattern]) -> Iterator[BatchP
 
 def _with_content(pattern: BatchPattern) -> BatchPattern:
     """The pattern with its text instead of its file: workers may be on other machines."""
+    pattern = replace(pattern, source=Path(pattern.source).name)  # data sets hold no paths
     if pattern.path is None or pattern.error:
         return pattern
-    pattern = replace(pattern, source=pattern.path.name)
-    assert pattern.path is not None
     try:
         content = pattern.path.read_bytes().removeprefix(b"\xef\xbb\xbf")
     except OSError as error:

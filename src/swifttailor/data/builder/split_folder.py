@@ -146,7 +146,7 @@ class SplitFolder:
             ),
         )
         self._save_index(complete=False)
-        if before is not None and before.file != self._shards[number].file:
+        if before is not None and before.file and before.file != self._shards[number].file:
             (self.folder / before.file).unlink(missing_ok=True)
         for record in records:
             self._sample_path(record["position"]).unlink(missing_ok=True)

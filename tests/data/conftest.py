@@ -1,0 +1,30 @@
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from swifttailor.pattern.drafts import draft
+from swifttailor.pattern.garmentcode_writer import to_specification
+
+
+@pytest.fixture(scope="session")
+def specification() -> dict:
+    """A small pattern."""
+    return to_specification(draft("fitted-skirt"))
+
+
+@pytest.fixture
+def patterns_file(tmp_path, specification):
+    """Writes a file of patterns with the given ids; each pattern is a little different."""
+
+    def write(*ids: str, name: str = "patterns.jsonl") -> Path:
+        lines = []
+        for id in ids:
+            lines.append(json.dumps({"id": id, "pattern": specification, "note": f"of {id}"}))
+        path = tmp_path / name
+        path.write_text("".join(line + "\n" for line in lines))
+        return path
+
+    return write
