@@ -1,0 +1,116 @@
+"""Which part of the garment each panel is: by its name where that says it, else by label and place."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Literal
+
+import numpy as np
+
+from swifttailor.pattern import Panel, Pattern, body_region
+from swifttailor.pattern.drafts.figure import Figure
+
+Side = Literal["left", "right", "middle"]
+Face = Literal["front", "back"]
+
+
+class Part(StrEnum):
+    """What a panel is in a garment."""
+
+    TORSO = "torso"
+    SLEEVE = "sleeve"
+    CUFF = "cuff"
+    """Below a sleeve."""
+    HOOD = "hood"
+    COLLAR = "collar"
+    WAISTBAND = "waistband"
+    SKIRT = "skirt"
+    GODET = "godet"
+    """A wedge let into the hem of a skirt."""
+    TROUSER = "trouser"
+    LEG_CUFF = "leg cuff"
+    """Below a trouser leg."""
+
+
+ARM_PARTS = frozenset({Part.SLEEVE, Part.CUFF})
+LEG_PARTS = frozenset({Part.TROUSER, Part.LEG_CUFF})
+SKIRT_PARTS = frozenset({Part.SKIRT, Part.GODET})
+LOWER_PARTS = LEG_PARTS | SKIRT_PARTS
+UPPER_PARTS = ARM_PARTS | {Part.TORSO, Part.HOOD, Part.COLLAR}
+
+# Tried in this order: a cuff of GarmentCode may be called `sl_left_cuff_skirt_f`.
+_NAMES: tuple[tuple[re.Pattern[str], Part], ...] = tuple(
+    (re.compile(pattern, re.IGNORECASE), part)
+    for pattern, part in (
+        (r"hood", Part.HOOD),
+        (r"pant.*cuff|leg.*cuff|trouser.*cuff", Part.LEG_CUFF),
+        (r"cuff", Part.CUFF),
+        (r"sleeve", Part.SLEEVE),
+        (r"collar|lapel", Part.COLLAR),
+        (r"(^|_)wb(_|$)|waist_?band|belt", Part.WAISTBAND),
+        (r"(^|_)ins_|godet", Part.GODET),
+        (r"pant|trouser|shorts", Part.TROUSER),
+        (r"skirt", Part.SKIRT),
+        (r"torso|bodice|yoke", Part.TORSO),
+    )
+)
+_LEFT = re.compile(r"(^|_)(left|l)(_|$)", re.IGNORECASE)
+_RIGHT = re.compile(r"(^|_)(right|r)(_|$)", re.IGNORECASE)
+_MIDDLE_CM = 2.0
+
+
+@dataclass(frozen=True)
+class PlacedPart:
+    """A panel's part and on which side of the body it lies."""
+
+    panel: Panel
+    part: Part
+    side: Side
+    """The wearer's."""
+    face: Face
+
+
+def named_part(name: str) -> Part | None:
+    """The part that a panel's name speaks of; None when it says nothing."""
+    return next((part for pattern, part in _NAMES if pattern.search(name)), None)
+
+
+def find_parts(pattern: Pattern, figure: Figure, two_legs: bool) -> dict[str, PlacedPart]:
+    """Finds the part of every panel.
+
+    Args:
+        pattern: Any pattern.
+        figure: The body it is placed around.
+        two_legs: Whether the lower end of the garment has two openings side by side; tells trousers from
+            skirts where names do not.
+    """
+    return {
+        p.name: PlacedPart(p, _part(p, figure, two_legs), _side(p), "back" if p.normal()[2] < 0 else "front")
+        for p in pattern.panels
+    }
+
+
+def _part(panel: Panel, figure: Figure, two_legs: bool) -> Part:
+    named = named_part(panel.name)
+    if named is not None:
+        return named
+    region = body_region(panel.name, panel.label)
+    if region == "arm":
+        return Part.SLEEVE
+    top = float(panel.to_world(panel.vertices)[:, 1].max())
+    if region == "body" and top > figure.waist_y + 5.0:
+        return Part.TORSO
+    return Part.TROUSER if two_legs else Part.SKIRT
+
+
+def _side(panel: Panel) -> Side:
+    """From the name where it says, else from where the middle of the panel is placed."""
+    left, right = bool(_LEFT.search(panel.name)), bool(_RIGHT.search(panel.name))
+    if left != right:
+        return "left" if left else "right"
+    x = float(np.mean(panel.to_world(panel.outline(0.5))[:, 0]))
+    if abs(x) < _MIDDLE_CM:
+        return "middle"
+    return "left" if x > 0 else "right"

@@ -1,0 +1,63 @@
+"""How wide placed panels are where a plane cuts them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from swifttailor.pattern import Panel
+
+Floats = NDArray[np.float64]
+_OUTLINE_CM = 0.05
+
+
+def width_in_plane(panel: Panel, normal: ArrayLike, offset: float) -> float:
+    """Length of the cut that a plane makes through a placed panel; notches and darts are left out, cm.
+
+    Args:
+        panel: Any panel.
+        normal: (3,) unit normal of the plane in the world.
+        offset: The plane holds the points whose product with `normal` is this, cm.
+    """
+    points = panel.outline(_OUTLINE_CM)
+    across = panel.placement.matrix()[:, :2].T @ np.asarray(normal, np.float64)
+    size = float(np.hypot(*across))
+    if size < 1e-6:
+        return 0.0
+    height = panel.to_world(points) @ np.asarray(normal, np.float64) - offset
+    height[height == 0.0] = 1e-12  # a corner on the plane belongs to one side
+    following = np.roll(height, -1)
+    crossing = (height > 0) != (following > 0)
+    t = (height / (height - np.where(crossing, following, height - 1.0)))[crossing]
+    ends = np.roll(points, -1, axis=0)[crossing]
+    cuts = points[crossing] * (1 - t)[:, None] + ends * t[:, None]
+    along = np.array([-across[1], across[0]]) / size
+    places = np.sort(cuts @ along)
+    return float((places[1::2] - places[::2]).sum())
+
+
+def half_width(panel: Panel, level: float) -> float:
+    """How far a placed panel reaches from its side of the middle to its outer edge at a height, cm.
+
+    Necklines and darts on the way are passed over, so that a bodice can be measured through them. For a
+    panel across the middle it is the whole distance between its outer edges.
+    """
+    points = panel.to_world(panel.outline(_OUTLINE_CM))
+    x, height = points[:, 0], points[:, 1] - level
+    following = np.roll(height, -1)
+    crossing = (height > 0) != (following > 0)
+    if not crossing.any():
+        return 0.0
+    t = height[crossing] / (height[crossing] - following[crossing])
+    cuts = x[crossing] * (1 - t) + np.roll(x, -1)[crossing] * t
+    low, high = float(x.min()), float(x.max())
+    if min(-low, high) > 0.2 * (high - low):  # across the middle
+        return float(np.ptp(cuts))
+    return float(cuts.max() - low if high > -low else high - cuts.min())
+
+
+def girth_at(panels: Iterable[Panel], level: float) -> float:
+    """Widths of some placed panels at a height together, cm."""
+    return sum(width_in_plane(p, (0.0, 1.0, 0.0), level) for p in panels)
