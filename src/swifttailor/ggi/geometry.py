@@ -43,9 +43,7 @@ class GeometryRaster:
         count = len(self.vertices)
         welded = self.mesh.weld[self.vertices].ravel()
         rows = np.arange(0, 3 * count + 1, 3)
-        matrix = csr_array((self.weights.ravel(), welded, rows), shape=(count, self.mesh.vertex_count))
-        matrix.sum_duplicates()
-        return matrix
+        return csr_array((self.weights.ravel(), welded, rows), shape=(count, self.mesh.vertex_count))
 
     def values(self, vertices: Floats) -> Floats:
         """(n, 3) cm: positions at the occupied pixels, from the (v, 3) welded vertices of a drape."""
@@ -138,34 +136,38 @@ def _inside_faces(
     extent = np.maximum(high - low + 1, 0)
     count = extent.prod(axis=1)
     parts = np.searchsorted(np.cumsum(count), np.arange(_CANDIDATES, count.sum() + _CANDIDATES, _CANDIDATES))
+    slopes = _slopes(corners)
     for part in np.split(np.arange(len(faces)), np.unique(parts[:-1]) + 1):
         face = np.repeat(part, count[part])
         step = np.arange(len(face)) - np.repeat(np.cumsum(count[part]) - count[part], count[part])
-        column = low[face, 0] + step % extent[face, 0]
-        row = low[face, 1] + step // extent[face, 0]
+        row, column = np.divmod(step, extent[face, 0])
+        row += low[face, 1]
+        column += low[face, 0]
         target = slot[row * size + column]
-        wanted = target >= 0
+        wanted = np.flatnonzero(target >= 0)
         face, target = face[wanted], target[wanted]
-        center = np.stack([column[wanted] + 0.5, row[wanted] + 0.5], axis=1)
-        share = _barycentric(corners[face], center)
-        good = (share >= -_ON_EDGE).all(axis=1)  # false for a face without area, whose shares are NaN
+        x, y = column[wanted] + 0.5 - corners[face, 0, 0], row[wanted] + 0.5 - corners[face, 0, 1]
+        (bx, by), (cx, cy) = slopes[:, :, face]
+        b, c = bx * x + by * y, cx * x + cy * y
+        share = np.stack([1 - b - c, b, c])
+        good = (share >= -_ON_EDGE).all(axis=0)  # false for a face without area, whose shares are NaN
         good &= raster.pixel_panel[target] == flat_panel[faces[face, 0]]
-        face, target, share = face[good], target[good], share[good]
-        first = np.unique(target, return_index=True)[1]
-        first = first[vertices[target[first], 0] < 0]
-        vertices[target[first]] = faces[face[first]]
-        weights[target[first]] = share[first]
+        good &= vertices[target, 0] < 0
+        # Of repeated indices numpy keeps the last value.
+        good = np.flatnonzero(good)[::-1]
+        vertices[target[good]] = faces[face[good]]
+        weights[target[good]] = share[:, good].T
 
 
-def _barycentric(corners: Floats, points: Floats) -> Floats:
-    """Barycentric coordinates (n, 3) of points (n, 2) in triangles (n, 3, 2); NaN without area."""
-    a = corners[:, 0]
-    u, v, w = corners[:, 1] - a, corners[:, 2] - a, points - a
-    area = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+def _slopes(corners: Floats) -> Floats:
+    """How the last two barycentric coordinates grow along x and y, (2, 2, f), in triangles (f, 3, 2).
+
+    A triangle without area has NaN.
+    """
+    (ux, uy), (vx, vy) = (corners[:, 1] - corners[:, 0]).T, (corners[:, 2] - corners[:, 0]).T
+    area = ux * vy - uy * vx
     area = np.where(area == 0, np.nan, area)
-    s = (w[:, 0] * v[:, 1] - w[:, 1] * v[:, 0]) / area
-    t = (u[:, 0] * w[:, 1] - u[:, 1] * w[:, 0]) / area
-    return np.stack([1 - s - t, s, t], axis=1)
+    return np.stack([np.stack([vy, -vx]), np.stack([-uy, ux])]) / area
 
 
 def _beside_the_mesh(

@@ -13,10 +13,9 @@ from swifttailor.pattern import EdgeRef, Pattern
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
 
-TOLERANCE = 0.005
-"""Largest distance in cm between a curved edge and its polyline: a hundredth of a pixel at usual scales."""
-RELATIVE_TOLERANCE = 2e-5
-"""The same for patterns of many metres, as a share of the largest panel: it bounds the number of points."""
+TOLERANCE = 2e-5
+"""Largest distance between a curved edge and its polyline, as a share of the largest panel: at 256 pixels at
+most a two-hundredth of one. A share, so that the number of points is bounded whatever a file holds."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,9 +78,11 @@ class Outlines:
 
 
 def trace_outlines(pattern: Pattern) -> Outlines:
-    """Traces all edges of a pattern within `TOLERANCE`, or `RELATIVE_TOLERANCE` where that is more."""
-    size = max((float(np.ptp(p.vertices, axis=0).max()) for p in pattern.panels), default=0.0)
-    tolerance = max(TOLERANCE, RELATIVE_TOLERANCE * size)
+    """Traces all edges of a pattern within `TOLERANCE`."""
+    tolerance = TOLERANCE * max(
+        (float(np.ptp(p.vertices, axis=0).max()) for p in pattern.panels), default=0.0
+    )
+    tolerance = max(tolerance, 1e-9)  # panels without extent
     points, fractions, edges = [], [], []
     first_edge, panels = [0], []
     for index, panel in enumerate(pattern.panels):
