@@ -170,7 +170,7 @@ def test_layouts_check_themselves():
         replace(layout, origins=np.zeros((2, 2)))
     with pytest.raises(InputError, match="finite"):
         replace(layout, origins=np.full((3, 2), np.nan))
-    with pytest.raises(InputError, match="scale positive"):
+    with pytest.raises(InputError, match=r"scale is 0\.0; from 1e-06 to 1e\+08"):
         replace(layout, cm_per_pixel=0.0)
     with pytest.raises(ValueError, match="read-only"):
         layout.origins[0] = 0.0

@@ -23,7 +23,9 @@ from __future__ import annotations
 
 import io
 import json
+import struct
 import zipfile
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -45,6 +47,17 @@ GGI_FILE = "ggi.npz"
 FORMAT, VERSION = "swifttailor garment geometry image", 1
 STEPS = 65535
 
+# RuntimeError and NotImplementedError: a compression or encryption that zipfile lacks.
+_UNREADABLE = (
+    OSError,
+    ValueError,
+    KeyError,
+    EOFError,
+    RuntimeError,
+    zipfile.BadZipFile,
+    zlib.error,
+    struct.error,
+)
 _MAX_PANELS = 500
 _MAX_SIDES = 40_001
 _SEAMS_PER_PIXEL = 8
@@ -135,11 +148,9 @@ def read_ggi(path: Path | str) -> GarmentGeometryImage:
     try:
         with zipfile.ZipFile(path) as archive:
             return _read(archive)
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, zipfile.LargeZipFile) as error:
+    except _UNREADABLE as error:
         why = getattr(error, "strerror", None) or error
         raise InputError(f"Cannot read '{path}' as a {GGI_FILE}: {why}.") from error
-    except (NotImplementedError, RuntimeError) as error:  # a compression or encryption that zipfile lacks
-        raise InputError(f"Cannot read '{path}' as a {GGI_FILE}: {error}.") from error
     except SwiftTailorError as error:
         raise InputError(f"Cannot read '{path}' as a {GGI_FILE}: {error}") from error
 

@@ -27,7 +27,8 @@ BORDER = 1
 """Free pixels along the sides of the image."""
 SCALE_STEP = 1.0005
 """Scales that are tried lie this factor apart."""
-MAX_CM_PER_PIXEL = 1e8
+MIN_CM_PER_PIXEL, MAX_CM_PER_PIXEL = 1e-6, 1e8
+_MAX_ORIGIN = 1e15
 PACKINGS: dict[str, tuple[Packing, ...]] = {"skyline": (pack_rows, pack_skyline), "rows": (pack_rows,)}
 """What is tried under each name, each for a finer scale than those before it have reached."""
 
@@ -60,11 +61,9 @@ class Layout:
                 f"A layout of {count} panels has origins of shape ({count}, 2) and mirrored of shape "
                 f"({count},), got {origins.shape} and {mirrored.shape}."
             )
-        if not (np.isfinite(origins).all() and 0 < self.cm_per_pixel <= MAX_CM_PER_PIXEL):
-            raise InputError(
-                "A layout's origins must be finite numbers and its scale positive, at most "
-                f"{MAX_CM_PER_PIXEL:g} cm per pixel; the scale is {self.cm_per_pixel!r}."
-            )
+        if not (np.abs(origins) <= _MAX_ORIGIN).all():
+            raise InputError("A layout's origins must be finite numbers, at most 1e15 pixels.")
+        _require_scale(self.cm_per_pixel)
         origins.flags.writeable = mirrored.flags.writeable = False
         object.__setattr__(self, "origins", origins)
         object.__setattr__(self, "mirrored", mirrored)
@@ -188,7 +187,7 @@ class _Boxes:
     def place_finest(self, packings: tuple[Packing, ...]) -> tuple[float, Ints]:
         """The finest scale of the ladder that is found, and the corners there."""
         area = float(self.extent.prod(axis=1).sum())
-        start = max(math.sqrt(area), float(self.extent.max()), 1e-6) / self.resolution
+        start = max(max(math.sqrt(area), float(self.extent.max())) / self.resolution, MIN_CM_PER_PIXEL)
         high = math.ceil(math.log(MAX_CM_PER_PIXEL / start) / math.log(SCALE_STEP))
         best = self.place(packings[0], start * SCALE_STEP**high)
         if best is None:
@@ -222,9 +221,15 @@ def _validate(
         raise InputError(
             f"The gutter is {gutter}; from {MIN_GUTTER} to {MAX_GUTTER} pixels are accepted. 2 is usual."
         )
-    if cm_per_pixel is not None and not 1e-6 <= cm_per_pixel <= MAX_CM_PER_PIXEL:
-        raise InputError(
-            f"The scale is {cm_per_pixel!r}; from 1e-6 to {MAX_CM_PER_PIXEL:g} cm per pixel are accepted."
-        )
+    if cm_per_pixel is not None:
+        _require_scale(cm_per_pixel)
     if packing not in PACKINGS:
         raise InputError(f"There is no packing '{packing}'. Known ones: {', '.join(PACKINGS)}.")
+
+
+def _require_scale(cm_per_pixel: float) -> None:
+    if not MIN_CM_PER_PIXEL <= cm_per_pixel <= MAX_CM_PER_PIXEL:
+        raise InputError(
+            f"The scale is {cm_per_pixel!r}; from {MIN_CM_PER_PIXEL:g} to {MAX_CM_PER_PIXEL:g} cm per pixel "
+            "is accepted."
+        )
