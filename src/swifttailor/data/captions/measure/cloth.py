@@ -204,6 +204,9 @@ def _crosses_border(points: Floats, a: Floats, b: Floats) -> NDArray[np.bool_]:
     side_of_b = side_of_a + along[None, :, 0] * y[:, None] - along[None, :, 1] * x[:, None]
     # In cm^2; corners that lie on the line by rounding do not count.
     small = 1e-9 * (1.0 + float(np.abs(points - points[0]).max()) ** 2)
-    apart = (side_of_start * side_of_end < 0) & (np.minimum(np.abs(side_of_start), np.abs(side_of_end)) > small)
-    across = (side_of_a * side_of_b < 0) & (np.minimum(np.abs(side_of_a), np.abs(side_of_b)) > small)
-    return (apart & across).any(axis=1)
+    return (
+        (side_of_start * side_of_end < 0)
+        & (side_of_a * side_of_b < 0)
+        & (np.minimum(np.abs(side_of_start), np.abs(side_of_end)) > small)
+        & (np.minimum(np.abs(side_of_a), np.abs(side_of_b)) > small)
+    ).any(axis=1)
