@@ -1,7 +1,7 @@
 """Packing boxes of whole pixels into a square of given side (paper, Alg. 1).
 
-Two ways with one interface. Measured on 75 of GarmentCode's validation patterns at 256 pixels, the share of
-the square that is cloth: rows 0.47, skyline 0.50.
+Two ways with one interface. On GarmentCode's 150 validation patterns at 256 pixels the skyline is finer than
+rows for 58 %, and cloth fills 0.487 of the square instead of 0.457 (benchmarks/ggi_encode.py).
 """
 
 from __future__ import annotations
