@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import os
 import time
 import zlib
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -59,3 +62,14 @@ def dies_the_first_time(task: SampleTask) -> MadeSample:
             open(mark, "w").close()
             os.kill(os.getpid(), 9)
     return make_quickly(task)
+
+
+def split_content(out: Path) -> dict[str, Any]:
+    """All of the split "train" that has to be the same; the code's commit may change between two builds."""
+    folder = out / "train"
+    assert not list((folder / ".samples").iterdir())
+    files: dict[str, Any] = {p.name: p.read_bytes() for p in folder.iterdir() if p.is_file()}
+    del files["results.jsonl"], files[".lock"]
+    files["index.json"] = json.loads(files["index.json"])
+    del files["index.json"]["built_with"]
+    return files

@@ -10,12 +10,13 @@ import time
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import psutil
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from sample_makers import COARSE, dies_the_first_time, make_quickly
+from sample_makers import COARSE, dies_the_first_time, make_quickly, split_content
 
 from swifttailor.atomic_files import write_atomically
 from swifttailor.data.builder import BuildSettings, build_split
@@ -49,18 +50,10 @@ def build(
     return build_split(sources, out, split, settings, **options)
 
 
-def content(out: Path, split: str = "train") -> dict[str, bytes]:
-    """All files of a split that have to be the same."""
-    assert not list((out / split / ".samples").iterdir())
-    files = {p.name: p.read_bytes() for p in (out / split).iterdir() if p.is_file()}
-    del files["results.jsonl"], files[".lock"]
-    return files
-
-
 @pytest.fixture
-def reference(patterns_file, tmp_path) -> dict[str, bytes]:
+def reference(patterns_file, tmp_path) -> dict[str, Any]:
     build(patterns_file(*IDS), tmp_path / "reference")
-    return content(tmp_path / "reference")
+    return split_content(tmp_path / "reference")
 
 
 # What a build leaves
@@ -79,7 +72,7 @@ def test_a_split_holds_the_accepted_samples_in_the_order_of_the_input(patterns_f
     assert [(r.position, r.id, r.status, r.reasons) for s in index.shards for r in s.rejected] == [
         (k, IDS[k], "rejected", ("did not come to rest",)) for k in (2, 6, 8)
     ]
-    assert sorted(content(tmp_path / "out")) == sorted(["index.json", *(s.file for s in index.shards)])
+    assert sorted(split_content(tmp_path / "out")) == sorted(["index.json", *(s.file for s in index.shards)])
     reader = SplitReader(tmp_path / "out" / "train")
     assert [s.id for s in reader] == ["a", "b", "d", "e", "f", "h", "j"]
     assert index.settings["edge_length"] == 8.0 and len(index.settings["body"]["sha256"]) == 64
@@ -124,7 +117,7 @@ def test_several_sources_are_one_split(patterns_file, tmp_path, specification):
 @pytest.mark.parametrize("order", [lambda tasks: tasks[::-1], lambda tasks: sorted(tasks, key=str)])
 def test_the_order_of_completion_does_not_matter(order, patterns_file, tmp_path, reference):
     build(patterns_file(*IDS), tmp_path / "out", runner=partial(run_here, order=order))
-    assert content(tmp_path / "out") == reference
+    assert split_content(tmp_path / "out") == reference
 
 
 @given(st.lists(st.tuples(st.integers(0, 4), st.integers(1, 10)), max_size=5))
@@ -145,7 +138,7 @@ def test_interruptions_and_growing_limits_change_nothing(tmp_path_factory, patte
         except KeyboardInterrupt:
             pass
     build(source, out, make=make)
-    assert content(out) == reference
+    assert split_content(out) == reference
     # What a stopped runner had just made and not handed over may be made again, nothing else.
     assert len(made) <= len(IDS) + len(runs)
     assert sorted(set(made)) == sorted(IDS)
@@ -179,7 +172,7 @@ def test_a_sudden_end_at_any_file(file_number, patterns_file, tmp_path, referenc
             pass
         monkeypatch.setattr("os.replace", replace)
         build(patterns_file(*IDS), out)
-        assert content(out) == reference
+        assert split_content(out) == reference
         lines = [json.loads(t) for t in (out / "train" / "results.jsonl").read_text().splitlines()]
         assert sorted(r["position"] for r in lines) == sorted({*range(10)}) or len(lines) == 11
 
@@ -199,7 +192,7 @@ def test_workers_do_not_change_the_shards(tmp_path):
             coarse,
             runner=partial(run_tasks, workers=workers, time_limit=300, first_alone=True),
         )
-    assert content(tmp_path / "1") == content(tmp_path / "2")
+    assert split_content(tmp_path / "1") == split_content(tmp_path / "2")
     reader = SplitReader(tmp_path / "1" / "train")
     assert {"fitted-skirt", "tank-top", "gathered-skirt"} <= set(reader.ids)
     for sample in reader:
@@ -226,7 +219,7 @@ def test_kill_minus_nine_in_the_middle(patterns_file, tmp_path):
     results.write_bytes(b"".join(before) + b'{"position": 11, "i')
     build(source, out)
     build(source, tmp_path / "reference")
-    assert content(out) == content(tmp_path / "reference")
+    assert split_content(out) == split_content(tmp_path / "reference")
     positions = [json.loads(line)["position"] for line in results.read_bytes().splitlines()]
     assert sorted(positions) == list(range(14)), "a sample was lost or made twice"
 
@@ -241,7 +234,7 @@ def test_ctrl_c(patterns_file, tmp_path):
     assert process.wait(timeout=30) == 130
     build(source, out)
     build(source, tmp_path / "reference")
-    assert content(out) == content(tmp_path / "reference")
+    assert split_content(out) == split_content(tmp_path / "reference")
 
 
 def start_slow_build(source: Path, out: Path, folder: Path) -> subprocess.Popen:
@@ -303,7 +296,7 @@ def test_failures_are_tried_again_when_asked(patterns_file, tmp_path, reference)
     with pytest.raises(KeyboardInterrupt):
         build(source, out, make=make, retry_failed=True, runner=partial(run_here, stop_after=1))
     build(source, out, make=make, retry_failed=True)
-    assert content(out) == reference and set(made) == {"b", "j"}
+    assert split_content(out) == reference and set(made) == {"b", "j"}
 
 
 @pytest.mark.parametrize("number", range(0, 14))
@@ -334,7 +327,7 @@ def test_a_full_disk_loses_nothing(number, patterns_file, tmp_path, reference, m
         return make_quickly(task)
 
     build(patterns_file(*IDS), out, make=make)
-    assert content(out) == reference
+    assert split_content(out) == reference
     assert len(made) <= len(IDS) - kept
     if number >= 2:
         assert IDS[0] not in made
@@ -351,7 +344,7 @@ def test_an_index_that_cannot_be_written_loses_nothing(patterns_file, tmp_path, 
         build(patterns_file(*IDS), tmp_path / "out")
     monkeypatch.undo()
     build(patterns_file(*IDS), tmp_path / "out")
-    assert content(tmp_path / "out") == reference
+    assert split_content(tmp_path / "out") == reference
 
 
 def test_a_deleted_sample_is_made_again(patterns_file, tmp_path, reference):
@@ -360,7 +353,7 @@ def test_a_deleted_sample_is_made_again(patterns_file, tmp_path, reference):
         build(patterns_file(*IDS), out, runner=partial(run_here, stop_after=3))
     (out / "train" / ".samples" / "00000001.safetensors").unlink()
     build(patterns_file(*IDS), out)
-    assert content(out) == reference
+    assert split_content(out) == reference
 
 
 def test_a_damaged_sample_is_named(patterns_file, tmp_path, reference):
@@ -373,7 +366,7 @@ def test_a_damaged_sample_is_named(patterns_file, tmp_path, reference):
         build(patterns_file(*IDS), out)
     path.unlink()
     build(patterns_file(*IDS), out)
-    assert content(out) == reference
+    assert split_content(out) == reference
 
 
 # What is refused

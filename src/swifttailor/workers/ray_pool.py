@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 import time
 from collections.abc import Callable, Generator, Iterable
 from contextlib import contextmanager
@@ -207,13 +208,14 @@ def _connected(address: str) -> Generator[None]:
         yield
         return
     try:
+        _require_answer(address)
         ray.init(
-            address=None if address == LOCAL else address,
+            address=address,
             log_to_driver=False,
             logging_level="warning",
             include_dashboard=False if address == LOCAL else None,
         )
-    except (ConnectionError, ValueError, RuntimeError) as error:
+    except (OSError, ValueError, RuntimeError) as error:
         raise InputError(
             f"There is no Ray cluster at '{address}': {error}. Start one with 'ray start --head', "
             "or give --ray local for this machine alone."
@@ -222,3 +224,15 @@ def _connected(address: str) -> Generator[None]:
         yield
     finally:
         ray.shutdown()
+
+
+def _require_answer(address: str) -> None:
+    """Notices at once that nobody listens at an address; Ray itself would try for minutes.
+
+    Raises:
+        OSError: Nobody does.
+    """
+    host, _, port = address.removeprefix("ray://").rpartition(":")
+    if host and port.isdecimal():
+        with socket.create_connection((host.strip("[]"), int(port)), timeout=10.0):
+            pass
