@@ -62,6 +62,8 @@ COMMANDS = {
     "drape --repair": lambda file, out: ["drape", file, "--out", out, "--repair"],
     "drape --json": lambda file, out: ["drape", file, "--out", out, "--json"],
     "convert": lambda file, out: ["convert", file, out / "pattern.svg"],
+    "ggi": lambda file, out: ["ggi", file, "--out", out],
+    "ggi --decode": lambda file, out: ["ggi", "--decode", file, "--out", out],
 }
 EXISTING = ("pattern.json", "pattern.svg", "garment.glb", "garment.obj", "preview.png", "report.json")
 
@@ -119,6 +121,8 @@ def test_impossible_file_names(name, tmp_path, monkeypatch, capsys):
         ["drape", name, "--out", "out"],
         ["convert", name, "x.svg"],
         ["convert", sound, name],
+        ["ggi", name, "--out", "out"],
+        ["ggi", "--decode", name, "--out", "out"],
         ["draft", "t-shirt", "--out", name],
         *([["drape", sound, "--out", name], ["drape", "--batch", name, "--out", "out"]] if name else []),
     ):

@@ -103,6 +103,16 @@ def texts(folder: Path, capsys: pytest.CaptureFixture[str]) -> str:
         convert shirt.json shirt.glb
         convert none.glb new.obj
         convert shirt.txt new.obj
+        ggi --out new
+        ggi shirt.json --out new
+        ggi none.json --out new
+        ggi folder --out new
+        ggi shirt.json --out shirt.json
+        ggi shirt.json --out new --method grid
+        ggi image.npz --out new
+        ggi --decode none.npz --out new
+        ggi --decode photo.json --out new
+        ggi --decode photo.json --out new --resolution 64
     """.strip().splitlines():
         arguments = line.split()
         code = run(arguments)

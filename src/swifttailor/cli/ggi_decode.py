@@ -36,13 +36,14 @@ def run_ggi_decode(options: Ggi, file: Path) -> int:
             "With the method 'grid' the pixels are the vertices; leave --edge-length out, "
             "or decode with the method 'outline'."
         )
+    method = options.method or "outline"
     edge_length = 2.0 if options.edge_length is None else options.edge_length
     started = time.perf_counter()
     images = read_ggi(file)
     read = time.perf_counter()
-    garment = decode(images, options.method, edge_length)
+    garment = decode(images, method, edge_length)
     decoded = time.perf_counter()
-    report = _report(images, garment, options.method)
+    report = _report(images, garment, method)
     report["seconds"] = {"reading": round(read - started, 4), "decoding": round(decoded - read, 4)}
     if isinstance(garment, Garment):
         report["edge_length_cm"] = edge_length

@@ -193,6 +193,12 @@ def _load_convert() -> Runner:
     return _runner(Convert, "convert")
 
 
+def _load_ggi() -> Runner:
+    from swifttailor.cli.ggi import Ggi
+
+    return _runner(Ggi, "ggi")
+
+
 def _load_data() -> Runner:
     from swifttailor.cli.data import run_data
 
@@ -219,6 +225,11 @@ COMMANDS: dict[str, Command] = {
         "Convert a pattern (.svg, .json) or a garment (.glb, .obj, .ply, .stl, .usd).",
         "swifttailor convert IN OUT",
         _load_convert,
+    ),
+    "ggi": Command(
+        "Draw a pattern or a draped garment as images, or make a garment of images.",
+        "swifttailor ggi INPUT --out DIR    back: swifttailor ggi --decode FILE --out DIR",
+        _load_ggi,
     ),
     "data": Command(
         "Data sets to learn from: build them from patterns, verify them, look at them.",

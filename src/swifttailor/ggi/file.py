@@ -150,7 +150,9 @@ def read_ggi(path: Path | str) -> GarmentGeometryImage:
             return _read(archive)
     except _UNREADABLE as error:
         why = getattr(error, "strerror", None) or error
-        raise InputError(f"Cannot read '{path}' as a {GGI_FILE}: {why}.") from error
+        raise InputError(
+            f"Cannot read '{path}' as a {GGI_FILE}: {why}. Give a file that swifttailor ggi has written."
+        ) from error
     except SwiftTailorError as error:
         raise InputError(f"Cannot read '{path}' as a {GGI_FILE}: {error}") from error
 

@@ -1,0 +1,103 @@
+"""GarmentCode's own patterns as images, the extremes among them."""
+
+import gzip
+import json
+
+import numpy as np
+import pytest
+from ggi_patterns import any_garment
+
+from swifttailor.ggi import encode, lay_out
+from swifttailor.ggi.geometry import geometry_raster
+from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.pattern import read_specification
+
+
+def read(folder, *names):
+    for name in names:
+        with gzip.open(folder / f"{name}.jsonl.gz", "rt") as lines:
+            for line in lines:
+                yield read_specification(json.loads(line)["pattern"]).pattern
+
+
+@pytest.fixture(scope="module")
+def validation(garmentcode_folder):
+    return list(read(garmentcode_folder, "validation"))
+
+
+@pytest.fixture(scope="module")
+def extremes(garmentcode_folder):
+    """Of all training patterns those with most of what makes a pattern hard to draw."""
+    best = {}
+    for pattern in read(garmentcode_folder, "train"):
+        extents = np.array([np.ptp(p.vertices, axis=0) for p in pattern.panels])
+        scores = {
+            "widest": extents.max(),
+            "thinnest": -extents[extents > 0].min(),  # corners of a lens may lie in a line
+            "most panels": len(pattern.panels),
+            "most stitches": len(pattern.stitches),
+            "most right_wrong": sum(s.right_wrong for s in pattern.stitches),
+            "most darts": sum(s.first.panel == s.second.panel for s in pattern.stitches),
+            "most godets": sum("ins_" in p.name for p in pattern.panels),
+        }
+        for name, score in scores.items():
+            if name not in best or score > best[name][0]:
+                best[name] = score, pattern
+    assert best["widest"][0] > 1000 and best["thinnest"][0] > -0.02 and best["most stitches"][0] > 80
+    assert all(score for score, _ in best.values())
+    return {name: pattern for name, (_, pattern) in best.items()}
+
+
+def test_every_validation_pattern_is_drawn(validation):
+    assert len(validation) > 100
+    for pattern in validation:
+        images = encode(pattern, 128)
+        raster, count = images.layout.raster, len(pattern.panels)
+        assert set(np.unique(images.panel)) == {-1, *range(count)}
+        lengths = np.diff(images.stitching.start)
+        assert images.stitching.stitch_count == len(pattern.stitches) and (lengths > 0).all()
+        # Boxes of two panels do not overlap, and cloth fills what its area says.
+        area = np.abs(images.layout.outlines.signed_area) / images.layout.cm_per_pixel**2
+        inside = np.bincount(raster.pixel_panel[raster.edge < 0], minlength=count)
+        whole = np.bincount(raster.pixel_panel, minlength=count)
+        contour = 1.5 * np.sqrt(area) + np.bincount(raster.pixel_panel[raster.edge >= 0], minlength=count)
+        assert (inside <= area + 0.1 * contour + 4).all() and (whole >= area - 0.1 * contour - 4).all()
+
+
+@pytest.mark.parametrize("resolution", [64, 256, 512])
+def test_extremes_are_drawn(extremes, resolution):
+    for name, pattern in extremes.items():
+        images = encode(pattern, resolution)
+        count = len(pattern.panels)
+        assert set(np.unique(images.panel)) == {-1, *range(count)}, name
+        assert (np.diff(images.stitching.start) > 0).all(), name
+        assert images.stitching.stitch_count == len(pattern.stitches), name
+
+
+@pytest.mark.parametrize("edge_length", [2.0, 6.0])
+def test_extremes_have_geometry(extremes, edge_length):
+    for name, pattern in extremes.items():
+        if name == "widest":  # tens of thousands of vertices say no more
+            pattern, length = extremes["widest"], 12.0
+        else:
+            length = edge_length
+        garment = any_garment(pattern, length)
+        images = encode(garment, 256)
+        raster = images.layout.raster
+        weights = geometry_raster(images.layout, garment.mesh)
+        assert (weights.vertices >= 0).all() and np.allclose(weights.weights.sum(axis=1), 1), name
+        # What a pixel is interpolated from lies around the point it stands for.
+        panel = raster.pixel_panel.astype(np.int64)
+        flat = garment.mesh.flat_vertices[weights.vertices]
+        there = (flat * weights.weights[:, :, None]).sum(axis=1)
+        away = np.linalg.norm(images.layout.to_pixels(panel, there) - raster.points, axis=1)
+        sagitta = length**2 / (8 * 4.0) / images.layout.cm_per_pixel  # of a curve of 4 cm radius
+        assert away.max() < 0.05 + sagitta, name
+
+
+def test_one_layout_serves_meshes_of_any_edge_length(validation):
+    pattern = validation[3].canonical()
+    layout = lay_out(pattern)
+    for edge_length in (1.5, 3.0, 9.0):
+        weights = geometry_raster(layout, mesh_pattern(pattern, edge_length))
+        assert len(weights.weights) == len(layout.raster.pixels)
