@@ -30,7 +30,7 @@ Zone = Callable[[LandmarkFacts], tuple[float, float]]
 _SKIRT_ZONES: dict[str, Zone] = {
     "micro": lambda b: (b.crotch - 10.0, math.inf),
     "mini": lambda b: (b.knee + 10.0, math.inf),
-    "above the knee": lambda b: (b.knee + 3.5, b.knee + 16.0),
+    "above the knee": lambda b: (b.knee + 2.5, b.knee + 13.5),
     "knee": lambda b: (b.knee - 5.5, b.knee + 5.5),
     "below the knee": lambda b: (b.knee - 14.0, b.knee - 2.5),
     "midi": lambda b: (0.42 * b.knee, b.knee - 7.0),
@@ -48,7 +48,8 @@ _TOP_ZONES: dict[str, Zone] = {
 }
 _LEG_ZONES: dict[str, Zone] = {
     "very short": lambda b: (b.crotch - 15.0, math.inf),
-    "thigh": lambda b: (b.knee + 5.0, math.inf),
+    "mid-thigh": lambda b: (b.knee + 8.0, b.crotch - 7.0),
+    "thigh": lambda b: (b.knee + 4.0, math.inf),
     "knee": lambda b: (b.knee - 6.0, b.knee + 7.0),
     "calf": lambda b: (0.45 * b.knee, b.knee - 4.0),
     "ankle": lambda b: (0.2 * b.knee, 0.5 * b.knee),

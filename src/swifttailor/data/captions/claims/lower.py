@@ -127,12 +127,12 @@ def _empire(facts: GarmentFacts, by: Judgement) -> bool:
 
 def _natural(facts: GarmentFacts, by: Judgement) -> bool:
     level = _seam_level(facts)
-    return level is not None and by.between(level, facts.body.waist - 10.5, facts.body.waist + 5.5, 1.5)
+    return level is not None and by.between(level, facts.body.waist - 7.5, facts.body.waist + 5.5, 1.5)
 
 
 def _dropped(facts: GarmentFacts, by: Judgement) -> bool:
     level = _seam_level(facts)
-    return level is not None and by.below(level, facts.body.waist - 11.0, 1.5)
+    return level is not None and by.below(level, facts.body.waist - 9.5, 1.5)
 
 
 def _rise(low: float, high: float) -> Predicate:

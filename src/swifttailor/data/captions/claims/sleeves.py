@@ -115,12 +115,17 @@ def _only(side: str) -> Predicate:
     return check
 
 
+def _unequal(facts: GarmentFacts, by: Judgement) -> bool:
+    pair = _pair(facts)
+    return pair is not None and by.above(abs(pair[0].length - pair[1].length), 7.5, 2.0)
+
+
 SLEEVE_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
     "sleeves": (
         "how long both sleeves are",
         {"none": _sleeveless}
         | {word: _both(_length(word)) for word in _LENGTHS}
-        | {"left only": _only("left"), "right only": _only("right")},
+        | {"left only": _only("left"), "right only": _only("right"), "unequal": _unequal},
     ),
     "left_sleeve": (
         "how long the wearer's left sleeve is",

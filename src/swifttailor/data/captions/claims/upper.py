@@ -100,6 +100,32 @@ def _depth(neck: Neckline | None) -> float:
     return neck.depth if neck is not None else 0.0
 
 
+def _shown_depth(facts: GarmentFacts, face: str) -> float | None:
+    """Depth of a neckline that is seen: two shoulders, no hood, and no collar but lapels in front, cm."""
+    neck = facts.front_neck if face == "front" else facts.back_neck
+    if neck is None or neck.left is None or neck.right is None or facts.hood is not None:
+        return None
+    if facts.collar is not None and (face == "back" or facts.collar.kind != "lapel"):
+        return None
+    return neck.depth
+
+
+def _deeper(face: str, bound: float, tolerance: float) -> Predicate:
+    def test(facts: GarmentFacts, by: Judgement) -> bool:
+        depth = _shown_depth(facts, face)
+        return depth is not None and by.above(depth, bound, tolerance)
+
+    return test
+
+
+def _shallower(face: str, bound: float, tolerance: float) -> Predicate:
+    def test(facts: GarmentFacts, by: Judgement) -> bool:
+        depth = _shown_depth(facts, face)
+        return depth is not None and by.below(depth, bound, tolerance)
+
+    return test
+
+
 def _back_shape(shape: NeckShape) -> Predicate:
     def test(facts: GarmentFacts, by: Judgement) -> bool:
         return (
@@ -210,12 +236,11 @@ UPPER_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
         },
     ),
     "neck_depth": (
-        "how deep the front neckline is",
+        "how deep the front neckline is, where it is seen",
         {
-            "high": lambda f, by: f.front_neck is not None and by.below(f.front_neck.depth, 11.5, 1.0),
-            "low": lambda f, by: f.front_neck is not None and by.above(f.front_neck.depth, 17.0, 2.0),
-            "plunging": lambda f, by: f.front_neck is not None
-            and by.above(f.front_neck.depth, PLUNGING_CM, 2.0),
+            "high": _shallower("front", 11.5, 1.0),
+            "low": _deeper("front", 17.0, 2.0),
+            "plunging": _deeper("front", PLUNGING_CM, 2.0),
         },
     ),
     "back_neckline": (
@@ -223,11 +248,11 @@ UPPER_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
         {"round": _back_shape("round"), "v": _back_shape("v"), "square": _back_shape("square")},
     ),
     "back_depth": (
-        "how deep the back neckline is",
+        "how deep the back neckline is, where it is seen",
         {
-            "high": lambda f, by: f.back_neck is not None and by.below(f.back_neck.depth, 7.0, 1.0),
-            "low": lambda f, by: f.back_neck is not None and by.above(f.back_neck.depth, 15.0, 2.0),
-            "open": lambda f, by: f.back_neck is not None and by.above(f.back_neck.depth, 26.0, 2.0),
+            "high": _shallower("back", 7.0, 1.0),
+            "low": _deeper("back", 15.0, 2.0),
+            "open": _deeper("back", 26.0, 2.0),
         },
     ),
     "collar": (

@@ -31,6 +31,9 @@ WAIST_EASE_CM = 3.0
 """Room that the upper border of a skirt or trousers may have and still sit where it fits."""
 WELL_BELOW_HIPS_CM = 12.0
 """What hangs lower than this below the hips has passed them."""
+LIGHT_CM2 = 15_000.0
+"""A skirt or trousers of less cloth leave a tight waist where it fits; `HEAVY_CM2` pull it down."""
+HEAVY_CM2 = 30_000.0
 _SHOULDER_REGION_CM = 16.0
 
 
@@ -161,10 +164,17 @@ def _lift(anatomy: Anatomy, level: Floats) -> tuple[Floats, float]:
         if needed > lift and now > figure.hip_y - WELL_BELOW_HIPS_CM:
             names = {p.name for p in anatomy.panels(lower)} if lower else set()
             lift, lifted = needed, cloth.nodes([r for r in cloth.samples if r.panel in names] + list(refs))
+    lift *= 1.0 - _weighed_down(anatomy)
     if lift > 0.0:
         level = level.copy()
         level[lifted] += lift
     return level, lift
+
+
+def _weighed_down(anatomy: Anatomy) -> float:
+    """How far the weight of what hangs below pulls a tight waist down: 0 not at all, 1 all the way."""
+    area = sum(abs(p.signed_area()) for p in anatomy.panels(LOWER_PARTS))
+    return float(np.clip((area - LIGHT_CM2) / (HEAVY_CM2 - LIGHT_CM2), 0.0, 1.0))
 
 
 def _rings(
