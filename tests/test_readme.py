@@ -84,6 +84,18 @@ def test_the_guide_to_draping(tmp_path, monkeypatch, coarse, capsys):
         ]  # fmt: skip
 
 
+def test_the_guide_to_geometry_images(tmp_path, monkeypatch, coarse, capsys):
+    monkeypatch.chdir(tmp_path)
+    run_all("docs/ggi.md")
+    names: dict = {}
+    for block in blocks("docs/ggi.md", "python"):
+        exec(compile(block, "ggi.md", "exec"), names)
+    assert names["images"].geometry.shape == (256, 256, 3)
+    assert {p.name for p in (tmp_path / "images").iterdir()} == {
+        "ggi.npz", "semantic.png", "stitching.png", "geometry.png"
+    }  # fmt: skip
+
+
 def test_the_readme_lists_the_commands_that_exist():
     table = (ROOT / "README.md").read_text().split("## Commands")[1].split("###")[0]
     assert set(re.findall(r"^\| `swifttailor (\w+)", table, re.MULTILINE)) == set(COMMANDS)
