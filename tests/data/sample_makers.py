@@ -6,6 +6,7 @@ import json
 import os
 import time
 import zlib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ from swifttailor.draping.batch.make_garment import read_sewable
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.workers import Outcome
 
 COARSE = BuildSettings(BatchSettings(edge_length=8.0, preview=False), shard_size=4)
 
@@ -73,3 +75,14 @@ def split_content(out: Path) -> dict[str, Any]:
     files["index.json"] = json.loads(files["index.json"])
     del files["index.json"]["built_with"]
     return files
+
+
+def run_here(function, tasks, *, order: Callable[[list], list] = list, stop_after: int | None = None):
+    """A runner without processes; `stop_after` so many it is killed."""
+    done = 0
+    waiting = order(list(tasks)) if order is not list else tasks
+    for task in waiting:
+        if done == stop_after:
+            raise KeyboardInterrupt
+        yield Outcome(task, function(task))
+        done += 1

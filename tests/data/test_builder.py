@@ -7,7 +7,6 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -16,7 +15,7 @@ import psutil
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from sample_makers import COARSE, dies_the_first_time, make_quickly, split_content
+from sample_makers import COARSE, dies_the_first_time, make_quickly, run_here, split_content
 
 from swifttailor.atomic_files import write_atomically
 from swifttailor.data.builder import BuildSettings, build_split
@@ -29,17 +28,6 @@ from swifttailor.pattern.garmentcode_writer import to_specification
 from swifttailor.workers import Outcome, run_tasks
 
 IDS = ("a", "b", "bad-c", "d", "e", "f", "bad-g", "h", "bad-i", "j")
-
-
-def run_here(function, tasks, *, order: Callable[[list], list] = list, stop_after: int | None = None):
-    """A runner without processes; `stop_after` so many it is killed."""
-    done = 0
-    waiting = order(list(tasks)) if order is not list else tasks
-    for task in waiting:
-        if done == stop_after:
-            raise KeyboardInterrupt
-        yield Outcome(task, function(task))
-        done += 1
 
 
 def build(

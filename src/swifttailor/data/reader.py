@@ -46,13 +46,8 @@ class SplitReader:
             IndexError: There is no such number.
             InputError: Its shard is missing or damaged.
         """
-        if not 0 <= k < len(self):
-            raise IndexError(
-                f"The split '{self.index.split}' has {len(self)} samples, there is no number {k}."
-            )
-        number = int(np.searchsorted(self._ends, k, side="right"))
+        number, place = self.place(k)
         shard = self.index.shards[number]
-        place = k - (int(self._ends[number]) - len(shard.ids))
         file = self._file(number)
         try:
             sample = load_sample(file[place])
@@ -68,6 +63,24 @@ class SplitReader:
     def __iter__(self) -> Iterator[Sample]:
         for k in range(len(self)):
             yield self[k]
+
+    def place(self, k: int) -> tuple[int, int]:
+        """The shard of sample number k and its place in it.
+
+        Raises:
+            IndexError: There is no such number.
+        """
+        if not 0 <= k < len(self):
+            raise IndexError(
+                f"The split '{self.index.split}' has {len(self)} samples, there is no number {k}."
+            )
+        number = int(np.searchsorted(self._ends, k, side="right"))
+        return number, k - self.numbers_in(number).start
+
+    def numbers_in(self, shard: int) -> range:
+        """The numbers of the samples in a shard."""
+        end = int(self._ends[shard])
+        return range(end - len(self.index.shards[shard].ids), end)
 
     def sample(self, id: str) -> Sample:
         """The sample of that id.
