@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
@@ -19,6 +20,10 @@ from swifttailor.ggi.stitching import StitchingImage
 
 Longs = NDArray[np.int64]
 Bools = NDArray[np.bool_]
+
+_CRUMB = 0.05
+"""Pieces that hang on to their panel by single pixels only, and have less than this share of the vertices of
+its largest piece, are left out: tips that are narrower than a pixel further in."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,7 +146,8 @@ def open_grid(grid: PixelGrid, faces: Longs, sides: SeamSides) -> OpenGrid:
     corners = np.where(corner_vertex >= 0, corner_vertex, of_pixel[rim.ravel()]).reshape(-1, 3)
     vertex_pixel = np.concatenate([vertex_pixel, whole])
 
-    held = _hangs_together(corners, fan_count, grid.panel[vertex_pixel])
+    large = _of_large_pieces(grid, corners, vertex_pixel, fan_count, ~rim_pixel)
+    held, inner = large[corners[:, 0]], of_pixel[inner]
     at = half_edge[_step_key(grid, links[:, 0], links[:, 1])].astype(np.int64)
     at[(at >= 0) & ~held[np.maximum(at, 0) // 3]] = -1
     begin = np.where(at >= 0, corners.ravel()[at], -1)
@@ -157,7 +163,7 @@ def open_grid(grid: PixelGrid, faces: Longs, sides: SeamSides) -> OpenGrid:
     single &= held[:, None] & rim_pixel[rim] & rim_pixel[rim[:, [1, 2, 0]]]
     open_edges = np.stack([corners[single], corners[:, [1, 2, 0]][single]], axis=1)
     return OpenGrid(
-        np.concatenate([of_pixel[inner], corners[held]]),
+        np.concatenate([inner[large[inner[:, 0]]], corners[held]]),
         vertex_pixel,
         fan_count,
         entry_vertices,
@@ -220,18 +226,30 @@ def _fans(pixel: Longs, rim_pixel: Bools, twin: NDArray[np.int32], cut: Bools) -
     return vertex, pixel[at_rim[first]]
 
 
-def _hangs_together(corners: Longs, fan_count: int, panel: Longs) -> Bools:
-    """Which faces (f,) at the rim hang together with the inside of their panel, or are its largest part."""
-    # All of the inside of a panel counts as one, so that only the rim needs to be walked.
-    inside = int(panel.max(initial=0)) + 1
-    node = np.where(corners < fan_count, corners, fan_count + panel[corners])
-    pairs = np.concatenate([node[:, [0, 1]], node[:, [1, 2]]])
-    count = fan_count + inside
+def _of_large_pieces(
+    grid: PixelGrid, corners: Longs, vertex_pixel: Longs, fan_count: int, inside: Bools
+) -> Bools:
+    """Which vertices (v,) belong to what hangs together with a good part of their panel.
+
+    Args:
+        grid: The pixels.
+        corners: (f, 3) vertices of the faces at the rim.
+        vertex_pixel: (v,) pixel of each vertex.
+        fan_count: The first so many vertices are at the rim.
+        inside: (n,) pixels all of whose neighbours are of their panel; each is a vertex.
+    """
+    # Pixels inside hang together wherever they touch, so that only the faces at the rim need to be walked.
+    image = np.zeros(grid.resolution**2, np.bool_)
+    image[grid.pixels[inside]] = True
+    blobs, blob_count = ndimage.label(image.reshape(grid.numbers.shape), np.ones((3, 3)))
+    blob = blobs.ravel()[grid.pixels[vertex_pixel]].astype(np.int64) - 1
+    node = np.where(np.arange(len(vertex_pixel)) < fan_count, np.arange(len(vertex_pixel)), fan_count + blob)
+    at = node[corners]
+    pairs = np.concatenate([at[:, [0, 1]], at[:, [1, 2]]])
+    count = fan_count + blob_count
     graph = coo_array((np.ones(len(pairs), np.int8), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
-    part = connected_components(graph, directed=False)[1]
-    of_face, face_panel = part[node[:, 0]], panel[corners[:, 0]]
-    size = np.bincount(of_face, minlength=count)
-    size[part[fan_count:]] += len(corners)  # the inside outweighs any rim
-    largest = np.zeros(inside, np.int64)
-    np.maximum.at(largest, face_panel, size[of_face])
-    return size[of_face] == largest[face_panel]
+    part = connected_components(graph, directed=False)[1][node]
+    size = np.bincount(part)[part]
+    largest = np.zeros(int(grid.panel.max(initial=0)) + 1, np.int64)
+    np.maximum.at(largest, grid.panel[vertex_pixel], size)
+    return size >= _CRUMB * largest[grid.panel[vertex_pixel]]

@@ -1,0 +1,293 @@
+import dataclasses
+
+import numpy as np
+import pytest
+from ggi_patterns import HARD_CASES, any_garment, rectangle
+from grid_reference import remesh as plain_remesh
+from grid_reference import stitch as plain_stitch
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from swifttailor.errors import InputError
+from swifttailor.ggi import encode
+from swifttailor.ggi.grid_decode import decode_grid
+from swifttailor.ggi.remesh import PixelGrid, remesh
+from swifttailor.ggi.slits import open_grid, seam_sides
+from swifttailor.ggi.stitching import StitchingImage
+from swifttailor.ggi.warping import warp
+from swifttailor.panel_mesh.topology import topology
+from swifttailor.pattern import Edge, EdgeRef, Panel, Pattern, Stitch
+from swifttailor.pattern.drafts import draft, list_drafts
+
+
+def counts(faces, vertex_count):
+    found = topology(np.asarray(faces, np.int32), vertex_count)
+    assert found.nonmanifold_edges == 0
+    return found.components, found.boundary_loops, found.euler_characteristic
+
+
+def counts_of(garment):
+    return counts(garment.faces, len(garment.vertices))
+
+
+def around(face):
+    """A face from its least corner on: the same whichever corner it was begun with."""
+    k = face.index(min(face))
+    return face[k:] + face[:k]
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.integers(2, 14), st.floats(0.3, 1.0))
+def test_remeshing_agrees_with_the_plain_way(seed, size, share):
+    rng = np.random.default_rng(seed)
+    panel = np.where(rng.random((size, size)) < share, rng.integers(0, 2, (size, size)), -1)
+    positions = rng.normal(size=(size, size, 3))
+    grid = PixelGrid.of(panel)
+    faces = grid.pixels[remesh(grid, positions.reshape(-1, 3)[grid.pixels])]
+    assert sorted(around(tuple(f)) for f in faces.tolist()) == sorted(
+        around(f) for f in plain_remesh(panel, positions)
+    )
+
+
+def test_wanted_diagonals_are_taken():
+    grid = PixelGrid.of(np.zeros((2, 2), int))
+    positions = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [5, 5, 0]])
+    shorter = {frozenset(f) for f in remesh(grid, positions).tolist()}
+    assert shorter == {frozenset({0, 1, 2}), frozenset({1, 2, 3})}
+    forced = {frozenset(f) for f in remesh(grid, positions, np.array([[3, 0]])).tolist()}
+    assert forced == {frozenset({0, 1, 3}), frozenset({0, 2, 3})}
+
+
+def tube():
+    """Front and back, sewn along both sides, the back gathered."""
+    front, back = rectangle("front", 20.0, 30.0), rectangle("back", 27.0, 44.0, clockwise=True)
+    sides = (Stitch(EdgeRef("front", 1), EdgeRef("back", 0)), Stitch(EdgeRef("front", 3), EdgeRef("back", 2)))
+    return Pattern((front, back), sides)
+
+
+@pytest.mark.parametrize("pattern", [tube(), HARD_CASES["sleeve"](), HARD_CASES["right_wrong"]()])
+def test_without_slits_and_tips_decoding_is_the_papers(pattern):
+    images = encode(any_garment(pattern, 3.0), 64)
+    sewn = images.stitching
+    pairs = sewn.pixels[warp(sewn.fraction.astype(float), sewn.start)].tolist()
+    place, faces = plain_stitch(plain_remesh(images.panel, images.geometry), pairs, images.geometry)
+    decoded = decode_grid(images)
+    assert counts_of(decoded) == counts(
+        np.unique(np.array(faces), return_inverse=True)[1].reshape(-1, 3), len({v for f in faces for v in f})
+    )
+    # The diagonals beside seams may differ; the vertices may not.
+    for pixel, vertex in zip(decoded.flat_pixels.tolist(), decoded.weld.tolist(), strict=True):
+        assert np.abs(decoded.vertices[vertex] - place[pixel]).max() < 1e-4
+    assert len(decoded.faces) == pytest.approx(len(faces), rel=0.01)
+
+
+@pytest.mark.parametrize("resolution", [64, 128, 256])
+@pytest.mark.parametrize("case", ["dart", "right_wrong", "sleeve"])
+def test_hard_cases_keep_their_topology(case, resolution):
+    garment = any_garment(HARD_CASES[case](), 2.0)
+    assert counts_of(decode_grid(encode(garment, resolution))) == counts_of(garment)
+
+
+def test_a_cuff_thinner_than_a_pixel_joins_what_is_sewn_to_it():
+    garment = any_garment(HARD_CASES["sliver"](), 8.0)
+    images = encode(garment, 256)
+    decoded = decode_grid(images)
+    sliver = [p.name for p in images.layout.pattern.panels].index("sl_left_cuff_f")
+    assert not (decoded.face_panel == sliver).any()
+    assert counts_of(decoded) == counts_of(garment)
+
+
+def godet(gap):
+    """A panel slit open from its hem, a wedge sewn into the slit, and the two sides sewn together."""
+    slit = np.array(
+        [[0, 0], [20 - gap / 2, 0], [20, 25], [20 + gap / 2, 0], [40, 0], [40, 40], [0, 40]], float
+    )
+    wedge = np.array([[0, 0], [12, 0], [6, 24.3]])
+    panels = (Panel("skirt_front", slit, (Edge(),) * 7), Panel("ins_skirt_front_0", wedge, (Edge(),) * 3))
+    stitches = (
+        Stitch(EdgeRef("skirt_front", 1), EdgeRef("ins_skirt_front_0", 2)),
+        Stitch(EdgeRef("skirt_front", 2), EdgeRef("ins_skirt_front_0", 1)),
+    )
+    return Pattern(panels, stitches)
+
+
+@pytest.mark.parametrize("gap", [0.02, 0.4, 1.0, 2.0])
+@pytest.mark.parametrize("resolution", [64, 100, 256])
+def test_slits_for_godets_stay_open(gap, resolution):
+    garment = any_garment(godet(gap), 2.0)
+    images = encode(garment, resolution)
+    decoded = decode_grid(images)
+    assert counts_of(decoded) == counts_of(garment) == (1, 1, 1)
+    # Both sides of the slit have vertices of their own, an edge of the wedge between them.
+    first, second = decoded.seams
+    assert len(set(first.tolist()) & set(second.tolist())) <= 2
+
+
+def test_a_pixel_with_both_sides_of_a_slit_shows_one_and_the_other_comes_from_its_partner():
+    garment = any_garment(godet(0.02), 2.0)
+    # Space is the wedge's own plane, so that its two edges are far apart although the slit's sides are not.
+    images = encode(garment, 100)
+    wedge = [p.name for p in images.layout.pattern.panels].index("ins_skirt_front_0")
+    slit = 1 - wedge
+    grid = PixelGrid.of(images.panel)
+    sides = seam_sides(grid, images.stitching)
+    place = np.zeros((len(grid.pixels), 3))
+    place[:, 0] = np.where(grid.panel == wedge, (grid.pixels % 100).astype(float), 0.0)
+    for k in range(2):
+        pixels, fraction = images.stitching.side(k, 0)
+        other, there = images.stitching.side(k, 1)
+        if images.panel.ravel()[pixels[0]] != slit:
+            pixels, fraction, other, there = other, there, pixels, fraction
+        shown = images.stitching.ids.ravel()[pixels] == k + 1
+        value = np.interp(fraction, there, other % 100)
+        place[np.searchsorted(grid.pixels, pixels[shown]), 0] = value[shown]
+    geometry = np.zeros((100, 100, 3), np.float32)
+    geometry.reshape(-1, 3)[grid.pixels] = place
+    decoded = decode_grid(dataclasses.replace(images, geometry=geometry))
+    for k, seam in enumerate(decoded.seams):
+        other, _ = images.stitching.side(
+            k, 1 if images.panel.ravel()[images.stitching.side(k, 0)[0][0]] == slit else 0
+        )
+        assert np.isin(
+            np.round(decoded.vertices[seam][2:-2, 0]), (other % 100) + np.arange(-1, 2)[:, None]
+        ).all()
+    assert len(sides.link)
+
+
+def test_a_tip_narrower_than_a_pixel_leaves_no_crumbs():
+    needle = Panel("left_collar_front", np.array([[0, 0], [60.0, 0.0], [60.0, 8.0]]), (Edge(),) * 3)
+    cloth = rectangle("left_ftorso", 60.0, 30.0)
+    pattern = Pattern((needle, cloth), (Stitch(EdgeRef("left_collar_front", 0), EdgeRef("left_ftorso", 2)),))
+    garment = any_garment(pattern, 2.0)
+    for resolution in (32, 50, 64, 128):
+        decoded = decode_grid(encode(garment, resolution))
+        assert counts_of(decoded) == counts_of(garment) == (1, 1, 1)
+
+
+def needles(height):
+    """Two needles sewn to a cloth side by side, their tips meeting, and to each other."""
+    cloth = Panel(
+        "left_ftorso", np.array([[0, 0], [60, 0], [60, 30], [30, 30], [0, 30]], float), (Edge(),) * 5
+    )
+    one = Panel("left_collar_front", np.array([[30.0, 0], [60, 0], [60, height]]), (Edge(),) * 3)
+    other = Panel("left_collar_back", np.array([[0.0, 0], [30, 0], [0, height]]), (Edge(),) * 3)
+    stitches = (
+        Stitch(EdgeRef("left_ftorso", 2), EdgeRef("left_collar_front", 0)),
+        Stitch(EdgeRef("left_ftorso", 3), EdgeRef("left_collar_back", 0)),
+        Stitch(EdgeRef("left_collar_front", 2), EdgeRef("left_collar_back", 1)),
+    )
+    return Pattern((cloth, one, other), stitches)
+
+
+@pytest.mark.parametrize("height", [3.0, 4.0, 5.0, 7.0])
+def test_where_tips_meet_no_holes_are_left(height):
+    garment = any_garment(needles(height), 2.0)
+    assert counts_of(garment) == (1, 1, 1)
+    for resolution in (64, 80, 96, 112, 128):
+        assert counts_of(decode_grid(encode(garment, resolution))) == (1, 1, 1)
+
+
+def test_crumbs_beyond_a_neck_narrower_than_a_pixel_are_left_out():
+    # A strap of an eighth of a pixel with a tab at its end, which hangs by nothing that a grid could show.
+    corners = [
+        [0, 0],
+        [40, 0],
+        [40, 30],
+        [20.25, 30],
+        [20.25, 50],
+        [21, 50],
+        [21, 51],
+        [20.2, 51],
+        [20.2, 30],
+    ]
+    panel = Panel("left_ftorso", np.array([*corners, [0, 30]], float), (Edge(),) * 10)
+    garment = any_garment(Pattern((panel,)), 2.0)
+    images = encode(garment, 128)
+    decoded = decode_grid(images)
+    assert counts_of(decoded) == counts_of(garment) == (1, 1, 1)
+    top = images.layout.to_pixels(0, [[20.0, 30.0]])[0, 1]
+    assert images.occupancy[int(top) + 10 :].any()
+    assert decoded.flat_pixels.max() // 128 <= top + 1
+
+
+def test_triangles_across_a_dart_are_removed():
+    images = encode(any_garment(HARD_CASES["dart"](), 2.0), 64)
+    grid = PixelGrid.of(images.panel)
+    sides = seam_sides(grid, images.stitching)
+    positions = images.geometry.reshape(-1, 3)[grid.pixels].astype(float)
+    faces = remesh(grid, positions, sides.links)
+    opened = open_grid(grid, faces, sides)
+    assert 0 < len(faces) - len(opened.faces) < 60
+    centers = opened.vertex_pixel[opened.faces]
+    at = np.stack([grid.pixels % 64, grid.pixels // 64], axis=1)[centers].mean(axis=1) + 0.5
+    panel = [p.name for p in images.layout.pattern.panels].index("skirt_front")
+    inside = at[grid.panel[centers[:, 0]] == panel]
+    local = images.layout.to_local(panel, inside)
+    within = (np.abs(local[:, 0] - 20) < 4 * (local[:, 1] - 38) / 14 - 1.5) & (local[:, 1] > 42)
+    assert not within.any()
+
+
+def test_the_hand_of_the_cloth_is_found_in_the_images():
+    for name, stitches in (("right_wrong", [False]), ("sleeve", [True]), ("dart", [True] * 4)):
+        images = encode(HARD_CASES[name](), 128)
+        sides = seam_sides(PixelGrid.of(images.panel), images.stitching)
+        assert sides.cloth_on_left[::2].all()
+        assert (~sides.cloth_on_left[1::2]).tolist() == stitches
+
+
+@pytest.mark.parametrize("name", [d.name for d in list_drafts()])
+def test_every_draft_keeps_its_topology(name):
+    garment = any_garment(draft(name), 3.0)
+    decoded = decode_grid(encode(garment, 256))
+    assert counts_of(decoded) == counts_of(garment)
+    assert (decoded.faces != np.roll(decoded.faces, 1, axis=1)).all()
+    assert np.array_equal(decoded.weld[decoded.flat_faces], decoded.faces)
+    assert len(decoded.seams) == len(garment.pattern.stitches)
+
+
+def test_sewn_pixels_become_one_vertex_in_their_middle():
+    images = encode(any_garment(tube(), 3.0), 64)
+    decoded = decode_grid(images)
+    grid = PixelGrid.of(images.panel)
+    seen = images.geometry.reshape(-1, 3).astype(float)
+    for vertex in np.unique(np.concatenate(decoded.seams)):
+        pixels = np.unique(decoded.flat_pixels[decoded.weld == vertex])
+        assert len(pixels) >= 2
+        assert np.allclose(decoded.vertices[vertex], seen[pixels].mean(axis=0), atol=1e-3)
+    for k in range(2):
+        ends = [images.stitching.side(k, b)[0][[0, -1]] for b in (0, 1)]
+        for one, other in zip(*ends, strict=True):
+            weld = decoded.weld[np.isin(decoded.flat_pixels, [one, other])]
+            assert len(set(weld.tolist())) == 1
+    assert len(grid.pixels) > len(decoded.vertices)
+
+
+def test_faces_run_anticlockwise_in_the_image():
+    decoded = decode_grid(encode(any_garment(draft("hoodie"), 3.0), 128))
+    a, b, c = (decoded.uv[decoded.flat_faces[:, k]] for k in range(3))
+    u, w = b - a, c - a
+    assert (u[:, 0] * w[:, 1] - u[:, 1] * w[:, 0] > 0).all()
+
+
+def test_images_that_cannot_be_decoded_are_refused():
+    images = encode(any_garment(tube(), 3.0), 64)
+    with pytest.raises(InputError, match="no positions"):
+        decode_grid(encode(tube(), 64))
+    broken = images.geometry.copy()
+    broken[images.occupancy] = np.nan
+    with pytest.raises(InputError, match="not finite"):
+        decode_grid(dataclasses.replace(images, geometry=broken))
+    sewn = images.stitching
+    astray = StitchingImage(sewn.ids, np.zeros_like(sewn.pixels), sewn.fraction, sewn.start)
+    with pytest.raises(InputError, match="no panel"):
+        decode_grid(dataclasses.replace(images, stitching=astray))
+    backwards = StitchingImage(sewn.ids, sewn.pixels, 1 - sewn.fraction, sewn.start)
+    with pytest.raises(InputError, match="order of its seam"):
+        decode_grid(dataclasses.replace(images, stitching=backwards))
+
+
+def test_no_stitches_are_no_seams():
+    garment = any_garment(Pattern((rectangle("a", 20.0, 30.0), rectangle("b", 9.0, 9.0))), 3.0)
+    decoded = decode_grid(encode(garment, 64))
+    assert decoded.seams == () and counts_of(decoded) == (2, 2, 2)
+    assert np.array_equal(decoded.weld, np.arange(len(decoded.vertices)))
