@@ -177,6 +177,10 @@ def test_layouts_check_themselves():
     moved = Layout(layout.pattern, 256, layout.cm_per_pixel, layout.origins + 300.0, layout.mirrored)
     with pytest.raises(InputError, match="does not fit its image"):
         _ = moved.raster
+    origins = layout.origins.copy()
+    origins[1] += layout.boxes[0, :2] - layout.boxes[1, :2]
+    with pytest.raises(InputError, match="boxes of 'skirt_front' and 'skirt_back' overlap"):
+        _ = replace(layout, origins=origins).raster
 
 
 @settings(max_examples=40, deadline=None)

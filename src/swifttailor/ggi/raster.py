@@ -56,18 +56,23 @@ class LayoutRaster:
     @cached_property
     def occupancy(self) -> NDArray[np.bool_]:
         """(N, N) whether a pixel belongs to a panel."""
-        return self.spread(np.ones(len(self.pixels), np.bool_), False)
+        return _constant(self.spread(np.ones(len(self.pixels), np.bool_), False))
 
     @cached_property
     def panel(self) -> NDArray[np.int16]:
         """(N, N) panel index of each pixel, -1 where there is none."""
-        return self.spread(self.pixel_panel, -1)
+        return _constant(self.spread(self.pixel_panel, -1))
 
     def spread(self, values: NDArray, empty: float) -> NDArray:
         """An image (N, N, ...) from values (n, ...) of the occupied pixels."""
         image = np.full((self.resolution**2, *values.shape[1:]), empty, values.dtype)
         image[self.pixels] = values
         return image.reshape(self.resolution, self.resolution, *values.shape[1:])
+
+
+def _constant(image: NDArray) -> NDArray:
+    image.flags.writeable = False  # handed out to everyone who asks
+    return image
 
 
 def rasterize_layout(layout: Layout) -> LayoutRaster:
@@ -77,11 +82,7 @@ def rasterize_layout(layout: Layout) -> LayoutRaster:
         InputError: The layout's panels reach beyond the image, or their outlines are absurdly long.
     """
     outlines, size = layout.outlines, layout.resolution
-    if len(layout.boxes) and (layout.boxes.min() < 0 or layout.boxes.max() >= size):
-        raise InputError(
-            f"The layout does not fit its image of {size} x {size} pixels: panels reach from pixel "
-            f"{layout.boxes.min()} to {layout.boxes.max()}. Make one with lay_out()."
-        )
+    _require_boxes_apart(layout)
     at = layout.to_pixels(outlines.panel.astype(np.int64), outlines.points)
     here, there = outlines.segments
     crossings = float(np.abs(at[there] - at[here]).sum())
@@ -111,6 +112,28 @@ def rasterize_layout(layout: Layout) -> LayoutRaster:
     return LayoutRaster(
         size, pixels, panel[pixels], points, edge, fraction, contour.pixel, contour.fraction, start
     )
+
+
+def _require_boxes_apart(layout: Layout) -> None:
+    boxes, size = layout.boxes, layout.resolution
+    if len(boxes) and (boxes.min() < 0 or boxes.max() >= size):
+        raise InputError(
+            f"The layout does not fit its image of {size} x {size} pixels: panels reach from pixel "
+            f"{boxes.min()} to {boxes.max()}. Make one with lay_out()."
+        )
+    left, bottom, right, top = boxes.T
+    meet = (
+        (left[:, None] <= right)
+        & (left <= right[:, None])
+        & (bottom[:, None] <= top)
+        & (bottom <= top[:, None])
+    )
+    first, second = np.nonzero(np.triu(meet, 1))
+    if len(first):
+        names = [layout.pattern.panels[int(k)].name for k in (first[0], second[0])]
+        raise InputError(
+            f"In the layout the boxes of '{names[0]}' and '{names[1]}' overlap. Make one with lay_out()."
+        )
 
 
 @dataclass(frozen=True, eq=False)
