@@ -72,6 +72,13 @@ def test_the_rotation_of_placements_is_kept(tmp_path):
     assert read.layout.pattern == pattern.canonical()
 
 
+def test_placements_read_in_two_ways_are_refused(tmp_path):
+    one, other = draft("t-shirt"), draft("t-shirt").with_rotation_reading("extrinsic")
+    mixed = replace(one, panels=(*one.panels[:1], *other.panels[1:]))
+    with pytest.raises(InputError, match="read in 2 ways"):
+        write_ggi(encode(mixed, 64), tmp_path / "ggi.npz")
+
+
 def test_any_numpy_reads_it_without_pickle(images, file):
     with np.load(file, allow_pickle=False) as stored:
         assert stored["geometry"].dtype == np.uint16 and stored["geometry"].shape == (128, 128, 3)

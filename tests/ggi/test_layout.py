@@ -132,6 +132,8 @@ def test_hard_cases_are_laid_out(case, resolution):
     [
         ({"resolution": 8}, "resolution is 8; from 16 to 4096"),
         ({"resolution": 5000}, "resolution is 5000"),
+        ({"resolution": 256.0}, r"resolution is 256\.0"),
+        ({"gutter": 1.5}, r"gutter is 1\.5"),
         ({"gutter": 0}, "gutter is 0; from 1 to 64"),
         ({"packing": "magic"}, "no packing 'magic'. Known ones: skyline, rows"),
         ({"cm_per_pixel": 0.0}, "scale is 0.0"),

@@ -70,7 +70,8 @@ def write_ggi(images: GarmentGeometryImage, path: Path | str) -> Path:
     """Writes the file, whole or not at all, and returns its path. Equal images give equal bytes.
 
     Raises:
-        InputError: The file cannot be written, or the geometry is not finite.
+        InputError: The file cannot be written, the geometry is not finite, or the pattern's placements are
+            not all read the same way.
     """
     about: dict[str, Any] = {
         "format": FORMAT,
@@ -91,8 +92,7 @@ def write_ggi(images: GarmentGeometryImage, path: Path | str) -> Path:
         layout = images.layout
         about["cm_per_pixel"] = layout.cm_per_pixel
         about["name"] = layout.pattern.name
-        # One reading holds for a whole file, as it does for GarmentCode's.
-        about["rotation"] = layout.pattern.panels[0].placement.reading
+        about["rotation"] = _one_reading(layout)
         about["pattern"] = to_specification(layout.pattern)
         arrays |= {"origins": layout.origins, "mirrored": layout.mirrored}
     if images.geometry is not None:
@@ -104,6 +104,17 @@ def write_ggi(images: GarmentGeometryImage, path: Path | str) -> Path:
     content = io.BytesIO()
     np.savez_compressed(content, allow_pickle=False, **arrays)
     return write_atomically(path, lambda temporary: temporary.write_bytes(content.getvalue()))
+
+
+def _one_reading(layout: Layout) -> str:
+    """How the placement angles are meant; one reading holds for a whole file, as for GarmentCode's."""
+    readings = sorted({p.placement.reading for p in layout.pattern.panels})
+    if len(readings) != 1:
+        raise InputError(
+            f"The pattern's placements are read in {len(readings)} ways ({', '.join(readings)}), and a file "
+            "has one. Make them alike with Pattern.with_rotation_reading()."
+        )
+    return readings[0]
 
 
 def quantize(

@@ -212,14 +212,14 @@ def _validate(
 ) -> None:
     if not pattern.panels:
         raise InputError("The pattern has no panels; there is nothing to lay out.")
-    if not MIN_RESOLUTION <= resolution <= MAX_RESOLUTION:
+    if not (isinstance(resolution, int) and MIN_RESOLUTION <= resolution <= MAX_RESOLUTION):
         raise InputError(
-            f"The resolution is {resolution}; from {MIN_RESOLUTION} to {MAX_RESOLUTION} pixels are accepted. "
-            "256 is usual."
+            f"The resolution is {resolution!r}; from {MIN_RESOLUTION} to {MAX_RESOLUTION} pixels are "
+            "accepted. 256 is usual."
         )
-    if not MIN_GUTTER <= gutter <= MAX_GUTTER:
+    if not (isinstance(gutter, int) and MIN_GUTTER <= gutter <= MAX_GUTTER):
         raise InputError(
-            f"The gutter is {gutter}; from {MIN_GUTTER} to {MAX_GUTTER} pixels are accepted. 2 is usual."
+            f"The gutter is {gutter!r}; from {MIN_GUTTER} to {MAX_GUTTER} pixels are accepted. 2 is usual."
         )
     if cm_per_pixel is not None:
         _require_scale(cm_per_pixel)
