@@ -98,7 +98,12 @@ class Body:
         return read_body(path, measurements_path)
 
     def distance_field(
-        self, spacing: float = 1.0, margin: float = 8.0, without: Collection[BodyPart] = frozenset()
+        self,
+        spacing: float = 1.0,
+        margin: float = 8.0,
+        without: Collection[BodyPart] = frozenset(),
+        *,
+        covering: bool = False,
     ) -> DistanceField:
         """Signed distances to the body on a lattice, kept in memory and in the cache folder.
 
@@ -106,18 +111,22 @@ class Body:
             spacing: Distance between nodes, cm.
             margin: How far the lattice reaches beyond the surface, cm.
             without: Parts to cut off, the cut being closed flat: skirts and trousers leave out the arms.
+            covering: Whether values are lowered until the whole surface samples as inside, thin parts
+                included (see `cover_surface`); for collision.
         """
         from swifttailor.body.distance_field import cached_field
         from swifttailor.body.parts import surface_without
 
         parts = tuple(sorted({BodyPart(part) for part in without}))
-        key = ("field", float(spacing), float(margin), parts)
+        key = ("field", float(spacing), float(margin), parts, covering)
         if key not in self._made:
             vertices, faces = surface_without(self.vertices, self.faces, self.vertex_part, parts)
             if not len(faces):
                 raise InputError("distance_field(without=...) leaves nothing of the body; keep some parts.")
             used = np.unique(faces)
-            self._made[key] = cached_field(vertices[used], np.searchsorted(used, faces), spacing, margin)
+            self._made[key] = cached_field(
+                vertices[used], np.searchsorted(used, faces), spacing, margin, covering=covering
+            )
         return self._made[key]
 
     def signed_distance(self, points: Array) -> tuple[Array, Array]:

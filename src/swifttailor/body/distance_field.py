@@ -21,7 +21,8 @@ MAX_NODES = 100_000_000
 EXACT_BAND = 5.0
 """Nodes up to this far from the surface hold exact distances, cm."""
 
-_CACHE_FORMAT = 1
+_CACHE_FORMAT = 2
+_COVERING_ROUNDS = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,16 +125,51 @@ def build_field(vertices: Array, faces: Array, spacing: float, margin: float) ->
     return DistanceField(values, origin, float(spacing))
 
 
-def cached_field(vertices: Array, faces: Array, spacing: float, margin: float) -> DistanceField:
-    """Like `build_field`, but keeps the result in the cache folder.
+def cover_surface(field: DistanceField, vertices: Array, faces: Array) -> DistanceField:
+    """Lowers a field until no point of the surface that it was made of samples as outside.
+
+    Between the nodes of a coarse lattice, parts thinner than a cell (fingers, ears) are smoothed away and
+    cloth would hang through them. Held against vertices, middles of edges and middles of faces.
+
+    Args:
+        field: What `build_field` made of the surface.
+        vertices: (N, 3) positions, cm.
+        faces: (M, 3) vertex indices.
+    """
+    corners = vertices[faces]
+    middles = [(corners[:, k] + corners[:, (k + 1) % 3]) / 2 for k in range(3)]
+    points = np.concatenate([vertices, corners.mean(axis=1), *middles])
+    values = field.values.copy()
+    strides = np.array([values.shape[1] * values.shape[2], values.shape[2], 1])
+    corner_steps = np.array([[i, j, k] for i in (0, 1) for j in (0, 1) for k in (0, 1)]) @ strides
+    for _ in range(_COVERING_ROUNDS):
+        above, _ = DistanceField(values, field.origin, field.spacing).sample(points)
+        bare = above > 0
+        if not bare.any():
+            break
+        cells = np.floor((points[bare] - field.origin) / field.spacing).astype(np.int64) @ strides
+        lower = np.zeros(values.size, np.float32)
+        nodes = cells[:, None] + corner_steps
+        np.maximum.at(lower, nodes.ravel(), np.repeat(above[bare] + 1e-4, 8).astype(np.float32))
+        values -= lower.reshape(values.shape)
+    return DistanceField(values, field.origin, field.spacing)
+
+
+def cached_field(
+    vertices: Array, faces: Array, spacing: float, margin: float, *, covering: bool = False
+) -> DistanceField:
+    """Like `build_field`, and `cover_surface` when `covering`, but keeps the result in the cache folder.
 
     The file's name is a hash of all arguments. A file that cannot be read is computed again, and a folder
     that cannot be written is no error.
     """
-    path = cache_folder() / f"body-distance-{_content_key(vertices, faces, spacing, margin)}.npz"
+    key = _content_key(vertices, faces, spacing, margin, covering)
+    path = cache_folder() / f"body-distance-{key}.npz"
     field = _read_field(path, spacing)
     if field is None:
         field = build_field(vertices, faces, spacing, margin)
+        if covering:
+            field = cover_surface(field, vertices, faces)
         _keep_field(path, field)
     return field
 
@@ -146,10 +182,11 @@ def cache_folder() -> Path:
     return Path(base) / "swifttailor"
 
 
-def _content_key(vertices: Array, faces: Array, spacing: float, margin: float) -> str:
+def _content_key(vertices: Array, faces: Array, spacing: float, margin: float, covering: bool) -> str:
     """Hash of everything the field depends on."""
     digest = hashlib.sha256()
-    digest.update(repr((_CACHE_FORMAT, float(spacing), float(margin), vertices.shape, faces.shape)).encode())
+    numbers = (_CACHE_FORMAT, float(spacing), float(margin), covering, vertices.shape, faces.shape)
+    digest.update(repr(numbers).encode())
     digest.update(np.ascontiguousarray(vertices, "<f8").tobytes())
     digest.update(np.ascontiguousarray(faces, "<i4").tobytes())
     return digest.hexdigest()[:32]

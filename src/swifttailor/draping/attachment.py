@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.body import BodyMeasurements
+from swifttailor.draping.placement import place_vertices
 from swifttailor.garment import PatternMesh
 from swifttailor.pattern import Pattern, body_region
 
@@ -20,10 +21,8 @@ class Attachment:
 
     vertices: Ints
     """(k,) welded vertices."""
-    level: float
-    """Height, cm; what has been sewn on lower is held there."""
-    while_sewing: bool
-    """Whether it already holds while the seams close."""
+    levels: NDArray[np.float64]
+    """(k,) height of each, cm; what has been sewn on lower is held there."""
 
 
 def find_attachment(mesh: PatternMesh, measurements: BodyMeasurements) -> Attachment:
@@ -32,12 +31,18 @@ def find_attachment(mesh: PatternMesh, measurements: BodyMeasurements) -> Attach
     A skirt or trousers are held at the waist by the edges labelled ``lower_interface``; files without
     labels by the topmost free edges. A strapless top is held by ``strapless_top``. A garment with a
     shoulder needs nothing, and pulling its waist up would turn its bodice over.
+
+    A strapless top is held where its panels stand, at most at the armpits: without friction, as it is sewn,
+    a tight one slides off the bust. The armpit level itself would push it up into the arms.
     """
     pattern = mesh.pattern
     if hangs_from_shoulders(pattern):
-        return Attachment(_labelled(mesh, "strapless_top"), measurements.armpit_level, while_sewing=False)
+        held = _labelled(mesh, "strapless_top")
+        placed = place_vertices(mesh)[held, 1]
+        return Attachment(held, np.minimum(placed, measurements.armpit_level))
     held = _labelled(mesh, "lower_interface")
-    return Attachment(held if len(held) else _top_edges(mesh), measurements.waist_level, while_sewing=True)
+    held = held if len(held) else _top_edges(mesh)
+    return Attachment(held, np.full(len(held), measurements.waist_level))
 
 
 def hangs_from_shoulders(pattern: Pattern) -> bool:

@@ -27,11 +27,12 @@ def vertices_ignoring_arms(mesh: PatternMesh) -> np.ndarray:
 
 def build_field_arrays(body: Body, mesh: PatternMesh) -> FieldArrays:
     """Gets the body's distance fields (cached between runs) on one common lattice."""
-    full = body.distance_field(spacing=FIELD_SPACING_CM)
+    full = body.distance_field(spacing=FIELD_SPACING_CM, covering=True)
     ignores = vertices_ignoring_arms(mesh)
     armless = full
     if ignores.any():
-        armless = _on_lattice(body.distance_field(spacing=FIELD_SPACING_CM, without=ARMS), full)
+        armless = body.distance_field(spacing=FIELD_SPACING_CM, without=ARMS, covering=True)
+        armless = _on_lattice(armless, full)
     return FieldArrays(
         np.ascontiguousarray(full.values, dtype=np.float32),
         np.ascontiguousarray(armless.values, dtype=np.float32),

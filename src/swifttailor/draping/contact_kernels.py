@@ -16,12 +16,13 @@ FAST: dict[str, Any] = {
     "error_model": "numpy",
 }
 
-CELL = 3.0
-"""Size of a hash cell, cm."""
-SKIN = 1.0
+CELL = 1.5
+"""Size of a hash cell. This and the next two are in units of `ClothArrays.spacing`: the longer lists of a
+finer mesh would make its cost grow faster than its vertices."""
+SKIN = 0.5
 """Neighbour lists reach this much further than needed and stay valid until a vertex has moved half of it."""
-MARGIN = 0.8
-"""Contacts are noticed this much before they act, cm."""
+MARGIN = 0.4
+"""Contacts are noticed this much before they act."""
 FOLDED = -0.6
 """Barycentric coordinate beyond which a surface neighbour counts as lying beside the face, not on it."""
 CLOTH_FRICTION = 0.3
@@ -44,11 +45,11 @@ class NeighborLists(NamedTuple):
 
 
 @njit(**FAST)
-def has_moved(x, lists):
+def has_moved(x, cloth, lists):
     """Whether the lists are empty or a vertex has moved more than half the skin since they were made."""
     if lists.anchor.shape[0] == 0:
         return True
-    limit = 0.25 * SKIN * SKIN
+    limit = 0.25 * (SKIN * cloth.spacing) ** 2
     for i in range(x.shape[0]):
         dx, dy, dz = x[i, 0] - lists.anchor[i, 0], x[i, 1] - lists.anchor[i, 1], x[i, 2] - lists.anchor[i, 2]
         if dx * dx + dy * dy + dz * dz > limit:
@@ -64,7 +65,8 @@ def list_neighbors(x, cloth):
     as far out as half its longest edge; the same list then serves contacts and crossings.
     """
     faces, edges = cloth.faces, cloth.edges
-    reach_of = cloth.radius + MARGIN
+    cell, skin = CELL * cloth.spacing, SKIN * cloth.spacing
+    reach_of = cloth.radius + MARGIN * cloth.spacing
     longest = min(0.65 * cloth.rest.mean(), MAX_REACH)
     for e in range(edges.shape[0]):
         p, q = edges[e, 0], edges[e, 1]
@@ -72,8 +74,8 @@ def list_neighbors(x, cloth):
         half = min(0.5 * math.sqrt(dx * dx + dy * dy + dz * dz), longest)
         reach_of[p] = max(reach_of[p], half)
         reach_of[q] = max(reach_of[q], half)
-    furthest = reach_of.max() + SKIN
-    start, ids, mask = hash_points(x, CELL)
+    furthest = reach_of.max() + skin
+    start, ids, mask = hash_points(x, cell)
     vertex, face = np.zeros(4096, np.int32), np.zeros(4096, np.int32)
     count = 0
     for f in range(faces.shape[0]):
@@ -90,15 +92,15 @@ def list_neighbors(x, cloth):
         nx, ny, nz = nx / norm, ny / norm, nz / norm
         uu, uw, ww = ux * ux + uy * uy + uz * uz, ux * wx + uy * wy + uz * wz, wx * wx + wy * wy + wz * wz
         inverse = 1.0 / (uu * ww - uw * uw + 1e-20)
-        for i in range(math.floor((low0 - furthest) / CELL), math.floor((high0 + furthest) / CELL) + 1):
-            for j in range(math.floor((low1 - furthest) / CELL), math.floor((high1 + furthest) / CELL) + 1):
+        for i in range(math.floor((low0 - furthest) / cell), math.floor((high0 + furthest) / cell) + 1):
+            for j in range(math.floor((low1 - furthest) / cell), math.floor((high1 + furthest) / cell) + 1):
                 for k in range(
-                    math.floor((low2 - furthest) / CELL), math.floor((high2 + furthest) / CELL) + 1
+                    math.floor((low2 - furthest) / cell), math.floor((high2 + furthest) / cell) + 1
                 ):
                     h = hash_cell(i, j, k, mask)
                     for r in range(start[h], start[h + 1]):
                         p = ids[r]
-                        reach = reach_of[p] + SKIN
+                        reach = reach_of[p] + skin
                         px, py, pz = x[p, 0], x[p, 1], x[p, 2]
                         d = (px - x[a, 0]) * nx + (py - x[a, 1]) * ny + (pz - x[a, 2]) * nz
                         if d > reach or d < -reach:
@@ -107,7 +109,7 @@ def list_neighbors(x, cloth):
                             continue
                         if pz < low2 - reach or pz > high2 + reach or p == a or p == b or p == c:
                             continue
-                        if math.floor(px / CELL) != i or math.floor(py / CELL) != j:
+                        if math.floor(px / cell) != i or math.floor(py / cell) != j:
                             continue  # from another cell in the same bucket
                         near = False
                         for m in range(cloth.neighbor_start[p], cloth.neighbor_start[p + 1]):
@@ -149,7 +151,7 @@ def find_contacts(x, cloth, contacts, lists):
         nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
         dx, dy, dz = x[p, 0] - x[a, 0], x[p, 1] - x[a, 1], x[p, 2] - x[a, 2]
         d = dx * nx + dy * ny + dz * nz
-        reach = min(radius[p], max(radius[a], radius[b], radius[c])) + MARGIN
+        reach = min(radius[p], max(radius[a], radius[b], radius[c])) + MARGIN * cloth.spacing
         if d * d > reach * reach * (nx * nx + ny * ny + nz * nz):
             continue
         uu, uw, ww = ux * ux + uy * uy + uz * uz, ux * wx + uy * wy + uz * wz, wx * wx + wy * wy + wz * wz

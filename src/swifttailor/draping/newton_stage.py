@@ -20,7 +20,7 @@ from swifttailor.body.parts import surface_without
 from swifttailor.draping.cloth import ClothModel
 from swifttailor.draping.collider import ARMS, FIELD_SPACING_CM
 from swifttailor.draping.simulation import FRAME_RATE, GRAVITY, Simulation
-from swifttailor.draping.xpbd_kernels import MIDDLE_DISTANCE
+from swifttailor.draping.xpbd_kernels import EDGE_DISTANCE
 from swifttailor.garment import PatternMesh
 
 Floats = NDArray[np.float64]
@@ -189,7 +189,7 @@ def widen_clearance(stage: Stage, simulation: Simulation, body: Body) -> None:
     near = _distance(body, points, ignores) < stage.clearance + _NEAR_BODY
     chosen = near[edges].all(axis=1)
     edges, free = edges[chosen], free[chosen]
-    lack = MIDDLE_DISTANCE - _distance(body, points[edges].mean(axis=1), free)
+    lack = EDGE_DISTANCE - _distance(body, points[edges].mean(axis=1), free)
     edges, lack = edges[lack > 0], lack[lack > 0]
     if not len(edges):
         return

@@ -32,6 +32,7 @@ GRAVITY = 981.0
 _FOOTPRINT_LEVEL = 2.0
 _SEWING_BENDING = 20.0
 _UNTANGLING = 0.1
+_MAX_SPEED, _FALLING_SPEED = 250.0, 120.0
 
 
 @dataclass(frozen=True)
@@ -91,7 +92,7 @@ class Simulation:
         self.velocities = np.zeros_like(self.positions)
         self.held = HeldArrays(
             np.ascontiguousarray(attachment.vertices, dtype=np.int32),
-            np.full(len(attachment.vertices), attachment.level if attachment.while_sewing else -np.inf),
+            np.array(attachment.levels, dtype=np.float64),
         )
         self.moving = 1.0
         self.contacts_found = 0
@@ -111,6 +112,7 @@ class Simulation:
         long_edges: bool = False,
         self_collision: bool,
         untangling: float = _UNTANGLING,
+        max_speed: float = _MAX_SPEED,
         rest: Floats | None = None,
     ) -> None:
         """Advances by one frame of 1/60 s."""
@@ -122,7 +124,7 @@ class Simulation:
             damping=damping,
             friction=friction,
             thickness=self.fabric.thickness,
-            max_speed=250.0,
+            max_speed=max_speed,
             bending_factor=bending_factor,
             # Hems may start or hang below the floor: there the body goes on as the print of its feet.
             lowest_level=_FOOTPRINT_LEVEL,
@@ -149,7 +151,7 @@ class Simulation:
     def hold(self) -> None:
         """Holds the attached vertices at their level, or where they are if that is lower."""
         heights = self.positions[self.held.vertices, 1]
-        self.held.levels[:] = np.minimum(self.attachment.level, heights)
+        self.held.levels[:] = np.minimum(self.attachment.levels, heights)
 
     def edge_lengths(self) -> Floats:
         """Current length of every spring, cm."""
@@ -195,6 +197,8 @@ def settle(simulation: Simulation, progress: Progress) -> tuple[int, bool]:
         simulation.frame(
             gravity=GRAVITY,
             untangling=_UNTANGLING * max(0.0, 1 - k / 120),
+            # Wide skirts fall slowly, or their layers pass through each other between two searches.
+            max_speed=_FALLING_SPEED + (_MAX_SPEED - _FALLING_SPEED) * min(max((k - 60) / 40, 0.0), 1.0),
             damping=damping,
             friction=simulation.fabric.friction,
             self_collision=s.self_collision,

@@ -23,10 +23,11 @@ from swifttailor.draping.contact_kernels import (
     shrink_crossings,
 )
 
-NEAR_BODY = 0.3
-"""Ends further from contact than this cannot bring the middle of their edge into the body, cm."""
-MIDDLE_DISTANCE = 0.15
-"""Distance from the body kept by the middle of an edge, cm."""
+ON_BODY, NEAR_BODY = 0.3, 1.2
+"""Edges are held off the body when one end is nearer to contact than the first and the other than the second,
+cm."""
+EDGE_DISTANCE = 0.15
+"""Distance from the body kept by edges between their ends, cm."""
 
 
 class FieldArrays(NamedTuple):
@@ -246,28 +247,36 @@ def push_long_edges(x, cloth, field, settings):
 
 
 @njit(**FAST)
-def push_edge_middles(x, previous, cloth, field, clearance, settings):
-    """Keeps the middles of edges outside the body where it is more curved than the mesh.
+def push_edges_off_body(x, previous, cloth, field, clearance, settings):
+    """Keeps edges outside the body between their ends, where it is more curved than the mesh.
 
-    Only edges whose ends both lie on it are looked at. Like all lifting, this is no velocity.
+    Looked at in three places, and only where an end lies on the body and the other is not far from it.
+    Like all lifting, this is no velocity.
     """
     edges = cloth.edges
     for e in range(edges.shape[0]):
         a, b = edges[e, 0], edges[e, 1]
-        if clearance[a] > NEAR_BODY or clearance[b] > NEAR_BODY:
+        near, far = clearance[a], clearance[b]
+        if near > far:
+            near, far = far, near
+        if near > ON_BODY or far > NEAR_BODY:
             continue
-        px, py, pz = 0.5 * (x[a, 0] + x[b, 0]), 0.5 * (x[a, 1] + x[b, 1]), 0.5 * (x[a, 2] + x[b, 2])
-        d, nx, ny, nz = body_distance(field, a, b, px, py, pz, settings.lowest_level)
-        depth = MIDDLE_DISTANCE - d
-        if depth > 0:
-            depth = min(depth, 0.1)
-            for i in (a, b):
-                x[i, 0] += depth * nx
-                x[i, 1] += depth * ny
-                x[i, 2] += depth * nz
-                previous[i, 0] += depth * nx
-                previous[i, 1] += depth * ny
-                previous[i, 2] += depth * nz
+        for q in range(1, 4):
+            t = 0.25 * q
+            px = x[a, 0] + t * (x[b, 0] - x[a, 0])
+            py = x[a, 1] + t * (x[b, 1] - x[a, 1])
+            pz = x[a, 2] + t * (x[b, 2] - x[a, 2])
+            d, nx, ny, nz = body_distance(field, a, b, px, py, pz, settings.lowest_level)
+            depth = EDGE_DISTANCE - d
+            if depth > 0:
+                depth = min(depth, 0.1)
+                for i in (a, b):
+                    x[i, 0] += depth * nx
+                    x[i, 1] += depth * ny
+                    x[i, 2] += depth * nz
+                    previous[i, 0] += depth * nx
+                    previous[i, 1] += depth * ny
+                    previous[i, 2] += depth * nz
 
 
 @njit(**FAST)
@@ -324,7 +333,7 @@ def advance_frame(x, v, cloth, field, held, contacts, lists, clearance, settings
     contact_count, crossing_count = 0, 0
     for s in range(settings.substeps):
         if settings.self_collision and s % settings.contact_interval == 0:
-            if has_moved(x, lists):
+            if has_moved(x, cloth, lists):
                 lists = list_neighbors(x, cloth)
             if s % (2 * settings.contact_interval) == 0:
                 crossing_count = find_crossings(x, cloth, contacts, lists)
@@ -340,7 +349,7 @@ def advance_frame(x, v, cloth, field, held, contacts, lists, clearance, settings
             push_long_edges(x, cloth, field, settings)
         push_off_body(x, previous, field, clearance, settings)
         if not settings.long_edges and s % settings.contact_interval == settings.contact_interval - 1:
-            push_edge_middles(x, previous, cloth, field, clearance, settings)
+            push_edges_off_body(x, previous, cloth, field, clearance, settings)
         for i in range(n):
             v[i, 0] = (x[i, 0] - previous[i, 0]) / settings.step
             v[i, 1] = (x[i, 1] - previous[i, 1]) / settings.step
