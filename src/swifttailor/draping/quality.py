@@ -111,11 +111,12 @@ def measure_quality(
 def lowest_top(pattern: Pattern, measurements: BodyMeasurements) -> float:
     """Height in cm that the top of a garment must reach to count as worn.
 
-    For what hangs from the shoulders or is strapless, a hand below the armpit; for skirts and trousers the
-    hips.
+    For what hangs from the shoulders or is strapless, a hand below the armpit, or a little below where its
+    panels are placed if they are placed that low; for skirts and trousers the hips.
     """
     if hangs_from_shoulders(pattern):
-        return measurements.armpit_level - 10.0
+        placed = max(float(p.to_world(p.outline(1.0))[:, 1].max()) for p in pattern.panels)
+        return min(measurements.armpit_level - 10.0, placed - 5.0)
     return measurements.hips_level
 
 
