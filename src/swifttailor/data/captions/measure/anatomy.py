@@ -12,7 +12,9 @@ from swifttailor.data.captions.measure.cloth import Cloth, FreeLoop
 from swifttailor.data.captions.measure.parts import (
     ARM_PARTS,
     LEG_PARTS,
+    WELL_ABOVE_WAIST_CM,
     Face,
+    Openings,
     Part,
     PlacedPart,
     Side,
@@ -78,7 +80,7 @@ class Anatomy:
         """Looks at a pattern placed around a body."""
         figure = Figure.of(body)
         cloth = Cloth.of(pattern)
-        parts = find_parts(pattern, figure, _two_legs(cloth, figure))
+        parts = find_parts(pattern, figure, _openings(cloth, figure))
         return cls(pattern, body, figure, cloth, parts, _borders(cloth, parts, figure))
 
     def panels(
@@ -156,14 +158,20 @@ class Anatomy:
         return tuple(r for r in self.cloth.samples if r.panel in names and r not in self.cloth.partner)
 
 
-def _two_legs(cloth: Cloth, figure: Figure) -> bool:
-    """Whether the garment has an opening on either side below the hips."""
+def _openings(cloth: Cloth, figure: Figure) -> Openings:
+    """Reads the borders before anything is known of the panels but their names."""
     low = [
         loop.center[0]
         for loop in cloth.loops
         if loop.center[1] < figure.hip_y and all(named_part(r.panel) not in ARM_PARTS for r in loop.edges)
     ]
-    return any(x > _LEG_APART_CM for x in low) and any(x < -_LEG_APART_CM for x in low)
+    two_legs = any(x > _LEG_APART_CM for x in low) and any(x < -_LEG_APART_CM for x in low)
+    high = [loop for loop in cloth.loops if loop.center[1] > figure.hip_y]
+    arms = [loop for loop in high if abs(loop.center[0]) > _ARMHOLE_APART_CM]
+    top = max(high, key=lambda loop: loop.center[1], default=None)
+    upper = bool(arms) or (top is not None and top.center[1] > figure.waist_y + WELL_ABOVE_WAIST_CM)
+    around = {r.panel for loop in (*arms, *([top] if top else [])) for r in loop.edges}
+    return Openings(two_legs, upper, frozenset(around))
 
 
 def _borders(

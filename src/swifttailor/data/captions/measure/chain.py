@@ -94,6 +94,20 @@ class Line:
                 found.append((k, float(turn)))
         return found
 
+    def cut_at_middle(self) -> tuple[Line, Line]:
+        """The line before and after it first passes x = 0, or its point nearest to that."""
+        x = self.points[:, 0]
+        passing = np.flatnonzero((x[:-1] > 0) != (x[1:] > 0))
+        if not len(passing):
+            return self.split(int(np.abs(x).argmin()))
+        k = int(passing[0])
+        t = x[k] / (x[k] - x[k + 1])
+        point = self.points[k] * (1 - t) + self.points[k + 1] * t
+        whole = Line(
+            np.insert(self.points, k + 1, point, axis=0), tuple(j if j <= k else j + 1 for j in self.joints)
+        )
+        return whole.split(k + 1)
+
     def split(self, at: int) -> tuple[Line, Line]:
         """The line before and after one of its points."""
         return (

@@ -30,6 +30,8 @@ def measure_neckline(anatomy: Anatomy, face: Face, shoulders: tuple[bool, bool])
         face: Front or back.
         shoulders: Whether the left and the right shoulder are covered.
     """
+    if not any(shoulders):
+        return None
     halves: dict[str, NeckHalf] = {}
     edges = _neck_edges(anatomy)
     for panel in anatomy.panels(Part.TORSO, face=face):
@@ -67,7 +69,7 @@ def _outward(line: Line) -> Line:
 
 def _halves(line: Line) -> tuple[Line, Line]:
     """A neckline in one piece, cut where it is nearest the middle, each half led outward."""
-    first, second = line.split(int(np.abs(line.points[:, 0]).argmin()))
+    first, second = line.cut_at_middle()
     return first.turned_round(), second
 
 

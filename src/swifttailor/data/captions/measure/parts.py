@@ -59,6 +59,8 @@ _NAMES: tuple[tuple[re.Pattern[str], Part], ...] = tuple(
 _LEFT = re.compile(r"(^|_)(left|l)(_|$)", re.IGNORECASE)
 _RIGHT = re.compile(r"(^|_)(right|r)(_|$)", re.IGNORECASE)
 _MIDDLE_CM = 2.0
+WELL_ABOVE_WAIST_CM = 5.0
+"""What begins higher than this above the waist is an upper garment."""
 
 
 @dataclass(frozen=True)
@@ -77,32 +79,39 @@ def named_part(name: str) -> Part | None:
     return next((part for pattern, part in _NAMES if pattern.search(name)), None)
 
 
-def find_parts(pattern: Pattern, figure: Figure, two_legs: bool) -> dict[str, PlacedPart]:
-    """Finds the part of every panel.
+@dataclass(frozen=True)
+class Openings:
+    """What the borders of a garment say about panels whose names say nothing."""
 
-    Args:
-        pattern: Any pattern.
-        figure: The body it is placed around.
-        two_legs: Whether the lower end of the garment has two openings side by side; tells trousers from
-            skirts where names do not.
-    """
+    two_legs: bool
+    """The lower end has two openings side by side."""
+    upper: bool
+    """There are armholes or sleeves, or the garment begins well above the waist."""
+    around: frozenset[str]
+    """Panels that border an armhole or the upper opening."""
+
+
+def find_parts(pattern: Pattern, figure: Figure, openings: Openings) -> dict[str, PlacedPart]:
+    """Finds the part of every panel of a pattern placed around a body."""
     return {
-        p.name: PlacedPart(p, _part(p, figure, two_legs), _side(p), "back" if p.normal()[2] < 0 else "front")
+        p.name: PlacedPart(p, _part(p, figure, openings), _side(p), "back" if p.normal()[2] < 0 else "front")
         for p in pattern.panels
     }
 
 
-def _part(panel: Panel, figure: Figure, two_legs: bool) -> Part:
+def _part(panel: Panel, figure: Figure, openings: Openings) -> Part:
     named = named_part(panel.name)
     if named is not None:
         return named
     region = body_region(panel.name, panel.label)
     if region == "arm":
         return Part.SLEEVE
-    top = float(panel.to_world(panel.vertices)[:, 1].max())
-    if region == "body" and top > figure.waist_y + 5.0:
+    height = panel.to_world(panel.outline(0.5))[:, 1]
+    high = height.max() > figure.waist_y + WELL_ABOVE_WAIST_CM
+    covers_chest = panel.name in openings.around or height.mean() > figure.waist_y
+    if region == "body" and openings.upper and high and covers_chest:
         return Part.TORSO
-    return Part.TROUSER if two_legs else Part.SKIRT
+    return Part.TROUSER if openings.two_legs else Part.SKIRT
 
 
 def _side(panel: Panel) -> Side:
