@@ -32,10 +32,27 @@ FILL = Light((0.85, 0.15, 0.50), (0.13, 0.15, 0.19), wrap=0.30)
 """Low, from the right, a little cooler."""
 RIM = Light((0.70, 0.55, -0.75), (0.26, 0.28, 0.30))
 """From behind, drawing the outline on the shadow side."""
-SKY = np.array([0.36, 0.37, 0.40])
+SKY = (0.36, 0.37, 0.40)
 """Light from above."""
-GROUND = np.array([0.17, 0.165, 0.16])
+GROUND = (0.17, 0.165, 0.16)
 """Light thrown back by the floor."""
+
+
+@dataclass(frozen=True)
+class Lighting:
+    """All light in a picture."""
+
+    key: Light = KEY
+    """The strongest; it casts the shadows."""
+    fill: Light = FILL
+    rim: Light = RIM
+    sky: tuple[float, float, float] = SKY
+    """Linear RGB from above."""
+    ground: tuple[float, float, float] = GROUND
+    """Linear RGB from below."""
+
+
+STUDIO = Lighting()
 
 
 @dataclass(frozen=True)
@@ -60,22 +77,23 @@ class Samples:
     """(n,) share of the room's light that arrives."""
 
 
-def shade(samples: Samples) -> Array:
+def shade(samples: Samples, lighting: Lighting = STUDIO) -> Array:
     """Linear-light colour (n, 3) of the samples."""
-    key = _diffuse(samples.normal, KEY) * samples.shadow
-    fill = _diffuse(samples.normal, FILL) * samples.open_sky
+    key = _diffuse(samples.normal, lighting.key) * samples.shadow
+    fill = _diffuse(samples.normal, lighting.fill) * samples.open_sky
     edge = (1.0 - samples.facing) ** 2
-    rim = _diffuse(samples.normal, RIM) * edge * samples.open_sky
+    rim = _diffuse(samples.normal, lighting.rim) * edge * samples.open_sky
     sky = (0.5 + 0.5 * samples.up) * samples.open_sky
-    half = KEY.unit() + np.array([0.0, 0.0, 1.0])
-    half = (half / np.linalg.norm(half)).astype(np.float32)
+    half = lighting.key.unit() + np.array([0.0, 0.0, 1.0])
+    half = (half / max(float(np.linalg.norm(half)), 1e-6)).astype(np.float32)
     highlight = np.maximum(samples.normal @ half, 0.0) ** 24 * samples.gloss * samples.shadow
     sheen = edge * (1.0 - samples.facing) * samples.sheen * samples.open_sky
     lit = np.zeros_like(samples.color)
     for k in range(3):
-        light = key * np.float32(KEY.color[k]) + fill * np.float32(FILL.color[k])
-        light += sky * np.float32(SKY[k] - GROUND[k]) + samples.open_sky * np.float32(GROUND[k])
-        lit[:, k] = samples.color[:, k] * light + rim * np.float32(RIM.color[k]) * (
+        sky_part, ground = np.float32(lighting.sky[k] - lighting.ground[k]), np.float32(lighting.ground[k])
+        light = key * np.float32(lighting.key.color[k]) + fill * np.float32(lighting.fill.color[k])
+        light += sky * sky_part + samples.open_sky * ground
+        lit[:, k] = samples.color[:, k] * light + rim * np.float32(lighting.rim.color[k]) * (
             0.35 + 0.65 * samples.color[:, k]
         )
         lit[:, k] += highlight + sheen * (0.3 + 0.7 * samples.color[:, k])

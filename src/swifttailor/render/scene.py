@@ -50,7 +50,7 @@ class Projection:
         self.scene, self.camera, self.size = scene, camera, size
         self.pixels: list[Array] = []
         """Projected vertices (n, 3) of each surface, see `Camera.project`."""
-        corners, normals, lifts, kept = [], [], [], []
+        corners, normals, lifts, kept, print_at = [], [], [], [], []
         before = 0
         for surface in scene.surfaces:
             pixels = camera.project(surface.vertices, size)
@@ -66,6 +66,10 @@ class Projection:
             normals.append(in_view[surface.faces[index]])
             lifts.append(np.full(len(index), surface.lift))
             kept.append(index + before)
+            if surface.print is not None and surface.print_at is not None:
+                print_at.append(np.asarray(surface.print_at, np.float32)[index])
+            else:
+                print_at.append(np.zeros((len(index), 3, 2), np.float32))
             before += len(surface.faces)
         corners_all = _join(corners, (3, 3))
         self.normals = _join(normals, (3, 3)).astype(np.float32)
@@ -74,6 +78,12 @@ class Projection:
         """(k,) whether the right side is seen."""
         self.materials = scene.materials[_join(kept, ()).astype(np.int64)]
         """(k, 8) see `Scene.materials`."""
+        self.surface = np.repeat(np.arange(len(kept), dtype=np.int16), [len(index) for index in kept])
+        """(k,) which surface of the scene."""
+        self.print_at = None
+        """(k, 3, 2) see `Surface.print_at`; None where nothing has a print."""
+        if any(s.print is not None for s in scene.surfaces):
+            self.print_at = _join(print_at, (3, 2))
         self.distance = corners_all[:, :, 2].copy()
         """(k, 3) distance from the camera, cm."""
         near = self.distance - _join(lifts, ())[:, None]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -23,6 +23,14 @@ class LineSet:
     """Share of the surface's light that the line takes away, 0 to 1."""
     width: float = 1.2
     """Pixels of the finished picture."""
+
+
+class Print(Protocol):
+    """What is printed on or woven into a cloth (`render.prints`)."""
+
+    def colors(self, at: Array) -> Array:
+        """Linear-light colours (n, 3) float32 at points (n, 2) of the cloth, cm."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +52,10 @@ class Surface:
     """Light caught at grazing angles, as by the fibres of cloth."""
     gloss: float = 0.0
     """Strength of the highlight, as on a mannequin."""
+    print: Print | None = None
+    """Takes the place of `color` on the right side, where given."""
+    print_at: Array | None = None
+    """(m, 3, 2) where on the cloth the corners of the faces lie, cm; goes with `print`."""
 
     def __post_init__(self) -> None:
         vertices = np.array(self.vertices, dtype=np.float64)
@@ -73,6 +85,12 @@ class Surface:
                         f"A surface's {name} has the shape (3,) or ({len(faces)}, 3), got {color.shape}."
                     )
                 object.__setattr__(self, name, color)
+        if self.print is not None:
+            shape = () if self.print_at is None else self.print_at.shape
+            if shape != (len(faces), 3, 2):
+                raise InputError(
+                    f"A surface with a print needs print_at of shape ({len(faces)}, 3, 2), got {shape}."
+                )
         for line in self.lines:
             _require_indices("Lines", np.asarray(line.edges).reshape(-1, 2), len(vertices))
 

@@ -11,7 +11,7 @@ from swifttailor.errors import InputError
 from swifttailor.render.backdrop import wall
 from swifttailor.render.camera import Camera
 from swifttailor.render.color import BACKGROUND, Color, encode_srgb, to_linear
-from swifttailor.render.lighting import KEY, Samples, shade
+from swifttailor.render.lighting import STUDIO, Lighting, Samples, shade
 from swifttailor.render.lines import draw_lines
 from swifttailor.render.open_sky import box_mean, open_sky
 from swifttailor.render.rasterize import barycentric, rasterize
@@ -29,7 +29,8 @@ def render_view(
     camera: Camera,
     size: tuple[int, int],
     *,
-    background: Color | None = BACKGROUND,
+    background: Color | Array | None = BACKGROUND,
+    lighting: Lighting = STUDIO,
     shadows: bool = True,
     floor: bool = True,
     samples: int = 2,
@@ -40,8 +41,9 @@ def render_view(
         surfaces: What to draw.
         camera: From where.
         size: Width and height in pixels.
-        background: Colour of the backdrop. None: the picture gets a fourth channel, opaque where something
-            is seen.
+        background: Colour of the backdrop, or the backdrop itself (height, width, 3) in linear light. None:
+            the picture gets a fourth channel, opaque where something is seen.
+        lighting: Where light comes from.
         shadows: Whether the key light casts shadows and folds are darkened.
         floor: Whether what stands on the floor y = 0 darkens it.
         samples: Samples along each side of a pixel.
@@ -53,18 +55,35 @@ def render_view(
         InputError: The size is not positive or too large.
     """
     scene = Scene(surfaces)
-    light, coverage = draw_figure(scene, camera, size, shadows=shadows, samples=samples)
+    light, coverage = draw_figure(scene, camera, size, lighting=lighting, shadows=shadows, samples=samples)
     if background is None:
         alpha = np.round(coverage * 255.0).astype(np.uint8)
         return np.concatenate([encode_srgb(light / np.maximum(coverage, 1e-6)), alpha], axis=2)
-    backdrop = wall(size, to_linear(background))
+    backdrop = _backdrop(background, size)
     if floor and scene.floor_shadow is not None:
         backdrop *= scene.floor_shadow.light(camera, size)
     return encode_srgb(light + (1.0 - coverage) * backdrop)
 
 
+def _backdrop(background: Color | Array, size: tuple[int, int]) -> Array:
+    if isinstance(background, np.ndarray):
+        if background.shape != (size[1], size[0], 3):
+            raise InputError(
+                f"A backdrop for a picture of {size[0]} x {size[1]} has the shape ({size[1]}, {size[0]}, 3), "
+                f"got {background.shape}."
+            )
+        return background.astype(np.float32)
+    return wall(size, to_linear(background))
+
+
 def draw_figure(
-    scene: Scene, camera: Camera, size: tuple[int, int], *, shadows: bool = True, samples: int = 2
+    scene: Scene,
+    camera: Camera,
+    size: tuple[int, int],
+    *,
+    lighting: Lighting = STUDIO,
+    shadows: bool = True,
+    samples: int = 2,
 ) -> tuple[Array, Array]:
     """Draws a scene before nothing.
 
@@ -72,6 +91,7 @@ def draw_figure(
         scene: What to draw.
         camera: From where.
         size: Width and height in pixels.
+        lighting: See `render_view`.
         shadows: See `render_view`.
         samples: See `render_view`.
 
@@ -90,7 +110,7 @@ def draw_figure(
     light = np.zeros((*face.shape, 3), np.float32)
     seen = _find_visible(projection, face)
     if len(seen.at):
-        light.reshape(-1, 3)[seen.at] = _light(projection, seen, face.shape, samples, shadows)
+        light.reshape(-1, 3)[seen.at] = _light(projection, seen, face.shape, samples, lighting, shadows)
     coverage = (face >= 0).astype(np.float32)[:, :, None]
     return box_mean(light, samples), box_mean(coverage, samples)
 
@@ -107,6 +127,8 @@ class _Visible:
     """(n, 3) unit normals turned towards the camera, in its frame."""
     distance: Array
     """(n,) from the camera, cm."""
+    print_at: Array | None
+    """(n, 2) where on the cloth, cm; None where nothing has a print."""
 
 
 def _find_visible(projection: Projection, face: Array) -> _Visible:
@@ -121,6 +143,7 @@ def _find_visible(projection: Projection, face: Array) -> _Visible:
     turned = np.where(projection.front, np.float32(1), np.float32(-1))
     normal = np.zeros((len(at), 3), np.float32)
     distance = np.zeros(len(at), np.float32)
+    print_at = None if projection.print_at is None else np.zeros((len(at), 2), np.float32)
     for part in _blocks(len(at)):
         values = table[seen[part]]
         x0, y0, ax, ay, bx, by, d0, d1, d2 = (np.ascontiguousarray(values[:, k]) for k in range(9))
@@ -137,7 +160,10 @@ def _find_visible(projection: Projection, face: Array) -> _Visible:
         )
         length = np.sqrt(np.einsum("ij,ij->i", blend, blend))
         normal[part] = blend * (turned[seen[part]] / np.maximum(length, np.float32(1e-6)))[:, None]
-    return _Visible(at, seen, normal, distance)
+        if print_at is not None and projection.print_at is not None:
+            corners = projection.print_at[seen[part]]
+            print_at[part] = np.einsum("ki,ikj->ij", np.stack([w0, w1, w2]), corners)
+    return _Visible(at, seen, normal, distance, print_at)
 
 
 def _blocks(count: int) -> list[slice]:
@@ -146,25 +172,33 @@ def _blocks(count: int) -> list[slice]:
 
 
 def _light(
-    projection: Projection, seen: _Visible, shape: tuple[int, int], samples: int, shadows: bool
+    projection: Projection,
+    seen: _Visible,
+    shape: tuple[int, int],
+    samples: int,
+    lighting: Lighting,
+    shadows: bool,
 ) -> Array:
     """Linear light (n, 3) of the visible samples."""
     depth = np.full(shape, np.float32(np.inf))
     depth.ravel()[seen.at] = seen.distance
     key = room = np.ones(len(seen.at), np.float32)
     if shadows:
-        key, room = _occlusion(projection, seen, depth, samples)
+        key, room = _occlusion(projection, seen, depth, samples, lighting)
     up_axis = projection.camera.axes[:, 1].astype(np.float32)
     lit = np.zeros((len(seen.at), 3), np.float32)
     for part in _blocks(len(seen.at)):
         normal, face = seen.normal[part], seen.face[part]
         material = projection.materials[face]
         color = np.where(projection.front[face][:, None], material[:, 0:3], material[:, 3:6])
+        if seen.print_at is not None:
+            _print(projection, face, seen.print_at[part], color)
         facing = np.clip(normal[:, 2], 0, 1)
         lit[part] = shade(
             Samples(
                 normal, normal @ up_axis, facing, color, material[:, 6], material[:, 7], key[part], room[part]
-            )
+            ),
+            lighting,
         )
     if any(s.lines for s in projection.scene.surfaces):
         kept = np.ones(shape, np.float32)
@@ -175,7 +209,17 @@ def _light(
     return lit
 
 
-def _occlusion(projection: Projection, seen: _Visible, depth: Array, samples: int) -> tuple[Array, Array]:
+def _print(projection: Projection, face: Array, at: Array, color: Array) -> None:
+    """Puts the colours of prints on the right sides, in place."""
+    for k, surface in enumerate(projection.scene.surfaces):
+        if surface.print is not None:
+            shown = np.flatnonzero((projection.surface[face] == k) & projection.front[face])
+            color[shown] = surface.print.colors(at[shown])
+
+
+def _occlusion(
+    projection: Projection, seen: _Visible, depth: Array, samples: int, lighting: Lighting
+) -> tuple[Array, Array]:
     """Shares of the key light and of the room's light (n,) at the samples, found once per pixel."""
     camera, (width, height) = projection.camera, projection.size
     index = np.full(depth.shape, -1, np.int32)
@@ -191,7 +235,7 @@ def _occlusion(projection: Projection, seen: _Visible, depth: Array, samples: in
         origin, direction = camera.rays(i * samples + middle, j * samples + middle, (width, height))
         along = coarse[j, i] / -(direction @ camera.axes[2])
         normals = seen.normal[index[j, i]] @ camera.axes.astype(np.float32)
-        shadow_map = ShadowMap(projection.scene.triangles, KEY.unit() @ camera.axes)
+        shadow_map = ShadowMap(projection.scene.triangles, lighting.key.unit() @ camera.axes)
         key[j, i] = shadow_map.light(origin + direction * along[:, None], normals)
     row, column = np.divmod(seen.at.astype(np.int32), np.int32(width))
     pick = (row // samples) * np.int32(coarse.shape[1]) + column // samples
