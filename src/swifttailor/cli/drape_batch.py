@@ -7,12 +7,11 @@ import os
 import sys
 import time
 from pathlib import Path
-from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-if TYPE_CHECKING:
-    from rich.progress import Progress, TaskID
+from swifttailor.cli.progress import CountProgress
 
+if TYPE_CHECKING:
     from swifttailor.cli.drape import Drape
 
 NOT_ALL_ACCEPTED = 1
@@ -51,7 +50,7 @@ def run_drape_batch(options: Drape, source: Path) -> int:
     if options.json:
         sys.stdout.write(json.dumps(summary, indent=2) + "\n")
     else:
-        _print_summary(summary, options.out, progress.shown, time.perf_counter() - started)
+        _print_summary(summary, options.out, progress.done, time.perf_counter() - started)
     counts = summary["counts"]
     return 0 if counts["accepted"] == counts["patterns"] else NOT_ALL_ACCEPTED
 
@@ -75,51 +74,16 @@ def _print_summary(summary: dict[str, Any], out: Path, new: int, seconds: float)
     sys.stdout.write("\n".join(lines) + "\n")
 
 
-class _BatchProgress:
+class _BatchProgress(CountProgress):
     """A bar in a terminal, a line per garment elsewhere; both on stderr."""
-
-    def __init__(self, total: int) -> None:
-        self.shown = 0
-        self._total = total
-        self._done_before = 0
-        self._bar: Progress | None = None
-        self._task: TaskID | None = None
-
-    def __enter__(self) -> _BatchProgress:
-        if sys.stderr.isatty():
-            from rich.console import Console
-            from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-            columns = (
-                BarColumn(),
-                MofNCompleteColumn(),
-                TimeRemainingColumn(),
-                TextColumn("{task.description}"),
-            )
-            self._bar = Progress(*columns, console=Console(stderr=True), transient=True)
-            self._task = self._bar.add_task("", total=self._total)
-            self._bar.start()
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if self._bar is not None:
-            self._bar.stop()
 
     def start(self, done_before: int, compiled: bool) -> None:
         """Says what the batch starts from."""
-        from swifttailor.draping.compiled_code import COMPILE_NOTE
-
-        self._done_before = done_before
-        if done_before:
-            self._note(f"going on: {done_before} were done before")
-        if not compiled:
-            self._note(COMPILE_NOTE)
+        self.begin(done_before, compiled=compiled)
 
     def show(self, record: dict[str, Any]) -> None:
         """Takes note of a garment."""
-        self.shown += 1
+        self.done += 1
         if record["status"] == "failed":
             text = f"failed: {record['error']}"
         elif record["accepted"]:
@@ -127,19 +91,10 @@ class _BatchProgress:
         else:
             text = f"not accepted: {'; '.join(record['reasons'])}"
         line = f"{record['id']}: {text}"
-        if self._bar is not None and self._task is not None:
-            if record["status"] == "failed":
-                self._note(line)
-            self._bar.update(self._task, completed=self._done_before + self.shown, description=record["id"])
-        else:
-            self._note(f"{self._done_before + self.shown}/{self._total} {line}")
-
-    def _note(self, text: str) -> None:
-        if self._bar is not None:
-            self._bar.console.print(text, markup=False, highlight=False)
-        else:
-            sys.stderr.write(text + "\n")
-            sys.stderr.flush()
+        if not self.advance(record["id"]):
+            self.note(f"{self.position}/{self._total} {line}")
+        elif record["status"] == "failed":
+            self.note(line)
 
 
 def _available_cores() -> int:
