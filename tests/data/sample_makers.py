@@ -18,6 +18,7 @@ from swifttailor.data.sample import Sample, store_sample
 from swifttailor.data.shard_file import pack_sample
 from swifttailor.draping.batch import BatchSettings
 from swifttailor.draping.batch.make_garment import read_sewable
+from swifttailor.draping.placement import place_vertices
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
@@ -47,6 +48,18 @@ def make_quickly(task: SampleTask) -> MadeSample:
     record = {"position": task.position, "id": id, "status": ACCEPTED, "reasons": []}
     record |= {"checksum": task.checksum, "seconds": {"sewing": time.monotonic()}}
     return MadeSample(record, pack_sample(store_sample(sample)))
+
+
+def make_placed(task: SampleTask) -> MadeSample:
+    """A sound sample without a drape: the panels where they are placed, with the seams closed."""
+    sewable = read_sewable(task.pattern, task.settings)
+    mesh = mesh_pattern(sewable.pattern.canonical(), task.settings.edge_length)
+    vertices = place_vertices(mesh)
+    quality = {"accepted": True, "reasons": [], "top_cm": float(vertices[:, 1].max())}
+    about = {"source": task.pattern.source, "quality": quality}
+    sample = Sample.of_garment(task.pattern.id, Garment(mesh, vertices), task.settings.edge_length, about)
+    record = {"position": task.position, "id": task.pattern.id, "status": ACCEPTED, "reasons": []}
+    return MadeSample(record | {"checksum": task.checksum}, pack_sample(store_sample(sample)))
 
 
 def make_slowly(task: SampleTask) -> MadeSample:

@@ -72,7 +72,9 @@ def test_prints_lie_on_the_right_side_where_they_were_put():
     corners = plain.vertices[plain.faces][:, :, :2]
     stripes = Stripes(RED, BLUE, 4.0, 4.0, grain=0.0)
     dark = np.array([0.02, 0.02, 0.02])
-    surface = Surface(plain.vertices, plain.faces, np.ones(3), dark, print=stripes, print_at=corners + [3, 4])
+    surface = Surface(
+        plain.vertices, plain.faces, np.ones(3), dark, print=stripes, print_at=corners + np.array([3, 4])
+    )
     size = (40, 40)
 
     def seen(camera):

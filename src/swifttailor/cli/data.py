@@ -63,11 +63,44 @@ def _load_build() -> Any:
     return DataBuild
 
 
+def _load_render() -> Any:
+    from swifttailor.cli.data_render import DataRender
+
+    return DataRender
+
+
+def _load_verify() -> Any:
+    from swifttailor.cli.data_verify import DataVerify
+
+    return DataVerify
+
+
+def _load_stats() -> Any:
+    from swifttailor.cli.data_stats import DataStats
+
+    return DataStats
+
+
 COMMANDS: dict[str, DataCommand] = {
     "build": DataCommand(
         "Drape patterns and put those that come out well into shards.",
         "swifttailor data build --patterns FILE... --out DIR",
         _load_build,
+    ),
+    "render": DataCommand(
+        "Draw pictures of every garment of a data set.",
+        "swifttailor data render DIR",
+        _load_render,
+    ),
+    "verify": DataCommand(
+        "Compare checksums and check everything that must hold of each sample.",
+        "swifttailor data verify DIR",
+        _load_verify,
+    ),
+    "stats": DataCommand(
+        "Numbers, contact sheets, and a page to look through.",
+        "swifttailor data stats DIR",
+        _load_stats,
     ),
 }
 """In the order in which they are needed."""

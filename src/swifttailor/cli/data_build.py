@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 import sys
 from collections import Counter
 from dataclasses import dataclass
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import tyro
 
+from swifttailor.cli.data_workers import worker_count
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from swifttailor.data.index import SplitIndex
 
 SOME_FAILED = 1
-MAX_WORKERS = 1024
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -123,7 +122,7 @@ class DataBuild:
 
         return partial(
             run_tasks,
-            workers=self.workers or available_cores(),
+            workers=worker_count(self.workers),
             time_limit=self.time_limit,
             first_alone=not solver_is_compiled(),
             attempts=ATTEMPTS,
@@ -145,19 +144,11 @@ class DataBuild:
             )
         if not 0 <= self.seed < 2**63:
             raise InputError(f"--seed is {self.seed}; a whole number from 0 to 2^63 - 1 is accepted.")
-        if self.workers is not None and not 1 <= self.workers <= MAX_WORKERS:
-            raise InputError(f"--workers is {self.workers}; from 1 to {MAX_WORKERS} is accepted.")
+        worker_count(self.workers)
         if self.limit is not None and self.limit < 1:
             raise InputError(f"--limit is {self.limit}; a whole number of at least 1 is accepted.")
         if not (math.isfinite(self.time_limit) and self.time_limit >= 1):
             raise InputError(f"--time-limit is {self.time_limit:g}; at least 1 second is accepted.")
-
-
-def available_cores() -> int:
-    """Processor cores that this process may use."""
-    if hasattr(os, "sched_getaffinity"):
-        return max(1, len(os.sched_getaffinity(0)))
-    return os.cpu_count() or 1
 
 
 def _print_summary(index: SplitIndex, folder: Path) -> None:

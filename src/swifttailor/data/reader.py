@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from swifttailor.data.index import SplitIndex, read_index
-from swifttailor.data.sample import Sample, load_sample
+from swifttailor.data.sample import Sample, StoredSample, load_sample
 from swifttailor.data.shard_file import ShardFile
 from swifttailor.errors import InputError
 
@@ -59,6 +59,11 @@ class SplitReader:
                 "Copy both again from where they came."
             )
         return sample
+
+    def stored(self, k: int) -> StoredSample:
+        """Sample number k as it lies in its shard."""
+        number, place = self.place(k)
+        return self._file(number)[place]
 
     def __iter__(self) -> Iterator[Sample]:
         for k in range(len(self)):

@@ -1,0 +1,96 @@
+"""A picture of a garment in a given look."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from scipy.ndimage import zoom
+
+from swifttailor.body import Body
+from swifttailor.data.renders.look import Backdrop, Look
+from swifttailor.garment import Garment
+from swifttailor.render import Camera, LineSet, Surface, render_view
+from swifttailor.render.preview import border_edges
+
+Picture = np.ndarray[Any, np.dtype[np.uint8]]
+
+
+def draw_look(garment: Garment, body: Body, look: Look, size: int = 256) -> Picture:
+    """Draws a garment as a look wants it.
+
+    Args:
+        garment: What to draw.
+        body: Who wears it; hidden where the look has no body, but it still says how tall people are.
+        look: Everything else.
+        size: Pixels along each side.
+
+    Returns:
+        (size, size, 3) uint8 sRGB, row 0 at the top.
+    """
+    surfaces = [_cloth(garment, look)]
+    if look.body is not None:
+        surfaces.insert(0, Surface(body.vertices, body.faces, np.asarray(look.body), gloss=0.05))
+    return render_view(
+        surfaces,
+        _camera(garment, body, look),
+        (size, size),
+        background=_backdrop(look.backdrop, size),
+        lighting=look.lighting,
+        shadows=look.shadows,
+        floor=look.shadows and look.view.whole_body and look.body is not None,
+        samples=2,
+    )
+
+
+def _cloth(garment: Garment, look: Look) -> Surface:
+    lines = ()
+    if look.seams:
+        seams = [np.stack([s.vertices[:-1], s.vertices[1:]], axis=1) for s in garment.seams]
+        along = np.concatenate(seams) if seams else np.zeros((0, 2), np.int32)
+        lines = (
+            LineSet(along, strength=look.seams, width=0.8),
+            LineSet(border_edges(garment.faces), strength=look.seams * 0.7, width=0.8),
+        )
+    mesh, tones = garment.mesh, np.asarray(look.panel_colors or [(1.0, 1.0, 1.0)])
+    return Surface(
+        garment.vertices,
+        garment.faces,
+        tones[mesh.face_panel % len(tones)],
+        np.asarray(look.inside),
+        lines=lines,
+        lift=0.35,
+        sheen=0.08,
+        print=None if look.panel_colors else look.print,
+        print_at=None if look.panel_colors else mesh.flat_vertices[mesh.flat_faces],
+    )
+
+
+def _camera(garment: Garment, body: Body, look: Look) -> Camera:
+    view = look.view
+    if view.camera is not None:
+        return view.camera
+    low, high = garment.vertices.min(axis=0), garment.vertices.max(axis=0)
+    if view.whole_body and look.body is not None:
+        low = np.minimum(low, body.vertices.min(axis=0) * (0, 1, 0) + (-40, 0, -20))
+        high = np.maximum(high, body.vertices.max(axis=0) * (0, 1, 0) + (40, 0, 20))
+    middle = (low + high) / 2
+    # What is seen is as wide as it is high: a turned box needs the room of its diagonal.
+    across = float(np.hypot(high[0] - low[0], high[2] - low[2]))
+    seen = max(float(high[1] - low[1]), across) * (1 + 2 * view.margin)
+    turned = np.deg2rad(view.azimuth)
+    right, up = seen * view.shift[0], seen * view.shift[1]
+    x, y, z = middle + np.array([right * np.cos(turned), up, -right * np.sin(turned)])
+    return Camera((float(x), float(y), float(z)), seen, view.azimuth, view.elevation, view.field_of_view)
+
+
+def _backdrop(backdrop: Backdrop, size: int) -> np.ndarray:
+    """(size, size, 3) linear light."""
+    down = np.linspace(0, 1, size)[:, None, None]
+    light = (1 - down) * np.asarray(backdrop.top) + down * np.asarray(backdrop.bottom)
+    light = np.broadcast_to(light, (size, size, 3))
+    if backdrop.cloudy:
+        blots = np.random.default_rng(backdrop.seed).uniform(-1, 1, (6, 6))
+        fine = zoom(blots, size / 6, order=2, mode="nearest", grid_mode=True)[:size, :size]
+        light = light * (1 + 0.5 * backdrop.cloudy * fine[:, :, None])
+    return np.clip(light, 0, 1).astype(np.float32)

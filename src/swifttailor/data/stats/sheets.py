@@ -1,0 +1,128 @@
+"""Contact sheets: random samples with their drape, a caption and a render."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from swifttailor.atomic_files import write_atomically
+from swifttailor.body import Body
+from swifttailor.data.captions import write_caption
+from swifttailor.data.reader import SplitReader
+from swifttailor.data.renders import draw_look, random_look
+from swifttailor.data.renders.draw import Picture
+from swifttailor.data.renders.files import SplitRenders
+from swifttailor.data.renders.look import Backdrop, Look, View
+from swifttailor.render import Plain
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+COLUMNS, ROWS = 4, 5
+TILE = 256
+_CAPTION_HEIGHT, _MARGIN = 96, 10
+_PAPER, _INK, _GREY = (250, 249, 247), (40, 40, 40), (120, 118, 114)
+_CLOTH = Plain((0.10, 0.24, 0.35), 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Shown:
+    """A sample as people look at it."""
+
+    id: str
+    caption: str
+    front: Picture
+    """The drape on a grey body."""
+    back: Picture
+    render: Picture
+    """One of its renders, or a random look where it has none."""
+    facts: dict[str, Any]
+    """Numbers for the page."""
+
+
+def choose(count: int, samples: int, seed: int) -> list[int]:
+    """Which of `samples` samples to show, at most `count`, by lot, in ascending order."""
+    chance = np.random.default_rng([seed, 77])
+    return sorted(int(k) for k in chance.permutation(samples)[:count])
+
+
+def show_sample(reader: SplitReader, k: int, renders: SplitRenders | None, seed: int) -> Shown:
+    """Draws sample number k."""
+    sample = reader[k]
+    garment, body = sample.garment, Body.default()
+    chance = np.random.default_rng([seed, k])
+    caption = write_caption(sample.pattern, seed=int(chance.integers(1 << 30))).text
+    if renders is None:
+        render = draw_look(garment, body, random_look(chance, "free"), TILE)
+    else:
+        pictures = renders[k]
+        render = _fit(pictures[int(chance.integers(len(pictures)))].pixels())
+    quality = sample.about.get("quality", {})
+    return Shown(
+        sample.id,
+        caption,
+        *(draw_look(garment, body, _grey_look(azimuth), TILE) for azimuth in (0.0, 180.0)),
+        render,
+        {
+            "number": k,
+            "panels": len(sample.pattern.panels),
+            "vertices": len(sample.vertices),
+            "strain": round(float(quality.get("strain_p95", np.nan)), 3),
+            "crossings": quality.get("self_intersections", 0),
+            "source": sample.about.get("source", ""),
+        },
+    )
+
+
+def write_sheets(folder: Path, name: str, shown: Sequence[Shown]) -> list[Path]:
+    """Writes <name>-01.png, <name>-02.png, ... with twenty samples each; older ones of that name go."""
+    per_sheet = COLUMNS * ROWS
+    written = []
+    for number, start in enumerate(range(0, len(shown), per_sheet), 1):
+        sheet = _draw_sheet(shown[start : start + per_sheet])
+        path = folder / f"{name}-{number:02d}.png"
+        write_atomically(path, lambda target, sheet=sheet: sheet.save(target, "PNG"))
+        written.append(path)
+    for old in folder.glob(f"{name}-[0-9][0-9].png"):
+        if old not in written:
+            old.unlink()
+    return written
+
+
+def _grey_look(azimuth: float) -> Look:
+    backdrop = Backdrop((0.93, 0.93, 0.92), (0.86, 0.86, 0.85))
+    return Look(
+        _CLOTH, (0.16, 0.15, 0.14), View(azimuth, whole_body=False, margin=0.08), backdrop=backdrop, seams=0.4
+    )
+
+
+def _fit(picture: Picture) -> Picture:
+    from PIL import Image
+
+    if picture.shape[0] == TILE:
+        return picture
+    return np.asarray(Image.fromarray(picture).resize((TILE, TILE), Image.Resampling.LANCZOS))
+
+
+def _draw_sheet(shown: Sequence[Shown]) -> Image:
+    from PIL import Image, ImageDraw, ImageFont
+
+    columns, rows = min(COLUMNS, len(shown)), -(-len(shown) // COLUMNS)
+    cell = 3 * TILE + _MARGIN, TILE + _CAPTION_HEIGHT + _MARGIN
+    sheet = Image.new("RGB", (columns * cell[0] + _MARGIN, rows * cell[1] + _MARGIN), _PAPER)
+    draw = ImageDraw.Draw(sheet)
+    font, small = ImageFont.load_default(17), ImageFont.load_default(15)
+    for place, one in enumerate(shown):
+        left, top = _MARGIN + place % COLUMNS * cell[0], _MARGIN + place // COLUMNS * cell[1]
+        for k, picture in enumerate((one.front, one.back, one.render)):
+            sheet.paste(Image.fromarray(picture), (left + k * TILE, top))
+        draw.text((left, top + TILE + 3), one.id, fill=_GREY, font=small)
+        lines = textwrap.wrap(one.caption, 98)
+        text = "\n".join(lines[:4]) + (" ..." if len(lines) > 4 else "")
+        draw.text((left, top + TILE + 21), text, fill=_INK, font=font, spacing=1)
+    return sheet

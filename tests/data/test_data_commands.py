@@ -1,0 +1,99 @@
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from sample_makers import make_placed, run_here
+
+from swifttailor.cli.data import COMMANDS
+from swifttailor.cli.main import run
+from swifttailor.data.builder import BuildSettings, build_split
+from swifttailor.draping.batch import BatchSettings
+from swifttailor.pattern.drafts import draft
+from swifttailor.pattern.garmentcode_writer import to_specification
+
+
+@pytest.fixture
+def patterns(tmp_path) -> Path:
+    path = tmp_path / "garments.jsonl"
+    lines = [{"id": n, "pattern": to_specification(draft(n))} for n in ("fitted-skirt", "tank-top")]
+    path.write_text("\n".join(json.dumps(line) for line in lines))
+    return path
+
+
+@pytest.fixture
+def dataset(patterns, tmp_path) -> Path:
+    coarse = BuildSettings(BatchSettings(edge_length=8.0, preview=False))
+    build_split([patterns], tmp_path / "set", "train", coarse, runner=run_here, make=make_placed)
+    return tmp_path / "set"
+
+
+def test_overview_and_help(capsys):
+    assert run(["data", "--help"]) == 0
+    shown = capsys.readouterr().out
+    for name, command in COMMANDS.items():
+        assert f"  {name}" in shown and command.summary in shown
+        assert run(["data", name, "--help"]) == 0
+        assert f"usage: swifttailor data {name}" in capsys.readouterr().out
+    assert run(["data"]) == 2 and "usage: swifttailor data" in capsys.readouterr().err
+    assert run(["data", "bild"]) == 2 and "There is no command 'data bild'" in capsys.readouterr().err
+
+
+def test_build_says_what_came_of_it(patterns, tmp_path, capsys):
+    out = tmp_path / "out"
+    arguments = ["data", "build", "--patterns", str(patterns), "--out", str(out), "--edge-length", "8"]
+    assert run([*arguments, "--limit", "1", "--workers", "1"]) == 0
+    captured = capsys.readouterr()
+    assert "1 patterns: " in captured.out and str(out / "garments") in captured.out
+    assert "1/1" in captured.err and "left" in captured.err
+    assert run([*arguments, "--workers", "2"]) == 0
+    captured = capsys.readouterr()
+    assert "2 patterns: " in captured.out and "going on: 1 were done before" in captured.err
+    assert run(arguments) == 0 and "2 patterns: " in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--split", "a/b"], "The split's name 'a/b' cannot be that of a folder"),
+        (["--split", ""], "The split's name ''"),
+        (["--ray", "local", "--workers", "2"], "exclude each other"),
+        (["--edge-length", "0.1"], "from 0.5 to 10 cm"),
+        (["--seed", "-1"], "--seed is -1"),
+        (["--workers", "0"], "from 1 to 1024"),
+        (["--limit", "0"], "--limit is 0"),
+        (["--time-limit", "nan"], "--time-limit is nan"),
+        (["--fabric", "wool"], "wool"),
+    ],
+)
+def test_options_of_build_that_cannot_be(options, message, patterns, tmp_path, capsys):
+    out = tmp_path / "out"
+    assert run(["data", "build", "--patterns", str(patterns), "--out", str(out), *options]) == 2
+    assert message in capsys.readouterr().err
+    assert not out.exists()
+
+
+def test_verify_render_and_stats(dataset, capsys):
+    assert run(["data", "verify", str(dataset), "--workers", "1"]) == 0
+    assert capsys.readouterr().out == f"{dataset}: 2 samples, no faults\n"
+    assert run(["data", "render", str(dataset), "--size", "32", "--random", "1", "--workers", "1"]) == 0
+    assert "3 pictures of each of 2 garments" in capsys.readouterr().out
+    assert run(["data", "stats", str(dataset), "--samples", "1", "--workers", "1"]) == 0
+    assert "train: 2 of 2 patterns accepted (100.0%)" in capsys.readouterr().out
+    names = {p.name for p in (dataset / "stats").iterdir()}
+    assert names == {"index.html", "pictures", "stats.json", "train-01.png"}
+    assert run(["data", "stats", str(dataset / "train"), "--samples", "0", "--workers", "1", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["train"]["accepted"] == 2
+    next((dataset / "train").glob("shard-*")).write_bytes(b"")
+    assert run(["data", "verify", str(dataset), "--workers", "1", "--json"]) == 1
+    report = json.loads(capsys.readouterr().out)
+    assert report["ok"] is False and report["faults"][0]["file"].startswith("train/shard-00000")
+    assert run(["data", "verify", str(dataset), "--workers", "1"]) == 1
+    assert capsys.readouterr().out.endswith(": 0 samples, 1 fault\n")
+
+
+@pytest.mark.parametrize("command", ["verify", "render", "stats"])
+def test_no_data_set(command, tmp_path, capsys):
+    assert run(["data", command, str(tmp_path)]) == 2
+    assert f"'{tmp_path}' holds no data set" in capsys.readouterr().err
