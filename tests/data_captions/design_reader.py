@@ -37,7 +37,9 @@ def on_collar(style: str) -> Truth:
 
 
 def neck(*shapes: str) -> Truth:
-    return lambda d: d["collar.f_collar"] in {f"{s}NeckHalf" for s in shapes}
+    """One half of the front neckline at least has one of these shapes."""
+    named = {f"{s}NeckHalf" for s in shapes}
+    return lambda d: (d["collar.f_collar"] in named or (asymmetric(d) and d["left.collar.f_collar"] in named))
 
 
 CIRCLES = ("SkirtCircle", "AsymmSkirtCircle")

@@ -29,6 +29,8 @@ EXCLUSIVE = {
         {"round", "v", "square", "trapezoid", "s-curve", "pointed", "asymmetric"},
         {"crew", "scoop"},
     ],
+    "left_neckline": [{"round", "v", "square", "trapezoid", "s-curve", "pointed"}],
+    "right_neckline": [{"round", "v", "square", "trapezoid", "s-curve", "pointed"}],
     "neck_depth": [{"high", "low"}, {"high", "plunging"}],
     "back_neckline": [{"round", "v", "square"}],
     "back_depth": [{"high", "low"}, {"high", "open"}],

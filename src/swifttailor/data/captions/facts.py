@@ -221,6 +221,8 @@ class Skirt:
     """Upper edge of the lower rows over what they are sewn to; 1 with one row."""
     base_length: float
     """Of the first row; `length` with one row."""
+    base_hem: float
+    """Girth of the lower edge of the first row; that of the hem with one row."""
     godets: int
     godet_width: float
     godet_height: float

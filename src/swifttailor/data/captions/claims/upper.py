@@ -5,6 +5,7 @@ from __future__ import annotations
 from swifttailor.data.captions.claims.judgement import Judgement, Predicate
 from swifttailor.data.captions.facts import GarmentFacts, Neckline, NeckShape
 
+_HALF_SHAPES: tuple[NeckShape, ...] = ("round", "v", "square", "trapezoid", "s-curve", "pointed")
 PLUNGING_CM = 25.0
 """Below the bust points of the default body."""
 
@@ -96,6 +97,19 @@ def _two_shapes(facts: GarmentFacts, by: Judgement) -> bool:
     return len(shapes) == 2 and (by.strictness < 0 or "other" not in shapes)
 
 
+def _half_shape(side: str, shape: NeckShape) -> Predicate:
+    """Shape of one half of the front neckline where the halves differ or the other shoulder is bare."""
+
+    def test(facts: GarmentFacts, by: Judgement) -> bool:
+        neck = facts.front_neck
+        if not _plain(facts) or neck is None or neck.shape is not None:
+            return False
+        half = neck.left if side == "left" else neck.right
+        return half is not None and half.shape == shape
+
+    return test
+
+
 def _depth(neck: Neckline | None) -> float:
     return neck.depth if neck is not None else 0.0
 
@@ -131,17 +145,17 @@ def _back_shape(shape: NeckShape) -> Predicate:
         return (
             _plain(facts)
             and _has_shape(facts.back_neck, shape)
-            and by.above(_depth(facts.back_neck), 9.0, 1.0)
+            and by.above(_depth(facts.back_neck), 6.5, 1.0)
         )
 
     return test
 
 
 def _armholes(facts: GarmentFacts, shape: str) -> bool:
+    """Whether all armholes without a sleeve have that shape, and there is one."""
     torso = facts.torso
-    if torso is None:
-        return False
-    return all(a is not None and a.shape == shape for a in (torso.left_armhole, torso.right_armhole))
+    holes = [a for a in (torso.left_armhole, torso.right_armhole) if a] if torso else []
+    return bool(holes) and all(a.shape == shape for a in holes)
 
 
 def _deep_armholes(facts: GarmentFacts, by: Judgement) -> bool:
@@ -234,6 +248,14 @@ UPPER_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
             "pointed": _front_shape("pointed"),
             "asymmetric": _two_shapes,
         },
+    ),
+    "left_neckline": (
+        "shape of the left half of the front neckline, where it differs from the right or is alone",
+        {shape: _half_shape("left", shape) for shape in _HALF_SHAPES},
+    ),
+    "right_neckline": (
+        "the same for the right half",
+        {shape: _half_shape("right", shape) for shape in _HALF_SHAPES},
     ),
     "neck_depth": (
         "how deep the front neckline is, where it is seen",

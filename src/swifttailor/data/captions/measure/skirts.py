@@ -60,6 +60,7 @@ def measure_skirt(anatomy: Anatomy, worn: Worn, hem: HemLine) -> Skirt | None:
         tiers=tiers,
         tier_gather=_tier_gather(anatomy, rows),
         base_length=base_length,
+        base_hem=base_lower,
         godets=len(godets),
         godet_width=float(np.mean([_free_length(anatomy, p.name) for p in godets])) if godets else 0.0,
         godet_height=float(np.mean([np.ptp(p.vertices[:, 1]) for p in godets])) if godets else 0.0,

@@ -180,6 +180,37 @@ FEATURES: tuple[Wording, ...] = (
     _feature("sides=alike", "a symmetrical cut", weight=0.06),
 )
 
+_HALVES = {
+    "round": ("round", "a curve"),
+    "v": ("V-shaped", "a straight slant"),
+    "square": ("square", "a right angle"),
+    "trapezoid": ("angular", "a slanted angle"),
+    "s-curve": ("S-curved", "an S-curve"),
+    "pointed": ("pointed", "a pointed curve"),
+}
+
+
+def _half_necklines() -> tuple[Wording, ...]:
+    """One half of a neckline that is alone, or differs from the other."""
+    found = []
+    for side, other in (("left", "right"), ("right", "left")):
+        for shape, (adjective, noun) in _HALVES.items():
+            texts = (
+                f"a neckline that is {adjective} on the {side}",
+                f"a {adjective} neckline on the {side}",
+                f"{noun} at the {side} of the neckline",
+            )
+            found.append(_feature(f"{side}_neckline={shape}", *texts, weight=0.7, topics="sides"))
+            for second, (adjective_2, _) in _HALVES.items():
+                if side == "left" and second != shape:
+                    both = f"a neckline that is {adjective} on the left and {adjective_2} on the right"
+                    needs = f"{side}_neckline={shape} {other}_neckline={second}"
+                    found.append(_feature(needs, both, weight=1.5, topics="sides"))
+    return tuple(found)
+
+
+FEATURES += _half_necklines()
+
 SENTENCES: tuple[Wording, ...] = (
     _sentence("fit=close", "{it} fits closely at the bust.", "{it} is cut close to the body."),
     _sentence(

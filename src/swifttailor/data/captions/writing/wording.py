@@ -98,6 +98,8 @@ TOPIC: dict[str, str] = {
     "sleeve_cm": "sleeves",
     "sleeve_width_cm": "sleeve_shape",
     "cuff_cm": "cuffs",
+    "left_neckline": "neckline",
+    "right_neckline": "neckline",
     "neck_depth": "neckline",
     "neck_depth_cm": "neckline",
     "collar_cm": "collar",
