@@ -23,6 +23,8 @@ class Attachment:
     """(k,) welded vertices."""
     levels: NDArray[np.float64]
     """(k,) height of each, cm; what has been sewn on lower is held there."""
+    at_first: NDArray[np.bool_]
+    """(k,) those that are let go once the garment hangs: necklines, which then rest on the shoulders."""
 
 
 def find_attachment(mesh: PatternMesh, measurements: BodyMeasurements) -> Attachment:
@@ -30,19 +32,22 @@ def find_attachment(mesh: PatternMesh, measurements: BodyMeasurements) -> Attach
 
     A skirt or trousers are held at the waist by the edges labelled ``lower_interface``; files without
     labels by the topmost free edges. A strapless top is held by ``strapless_top``. A garment with a
-    shoulder needs nothing, and pulling its waist up would turn its bodice over.
+    shoulder rests on it; only while it is put on, its neckline (``left_collar``, ``right_collar``) is kept
+    from slipping down over the arms. Pulling its waist up would turn its bodice over.
 
     A strapless top is held where its panels stand, at most at the armpits: without friction, as it is sewn,
     a tight one slides off the bust. The armpit level itself would push it up into the arms.
     """
     pattern = mesh.pattern
     if hangs_from_shoulders(pattern):
-        held = _labelled(mesh, "strapless_top")
-        placed = place_vertices(mesh)[held, 1]
-        return Attachment(held, np.minimum(placed, measurements.armpit_level))
+        strapless, neck = _labelled(mesh, "strapless_top"), _labelled(mesh, "left_collar", "right_collar")
+        held = np.concatenate([strapless, np.setdiff1d(neck, strapless)])
+        at_first = np.arange(len(held)) >= len(strapless)
+        highest = np.where(at_first, np.inf, measurements.armpit_level)
+        return Attachment(held, np.minimum(place_vertices(mesh)[held, 1], highest), at_first)
     held = _labelled(mesh, "lower_interface")
     held = held if len(held) else _top_edges(mesh)
-    return Attachment(held, np.full(len(held), measurements.waist_level))
+    return Attachment(held, np.full(len(held), measurements.waist_level), np.zeros(len(held), dtype=bool))
 
 
 def hangs_from_shoulders(pattern: Pattern) -> bool:
@@ -50,12 +55,12 @@ def hangs_from_shoulders(pattern: Pattern) -> bool:
     return any(body_region(p.name, p.label) != "leg" and not p.name.startswith("wb") for p in pattern.panels)
 
 
-def _labelled(mesh: PatternMesh, label: str) -> Ints:
+def _labelled(mesh: PatternMesh, *labels: str) -> Ints:
     found = [
         mesh.edge_vertices[i][k]
         for i, panel in enumerate(mesh.pattern.panels)
         for k, edge in enumerate(panel.edges)
-        if edge.label == label
+        if edge.label in labels
     ]
     return np.unique(mesh.weld[np.concatenate(found)]) if found else np.zeros(0, dtype=np.int32)
 

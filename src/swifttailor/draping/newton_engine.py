@@ -85,6 +85,7 @@ def settle_with_newton(
     require_newton()
     settings = simulation.settings
     first = _fall(simulation, progress)
+    simulation.let_go()
     with _quiet():
         stage = build_stage(simulation, cloth, mesh, body)
         for k in range(first, settings.max_frames):

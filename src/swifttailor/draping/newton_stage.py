@@ -131,12 +131,13 @@ def build_stage(simulation: Simulation, cloth: ClothModel, mesh: PatternMesh, bo
     if not simulation.settings.self_collision:
         collision.stiff_vf = collision.stiff_ee = collision.stiff_ef = 0.0
 
-    held = simulation.held.vertices
+    holds = np.isfinite(simulation.held.levels)
+    held = simulation.held.vertices[holds]
     room = len(ignores) * model.shape_count + len(held)
     pipeline = newton.CollisionPipeline(model, soft_contact_gap=_CONTACT_SEARCH, soft_contact_max=room)
     collision.body_contact_max = room
     floor = np.zeros((len(held), 3), dtype=np.float32)
-    floor[:, 1] = (simulation.held.levels - fabric.thickness) * _METRES
+    floor[:, 1] = (simulation.held.levels[holds] - fabric.thickness) * _METRES
     state, next_state = model.state(), model.state()
     state.particle_qd.assign((simulation.velocities * _METRES).astype(np.float32))
     return Stage(

@@ -32,6 +32,8 @@ GRAVITY = 981.0
 _FOOTPRINT_LEVEL = 2.0
 _SEWING_BENDING = 20.0
 _UNTANGLING = 0.1
+_LET_GO_AFTER = 30
+_MIN_FRAMES, _MIN_FREE_FRAMES = 30, 15
 _MAX_SPEED, _FALLING_SPEED = 250.0, 120.0
 
 
@@ -153,6 +155,10 @@ class Simulation:
         heights = self.positions[self.held.vertices, 1]
         self.held.levels[:] = np.minimum(self.attachment.levels, heights)
 
+    def let_go(self) -> None:
+        """Holds no longer what is held at first only."""
+        self.held.levels[self.attachment.at_first] = -np.inf
+
     def edge_lengths(self) -> Floats:
         """Current length of every spring, cm."""
         a, b = self.positions[self.cloth.edges[:, 0]], self.positions[self.cloth.edges[:, 1]]
@@ -191,7 +197,11 @@ def settle(simulation: Simulation, progress: Progress) -> tuple[int, bool]:
     """Lets the garment hang until it rests. Returns the frames used and whether it came to rest."""
     s = simulation.settings
     simulation.hold()
+    # Nothing rests before its neckline has been let go.
+    first_rest = _LET_GO_AFTER + _MIN_FREE_FRAMES if simulation.attachment.at_first.any() else _MIN_FRAMES
     for k in range(s.max_frames):
+        if k == _LET_GO_AFTER:
+            simulation.let_go()
         # Damping grows with time: a garment that will not rest within two seconds only chatters.
         damping = 2.0 + 8.0 * min(max(k - 90, 0) / 200, 1.0)
         simulation.frame(
@@ -205,7 +215,7 @@ def settle(simulation: Simulation, progress: Progress) -> tuple[int, bool]:
             long_edges=k < 15,
         )
         progress("draping", min((k + 1) / 180, 0.99))
-        if k >= 30 and simulation.moving <= s.still_share:
+        if k >= first_rest and simulation.moving <= s.still_share:
             return k + 1, True
     return s.max_frames, False
 

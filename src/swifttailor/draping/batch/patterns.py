@@ -64,7 +64,7 @@ def read_patterns(*sources: Path) -> Iterator[BatchPattern]:
         InputError: A source is neither such a file nor a folder with JSON files. That is found out before
             the first pattern is given.
     """
-    return _refuse_repeats(chain.from_iterable([_patterns_of(source) for source in sources]))
+    return refuse_repeats(chain.from_iterable([_patterns_of(source) for source in sources]))
 
 
 def _patterns_of(source: Path) -> Iterator[BatchPattern]:
@@ -162,7 +162,7 @@ def _open(source: Path) -> gzip.GzipFile | BufferedReader:
     return gzip.open(source, "rb") if source.name.lower().endswith(".gz") else source.open("rb")
 
 
-def _refuse_repeats(patterns: Iterator[BatchPattern]) -> Iterator[BatchPattern]:
+def refuse_repeats(patterns: Iterator[BatchPattern]) -> Iterator[BatchPattern]:
     """Ids must differ, also where upper and lower case are the same to the file system."""
     seen: dict[str, str] = {}
     for pattern in patterns:
