@@ -1,0 +1,115 @@
+"""A predicted garment against the drape of the same pattern, vertex by vertex of the panel mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.errors import GeometryError
+from swifttailor.evaluation.garment_kind import KINDS, GarmentKind, garment_kind
+from swifttailor.garment import PatternMesh
+from swifttailor.garment_sewer.pixels.body_distance import BodyDistance, panels_ignoring_arms
+from swifttailor.panel_mesh.edge_sampling import stitched_pairs
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class GarmentError:
+    """Errors of one predicted garment; lengths in cm."""
+
+    kind: GarmentKind
+    mean: float
+    """Distance of the welded vertices from where the drape has them: mean."""
+    p90: float
+    """The same: 90th percentile."""
+    offset: float
+    """Length of the mean error vector of each panel, weighted by its vertices: what is whole-panel
+    displacement."""
+    seam_gap: float
+    """Distance between vertices that a stitch joins, before they are merged: median."""
+    seam_gap_p95: float
+    inside: float
+    """Share of the welded vertices more than 0.2 cm inside the body."""
+
+
+INSIDE_CM = 0.2
+
+
+def measure_error(
+    mesh: PatternMesh, flat_positions: Floats, drape: Floats, body: BodyDistance
+) -> GarmentError:
+    """Compares.
+
+    Args:
+        mesh: The panels' mesh.
+        flat_positions: (m, 3) predicted position of every flat vertex, before seams are closed.
+        drape: (v, 3) welded vertices at rest.
+        body: For what is inside it.
+
+    Raises:
+        GeometryError: The shapes do not fit the mesh.
+    """
+    if flat_positions.shape != (len(mesh.weld), 3) or drape.shape != (mesh.vertex_count, 3):
+        raise GeometryError(
+            f"A mesh of {len(mesh.weld)} flat and {mesh.vertex_count} welded vertices was given positions of "
+            f"the shapes {flat_positions.shape} and {drape.shape}."
+        )
+    merged = merge(mesh, flat_positions)
+    distance = np.linalg.norm(merged - drape, axis=1)
+    ignores = np.zeros(mesh.vertex_count, np.bool_)
+    np.logical_or.at(ignores, mesh.weld, panels_ignoring_arms(mesh.pattern)[mesh.flat_panel])
+    depth, _ = body.sample(merged, ignores)
+    gaps = seam_gaps(mesh, flat_positions)
+    panels = len(mesh.pattern.panels)
+    count = np.bincount(mesh.flat_panel, minlength=panels)
+    error = flat_positions - drape[mesh.weld]
+    offset = np.stack([np.bincount(mesh.flat_panel, error[:, k], panels) for k in range(3)], axis=1)
+    return GarmentError(
+        garment_kind(mesh.pattern),
+        float(distance.mean()),
+        float(np.percentile(distance, 90)),
+        float(np.linalg.norm(offset, axis=1).sum() / count.sum()),
+        float(np.median(gaps)) if len(gaps) else 0.0,
+        float(np.percentile(gaps, 95)) if len(gaps) else 0.0,
+        float((depth < -INSIDE_CM).mean()),
+    )
+
+
+def merge(mesh: PatternMesh, flat_positions: Floats) -> Floats:
+    """(v, 3): each welded vertex at the mean of the flat vertices it is made of."""
+    count = np.bincount(mesh.weld, minlength=mesh.vertex_count)
+    sums = [np.bincount(mesh.weld, flat_positions[:, k], mesh.vertex_count) for k in range(3)]
+    return np.stack(sums, axis=1) / count[:, None]
+
+
+def seam_gaps(mesh: PatternMesh, flat_positions: Floats) -> Floats:
+    """(k,) distances between all pairs of flat vertices that a stitch joins, stitch after stitch."""
+    pairs = [np.zeros((0, 2), np.int64)]
+    for stitch in mesh.pattern.stitches:
+        a, b = (mesh.edge_vertices[mesh.pattern.panel_index(r.panel)][r.edge] for r in stitch.sides)
+        pairs.append(stitched_pairs(a.astype(np.int64), b.astype(np.int64), stitch.right_wrong))
+    joined = np.concatenate(pairs)
+    return np.linalg.norm(flat_positions[joined[:, 0]] - flat_positions[joined[:, 1]], axis=1)
+
+
+def summarize(errors: Sequence[GarmentError]) -> dict[str, Any]:
+    """Means over garments, of all and of each kind, as JSON values; `median` is that of `mean`."""
+
+    def means(chosen: Sequence[GarmentError]) -> dict[str, Any]:
+        rows = [asdict(e) for e in chosen]
+        result: dict[str, Any] = {"garments": len(rows)}
+        for name in rows[0]:
+            if name != "kind":
+                result[name] = float(np.mean([r[name] for r in rows]))
+        result["median"] = float(np.median([r["mean"] for r in rows]))
+        return result
+
+    if not errors:
+        return {"garments": 0}
+    kinds = {k: [e for e in errors if e.kind == k] for k in KINDS}
+    return means(errors) | {"kinds": {k: means(chosen) for k, chosen in kinds.items() if chosen}}

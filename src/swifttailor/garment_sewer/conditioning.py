@@ -1,0 +1,166 @@
+"""What the network is shown of a pattern: image channels, by configuration.
+
+`SEMANTIC` is the paper's conditioning, the colours of the panel types and nothing else. `PLACED` adds what
+the pattern knows besides: where a geometric prior puts each pixel in space, where it lies on its panel,
+what it is sewn to, and where the body is.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.errors import InputError
+from swifttailor.garment_sewer.pixels.pixel_table import PixelTable
+
+PriorKind = Literal["none", "placed", "sewn"]
+PRIORS: tuple[PriorKind, ...] = ("none", "placed", "sewn")
+
+POSITION_CM = 50.0
+"""Positions and offsets are divided by this for the network, so that they are of the order of one."""
+CENTRE_Y_CM = 100.0
+"""Subtracted from heights before."""
+DISTANCE_CM = 10.0
+FAR_CM = 30.0
+"""Distances from the body are shown up to this, and inside it up to `DISTANCE_CM`."""
+
+Columns = tuple[Any, ...]
+
+
+def _color(t: PixelTable) -> Columns:
+    rgb = t.panel_color[t.panel]
+    return rgb[:, 0], rgb[:, 1], rgb[:, 2]
+
+
+def _occupancy(t: PixelTable) -> Columns:
+    return (_ones(t),)
+
+
+def _position(points: Any) -> Columns:
+    x, y, z = points[:, 0], points[:, 1], points[:, 2]
+    return x / POSITION_CM, (y - CENTRE_Y_CM) / POSITION_CM, z / POSITION_CM
+
+
+def _local(t: PixelTable) -> Columns:
+    local = t.local()
+    return local[:, 0] / POSITION_CM, local[:, 1] / POSITION_CM
+
+
+def _normal(t: PixelTable) -> Columns:
+    normal = t.panel_normal[t.panel]
+    return normal[:, 0], normal[:, 1], normal[:, 2]
+
+
+def _scale(t: PixelTable) -> Columns:
+    return (_ones(t) * math.log(t.cm_per_pixel),)
+
+
+def _stitched(t: PixelTable) -> Columns:
+    return (_ones(t) * (t.partner >= 0),)
+
+
+def _contour(t: PixelTable) -> Columns:
+    return (_ones(t) * t.contour,)
+
+
+def _partner(t: PixelTable) -> Columns:
+    sewn = t.partner >= 0
+    placed = t.placed()
+    offset = (placed[t.partner * sewn] - placed) * sewn[:, None]
+    return offset[:, 0] / POSITION_CM, offset[:, 1] / POSITION_CM, offset[:, 2] / POSITION_CM
+
+
+def _partner_pixel(t: PixelTable) -> Columns:
+    sewn = t.partner >= 0
+    offset = (t.point[t.partner * sewn] - t.point) * sewn[:, None] / t.resolution
+    return offset[:, 0], offset[:, 1]
+
+
+def _body_distance(t: PixelTable) -> Columns:
+    return (t.distance.clip(-DISTANCE_CM, FAR_CM) / DISTANCE_CM,)
+
+
+def _body_direction(t: PixelTable) -> Columns:
+    return t.direction[:, 0], t.direction[:, 1], t.direction[:, 2]
+
+
+def _ones(t: PixelTable) -> Any:
+    return t.distance * 0.0 + 1.0
+
+
+@dataclass(frozen=True)
+class Channel:
+    """Some channels of the input that belong together."""
+
+    count: int
+    columns: Callable[[PixelTable], Columns]
+    """Of numpy arrays or torch tensors alike, (n,) each."""
+
+
+CHANNELS: dict[str, Channel] = {
+    "color": Channel(3, _color),  # the paper's: sRGB of the panel's type, -1 to 1
+    "occupancy": Channel(1, _occupancy),
+    "prior": Channel(3, lambda t: _position(t.prior)),
+    "placed": Channel(3, lambda t: _position(t.placed())),
+    "local": Channel(2, _local),  # panel-local position
+    "normal": Channel(3, _normal),  # of the placed panel, outward
+    "scale": Channel(1, _scale),  # log of cm per pixel
+    "stitched": Channel(1, _stitched),
+    "contour": Channel(1, _contour),  # whether the pixel stands for a point of the outline
+    "partner": Channel(3, _partner),  # from the placed pixel to the one it is sewn to
+    "partner_pixel": Channel(2, _partner_pixel),  # the same in the image, in image widths
+    "body_distance": Channel(1, _body_distance),  # at the prior
+    "body_direction": Channel(3, _body_direction),
+}
+"""All there is, by name. Everything is 0 where there is no panel."""
+
+SEMANTIC = ("color",)
+PLACED = tuple(CHANNELS)
+
+
+@dataclass(frozen=True)
+class Conditioning:
+    """Which channels, and which prior they come from."""
+
+    prior: PriorKind = "sewn"
+    """``placed``: the flat panels where the pattern places them; ``sewn``: these sewn together around the
+    body (`sewn_prior`); ``none``: no prior, for the paper's conditioning."""
+    channels: tuple[str, ...] = PLACED
+
+    def __post_init__(self) -> None:
+        unknown = [c for c in self.channels if c not in CHANNELS]
+        if unknown or not self.channels or len(set(self.channels)) != len(self.channels):
+            raise InputError(
+                f"The channels are {', '.join(self.channels) or 'none'}; at least one of "
+                f"{', '.join(CHANNELS)} is accepted, none of them twice."
+            )
+        if self.prior not in PRIORS:
+            raise InputError(f"There is no prior '{self.prior}'. Known ones: {', '.join(PRIORS)}.")
+        needing = {"prior", "body_distance", "body_direction"} & set(self.channels)
+        if self.prior == "none" and needing:
+            raise InputError(
+                f"The channel '{min(needing)}' needs a prior: choose placed or sewn, or leave it out."
+            )
+
+    @property
+    def count(self) -> int:
+        """Number of channels of the input image."""
+        return sum(CHANNELS[c].count for c in self.channels)
+
+
+def channel_columns(table: PixelTable, channels: Sequence[str]) -> list[Any]:
+    """The values of all channels at the occupied pixels, (n,) each, of the kind the table is made of."""
+    return [column for name in channels for column in CHANNELS[name].columns(table)]
+
+
+def conditioning_image(table: PixelTable, conditioning: Conditioning) -> NDArray[np.float32]:
+    """The network's input (C, N, N) of a table of numpy arrays, row 0 at the bottom."""
+    size = table.resolution
+    image = np.zeros((conditioning.count, size * size), np.float32)
+    image[:, table.pixels] = channel_columns(table, conditioning.channels)
+    return image.reshape(-1, size, size)

@@ -1,0 +1,139 @@
+"""The network itself. Import this module in the function that needs it: it loads torch and transformers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import torch
+import torch.nn.functional as F
+from torch import Tensor, nn
+from transformers import DPTConfig, DPTForDepthEstimation
+
+from swifttailor.garment_sewer.network_config import NetworkConfig
+
+HEAD_SIZE = 32
+"""Channels of the last stage, fixed in DPT."""
+OUTPUT_CM = 50.0
+"""Centimetres per unit that the last layer gives."""
+ORIGIN_CM = (0.0, 100.0, 0.0)
+"""What absolute positions are measured from."""
+
+
+class GarmentSewerNetwork(DPTForDepthEstimation):
+    """DPT with three signed outputs; keys of its weights are those of `DPTForDepthEstimation`.
+
+    Beyond DPT it may carry the input to its last stage at full resolution, and keep that stage's convolutions
+    from looking across the empty pixels between panels.
+    """
+
+    def __init__(self, config: DPTConfig) -> None:
+        super().__init__(config)
+        head: Any = self.head.head
+        head[4] = nn.Conv2d(HEAD_SIZE, 3, 1)
+        head[5] = nn.Identity()
+        # Zero weights: an untrained network predicts its prior, or one point, exactly.
+        skip = config.input_skip
+        if skip:
+            self.input_skip = nn.Conv2d(config.num_channels, skip, 3, padding=1)
+            self.input_merge = nn.Conv2d(HEAD_SIZE + skip, HEAD_SIZE, 1)
+        self.post_init()
+        nn.init.zeros_(head[4].weight)
+        nn.init.zeros_(head[4].bias)
+
+    def forward(self, conditioning: Tensor, occupancy: Tensor, prior: Tensor) -> Tensor:
+        """Predicts positions.
+
+        Args:
+            conditioning: (B, C, H, W).
+            occupancy: (B, 1, H, W) 1 where there is a panel, else 0.
+            prior: (B, 3, H, W) cm; not looked at for absolute output.
+
+        Returns:
+            (B, 3, H, W) float32 positions in cm. They mean nothing where there is no panel.
+        """
+        states = self.dpt(conditioning, output_hidden_states=True).hidden_states
+        wanted = self.config.backbone_out_indices
+        states = [s for k, s in enumerate(states[1:]) if k in wanted]
+        patch = self.config.patch_size
+        height, width = conditioning.shape[-2] // patch, conditioning.shape[-1] // patch
+        features = self.neck(states, height, width)[self.config.head_in_index]
+        head: Any = self.head.head
+        x = F.interpolate(
+            head[0](features), size=conditioning.shape[-2:], mode="bilinear", align_corners=True
+        )
+        mask = occupancy.to(x.dtype) if self.config.masked else None
+        x = F.relu(_masked(head[2], x, mask))
+        if self.config.input_skip:
+            skip = F.relu(_masked(self.input_skip, conditioning.to(x.dtype), mask))
+            x = x + F.relu(self.input_merge(torch.cat([x, skip], dim=1)))
+        with torch.autocast(x.device.type, enabled=False):
+            # bfloat16 would round a metre to millimetres.
+            offset = F.conv2d(x.float(), head[4].weight.float(), head[4].bias.float()) * OUTPUT_CM
+            if self.config.output == "displacement":
+                return prior.float() + offset
+            return offset + torch.tensor(ORIGIN_CM, device=x.device)[:, None, None]
+
+
+def _masked(convolution: nn.Module, x: Tensor, mask: Tensor | None) -> Tensor:
+    """A 3 x 3 convolution that sees the masked pixels only, and is made up for those it does not see.
+
+    Partial convolution (Liu et al. 2018): the sum over the visible pixels times 9 over their number.
+    """
+    if mask is None:
+        return convolution(x)
+    weight, bias = convolution.weight, convolution.bias
+    ones = torch.ones((1, 1, 3, 3), device=x.device, dtype=mask.dtype)
+    seen = F.conv2d(mask, ones, padding=1)
+    summed = F.conv2d(x * mask, weight, padding=1)
+    return summed * (9.0 / seen.clamp(min=1.0)) + bias[:, None, None]
+
+
+def build_network(config: NetworkConfig, channels: int) -> GarmentSewerNetwork:
+    """Makes a network, from random weights or from `config.pretrained`.
+
+    Args:
+        config: Its shape.
+        channels: Of the conditioning image.
+
+    Raises:
+        InputError: The pretrained weights cannot be had or do not fit.
+    """
+    network = GarmentSewerNetwork(dpt_config(config, channels))
+    if config.pretrained:
+        from swifttailor.garment_sewer.pretrained_torch import load_pretrained
+
+        load_pretrained(network, config.pretrained)
+    return network
+
+
+def dpt_config(config: NetworkConfig, channels: int) -> DPTConfig:
+    """The same shape in transformers' words."""
+    finest = config.patch_size / 4
+    factors = [finest / 2**k for k in range(4)]
+    made = DPTConfig(
+        hidden_size=config.hidden_size,
+        num_hidden_layers=config.layers,
+        num_attention_heads=config.heads,
+        intermediate_size=4 * config.hidden_size,
+        image_size=config.resolution,
+        patch_size=config.patch_size,
+        num_channels=channels,
+        is_hybrid=False,
+        backbone_config=None,
+        layer_norm_eps=1e-6,
+        hidden_dropout_prob=0.0,
+        attention_probs_dropout_prob=0.0,
+        backbone_out_indices=out_layers(config.layers),
+        readout_type=config.readout,
+        reassemble_factors=[int(f) if f >= 1 else f for f in factors],
+        neck_hidden_sizes=list(config.decoder_sizes),
+        fusion_hidden_size=config.fusion_size,
+        use_auxiliary_head=False,
+    )
+    made.output, made.input_skip, made.masked = config.output, config.input_skip, config.masked
+    return made
+
+
+def out_layers(layers: int) -> list[int]:
+    """The layers that the decoder reads: 5, 11, 17 and 23 of 24, as DPT-Large."""
+    return [round(layers * k / 4) - 1 for k in (1, 2, 3, 4)]

@@ -1,0 +1,3 @@
+"""Training of the networks: one loop each, checkpoints, run records."""
+
+from __future__ import annotations

@@ -1,0 +1,56 @@
+"""The state of a training on the disk: whole or not at all, and read back without running anything in it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import torch
+from torch import nn
+
+from swifttailor.atomic_files import write_atomically
+from swifttailor.errors import InputError
+
+CHECKPOINT = "checkpoint.pt"
+
+
+class MovingAverage:
+    """Exponential moving average of a network's weights, in float32."""
+
+    def __init__(self, network: nn.Module, decay: float) -> None:
+        self.decay = decay
+        self.values = {k: v.detach().clone() for k, v in network.state_dict().items()}
+
+    @torch.no_grad()
+    def update(self, network: nn.Module, step: int) -> None:
+        """Takes in the weights after an optimiser step, from 0; the first steps count for more."""
+        decay = min(self.decay, (1 + step) / (10 + step))
+        for name, value in network.state_dict().items():
+            self.values[name].lerp_(value.to(self.values[name].dtype), 1 - decay)
+
+
+def write_checkpoint(folder: Path, state: dict[str, Any]) -> Path:
+    """Writes tensors and plain values.
+
+    Raises:
+        InputError: The folder cannot be written; the checkpoint before stays.
+    """
+    return write_atomically(folder / CHECKPOINT, lambda temporary: torch.save(state, temporary))
+
+
+def read_checkpoint(folder: Path, device: torch.device) -> dict[str, Any]:
+    """Reads what `write_checkpoint` wrote.
+
+    Raises:
+        InputError: It is missing or damaged.
+    """
+    path = folder / CHECKPOINT
+    if not path.is_file():
+        raise InputError(f"'{folder}' has no {CHECKPOINT} to go on from. Start without --resume.")
+    try:
+        return torch.load(path, map_location=device, weights_only=True)
+    except Exception as error:  # torch raises a dozen kinds for a damaged file
+        raise InputError(
+            f"'{path}' is damaged ({type(error).__name__}: {error}). "
+            "Start again without --resume, in another folder."
+        ) from error

@@ -1,0 +1,101 @@
+"""What a training leaves behind beside its weights: configuration, measurements, card."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import json
+import platform
+from pathlib import Path
+from typing import Any
+
+from swifttailor.atomic_files import write_text
+from swifttailor.errors import InputError
+
+CONFIG, METRICS, CARD, WEIGHTS = "config.json", "metrics.jsonl", "card.json", "weights.safetensors"
+_PACKAGES = ("swifttailor", "torch", "transformers", "numpy")
+
+
+class RunRecord:
+    """The folder of a training."""
+
+    def __init__(self, folder: Path | str) -> None:
+        self.folder = Path(folder)
+
+    def start(self, config: dict[str, Any], *, resume: bool) -> None:
+        """Notes the configuration, or compares it with that of the run that goes on.
+
+        Raises:
+            InputError: There is a training in the folder already, or one with another configuration.
+        """
+        path = self.folder / CONFIG
+        if resume:
+            try:
+                before = json.loads(path.read_text(encoding="utf-8"))
+            except (OSError, ValueError) as error:
+                raise InputError(
+                    f"There is no training in '{self.folder}' to go on with: {error}."
+                ) from error
+            if before != config:
+                raise InputError(
+                    f"'{self.folder}' was started with other values ({_differences(before, config)}). "
+                    "Give the same one, or start anew in another folder."
+                )
+            return
+        if path.exists():
+            raise InputError(
+                f"There is a training in '{self.folder}' already. Add --resume to go on with it, "
+                "or choose another --out."
+            )
+        write_text(path, json.dumps(config, indent=1) + "\n")
+
+    def add(self, line: dict[str, Any]) -> None:
+        """Appends a measurement to metrics.jsonl."""
+        with (self.folder / METRICS).open("a", encoding="utf-8") as stream:
+            stream.write(json.dumps(line) + "\n")
+
+    def forget_after(self, step: int) -> None:
+        """Drops measurements of steps that an interrupted training will do again."""
+        kept = [line for line in self.lines() if line["step"] <= step]
+        write_text(self.folder / METRICS, "".join(json.dumps(line) + "\n" for line in kept))
+
+    def lines(self) -> list[dict[str, Any]]:
+        """All measurements; a last line cut short by a crash is left out."""
+        path = self.folder / METRICS
+        if not path.is_file():
+            return []
+        found = []
+        for text in path.read_text(encoding="utf-8").splitlines():
+            try:
+                found.append(json.loads(text))
+            except ValueError:
+                break
+        return found
+
+    def write_card(self, card: dict[str, Any]) -> None:
+        """Writes card.json: what the weights are and how they came about."""
+        write_text(self.folder / CARD, json.dumps(card, indent=1, allow_nan=False) + "\n")
+
+
+def versions() -> dict[str, str]:
+    """Of what the training ran on."""
+    found = {name: importlib.metadata.version(name) for name in _PACKAGES if _is_installed(name)}
+    return {"python": platform.python_version()} | found
+
+
+def _is_installed(name: str) -> bool:
+    try:
+        importlib.metadata.version(name)
+    except importlib.metadata.PackageNotFoundError:  # run from a source tree
+        return False
+    return True
+
+
+def _differences(before: Any, now: Any, place: str = "") -> str:
+    if isinstance(before, dict) and isinstance(now, dict):
+        found = [
+            _differences(before.get(k), now.get(k), f"{place}.{k}" if place else k)
+            for k in sorted(before.keys() | now.keys())
+            if before.get(k) != now.get(k)
+        ]
+        return "; ".join(found)
+    return f"{place}: {before!r} before, {now!r} now"
