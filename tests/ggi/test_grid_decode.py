@@ -11,11 +11,12 @@ from hypothesis import strategies as st
 from swifttailor.errors import InputError
 from swifttailor.ggi import encode
 from swifttailor.ggi.grid_decode import decode_grid
+from swifttailor.ggi.pockets import fill_pockets
 from swifttailor.ggi.remesh import PixelGrid, remesh
 from swifttailor.ggi.slits import open_grid, seam_sides
 from swifttailor.ggi.stitching import StitchingImage
 from swifttailor.ggi.warping import warp
-from swifttailor.panel_mesh.topology import topology
+from swifttailor.panel_mesh.topology import edge_faces, topology
 from swifttailor.pattern import Edge, EdgeRef, Panel, Pattern, Stitch
 from swifttailor.pattern.drafts import draft, list_drafts
 
@@ -210,6 +211,49 @@ def test_crumbs_beyond_a_neck_narrower_than_a_pixel_are_left_out():
     assert decoded.flat_pixels.max() // 128 <= top + 1
 
 
+def slit(width, sewn=False):
+    """A panel cut in from its hem, aslant, so that its pixels close it here and there."""
+    corners = [[0, 0], [20 - width, 0], [24, 30], [20 + width, 0], [40, 0], [40, 40], [0, 40]]
+    panel = Panel("skirt_back", np.array(corners, float), (Edge(),) * 7)
+    stitch = Stitch(EdgeRef("skirt_back", 1), EdgeRef("skirt_back", 2))
+    return Pattern((panel,), (stitch,) if sewn else ())
+
+
+@pytest.mark.parametrize("width", [0.2, 0.5, 0.8, 1.2])
+def test_slits_that_are_not_sewn_leave_no_holes(width):
+    garment = any_garment(slit(width), 2.0)
+    for resolution in (48, 64, 80, 128):
+        assert counts_of(decode_grid(encode(garment, resolution))) == (1, 1, 1)
+
+
+def test_only_small_holes_that_no_seam_borders_on_are_filled():
+    panel = np.zeros((40, 40), int) - 1
+    panel[2:38, 2:38] = 3
+    panel[5, 5:9] = panel[10:16, 20:30] = -1
+    panel[20, 20] = panel[21, 21] = -1
+    geometry = np.random.default_rng(0).normal(size=(40, 40, 3))
+    geometry[panel < 0] = np.nan
+    nothing = StitchingImage(
+        np.zeros((40, 40), np.uint16), np.zeros(0, np.int32), np.zeros(0), np.zeros(1, int)
+    )
+    filled, positions = fill_pockets(panel, geometry, nothing)
+    assert filled[5, 5:9].tolist() == [3] * 4 and filled[20, 20] == filled[21, 21] == 3
+    assert (filled[10:16, 20:30] == -1).all() and (filled >= 0).sum() == (panel >= 0).sum() + 6
+    assert np.array_equal(positions[panel >= 0], geometry[panel >= 0])
+    assert np.isfinite(positions[filled >= 0]).all()
+    ring = [geometry[r, c] for r in (19, 20, 21) for c in (19, 20, 21) if panel[r, c] >= 0]
+    assert np.allclose(positions[20, 20], np.mean(ring, axis=0))
+
+    beside = StitchingImage(
+        np.ones((40, 40), np.uint16), np.array([4 * 40 + 4]), np.zeros(1), np.array([0, 1])
+    )
+    filled, _ = fill_pockets(panel, geometry, beside)
+    assert (filled[5, 5:9] == -1).all() and filled[20, 20] == 3
+    panel[19, 20] = 4  # a hole between two panels is none
+    filled, _ = fill_pockets(panel, geometry, nothing)
+    assert filled[20, 20] == -1
+
+
 def test_triangles_across_a_dart_are_removed():
     images = encode(any_garment(HARD_CASES["dart"](), 2.0), 64)
     grid = PixelGrid.of(images.panel)
@@ -225,6 +269,46 @@ def test_triangles_across_a_dart_are_removed():
     local = images.layout.to_local(panel, inside)
     within = (np.abs(local[:, 0] - 20) < 4 * (local[:, 1] - 38) / 14 - 1.5) & (local[:, 1] > 42)
     assert not within.any()
+
+
+@pytest.mark.parametrize("resolution", [64, 96, 112])
+@pytest.mark.parametrize(
+    "pattern", [draft("trousers"), draft("fitted-dress"), HARD_CASES["dart"](), godet(0.4)]
+)
+def test_what_has_one_face_only_is_known(pattern, resolution):
+    images = encode(any_garment(pattern, 3.0), resolution)
+    grid = PixelGrid.of(images.panel)
+    sides = seam_sides(grid, images.stitching)
+    positions = images.geometry.reshape(-1, 3)[grid.pixels].astype(float)
+    opened = open_grid(grid, remesh(grid, positions, sides.links), sides)
+    edges, faces_at = edge_faces(opened.faces.astype(np.int32))
+    assert np.array_equal(np.unique(np.sort(opened.open_edges, axis=1), axis=0), edges[faces_at == 1])
+    assert opened.open_edges.max() < opened.rim_count
+
+
+def test_a_seam_through_the_middle_of_cloth_parts_it():
+    """Images of a network need not make sense; what comes of them still has to be a surface."""
+    panel = np.full((12, 12), -1)
+    panel[1:11, 1:11] = 0
+    grid = PixelGrid.of(panel)
+    row = 5 * 12 + np.arange(3, 9)
+    stitching = StitchingImage(
+        np.zeros((12, 12), np.uint16),
+        np.concatenate([row, row - 48]),
+        np.tile(np.linspace(0, 1, 6), 2),
+        np.array([0, 6, 12]),
+    )
+    sides = seam_sides(grid, stitching)
+    opened = open_grid(grid, remesh(grid, np.zeros((100, 3)), sides.links), sides)
+    edges, faces_at = edge_faces(opened.faces.astype(np.int32))
+    assert np.array_equal(np.unique(np.sort(opened.open_edges, axis=1), axis=0), edges[faces_at == 1])
+    assert len(opened.open_edges) > 36 + 10 and len(opened.faces) < 162
+
+
+@pytest.mark.parametrize("resolution", [72, 96, 112])
+def test_darts_of_a_pixel_are_sewn_the_right_way(resolution):
+    garment = any_garment(draft("trousers"), 3.0)
+    assert counts_of(decode_grid(encode(garment, resolution))) == counts_of(garment)
 
 
 def test_the_hand_of_the_cloth_is_found_in_the_images():

@@ -6,6 +6,7 @@ import numpy as np
 
 from swifttailor.errors import InputError
 from swifttailor.ggi.images import GarmentGeometryImage
+from swifttailor.ggi.pockets import fill_pockets
 from swifttailor.ggi.remesh import PixelGrid, remesh
 from swifttailor.ggi.slits import open_grid, seam_sides
 from swifttailor.ggi.stitch import SewnGrid, sew
@@ -25,10 +26,8 @@ def decode_grid(images: GarmentGeometryImage) -> SewnGrid:
             "These images are of a pattern without a drape: there are no positions to decode. "
             "Encode a draped garment."
         )
-    grid = PixelGrid.of(images.panel)
     stitching = images.stitching
-    positions = images.geometry.reshape(-1, 3)[grid.pixels].astype(np.float64)
-    if not np.isfinite(positions).all():
+    if not np.isfinite(images.geometry[images.panel >= 0]).all():
         raise InputError("The geometry image holds positions inside panels that are not finite numbers.")
     if not (images.panel.ravel()[stitching.pixels] >= 0).all():
         raise InputError("The stitching image sews pixels that belong to no panel.")
@@ -36,6 +35,9 @@ def decode_grid(images: GarmentGeometryImage) -> SewnGrid:
     begins[stitching.start] = True
     if not (begins[1:-1] | (np.diff(stitching.fraction) >= 0)).all():
         raise InputError("The stitching image has a side whose pixels are not in the order of its seam.")
+    panel, geometry = fill_pockets(images.panel, images.geometry, stitching)
+    grid = PixelGrid.of(panel)
+    positions = geometry.reshape(-1, 3)[grid.pixels]
     sides = seam_sides(grid, stitching)
     mesh = open_grid(grid, remesh(grid, positions, sides.links), sides)
     return sew(grid, positions, mesh, sides, stitching)

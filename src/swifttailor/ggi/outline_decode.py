@@ -24,9 +24,8 @@ Longs = NDArray[np.int64]
 
 _REACH = 2.5
 """Radius in pixels from which a vertex near the outline gathers its position."""
-_STEADINESS = 3e-3
-"""Squared pixels added to the spread of what was gathered, so that pixels in a row give a slope along the row
-and none across it."""
+_FLAT = 0.02
+"""Squared pixels: where what was gathered spreads less in a direction, no slope is taken that way."""
 _WIDEST_STEP = 3.0
 """Pixels between two samples of an edge; what is wider apart is not joined by a straight line."""
 _SAME_POINT = 1e-9
@@ -154,17 +153,15 @@ def _along_edges(layout: Layout, mesh: PatternMesh) -> _Part:
         return _Part(np.zeros(0, np.int64), np.zeros((0, 2), np.int64), np.zeros((0, 2)))
 
     before = np.searchsorted(known, wanted + _SAME_POINT, side="right") - 1
-    after = np.minimum(np.maximum(before, 0) + 1, len(known) - 1)
+    after = np.minimum(before + 1, len(known) - 1)
     before = np.maximum(before, 0)
     exact = np.abs(known[before] - wanted) <= 2 * _SAME_POINT
     after[exact] = before[exact]
     apart = known[after] - known[before]
-    t = np.divide(wanted - known[before], apart, out=np.zeros(len(wanted)), where=~exact & (apart > 0))
+    t = np.divide(wanted - known[before], apart, out=np.zeros(len(wanted)), where=apart > 0)
     gap = raster.points[slot[after]] - raster.points[slot[before]]
-    good = (known[before] >= 2.0 * edge - _SAME_POINT) & (known[after] <= 2.0 * edge + 1 + _SAME_POINT)
-    good &= (known[before] <= wanted + 2 * _SAME_POINT) & (
-        exact | (np.hypot(gap[:, 0], gap[:, 1]) <= _WIDEST_STEP)
-    )
+    between = (apart > 0) & (sample_edge[own[before]] == edge) & (sample_edge[own[after]] == edge)
+    good = exact | (between & (np.hypot(gap[:, 0], gap[:, 1]) <= _WIDEST_STEP))
     # A corner is on two edges; either will do.
     vertex, first = np.unique(np.concatenate(runs)[good], return_index=True)
     chosen = np.flatnonzero(good)[first]
@@ -212,10 +209,10 @@ def _fitted(layout: Layout, at: Floats, flat_panel: NDArray, vertices: Longs) ->
             "the layout. Decode with the layout that the image was drawn with."
         )
     closeness /= total[:, None]
-    basis = np.concatenate([np.ones((*pixel.shape, 1)), away], axis=2)
-    moments = np.einsum("kw,kwi,kwj->kij", closeness, basis, basis)
-    moments[:, [1, 2], [1, 2]] += _STEADINESS
-    unit = np.zeros((len(vertices), 3, 1))
-    unit[:, 0] = 1.0
-    plane = np.linalg.solve(moments, unit)[:, :, 0]
-    return _Part(vertices, pixel, closeness * np.einsum("ki,kwi->kw", plane, basis))
+    middle = np.einsum("kw,kwi->ki", closeness, away)
+    away -= middle[:, None]
+    spread, axes = np.linalg.eigh(np.einsum("kw,kwi,kwj->kij", closeness, away, away))
+    # Pixels in a row tell the slope along the row and none across it.
+    inverse = np.where(spread > _FLAT, 1.0 / np.maximum(spread, _FLAT), 0.0)
+    back = np.einsum("kij,kj,kmj,km->ki", axes, inverse, axes, middle)
+    return _Part(vertices, pixel, closeness * (1.0 - np.einsum("kwi,ki->kw", away, back)))

@@ -21,6 +21,7 @@ from swifttailor.ggi.stitching import StitchingImage
 Longs = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
+_MOST = 0.5
 _CRUMB = 0.05
 """Pieces that hang on to their panel by single pixels only, and have less than this share of the vertices of
 its largest piece, are left out: tips that are narrower than a pixel further in."""
@@ -53,10 +54,11 @@ class SeamSides:
 
 
 def seam_sides(grid: PixelGrid, stitching: StitchingImage) -> SeamSides:
-    """Finds on which hand of each side the cloth lies, by what is occupied there.
+    """Tells on which hand of each side the cloth lies.
 
-    Where that does not tell, the first side of a stitch has it on its left, and the second on its right, as
-    plain stitches have.
+    The first side of a stitch runs anticlockwise around its panel. The second runs clockwise in plain
+    stitches; it is taken to run anticlockwise, as in ``right_wrong`` ones, where most of it has pixels on its
+    left and none on its right. In a narrow dart there are pixels on both hands.
     """
     start = stitching.start.astype(np.int64)
     pixel = grid.numbers.ravel()[stitching.pixels]
@@ -71,8 +73,9 @@ def seam_sides(grid: PixelGrid, stitching: StitchingImage) -> SeamSides:
     # The square on the left of a straight link, and the corner on the left of a diagonal one.
     vote = _occupied(grid, pixel[link], _turned(x, y, 1)).astype(np.int64)
     vote -= _occupied(grid, pixel[link], _turned(x, y, -1))
-    votes = np.bincount(side[link], vote, count)
-    return SeamSides(pixel, start, link, np.where(votes == 0, np.arange(count) % 2 == 0, votes > 0))
+    on_left = np.bincount(side[link], vote, count) > _MOST * np.bincount(side[link], minlength=count)
+    on_left[::2] = True
+    return SeamSides(pixel, start, link, on_left)
 
 
 def _turned(x: Longs, y: Longs, hand: int) -> tuple[Longs, Longs]:

@@ -71,6 +71,8 @@ def sew(
     corners = label[mesh.faces]
     a, b, c = corners.T
     sound = (a != b) & (b != c) & (c != a)
+    kept = np.flatnonzero(sound)
+    sound[kept[_folded(corners[kept], np.bincount(label))]] = False
     flat, flat_faces = _compacted(mesh.faces[sound], len(label))
     present = np.zeros(int(max(label.max(initial=-1), entry_label.max(initial=-1))) + 1, np.bool_)
     present[label[flat]] = True
@@ -123,6 +125,23 @@ def _sets(
     # What is not at the rim of its panel is a set of its own.
     inner = len(mesh.vertex_pixel) - count
     return np.concatenate([label[:count], count + entries + np.arange(inner)]), label[count:]
+
+
+def _folded(corners: Longs, members: Longs) -> Longs:
+    """Faces that sewing has laid upon another with the same corners: two such faces enclose nothing.
+
+    Args:
+        corners: (f, 3) sets at the corners of each face.
+        members: How many vertices each set has.
+    """
+    merged = members > 1
+    near = np.flatnonzero(merged[corners[:, 0]] | merged[corners[:, 1]] | merged[corners[:, 2]])
+    triple = np.sort(corners[near], axis=1)
+    _, pair = np.unique(triple[:, 0] * len(members) + triple[:, 1], return_inverse=True)
+    key = pair * len(members) + triple[:, 2]
+    order = np.argsort(key, kind="stable")
+    twin = np.flatnonzero(key[order[1:]] == key[order[:-1]])
+    return near[order[np.concatenate([twin, twin + 1])]]
 
 
 def _compacted(faces: Longs, count: int) -> tuple[Longs, Longs]:
