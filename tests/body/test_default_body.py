@@ -173,3 +173,18 @@ def test_default_body_lies_on_garmentcodes_mean_body(body):
     gap = np.abs(signed_distance(np.asarray(target.vertices) * 100, target.faces, body.vertices)[0])
     assert gap.mean() < 0.35
     assert np.percentile(gap, 95) < 1.0
+
+
+def test_the_armscye_measured_on_the_mesh_is_as_deep_as_garmentcode_says():
+    body = Body.default()
+    measured = measure_body(body.vertices, body.faces, body.vertex_part)
+    assert measured.armscye_depth == pytest.approx(body.measurements.armscye_depth, abs=0.2)
+
+
+@pytest.mark.parametrize("scale", [0.9, 1.1])
+def test_measured_lengths_grow_with_the_body(scale):
+    body = Body.default()
+    small = measure_body(body.vertices, body.faces, body.vertex_part)
+    large = measure_body(body.vertices * scale, body.faces, body.vertex_part)
+    for name in ("armscye_depth", "waist", "bust", "arm_length", "shoulder_w"):
+        assert getattr(large, name) == pytest.approx(scale * getattr(small, name), rel=0.03), name

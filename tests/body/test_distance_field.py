@@ -202,3 +202,13 @@ def _npz(**arrays) -> bytes:
     stream = io.BytesIO()
     np.savez(stream, **arrays)
     return stream.getvalue()
+
+
+def test_a_covering_field_hides_no_part_of_the_body(body, field):
+    covering = body.distance_field(covering=True)
+    corners = body.vertices[body.faces]
+    points = np.concatenate([body.vertices, corners.mean(axis=1), (corners[:, 0] + corners[:, 1]) / 2])
+    assert (field.sample(points)[0] > 0.1).any()  # fingers and ears are lost in the plain one
+    assert covering.sample(points)[0].max() <= 1e-3
+    lowered = field.values - covering.values
+    assert lowered.min() >= 0 and lowered.max() < 0.9 and (lowered > 0).mean() < 0.05

@@ -18,6 +18,10 @@ _WAIST_WINDOW = (0.59, 0.67)
 _HIPS_WINDOW = (0.45, 0.54)
 _UNDERBUST_DROP = 0.047  # from the bust, as a fraction of the height
 _STEP = 0.5  # between slices, cm
+# GarmentCode measures the depth of the armscye from the tip of the shoulder, which a mesh does not mark. So
+# what can be measured, how far the arm's joint reaches below the neck, is scaled by this, its value on the
+# default body, cm.
+_JOINT_BELOW_NECK = 17.453
 
 
 def slice_points(vertices: Array, faces: Array, normal: Array, offset: float) -> Array:
@@ -114,7 +118,8 @@ def _torso(
     left = _joint(vertices, faces, vertex_part, BodyPart.LEFT_ARM)
     right = _joint(vertices, faces, vertex_part, BodyPart.RIGHT_ARM)
     if left is not None and right is not None:
-        found["armscye_depth"] = neck - float(left[:, 1].min() + right[:, 1].min()) / 2
+        below_neck = neck - float(left[:, 1].min() + right[:, 1].min()) / 2
+        found["armscye_depth"] = below_neck * MEAN_BODY["armscye_depth"] / _JOINT_BELOW_NECK
         found["shoulder_w"] = float(left[left[:, 1].argmax(), 0] - right[right[:, 1].argmax(), 0])
     return {name: value for name, value in found.items() if value > 0}
 
