@@ -22,6 +22,7 @@ from swifttailor.data.builder import BuildSettings, build_split
 from swifttailor.data.index import SplitIndex, read_index
 from swifttailor.data.reader import SplitReader
 from swifttailor.draping.batch import BatchSettings
+from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
@@ -35,7 +36,7 @@ def build(
 ) -> SplitIndex:
     options = {"runner": run_here, "make": make_quickly} | options
     sources = source if isinstance(source, list) else [source]
-    return build_split(sources, out, split, settings, **options)
+    return build_split(read_patterns(*sources), out, split, settings, **options)
 
 
 @pytest.fixture
@@ -174,7 +175,7 @@ def test_workers_do_not_change_the_shards(tmp_path):
     coarse = BuildSettings(BatchSettings(edge_length=5.0, preview=False), shard_size=3)
     for workers in (1, 2):
         build_split(
-            [source],
+            read_patterns(source),
             tmp_path / f"{workers}",
             "train",
             coarse,
@@ -231,10 +232,11 @@ def start_slow_build(source: Path, out: Path, folder: Path) -> subprocess.Popen:
         "import sys; from functools import partial; from pathlib import Path\n"
         "from sample_makers import COARSE, make_slowly\n"
         "from swifttailor.data.builder import build_split; from swifttailor.workers import run_tasks\n"
+        "from swifttailor.draping.batch.patterns import read_patterns\n"
         "if __name__ == '__main__':\n"
         "    runner = partial(run_tasks, workers=2, time_limit=60)\n"
-        "    paths = [Path(sys.argv[1])], Path(sys.argv[2])\n"
-        "    try: build_split(*paths, 'train', COARSE, runner=runner, make=make_slowly)\n"
+        "    patterns, out = read_patterns(Path(sys.argv[1])), Path(sys.argv[2])\n"
+        "    try: build_split(patterns, out, 'train', COARSE, runner=runner, make=make_slowly)\n"
         "    except KeyboardInterrupt: sys.exit(130)\n"
     )
     return subprocess.Popen(

@@ -10,6 +10,7 @@ from swifttailor.cli.data import COMMANDS
 from swifttailor.cli.main import run
 from swifttailor.data.builder import BuildSettings, build_split
 from swifttailor.draping.batch import BatchSettings
+from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
 
@@ -25,7 +26,7 @@ def patterns(tmp_path) -> Path:
 @pytest.fixture
 def dataset(patterns, tmp_path) -> Path:
     coarse = BuildSettings(BatchSettings(edge_length=8.0, preview=False))
-    build_split([patterns], tmp_path / "set", "train", coarse, runner=run_here, make=make_placed)
+    build_split(read_patterns(patterns), tmp_path / "set", "train", coarse, runner=run_here, make=make_placed)
     return tmp_path / "set"
 
 

@@ -13,6 +13,7 @@ import pytest
 from sample_makers import COARSE, make_quickly, split_content
 
 from swifttailor.data.builder import build_split
+from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.workers import Outcome
 
 needs_ray = pytest.mark.skipif(
@@ -31,6 +32,7 @@ from ray.cluster_utils import Cluster
 
 from sample_makers import COARSE, make_slowly
 from swifttailor.data.builder import build_split
+from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.workers.ray_pool import run_tasks_on_ray
 
 source, out, address = Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3]
@@ -54,7 +56,8 @@ def on_record(record):
         cluster.remove_node(second)
 
 runner = partial(run_tasks_on_ray, address=address, time_limit=60, attempts=3)
-index = build_split([source], out, "train", COARSE, runner=runner, on_record=on_record, make=make_slowly)
+patterns = read_patterns(source)
+index = build_split(patterns, out, "train", COARSE, runner=runner, on_record=on_record, make=make_slowly)
 print("RESULT", len(nodes), len(killed), len(seen), index.complete)
 """
 
@@ -72,7 +75,7 @@ def test_a_cluster_of_two_with_a_worker_killed_gives_the_same_shards(
 ):
     ids = [f"bad-{k}" if k % 5 == 4 else f"p{k}" for k in range(18)]
     source = patterns_file(*ids)
-    build_split([source], tmp_path / "here", "train", COARSE, runner=here, make=make_quickly)
+    build_split(read_patterns(source), tmp_path / "here", "train", COARSE, runner=here, make=make_quickly)
     script = tmp_path / "script.py"
     script.write_text(PROGRAM)
     more = ["leaves"] if a_machine_leaves else []

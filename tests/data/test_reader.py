@@ -15,6 +15,7 @@ from swifttailor.data.builder import build_split
 from swifttailor.data.geometry_images import GeometryImages, draw
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.shard_file import ShardFile
+from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError
 from swifttailor.ggi import encode
 
@@ -23,7 +24,14 @@ IDS = ("a", "bad-b", "c", "d", "e", "f", "g", "h", "i")
 
 @pytest.fixture
 def split(patterns_file, tmp_path) -> Path:
-    build_split([patterns_file(*IDS)], tmp_path / "set", "train", COARSE, runner=run_here, make=make_quickly)
+    build_split(
+        read_patterns(patterns_file(*IDS)),
+        tmp_path / "set",
+        "train",
+        COARSE,
+        runner=run_here,
+        make=make_quickly,
+    )
     return tmp_path / "set" / "train"
 
 

@@ -16,6 +16,7 @@ from swifttailor.data.renders.files import RenderSettings, SplitRenders
 from swifttailor.data.renders.look import VIEWS, View
 from swifttailor.data.renders.plain_look import plain_camera
 from swifttailor.draping import drape
+from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError
 from swifttailor.garment import Garment
 from swifttailor.pattern.drafts import draft
@@ -113,7 +114,7 @@ def test_the_plain_look_shows_panels_in_tones_on_a_dark_body(dress):
 @pytest.fixture
 def split(patterns_file, tmp_path) -> Path:
     source = patterns_file("a", "bad-b", "c", "d", "e", "f")
-    build_split([source], tmp_path / "set", "train", COARSE, runner=run_here, make=make_quickly)
+    build_split(read_patterns(source), tmp_path / "set", "train", COARSE, runner=run_here, make=make_quickly)
     return tmp_path / "set" / "train"
 
 
@@ -141,7 +142,9 @@ def test_renders_do_not_depend_on_workers_or_neighbours(split, tmp_path, pattern
     first = SplitRenders(SplitReader(split), SMALL)
     list(first.draw(workers=2))
     source = patterns_file("f", name="one.jsonl")
-    build_split([source], tmp_path / "other", "train", COARSE, runner=run_here, make=make_quickly)
+    build_split(
+        read_patterns(source), tmp_path / "other", "train", COARSE, runner=run_here, make=make_quickly
+    )
     second = SplitRenders(SplitReader(tmp_path / "other" / "train"), SMALL)
     list(second.draw())
     assert [r.webp for r in first[4]] == [r.webp for r in second[0]]

@@ -14,13 +14,21 @@ from swifttailor.data.renders.files import RenderSettings, SplitRenders
 from swifttailor.data.stats import choose, count_split, show_sample, write_page, write_sheets
 from swifttailor.data.stats.numbers import MEASURES, SplitNumbers
 from swifttailor.data.stats.page import histogram
+from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError
 
 
 @pytest.fixture
 def split(patterns_file, tmp_path) -> Path:
     ids = ("a", "bad-b", "c", "bad-<d>", "e", "f", "g")
-    build_split([patterns_file(*ids)], tmp_path / "set", "train", COARSE, runner=run_here, make=make_quickly)
+    build_split(
+        read_patterns(patterns_file(*ids)),
+        tmp_path / "set",
+        "train",
+        COARSE,
+        runner=run_here,
+        make=make_quickly,
+    )
     return tmp_path / "set" / "train"
 
 

@@ -16,6 +16,7 @@ from swifttailor.data.sample import Sample, store_sample
 from swifttailor.data.shard_file import write_shard
 from swifttailor.data.verify import Fault, sample_faults, verify_dataset
 from swifttailor.draping.batch import BatchSettings
+from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
@@ -34,7 +35,7 @@ def dataset(tmp_path) -> Path:
     train = patterns(tmp_path / "train.jsonl", a="fitted-skirt", b="tank-top", c="gathered-skirt")
     test = patterns(tmp_path / "test.jsonl", d="shirt-dress")
     for source, split in ((train, "train"), (test, "test")):
-        build_split([source], tmp_path / "set", split, COARSE, runner=run_here, make=make_placed)
+        build_split(read_patterns(source), tmp_path / "set", split, COARSE, runner=run_here, make=make_placed)
     return tmp_path / "set"
 
 
@@ -122,7 +123,7 @@ def test_an_unreadable_index_does_not_hide_the_other_splits(dataset):
 def test_patterns_in_two_splits(dataset, tmp_path):
     """The builder refuses the same id; a copy under another name is only found by looking at it."""
     copy = patterns(tmp_path / "v.jsonl", z="tank-top")
-    build_split([copy], dataset, "validation", COARSE, runner=run_here, make=make_placed)
+    build_split(read_patterns(copy), dataset, "validation", COARSE, runner=run_here, make=make_placed)
     (found,) = faults(dataset)
     assert found.sample == "z" and "the same pattern as 'b' in 'train'" in found.message
     shutil.rmtree(dataset / "validation")

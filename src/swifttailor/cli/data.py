@@ -63,6 +63,12 @@ def _load_build() -> Any:
     return DataBuild
 
 
+def _load_import() -> Any:
+    from swifttailor.cli.data_import import DataImport
+
+    return DataImport
+
+
 def _load_render() -> Any:
     from swifttailor.cli.data_render import DataRender
 
@@ -86,6 +92,11 @@ COMMANDS: dict[str, DataCommand] = {
         "Drape patterns and put those that come out well into shards.",
         "swifttailor data build --patterns FILE... --out DIR",
         _load_build,
+    ),
+    "import": DataCommand(
+        "Put folders of GarmentCodeData into shards.",
+        "swifttailor data import ROOT --out DIR [--splits FILE]",
+        _load_import,
     ),
     "render": DataCommand(
         "Draw pictures of every garment of a data set.",

@@ -74,7 +74,7 @@ class DataBuild:
         from swifttailor.cli.data_progress import BuildProgress
         from swifttailor.data.builder import BuildSettings, build_split
         from swifttailor.draping.batch import BatchSettings
-        from swifttailor.draping.batch.patterns import count_patterns
+        from swifttailor.draping.batch.patterns import count_patterns, read_patterns
 
         drape = BatchSettings(
             fabric=self.fabric,
@@ -88,7 +88,7 @@ class DataBuild:
         total = sum(count_patterns(p) for p in self.patterns)
         with BuildProgress(min(total, self.limit or total)) as progress:
             index = build_split(
-                self.patterns,
+                read_patterns(*self.patterns),
                 self.out,
                 self._split(),
                 BuildSettings(drape),
@@ -98,8 +98,7 @@ class DataBuild:
                 on_start=progress.start,
                 on_record=progress.show,
             )
-        _print_summary(index, self.out / index.split)
-        return SOME_FAILED if any(r.status == "failed" for s in index.shards for r in s.rejected) else 0
+        return finish_build(index, self.out / index.split)
 
     def _split(self) -> str:
         name = self.split if self.split is not None else self.patterns[0].name.split(".")[0]
@@ -151,7 +150,8 @@ class DataBuild:
             raise InputError(f"--time-limit is {self.time_limit:g}; at least 1 second is accepted.")
 
 
-def _print_summary(index: SplitIndex, folder: Path) -> None:
+def finish_build(index: SplitIndex, folder: Path) -> int:
+    """Prints what came of a build and gives the exit code."""
     from swifttailor.draping.batch.summary import kind_of_reason
 
     rejected = [r for s in index.shards for r in s.rejected]
@@ -170,3 +170,4 @@ def _print_summary(index: SplitIndex, folder: Path) -> None:
         )
     lines.append(f"The split '{index.split}' is in {folder}")
     sys.stdout.write("\n".join(lines) + "\n")
+    return SOME_FAILED if failed else 0

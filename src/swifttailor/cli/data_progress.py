@@ -14,8 +14,15 @@ _SECONDS_BETWEEN_LINES = 30.0
 class BuildProgress(CountProgress):
     """A bar in a terminal; elsewhere a line every half minute and one for each pattern without a sample."""
 
-    def __init__(self, total: int) -> None:
+    def __init__(self, total: int, *, drapes: bool = True) -> None:
+        """Use as a context manager.
+
+        Args:
+            total: Patterns in all, about.
+            drapes: Whether they are draped, which the solver may have to be compiled for.
+        """
         super().__init__(total)
+        self._drapes = drapes
         self._accepted = 0
         self._started = self._last_line = time.monotonic()
 
@@ -31,7 +38,7 @@ class BuildProgress(CountProgress):
         from swifttailor.draping.compiled_code import solver_is_compiled
 
         self._started = self._last_line = time.monotonic()
-        self.begin(done_before, compiled=solver_is_compiled())
+        self.begin(done_before, compiled=not self._drapes or solver_is_compiled())
         if note:
             self.note(note)
 

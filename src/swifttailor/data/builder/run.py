@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from itertools import islice
 from pathlib import Path
@@ -20,7 +20,7 @@ from swifttailor.data.builder.make_sample import (
 from swifttailor.data.builder.settings import BuildSettings
 from swifttailor.data.builder.split_folder import SplitFolder, input_checksum
 from swifttailor.data.index import INDEX, SplitIndex, read_index
-from swifttailor.draping.batch.patterns import BatchPattern, read_patterns
+from swifttailor.draping.batch.patterns import BatchPattern
 from swifttailor.errors import InputError
 from swifttailor.workers import Outcome, sigterm_as_interrupt
 
@@ -34,7 +34,7 @@ ATTEMPTS = 3
 
 
 def build_split(
-    sources: Sequence[Path],
+    patterns: Iterator[BatchPattern],
     out: Path,
     split: str,
     settings: BuildSettings,
@@ -52,7 +52,7 @@ def build_split(
     goes on where it stopped. The shards depend on the input and the settings alone, not on `runner`.
 
     Args:
-        sources: .jsonl and .jsonl.gz files and folders of .json files; together they are the split.
+        patterns: All patterns of the split, in an order that stays; from `read_patterns`.
         out: Folder of the data set; the split gets a folder in it.
         split: Its name (train, validation, test).
         settings: What the samples are made with.
@@ -67,15 +67,15 @@ def build_split(
         The index of the split.
 
     Raises:
-        InputError: The sources, the settings or the folder cannot be used; the disk is full; a source has
+        InputError: The patterns, the settings or the folder cannot be used; the disk is full; the input has
             changed since an earlier call.
         SimulationError: No worker can be started.
         KeyboardInterrupt: After Ctrl-C or SIGTERM.
     """
-    patterns = islice(read_patterns(*sources), limit)
+    patterns = islice(patterns, limit)
     first = next(patterns, None)  # so that a source that cannot be read leaves no folder behind
     if first is None:
-        raise InputError(f"There are no patterns in {', '.join(repr(str(s)) for s in sources)}.")
+        raise InputError("There are no patterns in the input. Give one pattern a line, or a folder of them.")
     settings.drape.require_usable()
     taken = _ids_of_other_splits(out, split)
     with SplitFolder(out / split, settings) as folder:
@@ -143,7 +143,7 @@ class _Work:
                 continue
             part.missing.add(position)
             if task.pattern.error:
-                reason = f"Unreadable: {task.pattern.source}: {task.pattern.error}"
+                reason = f"{task.pattern.source}: {task.pattern.error}"
                 self.take_in(not_made(task, REJECTED, reason))
             else:
                 yield task

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from swifttailor import __version__
 from swifttailor.body import Body
 from swifttailor.draping.batch import BatchSettings
 
@@ -22,9 +23,19 @@ class BuildSettings:
     """How patterns are read and draped."""
     shard_size: int = SHARD_SIZE
     """Patterns to a shard, those included that are not accepted."""
+    origin: str = ""
+    """The data set that drapes were taken from, where they were not made here. Of `drape`, edge length and
+    reading of the angles then count alone."""
+    origin_body: str = ""
+    """What those drapes hang on."""
 
     def identity(self) -> dict[str, Any]:
         """All that decides what the shards look like, as JSON values."""
+        if self.origin:
+            kept = {"edge_length": self.drape.edge_length, "rotation": self.drape.rotation}
+            body = {"name": self.origin_body, "sha256": ""}
+            origin = {"origin": self.origin, "body": body, "version": __version__}
+            return kept | origin | {"shard_size": self.shard_size}
         values = self.drape.identity()
         values["body"] = body_identity(self.drape.load_body())
         return values | {"shard_size": self.shard_size}
