@@ -205,6 +205,12 @@ def _load_data() -> Runner:
     return run_data
 
 
+def _load_train() -> Runner:
+    from swifttailor.cli.train import run_train
+
+    return run_train
+
+
 COMMANDS: dict[str, Command] = {
     "drape": Command(
         "Sew a pattern together on a body and let it hang: pattern in, 3D garment out.",
@@ -235,6 +241,11 @@ COMMANDS: dict[str, Command] = {
         "Data sets to learn from: build them from patterns, verify them, look at them.",
         "swifttailor data build --patterns FILE... --out DIR    all: swifttailor data --help",
         _load_data,
+    ),
+    "train": Command(
+        "Train the networks on a data set.",
+        "swifttailor train garment-sewer --data DIR --out RUN",
+        _load_train,
     ),
 }
 """In the order in which a newcomer needs them."""

@@ -42,6 +42,7 @@ def train(
     workers: int = 1,
     max_minutes: float | None = None,
     stop_after: int | None = None,
+    threads: int | None = None,
     report: Report = lambda text: None,
 ) -> dict[str, Any]:
     """Trains a network, or goes on with a training that was interrupted.
@@ -56,6 +57,7 @@ def train(
         workers: Processes that draw.
         max_minutes: Of training; the schedule is fitted to it. Counts what an interrupted training has used.
         stop_after: Interrupt after this many steps, a checkpoint written.
+        threads: Processor cores to train on; torch's choice when None.
         report: Called with lines to show.
 
     Returns:
@@ -65,6 +67,8 @@ def train(
         InputError: The data, the folder or the configuration cannot be used.
         SimulationError: The loss is no number any more.
     """
+    if threads is not None:
+        torch.set_num_threads(threads)
     processes = Processes.start()
     device = processes.device
     record = RunRecord(out)

@@ -1,0 +1,80 @@
+"""``swifttailor train garment-sewer``: from a data set to weights."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+from swifttailor.errors import InputError
+
+
+@dataclass(frozen=True, kw_only=True)
+class TrainGarmentSewer:
+    """Train the network that drapes patterns without physics (paper, Sec. 4.3).
+
+    Writes weights.safetensors, card.json, metrics.jsonl, pictures of validation garments, and a checkpoint to
+    go on from. Uses a GPU where there is one; for several, put accelerate launch -m before the command.
+    """
+
+    data: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    """Folder with the splits train and validation, from swifttailor data build."""
+    out: Annotated[Path, tyro.conf.arg(metavar="RUN")]
+    """Folder of the run; created when missing."""
+    config: Annotated[str, tyro.conf.arg(metavar="NAME")] = "small"
+    """small, paper, or a JSON file like the config.json of a run."""
+    set: Annotated[tuple[str, ...], tyro.conf.arg(metavar="FIELD=VALUE")] = ()
+    """Values to change in the configuration, for instance: --set steps=5000 losses.strain=1
+    conditioning.prior=placed"""
+    resume: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Go on from the checkpoint in RUN, with the same configuration."""
+    max_minutes: Annotated[float | None, tyro.conf.arg(metavar="M")] = None
+    """Let the training end after so many minutes, its learning rate falling to the end as it should."""
+    cache: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
+    """Where to keep the images drawn of the data; DIR/cache of the data without it."""
+    workers: Annotated[int, tyro.conf.arg(metavar="N")] = 1
+    """Processes that draw these images."""
+    threads: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """Processor cores to train on, without a GPU; torch's choice without it."""
+
+    def run(self) -> int:
+        """Trains, prints how it goes, and returns the exit code.
+
+        Raises:
+            SwiftTailorError: Something cannot be used.
+        """
+        from swifttailor.cli.drape import require_writable_folder
+        from swifttailor.training.extra import require_training_packages
+        from swifttailor.training.sewer_config import read_config
+
+        if self.max_minutes is not None and not (math.isfinite(self.max_minutes) and self.max_minutes > 0):
+            raise InputError(f"--max-minutes is {self.max_minutes:g}; a time above 0 is accepted.")
+        for name, value in (("--workers", self.workers), ("--threads", self.threads)):
+            if value is not None and not 1 <= value <= 256:
+                raise InputError(f"{name} is {value}; from 1 to 256 is accepted.")
+        config = read_config(self.config, self.set)
+        require_writable_folder(self.out)
+        require_training_packages("Training")
+        from swifttailor.training.sewer_loop_torch import train
+
+        card = train(
+            config,
+            self.data,
+            self.out,
+            resume=self.resume,
+            cache=self.cache,
+            workers=self.workers,
+            max_minutes=self.max_minutes,
+            threads=self.threads,
+            report=_say,
+        )
+        minutes = card["training"]["minutes"]
+        _say(f"Trained for {minutes:g} minutes. The weights are in {self.out / 'weights.safetensors'}.")
+        return 0
+
+
+def _say(text: str) -> None:
+    print(text, flush=True)  # noqa: T201
