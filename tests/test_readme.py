@@ -96,6 +96,16 @@ def test_the_guide_to_geometry_images(tmp_path, monkeypatch, coarse, capsys):
     }  # fmt: skip
 
 
+def test_the_guide_to_data_sets(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    run_all("docs/data.md")
+    names: dict = {}
+    for block in blocks("docs/data.md", "python"):
+        exec(compile(block, "data.md", "exec"), names)
+    assert len(names["reader"]) >= 1 and names["picture"].shape == (128, 128, 3)
+    assert {"index.html", "stats.json"} <= {p.name for p in (tmp_path / "garments" / "stats").iterdir()}
+
+
 def test_the_readme_lists_the_commands_that_exist():
     table = (ROOT / "README.md").read_text().split("## Commands")[1].split("###")[0]
     assert set(re.findall(r"^\| `swifttailor (\w+)", table, re.MULTILINE)) == set(COMMANDS)
