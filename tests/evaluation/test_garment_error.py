@@ -7,8 +7,9 @@ import pytest
 
 from swifttailor.body import Body
 from swifttailor.errors import GeometryError
-from swifttailor.evaluation.garment_error import measure_error, merge, seam_gaps, summarize
+from swifttailor.evaluation.garment_error import measure_error, summarize
 from swifttailor.evaluation.garment_kind import garment_kind
+from swifttailor.garment_sewer.closing import merge, seam_gaps
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft

@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from swifttailor.errors import GeometryError
 from swifttailor.evaluation.garment_kind import KINDS, GarmentKind, garment_kind
 from swifttailor.garment import PatternMesh
-from swifttailor.garment_sewer.pixels.body_distance import BodyDistance, panels_ignoring_arms
-from swifttailor.panel_mesh.edge_sampling import stitched_pairs
+from swifttailor.garment_sewer.closing import merge, seam_gaps
+from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
+from swifttailor.garment_sewer.pixels.sewn_prior import vertices_ignoring_arms
 
 Floats = NDArray[np.float64]
 
@@ -61,9 +62,7 @@ def measure_error(
         )
     merged = merge(mesh, flat_positions)
     distance = np.linalg.norm(merged - drape, axis=1)
-    ignores = np.zeros(mesh.vertex_count, np.bool_)
-    np.logical_or.at(ignores, mesh.weld, panels_ignoring_arms(mesh.pattern)[mesh.flat_panel])
-    depth, _ = body.sample(merged, ignores)
+    depth, _ = body.sample(merged, vertices_ignoring_arms(mesh))
     gaps = seam_gaps(mesh, flat_positions)
     panels = len(mesh.pattern.panels)
     count = np.bincount(mesh.flat_panel, minlength=panels)
@@ -78,23 +77,6 @@ def measure_error(
         float(np.percentile(gaps, 95)) if len(gaps) else 0.0,
         float((depth < -INSIDE_CM).mean()),
     )
-
-
-def merge(mesh: PatternMesh, flat_positions: Floats) -> Floats:
-    """(v, 3): each welded vertex at the mean of the flat vertices it is made of."""
-    count = np.bincount(mesh.weld, minlength=mesh.vertex_count)
-    sums = [np.bincount(mesh.weld, flat_positions[:, k], mesh.vertex_count) for k in range(3)]
-    return np.stack(sums, axis=1) / count[:, None]
-
-
-def seam_gaps(mesh: PatternMesh, flat_positions: Floats) -> Floats:
-    """(k,) distances between all pairs of flat vertices that a stitch joins, stitch after stitch."""
-    pairs = [np.zeros((0, 2), np.int64)]
-    for stitch in mesh.pattern.stitches:
-        a, b = (mesh.edge_vertices[mesh.pattern.panel_index(r.panel)][r.edge] for r in stitch.sides)
-        pairs.append(stitched_pairs(a.astype(np.int64), b.astype(np.int64), stitch.right_wrong))
-    joined = np.concatenate(pairs)
-    return np.linalg.norm(flat_positions[joined[:, 0]] - flat_positions[joined[:, 1]], axis=1)
 
 
 def summarize(errors: Sequence[GarmentError]) -> dict[str, Any]:

@@ -39,6 +39,10 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
         self.post_init()
         nn.init.zeros_(head[4].weight)
         nn.init.zeros_(head[4].bias)
+        # DPT carries these along without using them: the first fusion has no second input, and the decoder
+        # reads the layers before the last norm. Several processes would wait for their gradients.
+        for unused in (self.dpt.layernorm, self.neck.fusion_stage.layers[0].residual_layer1):
+            unused.requires_grad_(False)
 
     def forward(self, conditioning: Tensor, occupancy: Tensor, prior: Tensor) -> Tensor:
         """Predicts positions.

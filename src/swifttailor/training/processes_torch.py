@@ -35,7 +35,7 @@ class Processes:
             from accelerate import Accelerator
         except ImportError:
             raise MissingExtraError("accelerate", "train", "Training in several processes") from None
-        accelerator = Accelerator()
+        accelerator = Accelerator(cpu=not torch.cuda.is_available())
         return Processes(
             accelerator.process_index, accelerator.num_processes, accelerator.device, accelerator
         )

@@ -195,6 +195,8 @@ def _parameter_groups(network: GarmentSewerNetwork, config: SewerConfig) -> list
     """Weights decay, biases and norms do not; the encoder may have a rate of its own."""
     groups: dict[tuple[bool, bool], list[torch.nn.Parameter]] = {}
     for name, parameter in network.named_parameters():
+        if not parameter.requires_grad:
+            continue
         groups.setdefault((parameter.ndim > 1, name.startswith("dpt.")), []).append(parameter)
     return [
         {

@@ -13,8 +13,9 @@ import torch
 from swifttailor.body import Body
 from swifttailor.data.reader import SplitReader
 from swifttailor.errors import InputError
-from swifttailor.evaluation.garment_error import GarmentError, measure_error, merge, summarize
+from swifttailor.evaluation.garment_error import GarmentError, measure_error, summarize
 from swifttailor.garment import Garment
+from swifttailor.garment_sewer.closing import merge
 from swifttailor.garment_sewer.network_torch import GarmentSewerNetwork
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.ggi.outline_decode import OutlineSampler, outline_sampler

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
+from swifttailor.errors import GeometryError
 from swifttailor.garment import PatternMesh
 
 Floats = NDArray[np.float64]
@@ -28,6 +29,10 @@ class RestShape:
     """(2 f, v): both columns of each face's gradient from the welded vertices, x, y or z at a time."""
     area: Floats
     """(f,) flat area, cm^2."""
+    corners: NDArray[np.int64]
+    """(f, 3) flat vertices of the faces that count."""
+    slope: Floats
+    """(f, 2, 3): both columns of a face's gradient from its corners."""
     vertex_area: Floats
     """(v,) a third of the area of the faces around each welded vertex, cm^2."""
 
@@ -59,7 +64,37 @@ def rest_shape(mesh: PatternMesh) -> RestShape:
     area = np.abs(doubled) / 2
     weights = np.repeat(area / 3, 3)
     vertex_area = np.bincount(welded[kept].ravel(), weights, mesh.vertex_count).astype(np.float64)
-    return RestShape(gradient, area, vertex_area)
+    return RestShape(gradient, area, faces[kept], share, vertex_area)
+
+
+def flat_gradients(mesh: PatternMesh, shape: RestShape, flat_positions: Floats) -> Floats:
+    """(f, 2, 3) gradients of panels that are not joined yet, from the positions (m, 3) of flat vertices."""
+    if flat_positions.shape != (len(mesh.weld), 3):
+        raise GeometryError(
+            f"A mesh of {len(mesh.weld)} flat vertices was given positions of shape {flat_positions.shape}."
+        )
+    return np.einsum("fgc,fck->fgk", shape.slope, flat_positions[shape.corners])
+
+
+def limit_stretch(gradients: Floats, longest: float) -> Floats:
+    """Gradients (f, 2, 3) whose largest stretch is brought down to `longest` where it is larger.
+
+    The other direction, along which a gradient stretches least, stays; cloth may be shortened, by buckling.
+    """
+    a = (gradients[:, 0] * gradients[:, 0]).sum(axis=1)
+    b = (gradients[:, 0] * gradients[:, 1]).sum(axis=1)
+    c = (gradients[:, 1] * gradients[:, 1]).sum(axis=1)
+    # Singular values squared are the eigenvalues of [a b; b c]; the turn to its axes has angle phi.
+    phi = 0.5 * np.arctan2(2 * b, a - c)
+    cos, sin = np.cos(phi)[:, None], np.sin(phi)[:, None]
+    along = cos * gradients[:, 0] + sin * gradients[:, 1]
+    across = cos * gradients[:, 1] - sin * gradients[:, 0]
+    limited = []
+    for axis in (along, across):
+        size = np.linalg.norm(axis, axis=1, keepdims=True)
+        limited.append(axis * np.minimum(1.0, longest / np.maximum(size, 1e-12)))
+    along, across = limited
+    return np.stack([cos * along - sin * across, sin * along + cos * across], axis=1)
 
 
 def nearest_unstretched(gradients: Floats) -> Floats:

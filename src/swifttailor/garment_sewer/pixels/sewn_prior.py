@@ -8,6 +8,7 @@ garment stays about where its panels were placed. It is smooth, hence a coarse m
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -52,6 +53,13 @@ def vertices_ignoring_arms(mesh: PatternMesh) -> NDArray[np.bool_]:
     return ignores
 
 
+def factorized(matrix: csc_array) -> Callable[[Floats], Floats]:
+    """Solves with a symmetric positive definite matrix (v, v) for right sides (v, k)."""
+    options = {"SymmetricMode": True, "Equil": False}
+    solver = splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options)
+    return solver.solve
+
+
 def sew_around_body(mesh: PatternMesh, body: BodyDistance, settings: SewingSettings | None = None) -> Floats:
     """Sews the panels together around the body.
 
@@ -69,10 +77,10 @@ def sew_around_body(mesh: PatternMesh, body: BodyDistance, settings: SewingSetti
     back = shape.weighted
     # A vertex without faces of any size keeps its place by a weight of its own.
     stay = settings.inertia * np.maximum(shape.vertex_area, 1e-2)
-    solver = splu(csc_array(back @ shape.gradient + diags_array(stay)))
+    solve = factorized(csc_array(back @ shape.gradient + diags_array(stay)))
     vertices = placed_vertices(mesh)
     for _ in range(settings.iterations):
         target = body.push_out(vertices, ignores, settings.clearance)
         unstretched = nearest_unstretched(shape.gradients(vertices))
-        vertices = solver.solve(back @ unstretched.reshape(-1, 3) + stay[:, None] * target)
+        vertices = solve(back @ unstretched.reshape(-1, 3) + stay[:, None] * target)
     return body.push_out(vertices, ignores, settings.clearance, rounds=2)
