@@ -3,7 +3,8 @@
 The network leaves each pair of sewn edges a few millimetres apart. Averaging them would put the whole
 correction on the boundary vertices, as a crease along the seam. Here the panels keep the shape that was
 predicted, face by face, and one sparse least-squares problem finds the vertices, seams closed, whose faces
-come nearest to it (gradient-domain decoding; Sorkine 2006, sec. 2): what a seam needs is spread over the panels.
+come nearest to it (gradient-domain decoding; Sorkine 2006, sec. 2): what a seam needs is spread over the
+panels.
 """
 
 from __future__ import annotations
