@@ -73,8 +73,8 @@ def close_seams(
         moved = pushed - vertices
         if not moved.any():
             return vertices
-        # The push is taken as a wish of the faces around as well, so that it reaches beyond the single
-        vertex. target = target + moved
+        # The faces around take the push as a wish as well, so that it reaches beyond the single vertex.
+        target = target + moved
         vertices = solve(pull + back @ (shape.gradient @ moved) + stay[:, None] * target)
     return body.push_out(vertices, ignores, settings.clearance, rounds=3)
 
