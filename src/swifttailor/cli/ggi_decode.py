@@ -66,7 +66,7 @@ def _report(images: GarmentGeometryImage, garment: Garment | SewnGrid, method: s
     from swifttailor import __version__
     from swifttailor.panel_mesh.topology import topology
 
-    counts = topology(garment.faces, len(garment.vertices))
+    counts = topology(garment.faces.astype(np.int32), len(garment.vertices))
     return {
         "source": "garment geometry image",
         "method": method,
