@@ -21,7 +21,7 @@ CELL = 1.5
 finer mesh would make its cost grow faster than its vertices."""
 SKIN = 0.5
 """Neighbour lists reach this much further than needed and stay valid until a vertex has moved half of it."""
-MARGIN = 0.4
+MARGIN = 0.25
 """Contacts are noticed this much before they act."""
 FOLDED = -0.6
 """Barycentric coordinate beyond which a surface neighbour counts as lying beside the face, not on it."""

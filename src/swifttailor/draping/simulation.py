@@ -41,7 +41,7 @@ _MAX_SPEED, _FALLING_SPEED = 250.0, 120.0
 class SimulationSettings:
     """How long and how finely to simulate."""
 
-    substeps: int = 20
+    substeps: int = 18
     sewing_frames: int = 40
     settling_frames: int = 10
     max_frames: int = 600
