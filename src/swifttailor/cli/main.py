@@ -205,6 +205,12 @@ def _load_data() -> Runner:
     return run_data
 
 
+def _load_sew() -> Runner:
+    from swifttailor.cli.sew import Sew
+
+    return _runner(Sew, "sew")
+
+
 def _load_train() -> Runner:
     from swifttailor.cli.train import run_train
 
@@ -241,6 +247,11 @@ COMMANDS: dict[str, Command] = {
         "Data sets to learn from: build them from patterns, verify them, look at them.",
         "swifttailor data build --patterns FILE... --out DIR    all: swifttailor data --help",
         _load_data,
+    ),
+    "sew": Command(
+        "Turn patterns into garments by a network instead of physics: a fraction of a second each.",
+        "swifttailor sew PATTERN... --out DIR",
+        _load_sew,
     ),
     "train": Command(
         "Train the networks on a data set.",

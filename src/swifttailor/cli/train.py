@@ -12,6 +12,8 @@ usage: swifttailor train NETWORK [OPTIONS]
 
   garment-sewer  The network that drapes patterns without physics.
                  swifttailor train garment-sewer --data DIR --out RUN
+  export         A trained GarmentSewer as one file that is used without torch.
+                 swifttailor train export RUN --out FILE.onnx
 
   swifttailor train NETWORK --help   all options
 """
@@ -34,6 +36,12 @@ def run_train(arguments: list[str]) -> int:
 
         kind = TrainGarmentSewer
         return tyro.cli(kind, args=arguments[1:], prog="swifttailor train garment-sewer").run()
+    if name == "export":
+        import tyro
+
+        from swifttailor.cli.train_export import TrainExport
+
+        return tyro.cli(TrainExport, args=arguments[1:], prog="swifttailor train export").run()
     if name in ("-h", "--help"):
         sys.stdout.write(_OVERVIEW)
         return 0

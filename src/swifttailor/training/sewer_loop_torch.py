@@ -43,7 +43,7 @@ def train(
     max_minutes: float | None = None,
     stop_after: int | None = None,
     threads: int | None = None,
-    report: Report = lambda text: None,
+    report: Report | None = None,
 ) -> dict[str, Any]:
     """Trains a network, or goes on with a training that was interrupted.
 
@@ -71,6 +71,7 @@ def train(
         torch.set_num_threads(threads)
     processes = Processes.start()
     device = processes.device
+    report = report if report is not None and processes.is_first else _say_nothing
     record = RunRecord(out)
     if processes.is_first:
         record.start(config_values(config), resume=resume)
@@ -174,6 +175,10 @@ def train(
                 trained.train()
             processes.wait()
     return _card(config, readers, parameters, step, seconds, device, precision, processes, result)
+
+
+def _say_nothing(text: str) -> None:
+    """For the processes that are not the first."""
 
 
 def _open_splits(data: Path) -> dict[str, SplitReader]:

@@ -1,0 +1,71 @@
+"""Lets a garment that is sewn already hang to rest: it gets its wrinkles and clears the body."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import numpy as np
+
+from swifttailor.body import Body
+from swifttailor.draping.attachment import find_attachment
+from swifttailor.draping.cloth import build_cloth
+from swifttailor.draping.fabric import Fabric, get_fabric
+from swifttailor.draping.quality import measure_quality
+from swifttailor.draping.simulation import Simulation, SimulationSettings
+from swifttailor.draping.untangle import settle_untangled
+from swifttailor.errors import SimulationError
+from swifttailor.garment import Garment
+
+Progress = Callable[[str, float], None]
+
+
+def finish(
+    garment: Garment,
+    *,
+    body: Body | None = None,
+    fabric: Fabric | str = "cotton",
+    settings: SimulationSettings | None = None,
+    progress: Progress | None = None,
+) -> Garment:
+    """Drapes a garment from where it is, without sewing it first.
+
+    Args:
+        garment: Near where it will come to rest.
+        body: What it is worn by; the default body when None.
+        fabric: A `Fabric` or the name of a preset.
+        settings: How long and how finely to simulate.
+        progress: Called with the stage's name and the share of it that is done.
+
+    Returns:
+        The garment at rest; its report is the one it had, with `quality` and the seconds it took.
+
+    Raises:
+        SimulationError: The cloth went to infinity.
+    """
+    started = time.perf_counter()
+    fabric = get_fabric(fabric) if isinstance(fabric, str) else fabric
+    body = Body.default() if body is None else body
+    mesh = garment.mesh
+    cloth = build_cloth(mesh, fabric)
+    attachment = find_attachment(mesh, body.measurements)
+    simulation = Simulation(
+        mesh, cloth, body, fabric, attachment, garment.vertices, settings or SimulationSettings()
+    )
+    frames, static = settle_untangled(simulation, progress or (lambda stage, share: None))
+    if not np.isfinite(simulation.positions).all():
+        raise SimulationError(
+            "The cloth moved to infinity. Drape the pattern instead: swifttailor drape PATTERN"
+        )
+    quality = measure_quality(
+        mesh,
+        simulation.positions,
+        cloth,
+        body,
+        static=static,
+        frames=frames,
+        ignores_arms=simulation.field.ignores_arms,
+    )
+    seconds = garment.report.get("seconds", {}) | {"finishing": round(time.perf_counter() - started, 4)}
+    report = garment.report | {"quality": quality.to_json(), "fabric": fabric.name, "seconds": seconds}
+    return Garment(mesh, simulation.positions, report)

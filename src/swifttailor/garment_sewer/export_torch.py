@@ -1,0 +1,159 @@
+"""From trained weights to the model file that is used without torch, or to a model that torch runs."""
+
+from __future__ import annotations
+
+import io
+import json
+import logging
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+
+from swifttailor.atomic_files import write_atomically
+from swifttailor.errors import InputError, MissingExtraError
+from swifttailor.garment_sewer.conditioning import Conditioning
+from swifttailor.garment_sewer.model_file import CARD_KEY, INPUTS, Images, SewerModel, model_card
+from swifttailor.garment_sewer.network_config import NetworkConfig
+from swifttailor.garment_sewer.network_torch import GarmentSewerNetwork, build_network
+
+OPSET = 18
+
+
+def load_weights(weights: Path, card: dict[str, Any]) -> GarmentSewerNetwork:
+    """A trained network.
+
+    Args:
+        weights: weights.safetensors of a run.
+        card: Its card.
+
+    Raises:
+        InputError: The file is missing, damaged, or of another network.
+    """
+    from safetensors import SafetensorError
+    from safetensors.torch import load_file
+
+    conditioning, config = _shape(card)
+    network = build_network(config, conditioning.count)
+    try:
+        network.load_state_dict(load_file(weights))
+    except (SafetensorError, OSError, RuntimeError) as error:
+        reason = str(error).strip().splitlines()
+        raise InputError(
+            f"The weights '{weights}' cannot be used: {reason[0][:200] if reason else type(error).__name__}. "
+            "Copy the folder of the run again."
+        ) from error
+    return network.eval()
+
+
+def torch_model(weights: Path, card: dict[str, Any], *, precision: torch.dtype = torch.float32) -> SewerModel:
+    """A network that torch runs, on a GPU where there is one.
+
+    Raises:
+        InputError: See `load_weights`.
+    """
+    conditioning, config = _shape(card)
+    device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
+    network = load_weights(weights, card).to(device)
+
+    @torch.inference_mode()
+    def predict(conditioning: Images, occupancy: Images, prior: Images) -> Images:
+        given = (torch.as_tensor(a, device=device) for a in (conditioning, occupancy, prior))
+        with torch.autocast(device.type, precision, enabled=precision != torch.float32):
+            return network(*given).cpu().numpy()
+
+    return SewerModel(predict, conditioning, config.resolution, config.patch_size, card)
+
+
+def export(weights: Path, card: dict[str, Any], path: Path) -> Path:
+    """Writes the model file.
+
+    Args:
+        weights: weights.safetensors of a run.
+        card: Its card, which goes into the file.
+        path: File to write, ``.onnx``.
+
+    Raises:
+        InputError: The weights cannot be used or the file not be written.
+        MissingExtraError: onnx or onnxscript is not installed.
+    """
+    try:
+        import onnx
+        import onnxscript  # noqa: F401  what torch exports with
+    except ImportError as error:
+        raise MissingExtraError(error.name or "onnx", "train", "Writing a model file") from None
+    network = load_weights(weights, card)
+    size, channels = network.config.image_size, network.config.num_channels
+    example = (
+        torch.zeros(2, channels, size, size),
+        torch.ones(2, 1, size, size),
+        torch.zeros(2, 3, size, size),
+    )
+    batch = torch.export.Dim("batch", min=1, max=4096)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of torch's own code, about itself
+        for noisy in ("onnxscript", "onnx_ir", "torch.onnx"):
+            logging.getLogger(noisy).setLevel(logging.ERROR)
+        program = torch.onnx.export(
+            network,
+            example,
+            dynamo=True,
+            external_data=False,
+            opset_version=OPSET,
+            input_names=list(INPUTS),
+            output_names=["positions"],
+            dynamic_shapes=({0: batch}, {0: batch}, {0: batch}),
+            verbose=False,
+        )
+    assert program is not None
+    model = program.model_proto
+    _forget_origins(model)
+    entry = model.metadata_props.add()
+    entry.key, entry.value = CARD_KEY, model_card(card)
+    buffer = io.BytesIO()
+    onnx.save_model(model, buffer)
+    return write_atomically(path, lambda temporary: temporary.write_bytes(buffer.getvalue()))
+
+
+def _forget_origins(model: Any) -> None:
+    """Takes out where in the source each part comes from: paths, and most of a small file."""
+    graph = model.graph
+    for part in (*graph.node, *graph.value_info, *graph.input, *graph.output, *graph.initializer, graph):
+        part.ClearField("metadata_props")
+        part.ClearField("doc_string")
+
+
+def read_card(run: Path) -> dict[str, Any]:
+    """The card of a run.
+
+    Raises:
+        InputError: It is missing or damaged.
+    """
+    try:
+        card = json.loads((run / "card.json").read_text(encoding="utf-8"))
+        _shape(card)
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise InputError(f"'{run}' holds no card.json of a trained GarmentSewer: {error}.") from error
+    return card
+
+
+def _shape(card: dict[str, Any]) -> tuple[Conditioning, NetworkConfig]:
+    config = card["config"]
+    network = dict(config["network"])
+    network["decoder_sizes"] = tuple(network["decoder_sizes"])
+    network["pretrained"] = ""
+    given = config["conditioning"]
+    return Conditioning(given["prior"], tuple(given["channels"])), NetworkConfig(**network)
+
+
+def compare(first: SewerModel, second: SewerModel, *, seed: int = 0) -> float:
+    """Largest difference in cm between what two models predict for the same random input."""
+    chance = np.random.default_rng(seed)
+    size = first.resolution
+    given = [
+        chance.normal(size=(2, n, size, size)).astype(np.float32) for n in (first.conditioning.count, 1, 3)
+    ]
+    given[1] = (given[1] > 0).astype(np.float32)
+    return float(np.abs(first.network(*given) - second.network(*given)).max())

@@ -1,0 +1,127 @@
+"""The file of a trained network: ONNX, with what it must be shown written inside."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.errors import InputError
+from swifttailor.garment_sewer.conditioning import Conditioning
+
+Images = NDArray[np.float32]
+
+FORMAT = "swifttailor garment-sewer 1"
+CARD_KEY = "swifttailor"
+INPUTS = ("conditioning", "occupancy", "prior")
+MAX_BYTES = 2**31
+
+
+class Network(Protocol):
+    """What predicts, whichever library runs it."""
+
+    def __call__(self, conditioning: Images, occupancy: Images, prior: Images) -> Images:
+        """Positions (B, 3, H, W) in cm, of (B, C, H, W), (B, 1, H, W) and (B, 3, H, W)."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class SewerModel:
+    """A network ready to run, and how it wants to be asked."""
+
+    network: Network
+    conditioning: Conditioning
+    resolution: int
+    """Pixels along each side that it was trained at."""
+    patch_size: int
+    """Divides the sizes that it can be given."""
+    card: dict[str, Any]
+    """What it was trained on and how good it is."""
+
+
+def model_card(card: dict[str, Any]) -> str:
+    """The card of a run as it is written into a model file."""
+    return json.dumps({"format": FORMAT, "card": card}, separators=(",", ":"), allow_nan=False)
+
+
+def load_model(path: Path | str, *, threads: int = 1) -> SewerModel:
+    """Opens a model file with onnxruntime.
+
+    Args:
+        path: File that ``swifttailor train garment-sewer`` or its export has written.
+        threads: Processor cores to run on.
+
+    Raises:
+        InputError: It is missing, damaged, or another kind of file.
+    """
+    path = Path(path)
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError(f"'{path}' is larger than 2 GB; a GarmentSewer's file is smaller.")
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"Cannot read the weights '{path}': {error.strerror or error}.") from error
+    import onnxruntime
+
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = threads
+    options.inter_op_num_threads = 1
+    options.log_severity_level = 4  # what is wrong is said below
+    try:
+        session = onnxruntime.InferenceSession(data, options, providers=["CPUExecutionProvider"])
+    except Exception as error:  # onnxruntime has a dozen kinds, none of them public
+        raise InputError(
+            f"'{path}' is no network that can be run, or is damaged ({_first_line(error)}). Give a .onnx "
+            "file of a GarmentSewer, or copy it again from where it came."
+        ) from error
+    about = _about(session, path)
+    inputs = [i.name for i in session.get_inputs()]
+    if inputs != list(INPUTS):
+        raise InputError(
+            f"'{path}' is another network: it takes {', '.join(inputs)}, not {', '.join(INPUTS)}."
+        )
+    try:
+        config = about["card"]["config"]
+        conditioning = Conditioning(
+            config["conditioning"]["prior"], tuple(config["conditioning"]["channels"])
+        )
+        resolution, patch = int(config["network"]["resolution"]), int(config["network"]["patch_size"])
+    except (KeyError, TypeError, ValueError) as error:
+        raise InputError(f"'{path}' does not say what it must be shown: {error!r} is missing.") from error
+    channels = session.get_inputs()[0].shape[1]
+    if channels != conditioning.count:
+        raise InputError(
+            f"'{path}' contradicts itself: the network takes {channels} channels, its card says "
+            f"{conditioning.count}."
+        )
+
+    def predict(conditioning: Images, occupancy: Images, prior: Images) -> Images:
+        given = dict(zip(INPUTS, (conditioning, occupancy, prior), strict=True))
+        used = {i.name: given[i.name] for i in session.get_inputs()}
+        return session.run(None, used)[0]
+
+    return SewerModel(predict, conditioning, resolution, patch, about["card"])
+
+
+def _about(session: Any, path: Path) -> dict[str, Any]:
+    text = session.get_modelmeta().custom_metadata_map.get(CARD_KEY, "")
+    try:
+        about = json.loads(text)
+        known = about["format"]
+    except (ValueError, KeyError, TypeError):
+        known = None
+    if known != FORMAT:
+        raise InputError(
+            f"'{path}' is a network, but no GarmentSewer of this version ({known or 'nothing'} instead of "
+            f"'{FORMAT}'). Export it again with this version."
+        )
+    return about
+
+
+def _first_line(error: Exception) -> str:
+    lines = str(error).strip().splitlines()
+    return lines[0][:200] if lines else type(error).__name__

@@ -1,0 +1,169 @@
+"""GarmentSewer at use (paper, Fig. 3): patterns in, stitched garments out."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.body import Body
+from swifttailor.errors import InputError
+from swifttailor.garment import Garment, PatternMesh
+from swifttailor.garment_sewer.closing import ClosingSettings, close_seams, seam_gaps
+from swifttailor.garment_sewer.conditioning import conditioning_image
+from swifttailor.garment_sewer.model_file import SewerModel, load_model
+from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
+from swifttailor.garment_sewer.pixels.pixel_table import PixelTable, tabulate
+from swifttailor.garment_sewer.pixels.sewn_prior import vertices_ignoring_arms
+from swifttailor.ggi import Layout, lay_out
+from swifttailor.ggi.outline_decode import outline_sampler
+from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.pattern import Pattern
+
+Floats = NDArray[np.float64]
+
+SHIPPED = Path(__file__).with_name("garment_sewer.onnx")
+BATCH = 8
+"""Garments that go through the network together."""
+
+
+@dataclass(frozen=True, eq=False)
+class Prepared:
+    """A pattern, drawn for the network."""
+
+    layout: Layout
+    table: PixelTable
+    mesh: PatternMesh
+    edge_length: float
+    """Of the mesh, cm."""
+
+
+@dataclass(frozen=True, eq=False)
+class GarmentSewer:
+    """Turns patterns into garments on the default body, without physics."""
+
+    model: SewerModel
+    body: BodyDistance
+    closing: ClosingSettings = field(default_factory=ClosingSettings)
+
+    @staticmethod
+    def load(weights: Path | str | None = None, *, threads: int = 1) -> GarmentSewer:
+        """Opens a model file.
+
+        Args:
+            weights: File; the one that comes with the package when None.
+            threads: Processor cores for the network.
+
+        Raises:
+            InputError: There is no such file, or it is damaged or another.
+        """
+        if weights is None and not SHIPPED.is_file():
+            raise InputError(
+                "This version comes without weights. Give a model file with --weights FILE; one is made by: "
+                "swifttailor train garment-sewer --data DIR --out RUN"
+            )
+        model = load_model(SHIPPED if weights is None else weights, threads=threads)
+        return GarmentSewer(model, BodyDistance.of(Body.default()))
+
+    def sew(self, pattern: Pattern, *, edge_length: float = 2.0, resolution: int | None = None) -> Garment:
+        """Makes the garment of a pattern.
+
+        Args:
+            pattern: In any order.
+            edge_length: Of the mesh, cm.
+            resolution: Of the images; the model's own when None.
+
+        Raises:
+            InputError: An argument is out of range.
+            PatternError: The pattern cannot be meshed.
+            GeometryError: A panel crosses itself.
+        """
+        clock = _Clock()
+        prepared = self.prepare(pattern, edge_length=edge_length, resolution=resolution)
+        clock.stop("drawing")
+        (values,) = self.predict([prepared])
+        clock.stop("network")
+        garment = self.decode(prepared, values)
+        clock.stop("decoding")
+        return Garment(garment.mesh, garment.vertices, garment.report | {"seconds": clock.seconds})
+
+    def prepare(
+        self, pattern: Pattern, *, edge_length: float = 2.0, resolution: int | None = None
+    ) -> Prepared:
+        """Lays a pattern out, meshes it, and collects what the network is shown.
+
+        Raises:
+            SwiftTailorError: See `sew`.
+        """
+        resolution = self.model.resolution if resolution is None else resolution
+        if resolution % self.model.patch_size:
+            raise InputError(
+                f"The resolution is {resolution}; a multiple of {self.model.patch_size} is accepted by this "
+                f"network, which was trained at {self.model.resolution}."
+            )
+        layout = lay_out(pattern, resolution)
+        mesh = mesh_pattern(layout.pattern, edge_length)
+        return Prepared(layout, tabulate(layout, self.model.conditioning.prior, self.body), mesh, edge_length)
+
+    def predict(self, prepared: Sequence[Prepared]) -> list[Floats]:
+        """Positions (n, 3) in cm of the occupied pixels of each layout; all of one resolution."""
+        tables = [p.table for p in prepared]
+        size = tables[0].resolution
+        conditioning = np.stack([conditioning_image(t, self.model.conditioning) for t in tables])
+        occupancy = np.zeros((len(tables), 1, size * size), np.float32)
+        prior = np.zeros((len(tables), 3, size * size), np.float32)
+        for k, table in enumerate(tables):
+            occupancy[k, 0, table.pixels] = 1
+            for axis in range(3):
+                prior[k, axis, table.pixels] = table.prior[:, axis]
+        shape = (len(tables), -1, size, size)
+        positions = self.model.network(conditioning, occupancy.reshape(shape), prior.reshape(shape))
+        positions = positions.reshape(len(tables), 3, -1)
+        return [positions[k][:, t.pixels].T.astype(np.float64) for k, t in enumerate(tables)]
+
+    def decode(self, prepared: Prepared, values: Floats) -> Garment:
+        """The garment of predicted positions (n, 3) of a layout's occupied pixels.
+
+        Raises:
+            InputError: The positions are not finite.
+        """
+        layout, mesh = prepared.layout, prepared.mesh
+        if not np.isfinite(values).all():
+            raise InputError("The network's positions are not finite numbers: its weights are damaged.")
+        flat = outline_sampler(layout, mesh).weights @ values
+        vertices = close_seams(mesh, flat, self.body, self.closing)
+        gaps = seam_gaps(mesh, flat)
+        depth, _ = self.body.sample(vertices, vertices_ignoring_arms(mesh))
+        report: dict[str, Any] = {
+            "source": "garment sewer",
+            "edge_length_cm": prepared.edge_length,
+            "rotation": layout.pattern.panels[0].placement.reading,
+            "resolution": layout.resolution,
+            "cm_per_pixel": layout.cm_per_pixel,
+            "vertices": mesh.vertex_count,
+            "faces": len(mesh.faces),
+            "panels": len(layout.pattern.panels),
+            "stitches": len(layout.pattern.stitches),
+            "sewing": {
+                "seam_gap_before_median_cm": float(np.median(gaps)) if len(gaps) else 0.0,
+                "seam_gap_before_p95_cm": float(np.percentile(gaps, 95)) if len(gaps) else 0.0,
+                "inside_body": float((depth < 0).mean()),
+            },
+        }
+        return Garment(mesh, vertices, report)
+
+
+class _Clock:
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+        self._last = time.perf_counter()
+
+    def stop(self, stage: str) -> None:
+        now = time.perf_counter()
+        self.seconds[stage] = round(now - self._last, 4)
+        self._last = now

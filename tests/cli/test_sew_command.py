@@ -1,0 +1,85 @@
+"""``swifttailor sew``."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from swifttailor.cli.main import run
+from swifttailor.garment import Garment
+from swifttailor.pattern import write_pattern
+from swifttailor.pattern.drafts import draft
+
+TINY = str(Path(__file__).parents[1] / "garment_sewer" / "tiny_sewer.onnx")
+
+
+@pytest.fixture
+def shirt(tmp_path) -> Path:
+    return write_pattern(draft("t-shirt"), tmp_path / "shirt.json") or tmp_path / "shirt.json"
+
+
+def test_one_pattern_to_one_folder(shirt, tmp_path, capsys):
+    assert run(["sew", str(shirt), "--out", str(tmp_path / "out"), "--weights", TINY]) == 0
+    said = capsys.readouterr().out
+    assert "shirt.json" in said and "are closed" in said
+    names = {p.name for p in (tmp_path / "out").iterdir()}
+    assert names == {"pattern.json", "pattern.svg", "garment.glb", "garment.obj", "report.json"}
+    garment = Garment.load(tmp_path / "out")
+    assert garment.report["findings"] == []
+    assert set(garment.report["seconds"]) == {"loading", "drawing", "network", "decoding"}
+
+
+def test_many_patterns_to_a_folder_each_and_a_broken_one_stops_no_other(shirt, tmp_path, capsys):
+    write_pattern(draft("trousers"), tmp_path / "trousers.json")
+    (tmp_path / "broken.json").write_text("{")
+    files = [str(tmp_path / f"{n}.json") for n in ("shirt", "broken", "trousers")]
+    assert run(["sew", *files, "--out", str(tmp_path / "out"), "--weights", TINY, "--json"]) == 1
+    reports = json.loads(capsys.readouterr().out)
+    assert [Path(r["pattern"]).name for r in reports] == ["shirt.json", "broken.json", "trousers.json"]
+    assert ["error" in r for r in reports] == [False, True, False]
+    assert {p.name for p in (tmp_path / "out").iterdir()} == {"shirt", "trousers"}
+
+
+def test_a_pattern_with_faults_is_sewn_and_they_are_said(shirt, tmp_path, capsys):
+    specification = json.loads(shirt.read_text())
+    stitches = specification["pattern"]["stitches"]
+    stitches.append(stitches[0])  # an edge sewn twice cannot be meshed
+    shirt.write_text(json.dumps(specification))
+    assert run(["sew", str(shirt), "--out", str(tmp_path / "out"), "--weights", TINY]) == 1
+    assert "mended" in capsys.readouterr().out
+    assert Garment.load(tmp_path / "out").report["mended"]
+
+
+def test_nothing_made_is_exit_code_2(tmp_path, capsys):
+    (tmp_path / "broken.json").write_text("[]")
+    arguments = ["sew", str(tmp_path / "broken.json"), "--out", str(tmp_path / "out"), "--weights", TINY]
+    assert run(arguments) == 2
+    assert "not sewn" in capsys.readouterr().out
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ([], "No pattern"),
+        (["a/x.json", "b/x.json"], "would both be written"),
+        (["x.json", "--edge-length", "50"], "0.5 to 10"),
+        (["x.json", "--weights", "nothing.onnx"], "Cannot read the weights"),
+    ],
+)
+def test_what_cannot_work_is_refused_at_once(arguments, said, tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert run(["sew", *arguments, "--out", "out"]) == 2
+    assert said in capsys.readouterr().err
+
+
+def test_finished_by_physics(tmp_path):
+    write_pattern(draft("fitted-skirt"), tmp_path / "skirt.json")
+    arguments = ["sew", str(tmp_path / "skirt.json"), "--out", str(tmp_path / "out"), "--weights", TINY]
+    assert run([*arguments, "--finish", "--edge-length", "4"]) in (0, 1)
+    report = Garment.load(tmp_path / "out").report
+    assert report["quality"]["static"]
+    assert report["quality"]["penetrating_fraction"] == 0
+    assert report["seconds"]["finishing"] > 0
