@@ -348,7 +348,8 @@ def advance_frame(x, v, cloth, field, held, contacts, lists, clearance, settings
         if settings.long_edges and s % 2 == 0:
             push_long_edges(x, cloth, field, settings)
         push_off_body(x, previous, field, clearance, settings)
-        if not settings.long_edges and s % settings.contact_interval == settings.contact_interval - 1:
+        # The last substep is among them, so that a frame ends with edges clear of the body.
+        if not settings.long_edges and (settings.substeps - 1 - s) % settings.contact_interval == 0:
             push_edges_off_body(x, previous, cloth, field, clearance, settings)
         for i in range(n):
             v[i, 0] = (x[i, 0] - previous[i, 0]) / settings.step
