@@ -25,7 +25,7 @@ ROWS = (
     {"panel_mesh", "render"},
     {"ggi"},
     {"garment_files"},
-    {"draping", "garment_sewer"},
+    {"draping", "garment_sewer", "pattern_maker"},
     {"data"},
     {"evaluation"},
     {"training"},
@@ -158,6 +158,7 @@ def test_heavy_packages_are_imported_when_used():
         ("swifttailor.render", {"numba", "trimesh", "torch", "PIL"}),
         ("swifttailor.draping", {"trimesh", "torch", "PIL", "newton", "warp"}),
         ("swifttailor.garment_sewer.conditioning", {"trimesh", "torch", "PIL", "rich", "tyro"}),
+        ("swifttailor.pattern_maker.encode", {"trimesh", "numba", "torch", "PIL", "rich", "tyro"}),
         ("swifttailor.training.sewer_config", {"trimesh", "torch", "PIL", "rich", "tyro"}),
     ],
 )
