@@ -134,6 +134,12 @@ def test_both_runtimes_agree(tmp_path):
     exported = load_model(export(weights, card, tmp_path / "model.onnx"))
     assert compare(exported, torch_model(weights, card)) < 1e-2
     assert exported.card == card
+    wider = [
+        np.random.default_rng(1).normal(size=(1, n, 96, 128)).astype(np.float32)
+        for n in (config.conditioning.count, 1, 3)
+    ]
+    wider[1] = (wider[1] > 0).astype(np.float32)
+    assert np.abs(exported.network(*wider) - torch_model(weights, card).network(*wider)).max() < 1e-2
     weights.write_bytes(weights.read_bytes()[:-100])
     with pytest.raises(InputError, match="cannot be used"):
         torch_model(weights, card)

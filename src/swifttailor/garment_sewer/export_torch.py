@@ -92,6 +92,9 @@ def export(weights: Path, card: dict[str, Any], path: Path) -> Path:
         torch.zeros(2, 3, size, size),
     )
     batch = torch.export.Dim("batch", min=1, max=4096)
+    patch = network.config.patch_size
+    height, width = (patch * torch.export.Dim(name, min=2, max=256) for name in ("rows", "columns"))
+    shape = {0: batch, 2: height, 3: width}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of torch's own code, about itself
         for noisy in ("onnxscript", "onnx_ir", "torch.onnx"):
@@ -104,7 +107,7 @@ def export(weights: Path, card: dict[str, Any], path: Path) -> Path:
             opset_version=OPSET,
             input_names=list(INPUTS),
             output_names=["positions"],
-            dynamic_shapes=({0: batch}, {0: batch}, {0: batch}),
+            dynamic_shapes=(shape, shape, shape),
             verbose=False,
         )
     assert program is not None
