@@ -98,6 +98,10 @@ class Anatomy:
         """Whether there is a panel of that part."""
         return any(p.part is part for p in self.parts.values())
 
+    def edge_length(self, ref: EdgeRef) -> float:
+        """Arc length of an edge, cm."""
+        return self.cloth.lengths[ref]
+
     def part_of(self, ref: EdgeRef) -> Part:
         """The part that an edge belongs to."""
         return self.parts[ref.panel].part
@@ -125,7 +129,7 @@ class Anatomy:
             for a, b in dict.fromkeys((s.sides, s.sides[::-1]))
             if a.panel in mine and b.panel in theirs and a.panel != b.panel
         )
-        lengths = [sum(map(self.pattern.edge_length, refs)) for refs in zip(*pairs, strict=True)] or [
+        lengths = [sum(map(self.edge_length, refs)) for refs in zip(*pairs, strict=True)] or [
             0.0,
             0.0,
         ]

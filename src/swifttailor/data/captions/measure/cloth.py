@@ -57,12 +57,16 @@ class Cloth:
     """(n,) node of every sample."""
     ways: csr_array
     """(nodes, nodes) lengths of the straight ways, cm."""
+    lengths: dict[EdgeRef, float]
+    """Arc length of every edge, cm."""
 
     @classmethod
     def of(cls, pattern: Pattern) -> Cloth:
         """Samples and sews a pattern."""
         stitches = tuple(pattern.stitches[k] for k in single_stitches(pattern, usable_stitches(pattern)))
-        counts = _counts(pattern, stitches)
+        edges = [EdgeRef(p.name, k) for p in pattern.panels for k in range(len(p.edges))]
+        lengths = {ref: pattern.edge_length(ref) for ref in edges}
+        counts = _counts(pattern, stitches, lengths)
         samples: dict[EdgeRef, Ints] = {}
         local, world, spans = [], [], []
         first = 0
@@ -79,7 +83,8 @@ class Cloth:
             world.append(panel.to_world(local[-1]))
             spans.append((start, first))
         node = _sew(samples, stitches, first)
-        return cls(pattern, stitches, samples, np.concatenate(world), node, _ways(local, spans, node))
+        ways = _ways(local, spans, node)
+        return cls(pattern, stitches, samples, np.concatenate(world), node, ways, lengths)
 
     @cached_property
     def partner(self) -> dict[EdgeRef, EdgeRef]:
@@ -99,7 +104,7 @@ class Cloth:
             groups.setdefault(int(labels[start]), []).append(ref)
         loops = []
         for refs in groups.values():
-            length = sum(self.pattern.edge_length(ref) for ref in refs)
+            length = sum(self.lengths[ref] for ref in refs)
             loops.append(FreeLoop(tuple(refs), length, self.placed(refs).mean(axis=0)))
         return tuple(sorted(loops, key=lambda loop: (-loop.length, loop.edges)))
 
@@ -130,14 +135,15 @@ class Cloth:
         return dijkstra(graph.tocsr(), directed=False, indices=count)[:count] - 1.0
 
 
-def _counts(pattern: Pattern, stitches: Sequence[Stitch]) -> dict[EdgeRef, int]:
+def _counts(
+    pattern: Pattern, stitches: Sequence[Stitch], lengths: dict[EdgeRef, float]
+) -> dict[EdgeRef, int]:
     """Intervals per edge; the same for both edges of a stitch."""
     counts = {}
     for panel in pattern.panels:
-        lengths = [panel.edge_length(k) for k in range(len(panel.edges))]
-        spacing = max(SPACING_CM, sum(lengths) / MAX_SAMPLES)
-        for k, length in enumerate(lengths):
-            counts[EdgeRef(panel.name, k)] = max(1, math.ceil(length / spacing))
+        own = [EdgeRef(panel.name, k) for k in range(len(panel.edges))]
+        spacing = max(SPACING_CM, sum(lengths[ref] for ref in own) / MAX_SAMPLES)
+        counts.update({ref: max(1, math.ceil(lengths[ref] / spacing)) for ref in own})
     for s in stitches:
         counts[s.first] = counts[s.second] = max(counts[s.first], counts[s.second])
     return counts
@@ -181,22 +187,36 @@ def mutually_visible(points: Floats) -> tuple[Ints, Ints]:
     """
     n = len(points)
     i, j = np.triu_indices(n, 1)
+    hollow = _hollow_sides(points)
+    if not len(hollow):  # convex
+        return i, j
     neighbours = (j - i == 1) | ((i == 0) & (j == n - 1))
     a, b = points[i], points[j]
-    crossed = _crosses_border(points, a, b)
+    inside = ~_crosses(points[hollow], np.roll(points, -1, axis=0)[hollow], a, b)
     polygon = shapely.make_valid(shapely.Polygon(points))
-    inside = ~crossed
+    shapely.prepare(polygon)
     for t in (0.5, 0.27, 0.79):  # more than one, since a line outside may pass close to the border
-        points_between = a[inside] * (1 - t) + b[inside] * t
-        near = shapely.distance(polygon.boundary, shapely.points(points_between)) < _ON_BORDER_CM
-        inside[inside] = shapely.contains_xy(polygon, points_between) | near
+        between = a[inside] * (1 - t) + b[inside] * t
+        within = shapely.contains_xy(polygon, between)
+        doubtful = shapely.points(between[~within])
+        within[~within] = shapely.distance(polygon.boundary, doubtful) < _ON_BORDER_CM
+        inside[inside] = within
     visible = inside | neighbours
     return i[visible], j[visible]
 
 
-def _crosses_border(points: Floats, a: Floats, b: Floats) -> NDArray[np.bool_]:
-    """(m,) whether the lines a to b (m, 2) properly cross a side of the polygon `points` (n, 2)."""
-    start, along = points, np.roll(points, -1, axis=0) - points
+def _hollow_sides(points: Floats) -> Ints:
+    """Sides of a polygon (n, 2) that are not on its convex hull: only these can be crossed from within."""
+    along = np.roll(points, -1, axis=0) - points
+    to_others = points[None] - points[:, None]
+    height = along[:, None, 0] * to_others[..., 1] - along[:, None, 1] * to_others[..., 0]
+    small = 1e-9 * (1.0 + float(np.abs(points - points[0]).max()) ** 2)
+    return np.flatnonzero((height.min(axis=1) < -small) & (height.max(axis=1) > small))
+
+
+def _crosses(start: Floats, end: Floats, a: Floats, b: Floats) -> NDArray[np.bool_]:
+    """(m,) whether the lines a to b (m, 2) properly cross one of the sides start to end (n, 2)."""
+    along = end - start
     x, y = (b - a).T
     from_a_x = start[None, :, 0] - a[:, :1]
     from_a_y = start[None, :, 1] - a[:, 1:]
@@ -205,7 +225,7 @@ def _crosses_border(points: Floats, a: Floats, b: Floats) -> NDArray[np.bool_]:
     side_of_a = along[None, :, 1] * from_a_x - along[None, :, 0] * from_a_y
     side_of_b = side_of_a + along[None, :, 0] * y[:, None] - along[None, :, 1] * x[:, None]
     # In cm^2; corners that lie on the line by rounding do not count.
-    small = 1e-9 * (1.0 + float(np.abs(points - points[0]).max()) ** 2)
+    small = 1e-9 * (1.0 + float(np.abs(start - start[0]).max()) ** 2)
     return (
         (side_of_start * side_of_end < 0)
         & (side_of_a * side_of_b < 0)

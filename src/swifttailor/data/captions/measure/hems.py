@@ -38,7 +38,7 @@ def find_hem(anatomy: Anatomy, worn: Worn) -> HemLine:
     for loop in loops:
         for ref in loop.edges:
             levels = worn.level[anatomy.cloth.node[anatomy.cloth.samples[ref]]]
-            length = anatomy.pattern.edge_length(ref)
+            length = anatomy.edge_length(ref)
             rises = abs(float(levels[-1] - levels[0])) > _STEEP * length and length > _SHORTEST_SLIT_CM
             (steep if rises else edges).append(ref)
     if not edges:
@@ -65,7 +65,7 @@ def measure_hem(anatomy: Anatomy, worn: Worn, hem: HemLine) -> HemFacts | None:
             float(levels[near].mean()) if (near := _sector(placed, place)).any() else mean
             for place in ("front", "back", "left", "right")
         )
-    length = sum(map(anatomy.pattern.edge_length, hem.edges))
+    length = sum(map(anatomy.edge_length, hem.edges))
     return HemFacts(mean, front, back, left, right, length, _dip(anatomy, worn, hem.edges))
 
 
@@ -87,7 +87,7 @@ def _sector(placed: Floats, place: Place) -> NDArray[np.bool_]:
 def _weights(anatomy: Anatomy, ref: EdgeRef) -> Floats:
     """What share of the border each sample of an edge stands for, cm."""
     count = len(anatomy.cloth.samples[ref])
-    step = anatomy.pattern.edge_length(ref) / (count - 1)
+    step = anatomy.edge_length(ref) / (count - 1)
     weights = np.full(count, step)
     weights[[0, -1]] /= 2
     return weights

@@ -63,8 +63,8 @@ def _leg(anatomy: Anatomy, side: Side) -> tuple[float, float, float] | None:
         crotch = float(cloth.placed(own)[:, 1].max())
         thigh += width_in_plane(anatomy.pattern.panel(name), (0.0, 1.0, 0.0), crotch - _BELOW_CROTCH_CM)
     cuff = measure_cuff(anatomy, Part.TROUSER, Part.LEG_CUFF, "left" if side == "left" else "right")
-    inseam = sum(map(anatomy.pattern.edge_length, inner)) + (cuff.length if cuff else 0.0)
-    return inseam, thigh, sum(map(anatomy.pattern.edge_length, ends))
+    inseam = sum(map(anatomy.edge_length, inner)) + (cuff.length if cuff else 0.0)
+    return inseam, thigh, sum(map(anatomy.edge_length, ends))
 
 
 def _inner_seam(anatomy: Anatomy, refs: Sequence[EdgeRef]) -> list[EdgeRef]:

@@ -35,14 +35,18 @@ def measure_facts(pattern: Pattern, body: BodyMeasurements | None = None) -> Gar
             "A pattern without panels shows no garment. Give a pattern with at least one panel."
         )
     body = Body.default().measurements if body is None else body
-    anatomy = Anatomy.of(pattern.canonical(), body)
+    return measure_anatomy(Anatomy.of(pattern.canonical(), body))
+
+
+def measure_anatomy(anatomy: Anatomy) -> GarmentFacts:
+    """Measures a garment that has been looked at already."""
     worn = wear(anatomy)
     line = find_hem(anatomy, worn)
     hem = measure_hem(anatomy, worn, line)
     covered = (worn.shoulders[0] is not None, worn.shoulders[1] is not None)
     return GarmentFacts(
         kind=_kind(anatomy, hem),
-        panels=len(pattern.panels),
+        panels=len(anatomy.pattern.panels),
         body=_landmarks(anatomy),
         top_level=worn.top,
         length=worn.top - hem.level if hem else 0.0,

@@ -35,7 +35,7 @@ def measure_skirt(anatomy: Anatomy, worn: Worn, hem: HemLine) -> Skirt | None:
     top, seam = upper_edges(anatomy, Part.SKIRT)
     if not panels or not top:
         return None
-    cloth, length_of = anatomy.cloth, anatomy.pattern.edge_length
+    cloth, length_of = anatomy.cloth, anatomy.edge_length
     fall = cloth.distances(cloth.nodes(top))
     own_upper = sum(map(length_of, top))
     upper = min(seam.length, seam.other_length) + sum(length_of(r) for r in top if r not in set(seam.own))
@@ -94,7 +94,7 @@ def _edges(anatomy: Anatomy, name: str) -> list[EdgeRef]:
 def _runs_down(anatomy: Anatomy, fall: Floats, ref: EdgeRef) -> bool:
     """Whether an edge leads down the skirt, as side seams do, rather than around it."""
     start, end = fall[anatomy.cloth.node[anatomy.cloth.samples[ref][[0, -1]]]]
-    return bool(abs(end - start) > RUNS_DOWN * anatomy.pattern.edge_length(ref))
+    return bool(abs(end - start) > RUNS_DOWN * anatomy.edge_length(ref))
 
 
 def _base(
@@ -109,7 +109,7 @@ def _base(
                 lower.append(a)
     if not lower:
         return float(fall.max()), 0.0
-    length = sum(map(anatomy.pattern.edge_length, lower))
+    length = sum(map(anatomy.edge_length, lower))
     return float(fall[cloth.nodes(lower)].mean()), length
 
 
@@ -119,8 +119,8 @@ def _tier_gather(anatomy: Anatomy, rows: dict[str, int]) -> float:
     for s in anatomy.cloth.stitches:
         for a, b in (s.sides, s.sides[::-1]):
             if a.panel in rows and b.panel in rows and rows[a.panel] == rows[b.panel] + 1:
-                own += anatomy.pattern.edge_length(a)
-                other += anatomy.pattern.edge_length(b)
+                own += anatomy.edge_length(a)
+                other += anatomy.edge_length(b)
     return own / other if other > 0 else 1.0
 
 
@@ -154,4 +154,4 @@ def _hips(
 def _free_length(anatomy: Anatomy, name: str) -> float:
     """Length of a panel's free edges, cm."""
     free = [r for r in anatomy.free_edges(Part.GODET) if r.panel == name]
-    return sum(map(anatomy.pattern.edge_length, free))
+    return sum(map(anatomy.edge_length, free))

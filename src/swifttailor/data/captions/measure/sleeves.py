@@ -27,7 +27,7 @@ def measure_sleeve(anatomy: Anatomy, side: Literal["left", "right"]) -> Sleeve |
     ends = _ends(anatomy, names, side)
     cuff = measure_cuff(anatomy, Part.SLEEVE, Part.CUFF, side)
     joined = anatomy.seam(Part.SLEEVE, Part.CUFF, side=side)
-    end_width = sum(map(anatomy.pattern.edge_length, ends))
+    end_width = sum(map(anatomy.edge_length, ends))
     return Sleeve(
         length=_length(anatomy, side, head.pairs, ends),
         upper_width=max(_upper_width(anatomy, panels, head.own, ends), 0.0) or end_width,
@@ -57,7 +57,7 @@ def measure_cuff(anatomy: Anatomy, upper: Part, lower: Part, side: Literal["left
     cloth = anatomy.cloth
     fall = cloth.distances(cloth.nodes(joined.own))
     length = float(fall[cloth.nodes(ends)].mean())
-    opening = sum(map(anatomy.pattern.edge_length, ends))
+    opening = sum(map(anatomy.edge_length, ends))
     first_row = {r.panel for r in joined.own}
     onto = [
         b
@@ -66,7 +66,7 @@ def measure_cuff(anatomy: Anatomy, upper: Part, lower: Part, side: Literal["left
         if a.panel in names - first_row and b.panel in first_row
     ]
     if onto:
-        flare = opening / max(sum(map(anatomy.pattern.edge_length, onto)), 1e-6)
+        flare = opening / max(sum(map(anatomy.edge_length, onto)), 1e-6)
         return Cuff("band and flounce", length, opening, flare)
     flare = opening / max(joined.length, 1e-6)
     widens = flare > FLOUNCE_FLARE or joined.gather > FLOUNCE_FLARE

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -38,24 +38,26 @@ def width_in_plane(panel: Panel, normal: ArrayLike, offset: float) -> float:
     return float((places[1::2] - places[::2]).sum())
 
 
-def half_width(panel: Panel, level: float) -> float:
-    """How far a placed panel reaches from its side of the middle to its outer edge at a height, cm.
+def half_widths(panel: Panel, levels: Sequence[float]) -> Floats:
+    """How far a placed panel reaches from its side of the middle to its outer edge at some heights, cm.
 
     Necklines and darts on the way are passed over, so that a bodice can be measured through them. For a
     panel across the middle it is the whole distance between its outer edges.
     """
     points = panel.to_world(panel.outline(_OUTLINE_CM))
-    x, height = points[:, 0], points[:, 1] - level
-    following = np.roll(height, -1)
-    crossing = (height > 0) != (following > 0)
-    if not crossing.any():
-        return 0.0
-    t = height[crossing] / (height[crossing] - following[crossing])
-    cuts = x[crossing] * (1 - t) + np.roll(x, -1)[crossing] * t
+    x, y = points[:, 0], points[:, 1]
     low, high = float(x.min()), float(x.max())
-    if min(-low, high) > 0.2 * (high - low):  # across the middle
-        return float(np.ptp(cuts))
-    return float(cuts.max() - low if high > -low else high - cuts.min())
+    across = min(-low, high) > 0.2 * (high - low)
+    widths = np.zeros(len(levels))
+    for k, level in enumerate(levels):
+        height = y - level
+        following = np.roll(height, -1)
+        crossing = (height > 0) != (following > 0)
+        if crossing.any():
+            t = height[crossing] / (height[crossing] - following[crossing])
+            cuts = x[crossing] * (1 - t) + np.roll(x, -1)[crossing] * t
+            widths[k] = np.ptp(cuts) if across else cuts.max() - low if high > -low else high - cuts.min()
+    return widths
 
 
 def girth_at(panels: Iterable[Panel], level: float) -> float:

@@ -10,7 +10,7 @@ from swifttailor.data.captions.facts import Band, Collar, Hood, Torso
 from swifttailor.data.captions.measure.anatomy import Anatomy, Border
 from swifttailor.data.captions.measure.neckline import measure_armhole
 from swifttailor.data.captions.measure.parts import LOWER_PARTS, Part
-from swifttailor.data.captions.measure.slices import half_width
+from swifttailor.data.captions.measure.slices import half_widths
 from swifttailor.data.captions.measure.wear import Worn
 from swifttailor.pattern import EdgeRef, Panel
 
@@ -28,7 +28,7 @@ def measure_torso(anatomy: Anatomy, worn: Worn) -> Torso | None:
     lower, gather = _lower_edges(anatomy)
     underarm, placed = _underarm(anatomy, worn)
     lower_level = float(worn.levels(anatomy, lower).mean()) if lower else anatomy.figure.waist_y
-    lower_edge = sum(map(anatomy.pattern.edge_length, lower))
+    lower_edge = sum(map(anatomy.edge_length, lower))
     waist = _girth(panels, placed - (underarm - anatomy.figure.waist_y), _AROUND_WAIST_CM)
     if lower_level > anatomy.figure.waist_y - _BELOW_WAIST_CM or underarm < anatomy.figure.waist_y + 3.0:
         waist = lower_edge
@@ -65,7 +65,7 @@ def measure_band(anatomy: Anatomy, worn: Worn) -> Band | None:
     if not upper or not lower:
         return None
     height = float(cloth.distances(cloth.nodes(upper))[cloth.nodes(lower)].mean())
-    upper_length, lower_length = (sum(map(anatomy.pattern.edge_length, refs)) for refs in (upper, lower))
+    upper_length, lower_length = (sum(map(anatomy.edge_length, refs)) for refs in (upper, lower))
     level = float(worn.levels(anatomy, upper).mean())
     return Band(height, upper_length, lower_length, not below.pairs, level)
 
@@ -87,7 +87,7 @@ def measure_collar(anatomy: Anatomy) -> Collar | None:
         return None
     names = {p.name for p in panels}
     turned = any(s.right_wrong and {r.panel for r in s.sides} & names for s in cloth.stitches)
-    upper = sum(map(anatomy.pattern.edge_length, free))
+    upper = sum(map(anatomy.edge_length, free))
     behind = [r for r in free if anatomy.parts[r.panel].face == "back"] or list(free)
     height = float(cloth.distances(sewn)[cloth.nodes(behind)].max())
     closed = upper < _STAND_FLARE * seam.length
@@ -115,7 +115,8 @@ def _lower_edges(anatomy: Anatomy) -> tuple[tuple[EdgeRef, ...], float]:
 
 def _girth(panels: Sequence[Panel], level: float, below: Sequence[float]) -> float:
     """Girth at a placed height, cm: of several cuts the widest, since a dart may open into one of them."""
-    return sum(max(half_width(p, level - b) for b in below) for p in panels)
+    levels = [level - b for b in below]
+    return sum(float(half_widths(p, levels).max()) for p in panels)
 
 
 def _underarm(anatomy: Anatomy, worn: Worn) -> tuple[float, float]:

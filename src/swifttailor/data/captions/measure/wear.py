@@ -75,7 +75,6 @@ def wear(anatomy: Anatomy) -> Worn:
 def shoulder_seam(anatomy: Anatomy, side: str) -> Seam | None:
     """The seam on one shoulder, seen from the front panels; None where that shoulder is bare."""
     whole = anatomy.seam(Part.TORSO, Part.TORSO, face="front")
-    pattern = anatomy.pattern
     torso = anatomy.panels(Part.TORSO)
     if not torso:
         return None
@@ -91,7 +90,7 @@ def shoulder_seam(anatomy: Anatomy, side: str) -> Seam | None:
             pairs.append((a, b))
     if not pairs:
         return None
-    own, other = (sum(map(pattern.edge_length, refs)) for refs in zip(*pairs, strict=True))
+    own, other = (sum(map(anatomy.edge_length, refs)) for refs in zip(*pairs, strict=True))
     return Seam(tuple(pairs), own, other)
 
 

@@ -70,7 +70,7 @@ class Speech:
         """
         options = [w for w in _WORDINGS if w.form in forms and self._fits(w, about)]
         if self.rng.random() > _MINOR_SHARE:
-            options = [w for w in options if w.weight >= _MINOR]
+            options = [w for w in options if w.weight >= _MINOR] or [w for w in options if w.form == "head"]
         if not options:
             return None
         chosen = self.rng.choices(options, [w.weight for w in options])[0]

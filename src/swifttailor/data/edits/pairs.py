@@ -1,0 +1,190 @@
+"""Editing pairs: a pattern, an instruction, and the pattern it asks for, in both directions."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from swifttailor.body import BodyMeasurements
+from swifttailor.data.captions.facts import GarmentFacts
+from swifttailor.data.captions.measure import measure_facts
+from swifttailor.data.edits.instructions import Instruction, write_instruction
+from swifttailor.data.edits.operations import OPERATIONS, Cutter, Operation
+from swifttailor.errors import SwiftTailorError
+from swifttailor.pattern import Pattern, read_specification
+from swifttailor.pattern.check.stitch_checks import judge_lengths
+
+SEAM_TOLERANCE = 0.02
+"""How far a recut seam's ratio of lengths may move; gathers that are meant to change excepted."""
+TRIES = 3
+"""Of each operation, with other amounts."""
+_GATHERING = frozenset({"gather skirt"})
+LOWEST_HEM_CM = -3.0
+"""An edit that lengthens does not go below the floor."""
+
+
+@dataclass(frozen=True, eq=False)
+class EditPair:
+    """One training or test example of editing."""
+
+    base: Pattern
+    instruction: Instruction
+    edited: Pattern
+    source: str
+    """Where it comes from: ``garmentcode``, or the name of an operation; ``..., reversed`` the other way."""
+
+
+def pairs_of(
+    base: Pattern,
+    edited: Pattern,
+    seed: int = 0,
+    *,
+    source: str = "",
+    facts: tuple[GarmentFacts, GarmentFacts] | None = None,
+    body: BodyMeasurements | None = None,
+) -> list[EditPair]:
+    """Makes the pairs of two versions of a garment: one each way, where a difference is seen.
+
+    Args:
+        base: The original.
+        edited: Another version.
+        seed: Decides the wording.
+        source: What to note as their source.
+        facts: Of both, if they have been measured.
+        body: Who they are made for; the default body when None.
+    """
+    before, after = facts or (measure_facts(base, body), measure_facts(edited, body))
+    pairs = []
+    for one, other, a, b, note, offset in (
+        (base, edited, before, after, source, 0),
+        (edited, base, after, before, f"{source}, reversed".lstrip(", "), 1),
+    ):
+        instruction = write_instruction(a, b, 2 * seed + offset)
+        if instruction is not None and instruction.holds(a, b):
+            pairs.append(EditPair(one, instruction, other, note))
+    return pairs
+
+
+def design_pairs(
+    base: Mapping[str, Any], edited: Mapping[str, Any], seed: int = 0, *, body: BodyMeasurements | None = None
+) -> list[EditPair]:
+    """Makes the pairs of one line of GarmentCode's edits and the line of its base.
+
+    Only the ``pattern`` of both is read: which design parameters were changed says nothing about what is
+    seen.
+
+    Args:
+        base: JSON object of the base, with ``id`` and ``pattern``.
+        edited: JSON object of the edited version.
+        seed: Decides the wording.
+        body: Who they are made for; the default body when None.
+    """
+    patterns = [read_specification(line["pattern"], name=str(line["id"])).pattern for line in (base, edited)]
+    return pairs_of(patterns[0], patterns[1], seed, source="garmentcode", body=body)
+
+
+def geometric_pairs(
+    pattern: Pattern,
+    seed: int = 0,
+    *,
+    count: int = 1,
+    operations: tuple[Operation, ...] = OPERATIONS,
+    body: BodyMeasurements | None = None,
+) -> list[EditPair]:
+    """Recuts a pattern in a few ways and makes the pairs.
+
+    Args:
+        pattern: Any pattern, of any maker.
+        seed: Decides the operations, amounts and wording.
+        count: How many different operations to use, where as many work.
+        operations: Which to choose from.
+        body: Who it is made for; the default body when None.
+
+    Returns:
+        Up to two pairs for each operation that works.
+    """
+    rng = random.Random(f"edit {seed}")
+    cutter = Cutter(pattern, body)
+    pairs: list[EditPair] = []
+    used = 0
+    for operation in rng.sample(operations, len(operations)):
+        if used == count:
+            break
+        for _ in range(TRIES):
+            recut_cutter = recut(cutter, operation, rng)
+            if recut_cutter is None:
+                continue
+            facts = (cutter.facts, recut_cutter.facts)
+            made = pairs_of(
+                pattern, recut_cutter.pattern, rng.randrange(2**31), source=operation.name, facts=facts
+            )
+            if made:
+                pairs += made
+                used += 1
+                break
+    return pairs
+
+
+def recut(cutter: Cutter, operation: Operation, rng: random.Random) -> Cutter | None:
+    """Applies an operation and checks what comes out.
+
+    Returns:
+        The edited pattern, in which the checker finds no error or warning that was not there before, every
+        seam fits as well as it did, and lengths are such as are worn; None where the operation does not
+        apply or did harm.
+    """
+    try:
+        edited = operation.apply(cutter, rng)
+    except SwiftTailorError:
+        return None
+    if edited is None or edited == cutter.pattern:
+        return None
+    after = Cutter(edited, cutter.anatomy.body)
+    if after.faults - cutter.faults or not _plausible(cutter.facts, after.facts):
+        return None
+    return after if operation.name in _GATHERING or seams_kept(cutter, after) else None
+
+
+def seams_kept(before: Cutter, after: Cutter) -> bool:
+    """Whether every two panels are sewn with the same ratio of lengths as before, new panels left out."""
+    known = before.seam_ratios
+    return all(
+        abs(ratio / known[pair] - 1.0) <= SEAM_TOLERANCE or judge_lengths(ratio, 1.0) == "equal"
+        for pair, ratio in after.seam_ratios.items()
+        if pair in known
+    )
+
+
+def read_pairs(
+    lines: Iterator[Mapping[str, Any]], bases: Mapping[str, Mapping[str, Any]], seed: int = 0
+) -> Iterator[tuple[str, list[EditPair]]]:
+    """Goes through GarmentCode's edits.
+
+    Args:
+        lines: JSON objects with ``id``, ``base`` and ``pattern``.
+        bases: JSON objects of the bases, by id.
+        seed: Decides the wording.
+
+    Yields:
+        Id of the edit and its pairs, those of unknown bases left out.
+    """
+    for number, line in enumerate(lines):
+        base = bases.get(str(line["base"]))
+        if base is not None:
+            yield str(line["id"]), design_pairs(base, line, seed + number)
+
+
+def _plausible(before: GarmentFacts, after: GarmentFacts) -> bool:
+    """Whether an edit keeps to what is worn: no hem drags, no sleeve hides the hands entirely."""
+    if after.kind == "other":
+        return False
+    lowest = min(LOWEST_HEM_CM, before.hem.level) if before.hem else LOWEST_HEM_CM
+    if after.hem is not None and after.hem.level < lowest:
+        return False
+    longest = 1.2 * after.body.arm_length
+    sleeves = [s.length for s in (after.left_sleeve, after.right_sleeve) if s]
+    if any(length > longest for length in sleeves) or any(length < 6.0 for length in sleeves):
+        return False
+    return not (after.hem and after.torso and after.hem.level > after.body.bust)

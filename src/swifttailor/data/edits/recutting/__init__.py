@@ -1,0 +1,1 @@
+"""Recutting patterns: longer, shorter, wider, with parts added or removed, all seams still fitting."""

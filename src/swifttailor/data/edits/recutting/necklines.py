@@ -1,0 +1,121 @@
+"""Recutting necklines: deeper, shallower, or of another shape."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.data.edits.recutting.ends import End, find_ends
+from swifttailor.data.edits.recutting.workbench import Workbench
+from swifttailor.pattern import Arc, Cubic, EdgeRef, Line, Pattern
+from swifttailor.pattern.curve import to_relative
+
+Floats = NDArray[np.float64]
+NewShape = Literal["round", "v", "square"]
+
+SHALLOWEST_CM = 3.0
+
+
+def deepen_neckline(pattern: Pattern, edges: Sequence[EdgeRef], distance: float) -> Pattern | None:
+    """Lowers the middle of a neckline along the centre seam.
+
+    Args:
+        pattern: Any pattern.
+        edges: The free edges of the neckline of one face.
+        distance: How much lower the middle lies afterwards, cm; negative raises it.
+
+    Returns:
+        The recut pattern; None where the neckline is not cut in two halves that meet at a straight seam.
+    """
+    return _recut(pattern, edges, distance, None)
+
+
+def reshape_neckline(pattern: Pattern, edges: Sequence[EdgeRef], shape: NewShape) -> Pattern | None:
+    """Cuts a neckline to another shape of the same depth and width; None where that cannot be done."""
+    return _recut(pattern, edges, 0.0, shape)
+
+
+def _recut(
+    pattern: Pattern, edges: Sequence[EdgeRef], distance: float, shape: NewShape | None
+) -> Pattern | None:
+    bench = Workbench(pattern)
+    ends = find_ends(bench, pattern, edges)
+    if len(ends) != 2 or len({e.panel for e in ends}) != 2:
+        return None
+    if any(bench.partner(s) is not None for e in ends for s in e.run):
+        return None
+    middles = {_middle(bench, e) for e in ends}
+    centre = [
+        e.before if which == "before" else e.after for e, which in ((e, _middle(bench, e)) for e in ends)
+    ]
+    if middles != {"before", "after"} or bench.partner(centre[0]) != centre[1]:
+        return None
+    if not all(isinstance(bench.side(c).edge.curve, Line) for c in centre):
+        return None
+    for end, seam in zip(ends, centre, strict=True):
+        if not _recut_half(bench, end, seam, distance, shape):
+            return None
+    return bench.pattern()
+
+
+def _middle(bench: Workbench, end: End) -> str:
+    """Whether the middle of the body is at the beginning or at the end of a run."""
+    piece = bench.pieces[end.panel]
+    x = np.abs(piece.panel.to_world(bench.run_chord(end.run))[:, 0])
+    return "before" if x[0] < x[1] else "after"
+
+
+def _recut_half(bench: Workbench, end: End, seam: int, distance: float, shape: NewShape | None) -> bool:
+    piece = bench.pieces[end.panel]
+    at_start = seam == end.before
+    chord = piece.chord(seam)
+    middle, far = (chord[1], chord[0]) if at_start else (chord[0], chord[1])
+    down = (far - middle) / max(float(np.hypot(*(far - middle))), 1e-9)
+    old = bench.run_chord(end.run)
+    shoulder = old[1] if at_start else old[0]
+    depth = float((middle - shoulder) @ down)
+    if depth + distance < SHALLOWEST_CM or distance > float(np.hypot(*(far - middle))) - 4.0:
+        return False
+    new_middle = middle + distance * down
+    if shape is None:
+        return _stretch(bench, end, shoulder, down, (depth + distance) / depth)
+    for id in end.run[1:]:
+        bench.drop(id)
+    bench.side(end.run[0]).start = new_middle if at_start else shoulder
+    side = bench.side(end.run[0])
+    start, finish = (new_middle, shoulder) if at_start else (shoulder, new_middle)
+    across = (shoulder - middle) - ((shoulder - middle) @ down) * down
+    corner = new_middle + across
+    if shape == "v":
+        side.edge = replace(side.edge, curve=Line())
+    elif shape == "round":
+        # Two thirds of the way to the corner from either end is close to a quarter of an ellipse.
+        towards = [start + 0.6 * (corner - start), finish + 0.6 * (corner - finish)]
+        ends = np.array([start, finish])
+        side.edge = replace(
+            side.edge, curve=Cubic(to_relative(towards[0], ends), to_relative(towards[1], ends))
+        )
+    else:
+        side.edge = replace(side.edge, curve=Line())
+        upright = bench.insert_line(bench.neighbour(end.run[0], 1), corner)
+        bench.relabel(upright, side.edge.label)
+    return True
+
+
+def _stretch(bench: Workbench, end: End, shoulder: Floats, down: Floats, factor: float) -> bool:
+    """Stretches a run downward from the shoulder; arcs in one piece become arcs through the new middle."""
+    old = bench.run_chord(end.run)
+
+    def move(points: Floats) -> Floats:
+        fall = (points - shoulder) @ down
+        return points + np.outer(fall * (factor - 1.0), down)
+
+    if len(end.run) == 1 and isinstance(bench.side(end.run[0]).edge.curve, Arc):
+        bench.map_run(end.run, old, move(old))
+        return True
+    following = bench.neighbour(end.run[-1], 1)
+    return bench.map_points(end.panel, move, {*end.run, following})
