@@ -60,7 +60,7 @@ class TrainGarmentSewer:
         require_training_packages("Training")
         from swifttailor.training.sewer_loop_torch import train
 
-        card = train(
+        train(
             config,
             self.data,
             self.out,
@@ -71,8 +71,6 @@ class TrainGarmentSewer:
             threads=self.threads,
             report=_say,
         )
-        minutes = card["training"]["minutes"]
-        _say(f"Trained for {minutes:g} minutes. The weights are in {self.out / 'weights.safetensors'}.")
         return 0
 
 

@@ -174,6 +174,7 @@ def train(
                         validation.draw(network, out / f"validation-{step:07d}.png")
                 trained.train()
             processes.wait()
+    report(f"{step} steps in {seconds / 60:.1f} minutes. The weights are in '{out / WEIGHTS}'.")
     return _card(config, readers, parameters, step, seconds, device, precision, processes, result)
 
 
