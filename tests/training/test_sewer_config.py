@@ -53,6 +53,13 @@ def test_values_are_changed_in_order():
     assert config.precision == "float32"
 
 
+def test_values_are_judged_together():
+    changes = ["conditioning.prior=none", 'conditioning.channels=["color"]', "network.output=absolute"]
+    config = read_config("small", changes)
+    assert config.conditioning == Conditioning("none", ("color",))
+    assert config.network.output == "absolute"
+
+
 def test_paper_has_the_papers_losses_and_conditioning():
     config = CONFIGS["paper"]
     assert (config.losses.regression, config.losses.edge, config.losses.edge_band) == (1, 100, 10)

@@ -123,16 +123,25 @@ def read_config(name: str, overrides: list[str] | tuple[str, ...] = ()) -> Sewer
                 f"There is no configuration '{name}': {error}. Give {' or '.join(CONFIGS)}, or a JSON file."
             ) from error
         config = config_from(value)
+    if not overrides:
+        return config
+    # All at once: what is valid together need not be valid one after the other.
+    values = config_values(config)
     for override in overrides:
         path, sign, text = override.partition("=")
         if not sign:
             raise InputError(f"'{override}' sets nothing; write field=value, for instance steps=1000.")
+        *groups, name = path.split(".")
+        inner: Any = values
+        for group in groups:
+            inner = inner.get(group)
+            if not isinstance(inner, dict):
+                raise InputError(f"There is no '{path}' in a configuration; '{group}' is no group of fields.")
         try:
-            value = json.loads(text)
+            inner[name] = json.loads(text)
         except ValueError:
-            value = text
-        config = _changed(config, path.split("."), value, path)
-    return config
+            inner[name] = text
+    return config_from(values)
 
 
 def config_from(value: Any) -> SewerConfig:
@@ -156,15 +165,6 @@ def _build(base: Any, value: Any, place: str) -> Any:
     for name, part in value.items():
         changed[name] = _typed(base, name, part, f"{place}.{name}" if place else name)
     return replace(base, **changed)
-
-
-def _changed(base: Any, path: list[str], value: Any, whole: str) -> Any:
-    if len(path) == 1:
-        return replace(base, **{path[0]: _typed(base, path[0], value, whole)})
-    inner = getattr(base, path[0], None)
-    if not dataclasses.is_dataclass(inner):
-        raise InputError(f"There is no '{whole}' in a configuration; '{path[0]}' is no group of fields.")
-    return replace(base, **{path[0]: _changed(inner, path[1:], value, whole)})
 
 
 def _typed(base: Any, name: str, value: Any, place: str) -> Any:
