@@ -149,8 +149,8 @@ def _sleeve_length(cutter: Cutter, rng: random.Random) -> Pattern | None:
 
 
 def _cuff_length(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    part, border = rng.choice(((Part.CUFF, Border.ARM), (Part.LEG_CUFF, Border.LEG)))
-    ends = cutter.ends_of(part, border)
+    cuffs = [cutter.ends_of(p, b) for p, b in ((Part.CUFF, Border.ARM), (Part.LEG_CUFF, Border.LEG))]
+    ends = rng.choice([c for c in cuffs if c] or [()])
     return move_ends(cutter.pattern, ends, _change(rng, 2.0, 12.0)) if ends else None
 
 
