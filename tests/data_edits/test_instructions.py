@@ -45,7 +45,11 @@ def test_nothing_is_asked_where_nothing_is_seen(draft_facts):
         (("t-shirt", {}), {"sleeve_length": 58}, r"sleeves?"),
         (("t-shirt", {}), {"neckline": "v"}, r"\bV\b|round|crew|scoop"),
         (("t-shirt", {}), {"neck_depth": 20}, r"neck|front"),
-        (("t-shirt", {}), {"chest_ease": 34}, r"loose|tight|room|chest|oversized|relaxed|fit|snug|let it out"),
+        (
+            ("t-shirt", {}),
+            {"chest_ease": 34},
+            r"loose|tight|room|chest|oversized|relaxed|fit|snug|let it out",
+        ),
         (("circle-skirt", {}), {"length": 95}, r"skirt|length|maxi|ankle|floor"),
         (("hoodie", {}), {"cuffs": False}, r"cuffs?"),
         (("hoodie", {}), {"hem_band": False}, r"band"),
