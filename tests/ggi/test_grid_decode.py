@@ -8,7 +8,7 @@ from grid_reference import stitch as plain_stitch
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from swifttailor.errors import InputError
+from swifttailor.errors import GeometryError, InputError
 from swifttailor.ggi import encode
 from swifttailor.ggi.grid_decode import decode_grid
 from swifttailor.ggi.pockets import fill_pockets
@@ -368,6 +368,12 @@ def test_images_that_cannot_be_decoded_are_refused():
     backwards = StitchingImage(sewn.ids, sewn.pixels, 1 - sewn.fraction, sewn.start)
     with pytest.raises(InputError, match="order of its seam"):
         decode_grid(dataclasses.replace(images, stitching=backwards))
+
+
+def test_images_without_a_single_triangle_are_refused():
+    thin = Pattern((rectangle("wb_front", 60.0, 0.01),))
+    with pytest.raises(GeometryError, match="two pixels wide"):
+        decode_grid(encode(any_garment(thin, 3.0), 64))
 
 
 def test_no_stitches_are_no_seams():

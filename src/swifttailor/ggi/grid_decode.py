@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from swifttailor.errors import InputError
+from swifttailor.errors import GeometryError, InputError
 from swifttailor.ggi.images import GarmentGeometryImage
 from swifttailor.ggi.pockets import fill_pockets
 from swifttailor.ggi.remesh import PixelGrid, remesh
@@ -20,6 +20,7 @@ def decode_grid(images: GarmentGeometryImage) -> SewnGrid:
 
     Raises:
         InputError: The images have no geometry, or one that is not finite, or contradict each other.
+        GeometryError: No panel is wide enough to have a face.
     """
     if images.geometry is None:
         raise InputError(
@@ -39,5 +40,11 @@ def decode_grid(images: GarmentGeometryImage) -> SewnGrid:
     grid = PixelGrid.of(panel)
     positions = geometry.reshape(-1, 3)[grid.pixels]
     sides = seam_sides(grid, stitching)
-    mesh = open_grid(grid, remesh(grid, positions, sides.links), sides)
+    faces = remesh(grid, positions, sides.links)
+    if not len(faces):
+        raise GeometryError(
+            "No panel in these images is as much as two pixels wide, so there is nothing to make a mesh of. "
+            "Draw them with a higher resolution, or decode them with the method 'outline'."
+        )
+    mesh = open_grid(grid, faces, sides)
     return sew(grid, positions, mesh, sides, stitching)

@@ -120,59 +120,70 @@ def open_grid(grid: PixelGrid, faces: Longs, sides: SeamSides) -> OpenGrid:
         faces: (f, 3) of `remesh`, which must have been given the links as diagonals.
         sides: Of the stitching image.
     """
-    links = sides.links
+    links = _step_key(grid, *sides.links.T)
     is_link = np.zeros(9 * len(grid.pixels), np.bool_)
-    is_link[_step_key(grid, links[:, 0], links[:, 1])] = True
-    rim_pixel = _at_the_rim(grid)
-    rim_pixel[sides.pixel] = True
+    is_link[links] = True
+    inner, rim, rim_pixel = _without_bridges(grid, faces, is_link, sides.pixel)
+    ahead, back = _half_edges(grid, rim)
+    half_edge = np.full(9 * len(grid.pixels), -1, np.int32)
+    half_edge[ahead] = np.arange(len(ahead))
+    cut = is_link[ahead] & is_link[back]
 
+    # Vertices: the fans of faces around the pixels at the rim, then one for each pixel inside.
+    fan, fan_pixel = _fans(rim.ravel(), rim_pixel, half_edge[back], cut)
+    whole = np.flatnonzero(~rim_pixel)
+    of_pixel = np.full(len(grid.pixels), -1, np.int64)
+    of_pixel[whole] = len(fan_pixel) + np.arange(len(whole))
+    corners = np.where(fan >= 0, fan, of_pixel[rim.ravel()]).reshape(-1, 3)
+    inner, vertex_pixel = of_pixel[inner], np.concatenate([fan_pixel, whole])
+    large = _of_large_pieces(grid, corners, vertex_pixel, len(fan_pixel), ~rim_pixel)
+
+    twinless = (half_edge[back] < 0) | cut
+    # Between two pixels inside there is a face on the other side too, if not one at the rim.
+    twinless &= rim_pixel[rim.ravel()] & rim_pixel[rim[:, [1, 2, 0]].ravel()]
+    single = np.flatnonzero(twinless & np.repeat(large[corners[:, 0]], 3))
+    return OpenGrid(
+        np.concatenate([inner[large[inner[:, 0]]], corners[large[corners[:, 0]]]]),
+        vertex_pixel,
+        len(fan_pixel),
+        _entry_vertices(sides, half_edge[links], corners, large),
+        np.stack([corners.ravel()[single], corners[:, [1, 2, 0]].ravel()[single]], axis=1),
+        is_link[ahead[single]],
+    )
+
+
+def _without_bridges(
+    grid: PixelGrid, faces: Longs, is_link: Bools, sewn_pixels: Longs
+) -> tuple[Longs, Longs, Bools]:
+    """Removes faces on the other hand of a link than the cloth.
+
+    Returns:
+        Faces (f, 3) all of whose pixels are inside, the other faces, and which pixels (n,) are at the rim:
+        beside another panel or none, sewn, or at a face that was removed.
+    """
+    rim_pixel = _at_the_rim(grid)
+    rim_pixel[sewn_pixels] = True
     near = np.flatnonzero(_any_corner(rim_pixel, faces))
     ahead, back = _half_edges(grid, faces[near])
     bridging = near[(is_link[back] & ~is_link[ahead]).reshape(-1, 3).any(axis=1)]
-    # What bordered on a triangle that goes is at the rim from now on.
     rim_pixel[faces[bridging].ravel()] = True
     at_rim = _any_corner(rim_pixel, faces)
     inner = faces[~at_rim]
     at_rim[bridging] = False
-    rim = faces[at_rim]
-    ahead, back = _half_edges(grid, rim)
-    half_edge = np.full(9 * len(grid.pixels), -1, np.int32)
-    half_edge[ahead] = np.arange(len(ahead))
+    return inner, faces[at_rim], rim_pixel
 
-    corner_vertex, vertex_pixel = _fans(
-        rim.ravel(), rim_pixel, half_edge[back], is_link[ahead] & is_link[back]
-    )
-    fan_count = len(vertex_pixel)
-    whole = np.flatnonzero(~rim_pixel)
-    of_pixel = np.full(len(grid.pixels), -1, np.int64)
-    of_pixel[whole] = fan_count + np.arange(len(whole))
-    corners = np.where(corner_vertex >= 0, corner_vertex, of_pixel[rim.ravel()]).reshape(-1, 3)
-    vertex_pixel = np.concatenate([vertex_pixel, whole])
 
-    large = _of_large_pieces(grid, corners, vertex_pixel, fan_count, ~rim_pixel)
-    held, inner = large[corners[:, 0]], of_pixel[inner]
-    at = half_edge[_step_key(grid, links[:, 0], links[:, 1])].astype(np.int64)
-    at[(at >= 0) & ~held[np.maximum(at, 0) // 3]] = -1
-    begin = np.where(at >= 0, corners.ravel()[at], -1)
-    finish = np.where(at >= 0, corners.ravel()[at - at % 3 + (at + 1) % 3], -1)
+def _entry_vertices(sides: SeamSides, at: NDArray[np.int32], corners: Longs, large: Bools) -> Longs:
+    """`OpenGrid.entry_vertices`, from the half-edge (l,) at which each link is, or -1."""
+    at = at.astype(np.int64)
+    begin, finish = corners.ravel()[at], corners.ravel()[at - at % 3 + (at + 1) % 3]
+    missing = (at < 0) | ~large[begin]
+    begin, finish = np.where(missing, -1, begin), np.where(missing, -1, finish)
     along = sides.cloth_on_left[sides.side[sides.link]]
-    entry_vertices = np.full((len(sides.pixel), 2), -1, np.int64)
-    entry_vertices[sides.link, 0] = np.where(along, begin, finish)
-    entry_vertices[sides.link + 1, 1] = np.where(along, finish, begin)
-
-    twin = half_edge[back].reshape(-1, 3)
-    single = (twin < 0) | (is_link[ahead] & is_link[back]).reshape(-1, 3)
-    # Between two pixels inside there is a face on the other side too, if not one at the rim.
-    single &= held[:, None] & rim_pixel[rim] & rim_pixel[rim[:, [1, 2, 0]]]
-    open_edges = np.stack([corners[single], corners[:, [1, 2, 0]][single]], axis=1)
-    return OpenGrid(
-        np.concatenate([inner[large[inner[:, 0]]], corners[held]]),
-        vertex_pixel,
-        fan_count,
-        entry_vertices,
-        open_edges,
-        is_link[ahead].reshape(-1, 3)[single],
-    )
+    vertices = np.full((len(sides.pixel), 2), -1, np.int64)
+    vertices[sides.link, 0] = np.where(along, begin, finish)
+    vertices[sides.link + 1, 1] = np.where(along, finish, begin)
+    return vertices
 
 
 def _any_corner(marked: Bools, faces: Longs) -> Bools:
