@@ -15,7 +15,7 @@ from swifttailor.draping.simulation import SimulationSettings
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--draft", default="fitted-dress")
-    parser.add_argument("--edge-lengths", type=float, nargs="+", default=[4.6, 3.2, 2.0, 1.4, 1.0, 0.65, 0.46])
+    parser.add_argument("--edge-lengths", type=float, nargs="+", default=[3.2, 2.0, 1.4, 1.0, 0.65, 0.46])
     options = parser.parse_args()
     swifttailor.drape(swifttailor.draft("tank-top"), edge_length=8.0)
     print(describe())

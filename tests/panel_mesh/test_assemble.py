@@ -130,7 +130,7 @@ def test_edges_that_welding_folds_together_are_found_and_parted(name, monkeypatc
     monkeypatch.setattr(
         assemble, "_coincident_inner_edges", lambda mesh: seen.append((mesh, find(mesh))) or seen[-1][1]
     )
-    mesh = mesh_pattern(draft(name), 12.0)
+    mesh = mesh_pattern(draft(name), 16.0)
     assert len(seen[0][1]) > 0
     assert all(found.tolist() == plain_coincident_edges(given) for given, found in seen)
     assert plain_coincident_edges(mesh) == []

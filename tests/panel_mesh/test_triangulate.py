@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.spatial import Delaunay
 
@@ -142,9 +142,37 @@ def test_interior_is_what_lies_left_of_the_boundary(seed, count):
     following = np.append((np.arange(count) + 1) % count, np.full(10, -1))
     if shapely.LinearRing(ring).is_simple and np.diff(angles, append=angles[0] + 2 * np.pi).max() < np.pi:
         faces, neighbors = recover_edges(points, *delaunay(points), following)
-        inside = interior_triangles(faces, neighbors, following)
+        inside = interior_triangles(points, faces, neighbors, following)
         assert inside.tolist() == flooded(faces, following)
         assert np.isclose(areas(points, faces[inside]).sum(), shapely.Polygon(ring).area)
+
+
+@given(seed=st.integers(0, 2**32 - 1), edge_length=st.sampled_from([1.0, 2.0, 3.0, 8.0]))
+@settings(max_examples=100, deadline=None)
+def test_slits_whose_pieces_end_on_one_line_stay_open(seed, edge_length):
+    """A skirt with godets: the hems of its pieces are on one line, and between them there is no cloth."""
+    rng = np.random.default_rng(seed)
+    piece, gap, lean, tilt = (
+        rng.uniform(0.5, 6),
+        rng.uniform(1, 15),
+        rng.uniform(-8, 8),
+        rng.uniform(-0.5, 0.5),
+    )
+    corners = [[0.0, 0.0]]
+    for k in range(rng.integers(1, 7)):
+        left = (piece + gap) * k + piece
+        corners += [[left, 0], [left + gap / 2 + lean, 30], [left + gap, 0]]
+    width = corners[-1][0] + piece
+    corners += [[width, 0], [width + 8, 60], [-8, 60]]
+    turn = np.array([[np.cos(tilt), -np.sin(tilt)], [np.sin(tilt), np.cos(tilt)]])
+    ring = resample(np.array(corners) @ turn.T, edge_length)
+    assume(shapely.Polygon(ring).is_valid)
+    points, faces = triangulate_polygon(ring, edge_length)
+    assert np.isclose(areas(points, faces).sum(), shapely.Polygon(ring).area, rtol=1e-9)
+    assert (areas(points, faces) > 0).all()
+    start, end = faces.ravel().tolist(), faces[:, [1, 2, 0]].ravel().tolist()
+    around = range(len(ring))
+    assert {(k, (k + 1) % len(ring)) for k in around} <= set(zip(start, end, strict=True))
 
 
 def test_polygons_together_are_as_each_alone():

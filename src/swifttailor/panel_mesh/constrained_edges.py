@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import deque
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import coo_array
@@ -11,6 +13,11 @@ from swifttailor.errors import GeometryError
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
+
+_NO_AREA = 1e-12
+"""Share of the whole below which an area is rounding."""
+_FLIPS = 20
+"""Flips for each pair of edges in the way after which there is no way to make an edge."""
 
 
 def recover_edges(points: Floats, faces: Ints, neighbors: Ints, following: Ints) -> tuple[Ints, Ints]:
@@ -50,22 +57,28 @@ def recover_edges(points: Floats, faces: Ints, neighbors: Ints, following: Ints)
     return recovered, np.array(across, dtype=np.int64)
 
 
-def interior_triangles(faces: Ints, neighbors: Ints, following: Ints) -> NDArray[np.bool_]:
-    """Which triangles (f,) are reachable from the left side of the boundary edges without crossing one.
+def interior_triangles(points: Floats, faces: Ints, neighbors: Ints, following: Ints) -> NDArray[np.bool_]:
+    """Which triangles (f,) can be reached from the left side of the boundary edges without crossing one.
+
+    Triangles between corners that lie on one line have no area, and their winding is chance. So every part
+    that the boundary cuts out is judged by all its triangles along the boundary, each counting by its area.
 
     Arguments are those of `recover_edges`; every boundary edge must be in the triangulation.
     """
     start, end = faces[:, [1, 2, 0]], faces[:, [2, 0, 1]]
-    inner_side = following[start] == end
-    wall = inner_side | (following[end] == start)
-    triangle, corner = np.nonzero(~wall & (neighbors >= 0))
+    inner_side, outer_side = following[start] == end, following[end] == start
+    triangle, corner = np.nonzero(~(inner_side | outer_side) & (neighbors >= 0))
     graph = coo_array(
         (np.ones(len(triangle), np.int8), (triangle, neighbors[triangle, corner])), shape=(len(faces),) * 2
     )
-    count, part = connected_components(graph, directed=False)
-    inside = np.zeros(count, dtype=bool)
-    inside[part[inner_side.any(axis=1)]] = True
-    return inside[part]
+    part = connected_components(graph, directed=False)[1]
+    (ux, uy), (wx, wy) = (
+        (points[faces[:, 1]] - points[faces[:, 0]]).T,
+        (points[faces[:, 2]] - points[faces[:, 0]]).T,
+    )
+    area = np.abs(ux * wy - uy * wx)
+    votes = np.bincount(part, weights=area * (inner_side.sum(axis=1) - outer_side.sum(axis=1)))
+    return (votes > _NO_AREA * area.sum())[part]
 
 
 def _insert(
@@ -80,26 +93,27 @@ def _insert(
         (xi, yi), (xj, yj), (xk, yk) = points[i], points[j], points[k]
         return float((xj - xi) * (yk - yi) - (yj - yi) * (xk - xi))
 
-    for _ in range(10 * len(points)):
-        if (a, b) in left or (b, a) in left:
-            return
-        flipped = False
-        for u, v in _crossing(points, list(left), a, b):
-            if tuple(sorted((u, v))) in kept or (v, u) not in left:
-                continue
-            one, two = left[u, v], left[v, u]
-            p = next(w for w in triangles[one] if w not in (u, v))
-            q = next(w for w in triangles[two] if w not in (u, v))
-            if turn(p, q, v) <= 0 or turn(q, p, u) <= 0:  # the two triangles are no convex quadrilateral
-                continue
-            del left[u, v], left[v, u]
-            triangles[one], triangles[two] = (p, u, q), (q, v, p)
-            for t, (i, j, k) in ((one, triangles[one]), (two, triangles[two])):
-                left[i, j] = left[j, k] = left[k, i] = t
-            flipped = True
+    waiting = deque(_crossing(points, list(left), a, b))
+    for _ in range(_FLIPS * len(waiting) ** 2):
+        if not waiting:
             break
-        if not flipped:
+        u, v = waiting.popleft()
+        if tuple(sorted((u, v))) in kept:
             break
+        one, two = left[u, v], left[v, u]
+        p = next(w for w in triangles[one] if w not in (u, v))
+        q = next(w for w in triangles[two] if w not in (u, v))
+        if turn(p, q, v) <= 0 or turn(q, p, u) <= 0:  # the two triangles are no convex quadrilateral
+            waiting.append((u, v))
+            continue
+        del left[u, v], left[v, u]
+        triangles[one], triangles[two] = (p, u, q), (q, v, p)
+        for t, (i, j, k) in ((one, triangles[one]), (two, triangles[two])):
+            left[i, j] = left[j, k] = left[k, i] = t
+        if not {p, q} & {a, b} and turn(a, b, p) * turn(a, b, q) < 0:
+            waiting.append((p, q))
+    if (a, b) in left or (b, a) in left:
+        return
     raise GeometryError(
         f"The panel outline cannot be meshed near ({points[a][0]:.2f}, {points[a][1]:.2f}) cm: it crosses or "
         "touches itself there. Run: swifttailor check PATTERN"

@@ -76,7 +76,7 @@ def triangulate_polygons(
         starts.append(starts[-1] + len(boundary) + len(inner))
         triangles += len(faces[-1])
     points, every, after = np.concatenate(pieces), np.concatenate(faces), np.concatenate(following)
-    kept = every[interior_triangles(every, np.concatenate(neighbors), after)]
+    kept = every[interior_triangles(points, every, np.concatenate(neighbors), after)]
     points = smooth(points, kept, after >= 0)
 
     renumber = np.arange(len(points))
