@@ -106,6 +106,30 @@ def test_the_guide_to_data_sets(tmp_path, monkeypatch, capsys):
     assert {"index.html", "stats.json"} <= {p.name for p in (tmp_path / "garments" / "stats").iterdir()}
 
 
+@pytest.mark.parametrize("page", ["captions", "edits"])
+def test_the_guides_to_captions_and_edits(page, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    run_all(f"docs/{page}.md")
+    names: dict = {}
+    for block in blocks(f"docs/{page}.md", "python"):
+        exec(compile(block, f"{page}.md", "exec"), names)
+    shown = capsys.readouterr().out
+    assert names["caption"].text in shown if page == "captions" else names["pair"].instruction.text in shown
+
+
+def test_the_tables_of_claims_and_operations_are_whole():
+    from swifttailor.data.captions import CLAIM_TYPES
+    from swifttailor.data.edits.operations import OPERATIONS
+
+    claims = (ROOT / "docs/captions.md").read_text()
+    for kind in CLAIM_TYPES.values():
+        values = "number" if kind.measure else ", ".join(kind.words)
+        assert f"| `{kind.name}` | {kind.about} | {values} |\n" in claims
+    edits = (ROOT / "docs/edits.md").read_text()
+    for operation in OPERATIONS:
+        assert f"| {operation.name} | {operation.about} |\n" in edits
+
+
 def test_the_readme_lists_the_commands_that_exist():
     table = (ROOT / "README.md").read_text().split("## Commands")[1].split("###")[0]
     assert set(re.findall(r"^\| `swifttailor (\w+)", table, re.MULTILINE)) == set(COMMANDS)

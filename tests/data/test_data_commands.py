@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import gzip
 import json
 from pathlib import Path
 
@@ -9,8 +10,10 @@ from sample_makers import make_placed, run_here
 from swifttailor.cli.data import COMMANDS
 from swifttailor.cli.main import run
 from swifttailor.data.builder import BuildSettings, build_split
+from swifttailor.data.captions import Claim, measure_facts
 from swifttailor.draping.batch import BatchSettings
 from swifttailor.draping.batch.patterns import read_patterns
+from swifttailor.pattern import read_specification
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
 
@@ -98,3 +101,76 @@ def test_verify_render_and_stats(dataset, capsys):
 def test_no_data_set(command, tmp_path, capsys):
     assert run(["data", command, str(tmp_path)]) == 2
     assert f"'{tmp_path}' holds no data set" in capsys.readouterr().err
+
+
+def captions_in(text: str) -> dict[str, list[dict]]:
+    return {line["id"]: line["captions"] for line in map(json.loads, text.splitlines())}
+
+
+def test_captions_of_every_kind_of_source(dataset, patterns, tmp_path, capsys):
+    assert run(["data", "captions", str(dataset), "--count", "2"]) == 0
+    out = dataset / "train" / "captions.jsonl"
+    assert capsys.readouterr().out == f"2 captions of each of 2 patterns in {out}\n"
+    written = captions_in(out.read_text())
+    assert set(written) == {"fitted-skirt", "tank-top"}
+    for id, captions in written.items():
+        facts = measure_facts(draft(id))
+        assert len(captions) == 2 and len({c["text"] for c in captions}) == 2
+        for caption in captions:
+            claims = [Claim(**values) for values in caption["claims"]]
+            assert claims and all(claim.holds(facts) for claim in claims)
+    assert run(["data", "captions", str(patterns), "--count", "2"]) == 0
+    assert captions_in(capsys.readouterr().out) == written
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    for id in written:
+        (folder / f"{id}.json").write_text(json.dumps(to_specification(draft(id))))
+    assert run(["data", "captions", str(folder), "--count", "2", "--out", str(tmp_path / "all.jsonl")]) == 0
+    assert captions_in((tmp_path / "all.jsonl").read_text()) == written
+    capsys.readouterr()
+    single = ["data", "captions", str(folder / "tank-top.json"), "--text", "--style", "terse", "--count", "3"]
+    assert run(single) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 3 and all(len(line.split()) <= 8 for line in lines)
+
+
+def test_what_cannot_be_read_is_complained_of_and_the_rest_captioned(patterns, capsys):
+    patterns.write_text(patterns.read_text() + '\n{"id": "bad", "pattern": {}}\nnonsense\n')
+    assert run(["data", "captions", str(patterns), "--count", "1"]) == 1
+    captured = capsys.readouterr()
+    assert len(captured.out.splitlines()) == 2
+    assert captured.err.startswith("bad: ") and "\n#4: " in captured.err
+    assert run(["data", "captions", str(patterns), "--style", "haiku"]) == 2
+    assert "no caption style 'haiku'" in capsys.readouterr().err
+    assert run(["data", "captions", str(patterns.with_name("none.jsonl"))]) == 2
+
+
+@pytest.mark.parametrize("ending", ["jsonl", "jsonl.gz"])
+def test_edits_can_be_read_back_and_do_what_they_say(ending, patterns, tmp_path, capsys):
+    longer = to_specification(draft("fitted-skirt", length=90))
+    designs = tmp_path / "designs.jsonl"
+    designs.write_text(json.dumps({"id": "e1", "base": "fitted-skirt", "pattern": longer}) + "\n")
+    out = tmp_path / f"edits.{ending}"
+    arguments = ["data", "edits", str(patterns), "--designs", str(designs), "--count", "1", "--out"]
+    assert run([*arguments, str(out)]) == 0
+    raw = out.read_bytes()
+    lines = [json.loads(x) for x in (gzip.decompress(raw) if ending.endswith("gz") else raw).splitlines()]
+    assert capsys.readouterr().out == f"{len(lines)} pairs in {out}\n"
+    assert [line["source"] for line in lines[-2:]] == ["design", "design, reversed"]
+    assert {line["base"] for line in lines} == {"fitted-skirt", "tank-top"}
+    for line in lines:
+        before, after = (measure_facts(read_specification(line[k]).pattern) for k in ("pattern", "edited"))
+        assert line["instruction"] and line["changes"]
+        for change in line["changes"]:
+            if "gain" in change:
+                claim = Claim(**change["gain"])
+                assert claim.holds(after) and not claim.holds(before)
+    assert run([*arguments, str(tmp_path / f"again.{ending}")]) == 0
+    assert (tmp_path / f"again.{ending}").read_bytes() == raw
+
+
+def test_edits_need_a_name_that_says_the_format(patterns, tmp_path, capsys):
+    assert run(["data", "edits", str(patterns), "--out", str(tmp_path / "edits.json")]) == 2
+    assert ".jsonl or .jsonl.gz is written" in capsys.readouterr().err
+    assert run(["data", "edits", str(patterns), "--out", str(tmp_path / "e.jsonl"), "--count", "99"]) == 2
+    assert "--count is 99; from 0 to 27" in capsys.readouterr().err

@@ -75,6 +75,18 @@ def _load_render() -> Any:
     return DataRender
 
 
+def _load_captions() -> Any:
+    from swifttailor.cli.data_captions import DataCaptions
+
+    return DataCaptions
+
+
+def _load_edits() -> Any:
+    from swifttailor.cli.data_edits import DataEdits
+
+    return DataEdits
+
+
 def _load_verify() -> Any:
     from swifttailor.cli.data_verify import DataVerify
 
@@ -102,6 +114,16 @@ COMMANDS: dict[str, DataCommand] = {
         "Draw pictures of every garment of a data set.",
         "swifttailor data render DIR",
         _load_render,
+    ),
+    "captions": DataCommand(
+        "Write texts about garments, from what their patterns show.",
+        "swifttailor data captions SOURCE [--out FILE]",
+        _load_captions,
+    ),
+    "edits": DataCommand(
+        "Recut patterns and write instructions that ask for it.",
+        "swifttailor data edits SOURCE --out FILE",
+        _load_edits,
     ),
     "verify": DataCommand(
         "Compare checksums and check everything that must hold of each sample.",

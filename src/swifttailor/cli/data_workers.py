@@ -1,4 +1,4 @@
-"""How many processes the commands of ``swifttailor data`` use."""
+"""Numbers that several commands of ``swifttailor data`` ask for."""
 
 from __future__ import annotations
 
@@ -19,6 +19,15 @@ def worker_count(asked: int | None) -> int:
         if hasattr(os, "sched_getaffinity"):
             return max(1, len(os.sched_getaffinity(0)))
         return os.cpu_count() or 1
-    if not 1 <= asked <= MAX_WORKERS:
-        raise InputError(f"--workers is {asked}; from 1 to {MAX_WORKERS} is accepted.")
+    in_range("--workers", asked, 1, MAX_WORKERS)
     return asked
+
+
+def in_range(option: str, value: int, low: int, high: int) -> None:
+    """Refuses a number that is out of range.
+
+    Raises:
+        InputError: It is.
+    """
+    if not low <= value <= high:
+        raise InputError(f"{option} is {value}; from {low} to {high} is accepted.")

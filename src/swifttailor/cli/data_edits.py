@@ -1,0 +1,121 @@
+"""``swifttailor data edits``: pairs of patterns with an instruction that leads from one to the other."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import tyro
+
+if TYPE_CHECKING:
+    from swifttailor.data.edits.pairs import EditPair
+
+MAX_COUNT = 27
+
+
+@dataclass(frozen=True, kw_only=True)
+class DataEdits:
+    """Recut patterns and write how to ask for it, in both directions.
+
+    Every edited pattern is checked, and fulfils its instruction. One JSON object a line: {"base": id,
+    "source": operation, "instruction": text, "changes": [...], "pattern": before, "edited": after}.
+    """
+
+    source: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="SOURCE")]
+    """A data set, a split of one, a .jsonl or .jsonl.gz file, a folder of .json files, or a pattern."""
+    out: Annotated[Path, tyro.conf.arg(metavar="FILE")]
+    """File to write, .jsonl or .jsonl.gz."""
+    count: Annotated[int, tyro.conf.arg(metavar="N")] = 2
+    """Ways to recut each pattern."""
+    designs: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Edited versions made elsewhere, one {"id": ..., "base": ..., "pattern": ...} a line, whose bases are
+    in SOURCE; their pairs are written too."""
+    seed: int = 0
+    """Decides operations, amounts and words."""
+
+    def run(self) -> int:
+        """Writes the pairs and returns the exit code: 0, or 1 where a pattern could not be read.
+
+        Raises:
+            SwiftTailorError: A source cannot be read.
+        """
+        from swifttailor.atomic_files import write_atomically
+        from swifttailor.cli.data_workers import in_range
+        from swifttailor.errors import InputError
+
+        in_range("--count", self.count, 0, MAX_COUNT)
+        in_range("--seed", self.seed, 0, 2**31)
+        if not self.out.name.lower().endswith((".jsonl", ".jsonl.gz")):
+            raise InputError(f"--out is '{self.out}'; a file that ends in .jsonl or .jsonl.gz is written.")
+        self.out.parent.mkdir(parents=True, exist_ok=True)
+        counts = [0, 0]
+
+        def write(path: Path) -> None:
+            compressed = self.out.name.lower().endswith(".gz")
+            # Without a time in its header the file depends on its content alone.
+            with path.open("wb") as raw, gzip.GzipFile("", "wb", 6, raw, 0) if compressed else raw as stream:
+                for line, problem in self._lines():
+                    sys.stderr.write(problem)
+                    stream.write(line)
+                    counts[0] += bool(line)
+                    counts[1] += bool(problem)
+
+        write_atomically(self.out, write)
+        sys.stdout.write(f"{counts[0]} pairs in {self.out}\n")
+        return int(counts[1] > 0)
+
+    def _lines(self) -> Iterator[tuple[bytes, str]]:
+        from swifttailor.cli.item_progress import ItemProgress
+        from swifttailor.data.edits.pairs import geometric_pairs, pairs_of
+        from swifttailor.data.pattern_source import count_source, patterns_of
+        from swifttailor.errors import SwiftTailorError
+        from swifttailor.pattern import Pattern
+
+        bases: dict[str, Pattern] = {}
+        with ItemProgress(count_source(self.source), "patterns") as progress:
+            for number, (id, pattern) in enumerate(patterns_of(self.source)):
+                progress.add(1)
+                if isinstance(pattern, SwiftTailorError):
+                    yield b"", f"{id}: {pattern}\n"
+                    continue
+                if self.designs is not None:
+                    bases[id] = pattern
+                for pair in geometric_pairs(pattern, self.seed + number, count=self.count):
+                    yield _line(id, pair), ""
+        for number, (id, base, edited) in enumerate(self._designs()):
+            if isinstance(edited, SwiftTailorError):
+                yield b"", f"{id}: {edited}\n"
+            elif base in bases:
+                for pair in pairs_of(bases[base], edited, self.seed + number, source="design"):
+                    yield _line(base, pair), ""
+
+    def _designs(self) -> Iterator[tuple[str, str, Any]]:
+        """Id, id of the base, and pattern (or what is wrong with it) of the edits made elsewhere."""
+        from swifttailor.data.pattern_source import parsed_pattern
+        from swifttailor.draping.batch.patterns import read_patterns
+        from swifttailor.pattern.json_values import parse_json
+
+        if self.designs is None:
+            return
+        for entry in read_patterns(self.designs):
+            base = parse_json(entry.line, entry.source).get("base") if entry.line else None
+            yield entry.id, str(base), parsed_pattern(entry)
+
+
+def _line(base: str, pair: EditPair) -> bytes:
+    from swifttailor.pattern import to_specification
+
+    written = {
+        "base": base,
+        "source": pair.source,
+        "instruction": pair.instruction.text,
+        "changes": [change.to_json() for change in pair.instruction.changes],
+        "pattern": to_specification(pair.base),
+        "edited": to_specification(pair.edited),
+    }
+    return (json.dumps(written, ensure_ascii=False, allow_nan=False) + "\n").encode()
