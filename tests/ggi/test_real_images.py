@@ -7,9 +7,13 @@ import numpy as np
 import pytest
 from ggi_patterns import any_garment
 
+from swifttailor.errors import GeometryError
 from swifttailor.ggi import encode, lay_out
 from swifttailor.ggi.geometry import geometry_raster
+from swifttailor.ggi.grid_decode import decode_grid
+from swifttailor.ggi.outline_decode import decode_outline
 from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.panel_mesh.topology import topology
 from swifttailor.pattern import read_specification
 
 
@@ -93,6 +97,28 @@ def test_extremes_have_geometry(extremes, edge_length):
         away = np.linalg.norm(images.layout.to_pixels(panel, there) - raster.points, axis=1)
         sagitta = length**2 / (8 * 4.0) / images.layout.cm_per_pixel  # of a curve of 4 cm radius
         assert away.max() < 0.05 + sagitta, name
+
+
+@pytest.mark.parametrize("resolution", [128, 512])
+def test_extremes_come_back(extremes, resolution):
+    """As surfaces of the same topology by the outlines, as surfaces or with a reason by the grid."""
+    refused = set()
+    for name, pattern in extremes.items():
+        length = 12.0 if name == "widest" else 4.0
+        garment = any_garment(pattern, length)
+        images = encode(garment, resolution)
+        decoded = decode_outline(images.layout, images.geometry, length)
+        assert np.array_equal(decoded.faces, garment.faces), name
+        assert np.isfinite(decoded.vertices).all(), name
+        try:
+            grid = decode_grid(images)
+        except GeometryError as error:
+            assert "resolution" in str(error), name
+            refused.add(name)
+            continue
+        assert topology(grid.faces.astype(np.int32), len(grid.vertices)).nonmanifold_edges == 0, name
+        assert np.isfinite(grid.vertices).all(), name
+    assert len(refused) <= (2 if resolution == 128 else 1)
 
 
 def test_one_layout_serves_meshes_of_any_edge_length(validation):
