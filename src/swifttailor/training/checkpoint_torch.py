@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import torch
-from torch import nn
+from torch import Tensor
 
 from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import InputError
@@ -17,15 +17,15 @@ CHECKPOINT = "checkpoint.pt"
 class MovingAverage:
     """Exponential moving average of a network's weights, in float32."""
 
-    def __init__(self, network: nn.Module, decay: float) -> None:
+    def __init__(self, weights: dict[str, Tensor], decay: float) -> None:
         self.decay = decay
-        self.values = {k: v.detach().clone() for k, v in network.state_dict().items()}
+        self.values = {k: v.detach().clone() for k, v in weights.items()}
 
     @torch.no_grad()
-    def update(self, network: nn.Module, step: int) -> None:
+    def update(self, weights: dict[str, Tensor], step: int) -> None:
         """Takes in the weights after an optimiser step, from 0; the first steps count for more."""
         decay = min(self.decay, (1 + step) / (10 + step))
-        for name, value in network.state_dict().items():
+        for name, value in weights.items():
             self.values[name].lerp_(value.to(self.values[name].dtype), 1 - decay)
 
 

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import dataclasses
-import json
-import typing
-from dataclasses import dataclass, field, replace
-from pathlib import Path
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.conditioning import SEMANTIC, Conditioning
 from swifttailor.garment_sewer.losses import PAPER_LOSSES, LossWeights
 from swifttailor.garment_sewer.network_config import PAPER_NETWORK, NetworkConfig
+from swifttailor.training.config_file import changed_config, config_values, read_config_of, require
+
+__all__ = ["CONFIGS", "SewerConfig", "config_from", "config_values", "read_config"]
 
 
 @dataclass(frozen=True)
@@ -62,15 +62,15 @@ class SewerConfig:
 
     def __post_init__(self) -> None:
         for name in ("steps", "batch_size", "layouts", "log_every", "validate_every"):
-            _require(self, name, getattr(self, name) >= 1, "at least 1")
+            require(self, name, getattr(self, name) >= 1, "at least 1")
         for name in ("warmup_steps", "seed", "pictures", "validation_garments"):
-            _require(self, name, getattr(self, name) >= 0, "0 or more")
+            require(self, name, getattr(self, name) >= 0, "0 or more")
         for name in ("learning_rate", "encoder_rate", "clip"):
-            _require(self, name, getattr(self, name) > 0, "above 0")
-        _require(self, "weight_decay", self.weight_decay >= 0, "0 or more")
+            require(self, name, getattr(self, name) > 0, "above 0")
+        require(self, "weight_decay", self.weight_decay >= 0, "0 or more")
         for name in ("mirror", "repack", "final_rate"):
-            _require(self, name, 0 <= getattr(self, name) <= 1, "0 to 1")
-        _require(self, "ema", 0 <= self.ema < 1, "0 or more and below 1")
+            require(self, name, 0 <= getattr(self, name) <= 1, "0 to 1")
+        require(self, "ema", 0 <= self.ema < 1, "0 or more and below 1")
         if self.precision not in ("auto", "float32", "bfloat16"):
             raise InputError(f"precision is {self.precision!r}; auto, float32 or bfloat16 is accepted.")
         if self.network.output == "displacement" and self.conditioning.prior == "none":
@@ -78,11 +78,6 @@ class SewerConfig:
                 "network.output is 'displacement' and there is no prior to displace. Choose "
                 "conditioning.prior placed or sewn, or network.output absolute."
             )
-
-
-def _require(config: SewerConfig, name: str, good: bool, accepted: str) -> None:
-    if not good:
-        raise InputError(f"{name} is {getattr(config, name)!r}; {accepted} is accepted.")
 
 
 CONFIGS: dict[str, SewerConfig] = {
@@ -102,7 +97,7 @@ CONFIGS: dict[str, SewerConfig] = {
 """Named configurations. What the paper does not give (steps, batch, rate) is ours in `paper`."""
 
 
-def read_config(name: str, overrides: list[str] | tuple[str, ...] = ()) -> SewerConfig:
+def read_config(name: str, overrides: Sequence[str] = ()) -> SewerConfig:
     """A named configuration or one from a JSON file, with some values changed.
 
     Args:
@@ -113,35 +108,7 @@ def read_config(name: str, overrides: list[str] | tuple[str, ...] = ()) -> Sewer
     Raises:
         InputError: There is no such configuration, field or value.
     """
-    if name in CONFIGS:
-        config = CONFIGS[name]
-    else:
-        try:
-            value = json.loads(Path(name).read_text(encoding="utf-8"))
-        except (OSError, ValueError) as error:
-            raise InputError(
-                f"There is no configuration '{name}': {error}. Give {' or '.join(CONFIGS)}, or a JSON file."
-            ) from error
-        config = config_from(value)
-    if not overrides:
-        return config
-    # All at once: what is valid together need not be valid one after the other.
-    values = config_values(config)
-    for override in overrides:
-        path, sign, text = override.partition("=")
-        if not sign:
-            raise InputError(f"'{override}' sets nothing; write field=value, for instance steps=1000.")
-        *groups, name = path.split(".")
-        inner: Any = values
-        for group in groups:
-            inner = inner.get(group)
-            if not isinstance(inner, dict):
-                raise InputError(f"There is no '{path}' in a configuration; '{group}' is no group of fields.")
-        try:
-            inner[name] = json.loads(text)
-        except ValueError:
-            inner[name] = text
-    return config_from(values)
+    return read_config_of(CONFIGS, name, overrides)
 
 
 def config_from(value: Any) -> SewerConfig:
@@ -150,38 +117,4 @@ def config_from(value: Any) -> SewerConfig:
     Raises:
         InputError: A field is unknown or a value out of range.
     """
-    return _build(SewerConfig(), value, "")
-
-
-def config_values(config: SewerConfig) -> dict[str, Any]:
-    """A configuration as JSON values."""
-    return json.loads(json.dumps(dataclasses.asdict(config)))
-
-
-def _build(base: Any, value: Any, place: str) -> Any:
-    if not isinstance(value, dict):
-        raise InputError(f"{place or 'The configuration'} is {value!r}; an object of fields is expected.")
-    changed = {}
-    for name, part in value.items():
-        changed[name] = _typed(base, name, part, f"{place}.{name}" if place else name)
-    return replace(base, **changed)
-
-
-def _typed(base: Any, name: str, value: Any, place: str) -> Any:
-    known = {f.name for f in dataclasses.fields(base)}
-    if name not in known:
-        raise InputError(f"There is no '{place}' in a configuration. Known: {', '.join(sorted(known))}.")
-    old = getattr(base, name)
-    if dataclasses.is_dataclass(old):
-        return _build(old, value, place)
-    kind = typing.get_type_hints(type(base))[name]
-    if isinstance(old, tuple) and isinstance(value, list | tuple):
-        return tuple(value)
-    if kind is float and isinstance(value, int) and not isinstance(value, bool):
-        return float(value)
-    wanted = type(old)
-    if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is not bool):
-        raise InputError(
-            f"{place} is {value!r}; {'a number' if wanted in (int, float) else wanted.__name__} is expected."
-        )
-    return value
+    return changed_config(SewerConfig(), value)

@@ -1,0 +1,89 @@
+"""The shape of the network; no torch is needed to read or write it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from swifttailor.errors import InputError
+
+
+@dataclass(frozen=True)
+class NetworkConfig:
+    """An InternVL: a vision transformer whose patches become tokens of a language model (Qwen2).
+
+    The defaults are the small model, trained from scratch. With `pretrained`, the sizes up to `patch_size`
+    and the tokens of text are those of that model.
+    """
+
+    hidden_size: int = 256
+    layers: int = 6
+    heads: int = 4
+    key_value_heads: int = 2
+    intermediate_size: int = 640
+    vision_hidden_size: int = 192
+    vision_layers: int = 6
+    vision_heads: int = 3
+    image_size: int = 128
+    """Pixels along each side of a picture."""
+    patch_size: int = 16
+    """Four patches become one token."""
+    longest_text: int = 192
+    """Tokens of a text that are read; what is beyond is left out."""
+    command_seen: bool = True
+    """Whether the numbers of a token are predicted knowing which token it is. AIpparel predicts them from the
+    state before it alone."""
+    pretrained: str = ""
+    """Folder or name of an InternVL for transformers to begin with; empty to begin with random weights."""
+    lora_rank: int = 0
+    """Rank of the changes to a pretrained language model (LoRA, Hu et al. 2022); 0 trains all of it."""
+    vision_trained: bool = True
+    """Whether the vision transformer and what joins it to the language model are trained."""
+
+    def __post_init__(self) -> None:
+        sizes = ("hidden_size", "layers", "heads", "key_value_heads", "intermediate_size", "longest_text")
+        for name in (
+            *sizes,
+            "vision_hidden_size",
+            "vision_layers",
+            "vision_heads",
+            "image_size",
+            "patch_size",
+        ):
+            value = getattr(self, name)
+            if not isinstance(value, int) or isinstance(value, bool) or value < 1:
+                raise InputError(f"network.{name} is {value!r}; a whole number of at least 1 is accepted.")
+        for size, heads in (("hidden_size", "heads"), ("vision_hidden_size", "vision_heads")):
+            if getattr(self, size) % getattr(self, heads):
+                raise InputError(
+                    f"network.{size} is {getattr(self, size)}; a multiple of {heads} "
+                    f"{getattr(self, heads)} is accepted."
+                )
+        if (self.hidden_size // self.heads) % 2 or self.heads % self.key_value_heads:
+            raise InputError(
+                f"network.heads is {self.heads} and key_value_heads {self.key_value_heads} for hidden_size "
+                f"{self.hidden_size}; an even size for each head, and a divisor of heads, are accepted."
+            )
+        if self.image_size % (2 * self.patch_size):
+            raise InputError(
+                f"network.image_size is {self.image_size}; a multiple of {2 * self.patch_size}, twice the "
+                "patch_size, is accepted."
+            )
+        if self.lora_rank < 0 or (self.lora_rank and not self.pretrained):
+            raise InputError(
+                f"network.lora_rank is {self.lora_rank}; 0 is accepted, or more with network.pretrained."
+            )
+
+    @property
+    def image_tokens(self) -> int:
+        """Tokens that a picture takes."""
+        return (self.image_size // self.patch_size // 2) ** 2
+
+
+PAPER_NETWORK = NetworkConfig(
+    image_size=448,
+    patch_size=14,
+    longest_text=512,
+    command_seen=False,
+    pretrained="OpenGVLab/InternVL3-2B-hf",
+)
+"""The paper's: InternVL3-2B with AIpparel's heads."""

@@ -1,0 +1,226 @@
+"""The network itself. Import this module in the function that needs it: it loads torch and transformers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import torch
+import torch.nn.functional as F
+from torch import Tensor, nn
+from transformers import InternVLConfig, InternVLModel, InternVLVisionConfig, Qwen2Config
+
+from swifttailor.pattern_maker.network_config import NetworkConfig
+from swifttailor.pattern_maker.prompt import IMAGE, OWN_TOKENS
+from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
+from swifttailor.pattern_maker.vocabulary import MOVE, NUMBERS, SIZE
+
+POSITIONS = 4096
+"""Longest sequence of the small model."""
+LONGEST_WAVE, WAVES = 16.0, 7
+"""Fourier features of a number: a wave of 16 units (440 cm), of half as much, ... down to 7 cm. Shorter ones
+would tell apart numbers which the network, feeding on its own predictions, cannot."""
+_FEATURES = 1 + 2 * WAVES
+
+
+class PatternMakerNetwork(nn.Module):
+    """InternVL, with tokens that carry numbers: embedded on the way in, regressed on the way out."""
+
+    def __init__(self, vlm: InternVLModel, text_size: int, *, command_seen: bool) -> None:
+        super().__init__()
+        self.vlm = vlm
+        self.text_size = text_size
+        self.command_seen = command_seen
+        hidden = vlm.config.text_config.hidden_size
+        self.hidden_size = hidden
+        self.own_embedding = nn.Embedding(OWN_TOKENS, hidden)
+        self.placement_embedding = _mlp(NUMBERS * _FEATURES, hidden, hidden, nn.GELU)
+        self.edge_embedding = _mlp(NUMBERS * _FEATURES, hidden, hidden, nn.GELU)
+        self.token_head = nn.Linear(hidden, SIZE, bias=False)
+        self.placement_head = _mlp(hidden, hidden, NUMBERS, nn.ReLU)
+        self.edge_head = _mlp(hidden, hidden, NUMBERS, nn.ReLU)
+        self.register_buffer("number_mask", torch.tensor(NUMBER_MASK), persistent=False)
+        spread = vlm.config.text_config.initializer_range
+        for module in (self.own_embedding, self.token_head):
+            nn.init.normal_(module.weight, std=spread)
+
+    def forward(
+        self,
+        tokens: Tensor,
+        numbers: Tensor,
+        pictures: Tensor,
+        answers: Tensor,
+        next_tokens: Tensor,
+    ) -> tuple[Tensor, Tensor]:
+        """Predicts the answers to some prompts, each token from those before it.
+
+        Args:
+            tokens: (B, L) ids of the whole vocabulary.
+            numbers: (B, L, 8) that go with them.
+            pictures: (P, 3, S, S) in -1 to 1, those of the prompts that have one, in order.
+            answers: (n,) places in the flattened (B * L) from which the next token is predicted.
+            next_tokens: (n,) that token, of a pattern.
+
+        Returns:
+            (n, tokens of patterns) logits, and (n, 8) its numbers.
+        """
+        embedded = self.embed(tokens, numbers, self.look(pictures))
+        states = self.vlm.language_model(inputs_embeds=embedded, use_cache=False).last_hidden_state
+        states = states.flatten(0, 1)[answers]
+        return self.logits(states), self.regress(states, next_tokens)
+
+    def look(self, pictures: Tensor) -> Tensor:
+        """(P, image tokens, hidden) of pictures (P, 3, S, S)."""
+        if not len(pictures) and not self._always_looks:
+            return torch.zeros((0, 1, self.hidden_size), device=pictures.device)
+        if len(pictures):
+            return self.vlm.get_image_features(pictures).pooler_output
+        # Several processes wait for each other's gradients: all parameters take part in every step.
+        side = self.vlm.config.vision_config.image_size[0]
+        unseen = torch.zeros((1, 3, side, side), device=pictures.device)
+        return self.vlm.get_image_features(unseen).pooler_output[:0]
+
+    def embed(self, tokens: Tensor, numbers: Tensor, looks: Tensor) -> Tensor:
+        """(B, L, hidden) of tokens (B, L), their numbers (B, L, 8), and looks (P, image tokens, hidden)."""
+        own = tokens - self.text_size
+        text = self.vlm.get_input_embeddings()(tokens.clamp(max=self.text_size - 1))
+        embedded = torch.where(
+            (own < 0)[..., None], text, self.own_embedding(own.clamp(min=0)).to(text.dtype)
+        )
+        flat = embedded.flatten(0, 1)
+        carries = torch.nonzero(self._carries(own).flatten())[:, 0]
+        values = self.embed_numbers(own.flatten()[carries], numbers.flatten(0, 1)[carries])
+        flat = flat.index_add(0, carries, values.to(flat.dtype))
+        embedded = flat.view(embedded.shape)
+        if looks.requires_grad or len(looks):
+            embedded = embedded.masked_scatter((own == IMAGE)[..., None], looks.to(embedded.dtype))
+        return embedded
+
+    def embed_numbers(self, own: Tensor, numbers: Tensor) -> Tensor:
+        """(..., hidden) of the numbers (..., 8) of tokens (...) of patterns that carry some."""
+        own = own.clamp(0, SIZE - 1)
+        # A quaternion and its negative are the same rotation, and one of both is what is embedded.
+        quaternion = numbers[..., 3:7]
+        largest = quaternion.gather(-1, quaternion.abs().argmax(-1, keepdim=True))
+        sign = torch.where(largest < 0, -1.0, 1.0)
+        turned = torch.cat([numbers[..., :3], quaternion * sign, numbers[..., 7:]], dim=-1)
+        known = self.number_mask[own][..., None]
+        placement = self.placement_embedding((_features(turned) * known).flatten(-2))
+        edge = self.edge_embedding((_features(numbers) * known).flatten(-2))
+        return torch.where((own == MOVE)[..., None], placement, edge)
+
+    def logits(self, states: Tensor) -> Tensor:
+        """(..., tokens of patterns) float32 of states (..., hidden)."""
+        return self.token_head(states.float())
+
+    def regress(self, states: Tensor, tokens: Tensor) -> Tensor:
+        """(..., 8) numbers of tokens (...) of patterns, from the states (..., hidden) before them."""
+        states = states.float()
+        if self.command_seen:
+            states = states + self.own_embedding(tokens)
+        placed = (tokens == MOVE)[..., None]
+        numbers = torch.where(placed, self.placement_head(states), self.edge_head(states))
+        return numbers * self.number_mask[tokens]
+
+    def _carries(self, own: Tensor) -> Tensor:
+        inside = (own >= 0) & (own < SIZE)
+        return inside & self.number_mask.any(-1)[own.clamp(0, SIZE - 1)]
+
+    @property
+    def _always_looks(self) -> bool:
+        trained = next(self.vlm.vision_tower.parameters()).requires_grad
+        return self.training and trained and torch.distributed.is_initialized()
+
+
+def _mlp(size: int, hidden: int, out: int, activation: type[nn.Module]) -> nn.Sequential:
+    return nn.Sequential(nn.Linear(size, hidden), activation(), nn.Linear(hidden, out))
+
+
+def _features(numbers: Tensor) -> Tensor:
+    """(..., 8, features) of numbers (..., 8): each itself, large ones compressed, and waves of it."""
+    waves = 2 * torch.pi / LONGEST_WAVE * 2.0 ** torch.arange(WAVES, device=numbers.device)
+    angles = numbers[..., None] * waves
+    return torch.cat([torch.asinh(numbers)[..., None], angles.sin(), angles.cos()], dim=-1)
+
+
+def build_network(config: NetworkConfig, text_size: int) -> PatternMakerNetwork:
+    """Makes a network, from random weights or from `config.pretrained`.
+
+    Args:
+        config: Its shape.
+        text_size: Tokens of text.
+
+    Raises:
+        InputError: The pretrained weights cannot be had or do not fit.
+    """
+    if config.pretrained:
+        from swifttailor.pattern_maker.pretrained_torch import load_pretrained
+
+        vlm = load_pretrained(config, text_size)
+    else:
+        vlm = InternVLModel(vlm_config(config, text_size))
+        use_fused_norms(vlm)
+    network = PatternMakerNetwork(vlm, text_size, command_seen=config.command_seen)
+    if not config.vision_trained:
+        for part in (vlm.vision_tower, vlm.multi_modal_projector):
+            part.requires_grad_(False)
+    return network
+
+
+def vlm_config(config: NetworkConfig, text_size: int) -> InternVLConfig:
+    """The same shape in transformers' words."""
+    text = Qwen2Config(
+        vocab_size=text_size,
+        hidden_size=config.hidden_size,
+        num_hidden_layers=config.layers,
+        num_attention_heads=config.heads,
+        num_key_value_heads=config.key_value_heads,
+        intermediate_size=config.intermediate_size,
+        max_position_embeddings=POSITIONS,
+        bos_token_id=None,
+        eos_token_id=None,
+        pad_token_id=None,
+    )
+    vision = InternVLVisionConfig(
+        hidden_size=config.vision_hidden_size,
+        num_hidden_layers=config.vision_layers,
+        num_attention_heads=config.vision_heads,
+        intermediate_size=4 * config.vision_hidden_size,
+        image_size=config.image_size,
+        patch_size=config.patch_size,
+        attention_bias=True,
+    )
+    return InternVLConfig(
+        text_config=text,
+        vision_config=vision,
+        image_token_id=0,  # not looked at: pictures are put in place by `PatternMakerNetwork.embed`
+        image_seq_length=config.image_tokens,
+    )
+
+
+def use_fused_norms(module: nn.Module) -> None:
+    """Replaces transformers' RMSNorm by torch's, which does the same in one kernel."""
+    for name, child in module.named_children():
+        if type(child).__name__ == "Qwen2RMSNorm":
+            fused: Any = nn.RMSNorm(child.weight.shape[0], eps=child.variance_epsilon)
+            fused.weight = child.weight
+            setattr(module, name, fused)
+        else:
+            use_fused_norms(child)
+
+
+def number_penalty(predicted: Tensor, true: Tensor, tokens: Tensor, kind: str, beta: float = 0.05) -> Tensor:
+    """(n, 8) how far numbers are off; of a quaternion the nearer of both signs is taken.
+
+    Args:
+        predicted: (n, 8).
+        true: (n, 8).
+        tokens: (n,) of patterns, whose numbers they are.
+        kind: ``squared``, or ``absolute`` (squared below `beta`, normalised units).
+        beta: See there.
+    """
+    agreement = (predicted[:, 3:7] * true[:, 3:7]).sum(-1, keepdim=True).detach()
+    sign = torch.where((agreement < 0) & (tokens == MOVE)[:, None], -1.0, 1.0)
+    true = torch.cat([true[:, :3], true[:, 3:7] * sign, true[:, 7:]], dim=-1)
+    if kind == "squared":
+        return (predicted - true).square()
+    return F.smooth_l1_loss(predicted, true, beta=beta, reduction="none")

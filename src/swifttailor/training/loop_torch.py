@@ -1,0 +1,232 @@
+"""The loop of every training. Import this in the function that needs it: it loads torch.
+
+A `Task` says what is learnt; the loop does the rest: learning rate, gradients, moving average, measurements,
+checkpoints, and going on exactly where an interrupted training stood.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import os
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+import torch
+from torch import Tensor, nn
+
+from swifttailor.errors import SimulationError
+from swifttailor.training.checkpoint_torch import MovingAverage, read_checkpoint, write_checkpoint
+from swifttailor.training.config_file import config_values
+from swifttailor.training.master_weights_torch import MasterWeights, parameter_groups
+from swifttailor.training.processes_torch import Processes
+from swifttailor.training.run_record import WEIGHTS, RunRecord, versions
+from swifttailor.training.schedule import Schedule
+
+Report = Callable[[str], None]
+BETAS = (0.9, 0.99)
+
+
+class Optimisation(Protocol):
+    """What a configuration says about the loop."""
+
+    steps: int
+    batch_size: int
+    learning_rate: float
+    warmup_steps: int
+    final_rate: float
+    weight_decay: float
+    clip: float
+    ema: float
+    log_every: int
+    validate_every: int
+
+
+class Task(Protocol):
+    """What is learnt."""
+
+    weights: MasterWeights
+    precision: str
+    """For the card."""
+
+    def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
+        """The losses of an optimiser step, ``total`` the one to descend; `trained` is the network to call."""
+        ...
+
+    def rate_factor(self, name: str) -> float:
+        """Factor on the learning rate of a weight."""
+        ...
+
+    def validate(self) -> dict[str, Any]:
+        """How good the network is; called with the averaged weights in it."""
+        ...
+
+    def result_text(self, result: dict[str, Any]) -> str:
+        """The same in one line."""
+        ...
+
+    def illustrate(self, step: int) -> None:
+        """Leaves pictures behind; called with the averaged weights in the network."""
+        ...
+
+    def card(self) -> dict[str, Any]:
+        """What the card says beyond the training: model, data."""
+        ...
+
+
+@dataclass(frozen=True)
+class Loop:
+    """How a task is trained."""
+
+    config: Optimisation
+    out: Path
+    processes: Processes
+    record: RunRecord
+    report: Report
+
+    def run(
+        self,
+        task: Task,
+        *,
+        resume: bool = False,
+        max_minutes: float | None = None,
+        stop_after: int | None = None,
+    ) -> dict[str, Any]:
+        """Trains to the end of the steps or the time.
+
+        Args:
+            task: What is learnt.
+            resume: Go on from the checkpoint.
+            max_minutes: Of training, those before an interruption included.
+            stop_after: Interrupt after this many steps, a checkpoint written.
+
+        Returns:
+            The card.
+
+        Raises:
+            InputError: There is no checkpoint, or a file cannot be written.
+            SimulationError: The loss is no number any more.
+        """
+        config, processes, weights = self.config, self.processes, task.weights
+        groups = parameter_groups(weights, config.weight_decay, task.rate_factor)
+        optimised = [p for group in groups for p in group["params"]]
+        optimizer = torch.optim.AdamW(groups, betas=BETAS)
+        average = MovingAverage(weights.state_dict(), config.ema)
+        step, seconds = 0, 0.0
+        if resume:
+            state = read_checkpoint(self.out, processes.device)
+            weights.load_state_dict(state["network"])
+            optimizer.load_state_dict(state["optimizer"])
+            average.values = state["average"]
+            step, seconds = state["step"], state["seconds"]
+            if processes.is_first:
+                self.record.forget_after(step)
+        trained = processes.share(weights.network)
+        schedule = Schedule(
+            config.steps, config.warmup_steps, config.final_rate, max_minutes and max_minutes * 60
+        )
+        first_step, began, card = step, time.monotonic() - seconds, {}
+        trained.train()
+        while schedule.progress(step, seconds) < 1 and (stop_after is None or step - first_step < stop_after):
+            rate = schedule.rate(step, seconds)
+            for group in optimizer.param_groups:
+                group["lr"] = config.learning_rate * group["factor"] * rate
+            losses = task.losses(trained, step)
+            losses["total"].backward()
+            weights.take_gradients()
+            norm = torch.nn.utils.clip_grad_norm_(optimised, config.clip)
+            optimizer.step()
+            optimizer.zero_grad(set_to_none=True)
+            weights.give_weights()
+            average.update(weights.state_dict(), step)
+            step += 1
+            seconds = processes.agree(time.monotonic() - began)
+            ends = schedule.progress(step, seconds) >= 1
+            if step % config.log_every == 0 or ends:
+                line = {"step": step, "seconds": round(seconds, 1), "rate": config.learning_rate * rate}
+                line |= {name: value.item() for name, value in losses.items()}
+                line["gradient_norm"] = norm.item()
+                if not math.isfinite(line["total"]):
+                    raise SimulationError(
+                        f"The loss is {line['total']} at step {step}. Resume from the checkpoint with a "
+                        "smaller learning_rate, or with precision=float32."
+                    )
+                if processes.is_first:
+                    self.record.add(line)
+                    self.report(_line_text(line, step * config.batch_size, seconds))
+            if step % config.validate_every == 0 or ends or step - first_step == stop_after:
+                if processes.is_first:
+                    with averaged(weights, average):
+                        result = task.validate()
+                        self.record.add({"step": step, "seconds": round(seconds, 1), "validation": result})
+                        self.report(f"step {step}: {task.result_text(result)}")
+                        task.illustrate(step)
+                    state = {
+                        "network": weights.state_dict(),
+                        "optimizer": optimizer.state_dict(),
+                        "average": average.values,
+                        "step": step,
+                        "seconds": seconds,
+                    }
+                    write_checkpoint(self.out, state)
+                    _save_weights(average, self.out)
+                    card = self._card(task, step, seconds, result)
+                    self.record.write_card(card)
+                    trained.train()
+                processes.wait()
+        self.report(f"{step} steps in {seconds / 60:.1f} minutes. The weights are in '{self.out / WEIGHTS}'.")
+        return card or self._card(task, step, seconds, {})
+
+    def _card(self, task: Task, step: int, seconds: float, result: dict[str, Any]) -> dict[str, Any]:
+        device = self.processes.device
+        name = torch.cuda.get_device_name(device) if device.type == "cuda" else f"{os.cpu_count()} cores"
+        about = task.card()
+        return {
+            "model": about.pop("model"),
+            "parameters": sum(p.numel() for p in task.weights.named.values()),
+            "config": config_values(self.config),
+            **about,
+            "training": {
+                "steps": step,
+                "garments_seen": step * self.config.batch_size,
+                "minutes": round(seconds / 60, 2),
+                "device": f"{device.type}, {name}",
+                "processes": self.processes.count,
+                "threads": torch.get_num_threads(),
+                "precision": task.precision,
+            },
+            "validation": result,
+            "versions": versions(),
+        }
+
+
+@contextlib.contextmanager
+def averaged(weights: MasterWeights, average: MovingAverage) -> Iterator[None]:
+    """The network with the averaged weights, for as long as this lasts."""
+    own = {name: value.detach().clone() for name, value in weights.state_dict().items()}
+    weights.load_state_dict(average.values)
+    weights.network.eval()
+    try:
+        yield
+    finally:
+        weights.load_state_dict(own)
+
+
+def say_nothing(text: str) -> None:
+    """For the processes that are not the first."""
+
+
+def _save_weights(average: MovingAverage, out: Path) -> None:
+    from safetensors.torch import save
+
+    from swifttailor.data.shard_file import write_durably
+
+    write_durably(out / WEIGHTS, save({k: v.contiguous().cpu() for k, v in average.values.items()}))
+
+
+def _line_text(line: dict[str, Any], seen: int, seconds: float) -> str:
+    parts = [f"{k} {v:.4g}" for k, v in line.items() if k not in ("step", "seconds", "rate")]
+    return f"step {line['step']} ({seen / max(seconds, 1e-9):.1f} garments/s): {', '.join(parts)}"

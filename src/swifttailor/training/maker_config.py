@@ -1,0 +1,153 @@
+"""How a PatternMaker is trained: everything that decides what comes out, in one JSON file."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from swifttailor.errors import InputError
+from swifttailor.pattern_maker.network_config import PAPER_NETWORK, NetworkConfig
+from swifttailor.training.config_file import changed_config, read_config_of, require
+
+
+@dataclass(frozen=True)
+class TaskMix:
+    """How often a sample is which task, as weights; tasks that a garment has no data for are left out."""
+
+    text: float = 0.4
+    """Caption to pattern."""
+    image: float = 0.2
+    """Picture to pattern."""
+    text_image: float = 0.1
+    """Both to pattern."""
+    edit: float = 0.3
+    """Pattern and instruction to pattern."""
+
+    def __post_init__(self) -> None:
+        weights = (self.text, self.image, self.text_image, self.edit)
+        if min(weights) < 0 or self.text + self.image + self.text_image + self.edit <= 0:
+            raise InputError(f"tasks are {weights}; weights of 0 or more are accepted, one above 0.")
+
+
+@dataclass(frozen=True)
+class MakerLosses:
+    """Cross entropy of tokens plus `numbers` times the error of their numbers."""
+
+    numbers: float = 1.0
+    penalty: Literal["absolute", "squared"] = "absolute"
+    """Of a number, in normalised units; absolute is squared below `number_penalty`'s beta."""
+    by_kind: bool = False
+    """Whether the errors of every kind of token that carries numbers are averaged and then added (AIpparel),
+    or those of all such tokens are averaged."""
+
+    def __post_init__(self) -> None:
+        require(self, "numbers", self.numbers >= 0, "0 or more")
+        require(self, "penalty", self.penalty in ("absolute", "squared"), "absolute or squared")
+
+
+@dataclass(frozen=True)
+class MakerConfig:
+    """Network, tasks, losses, and how they are optimised."""
+
+    network: NetworkConfig = field(default_factory=NetworkConfig)
+    tasks: TaskMix = field(default_factory=TaskMix)
+    losses: MakerLosses = field(default_factory=MakerLosses)
+
+    steps: int = 20_000
+    """Optimiser steps; the cosine ends there, or when the given time is over."""
+    batch_size: int = 16
+    """Samples to a step, on all devices together."""
+    learning_rate: float = 1e-3
+    """At its height."""
+    pretrained_rate: float = 1.0
+    """Factor on the learning rate of what is pretrained."""
+    warmup_steps: int = 200
+    final_rate: float = 0.01
+    """Share of the learning rate that the cosine ends with."""
+    weight_decay: float = 0.05
+    clip: float = 1.0
+    """Largest norm of the gradient."""
+    ema: float = 0.999
+    """Decay of the moving average of the weights, which is what is kept in the end; less at first."""
+    precision: Literal["auto", "float32", "bfloat16"] = "auto"
+    """Of the InternVL; the weights that are optimised, the heads and the losses are float32 always. auto:
+    bfloat16 where the chip has it."""
+    start: str = ""
+    """Weights (weights.safetensors of another run of the same shape) to begin with; empty for none."""
+    seed: int = 0
+
+    tags: Literal["ascending", "random"] = "ascending"
+    """Whether stitch tags count up, or mean nothing (AIpparel)."""
+    recuts: int = 1
+    """Edits made of each pattern by recutting it, beside those of the file of edits."""
+    typos: float = 0.03
+    """Share of the words that are misspelt."""
+    number_noise: float = 0.01
+    """Standard deviation, in normalised units, of what is added to the numbers that the network reads of its
+    own answer, since at use these are its own predictions."""
+
+    log_every: int = 20
+    validate_every: int = 250
+    """Steps; a checkpoint is written then too."""
+    validation_samples: int = 96
+    """Of each task; the same ones every time."""
+
+    def __post_init__(self) -> None:
+        for name in ("steps", "batch_size", "log_every", "validate_every", "validation_samples"):
+            require(self, name, getattr(self, name) >= 1, "at least 1")
+        for name in ("warmup_steps", "seed", "recuts", "weight_decay", "number_noise"):
+            require(self, name, getattr(self, name) >= 0, "0 or more")
+        for name in ("learning_rate", "pretrained_rate", "clip"):
+            require(self, name, getattr(self, name) > 0, "above 0")
+        for name in ("typos", "final_rate"):
+            require(self, name, 0 <= getattr(self, name) <= 1, "0 to 1")
+        require(self, "ema", 0 <= self.ema < 1, "0 or more and below 1")
+        require(
+            self, "precision", self.precision in ("auto", "float32", "bfloat16"), "auto, float32 or bfloat16"
+        )
+        require(self, "tags", self.tags in ("ascending", "random"), "ascending or random")
+
+
+CONFIGS: dict[str, MakerConfig] = {
+    "small": MakerConfig(),
+    "paper": MakerConfig(
+        network=PAPER_NETWORK,
+        tasks=TaskMix(text=0.2, image=0.3, text_image=0.4, edit=0.1),
+        losses=MakerLosses(numbers=0.1, penalty="squared", by_kind=True),
+        steps=12_750,
+        batch_size=80,
+        learning_rate=1e-4,
+        warmup_steps=100,
+        weight_decay=0.0,
+        tags="random",
+        typos=0.0,
+        number_noise=0.0,
+        validate_every=1000,
+    ),
+}
+"""Named configurations. In `paper`, what the paper does not give is AIpparel's (tasks, losses, steps, batch),
+and the learning rate ours: AIpparel's is for another language model."""
+
+
+def read_config(name: str, overrides: Sequence[str] = ()) -> MakerConfig:
+    """A named configuration or one from a JSON file, with some values changed.
+
+    Args:
+        name: ``small``, ``paper``, or a file that holds (some of) the fields of `MakerConfig`, the others
+            being those of ``small``.
+        overrides: ``field=value`` or ``group.field=value``; values are JSON, or plain text.
+
+    Raises:
+        InputError: There is no such configuration, field or value.
+    """
+    return read_config_of(CONFIGS, name, overrides)
+
+
+def config_from(value: Any) -> MakerConfig:
+    """A configuration from what `config_values` gave; what is missing is as in ``small``.
+
+    Raises:
+        InputError: A field is unknown or a value out of range.
+    """
+    return changed_config(MakerConfig(), value)
