@@ -217,6 +217,12 @@ def _load_train() -> Runner:
     return run_train
 
 
+def _load_evaluate() -> Runner:
+    from swifttailor.cli.evaluate import run_evaluate
+
+    return run_evaluate
+
+
 COMMANDS: dict[str, Command] = {
     "drape": Command(
         "Sew a pattern together on a body and let it hang: pattern in, 3D garment out.",
@@ -249,7 +255,7 @@ COMMANDS: dict[str, Command] = {
         _load_data,
     ),
     "sew": Command(
-        "Turn patterns into garments by a network instead of physics: a fraction of a second each.",
+        "Turn patterns into garments by a network, not by physics: a fraction of a second each.",
         "swifttailor sew PATTERN... --out DIR",
         _load_sew,
     ),
@@ -257,6 +263,11 @@ COMMANDS: dict[str, Command] = {
         "Train the networks on a data set.",
         "swifttailor train garment-sewer --data DIR --out RUN",
         _load_train,
+    ),
+    "evaluate": Command(
+        "Measure how good the networks are, beside the paper's numbers.",
+        "swifttailor evaluate garment-sewer --data DIR --split test",
+        _load_evaluate,
     ),
 }
 """In the order in which a newcomer needs them."""

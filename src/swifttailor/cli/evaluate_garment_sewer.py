@@ -1,0 +1,86 @@
+"""``swifttailor evaluate garment-sewer``: sewn garments against the drapes of the same patterns."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+from swifttailor.errors import InputError
+
+
+@dataclass(frozen=True, kw_only=True)
+class EvaluateGarmentSewer:
+    """Sew the patterns of a split and compare the garments with their drapes.
+
+    Prints tables, kind by kind and beside the paper's rows. With --out also writes them: tables.txt,
+    summary.json, garments.jsonl (a line each), sheet-01.png (garments beside their drapes).
+
+    Exit code 0: done; 1: done, but some patterns could not be sewn; 2: not done.
+    """
+
+    data: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    """The data set (swifttailor data build)."""
+    split: Annotated[str, tyro.conf.arg(metavar="NAME")] = "test"
+    """Which of its splits."""
+    weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Model file (.onnx) of a trained GarmentSewer; the one of the package without it."""
+    limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """Only N garments, chosen by --seed."""
+    seed: int = 0
+    """Decides which garments, and which points of them are compared."""
+    resolution: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """Pixels along each side of the images; what the network was trained at without it."""
+    threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
+    """Processor cores for the network."""
+    out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
+    """Folder for the results; created when missing."""
+    pictures: Annotated[int, tyro.conf.arg(metavar="N")] = 12
+    """How many garments to draw, from the nearest to its drape to the farthest."""
+    json: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Print the numbers as JSON instead of tables."""
+
+    def run(self) -> int:
+        """Sews, measures, prints, writes and returns the exit code.
+
+        Raises:
+            SwiftTailorError: The data, the weights or an option cannot be used.
+        """
+        from swifttailor.cli.evaluation_report import GarmentReport, open_split, require_picture_count
+        from swifttailor.cli.item_progress import ItemProgress
+
+        if not 1 <= self.threads <= 256:
+            raise InputError(f"--threads is {self.threads}; from 1 to 256 is accepted.")
+        require_picture_count(self.pictures)
+        from swifttailor.evaluation.garments.sew_split import sew_split
+        from swifttailor.evaluation.provenance import choose_samples, provenance
+        from swifttailor.garment_sewer.sewer import SHIPPED, GarmentSewer
+
+        reader = open_split(self.data, self.split)
+        numbers = choose_samples(reader, self.limit, self.seed)
+        sewer = GarmentSewer.load(self.weights, threads=self.threads)
+        weights = SHIPPED if self.weights is None else self.weights
+        model = {"file": weights.name, "sha256": hashlib.sha256(weights.read_bytes()).hexdigest()}
+        with ItemProgress(len(numbers), "garments sewn and measured") as progress:
+            made = sew_split(
+                sewer, reader, numbers, resolution=self.resolution, seed=self.seed, progress=progress.add
+            )
+        size = self.resolution or sewer.model.resolution
+        report = GarmentReport(
+            title="GarmentSewer against the drapes of the same patterns",
+            about=provenance(reader, numbers, self.seed)
+            | {"weights": model, "resolution": size, "threads": self.threads},
+            notes=[
+                f"weights {model['file']} (sha256 {model['sha256'][:16]}), {size} px, {self.threads} threads"
+            ],
+            made=made,
+            row=f"GarmentSewer, {reader.index.split}",
+        )
+        summary = report.summarize()
+        report.write(summary, self.out, as_json=self.json)
+        if self.out is not None and self.pictures:
+            report.draw(reader, self.out, self.pictures)
+        return 1 if made.errors else 0

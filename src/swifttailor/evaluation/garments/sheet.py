@@ -1,0 +1,68 @@
+"""Contact sheets: garments beside their drapes, from the best to the worst."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from swifttailor.atomic_files import write_atomically
+from swifttailor.body import Body
+from swifttailor.errors import InputError
+from swifttailor.evaluation.garments.score import GarmentScore
+from swifttailor.garment import Garment
+
+TILE = 720, 430
+_MARGIN, _CAPTION = 8, 24
+_PAPER, _INK = (250, 249, 247), (40, 40, 40)
+
+
+@dataclass(frozen=True, eq=False)
+class Shown:
+    """A row of a sheet."""
+
+    caption: str
+    garment: Garment
+    drape: Garment
+
+
+def spread(scores: Sequence[GarmentScore], count: int) -> list[GarmentScore]:
+    """At most `count` garments evenly from the nearest to its drape to the farthest."""
+    ordered = sorted(scores, key=lambda s: (s.vertex_mean_cm, s.id))
+    places = np.unique(np.linspace(0, len(ordered) - 1, min(count, len(ordered))).round().astype(int))
+    return [ordered[k] for k in places] if ordered and count > 0 else []
+
+
+def write_sheet(path: Path, shown: Sequence[Shown]) -> None:
+    """Draws each garment from three sides, and its drape to the right of it.
+
+    Raises:
+        InputError: Pillow is missing, or the file cannot be written.
+    """
+    try:
+        from PIL import Image, ImageDraw, ImageFont
+    except ImportError as error:
+        raise InputError("Pictures need the package 'pillow'; install it or give --pictures 0.") from error
+    from swifttailor.render import render_preview
+
+    width, height = 2 * TILE[0] + 3 * _MARGIN, TILE[1] + _CAPTION + _MARGIN
+    sheet = Image.new("RGB", (width, height * len(shown) + _MARGIN), _PAPER)
+    draw, font = ImageDraw.Draw(sheet), ImageFont.load_default(16)
+    for row, one in enumerate(shown):
+        top = _MARGIN + row * height
+        draw.text((_MARGIN, top), f"{one.caption}; right: its drape", fill=_INK, font=font)
+        for column, garment in enumerate((one.garment, one.drape)):
+            picture = render_preview(garment, Body.default(), size=TILE)
+            sheet.paste(picture, (_MARGIN + column * (TILE[0] + _MARGIN), top + _CAPTION))
+    write_atomically(path, lambda target: sheet.save(target, "PNG"))
+
+
+def caption(score: GarmentScore) -> str:
+    """One line about a garment."""
+    return (
+        f"{score.id}, {score.kind}: vertices {score.vertex_mean_cm:.1f} cm, "
+        f"surface {score.surface_cm:.1f} cm, CD {score.chamfer_cm2:.1f} cm2, "
+        f"{score.inside:.1%} in the body, strain p95 {score.strain_p95:.0%}"
+    )
