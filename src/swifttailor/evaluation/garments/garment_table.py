@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from typing import Literal
 
 from swifttailor.evaluation.garments.score import FEW_POINTS, POINTS
-from swifttailor.evaluation.garments.summary import Means, Summary
+from swifttailor.evaluation.garments.summary import Summary
+from swifttailor.evaluation.mean import Means
 from swifttailor.evaluation.paper_rows import GarmentRow
 from swifttailor.evaluation.text_table import Column, text_table
 

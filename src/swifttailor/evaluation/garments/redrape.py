@@ -52,11 +52,11 @@ class Redraper:
         self._drape_seed, self._seed = drape_seed, seed
         settings = reader.index.settings
         body = Body.default()
-        if "seed" not in settings or settings["body"] != body_identity(body):
+        if "seed" not in settings or settings.get("body") != body_identity(body):
+            made_on = settings.get("body", {}).get("name", "unknown")
             raise InputError(
-                f"The drapes in '{reader.folder}' were not made by this version on the default body "
-                f"('{settings['body']['name']}'), so they cannot be made again. Give a split of "
-                "swifttailor data build."
+                f"The drapes in '{reader.folder}' were not made by SwiftTailor on its default body (theirs: "
+                f"{made_on}), so they cannot be made again. Give a split that swifttailor data build has made."
             )
         if settings["seed"] == drape_seed:
             raise InputError(

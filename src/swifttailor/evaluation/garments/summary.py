@@ -6,30 +6,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-import numpy as np
-
 from swifttailor.errors import InputError
 from swifttailor.evaluation.garment_kind import KINDS
 from swifttailor.evaluation.garments.point_cloud import PointCloud
 from swifttailor.evaluation.garments.score import BOX_SCALE, FEW_POINTS, GarmentScore, Scored
 from swifttailor.evaluation.garments.set_distances import SetDistances, set_distances
+from swifttailor.evaluation.mean import Means, mean_of
 
 Progress = Callable[[int], None]
 
 _NOT_MEASURED = ("id", "kind", "vertices")
-
-
-@dataclass(frozen=True)
-class Mean:
-    """Of one measure over some garments."""
-
-    mean: float
-    median: float
-    count: int
-    """Of the garments that have it."""
-
-
-Means = dict[str, Mean]
 
 
 @dataclass(frozen=True)
@@ -101,13 +87,10 @@ def work(garments: int) -> int:
 
 def means_of(scores: Sequence[GarmentScore]) -> Means:
     """Mean and median of every measure over the garments that have it."""
-    found = {}
     rows = [asdict(s) for s in scores]
-    for name in rows[0] if rows else ():
-        values = [float(r[name]) for r in rows if name not in _NOT_MEASURED and r[name] is not None]
-        if values:
-            found[name] = Mean(float(np.mean(values)), float(np.median(values)), len(values))
-    return found
+    names = [name for name in (rows[0] if rows else ()) if name not in _NOT_MEASURED]
+    found = {name: mean_of(r[name] for r in rows) for name in names}
+    return {name: mean for name, mean in found.items() if mean is not None}
 
 
 def _boxed(clouds: Sequence[PointCloud | None]) -> list[Any]:

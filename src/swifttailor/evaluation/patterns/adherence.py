@@ -1,0 +1,130 @@
+"""Whether a pattern is what was asked for: the claims of its prompt, measured again on the pattern."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from swifttailor.data.captions import CLAIM_TYPES, Claim, GarmentFacts, measure_facts
+from swifttailor.data.edits.differences import Gain
+from swifttailor.data.edits.instructions import Instruction
+from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.pattern import Pattern
+
+
+@dataclass(frozen=True)
+class Share:
+    """How many of some statements hold."""
+
+    held: int = 0
+    made: int = 0
+
+    @property
+    def share(self) -> float | None:
+        """None where none were made."""
+        return self.held / self.made if self.made else None
+
+    def plus(self, holds: bool) -> Share:
+        """One more."""
+        return Share(self.held + holds, self.made + 1)
+
+
+@dataclass(frozen=True)
+class Adherence:
+    """What held of the prompts of some patterns."""
+
+    claims: Share
+    kinds: dict[str, Share] = field(default_factory=dict)
+    """By name of the claim, in the order of `CLAIM_TYPES`; for instructions, by claim or quantity."""
+    whole: Share = Share()
+    """Prompts of which everything holds."""
+    unmeasured: int = 0
+    """Patterns that are missing or cannot be measured; nothing holds of them."""
+
+
+def judge_claims(prompts: Sequence[Sequence[Claim]], patterns: Sequence[Pattern | None]) -> Adherence:
+    """Measures patterns and judges the claims of their prompts by it, borderline cases in their favour.
+
+    The share that holds is to be read between 1, which the patterns have that captions were written from, and
+    `by_chance`.
+
+    Args:
+        prompts: The claims of each prompt (`Caption.claims`).
+        patterns: What was made of each; None where nothing was.
+
+    Raises:
+        InputError: There are more of one than of the other.
+    """
+    _require_pairs(len(prompts), len(patterns))
+    return _judge(prompts, [measured(p) for p in patterns])
+
+
+def by_chance(prompts: Sequence[Sequence[Claim]], patterns: Sequence[Pattern | None]) -> Adherence:
+    """The same with every prompt judged by the pattern of the next one: what holds of any garment."""
+    _require_pairs(len(prompts), len(patterns))
+    facts = [measured(p) for p in patterns]
+    return _judge(prompts, facts[1:] + facts[:1])
+
+
+def judge_instructions(
+    instructions: Sequence[Instruction],
+    before: Sequence[Pattern],
+    after: Sequence[Pattern | None],
+) -> Adherence:
+    """Measures patterns before and after an edit, and judges each change that was asked for.
+
+    Args:
+        instructions: What was asked for.
+        before: The patterns that were to be edited.
+        after: What was made of them; None where nothing was.
+
+    Raises:
+        InputError: There are not equally many.
+    """
+    _require_pairs(len(instructions), len(before))
+    _require_pairs(len(instructions), len(after))
+    total, whole, unmeasured = Share(), Share(), 0
+    kinds: dict[str, Share] = {}
+    for instruction, base, edited in zip(instructions, before, after, strict=True):
+        first, second = measured(base), measured(edited)
+        unmeasured += first is None or second is None
+        verdicts = [
+            first is not None and second is not None and change.holds(first, second)
+            for change in instruction.changes
+        ]
+        for change, holds in zip(instruction.changes, verdicts, strict=True):
+            topic = change.claim.name if isinstance(change, Gain) else change.quantity
+            total = total.plus(holds)
+            kinds[topic] = kinds.get(topic, Share()).plus(holds)
+        whole = whole.plus(all(verdicts))
+    return Adherence(total, dict(sorted(kinds.items())), whole, unmeasured)
+
+
+def measured(pattern: Pattern | None) -> GarmentFacts | None:
+    """The facts of a pattern; None where there are none to measure."""
+    if pattern is None:
+        return None
+    try:
+        return measure_facts(pattern)
+    except SwiftTailorError:
+        return None
+
+
+def _judge(prompts: Sequence[Sequence[Claim]], facts: Sequence[GarmentFacts | None]) -> Adherence:
+    total, whole = Share(), Share()
+    kinds: dict[str, Share] = {}
+    for claims, found in zip(prompts, facts, strict=True):
+        verdicts = [found is not None and claim.holds(found) for claim in claims]
+        for claim, holds in zip(claims, verdicts, strict=True):
+            total = total.plus(holds)
+            kinds[claim.name] = kinds.get(claim.name, Share()).plus(holds)
+        whole = whole.plus(all(verdicts))
+    ordered = {name: kinds[name] for name in CLAIM_TYPES if name in kinds}
+    return Adherence(total, ordered, whole, sum(f is None for f in facts))
+
+
+def _require_pairs(prompts: int, patterns: int) -> None:
+    if prompts != patterns:
+        raise InputError(
+            f"There are {prompts} prompts and {patterns} patterns; give one, or None, for each prompt."
+        )
