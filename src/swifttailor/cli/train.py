@@ -12,6 +12,8 @@ usage: swifttailor train NETWORK [OPTIONS]
 
   garment-sewer  The network that drapes patterns without physics.
                  swifttailor train garment-sewer --data DIR --out RUN
+  pattern-maker  The network that writes patterns from text, pictures and other patterns.
+                 swifttailor train pattern-maker --patterns FILE... --out RUN
   export         A trained GarmentSewer as one file that is used without torch.
                  swifttailor train export RUN --out FILE.onnx
 
@@ -36,6 +38,12 @@ def run_train(arguments: list[str]) -> int:
 
         kind = TrainGarmentSewer
         return tyro.cli(kind, args=arguments[1:], prog="swifttailor train garment-sewer").run()
+    if name == "pattern-maker":
+        import tyro
+
+        from swifttailor.cli.train_pattern_maker import TrainPatternMaker
+
+        return tyro.cli(TrainPatternMaker, args=arguments[1:], prog="swifttailor train pattern-maker").run()
     if name == "export":
         import tyro
 

@@ -121,13 +121,14 @@ class ArrayCache:
 
 
 def name_with_code(name: str, *rooms: str) -> str:
-    """A cache's name with a checksum of the rooms of the package whose code decides what is in it."""
+    """A cache's name with a checksum of the rooms or modules whose code decides what is in it."""
     import swifttailor
 
     root = Path(swifttailor.__file__).parent
     digest = hashlib.sha256()
     for room in rooms:
-        for path in sorted((root / room).rglob("*.py")):
+        place = root / room
+        for path in [place] if place.is_file() else sorted(place.rglob("*.py")):
             digest.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
     return f"{name}-{digest.hexdigest()[:8]}"
 

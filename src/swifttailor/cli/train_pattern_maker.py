@@ -1,0 +1,92 @@
+"""``swifttailor train pattern-maker``: from patterns to weights."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+from swifttailor.errors import InputError
+
+
+@dataclass(frozen=True, kw_only=True)
+class TrainPatternMaker:
+    """Train the network that writes patterns from text, pictures and other patterns (paper, Sec. 4.1).
+
+    Writes weights.safetensors, card.json, metrics.jsonl, and a checkpoint to go on from. The patterns need no
+    drapes; captions and instructions are written while it trains. Uses a GPU where there is one; for several,
+    put accelerate launch -m before the command.
+    """
+
+    patterns: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")]
+    """Patterns to train on: .jsonl, .jsonl.gz or folders of .json files."""
+    out: Annotated[Path, tyro.conf.arg(metavar="RUN")]
+    """Folder of the run; created when missing."""
+    validation: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
+    """Patterns to validate with; without any, one of fifty is held out."""
+    data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
+    """Data set with renders of some of these patterns, for tasks with pictures (swifttailor data render)."""
+    edits: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Edited versions of some of these patterns, each with the id of its base; others are made by
+    recutting."""
+    config: Annotated[str, tyro.conf.arg(metavar="NAME")] = "small"
+    """small, paper, or a JSON file like the config.json of a run."""
+    set: Annotated[tuple[str, ...], tyro.conf.arg(metavar="FIELD=VALUE")] = ()
+    """Values to change in the configuration, for instance: --set steps=5000 tasks.edit=0.5"""
+    resume: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Go on from the checkpoint in RUN, with the same configuration."""
+    max_minutes: Annotated[float | None, tyro.conf.arg(metavar="M")] = None
+    """Let the training end after so many minutes, its learning rate falling to the end as it should."""
+    cache: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
+    """Where to keep what is measured of the patterns; RUN/cache without it."""
+    workers: Annotated[int, tyro.conf.arg(metavar="N")] = 1
+    """Processes that measure the patterns (0.15 s each, once)."""
+    loaders: Annotated[int, tyro.conf.arg(metavar="N")] = 0
+    """Processes that make batches ahead; worth it on a GPU."""
+    threads: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """Processor cores to train on, without a GPU; torch's choice without it."""
+
+    def run(self) -> int:
+        """Trains, prints how it goes, and returns the exit code.
+
+        Raises:
+            SwiftTailorError: Something cannot be used.
+        """
+        from swifttailor.cli.drape import require_writable_folder
+        from swifttailor.training.extra import require_training_packages
+        from swifttailor.training.maker_config import read_config
+
+        if self.max_minutes is not None and not (math.isfinite(self.max_minutes) and self.max_minutes > 0):
+            raise InputError(f"--max-minutes is {self.max_minutes:g}; a time above 0 is accepted.")
+        least = {"--workers": 1, "--threads": 1, "--loaders": 0}
+        for name, value in zip(least, (self.workers, self.threads, self.loaders), strict=True):
+            if value is not None and not least[name] <= value <= 256:
+                raise InputError(f"{name} is {value}; from {least[name]} to 256 is accepted.")
+        config = read_config(self.config, self.set)
+        require_writable_folder(self.out)
+        require_training_packages("Training")
+        from swifttailor.training.maker_loop_torch import train
+
+        train(
+            config,
+            self.patterns,
+            self.out,
+            validation=self.validation,
+            data=self.data,
+            edits=self.edits,
+            resume=self.resume,
+            cache=self.cache,
+            workers=self.workers,
+            loaders=self.loaders,
+            max_minutes=self.max_minutes,
+            threads=self.threads,
+            report=_say,
+        )
+        return 0
+
+
+def _say(text: str) -> None:
+    print(text, flush=True)  # noqa: T201

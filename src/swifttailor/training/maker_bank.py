@@ -1,0 +1,166 @@
+"""The patterns of a training in memory: as tokens, with their facts and the versions that edits lead to."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from swifttailor.data.captions.facts import GarmentFacts
+from swifttailor.data.captions.facts_file import facts_from
+from swifttailor.draping.batch.patterns import BatchPattern, read_patterns
+from swifttailor.errors import InputError, SimulationError
+from swifttailor.pattern_maker.token_sequence import TokenSequence
+from swifttailor.training.maker_measure import MeasureTask, measure, task_name
+
+PATTERNS_A_FILE = 32
+_TIME_LIMIT = 3600.0
+
+Report = Callable[[str], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Version:
+    """A pattern as tokens, and what it shows of the garment."""
+
+    id: str
+    sequence: TokenSequence
+    _facts: dict[str, Any]
+
+    @cached_property
+    def facts(self) -> GarmentFacts:
+        """For captions and instructions."""
+        return facts_from(self._facts)
+
+
+@dataclass(frozen=True, eq=False)
+class Garment:
+    """A pattern to learn from, and edited versions of it."""
+
+    pattern: Version
+    edits: list[Version] = field(default_factory=list)
+
+    @property
+    def id(self) -> str:
+        """Of the pattern."""
+        return self.pattern.id
+
+
+@dataclass(frozen=True, eq=False)
+class PatternBank:
+    """The garments of a training or a validation."""
+
+    garments: tuple[Garment, ...]
+    checksum: str
+    """Of patterns and edits, as they were measured."""
+    skipped: tuple[tuple[str, str], ...]
+    """Ids of patterns that were left out, and why."""
+
+    def __len__(self) -> int:
+        return len(self.garments)
+
+    def numbers(self) -> dict[str, Any]:
+        """For the card."""
+        edits = sum(len(g.edits) for g in self.garments)
+        return {
+            "garments": len(self),
+            "edits": edits,
+            "skipped": len(self.skipped),
+            "sha256": self.checksum,
+        }
+
+
+def open_bank(
+    patterns: Iterable[Path],
+    edits: Path | None,
+    cache: Path,
+    *,
+    recuts: int,
+    workers: int = 1,
+    keep: Callable[[str], bool] | None = None,
+    report: Report | None = None,
+) -> PatternBank:
+    """Measures patterns, or reads what was measured before.
+
+    Args:
+        patterns: Files (.jsonl, .jsonl.gz) or folders.
+        edits: File with edited versions of some of them, each with the id of its ``base``.
+        cache: Folder for what is measured: about 15 kB a pattern.
+        recuts: Versions to make of each pattern for editing.
+        workers: Processes.
+        keep: Whether to use the pattern of an id; all when None.
+        report: Called with lines to show.
+
+    Raises:
+        InputError: A file cannot be read or written, or there is no pattern that can be used.
+        SimulationError: A worker died.
+    """
+    wanted = [p for p in read_patterns(*patterns) if keep is None or keep(p.id)]
+    known = {p.id for p in wanted}
+    tasks = list(_tasks(wanted, False, recuts, cache))
+    if edits is not None:
+        # Which edits are of these patterns is known only when they are read: all are measured, once.
+        tasks += _tasks(list(read_patterns(edits)), True, 0, cache)
+    _measure_missing(tasks, workers, report)
+    garments: dict[str, Garment] = {}
+    skipped: list[tuple[str, str]] = [(p.id, p.error) for p in wanted if p.error]
+    digest = hashlib.sha256()
+    for task in tasks:
+        digest.update(task.path.name.encode())
+        versions, left_out = _read(task.path)
+        skipped += [(id, why) for id, why in left_out if not task.edits or id in known]
+        for base, version in versions:
+            if not base:
+                garments[version.id] = Garment(version)
+            elif base in garments:
+                garments[base].edits.append(version)
+    if not garments:
+        why = f" The first: '{skipped[0][0]}': {skipped[0][1]}" if skipped else ""
+        raise InputError(f"There is no pattern to learn from; {len(skipped)} cannot be used.{why}")
+    return PatternBank(tuple(garments.values()), digest.hexdigest(), tuple(skipped))
+
+
+def _tasks(patterns: list[BatchPattern], edits: bool, recuts: int, cache: Path) -> Iterator[MeasureTask]:
+    usable = [p for p in patterns if not p.error]
+    for start in range(0, len(usable), PATTERNS_A_FILE):
+        part = tuple(usable[start : start + PATTERNS_A_FILE])
+        yield MeasureTask(part, edits, recuts, cache / task_name(part, edits, recuts))
+
+
+def _measure_missing(tasks: list[MeasureTask], workers: int, report: Report | None) -> None:
+    from swifttailor.workers import run_tasks
+
+    missing = [task for task in tasks if not task.path.is_file()]
+    if not missing:
+        return
+    here: Iterable[str] = (measure(task) for task in missing)
+    if workers > 1:
+        outcomes = run_tasks(measure, missing, workers=workers, time_limit=_TIME_LIMIT)
+        here = (o.lost or o.result for o in outcomes)
+    for done, trouble in enumerate(here, 1):
+        if trouble:
+            raise (InputError if trouble.startswith("Cannot") else SimulationError)(trouble)
+        if report is not None and (done % 8 == 0 or done == len(missing)):
+            report(f"measuring patterns: {done} of {len(missing)} files")
+
+
+def _read(path: Path) -> tuple[list[tuple[str, Version]], list[tuple[str, str]]]:
+    from safetensors import SafetensorError
+    from safetensors.numpy import load_file
+
+    try:
+        arrays = load_file(path)
+        about = json.loads(arrays["about"].tobytes())
+        versions, start = [], 0
+        for each in about["versions"]:
+            end = start + each["length"]
+            sequence = TokenSequence(arrays["tokens"][start:end], arrays["numbers"][start:end])
+            versions.append((each["base"], Version(each["id"], sequence, each["facts"])))
+            start = end
+        return versions, [(id, why) for id, why in about["skipped"]]
+    except (SafetensorError, OSError, ValueError, KeyError, TypeError) as error:
+        raise InputError(f"'{path}' is damaged: {error}. Delete it, it is made again.") from error

@@ -1,0 +1,121 @@
+"""From samples to the tensors of one optimiser step."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from swifttailor.pattern_maker.prompt import PAD
+from swifttailor.pattern_maker.vocabulary import NUMBERS
+from swifttailor.training.maker_samples import MakerSample, MakerSamples, Plan
+
+WINDOW = 24
+"""Batches that are planned together: samples of like length go into the same one."""
+
+
+@dataclass(frozen=True, eq=False)
+class Batch:
+    """What a network is given, and what it should have answered."""
+
+    tokens: Tensor
+    """(B, L) ids of the whole vocabulary, padded at the end."""
+    numbers: Tensor
+    """(B, L, 8)."""
+    pictures: Tensor
+    """(P, 3, size, size), of the samples that have one."""
+    answers: Tensor
+    """(n,) places in (B * L) before a token of an answer."""
+    next_tokens: Tensor
+    """(n,) that token, of a pattern."""
+    next_numbers: Tensor
+    """(n, 8) its numbers."""
+
+    def to(self, device: torch.device) -> Batch:
+        """The same on a device."""
+        return Batch(**{name: value.to(device) for name, value in vars(self).items()})
+
+
+class TrainingBatches:
+    """The batches of a training, each determined by its number alone: no state to save or restore."""
+
+    def __init__(self, samples: MakerSamples, *, part: int = 0, parts: int = 1) -> None:
+        self.samples, self.part, self.parts = samples, part, parts
+        self._window = -1
+        self._planned: list[list[Plan]] = []
+
+    def __getitem__(self, step: int) -> Batch:
+        """This process's share of the batch of an optimiser step, from 0."""
+        plans = self.plans(step)[self.part :: self.parts]
+        return assemble([self.samples.make(plan) for plan in plans], self.samples.config.network.image_size)
+
+    def plans(self, step: int) -> list[Plan]:
+        """The samples of the whole batch."""
+        window, number = divmod(step, WINDOW)
+        if window != self._window:
+            size = self.samples.config.batch_size
+            places = range(window * WINDOW * size, (window + 1) * WINDOW * size)
+            plans = sorted((self.samples.plan(place) for place in places), key=lambda plan: plan.length)
+            order = np.random.default_rng([self.samples.config.seed, 5, window]).permutation(WINDOW)
+            self._planned = [plans[k * size : (k + 1) * size] for k in order.tolist()]
+            self._window = window
+        return self._planned[number]
+
+    def from_step(self, step: int, *, workers: int = 0) -> Iterator[Batch]:
+        """The batches from a step on, made ahead by so many processes; 0 makes them when asked."""
+        if not workers:
+            while True:
+                yield self[step]
+                step += 1
+        yield from torch.utils.data.DataLoader(
+            _Steps(self), batch_size=None, sampler=_CountFrom(step), num_workers=workers, prefetch_factor=4
+        )
+
+
+class _Steps(torch.utils.data.Dataset):
+    def __init__(self, batches: TrainingBatches) -> None:
+        self.batches = batches
+
+    def __getitem__(self, step: int) -> Batch:
+        return self.batches[step]
+
+
+class _CountFrom(torch.utils.data.Sampler):
+    def __init__(self, first: int) -> None:
+        self.first = first
+
+    def __iter__(self) -> Iterator[int]:
+        step = self.first
+        while True:
+            yield step
+            step += 1
+
+
+def assemble(samples: Sequence[MakerSample], image_size: int) -> Batch:
+    """Puts samples side by side, padded to the longest."""
+    length = max(len(s.tokens) for s in samples)
+    some: Any = samples[0]
+    pad = int(some.tokens[-1]) - int(some.answer.tokens[-1]) + PAD  # text tokens come before
+    tokens = np.full((len(samples), length), pad, np.int64)
+    numbers = np.zeros((len(samples), length, NUMBERS), np.float32)
+    answers = []
+    for row, sample in enumerate(samples):
+        size = len(sample.tokens)
+        tokens[row, :size], numbers[row, :size] = sample.tokens, sample.numbers
+        # Each token is predicted from the state before it.
+        answers.append(row * length + np.arange(size - len(sample.answer), size) - 1)
+    pictures = [s.picture for s in samples if s.picture is not None]
+    return Batch(
+        torch.from_numpy(tokens),
+        torch.from_numpy(numbers),
+        torch.from_numpy(
+            np.stack(pictures) if pictures else np.zeros((0, 3, image_size, image_size), np.float32)
+        ),
+        torch.from_numpy(np.concatenate(answers)),
+        torch.from_numpy(np.concatenate([s.answer.tokens for s in samples]).astype(np.int64)),
+        torch.from_numpy(np.concatenate([s.answer.numbers for s in samples])),
+    )

@@ -1,0 +1,259 @@
+"""The training of a PatternMaker. Import this in the function that needs it: it loads torch."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import torch
+import torch.nn.functional as F
+from torch import Tensor, nn
+
+from swifttailor.data.index import split_folders
+from swifttailor.data.reader import SplitReader
+from swifttailor.data.renders.files import SplitRenders
+from swifttailor.errors import InputError
+from swifttailor.pattern_maker.network_torch import PatternMakerNetwork, build_network, number_penalty
+from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
+from swifttailor.training.loop_torch import Loop, say_nothing
+from swifttailor.training.maker_bank import PatternBank, open_bank
+from swifttailor.training.maker_batch_torch import Batch, TrainingBatches
+from swifttailor.training.maker_config import MakerConfig, MakerLosses
+from swifttailor.training.maker_samples import MakerSamples
+from swifttailor.training.maker_text_torch import open_text
+from swifttailor.training.maker_validation_torch import Validation
+from swifttailor.training.master_weights_torch import MasterWeights, choose_precision
+from swifttailor.training.processes_torch import Processes
+from swifttailor.training.run_record import RunRecord
+
+Report = Callable[[str], None]
+HELD_OUT = 50
+"""Of so many patterns one is kept for validation where no file is given for that."""
+
+
+def train(
+    config: MakerConfig,
+    patterns: Sequence[Path],
+    out: Path,
+    *,
+    validation: Sequence[Path] = (),
+    data: Path | None = None,
+    edits: Path | None = None,
+    resume: bool = False,
+    cache: Path | None = None,
+    workers: int = 1,
+    loaders: int = 0,
+    max_minutes: float | None = None,
+    stop_after: int | None = None,
+    threads: int | None = None,
+    report: Report | None = None,
+) -> dict[str, Any]:
+    """Trains a network, or goes on with a training that was interrupted.
+
+    Args:
+        config: Everything that decides the result.
+        patterns: Files or folders of patterns.
+        out: Folder of the run; holds weights, card, checkpoint and measurements.
+        validation: Files or folders of patterns to validate with; without any, one of fifty of `patterns` is
+            held out.
+        data: Folder of a data set with renders of some of the patterns, for tasks with pictures.
+        edits: File with edited versions of some of the patterns.
+        resume: Go on from the checkpoint in `out`. On a CPU the result is that of an uninterrupted
+            training, bit for bit, unless `max_minutes` is given.
+        cache: Where to keep what is measured of the patterns; ``cache`` in `out` when None.
+        workers: Processes that measure.
+        loaders: Processes that make batches ahead; 0 makes them between steps.
+        max_minutes: Of training; the schedule is fitted to it. Counts what an interrupted training has used.
+        stop_after: Interrupt after this many steps, a checkpoint written.
+        threads: Processor cores to train on; torch's choice when None.
+        report: Called with lines to show.
+
+    Returns:
+        The card: what was trained on what, and how good it is.
+
+    Raises:
+        InputError: A file, the folder or the configuration cannot be used.
+        SimulationError: The loss is no number any more.
+    """
+    if threads is not None:
+        torch.set_num_threads(threads)
+    processes = Processes.start()
+    device = processes.device
+    report = report if report is not None and processes.is_first else say_nothing
+    record = RunRecord(out)
+    if processes.is_first:
+        from swifttailor.training.config_file import config_values
+
+        record.start(config_values(config), resume=resume)
+    cache = cache or out / "cache"
+
+    def open_part(files: Sequence[Path], keep: Callable[[str], bool] | None, recuts: int) -> PatternBank:
+        return open_bank(files, edits, cache, recuts=recuts, workers=workers, keep=keep, report=report)
+
+    if not processes.is_first:
+        processes.wait()  # the first one measures, the others read
+    if validation:
+        banks = {
+            "train": open_part(patterns, None, config.recuts),
+            "validation": open_part(validation, None, config.recuts),
+        }
+        _require_apart(banks)
+    else:
+        banks = {
+            "train": open_part(patterns, lambda id: not _held_out(id), config.recuts),
+            "validation": open_part(patterns, _held_out, config.recuts),
+        }
+    if processes.is_first:
+        processes.wait()
+    for name, bank in banks.items():
+        for id, why in bank.skipped[:5]:
+            report(f"{name}: '{id}' is left out: {why}")
+    renders = _open_renders(data)
+
+    text = open_text(config.network)
+    torch.manual_seed(config.seed)
+    network = build_network(config.network, text.size).to(device)
+    if config.start:
+        load_start(network, Path(config.start))
+
+    def samples_of(name: str) -> MakerSamples:
+        return MakerSamples(banks[name], renders.get(name), config, text.encode, text.size)
+
+    batches = TrainingBatches(samples_of("train"), part=processes.rank, parts=processes.count)
+    task = _MakerTask(
+        network, config, banks, batches, Validation(samples_of("validation"), config, device), device, loaders
+    )
+    total, trained = (
+        sum(p.numel() for p in network.parameters() if p.requires_grad or not only) for only in (False, True)
+    )
+    report(
+        f"{total / 1e6:.2f} M parameters, {trained / 1e6:.2f} M trained; {len(banks['train'])} patterns with "
+        f"{banks['train'].numbers()['edits']} edits to train on, {len(banks['validation'])} to validate; "
+        f"{device}, {task.precision}, {processes.count} process(es)."
+    )
+    loop = Loop(config, out, processes, record, report)
+    return loop.run(task, resume=resume, max_minutes=max_minutes, stop_after=stop_after)
+
+
+class _MakerTask:
+    """Patterns from text, pictures and other patterns (paper, Sec. 4.1)."""
+
+    def __init__(
+        self,
+        network: PatternMakerNetwork,
+        config: MakerConfig,
+        banks: dict[str, PatternBank],
+        batches: TrainingBatches,
+        validation: Validation,
+        device: torch.device,
+        loaders: int,
+    ) -> None:
+        self.network, self.config, self.banks, self.batches = network, config, banks, batches
+        self.validation, self.device, self.loaders = validation, device, loaders
+        self.precision = choose_precision(config.precision, device)
+        self.weights = MasterWeights(network, [network.vlm] if self.precision == "bfloat16" else [])
+        self._ahead: Iterator[Batch] | None = None
+
+    def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
+        if self._ahead is None:
+            self._ahead = self.batches.from_step(step, workers=self.loaders)
+        batch = next(self._ahead).to(self.device)
+        logits, numbers = trained(
+            batch.tokens, batch.numbers, batch.pictures, batch.answers, batch.next_tokens
+        )
+        return compute_losses(logits, numbers, batch, self.config.losses)
+
+    def rate_factor(self, name: str) -> float:
+        pretrained = self.config.network.pretrained and name.startswith("vlm.")
+        return self.config.pretrained_rate if pretrained else 1.0
+
+    def validate(self) -> dict[str, Any]:
+        return self.validation.measure(self.network)
+
+    def result_text(self, result: dict[str, Any]) -> str:
+        parts = [
+            f"{task}: tokens {r['token_accuracy']:.1%} (loss {r['token_loss']:.3f}), "
+            f"corners {r['corner_cm']:.2f} cm, placement {r['placement_cm']:.2f} cm"
+            for task, r in result.items()
+        ]
+        return "validation " + "; ".join(parts)
+
+    def illustrate(self, step: int) -> None:
+        """Numbers say it all."""
+
+    def card(self) -> dict[str, Any]:
+        return {"model": "PatternMaker", "data": {name: bank.numbers() for name, bank in self.banks.items()}}
+
+
+def compute_losses(logits: Tensor, numbers: Tensor, batch: Batch, weights: MakerLosses) -> dict[str, Tensor]:
+    """Cross entropy of the tokens, and error of their numbers (AIpparel).
+
+    Args:
+        logits: (n, tokens of patterns).
+        numbers: (n, 8) predicted.
+        batch: With the truth.
+        weights: How they are added.
+
+    Returns:
+        ``tokens``, ``numbers`` and ``total``.
+    """
+    tokens = batch.next_tokens
+    of_tokens = F.cross_entropy(logits, tokens)
+    mask = torch.tensor(NUMBER_MASK, device=tokens.device)[tokens]
+    penalty = number_penalty(numbers, batch.next_numbers, tokens, weights.penalty)
+    each = (penalty * mask).sum(-1)
+    if weights.by_kind:
+        kinds = tokens.new_zeros(len(NUMBER_MASK), dtype=torch.float32)
+        sums = kinds.index_add(0, tokens, each)
+        counts = kinds.index_add(0, tokens, torch.ones_like(each))
+        of_numbers = (sums / counts.clamp(min=1)).sum()
+    else:
+        of_numbers = each.sum() / mask.any(-1).sum().clamp(min=1)
+    return {
+        "tokens": of_tokens,
+        "numbers": of_numbers,
+        "total": of_tokens + weights.numbers * of_numbers,
+    }
+
+
+def load_start(network: PatternMakerNetwork, path: Path) -> None:
+    """Puts the weights of another run into a network.
+
+    Raises:
+        InputError: The file is missing, damaged, or of another shape.
+    """
+    from safetensors import SafetensorError
+    from safetensors.torch import load_file
+
+    try:
+        network.load_state_dict(load_file(path))
+    except (SafetensorError, OSError, RuntimeError) as error:
+        lines = str(error).strip().splitlines()
+        raise InputError(
+            f"The weights '{path}' to start with cannot be used: {' '.join(lines[:2])[:300]}. Give the "
+            "weights.safetensors of a run of the same network."
+        ) from error
+
+
+def _held_out(id: str) -> bool:
+    return zlib.crc32(id.encode()) % HELD_OUT == 0
+
+
+def _require_apart(banks: dict[str, PatternBank]) -> None:
+    shared = {g.id for g in banks["train"].garments} & {g.id for g in banks["validation"].garments}
+    if shared:
+        raise InputError(
+            f"{len(shared)} patterns are both trained on and validated with, '{min(shared)}' for one. Give "
+            "other files with --validation."
+        )
+
+
+def _open_renders(data: Path | None) -> dict[str, SplitRenders]:
+    if data is None:
+        return {}
+    folders = split_folders(data)
+    return {
+        name: SplitRenders(SplitReader(folders[name])) for name in ("train", "validation") if name in folders
+    }

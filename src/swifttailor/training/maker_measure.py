@@ -1,0 +1,143 @@
+"""Patterns made ready to learn from, in worker processes.
+
+Each becomes tokens, facts to write captions from, and a few recut versions to write instructions for.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import random
+import zlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from swifttailor.data.array_cache import name_with_code
+from swifttailor.data.captions.facts import GarmentFacts
+from swifttailor.data.captions.facts_file import facts_values
+from swifttailor.data.edits.instructions import write_instruction
+from swifttailor.data.edits.operations import OPERATIONS, Cutter
+from swifttailor.data.edits.pairs import TRIES, recut
+from swifttailor.data.shard_file import write_durably
+from swifttailor.draping.batch.patterns import BatchPattern
+from swifttailor.errors import SwiftTailorError
+from swifttailor.pattern import Pattern, read_pattern_file, read_specification
+from swifttailor.pattern.json_values import parse_json
+from swifttailor.pattern_maker.encode import encode
+
+FORMAT = 1
+_TOKENS = ("decode", "edge_numbers", "encode", "grammar", "normalization", "placement_numbers", "vocabulary")
+
+
+@dataclass(frozen=True)
+class MeasureTask:
+    """What a worker gets: consecutive patterns of a file."""
+
+    patterns: tuple[BatchPattern, ...]
+    edits: bool
+    """Whether they are edited versions of other patterns, which they name as their ``base``."""
+    recuts: int
+    """Versions to make of each."""
+    path: Path
+    """File to write."""
+
+
+def task_name(patterns: tuple[BatchPattern, ...], edits: bool, recuts: int) -> str:
+    """Name of the file for patterns: equal only if patterns, settings and code are."""
+    digest = hashlib.sha256(json.dumps([FORMAT, edits, recuts]).encode())
+    for pattern in patterns:
+        data = pattern.line if pattern.line is not None else b""
+        if pattern.path is not None:
+            data = pattern.path.read_bytes()
+        digest.update(pattern.id.encode() + b"\0" + data + b"\0")
+    modules = [f"pattern_maker/{name}.py" for name in _TOKENS]
+    rooms = ("pattern", "body", "data/captions/measure", "data/edits/recutting", "data/edits/operations.py")
+    code = name_with_code("maker", *rooms, "data/captions/facts.py", *modules, "training/maker_measure.py")
+    return f"{code}-{digest.hexdigest()[:20]}.safetensors"
+
+
+def measure(task: MeasureTask) -> str:
+    """Writes the file of a task: versions of patterns, and which patterns were left out and why.
+
+    Returns:
+        What went wrong with the file, or nothing.
+    """
+    from safetensors.numpy import save
+
+    about: list[dict[str, Any]] = []
+    skipped: list[tuple[str, str]] = []
+    tokens, numbers = [np.zeros(0, np.int16)], [np.zeros((0, 8), np.float32)]
+    for given in task.patterns:
+        try:
+            for version, sequence in _versions(given, task):
+                about.append(version | {"length": len(sequence)})
+                tokens.append(sequence.tokens.astype(np.int16))
+                numbers.append(np.asarray(sequence.numbers))
+        except SwiftTailorError as error:
+            skipped.append((given.id, str(error)))
+    text = json.dumps({"versions": about, "skipped": skipped}, allow_nan=False)
+    arrays = {
+        "tokens": np.concatenate(tokens),
+        "numbers": np.concatenate(numbers),
+        "about": np.frombuffer(text.encode(), np.uint8),
+    }
+    try:
+        write_durably(task.path, save(arrays))
+    except SwiftTailorError as error:
+        return str(error)
+    return ""
+
+
+def _versions(given: BatchPattern, task: MeasureTask) -> Iterator[tuple[dict[str, Any], Any]]:
+    pattern, base = _read(given)
+    cutter = Cutter(pattern)
+    # All or nothing: whatever cannot be encoded or measured is found out here.
+    own = ({"id": given.id, "base": base if task.edits else "", "source": "file"}, cutter.facts, pattern)
+    made = [own]
+    for source, facts, version in _recuts(cutter, given.id, task.recuts):
+        about = {"id": f"{given.id}/{source}", "base": given.id, "source": source}
+        made.append((about, facts, version))
+    encoded = [(about, facts, encode(version)) for about, facts, version in made]
+    for about, facts, sequence in encoded:
+        yield about | {"facts": facts_values(facts)}, sequence
+
+
+def _read(given: BatchPattern) -> tuple[Pattern, str]:
+    if given.path is not None:
+        return read_pattern_file(given.path).pattern, ""
+    assert given.line is not None
+    value = parse_json(given.line, given.source)
+    return read_specification(value["pattern"], name=given.id).pattern, str(value.get("base", ""))
+
+
+def _recuts(cutter: Cutter, id: str, count: int) -> Iterator[tuple[str, GarmentFacts, Pattern]]:
+    """Recut versions for which there are words, each by another operation."""
+    rng = random.Random(f"recut {zlib.crc32(id.encode())}")
+    found = 0
+    for operation in rng.sample(OPERATIONS, len(OPERATIONS)):
+        if found == count:
+            return
+        for _ in range(TRIES):
+            after = recut(cutter, operation, rng)
+            if after is None or not can_be_asked(cutter.facts, after.facts):
+                continue
+            try:
+                encode(after.pattern)
+            except SwiftTailorError:
+                continue  # grown beyond what tokens can say
+            yield operation.name, after.facts, after.pattern
+            found += 1
+            break
+
+
+def can_be_asked(before: GarmentFacts, after: GarmentFacts) -> bool:
+    """Whether there is an instruction from one garment to the other, or back."""
+    for one, other in ((before, after), (after, before)):
+        instruction = write_instruction(one, other)
+        if instruction is not None and instruction.holds(one, other):
+            return True
+    return False

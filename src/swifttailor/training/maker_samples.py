@@ -1,0 +1,187 @@
+"""What a PatternMaker is asked and should answer: one sample of any task, written freshly every time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.data.captions import write_caption
+from swifttailor.data.edits.instructions import write_instruction
+from swifttailor.data.renders.files import SplitRenders
+from swifttailor.pattern_maker.pictures import picture_for_network
+from swifttailor.pattern_maker.prompt import make_prompt, pattern_part
+from swifttailor.pattern_maker.token_sequence import NUMBER_MASK, TokenSequence
+from swifttailor.pattern_maker.vocabulary import STITCH_TAGS, STITCH_TOKENS
+from swifttailor.training.maker_bank import PatternBank, Version
+from swifttailor.training.maker_config import MakerConfig
+from swifttailor.training.misspelling import misspell
+
+TaskName = Literal["text", "image", "text_image", "edit"]
+TASKS: tuple[TaskName, ...] = ("text", "image", "text_image", "edit")
+TextTokens = Callable[[str], tuple[int, ...]]
+_TYPICAL_TEXT = 20
+_LARGEST_SEED = 2**31
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """What a sample will be; its parts are made from it."""
+
+    task: TaskName
+    garment: int
+    version: Version
+    """What is to be written."""
+    before: Version | None
+    """What is to be edited."""
+    seed: tuple[int, ...]
+    length: int
+    """About how many tokens it has."""
+
+
+@dataclass(frozen=True, eq=False)
+class MakerSample:
+    """A prompt and its answer."""
+
+    task: TaskName
+    tokens: NDArray[np.int64]
+    """(n,) ids of the whole vocabulary, the answer at the end."""
+    numbers: NDArray[np.float32]
+    """(n, 8) as the network reads them."""
+    answer: TokenSequence
+    """With the numbers that it should write."""
+    picture: NDArray[np.float32] | None
+    """(3, size, size)."""
+
+
+class MakerSamples:
+    """Samples of the patterns of a bank, each determined by its task, pattern and seed alone."""
+
+    def __init__(
+        self,
+        bank: PatternBank,
+        renders: SplitRenders | None,
+        config: MakerConfig,
+        text_tokens: TextTokens,
+        text_size: int,
+    ) -> None:
+        """Prepares to make samples.
+
+        Args:
+            bank: The patterns.
+            renders: Pictures of some of them, found by id.
+            config: Of the training.
+            text_tokens: The tokens of a text, as many as are read.
+            text_size: Tokens of text that there are.
+        """
+        self.bank, self.renders, self.config = bank, renders, config
+        self.text_tokens, self.text_size = text_tokens, text_size
+
+    @cached_property
+    def _pictured(self) -> dict[str, int]:
+        if self.renders is None:
+            return {}
+        return {id: k for k, id in enumerate(self.renders.reader.ids)}
+
+    def tasks_of(self, garment: int) -> list[TaskName]:
+        """The tasks that there are data for."""
+        one = self.bank.garments[garment]
+        pictured = one.id in self._pictured
+        return [t for t in TASKS if t == "text" or (one.edits if t == "edit" else pictured)]
+
+    def plan(self, place: int) -> Plan:
+        """Sample number `place` of an endless training: every garment once, then again in another order."""
+        epoch, number = divmod(place, len(self.bank))
+        garment = int(self._order(epoch)[number])
+        chance = np.random.default_rng([self.config.seed, 3, place])
+        tasks = self.tasks_of(garment)
+        weights = np.array([getattr(self.config.tasks, task) for task in tasks])
+        if not weights.sum():
+            tasks, weights = ["text"], np.ones(1)
+        task = tasks[int(chance.choice(len(tasks), p=weights / weights.sum()))]
+        return self.plan_task(garment, task, chance)
+
+    def plan_task(self, garment: int, task: TaskName, chance: np.random.Generator) -> Plan:
+        """A sample of a garment and a task; its seed is drawn."""
+        one = self.bank.garments[garment]
+        version, before = one.pattern, None
+        if task == "edit":
+            edited = one.edits[int(chance.integers(len(one.edits)))]
+            version, before = (edited, one.pattern) if chance.random() < 0.5 else (one.pattern, edited)
+        seed = tuple(chance.integers(_LARGEST_SEED, size=2).tolist())
+        length = len(version.sequence) + (len(before.sequence) if before else 0) + _TYPICAL_TEXT
+        length += self.config.network.image_tokens if "image" in task else 0
+        return Plan(task, garment, version, before, seed, length)
+
+    def make(self, plan: Plan, *, clean: bool = False) -> MakerSample:
+        """Writes the sample of a plan.
+
+        Args:
+            plan: From `plan` or `plan_task`.
+            clean: Without typing errors and noise.
+        """
+        chance = np.random.default_rng(plan.seed)
+        version, before = plan.version, plan.before
+        text, picture, task = "", None, plan.task
+        if before is not None:
+            asked = self._instruction(before, version, plan.seed[0])
+            if asked is None:  # there are words for the way back only
+                version, before = before, version
+                asked = self._instruction(before, version, plan.seed[0])
+            if asked is None:
+                before, task = None, "text"
+            else:
+                text = asked
+        if task in ("text", "text_image"):
+            text = write_caption(version.facts, plan.seed[0]).text
+        if task in ("image", "text_image"):
+            picture = self._picture(self.bank.garments[plan.garment].id, chance)
+        if not clean:
+            text = misspell(text, chance, self.config.typos)
+        answer = self._tagged(version.sequence, chance)
+        prompt = make_prompt(
+            self.text_tokens(text),
+            self.text_size,
+            image_tokens=0 if picture is None else self.config.network.image_tokens,
+            edit=None if before is None else self._tagged(before.sequence, chance),
+        )
+        written = pattern_part(answer, self.text_size)
+        numbers = written.numbers
+        if self.config.number_noise and not clean:
+            noise = chance.normal(scale=self.config.number_noise, size=numbers.shape)
+            numbers = numbers + noise.astype(np.float32) * NUMBER_MASK[answer.tokens]
+        tokens = np.concatenate([prompt.tokens, written.tokens])
+        return MakerSample(task, tokens, np.concatenate([prompt.numbers, numbers]), answer, picture)
+
+    def _order(self, epoch: int) -> NDArray[Any]:
+        if getattr(self, "_epoch", None) != epoch:
+            self._epoch = epoch
+            self._numbers = np.random.default_rng([self.config.seed, 4, epoch]).permutation(len(self.bank))
+        return self._numbers
+
+    def _instruction(self, before: Version, after: Version, seed: int) -> str | None:
+        instruction = write_instruction(before.facts, after.facts, seed)
+        holds = instruction is not None and instruction.holds(before.facts, after.facts)
+        return instruction.text if instruction is not None and holds else None
+
+    def _picture(self, id: str, chance: np.random.Generator) -> NDArray[np.float32]:
+        assert self.renders is not None
+        pictures = self.renders[self._pictured[id]]
+        chosen = pictures[int(chance.integers(len(pictures)))]
+        return picture_for_network(chosen.pixels(), self.config.network.image_size)
+
+    def _tagged(self, sequence: TokenSequence, chance: np.random.Generator) -> TokenSequence:
+        """The sequence with its stitch tags renamed, where tags are to mean nothing."""
+        if self.config.tags == "ascending":
+            return sequence
+        renamed = np.arange(STITCH_TOKENS.stop)
+        renamed[STITCH_TOKENS.start :] = STITCH_TOKENS.start + chance.permutation(STITCH_TAGS)
+        tokens = sequence.tokens
+        of_stitch = (tokens >= STITCH_TOKENS.start) & (tokens < STITCH_TOKENS.stop)
+        return TokenSequence(
+            np.where(of_stitch, renamed[np.where(of_stitch, tokens, 0)], tokens), sequence.numbers
+        )

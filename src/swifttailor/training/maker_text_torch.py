@@ -1,0 +1,37 @@
+"""The text tokens of a network: the package's own, or those of the pretrained model it begins with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from swifttailor.pattern_maker.network_config import NetworkConfig
+from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+
+
+@dataclass(frozen=True)
+class Text:
+    """How a text becomes tokens."""
+
+    size: int
+    """Tokens that there are."""
+    encode: Callable[[str], tuple[int, ...]]
+    """Those of a text, cut to what the network reads."""
+
+
+def open_text(config: NetworkConfig) -> Text:
+    """The text tokens that belong to a network.
+
+    Raises:
+        InputError: The pretrained tokenizer cannot be had.
+    """
+    if config.pretrained:
+        from swifttailor.pattern_maker.pretrained_torch import load_text_tokens
+
+        return Text(*load_text_tokens(config))
+    tokenizer, limit = TextTokenizer.shipped(), config.longest_text
+
+    def encode(text: str) -> tuple[int, ...]:
+        return tokenizer.encode(text, limit).tokens
+
+    return Text(tokenizer.size, encode)

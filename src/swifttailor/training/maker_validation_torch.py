@@ -1,0 +1,80 @@
+"""How well a PatternMaker continues unknown patterns, each token from the true ones before it."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import torch
+import torch.nn.functional as F
+
+from swifttailor.pattern_maker.network_torch import PatternMakerNetwork
+from swifttailor.pattern_maker.normalization import POINT_SCALE, TRANSLATION_SCALE
+from swifttailor.pattern_maker.vocabulary import COMMANDS, MOVE
+from swifttailor.training.maker_batch_torch import Batch, assemble
+from swifttailor.training.maker_config import MakerConfig
+from swifttailor.training.maker_samples import TASKS, MakerSamples
+
+BATCH = 16
+
+
+class Validation:
+    """Some samples of each task, always the same."""
+
+    def __init__(self, samples: MakerSamples, config: MakerConfig, device: torch.device) -> None:
+        self.samples, self.config, self.device = samples, config, device
+
+    @torch.no_grad()
+    def measure(self, network: PatternMakerNetwork) -> dict[str, Any]:
+        """Of each task, medians of errors in cm among others.
+
+        Returns:
+            By task ``token_accuracy``, the share of tokens that are the most probable ones, ``token_loss``,
+            ``corner_cm`` and ``placement_cm``.
+        """
+        return {task: self._measure(network, batches) for task, batches in self._batches.items()}
+
+    @cached_property
+    def _batches(self) -> dict[str, list[Batch]]:
+        found: dict[str, list[Batch]] = {}
+        count = len(self.samples.bank)
+        for number, task in enumerate(TASKS):
+            able = [k for k in range(count) if task in self.samples.tasks_of(k)]
+            if not able or not getattr(self.config.tasks, task):
+                continue
+            spread = np.linspace(0, len(able) - 1, self.config.validation_samples)
+            chance = np.random.default_rng([0, 6, number])
+            plans = [
+                self.samples.plan_task(able[k], task, chance) for k in np.unique(spread.round()).astype(int)
+            ]
+            plans.sort(key=lambda plan: plan.length)
+            made = [self.samples.make(plan, clean=True) for plan in plans]
+            size = self.config.network.image_size
+            found[task] = [assemble(made[k : k + BATCH], size) for k in range(0, len(made), BATCH)]
+        return found
+
+    def _measure(self, network: PatternMakerNetwork, batches: list[Batch]) -> dict[str, float]:
+        losses, right, corners, placements = [], [], [], []
+        for batch in batches:
+            batch = batch.to(self.device)
+            tokens = batch.next_tokens
+            logits, numbers = network(
+                batch.tokens, batch.numbers, batch.pictures, batch.answers, batch.next_tokens
+            )
+            losses.append(F.cross_entropy(logits, tokens, reduction="none"))
+            right.append((logits.argmax(-1) == tokens).float())
+            off = numbers - batch.next_numbers
+            of_edges = (tokens >= COMMANDS.start) & (tokens < COMMANDS.stop)
+            corners.append(_lengths(off[of_edges, :2], POINT_SCALE))
+            placements.append(_lengths(off[tokens == MOVE, :3], TRANSLATION_SCALE))
+        return {
+            "token_accuracy": torch.cat(right).mean().item(),
+            "token_loss": torch.cat(losses).mean().item(),
+            "corner_cm": torch.cat(corners).median().item(),
+            "placement_cm": torch.cat(placements).median().item(),
+        }
+
+
+def _lengths(vectors: torch.Tensor, scale: np.ndarray) -> torch.Tensor:
+    return (vectors * torch.as_tensor(scale, dtype=vectors.dtype, device=vectors.device)).norm(dim=-1)
