@@ -56,7 +56,16 @@ class GarmentReport:
     with_paper: bool = True
 
     def summarize(self) -> Summary:
-        """Means and distances between sets, with a progress bar."""
+        """Means and distances between sets, with a progress bar.
+
+        Raises:
+            InputError: No garment was made.
+        """
+        if not self.made.scored:
+            id, error = next(iter(self.made.errors.items()))
+            raise InputError(
+                f"Of {len(self.made.errors)} patterns none gave a garment. The first, '{id}': {error}"
+            )
         from swifttailor.cli.item_progress import ItemProgress
         from swifttailor.evaluation.garments.summary import summarize_scores, work
 
