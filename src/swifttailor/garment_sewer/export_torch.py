@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import io
 import json
-import logging
-import warnings
 from pathlib import Path
 from typing import Any
 
@@ -13,13 +10,12 @@ import numpy as np
 import torch
 
 from swifttailor.atomic_files import write_atomically
-from swifttailor.errors import InputError, MissingExtraError
+from swifttailor.errors import InputError
 from swifttailor.garment_sewer.conditioning import Conditioning
 from swifttailor.garment_sewer.model_file import CARD_KEY, INPUTS, Images, SewerModel, model_card
 from swifttailor.garment_sewer.network_config import NetworkConfig
 from swifttailor.garment_sewer.network_torch import GarmentSewerNetwork, build_network
-
-OPSET = 18
+from swifttailor.networks.onnx_export_torch import export_graph
 
 
 def load_weights(weights: Path, card: dict[str, Any]) -> GarmentSewerNetwork:
@@ -79,11 +75,6 @@ def export(weights: Path, card: dict[str, Any], path: Path) -> Path:
         InputError: The weights cannot be used or the file not be written.
         MissingExtraError: onnx or onnxscript is not installed.
     """
-    try:
-        import onnx
-        import onnxscript  # noqa: F401  what torch exports with
-    except ImportError as error:
-        raise MissingExtraError(error.name or "onnx", "train", "Writing a model file") from None
     network = load_weights(weights, card)
     size, channels = network.config.image_size, network.config.num_channels
     example = (
@@ -95,37 +86,9 @@ def export(weights: Path, card: dict[str, Any], path: Path) -> Path:
     patch = network.config.patch_size
     height, width = (patch * torch.export.Dim(name, min=2, max=256) for name in ("rows", "columns"))
     shape = {0: batch, 2: height, 3: width}
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of torch's own code, about itself
-        for noisy in ("onnxscript", "onnx_ir", "torch.onnx"):
-            logging.getLogger(noisy).setLevel(logging.ERROR)
-        program = torch.onnx.export(
-            network,
-            example,
-            dynamo=True,
-            external_data=False,
-            opset_version=OPSET,
-            input_names=list(INPUTS),
-            output_names=["positions"],
-            dynamic_shapes=(shape, shape, shape),
-            verbose=False,
-        )
-    assert program is not None
-    model = program.model_proto
-    _forget_origins(model)
-    entry = model.metadata_props.add()
-    entry.key, entry.value = CARD_KEY, model_card(card)
-    buffer = io.BytesIO()
-    onnx.save_model(model, buffer)
-    return write_atomically(path, lambda temporary: temporary.write_bytes(buffer.getvalue()))
-
-
-def _forget_origins(model: Any) -> None:
-    """Takes out where in the source each part comes from: paths, and most of a small file."""
-    graph = model.graph
-    for part in (*graph.node, *graph.value_info, *graph.input, *graph.output, *graph.initializer, graph):
-        part.ClearField("metadata_props")
-        part.ClearField("doc_string")
+    notes = {CARD_KEY: model_card(card)}
+    graph = export_graph(network, example, (shape, shape, shape), INPUTS, ("positions",), notes)
+    return write_atomically(path, lambda temporary: temporary.write_bytes(graph))
 
 
 def read_card(run: Path) -> dict[str, Any]:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.conditioning import Conditioning
+from swifttailor.networks.onnx_session import open_session
 
 Images = NDArray[np.float32]
 
@@ -65,19 +66,7 @@ def load_model(path: Path | str, *, threads: int = 1) -> SewerModel:
         data = path.read_bytes()
     except OSError as error:
         raise InputError(f"Cannot read the weights '{path}': {error.strerror or error}.") from error
-    import onnxruntime
-
-    options = onnxruntime.SessionOptions()
-    options.intra_op_num_threads = threads
-    options.inter_op_num_threads = 1
-    options.log_severity_level = 4  # what is wrong is said below
-    try:
-        session = onnxruntime.InferenceSession(data, options, providers=["CPUExecutionProvider"])
-    except Exception as error:  # onnxruntime has a dozen kinds, none of them public
-        raise InputError(
-            f"'{path}' is no network that can be run, or is damaged ({_first_line(error)}). Give a .onnx "
-            "file of a GarmentSewer, or copy it again from where it came."
-        ) from error
+    session = open_session(data, str(path), "GarmentSewer", threads=threads)
     about = _about(session, path)
     inputs = [i.name for i in session.get_inputs()]
     if inputs != list(INPUTS):
@@ -120,8 +109,3 @@ def _about(session: Any, path: Path) -> dict[str, Any]:
             f"'{FORMAT}'). Export it again with this version."
         )
     return about
-
-
-def _first_line(error: Exception) -> str:
-    lines = str(error).strip().splitlines()
-    return lines[0][:200] if lines else type(error).__name__

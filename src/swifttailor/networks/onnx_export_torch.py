@@ -1,0 +1,78 @@
+"""Writing networks of torch as ONNX graphs. Import this in the function that needs it: it loads torch."""
+
+from __future__ import annotations
+
+import io
+import logging
+import warnings
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import torch
+
+from swifttailor.errors import MissingExtraError
+
+OPSET = 18
+
+
+def export_graph(
+    network: torch.nn.Module,
+    example: tuple[torch.Tensor, ...],
+    shapes: tuple[Any, ...],
+    inputs: Sequence[str],
+    outputs: Sequence[str],
+    notes: Mapping[str, str] | None = None,
+) -> bytes:
+    """Writes a network as an ONNX graph without traces of where it was made.
+
+    Args:
+        network: In evaluation mode.
+        example: Its inputs.
+        shapes: Of each input, its axes whose size may change, as `torch.onnx.export` wants them.
+        inputs: Names of the inputs.
+        outputs: Names of the outputs.
+        notes: Texts to keep in the graph.
+
+    Returns:
+        The content of an .onnx file.
+
+    Raises:
+        MissingExtraError: onnx or onnxscript is not installed.
+    """
+    try:
+        import onnx
+        import onnxscript  # noqa: F401  what torch exports with
+    except ImportError as error:
+        raise MissingExtraError(error.name or "onnx", "train", "Writing a model file") from None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of torch's own code, about itself
+        for noisy in ("onnxscript", "onnx_ir", "torch.onnx"):
+            logging.getLogger(noisy).setLevel(logging.ERROR)
+        program = torch.onnx.export(
+            network,
+            example,
+            dynamo=True,
+            external_data=False,
+            opset_version=OPSET,
+            input_names=list(inputs),
+            output_names=list(outputs),
+            dynamic_shapes=shapes,
+            verbose=False,
+        )
+    assert program is not None
+    model = program.model_proto
+    _forget_origins(model)
+    for name, text in (notes or {}).items():
+        entry = model.metadata_props.add()
+        entry.key, entry.value = name, text
+    buffer = io.BytesIO()
+    onnx.save_model(model, buffer)
+    return buffer.getvalue()
+
+
+def _forget_origins(model: Any) -> None:
+    """Takes out where in the source each part comes from: paths, and most of a small file."""
+    graph = model.graph
+    for part in (*graph.node, *graph.value_info, *graph.input, *graph.output, *graph.initializer, graph):
+        part.ClearField("metadata_props")
+        part.ClearField("doc_string")
