@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from swifttailor.body import Body
 from swifttailor.draping import FABRICS
 from swifttailor.draping.cloth import build_cloth
-from swifttailor.draping.contact_kernels import edge_hits_face, find_crossings, list_neighbors
+from swifttailor.draping.contact_kernels import edge_hits_face, find_crossings, list_neighbors, no_neighbors
 from swifttailor.draping.intersections import crossing_pairs, mesh_intersections, self_intersections
 from swifttailor.draping.simulation import _contact_buffers
 from swifttailor.draping.xpbd_kernels import sample_field, solve_hinges, solve_springs
@@ -128,7 +128,7 @@ def test_listed_neighbours_hold_every_crossing(cloth):
         [24.5 - x[half, 0] + 0.3, x[half, 1] + 0.2, 0.25 * (x[half, 0] - 12.0) - 1.0 + 0.05 * x[half, 1]]
     )
     buffers = _contact_buffers(len(x))
-    count = find_crossings(x, arrays, buffers, list_neighbors(x, arrays))
+    count = find_crossings(x, arrays, buffers, list_neighbors(x, arrays, no_neighbors()))
     found = set(
         zip(buffers.crossing_edge[:count].tolist(), buffers.crossing_face[:count].tolist(), strict=True)
     )

@@ -37,11 +37,18 @@ class NeighborLists(NamedTuple):
     """Vertex-face pairs that may come to touch, and where the vertices were when they were listed."""
 
     vertex: np.ndarray
-    """(k,)"""
+    """(at least count,); the arrays are used again for the next lists: taking memory anew took a tenth of a
+    drape's time."""
     face: np.ndarray
-    """(k,) ascending"""
+    """(at least count,) ascending"""
+    count: int
     anchor: np.ndarray
     """(v, 3) cm; an empty array means that nothing is listed yet"""
+
+
+def no_neighbors() -> NeighborLists:
+    """Lists to begin with."""
+    return NeighborLists(np.zeros(4096, np.int32), np.zeros(4096, np.int32), 0, np.zeros((0, 3)))
 
 
 @njit(**FAST)
@@ -58,8 +65,8 @@ def has_moved(x, cloth, lists):
 
 
 @njit(**FAST)
-def list_neighbors(x, cloth):
-    """Lists vertices near faces, surface neighbours only where the cloth is folded.
+def list_neighbors(x, cloth, lists):
+    """Lists vertices near faces, surface neighbours only where the cloth is folded; overwrites old lists.
 
     An edge that passes through a face has an end within half its length of the face, so a vertex is listed
     as far out as half its longest edge; the same list then serves contacts and crossings.
@@ -76,7 +83,7 @@ def list_neighbors(x, cloth):
         reach_of[q] = max(reach_of[q], half)
     furthest = reach_of.max() + skin
     start, ids, mask = hash_points(x, cell)
-    vertex, face = np.zeros(4096, np.int32), np.zeros(4096, np.int32)
+    vertex, face, anchor = lists.vertex, lists.face, lists.anchor
     count = 0
     for f in range(faces.shape[0]):
         a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
@@ -130,7 +137,10 @@ def list_neighbors(x, cloth):
                             vertex, face = grown(vertex), grown(face)
                         vertex[count], face[count] = p, f
                         count += 1
-    return NeighborLists(vertex[:count], face[:count], x.copy())
+    if anchor.shape[0] == 0:
+        anchor = np.empty_like(x)
+    anchor[:] = x
+    return NeighborLists(vertex, face, count, anchor)
 
 
 @njit(**FAST)
@@ -143,7 +153,7 @@ def find_contacts(x, cloth, contacts, lists):
     faces, radius = cloth.faces, cloth.radius
     limit = contacts.vertex.shape[0]
     found = 0
-    for q in range(lists.vertex.shape[0]):
+    for q in range(lists.count):
         p, f = lists.vertex[q], lists.face[q]
         a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
         ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
@@ -306,7 +316,7 @@ def find_crossings(x, cloth, contacts, lists):
     contacts.tangled[:] = 0
     limit = contacts.crossing_edge.shape[0]
     found = 0
-    for r in range(lists.vertex.shape[0]):
+    for r in range(lists.count):
         p, f = lists.vertex[r], lists.face[r]
         a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
         ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]

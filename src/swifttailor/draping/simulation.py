@@ -12,7 +12,7 @@ from swifttailor.body import Body
 from swifttailor.draping.attachment import Attachment
 from swifttailor.draping.cloth import ClothArrays, ClothModel
 from swifttailor.draping.collider import build_field_arrays
-from swifttailor.draping.contact_kernels import NeighborLists
+from swifttailor.draping.contact_kernels import no_neighbors
 from swifttailor.draping.fabric import Fabric
 from swifttailor.draping.xpbd_kernels import (
     ContactArrays,
@@ -101,8 +101,7 @@ class Simulation:
         self.crossings = 0
         self._contacts = _contact_buffers(len(self.positions))
         self._clearance = np.zeros(len(self.positions))
-        none = np.zeros(0, np.int32)
-        self._lists = NeighborLists(none, none, np.zeros((0, 3)))
+        self._lists = no_neighbors()
 
     def frame(
         self,

@@ -334,7 +334,7 @@ def advance_frame(x, v, cloth, field, held, contacts, lists, clearance, settings
     for s in range(settings.substeps):
         if settings.self_collision and s % settings.contact_interval == 0:
             if has_moved(x, cloth, lists):
-                lists = list_neighbors(x, cloth)
+                lists = list_neighbors(x, cloth, lists)
             if s % (2 * settings.contact_interval) == 0:
                 crossing_count = find_crossings(x, cloth, contacts, lists)
             contact_count = find_contacts(x, cloth, contacts, lists)
