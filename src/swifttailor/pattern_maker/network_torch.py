@@ -87,7 +87,7 @@ class PatternMakerNetwork(nn.Module):
             (own < 0)[..., None], text, self.own_embedding(own.clamp(min=0)).to(text.dtype)
         )
         flat = embedded.flatten(0, 1)
-        carries = torch.nonzero(self._carries(own).flatten())[:, 0]
+        carries = torch.nonzero(self.carries_numbers(own).flatten())[:, 0]
         values = self.embed_numbers(own.flatten()[carries], numbers.flatten(0, 1)[carries])
         flat = flat.index_add(0, carries, values.to(flat.dtype))
         embedded = flat.view(embedded.shape)
@@ -121,7 +121,8 @@ class PatternMakerNetwork(nn.Module):
         numbers = torch.where(placed, self.placement_head(states), self.edge_head(states))
         return numbers * self.number_mask[tokens]
 
-    def _carries(self, own: Tensor) -> Tensor:
+    def carries_numbers(self, own: Tensor) -> Tensor:
+        """Which tokens (...), counted like those of patterns, have numbers."""
         inside = (own >= 0) & (own < SIZE)
         return inside & self.number_mask.any(-1)[own.clamp(0, SIZE - 1)]
 

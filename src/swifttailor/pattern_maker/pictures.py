@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,6 +14,7 @@ from swifttailor.errors import InputError
 _MEAN = np.array([0.485, 0.456, 0.406], np.float32)
 _SPREAD = np.array([0.229, 0.224, 0.225], np.float32)
 """InternVL's, of ImageNet."""
+FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "GIF", "TIFF")
 
 
 def picture_for_network(pixels: NDArray[np.uint8], size: int) -> NDArray[np.float32]:
@@ -45,3 +48,28 @@ def picture_for_network(pixels: NDArray[np.uint8], size: int) -> NDArray[np.floa
         image = image.resize((size, size), Image.Resampling.BICUBIC)
     values = np.asarray(image, np.float32) / 255
     return np.ascontiguousarray(((values - _MEAN) / _SPREAD).transpose(2, 0, 1))
+
+
+def read_picture(path: Path | str) -> NDArray[np.uint8]:
+    """A picture file as (h, w, 3) sRGB, row 0 at the top; what is transparent becomes white.
+
+    Raises:
+        InputError: It is missing, damaged, too large or no picture.
+    """
+    from PIL import Image, ImageOps
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", Image.DecompressionBombWarning)
+            with Image.open(path, formats=FORMATS) as opened:
+                image = ImageOps.exif_transpose(opened).convert("RGBA")
+    except (Image.DecompressionBombWarning, Image.DecompressionBombError) as error:
+        raise InputError(f"The picture '{path}' is too large: {error}. Give a smaller one.") from error
+    except FileNotFoundError as error:
+        raise InputError(f"There is no picture '{path}'.") from error
+    except (OSError, ValueError, SyntaxError) as error:
+        raise InputError(
+            f"'{path}' is no picture that can be read ({error}). Give a {', '.join(FORMATS)} file."
+        ) from error
+    white = Image.new("RGBA", image.size, "white")
+    return np.array(Image.alpha_composite(white, image).convert("RGB"))

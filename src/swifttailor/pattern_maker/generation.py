@@ -1,0 +1,159 @@
+"""Writing patterns token by token, under the grammar: whatever the network thinks, a pattern comes out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence as Several
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.errors import InputError
+from swifttailor.pattern_maker.grammar import Grammar, Stage, State
+from swifttailor.pattern_maker.prompt import Sequence
+from swifttailor.pattern_maker.runtime import Cache, Floats, Runtime
+from swifttailor.pattern_maker.token_sequence import LARGEST_NUMBER, NUMBER_MASK, TokenSequence
+from swifttailor.pattern_maker.vocabulary import NUMBERS
+
+_CARRIES = NUMBER_MASK.any(axis=1)
+
+
+@dataclass(frozen=True, eq=False)
+class Asked:
+    """A prompt and how to answer it."""
+
+    prompt: Sequence
+    picture: Floats | None = None
+    """(3, size, size), where the prompt has places for one."""
+    seeds: tuple[tuple[int, ...], ...] = ((0,),)
+    """One answer is written for each."""
+    temperature: float = 0.0
+    """0 takes the most probable token always; 1 draws by probability."""
+
+
+@dataclass(frozen=True, eq=False)
+class Written:
+    """An answer."""
+
+    sequence: TokenSequence
+    log_likelihood: float
+    """Natural logarithm of the probability of its tokens among those that the grammar allows, at
+    temperature 1."""
+
+
+@dataclass(eq=False)
+class _Answer:
+    """One that is being written."""
+
+    temperature: float
+    chance: np.random.Generator
+    state: State = field(default_factory=State)
+    tokens: list[int] = field(default_factory=list)
+    numbers: list[Floats] = field(default_factory=list)
+    log_likelihood: float = 0.0
+
+    def choose(self, logits: NDArray[np.floating], grammar: Grammar) -> int:
+        """Takes the next token; its numbers are added by `_answer_all`."""
+        allowed = np.flatnonzero(grammar.allowed(self.state))
+        scores = logits[allowed].astype(np.float64)
+        logs = scores - scores.max()
+        logs -= np.log(np.exp(logs).sum())
+        best = int(np.argmax(logs))
+        if self.temperature > 0 and len(allowed) > 1:
+            # The largest of scores with Gumbel noise is a draw by probability.
+            noise = self.chance.gumbel(size=len(allowed))
+            best = int(np.argmax(logs / self.temperature + noise))
+        token = int(allowed[best])
+        self.log_likelihood += float(logs[best])
+        self.state = grammar.advance(self.state, token)
+        self.tokens.append(token)
+        return token
+
+
+def write_answers(
+    runtime: Runtime, asked: Several[Asked], grammar: Grammar, text_size: int
+) -> list[list[Written]]:
+    """Answers prompts, all at once.
+
+    Args:
+        runtime: The network.
+        asked: Prompts; each is read once however many answers it gets.
+        grammar: What may be written.
+        text_size: Tokens of text of the network.
+
+    Returns:
+        Of each prompt an answer for each of its seeds.
+
+    Raises:
+        InputError: The network's numbers are not finite.
+    """
+    if not asked:
+        return []
+    states, logits, cache = _read(runtime, asked)
+    answers, rows = [], []
+    for row, one in enumerate(asked):
+        for seed in one.seeds:
+            answers.append(_Answer(one.temperature, np.random.default_rng(list(seed))))
+            rows.append(row)
+    chosen = np.array(rows, np.int64)
+    if len(rows) != len(asked):
+        states, logits, cache = states[chosen], logits[chosen], cache.rows(chosen)
+    _answer_all(runtime, list(answers), states, logits, cache, grammar, text_size)
+    written: list[list[Written]] = [[] for _ in asked]
+    for answer, row in zip(answers, rows, strict=True):
+        sequence = TokenSequence(np.array(answer.tokens), np.array(answer.numbers))
+        written[row].append(Written(sequence, answer.log_likelihood))
+    return written
+
+
+def _read(runtime: Runtime, asked: Several[Asked]) -> tuple[Floats, Floats, Cache]:
+    """States (B, hidden) and logits (B, tokens) after the prompts."""
+    lengths = np.array([len(one.prompt) for one in asked])
+    longest = int(lengths.max())
+    tokens = np.zeros((len(asked), longest), np.int64)
+    numbers = np.zeros((len(asked), longest, NUMBERS), np.float32)
+    for row, one in enumerate(asked):
+        tokens[row, : lengths[row]], numbers[row, : lengths[row]] = one.prompt.tokens, one.prompt.numbers
+    embedded = np.array(runtime.embed(tokens, numbers))
+    pictured = [row for row, one in enumerate(asked) if one.picture is not None]
+    if pictured:
+        looks = runtime.look(np.stack([one.picture for one in asked if one.picture is not None]))
+        for row, look in zip(pictured, looks, strict=True):
+            embedded[row, : len(look)] = look  # the places of a picture come first
+    known = (np.arange(longest) < lengths[:, None]).astype(np.float32)
+    states, logits, cache = runtime.decode(embedded, known, runtime.empty_cache(len(asked)))
+    last = np.arange(len(asked)), lengths - 1
+    return states[last], logits[last], cache
+
+
+def _answer_all(
+    runtime: Runtime,
+    active: list[_Answer],
+    states: Floats,
+    logits: Floats,
+    cache: Cache,
+    grammar: Grammar,
+    text_size: int,
+) -> None:
+    while True:
+        if not np.isfinite(logits).all():
+            raise InputError("The network's logits are not finite numbers: its weights are damaged.")
+        tokens = np.array([a.choose(x, grammar) for a, x in zip(active, logits, strict=True)], np.int64)
+        numbers = np.zeros((len(active), NUMBERS), np.float32)
+        if _CARRIES[tokens].any():
+            given = runtime.regress(states, tokens)
+            if not np.isfinite(given).all():
+                raise InputError("The network's numbers are not finite: its weights are damaged.")
+            numbers = given.clip(-LARGEST_NUMBER, LARGEST_NUMBER)
+        for answer, row in zip(active, numbers, strict=True):
+            answer.numbers.append(row)
+        going = np.array([k for k, a in enumerate(active) if a.state.stage is not Stage.FINISHED], np.int64)
+        if not len(going):
+            return
+        if len(going) < len(active):
+            active = [active[k] for k in going]
+            tokens, numbers, cache = tokens[going], numbers[going], cache.rows(going)
+        embedded = runtime.embed(tokens[:, None] + text_size, numbers[:, None])
+        known = np.ones((len(active), 1), np.float32)
+        after, next_logits, cache = runtime.decode(embedded, known, cache)
+        states, logits = after[:, 0], next_logits[:, 0]

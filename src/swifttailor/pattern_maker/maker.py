@@ -1,0 +1,220 @@
+"""PatternMaker at use (paper, Fig. 3): words, a picture or a pattern in, a pattern out."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.errors import InputError
+from swifttailor.pattern import Finding, Pattern, Severity, check_pattern, repair_pattern
+from swifttailor.pattern.check.repair import Change, Repair
+from swifttailor.pattern_maker.decode import decode
+from swifttailor.pattern_maker.encode import encode
+from swifttailor.pattern_maker.generation import Asked, Written, write_answers
+from swifttailor.pattern_maker.model_file import MakerModel, load_model
+from swifttailor.pattern_maker.pictures import picture_for_network, read_picture
+from swifttailor.pattern_maker.prompt import make_prompt
+from swifttailor.pattern_maker.runtime import Floats
+
+SHIPPED = Path(__file__).with_name("pattern_maker.zip")
+MOST_ATTEMPTS = 64
+
+
+@dataclass(frozen=True, eq=False)
+class Request:
+    """What is wanted: a text, a picture or both; or a pattern to edit and a text that says how."""
+
+    text: str = ""
+    image: NDArray[np.uint8] | Path | str | None = None
+    """(h, w, 3) sRGB with row 0 at the top, or a file."""
+    edit: Pattern | None = None
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """One of several answers to the same request."""
+
+    log_likelihood: float
+    """Natural logarithm of the probability that the network gives its tokens."""
+    errors: int
+    """What a check finds before any repair."""
+    warnings: int
+
+
+@dataclass(frozen=True, eq=False)
+class Generated:
+    """A pattern that was written."""
+
+    pattern: Pattern
+    """Mended where no guess was needed."""
+    log_likelihood: float
+    tokens: int
+    """How many were written."""
+    attempts: tuple[Attempt, ...]
+    """All of them; the one with the fewest errors, then warnings, then the likeliest was taken."""
+    changes: tuple[Change, ...]
+    """What was mended."""
+    findings: tuple[Finding, ...]
+    """What a check finds in the pattern."""
+    notes: tuple[str, ...]
+    """What about the request was not used."""
+    seconds: dict[str, float]
+    """By stage; requests that are answered together share theirs."""
+
+
+@dataclass(frozen=True, eq=False)
+class PatternMaker:
+    """Writes sewing patterns."""
+
+    model: MakerModel
+
+    @staticmethod
+    def load(weights: Path | str | None = None, *, threads: int = 1) -> PatternMaker:
+        """Opens a model file.
+
+        Args:
+            weights: File; the one that comes with the package when None.
+            threads: Processor cores for the network.
+
+        Raises:
+            InputError: There is no such file, or it is damaged or another.
+        """
+        if weights is None and not SHIPPED.is_file():
+            raise InputError(
+                "This version comes without weights of a PatternMaker. Give a model file; one is made by: "
+                "swifttailor train pattern-maker --patterns FILE --out RUN"
+            )
+        return PatternMaker(load_model(SHIPPED if weights is None else weights, threads=threads))
+
+    def generate(
+        self,
+        text: str = "",
+        image: NDArray[np.uint8] | Path | str | None = None,
+        edit: Pattern | None = None,
+        *,
+        seed: int = 0,
+        temperature: float = 0.0,
+        attempts: int = 1,
+    ) -> Generated:
+        """Writes one pattern.
+
+        Args:
+            text: Description, or the instruction where there is a pattern to edit.
+            image: Picture of a garment.
+            edit: Pattern to edit.
+            seed: Decides what is drawn where `temperature` is above 0.
+            temperature: 0 takes the likeliest token always; 1 draws tokens by their probability.
+            attempts: Patterns to write, of which the best is taken.
+
+        Raises:
+            InputError: An argument is out of range, or the picture cannot be read.
+            PatternError: The pattern to edit does not fit.
+        """
+        request = Request(text, image, edit)
+        (made,) = self.generate_all([request], seed=seed, temperature=temperature, attempts=attempts)
+        return made
+
+    def generate_all(
+        self,
+        requests: Sequence[Request],
+        *,
+        seed: int = 0,
+        temperature: float = 0.0,
+        attempts: int = 1,
+    ) -> list[Generated]:
+        """Writes a pattern for each request, all together: faster than one by one.
+
+        Raises:
+            SwiftTailorError: See `generate`.
+        """
+        if not (math.isfinite(temperature) and 0 <= temperature <= 10):
+            raise InputError(f"The temperature is {temperature}; 0 to 10 is accepted.")
+        if not 1 <= attempts <= MOST_ATTEMPTS:
+            raise InputError(f"attempts is {attempts}; 1 to {MOST_ATTEMPTS} is accepted.")
+        if attempts > 1 and temperature == 0:
+            raise InputError(
+                f"At temperature 0 all {attempts} attempts are the same. Give a temperature above 0."
+            )
+        if seed < 0:
+            raise InputError(f"The seed is {seed}; 0 or more is accepted.")
+        clock = _Clock()
+        asked, notes = [], []
+        for request in requests:
+            one, about = self._ask(request)
+            seeds = tuple((seed, k) for k in range(attempts))
+            asked.append(Asked(one.prompt, one.picture, seeds, temperature))
+            notes.append(about)
+        clock.stop("reading")
+        model = self.model
+        written = write_answers(model.runtime, asked, model.grammar, model.text.size)
+        clock.stop("writing")
+        chosen = [_best(answers) for answers in written]
+        clock.stop("checking")
+        return [
+            Generated(
+                repair.pattern,
+                answer.log_likelihood,
+                len(answer.sequence),
+                tried,
+                repair.changes,
+                repair.remaining,
+                about,
+                clock.seconds,
+            )
+            for (answer, repair, tried), about in zip(chosen, notes, strict=True)
+        ]
+
+    def _ask(self, request: Request) -> tuple[Asked, tuple[str, ...]]:
+        model = self.model
+        if not request.text.strip() and (request.image is None or request.edit is not None):
+            wanted = "an instruction" if request.edit is not None else "a text or an image"
+            raise InputError(f"There is nothing to go by; {wanted} is needed.")
+        encoded = model.text.encode(request.text, model.longest_text)
+        notes = []
+        if encoded.truncated:
+            read = len(model.text.decode(encoded.tokens))
+            notes.append(
+                f"The text is longer than the {model.longest_text} tokens that are read: what comes after "
+                f"its first {read} characters was not used."
+            )
+        picture: Floats | None = None
+        if request.image is not None:
+            pixels = request.image if isinstance(request.image, np.ndarray) else read_picture(request.image)
+            picture = picture_for_network(pixels, model.image_size)
+        edit = None if request.edit is None else encode(request.edit, limits=model.grammar.limits)
+        places = 0 if picture is None else model.image_tokens
+        prompt = make_prompt(encoded.tokens, model.text.size, image_tokens=places, edit=edit)
+        return Asked(prompt, picture), tuple(notes)
+
+
+def _best(answers: Sequence[Written]) -> tuple[Written, Repair, tuple[Attempt, ...]]:
+    patterns = [decode(answer.sequence) for answer in answers]
+    tried = tuple(_judge(a, p) for a, p in zip(answers, patterns, strict=True))
+    order = sorted(
+        range(len(answers)), key=lambda k: (tried[k].errors, tried[k].warnings, -tried[k].log_likelihood)
+    )
+    return answers[order[0]], repair_pattern(patterns[order[0]]), tried
+
+
+def _judge(answer: Written, pattern: Pattern) -> Attempt:
+    severities = [finding.severity for finding in check_pattern(pattern)]
+    return Attempt(
+        answer.log_likelihood, severities.count(Severity.ERROR), severities.count(Severity.WARNING)
+    )
+
+
+class _Clock:
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+        self._last = time.perf_counter()
+
+    def stop(self, stage: str) -> None:
+        now = time.perf_counter()
+        self.seconds[stage] = round(now - self._last, 4)
+        self._last = now

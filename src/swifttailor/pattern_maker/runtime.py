@@ -1,0 +1,119 @@
+"""What generation needs of a network, whichever library runs it; and the runtime without torch."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float32]
+Ids = NDArray[np.int64]
+
+GRAPHS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "vision": (("pictures",), ("looks",)),
+    "embed": (("tokens", "numbers"), ("embedded",)),
+    "decoder": (
+        ("embedded", "positions", "seen", "keys", "values"),
+        ("states", "logits", "new_keys", "new_values"),
+    ),
+    "regress": (("states", "tokens"), ("numbers",)),
+}
+"""The parts of a network as ONNX graphs: names of their inputs and outputs."""
+
+
+@dataclass(frozen=True, eq=False)
+class Cache:
+    """What a runtime remembers of some sequences."""
+
+    keys: Any
+    values: Any
+    """(layers, B, groups, P, size)."""
+    seen: Floats
+    """(B, P) 1 where a place holds a token."""
+    lengths: Ids
+    """(B,) tokens so far."""
+
+    def rows(self, chosen: Ids) -> Cache:
+        """Of some of the sequences, in the given order; one may come several times."""
+        return replace(
+            self,
+            keys=self.keys[:, chosen],
+            values=self.values[:, chosen],
+            seen=self.seen[chosen],
+            lengths=self.lengths[chosen],
+        )
+
+
+class Runtime(Protocol):
+    """A network ready to run."""
+
+    def look(self, pictures: Floats) -> Floats:
+        """(P, image tokens, hidden) of pictures (P, 3, S, S)."""
+        ...
+
+    def embed(self, tokens: Ids, numbers: Floats) -> Floats:
+        """(B, L, hidden) of tokens (B, L) of the whole vocabulary and their numbers (B, L, 8)."""
+        ...
+
+    def decode(self, embedded: Floats, known: Floats, cache: Cache) -> tuple[Floats, Floats, Cache]:
+        """(B, L, hidden) states and (B, L, tokens of patterns) logits of embedded tokens (B, L, hidden).
+
+        Args:
+            embedded: Tokens that follow those in the cache.
+            known: (B, L) 1 where there is a token, 0 for padding, which comes last.
+            cache: Of the tokens before.
+        """
+        ...
+
+    def regress(self, states: Floats, tokens: Ids) -> Floats:
+        """(B, 8) numbers of the tokens (B,) of patterns, chosen after the states (B, hidden)."""
+        ...
+
+    def empty_cache(self, rows: int) -> Cache:
+        """Of no tokens."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class OnnxRuntime:
+    """Runs the graphs of a model file with onnxruntime."""
+
+    sessions: dict[str, Any]
+    """By name, as in `GRAPHS`."""
+
+    def look(self, pictures: Floats) -> Floats:
+        """See `Runtime`."""
+        return self._run("vision", pictures)[0]
+
+    def embed(self, tokens: Ids, numbers: Floats) -> Floats:
+        """See `Runtime`."""
+        return self._run("embed", tokens, numbers)[0]
+
+    def decode(self, embedded: Floats, known: Floats, cache: Cache) -> tuple[Floats, Floats, Cache]:
+        """See `Runtime`."""
+        positions, seen = extended(known, cache)
+        given = (embedded, positions, seen, cache.keys, cache.values)
+        states, logits, keys, values = self._run("decoder", *given)
+        lengths = cache.lengths + known.sum(axis=1).astype(np.int64)
+        return states, logits, Cache(keys, values, seen, lengths)
+
+    def regress(self, states: Floats, tokens: Ids) -> Floats:
+        """See `Runtime`."""
+        return self._run("regress", states, tokens)[0]
+
+    def empty_cache(self, rows: int) -> Cache:
+        """See `Runtime`."""
+        layers, _, groups, _, size = self.sessions["decoder"].get_inputs()[3].shape
+        nothing = np.zeros((layers, rows, groups, 0, size), np.float32)
+        return Cache(nothing, nothing, np.zeros((rows, 0), np.float32), np.zeros(rows, np.int64))
+
+    def _run(self, graph: str, *given: Any) -> Any:
+        return self.sessions[graph].run(None, dict(zip(GRAPHS[graph][0], given, strict=True)))
+
+
+def extended(known: Floats, cache: Cache) -> tuple[Ids, Floats]:
+    """Positions (B, L) of new tokens, and which places (B, P + L) of old and new ones hold tokens."""
+    positions = cache.lengths[:, None] + np.cumsum(known, axis=1).astype(np.int64) - 1
+    return np.maximum(positions, 0), np.concatenate([cache.seen, known], axis=1)

@@ -1,0 +1,64 @@
+"""The runtime of torch: for networks that were just trained, large ones, and GPUs.
+
+Import this module in the function that needs it: it loads torch and transformers.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import torch
+
+from swifttailor.pattern_maker.decoder_torch import CachedDecoder
+from swifttailor.pattern_maker.network_torch import PatternMakerNetwork
+from swifttailor.pattern_maker.runtime import Cache, Floats, Ids, extended
+
+
+class TorchRuntime:
+    """Runs a network where it is; see `swifttailor.pattern_maker.runtime.Runtime`."""
+
+    def __init__(self, network: PatternMakerNetwork) -> None:
+        """Prepares to run a network as it is now; later changes of its weights are seen only in parts."""
+        self.network = network.eval()
+        self.decoder = CachedDecoder(network)
+        self.device = next(network.parameters()).device
+
+    @torch.inference_mode()
+    def look(self, pictures: Floats) -> Floats:
+        """See `Runtime`."""
+        return _floats(self.network.look(self._given(pictures)))
+
+    @torch.inference_mode()
+    def embed(self, tokens: Ids, numbers: Floats) -> Floats:
+        """See `Runtime`."""
+        nothing = torch.zeros((0, 1, self.network.hidden_size), device=self.device)
+        return _floats(self.network.embed(self._given(tokens), self._given(numbers), nothing))
+
+    @torch.inference_mode()
+    def decode(self, embedded: Floats, known: Floats, cache: Cache) -> tuple[Floats, Floats, Cache]:
+        """See `Runtime`."""
+        positions, seen = extended(known, cache)
+        given = self._given(embedded).to(self.decoder.norm.dtype)
+        states, logits, keys, values = self.decoder(
+            given, self._given(positions), self._given(seen), cache.keys, cache.values
+        )
+        lengths = cache.lengths + known.sum(axis=1).astype(np.int64)
+        return _floats(states), _floats(logits), Cache(keys, values, seen, lengths)
+
+    @torch.inference_mode()
+    def regress(self, states: Floats, tokens: Ids) -> Floats:
+        """See `Runtime`."""
+        return _floats(self.network.regress(self._given(states), self._given(tokens)))
+
+    def empty_cache(self, rows: int) -> Cache:
+        """See `Runtime`."""
+        nothing = self.decoder.empty_cache(rows)
+        return Cache(nothing, nothing, np.zeros((rows, 0), np.float32), np.zeros(rows, np.int64))
+
+    def _given(self, array: Any) -> torch.Tensor:
+        return torch.as_tensor(array, device=self.device)
+
+
+def _floats(tensor: torch.Tensor) -> Floats:
+    return tensor.float().cpu().numpy()
