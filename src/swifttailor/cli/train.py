@@ -14,8 +14,9 @@ usage: swifttailor train NETWORK [OPTIONS]
                  swifttailor train garment-sewer --data DIR --out RUN
   pattern-maker  The network that writes patterns from text, pictures and other patterns.
                  swifttailor train pattern-maker --patterns FILE... --out RUN
-  export         A trained GarmentSewer as one file that is used without torch.
-                 swifttailor train export RUN --out FILE.onnx
+  export         A trained network as one file that is used without torch: .onnx of a GarmentSewer,
+                 .zip of a PatternMaker.
+                 swifttailor train export RUN --out FILE
 
   swifttailor train NETWORK --help   all options
 """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
@@ -11,11 +12,14 @@ import tyro
 from swifttailor.errors import InputError
 
 MOST_APART_CM = 0.01
+MOST_APART = 1e-3
+"""Of the values of a PatternMaker's layers, relative to the largest."""
+_MODELS = {"GarmentSewer": ".onnx", "PatternMaker": ".zip"}
 
 
 @dataclass(frozen=True, kw_only=True)
 class TrainExport:
-    """Write a trained GarmentSewer as one .onnx file, for swifttailor sew --weights FILE.
+    """Write a trained network as one file: .onnx of a GarmentSewer, .zip of a PatternMaker.
 
     Needs the extra 'train'. The file holds the weights and the card; it is compared with the network it was
     made of before it is kept.
@@ -24,7 +28,7 @@ class TrainExport:
     source: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="RUN")]
     """Folder of a training."""
     out: Annotated[Path, tyro.conf.arg(metavar="FILE")]
-    """File to write, ending in .onnx."""
+    """File to write, ending in .onnx or .zip."""
 
     def run(self) -> int:
         """Exports, prints how far both are apart, and returns the exit code.
@@ -34,23 +38,61 @@ class TrainExport:
         """
         from swifttailor.training.extra import require_training_packages
 
-        if self.out.suffix != ".onnx":
-            raise InputError(f"'{self.out}' does not end in .onnx; choose another --out.")
+        if self.out.suffix not in _MODELS.values():
+            raise InputError(f"'{self.out}' does not end in .onnx or .zip; choose another --out.")
         require_training_packages("Writing a model file")
-        from swifttailor.garment_sewer.export_torch import compare, export, read_card, torch_model
-        from swifttailor.garment_sewer.model_file import load_model
-        from swifttailor.training.run_record import WEIGHTS
-
-        card = read_card(self.source)
-        weights = self.source / WEIGHTS
-        export(weights, card, self.out)
-        apart = compare(load_model(self.out), torch_model(weights, card))
-        if not apart < MOST_APART_CM:
-            self.out.unlink()
-            raise InputError(
-                f"The exported network predicts {apart:.3g} cm from torch; at most {MOST_APART_CM} cm "
-                "is accepted. Try other versions of torch and onnxruntime."
-            )
+        model = _model_of(self.source)
+        if self.out.suffix != _MODELS[model]:
+            raise InputError(f"The file of a {model} ends in {_MODELS[model]}; choose another --out.")
+        said = (_export_sewer if model == "GarmentSewer" else _export_maker)(self.source, self.out)
         size = self.out.stat().st_size / 1e6
-        print(f"Wrote {self.out}, {size:.1f} MB; at most {apart:.2g} cm from torch's predictions.")  # noqa: T201
+        print(f"Wrote {self.out}, {size:.1f} MB; {said}.")  # noqa: T201
         return 0
+
+
+def _model_of(run: Path) -> str:
+    try:
+        model = json.loads((run / "card.json").read_text(encoding="utf-8"))["model"]
+        if model not in _MODELS:
+            raise ValueError(f"the model is {model!r}")
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise InputError(f"'{run}' holds no card.json of a trained network: {error}.") from error
+    return model
+
+
+def _export_sewer(run: Path, out: Path) -> str:
+    from swifttailor.garment_sewer.export_torch import compare, export, read_card, torch_model
+    from swifttailor.garment_sewer.model_file import load_model
+    from swifttailor.training.run_record import WEIGHTS
+
+    card = read_card(run)
+    weights = run / WEIGHTS
+    export(weights, card, out)
+    apart = compare(load_model(out), torch_model(weights, card))
+    if not apart < MOST_APART_CM:
+        out.unlink()
+        raise InputError(
+            f"The exported network predicts {apart:.3g} cm from torch; at most {MOST_APART_CM} cm "
+            "is accepted. Try other versions of torch and onnxruntime."
+        )
+    return f"at most {apart:.2g} cm from torch's predictions"
+
+
+def _export_maker(run: Path, out: Path) -> str:
+    from swifttailor.pattern_maker.export_torch import compare, export, load_weights
+    from swifttailor.pattern_maker.model_file import load_model
+    from swifttailor.pattern_maker.runtime_torch import TorchRuntime
+    from swifttailor.training.run_record import CARD, WEIGHTS
+
+    card = json.loads((run / CARD).read_text(encoding="utf-8"))
+    export(run / WEIGHTS, card, out)
+    model = load_model(out)
+    network = TorchRuntime(load_weights(run / WEIGHTS, card, model.text.size))
+    apart = compare(model.runtime, network, model.text.size, image_size=model.image_size)
+    if not apart < MOST_APART:
+        out.unlink()
+        raise InputError(
+            f"The exported network differs from torch by {apart:.3g} of its values; at most {MOST_APART} "
+            "is accepted. Try other versions of torch and onnxruntime."
+        )
+    return f"at most {apart:.2g} of a value from torch"

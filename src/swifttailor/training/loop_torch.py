@@ -10,7 +10,7 @@ import contextlib
 import math
 import os
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
@@ -21,28 +21,15 @@ from torch import Tensor, nn
 from swifttailor.errors import SimulationError
 from swifttailor.training.checkpoint_torch import MovingAverage, read_checkpoint, write_checkpoint
 from swifttailor.training.config_file import config_values
+from swifttailor.training.maker_config import MakerConfig
 from swifttailor.training.master_weights_torch import MasterWeights, parameter_groups
 from swifttailor.training.processes_torch import Processes
 from swifttailor.training.run_record import WEIGHTS, RunRecord, versions
 from swifttailor.training.schedule import Schedule
+from swifttailor.training.sewer_config import SewerConfig
 
 Report = Callable[[str], None]
 BETAS = (0.9, 0.99)
-
-
-class Optimisation(Protocol):
-    """What a configuration says about the loop."""
-
-    steps: int
-    batch_size: int
-    learning_rate: float
-    warmup_steps: int
-    final_rate: float
-    weight_decay: float
-    clip: float
-    ema: float
-    log_every: int
-    validate_every: int
 
 
 class Task(Protocol):
@@ -81,7 +68,7 @@ class Task(Protocol):
 class Loop:
     """How a task is trained."""
 
-    config: Optimisation
+    config: SewerConfig | MakerConfig
     out: Path
     processes: Processes
     record: RunRecord
@@ -204,7 +191,7 @@ class Loop:
 
 
 @contextlib.contextmanager
-def averaged(weights: MasterWeights, average: MovingAverage) -> Iterator[None]:
+def averaged(weights: MasterWeights, average: MovingAverage) -> Generator[None]:
     """The network with the averaged weights, for as long as this lasts."""
     own = {name: value.detach().clone() for name, value in weights.state_dict().items()}
     weights.load_state_dict(average.values)

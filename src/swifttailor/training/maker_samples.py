@@ -101,7 +101,7 @@ class MakerSamples:
         tasks = self.tasks_of(garment)
         weights = np.array([getattr(self.config.tasks, task) for task in tasks])
         if not weights.sum():
-            tasks, weights = ["text"], np.ones(1)
+            tasks, weights = list(TASKS[:1]), np.ones(1)
         task = tasks[int(chance.choice(len(tasks), p=weights / weights.sum()))]
         return self.plan_task(garment, task, chance)
 
