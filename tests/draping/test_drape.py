@@ -10,7 +10,7 @@ from swifttailor.draping.simulation import SimulationSettings
 from swifttailor.errors import InputError, PatternError
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.topology import topology
-from swifttailor.pattern import EdgeRef, Pattern, Stitch
+from swifttailor.pattern import Edge, EdgeRef, Panel, Pattern, Placement, Stitch
 from swifttailor.pattern.drafts import draft
 
 COARSE = 4.0
@@ -43,6 +43,22 @@ def test_a_draft_is_draped_well(name, request):
     measured = topology(garment.faces, len(garment.vertices))
     assert measured.nonmanifold_edges == measured.inconsistent_edges == 0
     assert (Body.default().signed_distance(garment.vertices)[0] > 0).all()
+
+
+def test_what_slides_down_is_given_up_and_said_so():
+    """A tube of 240 cm around the chest, and nothing that would hold it."""
+    corners = [[-60.0, 0.0], [60.0, 0.0], [60.0, 50.0], [-60.0, 50.0]]
+    front = Panel("front", corners, (Edge(),) * 4, Placement((0.0, 80.0, 25.0)))
+    back = Panel("back", corners[::-1], (Edge(),) * 4, Placement((0.0, 80.0, -25.0)))
+    sides = tuple(Stitch(EdgeRef("front", k), EdgeRef("back", k)) for k in (1, 3))
+    lowest = min(Body.default().measurements.armpit_level - 10, 130 - 5)
+    quality = drape(Pattern((front, back), sides, "tube"), edge_length=8.0).report["quality"]
+    assert quality["fell_off"] and not quality["accepted"] and not quality["static"]
+    assert len([r for r in quality["reasons"] if r.startswith("slid down the body")]) == 1
+    assert "did not come to rest" not in quality["reasons"]
+    # It was left while falling, not on the floor.
+    assert lowest - 15 - 5 < quality["top_cm"] < lowest - 15
+    assert quality["frames"] < 120
 
 
 def test_area_is_kept(shirt):

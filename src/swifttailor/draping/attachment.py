@@ -81,3 +81,15 @@ def _top_edges(mesh: PatternMesh) -> Ints:
         return np.zeros(0, dtype=np.int32)
     top = [r for r, h in zip(runs, heights, strict=True) if h > max(heights) - 10]
     return np.unique(mesh.weld[np.concatenate(top)])
+
+
+def lowest_top(pattern: Pattern, measurements: BodyMeasurements) -> float:
+    """Height in cm that the top of a garment must reach to count as worn.
+
+    For what hangs from the shoulders or is strapless, a hand below the armpit, or a little below where its
+    panels are placed if they are placed that low; for skirts and trousers the hips.
+    """
+    if hangs_from_shoulders(pattern):
+        placed = max(float(p.to_world(p.outline(1.0))[:, 1].max()) for p in pattern.panels)
+        return min(measurements.armpit_level - 10.0, placed - 5.0)
+    return measurements.hips_level

@@ -8,13 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.body import Body, BodyMeasurements
-from swifttailor.draping.attachment import hangs_from_shoulders
+from swifttailor.body import Body
+from swifttailor.draping.attachment import lowest_top
 from swifttailor.draping.cloth import ClothModel
 from swifttailor.draping.intersections import mesh_intersections, self_intersections
 from swifttailor.garment import PatternMesh
 from swifttailor.panel_mesh.topology import component_count
-from swifttailor.pattern import Pattern
 
 Floats = NDArray[np.float64]
 
@@ -32,7 +31,7 @@ class Quality:
     reasons: tuple[str, ...]
     """Why it was not accepted, in words with the values."""
     static: bool
-    """Whether it came to rest."""
+    """Whether it came to rest; what slides down is not followed to the floor."""
     fell_off: bool
     """Whether it slid down: its top lies below where such a garment must be held (`lowest_top`)."""
     top_cm: float
@@ -108,18 +107,6 @@ def measure_quality(
     return Quality(accepted=not reasons, reasons=reasons, **measured)
 
 
-def lowest_top(pattern: Pattern, measurements: BodyMeasurements) -> float:
-    """Height in cm that the top of a garment must reach to count as worn.
-
-    For what hangs from the shoulders or is strapless, a hand below the armpit, or a little below where its
-    panels are placed if they are placed that low; for skirts and trousers the hips.
-    """
-    if hangs_from_shoulders(pattern):
-        placed = max(float(p.to_world(p.outline(1.0))[:, 1].max()) for p in pattern.panels)
-        return min(measurements.armpit_level - 10.0, placed - 5.0)
-    return measurements.hips_level
-
-
 def seam_gap(mesh: PatternMesh, positions: Floats) -> float:
     """Largest distance in cm between the two sides of any stitch."""
     largest = 0.0
@@ -135,7 +122,7 @@ def seam_gap(mesh: PatternMesh, positions: Floats) -> float:
 
 def _reasons(q: dict[str, Any]) -> tuple[str, ...]:
     limits = [
-        (not q["static"], "did not come to rest"),
+        (not q["static"] and not q["fell_off"], "did not come to rest"),
         (q["fell_off"], f"slid down the body: its top is {q['top_cm']:.0f} cm above the floor"),
         (
             q["body_intersections"] > MAX_BODY_INTERSECTIONS,

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.body import Body
-from swifttailor.draping.attachment import Attachment
+from swifttailor.draping.attachment import Attachment, lowest_top
 from swifttailor.draping.cloth import ClothArrays, ClothModel
 from swifttailor.draping.collider import build_field_arrays
 from swifttailor.draping.contact_kernels import no_neighbors
@@ -35,6 +35,8 @@ _UNTANGLING = 0.1
 _LET_GO_AFTER = 30
 _MIN_FRAMES, _MIN_FREE_FRAMES = 30, 15
 _MAX_SPEED, _FALLING_SPEED = 250.0, 120.0
+_LOST = 15.0
+"""A garment this much lower than it must be held is not coming back, cm."""
 
 
 @dataclass(frozen=True)
@@ -88,6 +90,7 @@ class Simulation:
         self.fabric = fabric
         self.settings = settings
         self.attachment = attachment
+        self._lowest_top = lowest_top(mesh.pattern, body.measurements)
         self.sleeve_edges = _sleeve_edges(mesh, self.cloth.edges)
         self.field: FieldArrays = build_field_arrays(body, mesh)
         self.positions = np.ascontiguousarray(positions, dtype=np.float64).copy()
@@ -158,6 +161,11 @@ class Simulation:
         """Holds no longer what is held at first only."""
         self.held.levels[self.attachment.at_first] = -np.inf
 
+    @property
+    def has_slid_down(self) -> bool:
+        """Whether it is so far below where it must be held that it will not stop before the floor."""
+        return bool(self.positions[:, 1].max() < self._lowest_top - _LOST)
+
     def edge_lengths(self) -> Floats:
         """Current length of every spring, cm."""
         a, b = self.positions[self.cloth.edges[:, 0]], self.positions[self.cloth.edges[:, 1]]
@@ -193,7 +201,11 @@ def sew(simulation: Simulation, dressing: Dressing, progress: Progress) -> None:
 
 
 def settle(simulation: Simulation, progress: Progress) -> tuple[int, bool]:
-    """Lets the garment hang until it rests. Returns the frames used and whether it came to rest."""
+    """Lets the garment hang until it rests, or slides down.
+
+    Returns:
+        The frames used and whether it came to rest.
+    """
     s = simulation.settings
     simulation.hold()
     # Nothing rests before its neckline has been let go.
@@ -214,6 +226,8 @@ def settle(simulation: Simulation, progress: Progress) -> tuple[int, bool]:
             long_edges=k < 15,
         )
         progress("draping", min((k + 1) / 180, 0.99))
+        if simulation.has_slid_down:
+            return k + 1, False
         if k >= first_rest and simulation.moving <= s.still_share:
             return k + 1, True
     return s.max_frames, False

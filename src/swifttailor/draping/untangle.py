@@ -60,7 +60,11 @@ def settle_untangled(simulation: Simulation, progress: Progress) -> tuple[int, b
         The frames used and whether it came to rest.
     """
     frames, static = settle(simulation, progress)
-    if not simulation.settings.self_collision or _crossings(simulation) <= FEW_CROSSINGS:
+    if (
+        simulation.has_slid_down
+        or not simulation.settings.self_collision
+        or _crossings(simulation) <= FEW_CROSSINGS
+    ):
         return frames, static
     before, crossings = simulation.positions.copy(), _crossings(simulation)
     if untangle(simulation) < crossings:
