@@ -56,7 +56,7 @@ class Redraper:
             made_on = settings.get("body", {}).get("name", "unknown")
             raise InputError(
                 f"The drapes in '{reader.folder}' were not made by SwiftTailor on its default body (theirs: "
-                f"{made_on}), so they cannot be made again. Give a split that swifttailor data build has made."
+                f"{made_on}), so they cannot be made again. Give a split of swifttailor data build."
             )
         if settings["seed"] == drape_seed:
             raise InputError(
