@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from sample_makers import make_placed, run_here
 
-from swifttailor.cli.data import COMMANDS
+from swifttailor.cli.data import DATA
 from swifttailor.cli.main import run
 from swifttailor.data.builder import BuildSettings, build_split
 from swifttailor.data.captions import Claim, measure_facts
@@ -36,12 +36,13 @@ def dataset(patterns, tmp_path) -> Path:
 def test_overview_and_help(capsys):
     assert run(["data", "--help"]) == 0
     shown = capsys.readouterr().out
-    for name, command in COMMANDS.items():
+    for name, command in DATA.commands.items():
         assert f"  {name}" in shown and command.summary in shown
         assert run(["data", name, "--help"]) == 0
         assert f"usage: swifttailor data {name}" in capsys.readouterr().out
     assert run(["data"]) == 2 and "usage: swifttailor data" in capsys.readouterr().err
-    assert run(["data", "bild"]) == 2 and "There is no command 'data bild'" in capsys.readouterr().err
+    assert run(["data", "bild"]) == 2
+    assert "There is no command 'data bild'. Did you mean 'data build'?" in capsys.readouterr().err
 
 
 def test_build_says_what_came_of_it(patterns, tmp_path, capsys):

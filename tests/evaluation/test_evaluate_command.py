@@ -240,5 +240,5 @@ def test_drapes_of_others_cannot_be_made_again(tmp_path):
 
 def test_unknown_and_no_evaluations(capsys):
     assert run(["evaluate"]) == 2 and "usage: swifttailor evaluate" in capsys.readouterr().err
-    assert run(["evaluate", "taste"]) == 2 and "nothing named 'taste'" in capsys.readouterr().err
+    assert run(["evaluate", "taste"]) == 2 and "no command 'evaluate taste'" in capsys.readouterr().err
     assert run(["evaluate", "--help"]) == 0 and "drape-floor" in capsys.readouterr().out

@@ -200,9 +200,9 @@ def _load_ggi() -> Runner:
 
 
 def _load_data() -> Runner:
-    from swifttailor.cli.data import run_data
+    from swifttailor.cli.data import DATA
 
-    return run_data
+    return DATA.run
 
 
 def _load_sew() -> Runner:
@@ -212,15 +212,15 @@ def _load_sew() -> Runner:
 
 
 def _load_train() -> Runner:
-    from swifttailor.cli.train import run_train
+    from swifttailor.cli.train import TRAIN
 
-    return run_train
+    return TRAIN.run
 
 
 def _load_evaluate() -> Runner:
-    from swifttailor.cli.evaluate import run_evaluate
+    from swifttailor.cli.evaluate import EVALUATE
 
-    return run_evaluate
+    return EVALUATE.run
 
 
 COMMANDS: dict[str, Command] = {
