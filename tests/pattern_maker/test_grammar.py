@@ -103,6 +103,14 @@ def test_walks_into_corners_get_out(tags, limits, wanted):
     assert faults(tokens, limits.tokens, limits.edges) == []
 
 
+@pytest.mark.parametrize("limits", [(40, 6), (30, 4), (200, 12)])
+def test_there_is_always_a_way_on(limits):
+    """Uniform walks: seven open stitches take panels of five and two edges, not of six and one."""
+    grammar = Grammar(Limits(*limits), "any")
+    for seed in range(100):
+        walk(grammar, random.Random(seed).choice)
+
+
 def test_the_shortest_pattern_has_nine_tokens():
     """One panel of two edges, one of which is curved: start, name, move, two edges of two tokens, end."""
     tokens = walk(Grammar(Limits(tokens=9, edges=4)), lambda allowed: allowed[0])

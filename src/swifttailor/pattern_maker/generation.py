@@ -15,7 +15,7 @@ from swifttailor.pattern_maker.runtime import Cache, Floats, Runtime
 from swifttailor.pattern_maker.token_sequence import LARGEST_NUMBER, NUMBER_MASK, TokenSequence
 from swifttailor.pattern_maker.vocabulary import NUMBERS
 
-_CARRIES = NUMBER_MASK.any(axis=1)
+_CARRIES: NDArray[np.bool_] = np.any(NUMBER_MASK, axis=1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,7 +144,7 @@ def _answer_all(
             given = runtime.regress(states, tokens)
             if not np.isfinite(given).all():
                 raise InputError("The network's numbers are not finite: its weights are damaged.")
-            numbers = given.clip(-LARGEST_NUMBER, LARGEST_NUMBER)
+            numbers = given.clip(-LARGEST_NUMBER, LARGEST_NUMBER) * NUMBER_MASK[tokens]
         for answer, row in zip(active, numbers, strict=True):
             answer.numbers.append(row)
         going = np.array([k for k, a in enumerate(active) if a.state.stage is not Stage.FINISHED], np.int64)

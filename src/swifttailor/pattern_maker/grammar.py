@@ -215,6 +215,8 @@ class Grammar:
         if not closed:
             least = FEWEST_EDGES if edges == 0 else 1
             here = max(least, min(still_open, self.limits.edges - edges))
+            if still_open - here == 1 and here > least:
+                here -= 1  # a further panel has two edges at least: one is left for it
             still_open = max(still_open - here, 0)
         first_panel = closed and state.name == _NO_NAME
         panels = max(-(-still_open // self.limits.edges), int(first_panel))

@@ -46,8 +46,8 @@ def picture_for_network(pixels: NDArray[np.uint8], size: int) -> NDArray[np.floa
         image = square
     if image.size != (size, size):
         image = image.resize((size, size), Image.Resampling.BICUBIC)
-    values = np.asarray(image, np.float32) / 255
-    return np.ascontiguousarray(((values - _MEAN) / _SPREAD).transpose(2, 0, 1))
+    values = (np.asarray(image, np.float32) / 255 - _MEAN) / _SPREAD
+    return np.ascontiguousarray(values.transpose(2, 0, 1), np.float32)
 
 
 def read_picture(path: Path | str) -> NDArray[np.uint8]:

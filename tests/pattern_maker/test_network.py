@@ -1,0 +1,252 @@
+"""The network of torch: its cache, its graphs and its parts agree with each other."""
+
+from __future__ import annotations
+
+import importlib.util
+
+import numpy as np
+import pytest
+
+from swifttailor.errors import InputError
+from swifttailor.pattern.drafts import draft
+from swifttailor.pattern_maker.encode import encode
+from swifttailor.pattern_maker.network_config import NetworkConfig
+from swifttailor.pattern_maker.prompt import EDIT, IMAGE, MAKE, make_prompt, pattern_part
+from swifttailor.pattern_maker.vocabulary import MOVE, NUMBERS, SIZE
+
+HAS_TORCH = all(importlib.util.find_spec(name) for name in ("torch", "transformers"))
+needs_torch = pytest.mark.skipif(
+    not HAS_TORCH, reason="torch and transformers are not installed: pip install 'swifttailor[train]'"
+)
+TINY = NetworkConfig(
+    hidden_size=32,
+    layers=2,
+    heads=4,
+    key_value_heads=2,
+    intermediate_size=48,
+    vision_hidden_size=32,
+    vision_layers=1,
+    vision_heads=2,
+    image_size=64,
+)
+TEXT = 300
+
+
+@pytest.fixture(scope="module")
+def network():
+    if not HAS_TORCH:
+        pytest.skip("torch is not installed")
+    import torch
+
+    from swifttailor.pattern_maker.network_torch import build_network
+
+    torch.manual_seed(1)
+    return build_network(TINY, TEXT).eval()
+
+
+def sequence(image=False):
+    shirt = encode(draft("t-shirt"))
+    prompt = make_prompt((5, 250, 7), TEXT, image_tokens=4 if image else 0, edit=encode(draft("tank-top")))
+    return prompt + pattern_part(shirt, TEXT)
+
+
+def test_a_prompt_is_picture_text_pattern():
+    edit = encode(draft("tank-top"))
+    prompt = make_prompt((5, 9), TEXT, image_tokens=2, edit=edit)
+    expected = [TEXT + IMAGE] * 2 + [5, 9, TEXT + EDIT, *(edit.tokens + TEXT).tolist(), TEXT + MAKE]
+    assert prompt.tokens.tolist() == expected
+    assert np.array_equal(prompt.numbers[5:-1], edit.numbers)
+    assert not prompt.numbers[:5].any()
+    assert make_prompt((), TEXT).tokens.tolist() == [TEXT + MAKE]
+
+
+@needs_torch
+def test_step_by_step_equals_all_at_once(network):
+    """Teacher-forced: two rows of different lengths, a padded prompt, then token by token."""
+    import torch
+
+    from swifttailor.pattern_maker.runtime_torch import TorchRuntime
+
+    whole = [sequence(), sequence() + make_prompt((1, 2), TEXT)]
+    runtime = TorchRuntime(network)
+    starts, steps = (40, 31), 20
+    tokens, numbers = np.zeros((2, 40), np.int64), np.zeros((2, 40, NUMBERS), np.float32)
+    known = np.zeros((2, 40), np.float32)
+    for row, (one, start) in enumerate(zip(whole, starts, strict=True)):
+        tokens[row, :start], numbers[row, :start] = one.tokens[:start], one.numbers[:start]
+        known[row, :start] = 1
+    _, logits, cache = runtime.decode(runtime.embed(tokens, numbers), known, runtime.empty_cache(2))
+    found = [logits[[0, 1], [starts[0] - 1, starts[1] - 1]]]
+    for step in range(steps):
+        now = np.stack([o.tokens[s + step] for o, s in zip(whole, starts, strict=True)])[:, None]
+        with_numbers = np.stack([o.numbers[s + step] for o, s in zip(whole, starts, strict=True)])[:, None]
+        _, logits, cache = runtime.decode(
+            runtime.embed(now, with_numbers), np.ones((2, 1), np.float32), cache
+        )
+        found.append(logits[:, 0])
+    for row, (one, start) in enumerate(zip(whole, starts, strict=True)):
+        places = torch.arange(start - 1, start + steps)
+        with torch.no_grad():
+            expected, _ = network(
+                torch.tensor(one.tokens)[None],
+                torch.tensor(one.numbers)[None],
+                torch.zeros(0, 3, 64, 64),
+                places,
+                torch.zeros(len(places), dtype=torch.long),
+            )
+        assert np.allclose(np.stack([f[row] for f in found]), expected.numpy(), atol=2e-5)
+
+
+@needs_torch
+def test_pictures_stand_where_their_places_are(network):
+    import torch
+
+    one = sequence(image=True)
+    torch.manual_seed(0)
+    pictures = torch.randn(2, 3, 64, 64)
+    tokens = torch.tensor(np.stack([one.tokens] * 2))
+    numbers = torch.tensor(np.stack([one.numbers] * 2))
+    with torch.no_grad():
+        looks = network.look(pictures)
+        embedded = network.embed(tokens, numbers, looks)
+        assert looks.shape == (2, TINY.image_tokens, 32)
+        assert torch.equal(embedded[:, :4], looks)
+        assert torch.equal(embedded[0, 4:], embedded[1, 4:])
+
+
+@needs_torch
+def test_a_rotation_and_its_negative_are_embedded_alike_and_cost_nothing(network):
+    import torch
+
+    from swifttailor.pattern_maker.network_torch import number_penalty
+
+    row = torch.tensor([[0.1, 0.2, 0.3, 0.5, -0.5, 0.1, 0.7, 0.0]])
+    other = row * torch.tensor([1, 1, 1, -1, -1, -1, -1, 1])
+    move, line = torch.tensor([MOVE]), torch.tensor([MOVE + 1])
+    with torch.no_grad():
+        assert torch.allclose(network.embed_numbers(move, row), network.embed_numbers(move, other))
+        assert not torch.allclose(network.embed_numbers(line, row), network.embed_numbers(line, other))
+    assert number_penalty(row, other, move, "squared").sum() == 0
+    assert number_penalty(row, other, line, "squared").sum() > 0
+    assert number_penalty(row, row + 1, line, "absolute").sum().item() == pytest.approx(8 * 0.975)
+
+
+@needs_torch
+def test_numbers_that_mean_nothing_are_not_looked_at(network):
+    import torch
+
+    one = sequence()
+    noise = np.random.default_rng(0).normal(size=one.numbers.shape).astype(np.float32)
+    from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
+
+    own = one.tokens - TEXT
+    means = NUMBER_MASK[own.clip(0, SIZE - 1)] & ((own >= 0) & (own < SIZE))[:, None]
+    nothing = torch.zeros(0, 1, 32)
+    with torch.no_grad():
+        first, second = (
+            network.embed(torch.tensor(one.tokens)[None], torch.tensor(n)[None], nothing)
+            for n in (one.numbers, np.where(means, one.numbers, noise))
+        )
+    assert torch.equal(first, second)
+
+
+@needs_torch
+@pytest.mark.skipif(not importlib.util.find_spec("onnxscript"), reason="onnxscript is not installed")
+def test_model_file_predicts_what_torch_does(network, tmp_path):
+    from dataclasses import asdict
+
+    from swifttailor.pattern_maker.export_torch import compare, make_graphs
+    from swifttailor.pattern_maker.model_file import load_model, write_model
+    from swifttailor.pattern_maker.runtime_torch import TorchRuntime
+    from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+
+    text = TextTokenizer(tuple((k, k) for k in range(TEXT - 256)))
+    card = {"config": {"network": asdict(TINY), "tags": "random"}}
+    graphs = make_graphs(network)
+    path = write_model(tmp_path / "model.zip", graphs, text, card)
+    model = load_model(path)
+    assert compare(model.runtime, TorchRuntime(network), TEXT, image_size=64) < 1e-4
+    assert model.grammar.tags == "any"
+    written = path.read_bytes()
+    assert write_model(tmp_path / "again.zip", graphs, text, card).read_bytes() == written
+    assert b"/" + b"network_torch.py" not in written
+
+
+@needs_torch
+def test_low_rank_changes_begin_at_nothing_and_are_what_is_trained(network):
+    import copy
+
+    import torch
+
+    from swifttailor.pattern_maker.decoder_torch import CachedDecoder
+    from swifttailor.pattern_maker.lora_torch import add_lora
+
+    changed = copy.deepcopy(network)
+    changed.vlm.language_model.requires_grad_(False)
+    add_lora(changed.vlm.language_model, 2)
+    one = sequence()
+    given = (
+        torch.tensor(one.tokens)[None],
+        torch.tensor(one.numbers)[None],
+        torch.zeros(0, 3, 64, 64),
+        torch.arange(10),
+        torch.full((10,), MOVE),
+    )
+    with torch.no_grad():
+        assert torch.equal(network(*given)[0], changed(*given)[0])
+    trained = {n for n, p in changed.vlm.language_model.named_parameters() if p.requires_grad}
+    assert trained and all(n.endswith((".up", ".down")) for n in trained)
+    for name, parameter in changed.named_parameters():
+        if name.endswith(".up"):
+            torch.nn.init.normal_(parameter, std=0.1)
+    decoder = CachedDecoder(changed)
+    with torch.no_grad():
+        embedded = changed.embed(given[0], given[1], torch.zeros(0, 1, 32))
+        count = embedded.shape[1]
+        nothing = decoder.empty_cache(1)
+        _, logits, _, _ = decoder(embedded, torch.arange(count)[None], torch.ones(1, count), nothing, nothing)
+        assert torch.allclose(logits[0, :10], changed(*given)[0], atol=1e-4)
+        assert not torch.allclose(logits[0, :10], network(*given)[0], atol=1e-2)
+
+
+@needs_torch
+def test_a_pretrained_internvl_is_taken_as_it_is(network, tmp_path):
+    """A folder as transformers writes it; its language model, vision and tokenizer are used."""
+    pytest.importorskip("tokenizers")
+    import torch
+    from tokenizers import Tokenizer, models, pre_tokenizers
+    from transformers import InternVLForConditionalGeneration, PreTrainedTokenizerFast
+
+    from swifttailor.pattern_maker.network_torch import build_network, vlm_config
+    from swifttailor.pattern_maker.pretrained_torch import load_text_tokens
+
+    torch.manual_seed(3)
+    whole = InternVLForConditionalGeneration(vlm_config(TINY, 40))
+    whole.save_pretrained(tmp_path)
+    words = {"[UNK]": 0} | {w: k for k, w in enumerate("a long dress with sleeves".split(), 1)}
+    tokenizer = Tokenizer(models.WordLevel(words, unk_token="[UNK]"))
+    tokenizer.pre_tokenizer = pre_tokenizers.Whitespace()
+    PreTrainedTokenizerFast(tokenizer_object=tokenizer, unk_token="[UNK]").save_pretrained(tmp_path)
+    config = NetworkConfig(
+        pretrained=str(tmp_path), image_size=64, patch_size=16, longest_text=3, lora_rank=2
+    )
+    size, encode_text = load_text_tokens(config)
+    assert (size, encode_text("a long dress with sleeves")) == (6, (1, 2, 3))
+    made = build_network(config, size)
+    given = (torch.tensor([[1, 2, 3]]), torch.zeros(1, 3, NUMBERS), torch.zeros(0, 3, 64, 64))
+    own = whole.model.language_model(input_ids=given[0]).last_hidden_state[0]
+    logits, _ = made.eval()(*given, torch.arange(3), torch.zeros(3, dtype=torch.long))
+    assert torch.allclose(logits, made.token_head(own), atol=1e-5)
+    with pytest.raises(InputError, match="image_size and patch_size"):
+        build_network(NetworkConfig(pretrained=str(tmp_path), image_size=128), size)
+    with pytest.raises(InputError, match="cannot be had"):
+        build_network(NetworkConfig(pretrained=str(tmp_path / "none"), image_size=64), size)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [{"hidden_size": 0}, {"heads": 3}, {"key_value_heads": 3}, {"image_size": 100}, {"lora_rank": 4}],
+)
+def test_shapes_that_do_not_fit_are_refused(wrong):
+    with pytest.raises(InputError, match="network"):
+        NetworkConfig(**wrong)
