@@ -11,7 +11,6 @@ in ggi.npz, and decoded to the outlines (at the drape's edge length) and by the 
   edges;
 * seams: the largest distance between two stitched points, and for the grid the mesh edges along seams that
   stayed open;
-* wound: the share of directed edges that occur once, as all do where every face turns the same side out;
 * outward: the share of faces whose normal points to the same side as the drape's there, also without the
   garments whose pixels are coarser than the mesh: folds smaller than a pixel are not in the image;
 * time: processor seconds of one core, the least of three runs, everything included but reading the file.
@@ -60,7 +59,6 @@ class Measured:
     nonmanifold: int
     seam_gap: float
     open_seam_edges: int
-    wound: float
     outward: float
     edge_length: float
     seconds: float
@@ -122,7 +120,6 @@ def measure_garment(folder: Path, resolutions: list[int]) -> list[Measured]:
                     reached[3],
                     gap,
                     left_open,
-                    wound_alike(decoded.faces),
                     outward(decoded, garment, images),
                     edge_length,
                     seconds,
@@ -201,13 +198,6 @@ def seams(decoded: Garment | SewnGrid, images: GarmentGeometryImage) -> tuple[fl
     return gap, left_open
 
 
-def wound_alike(faces: np.ndarray) -> float:
-    """Share of the faces' directed edges that no other face has."""
-    start, end = faces.astype(np.int64).ravel(), faces[:, [1, 2, 0]].astype(np.int64).ravel()
-    _, uses = np.unique(start * (faces.max() + 1) + end, return_counts=True)
-    return float((uses == 1).sum() / len(start))
-
-
 def outward(decoded: Garment | SewnGrid, garment: Garment, images: GarmentGeometryImage) -> float:
     """Share of the faces that point to the same side as the drape there."""
     flat = face_normals(garment.vertices, garment.faces)
@@ -245,8 +235,7 @@ def report(rows: list[Measured]) -> None:
         f"  seams: gap {max(m.seam_gap for m in rows):g} cm, "
         f"{sum(m.open_seam_edges for m in rows)} seam edges open in "
         f"{sum(m.open_seam_edges > 0 for m in rows)} garments\n"
-        f"  wound alike: {np.mean([m.wound for m in rows]):.4%}; "
-        f"outward: mean {share.mean():.4%}, worst garment {share.min():.3%}; "
+        f"  outward: mean {share.mean():.4%}, worst garment {share.min():.3%}; "
         f"of the {fine.sum()} with pixels no coarser than the mesh {share[fine].mean():.4%}, "
         f"{share[fine].min():.3%}\n"
         f"  time: median {np.median(seconds):.1f} ms, 95 % {np.percentile(seconds, 95):.1f}, "
