@@ -23,7 +23,7 @@ class LossWeights:
     """Sum over x, y and z of the absolute error; mean over the occupied pixels."""
     edge: float = 1.0
     """The paper's alpha, times `regression`: the same over the pixels within `edge_band` of an outline."""
-    edge_band: int = 10
+    edge_band: int = 5
     """Pixels."""
     stitching: float = 0.0
     """Chamfer distance between the two sides of a stitch: from every pixel of either side the squared

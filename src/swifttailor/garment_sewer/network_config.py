@@ -15,9 +15,9 @@ class NetworkConfig:
     The defaults are the small model. ViT-L/16 with DPT's own decoder is `PAPER_NETWORK`.
     """
 
-    resolution: int = 256
+    resolution: int = 128
     """Pixels along each side that it is trained at; any size that `patch_size` divides can be given."""
-    patch_size: int = 16
+    patch_size: int = 8
     hidden_size: int = 256
     layers: int = 8
     heads: int = 4
@@ -66,6 +66,7 @@ class NetworkConfig:
 
 PAPER_NETWORK = NetworkConfig(
     resolution=256,
+    patch_size=16,
     hidden_size=1024,
     layers=24,
     heads=16,

@@ -53,7 +53,7 @@ class SewerConfig:
     repack."""
 
     log_every: int = 50
-    validate_every: int = 1000
+    validate_every: int = 500
     """Steps; a checkpoint is written then too."""
     validation_garments: int = 64
     """How many of the validation split are looked at; the same ones every time."""
