@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -19,11 +20,15 @@ pytestmark = pytest.mark.skipif(
 )
 
 
-def test_the_example_runs():
+def test_the_examples_run(tmp_path, monkeypatch):
+    """In order; the weights are those of an untrained network."""
+    shutil.copy(Path(__file__).with_name("tiny_maker.zip"), tmp_path / "pattern_maker.zip")
+    monkeypatch.chdir(tmp_path)
     names: dict = {}
     for block in re.findall(r"^```python\n(.*?)^```$", GUIDE.read_text(), re.MULTILINE | re.DOTALL):
         exec(compile(block, GUIDE.name, "exec"), names)
     assert isinstance(names["pattern"], Pattern) and len(names["pattern"].panels) > 4
+    assert len(names["made"].attempts) == 4 and isinstance(names["shorter"].pattern, Pattern)
 
 
 def test_the_ids_are_those_of_the_table():

@@ -122,13 +122,13 @@ def test_a_rotation_and_its_negative_are_embedded_alike_and_cost_nothing(network
 
     row = torch.tensor([[0.1, 0.2, 0.3, 0.5, -0.5, 0.1, 0.7, 0.0]])
     other = row * torch.tensor([1, 1, 1, -1, -1, -1, -1, 1])
-    move, line = torch.tensor([MOVE]), torch.tensor([MOVE + 1])
+    move, cubic = torch.tensor([MOVE]), torch.tensor([MOVE + 3])
     with torch.no_grad():
         assert torch.allclose(network.embed_numbers(move, row), network.embed_numbers(move, other))
-        assert not torch.allclose(network.embed_numbers(line, row), network.embed_numbers(line, other))
+        assert not torch.allclose(network.embed_numbers(cubic, row), network.embed_numbers(cubic, other))
     assert number_penalty(row, other, move, "squared").sum() == 0
-    assert number_penalty(row, other, line, "squared").sum() > 0
-    assert number_penalty(row, row + 1, line, "absolute").sum().item() == pytest.approx(8 * 0.975)
+    assert number_penalty(row, other, cubic, "squared").sum() > 0
+    assert number_penalty(row, row + 1, cubic, "absolute").sum().item() == pytest.approx(8 * 0.975)
 
 
 @needs_torch

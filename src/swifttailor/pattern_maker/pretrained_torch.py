@@ -46,7 +46,9 @@ def load_pretrained(config: NetworkConfig, text_size: int) -> InternVLModel:
         raise InputError(
             f"The tokenizer of '{source}' has {text_size} tokens, its model knows {known}. Copy it again."
         )
-    vlm.language_model.gradient_checkpointing_enable()
+    language: Any = vlm.language_model
+    # The older name goes in transformers 6, the newer one is not in all of 5.
+    getattr(language, "activation_checkpointing_enable", language.gradient_checkpointing_enable)()
     if config.lora_rank:
         vlm.language_model.requires_grad_(False)
         add_lora(vlm.language_model, config.lora_rank)

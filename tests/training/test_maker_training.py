@@ -1,0 +1,268 @@
+"""A small PatternMaker learns a pattern by heart, goes on exactly where it was interrupted, and keeps a
+record."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from swifttailor.errors import InputError, MissingExtraError
+from swifttailor.pattern import to_specification
+from swifttailor.pattern.drafts import draft
+from swifttailor.pattern_maker.decode import decode
+from swifttailor.pattern_maker.encode import encode
+from swifttailor.pattern_maker.fidelity import compare
+from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+from swifttailor.pattern_maker.vocabulary import PATTERN_START, STITCH_TOKENS
+from swifttailor.training.extra import require_training_packages
+from swifttailor.training.maker_bank import open_bank
+from swifttailor.training.maker_config import CONFIGS, config_from, read_config
+from swifttailor.training.maker_samples import MakerSamples
+from swifttailor.training.misspelling import misspell
+
+try:
+    require_training_packages("This test")
+    MISSING = ""
+except MissingExtraError as error:
+    MISSING = str(error)
+needs_torch = pytest.mark.skipif(bool(MISSING), reason=MISSING)
+
+TINY = [
+    "network.hidden_size=64",
+    "network.layers=2",
+    "network.heads=2",
+    "network.key_value_heads=1",
+    "network.intermediate_size=128",
+    "network.vision_hidden_size=32",
+    "network.vision_layers=1",
+    "network.vision_heads=2",
+    "network.image_size=64",
+    "batch_size=4",
+    "learning_rate=0.003",
+    "warmup_steps=3",
+    "steps=8",
+    "validate_every=4",
+    "validation_samples=2",
+    "log_every=2",
+    "ema=0.9",
+    "precision=float32",
+]
+TEXT = TextTokenizer.shipped()
+
+
+def write_lines(path: Path, patterns: dict, **more) -> Path:
+    lines = [json.dumps({"id": k, "pattern": to_specification(p)} | more) for k, p in patterns.items()]
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("patterns")
+    train = {f"skirt{k}": draft("fitted-skirt", length=45.0 + 8 * k) for k in range(3)}
+    train |= {"top": draft("tank-top"), "shirt": draft("t-shirt")}
+    write_lines(folder / "train.jsonl", train)
+    write_lines(folder / "validation.jsonl", {"other": draft("fitted-skirt", length=50.0)})
+    write_lines(folder / "edits.jsonl", {"longer": draft("fitted-skirt", length=80.0)}, base="skirt0")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def bank(files):
+    return open_bank([files / "train.jsonl"], files / "edits.jsonl", files / "cache", recuts=1)
+
+
+@pytest.fixture(scope="module")
+def config():
+    return read_config("small", TINY)
+
+
+def samples_of(bank, config):
+    return MakerSamples(bank, None, config, lambda t: TEXT.encode(t, 192).tokens, TEXT.size)
+
+
+def inputs(files):
+    return {
+        "patterns": [files / "train.jsonl"],
+        "validation": [files / "validation.jsonl"],
+        "edits": files / "edits.jsonl",
+        "cache": files / "cache",
+        "threads": 1,
+    }
+
+
+def test_a_bank_holds_patterns_their_facts_and_their_edits(bank, files):
+    from swifttailor.data.captions import measure_facts
+
+    skirt = bank.garments[0]
+    pattern = draft("fitted-skirt", length=45.0)
+    assert [g.id for g in bank.garments] == ["skirt0", "skirt1", "skirt2", "top", "shirt"]
+    assert compare(decode(skirt.pattern.sequence), pattern).outline_cm < 1e-3
+    assert skirt.pattern.facts == measure_facts(pattern)
+    assert [v.id for v in skirt.edits][-1] == "longer"
+    assert all(len(g.edits) == 1 + (g.id == "skirt0") for g in bank.garments)
+    again = open_bank([files / "train.jsonl"], files / "edits.jsonl", files / "cache", recuts=1)
+    assert again.checksum == bank.checksum
+    assert [g.edits[0].sequence for g in again.garments] == [g.edits[0].sequence for g in bank.garments]
+
+
+def test_patterns_that_cannot_be_used_are_named(tmp_path):
+    path = write_lines(tmp_path / "some.jsonl", {"top": draft("tank-top")})
+    odd = to_specification(draft("tank-top"))
+    name = next(iter(odd["pattern"]["panels"]))
+    odd = json.loads(json.dumps(odd).replace(f'"{name}"', '"pocket"'))
+    with path.open("a") as stream:
+        stream.write(json.dumps({"id": "odd", "pattern": odd}) + "\nno json\n")
+    bank = open_bank([path], None, tmp_path, recuts=0)
+    assert len(bank) == 1
+    assert [id for id, _ in bank.skipped] == ["#3", "odd"]
+    assert "pocket" in bank.skipped[1][1]
+    path.write_text("no json\n")
+    with pytest.raises(InputError, match="no pattern to learn from"):
+        open_bank([path], None, tmp_path, recuts=0)
+
+
+def test_samples_are_prompts_with_their_answers(bank, config):
+    samples, tasks = samples_of(bank, config), Counter()
+    for place in range(40):
+        plan = samples.plan(place)
+        sample = samples.make(plan)
+        tasks[sample.task] += 1
+        answer = sample.tokens[-len(sample.answer) :] - TEXT.size
+        assert np.array_equal(answer, sample.answer.tokens)
+        noise = sample.numbers[-len(sample.answer) :] - sample.answer.numbers
+        assert 0.001 < noise.std() < 0.05
+        assert not noise[~sample.answer.number_mask()].any()
+        prompt = sample.tokens[: -len(sample.answer)]
+        assert (TEXT.size + PATTERN_START in prompt) == (sample.task == "edit")
+        assert len(TEXT.decode(t for t in prompt.tolist() if t < TEXT.size)) > 5
+        again = samples_of(bank, config).make(samples_of(bank, config).plan(place))
+        assert np.array_equal(again.tokens, sample.tokens)
+        assert np.array_equal(again.numbers, sample.numbers)
+    assert set(tasks) == {"text", "edit"}
+    assert {samples.plan(k).garment for k in range(5)} == set(range(5)), "every pattern once in an epoch"
+
+
+def test_captions_are_new_every_time(bank, config):
+    samples = samples_of(bank, config)
+    chance = np.random.default_rng(0)
+    made = [samples.make(samples.plan_task(3, "text", chance), clean=True) for _ in range(12)]
+    texts = {TEXT.decode(t for t in s.tokens.tolist() if t < TEXT.size) for s in made}
+    assert len(texts) > 8
+    assert all(s.answer == made[0].answer for s in made)
+
+
+def test_random_tags_name_the_same_stitches(bank, config):
+    samples = samples_of(bank, replace(config, tags="random"))
+    plan = samples.plan_task(4, "text", np.random.default_rng(0))
+    made, own = samples.make(plan).answer, bank.garments[4].pattern.sequence
+    assert decode(made).stitches == decode(own).stitches
+    assert not np.array_equal(made.tokens, own.tokens)
+    other = ~np.isin(own.tokens, STITCH_TOKENS)
+    assert np.array_equal(made.tokens[other], own.tokens[other])
+
+
+def test_misspelling():
+    text = "a long dress with a v neck and 3 tiers"
+    assert misspell(text, np.random.default_rng(0), 0.0) == text
+    wrong = misspell(text, np.random.default_rng(0), 1.0).split()
+    for word, before in zip(wrong, text.split(), strict=True):
+        assert abs(len(word) - len(before)) <= 1
+        assert len(before) >= 3 or word == before
+    assert sum(a != b for a, b in zip(wrong, text.split(), strict=True)) >= 5
+
+
+@pytest.mark.parametrize("name", list(CONFIGS))
+def test_configurations_survive_their_file(name):
+    from swifttailor.training.config_file import config_values
+
+    assert config_from(config_values(CONFIGS[name])) == CONFIGS[name]
+
+
+@pytest.mark.parametrize(
+    "wrong", ["tasks.text=-1", "losses.penalty=cubed", "tags=none", "typos=2", "steps=0", "network.heads=7"]
+)
+def test_wrong_values_are_refused(wrong):
+    with pytest.raises(InputError):
+        read_config("small", [wrong])
+
+
+@needs_torch
+def test_batches_hold_samples_of_like_length_and_depend_on_their_number_alone(bank, config):
+    import torch
+
+    from swifttailor.training.maker_batch_torch import WINDOW, TrainingBatches
+
+    def batches(**parts):
+        return TrainingBatches(samples_of(bank, config), **parts)
+
+    planned = [batches().plans(step) for step in range(WINDOW)]
+    assert Counter(id(p.version) for b in planned for p in b).total() == 4 * WINDOW
+    spread = np.mean([max(p.length for p in b) - min(p.length for p in b) for b in planned])
+    everything = [p.length for b in planned for p in b]
+    assert spread < 0.3 * (max(everything) - min(everything))
+    first, again = batches()[30], batches()[30]
+    assert all(torch.equal(a, b) for a, b in zip(vars(first).values(), vars(again).values(), strict=True))
+    tokens = first.tokens.flatten()[first.answers + 1] - TEXT.size
+    assert torch.equal(tokens, first.next_tokens)
+    shares = [batches(part=k, parts=2)[30] for k in (0, 1)]
+    assert sum(len(s.next_tokens) for s in shares) == len(first.next_tokens)
+    ahead = batches().from_step(30)
+    assert torch.equal(next(ahead).tokens, first.tokens)
+
+
+@needs_torch
+def test_interrupted_and_resumed_equals_uninterrupted_bit_for_bit(config, files, tmp_path):
+    from swifttailor.training.maker_loop_torch import train
+
+    # In bfloat16 too, where the weights that are optimised are not those that compute.
+    lowered = replace(config, precision="bfloat16", steps=6, validate_every=6)
+    whole = train(lowered, out=tmp_path / "whole", **inputs(files))
+    train(lowered, out=tmp_path / "run", stop_after=2, **inputs(files))
+    resumed = train(lowered, out=tmp_path / "run", resume=True, **inputs(files))
+    for name in ("weights.safetensors", "config.json"):
+        assert (tmp_path / "run" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes(), name
+    assert whole["validation"] == resumed["validation"]
+    assert set(whole["validation"]) == {"text", "edit"}
+    assert whole["data"]["train"]["garments"] == 5
+    assert whole["data"]["validation"]["garments"] == 1
+    with pytest.raises(InputError, match="already"):
+        train(lowered, out=tmp_path / "run", **inputs(files))
+
+
+@needs_torch
+def test_training_and_validation_must_not_share_patterns(config, files, tmp_path):
+    from swifttailor.training.maker_loop_torch import train
+
+    shared = inputs(files) | {"validation": [files / "train.jsonl"]}
+    with pytest.raises(InputError, match="both trained on and validated with"):
+        train(config, out=tmp_path / "run", **shared)
+
+
+@needs_torch
+def test_a_pattern_learnt_by_heart_is_written_under_the_grammar(config, files, tmp_path):
+    from swifttailor.pattern_maker.export_torch import load_weights
+    from swifttailor.pattern_maker.generation import Asked, write_answers
+    from swifttailor.pattern_maker.grammar import Grammar
+    from swifttailor.pattern_maker.prompt import make_prompt
+    from swifttailor.pattern_maker.runtime_torch import TorchRuntime
+    from swifttailor.training.maker_loop_torch import train
+
+    top = write_lines(tmp_path / "top.jsonl", {"top": draft("tank-top")})
+    longer = replace(config, steps=350, validate_every=350, ema=0.98, number_noise=0.003, recuts=0)
+    given = inputs(files) | {"patterns": [top], "edits": None}
+    card = train(longer, out=tmp_path / "run", **given)
+    network = load_weights(tmp_path / "run/weights.safetensors", card, TEXT.size)
+    prompt = make_prompt(TEXT.encode("a tank top", 192).tokens, TEXT.size)
+    ((written,),) = write_answers(TorchRuntime(network), [Asked(prompt)], Grammar(), TEXT.size)
+    assert written.sequence.tokens.tolist() == encode(draft("tank-top")).tokens.tolist()
+    found = compare(decode(written.sequence), draft("tank-top"))
+    assert found.same_structure
+    assert found.outline_cm < 3.0
+    assert found.placement_cm < 3.0
+    assert written.log_likelihood > -2.0
