@@ -2,10 +2,13 @@ from __future__ import annotations
 
 import re
 from html.parser import HTMLParser
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from sample_makers import COARSE, make_quickly, run_here
 
 from swifttailor.data.builder import build_split
@@ -14,6 +17,7 @@ from swifttailor.data.renders.files import RenderSettings, SplitRenders
 from swifttailor.data.stats import choose, count_split, show_sample, write_page, write_sheets
 from swifttailor.data.stats.numbers import MEASURES, SplitNumbers
 from swifttailor.data.stats.page import histogram
+from swifttailor.data.stats.sheets import wrapped
 from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError
 
@@ -124,3 +128,15 @@ def test_histogram():
     assert re.findall(r"<title>(\d+)</title>", drawing) == ["30", "10"]
     assert histogram(np.full(3, np.nan)) == "<p>no values</p>"
     assert histogram(np.full(3, 5.0)).count("<rect") == 28
+
+
+@given(words=st.lists(st.text("abW", min_size=1, max_size=12), max_size=30), width=st.integers(5, 80))
+def test_captions_are_broken_by_their_width(words, width):
+    def length(text: str) -> float:
+        return sum(3.0 if c == "W" else 1.0 for c in text)
+
+    lines = wrapped(" ".join(words), width, length)
+    assert " ".join(lines).split() == words
+    assert all(length(line) <= width or " " not in line for line in lines)
+    # No line is broken before it must be.
+    assert all(length(f"{a} {b.split()[0]}") > width for a, b in pairwise(lines))

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import textwrap
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -109,6 +108,18 @@ def _fit(picture: Picture) -> Picture:
     return np.asarray(Image.fromarray(picture).resize((TILE, TILE), Image.Resampling.LANCZOS))
 
 
+def wrapped(text: str, width: float, length: Callable[[str], float]) -> list[str]:
+    """Breaks a text into lines no longer than a width, where no single word is; line breaks become spaces."""
+    lines: list[str] = []
+    for word in text.split():
+        longer = f"{lines[-1]} {word}" if lines else word
+        if lines and length(longer) <= width:
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return lines
+
+
 def _draw_sheet(shown: Sequence[Shown]) -> Image:
     from PIL import Image, ImageDraw, ImageFont
 
@@ -122,7 +133,7 @@ def _draw_sheet(shown: Sequence[Shown]) -> Image:
         for k, picture in enumerate((one.front, one.back, one.render)):
             sheet.paste(Image.fromarray(picture), (left + k * TILE, top))
         draw.text((left, top + TILE + 3), one.id, fill=_GREY, font=small)
-        lines = textwrap.wrap(one.caption, 98)
+        lines = wrapped(one.caption, 3 * TILE, font.getlength)
         text = "\n".join(lines[:4]) + (" ..." if len(lines) > 4 else "")
         draw.text((left, top + TILE + 21), text, fill=_INK, font=font, spacing=1)
     return sheet
