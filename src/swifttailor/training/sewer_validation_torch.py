@@ -15,7 +15,7 @@ from swifttailor.data.reader import SplitReader
 from swifttailor.errors import InputError
 from swifttailor.evaluation.garment_error import GarmentError, measure_error, summarize
 from swifttailor.garment import Garment
-from swifttailor.garment_sewer.closing import merge
+from swifttailor.garment_sewer.closing import close_seams
 from swifttailor.garment_sewer.network_torch import GarmentSewerNetwork
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.ggi.outline_decode import OutlineSampler, outline_sampler
@@ -57,7 +57,7 @@ class Validation:
         return measure_error(known.sampler.mesh, self._predict(network, k), known.drape, self._body)
 
     def draw(self, network: GarmentSewerNetwork, path: Path) -> None:
-        """Draws predictions above their drapes, each from the front, the back and the side.
+        """Draws garments as they are made of predictions, and their drapes beside them, from three sides.
 
         Raises:
             InputError: Pillow is missing, or the file cannot be written.
@@ -74,7 +74,8 @@ class Validation:
         for row, k in enumerate(chosen):
             known = self._of(k)
             mesh = known.sampler.mesh
-            for column, vertices in enumerate((merge(mesh, self._predict(network, k)), known.drape)):
+            sewn = close_seams(mesh, self._predict(network, k), self._body)
+            for column, vertices in enumerate((sewn, known.drape)):
                 picture = render_preview(Garment(mesh, vertices), Body.default(), size=_PICTURE)
                 sheet.paste(picture, (column * _PICTURE[0], row * _PICTURE[1]))
         write_atomically(path, lambda temporary: sheet.save(temporary))
