@@ -21,12 +21,11 @@ from torch import Tensor, nn
 from swifttailor.errors import SimulationError
 from swifttailor.training.checkpoint_torch import MovingAverage, read_checkpoint, write_checkpoint
 from swifttailor.training.config_file import config_values
-from swifttailor.training.maker_config import MakerConfig
+from swifttailor.training.loop_config import LoopConfig
 from swifttailor.training.master_weights_torch import MasterWeights, parameter_groups
 from swifttailor.training.processes_torch import Processes
 from swifttailor.training.run_record import WEIGHTS, RunRecord, versions
 from swifttailor.training.schedule import Schedule
-from swifttailor.training.sewer_config import SewerConfig
 
 Report = Callable[[str], None]
 BETAS = (0.9, 0.99)
@@ -68,7 +67,7 @@ class Task(Protocol):
 class Loop:
     """How a task is trained."""
 
-    config: SewerConfig | MakerConfig
+    config: LoopConfig
     out: Path
     processes: Processes
     record: RunRecord

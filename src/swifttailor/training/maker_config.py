@@ -9,6 +9,7 @@ from typing import Any, Literal
 from swifttailor.errors import InputError
 from swifttailor.pattern_maker.network_config import PAPER_NETWORK, NetworkConfig
 from swifttailor.training.config_file import changed_config, read_config_of, require
+from swifttailor.training.loop_config import LoopConfig
 
 
 @dataclass(frozen=True)
@@ -47,35 +48,18 @@ class MakerLosses:
 
 
 @dataclass(frozen=True)
-class MakerConfig:
+class MakerConfig(LoopConfig):
     """Network, tasks, losses, and how they are optimised."""
 
     network: NetworkConfig = field(default_factory=NetworkConfig)
     tasks: TaskMix = field(default_factory=TaskMix)
     losses: MakerLosses = field(default_factory=MakerLosses)
 
-    steps: int = 20_000
-    """Optimiser steps; the cosine ends there, or when the given time is over."""
-    batch_size: int = 16
-    """Samples to a step, on all devices together."""
     learning_rate: float = 1e-3
-    """At its height."""
     pretrained_rate: float = 1.0
     """Factor on the learning rate of what is pretrained."""
-    warmup_steps: int = 200
-    final_rate: float = 0.01
-    """Share of the learning rate that the cosine ends with."""
-    weight_decay: float = 0.05
-    clip: float = 1.0
-    """Largest norm of the gradient."""
-    ema: float = 0.999
-    """Decay of the moving average of the weights, which is what is kept in the end; less at first."""
-    precision: Literal["auto", "float32", "bfloat16"] = "auto"
-    """Of the InternVL; the weights that are optimised, the heads and the losses are float32 always. auto:
-    bfloat16 where the chip has it."""
     start: str = ""
     """Weights (weights.safetensors of another run of the same shape) to begin with; empty for none."""
-    seed: int = 0
 
     tags: Literal["ascending", "random"] = "ascending"
     """Whether stitch tags count up, or mean nothing (AIpparel)."""
@@ -89,23 +73,16 @@ class MakerConfig:
 
     log_every: int = 20
     validate_every: int = 250
-    """Steps; a checkpoint is written then too."""
     validation_samples: int = 96
     """Of each task; the same ones every time."""
 
     def __post_init__(self) -> None:
-        for name in ("steps", "batch_size", "log_every", "validate_every", "validation_samples"):
-            require(self, name, getattr(self, name) >= 1, "at least 1")
-        for name in ("warmup_steps", "seed", "recuts", "weight_decay", "number_noise"):
+        super().__post_init__()
+        require(self, "validation_samples", self.validation_samples >= 1, "at least 1")
+        for name in ("recuts", "number_noise"):
             require(self, name, getattr(self, name) >= 0, "0 or more")
-        for name in ("learning_rate", "pretrained_rate", "clip"):
-            require(self, name, getattr(self, name) > 0, "above 0")
-        for name in ("typos", "final_rate"):
-            require(self, name, 0 <= getattr(self, name) <= 1, "0 to 1")
-        require(self, "ema", 0 <= self.ema < 1, "0 or more and below 1")
-        require(
-            self, "precision", self.precision in ("auto", "float32", "bfloat16"), "auto, float32 or bfloat16"
-        )
+        require(self, "pretrained_rate", self.pretrained_rate > 0, "above 0")
+        require(self, "typos", 0 <= self.typos <= 1, "0 to 1")
         require(self, "tags", self.tags in ("ascending", "random"), "ascending or random")
 
 
