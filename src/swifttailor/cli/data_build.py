@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from collections import Counter
 from dataclasses import dataclass
@@ -12,7 +11,13 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import tyro
 
-from swifttailor.cli.data_workers import worker_count
+from swifttailor.cli.option_checks import (
+    require_edge_length,
+    require_limit,
+    require_seed,
+    require_time_limit,
+    worker_count,
+)
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
@@ -129,25 +134,16 @@ class DataBuild:
 
     def _validate(self) -> None:
         """Refuses what cannot work before anything is loaded."""
-        from swifttailor.cli.drape import MAX_EDGE_CM, MIN_EDGE_CM
-
         if not self.patterns:
             raise InputError("No patterns were given. Give at least one file: --patterns FILE")
         self._split()
         if self.ray is not None and self.workers is not None:
             raise InputError("--workers and --ray exclude each other: a Ray cluster uses all of its cores.")
-        if not (math.isfinite(self.edge_length) and MIN_EDGE_CM <= self.edge_length <= MAX_EDGE_CM):
-            raise InputError(
-                f"--edge-length is {self.edge_length:g}; from {MIN_EDGE_CM:g} to {MAX_EDGE_CM:g} cm is "
-                "accepted. 2 is usual, 1 fine, 4 coarse."
-            )
-        if not 0 <= self.seed < 2**63:
-            raise InputError(f"--seed is {self.seed}; a whole number from 0 to 2^63 - 1 is accepted.")
+        require_edge_length(self.edge_length)
+        require_seed(self.seed)
         worker_count(self.workers)
-        if self.limit is not None and self.limit < 1:
-            raise InputError(f"--limit is {self.limit}; a whole number of at least 1 is accepted.")
-        if not (math.isfinite(self.time_limit) and self.time_limit >= 1):
-            raise InputError(f"--time-limit is {self.time_limit:g}; at least 1 second is accepted.")
+        require_limit(self.limit)
+        require_time_limit(self.time_limit)
 
 
 def finish_build(index: SplitIndex, folder: Path) -> int:

@@ -41,7 +41,7 @@ class DataCaptions:
         Raises:
             SwiftTailorError: The source cannot be read, or there is no such style.
         """
-        from swifttailor.cli.data_workers import in_range
+        from swifttailor.cli.option_checks import in_range
         from swifttailor.data.index import split_folders
         from swifttailor.data.pattern_source import is_data_set
 

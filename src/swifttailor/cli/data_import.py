@@ -51,8 +51,9 @@ class DataImport:
         Raises:
             SwiftTailorError: Something is not usable; what was imported so far is kept.
         """
-        if self.limit is not None and self.limit < 1:
-            raise InputError(f"--limit is {self.limit}; a whole number of at least 1 is accepted.")
+        from swifttailor.cli.option_checks import require_limit
+
+        require_limit(self.limit)
         from swifttailor.data.garmentcodedata import GarmentCodeData
 
         dataset = GarmentCodeData(self.root)
@@ -84,7 +85,7 @@ class DataImport:
     def _import(self, dataset: GarmentCodeData, split: str, samples: list[SampleFolder]) -> int:
         from swifttailor.cli.data_build import finish_build
         from swifttailor.cli.data_progress import BuildProgress
-        from swifttailor.cli.data_workers import worker_count
+        from swifttailor.cli.option_checks import worker_count
         from swifttailor.data.builder import BuildSettings, build_split
         from swifttailor.data.builder.run import ATTEMPTS, TIME_LIMIT
         from swifttailor.data.garmentcodedata.import_samples import ORIGIN, import_sample, patterns_of

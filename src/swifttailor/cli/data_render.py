@@ -37,8 +37,8 @@ class DataRender:
         Raises:
             SwiftTailorError: There is no data set, or other renders are there already.
         """
-        from swifttailor.cli.data_workers import worker_count
         from swifttailor.cli.item_progress import ItemProgress
+        from swifttailor.cli.option_checks import worker_count
         from swifttailor.data.index import split_folders
         from swifttailor.data.reader import SplitReader
         from swifttailor.data.renders.files import FOLDER, RenderSettings, SplitRenders

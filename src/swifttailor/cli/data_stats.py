@@ -10,8 +10,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import tyro
 
-from swifttailor.errors import InputError
-
 if TYPE_CHECKING:
     from swifttailor.data.stats import Shown, SplitNumbers
 
@@ -45,13 +43,12 @@ class DataStats:
         Raises:
             SwiftTailorError: The data set cannot be read, or a file not be written.
         """
-        if not 0 <= self.samples <= MAX_SAMPLES:
-            raise InputError(f"--samples is {self.samples}; from 0 to {MAX_SAMPLES} is accepted.")
         from swifttailor.atomic_files import write_text
-        from swifttailor.cli.data_workers import worker_count
+        from swifttailor.cli.option_checks import in_range, worker_count
         from swifttailor.data.index import split_folders
         from swifttailor.data.stats import write_page, write_sheets
 
+        in_range("--samples", self.samples, 0, MAX_SAMPLES)
         workers = worker_count(self.workers)
         out = self.out if self.out is not None else self.dataset / "stats"
         numbers: dict[str, SplitNumbers] = {}

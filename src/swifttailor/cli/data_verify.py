@@ -33,8 +33,8 @@ class DataVerify:
         Raises:
             SwiftTailorError: There is no data set.
         """
-        from swifttailor.cli.data_workers import worker_count
         from swifttailor.cli.item_progress import ItemProgress
+        from swifttailor.cli.option_checks import worker_count
         from swifttailor.data.index import read_index, split_folders
         from swifttailor.data.verify import Fault, verify_dataset
         from swifttailor.errors import SwiftTailorError

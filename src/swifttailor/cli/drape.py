@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
-import os
 import sys
 import time
 from dataclasses import dataclass, replace
@@ -13,6 +11,14 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import tyro
 
+from swifttailor.cli.option_checks import (
+    require_edge_length,
+    require_limit,
+    require_seed,
+    require_time_limit,
+    require_writable_folder,
+    worker_count,
+)
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
@@ -20,8 +26,6 @@ if TYPE_CHECKING:
 
 NOT_ACCEPTED = 1
 UNUSABLE = 2
-MIN_EDGE_CM, MAX_EDGE_CM = 0.5, 10.0
-MAX_WORKERS = 256
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -108,19 +112,11 @@ class Drape:
             )
         if self.batch is None:
             self._refuse_batch_options()
-        if not (math.isfinite(self.edge_length) and MIN_EDGE_CM <= self.edge_length <= MAX_EDGE_CM):
-            raise InputError(
-                f"--edge-length is {self.edge_length:g}; from {MIN_EDGE_CM:g} to {MAX_EDGE_CM:g} cm is "
-                "accepted. 2 is usual, 1 fine, 4 coarse."
-            )
-        if not 0 <= self.seed < 2**63:
-            raise InputError(f"--seed is {self.seed}; a whole number from 0 to 2^63 - 1 is accepted.")
-        if self.workers is not None and not 1 <= self.workers <= MAX_WORKERS:
-            raise InputError(f"--workers is {self.workers}; from 1 to {MAX_WORKERS} is accepted.")
-        if self.limit is not None and self.limit < 1:
-            raise InputError(f"--limit is {self.limit}; a whole number of at least 1 is accepted.")
-        if self.time_limit is not None and not (math.isfinite(self.time_limit) and self.time_limit >= 1):
-            raise InputError(f"--time-limit is {self.time_limit:g}; at least 1 second is accepted.")
+        require_edge_length(self.edge_length)
+        require_seed(self.seed)
+        worker_count(self.workers)
+        require_limit(self.limit)
+        require_time_limit(self.time_limit)
         require_writable_folder(self.out)
 
     def _refuse_batch_options(self) -> None:
@@ -192,25 +188,6 @@ class Drape:
             f"Look at {look}; the numbers are in {self.out / 'report.json'}.",
         ]
         print("\n".join(lines))  # noqa: T201
-
-
-def require_writable_folder(folder: Path) -> None:
-    """Refuses, before the work is done, a folder that cannot be written after it.
-
-    Raises:
-        InputError: It is a file, or it cannot be made or written.
-    """
-    existing = folder
-    try:
-        while not existing.exists() and existing != existing.parent:
-            existing = existing.parent
-        is_folder = existing.is_dir()
-    except (OSError, ValueError) as error:
-        raise InputError(f"{str(folder)!r} cannot be a folder: {error}. Choose another --out.") from error
-    if not is_folder:
-        raise InputError(f"'{existing}' is a file, not a folder. Choose another --out.")
-    if not os.access(existing, os.W_OK | os.X_OK):
-        raise InputError(f"'{existing}' cannot be written to. Choose another --out.")
 
 
 def _print_json(value: dict[str, Any]) -> None:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-import os
 import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from swifttailor.cli.option_checks import worker_count
 from swifttailor.cli.progress import CountProgress
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def run_drape_batch(options: Drape, source: Path) -> int:
             source,
             options.out,
             settings,
-            workers=options.workers or _available_cores(),
+            workers=worker_count(options.workers),
             limit=options.limit,
             time_limit=options.time_limit or TIME_LIMIT,
             retry_failed=options.retry_failed,
@@ -95,9 +95,3 @@ class _BatchProgress(CountProgress):
             self.note(f"{self.position}/{self._total} {line}")
         elif record["status"] == "failed":
             self.note(line)
-
-
-def _available_cores() -> int:
-    if hasattr(os, "sched_getaffinity"):
-        return max(1, len(os.sched_getaffinity(0)))
-    return os.cpu_count() or 1

@@ -42,9 +42,9 @@ class EvaluateDrapeFloor:
         Raises:
             SwiftTailorError: The data or an option cannot be used.
         """
-        from swifttailor.cli.drape import require_writable_folder
         from swifttailor.cli.evaluation_report import GarmentReport, open_split, require_picture_count
         from swifttailor.cli.item_progress import ItemProgress
+        from swifttailor.cli.option_checks import require_writable_folder
 
         require_picture_count(self.pictures)
         require_writable_folder(self.out)

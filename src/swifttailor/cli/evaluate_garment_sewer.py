@@ -9,8 +9,6 @@ from typing import Annotated
 
 import tyro
 
-from swifttailor.errors import InputError
-
 
 @dataclass(frozen=True, kw_only=True)
 class EvaluateGarmentSewer:
@@ -51,9 +49,9 @@ class EvaluateGarmentSewer:
         """
         from swifttailor.cli.evaluation_report import GarmentReport, open_split, require_picture_count
         from swifttailor.cli.item_progress import ItemProgress
+        from swifttailor.cli.option_checks import require_threads
 
-        if not 1 <= self.threads <= 256:
-            raise InputError(f"--threads is {self.threads}; from 1 to 256 is accepted.")
+        require_threads(self.threads)
         require_picture_count(self.pictures)
         from swifttailor.evaluation.garments.sew_split import sew_split
         from swifttailor.evaluation.provenance import choose_samples, provenance

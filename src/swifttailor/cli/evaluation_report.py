@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from swifttailor.cli.option_checks import in_range
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
@@ -37,8 +38,7 @@ def open_split(data: Path, split: str) -> SplitReader:
 
 def require_picture_count(pictures: int) -> None:
     """Refuses numbers of pictures that nobody can want."""
-    if not 0 <= pictures <= MAX_PICTURES:
-        raise InputError(f"--pictures is {pictures}; from 0 to {MAX_PICTURES} is accepted.")
+    in_range("--pictures", pictures, 0, MAX_PICTURES)
 
 
 @dataclass(frozen=True)

@@ -50,7 +50,7 @@ class Ggi:
         Raises:
             SwiftTailorError: The input cannot be used.
         """
-        from swifttailor.cli.drape import require_writable_folder
+        from swifttailor.cli.option_checks import require_writable_folder
 
         if (self.source is None) == (self.decode is None):
             raise InputError(

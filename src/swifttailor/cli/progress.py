@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from abc import ABC, abstractmethod
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
@@ -10,7 +11,12 @@ if TYPE_CHECKING:
     from rich.progress import Progress, ProgressColumn, TaskID
 
 
-class StderrBar:
+def print_line(text: str) -> None:
+    """Prints what a command has to say to standard output, at once."""
+    print(text, flush=True)  # noqa: T201
+
+
+class StderrBar(ABC):
     """A bar while standard error is a terminal, and lines that stay; use as a context manager."""
 
     def __init__(self) -> None:
@@ -39,9 +45,9 @@ class StderrBar:
             sys.stderr.write(text + "\n")
             sys.stderr.flush()
 
+    @abstractmethod
     def _columns(self) -> tuple[ProgressColumn, ...]:
         """What the bar shows."""
-        raise NotImplementedError
 
 
 class StageProgress(StderrBar):

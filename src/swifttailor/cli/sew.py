@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import sys
 import time
 from collections.abc import Iterator, Sequence
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import tyro
 
+from swifttailor.cli.option_checks import require_edge_length, require_threads, require_writable_folder
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
 SOMETHING_TO_LOOK_AT = 1
 UNUSABLE = 2
-MIN_EDGE_CM, MAX_EDGE_CM = 0.5, 10.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,17 +83,10 @@ class Sew:
 
     def _folders(self) -> list[tuple[Path, Path]]:
         """Each pattern and its folder; refuses what cannot work before anything is loaded."""
-        from swifttailor.cli.drape import require_writable_folder
-
         if not self.patterns:
             raise InputError("No pattern was given. Give one or more: swifttailor sew PATTERN --out DIR")
-        if not (math.isfinite(self.edge_length) and MIN_EDGE_CM <= self.edge_length <= MAX_EDGE_CM):
-            raise InputError(
-                f"--edge-length is {self.edge_length:g}; from {MIN_EDGE_CM:g} to {MAX_EDGE_CM:g} cm is "
-                "accepted."
-            )
-        if not 1 <= self.threads <= 256:
-            raise InputError(f"--threads is {self.threads}; from 1 to 256 is accepted.")
+        require_edge_length(self.edge_length)
+        require_threads(self.threads)
         require_writable_folder(self.out)
         if len(self.patterns) == 1:
             return [(self.patterns[0], self.out)]

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
 import tyro
 
-from swifttailor.errors import InputError
+from swifttailor.cli.option_checks import (
+    MAX_WORKERS,
+    in_range,
+    require_max_minutes,
+    require_threads,
+    require_writable_folder,
+)
+from swifttailor.cli.progress import print_line
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,15 +52,12 @@ class TrainGarmentSewer:
         Raises:
             SwiftTailorError: Something cannot be used.
         """
-        from swifttailor.cli.drape import require_writable_folder
         from swifttailor.training.extra import require_training_packages
         from swifttailor.training.sewer_config import read_config
 
-        if self.max_minutes is not None and not (math.isfinite(self.max_minutes) and self.max_minutes > 0):
-            raise InputError(f"--max-minutes is {self.max_minutes:g}; a time above 0 is accepted.")
-        for name, value in (("--workers", self.workers), ("--threads", self.threads)):
-            if value is not None and not 1 <= value <= 256:
-                raise InputError(f"{name} is {value}; from 1 to 256 is accepted.")
+        require_max_minutes(self.max_minutes)
+        in_range("--workers", self.workers, 1, MAX_WORKERS)
+        require_threads(self.threads)
         config = read_config(self.config, self.set)
         require_writable_folder(self.out)
         require_training_packages("Training")
@@ -69,10 +72,6 @@ class TrainGarmentSewer:
             workers=self.workers,
             max_minutes=self.max_minutes,
             threads=self.threads,
-            report=_say,
+            report=print_line,
         )
         return 0
-
-
-def _say(text: str) -> None:
-    print(text, flush=True)  # noqa: T201

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
 import tyro
 
-from swifttailor.errors import InputError
+from swifttailor.cli.option_checks import (
+    MAX_WORKERS,
+    in_range,
+    require_max_minutes,
+    require_threads,
+    require_writable_folder,
+)
+from swifttailor.cli.progress import print_line
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,16 +61,13 @@ class TrainPatternMaker:
         Raises:
             SwiftTailorError: Something cannot be used.
         """
-        from swifttailor.cli.drape import require_writable_folder
         from swifttailor.training.extra import require_training_packages
         from swifttailor.training.maker_config import read_config
 
-        if self.max_minutes is not None and not (math.isfinite(self.max_minutes) and self.max_minutes > 0):
-            raise InputError(f"--max-minutes is {self.max_minutes:g}; a time above 0 is accepted.")
-        least = {"--workers": 1, "--threads": 1, "--loaders": 0}
-        for name, value in zip(least, (self.workers, self.threads, self.loaders), strict=True):
-            if value is not None and not least[name] <= value <= 256:
-                raise InputError(f"{name} is {value}; from {least[name]} to 256 is accepted.")
+        require_max_minutes(self.max_minutes)
+        in_range("--workers", self.workers, 1, MAX_WORKERS)
+        in_range("--loaders", self.loaders, 0, MAX_WORKERS)
+        require_threads(self.threads)
         config = read_config(self.config, self.set)
         require_writable_folder(self.out)
         require_training_packages("Training")
@@ -83,10 +86,6 @@ class TrainPatternMaker:
             loaders=self.loaders,
             max_minutes=self.max_minutes,
             threads=self.threads,
-            report=_say,
+            report=print_line,
         )
         return 0
-
-
-def _say(text: str) -> None:
-    print(text, flush=True)  # noqa: T201
