@@ -14,8 +14,9 @@ from PIL import Image
 from token_reference import faults
 
 from swifttailor.errors import InputError, PatternError
-from swifttailor.pattern import Pattern, check_pattern
+from swifttailor.pattern import Pattern, check_pattern, repair_pattern
 from swifttailor.pattern.drafts import draft
+from swifttailor.pattern_maker.decode import decode
 from swifttailor.pattern_maker.encode import encode
 from swifttailor.pattern_maker.maker import PatternMaker, Request
 from swifttailor.pattern_maker.model_file import load_model
@@ -64,6 +65,27 @@ def test_the_same_seed_gives_the_same(maker):
     first, again, other = (maker.generate("a skirt", seed=s, temperature=1.0) for s in (1, 1, 2))
     assert content(first) == content(again)
     assert content(first) != content(other)
+
+
+def test_each_request_can_have_its_own_seed(maker):
+    requests = [Request("a skirt"), Request("a dress"), Request("a skirt")]
+    made = maker.generate_all(requests, seed=[1, 7, 2], temperature=1.0)
+    for request, seed, one in zip(requests, (1, 7, 2), made, strict=True):
+        alone = maker.generate(request.text, seed=seed, temperature=1.0)
+        assert alone.sequence.tokens.tolist() == one.sequence.tokens.tolist()
+    assert made[0].sequence.tokens.tolist() != made[2].sequence.tokens.tolist()
+    with pytest.raises(InputError, match="2 seeds for 3 requests"):
+        maker.generate_all(requests, seed=[1, 2])
+    with pytest.raises(InputError, match="seed is -1"):
+        maker.generate_all(requests, seed=[1, -1, 2])
+
+
+def test_what_was_written_comes_along(maker):
+    made = maker.generate("a skirt", seed=5, temperature=1.0)
+    written = decode(made.sequence)
+    assert made.tokens == len(made.sequence)
+    repaired = repair_pattern(written)
+    assert (repaired.pattern, repaired.changes) == (made.pattern, made.changes)
 
 
 def test_of_several_the_soundest_is_taken(maker):

@@ -21,6 +21,7 @@ from swifttailor.pattern_maker.model_file import MakerModel, load_model
 from swifttailor.pattern_maker.pictures import picture_for_network, read_picture
 from swifttailor.pattern_maker.prompt import make_prompt
 from swifttailor.pattern_maker.runtime import Floats
+from swifttailor.pattern_maker.token_sequence import TokenSequence
 
 SHIPPED = Path(__file__).with_name("pattern_maker.zip")
 MOST_ATTEMPTS = 64
@@ -54,8 +55,8 @@ class Generated:
     pattern: Pattern
     """Mended where no guess was needed."""
     log_likelihood: float
-    tokens: int
-    """How many were written."""
+    sequence: TokenSequence
+    """What was written, before anything was mended."""
     attempts: tuple[Attempt, ...]
     """All of them; the one with the fewest errors, then warnings, then the likeliest was taken."""
     changes: tuple[Change, ...]
@@ -66,6 +67,11 @@ class Generated:
     """What about the request was not used."""
     seconds: dict[str, float]
     """By stage; requests that are answered together share theirs."""
+
+    @property
+    def tokens(self) -> int:
+        """How many were written."""
+        return len(self.sequence)
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,15 +130,24 @@ class PatternMaker:
         self,
         requests: Sequence[Request],
         *,
-        seed: int = 0,
+        seed: int | Sequence[int] = 0,
         temperature: float = 0.0,
         attempts: int = 1,
     ) -> list[Generated]:
         """Writes a pattern for each request, all together: faster than one by one.
 
+        Args:
+            requests: What is wanted.
+            seed: One for all, or one for each.
+            temperature: See `generate`.
+            attempts: For each.
+
         Raises:
             SwiftTailorError: See `generate`.
         """
+        seeds = [seed] * len(requests) if isinstance(seed, int) else list(seed)
+        if len(seeds) != len(requests):
+            raise InputError(f"There are {len(seeds)} seeds for {len(requests)} requests; give one for each.")
         if not (math.isfinite(temperature) and 0 <= temperature <= 10):
             raise InputError(f"The temperature is {temperature}; 0 to 10 is accepted.")
         if not 1 <= attempts <= MOST_ATTEMPTS:
@@ -141,14 +156,14 @@ class PatternMaker:
             raise InputError(
                 f"At temperature 0 all {attempts} attempts are the same. Give a temperature above 0."
             )
-        if seed < 0:
-            raise InputError(f"The seed is {seed}; 0 or more is accepted.")
+        if min(seeds, default=0) < 0:
+            raise InputError(f"The seed is {min(seeds)}; 0 or more is accepted.")
         clock = _Clock()
         asked, notes = [], []
-        for request in requests:
+        for request, own in zip(requests, seeds, strict=True):
             one, about = self._ask(request)
-            seeds = tuple((seed, k) for k in range(attempts))
-            asked.append(Asked(one.prompt, one.picture, seeds, temperature))
+            draws = tuple((own, k) for k in range(attempts))
+            asked.append(Asked(one.prompt, one.picture, draws, temperature))
             notes.append(about)
         clock.stop("reading")
         model = self.model
@@ -160,7 +175,7 @@ class PatternMaker:
             Generated(
                 repair.pattern,
                 answer.log_likelihood,
-                len(answer.sequence),
+                answer.sequence,
                 tried,
                 repair.changes,
                 repair.remaining,
