@@ -159,6 +159,8 @@ def test_edits_can_be_read_back_and_do_what_they_say(ending, patterns, tmp_path,
     assert capsys.readouterr().out == f"{len(lines)} pairs in {out}\n"
     assert [line["source"] for line in lines[-2:]] == ["design", "design, reversed"]
     assert {line["base"] for line in lines} == {"fitted-skirt", "tank-top"}
+    assert [line["id"] for line in lines[-2:]] == ["e1/design", "e1/design, reversed"]
+    assert len({line["id"] for line in lines}) == len(lines)
     for line in lines:
         before, after = (measure_facts(read_specification(line[k]).pattern) for k in ("pattern", "edited"))
         assert line["instruction"] and line["changes"]
@@ -168,6 +170,18 @@ def test_edits_can_be_read_back_and_do_what_they_say(ending, patterns, tmp_path,
                 assert claim.holds(after) and not claim.holds(before)
     assert run([*arguments, str(tmp_path / f"again.{ending}")]) == 0
     assert (tmp_path / f"again.{ending}").read_bytes() == raw
+
+
+def test_designs_that_cannot_be_used_are_complained_of(patterns, tmp_path, capsys):
+    designs = tmp_path / "designs.jsonl"
+    lines = [{"id": "e1", "pattern": to_specification(draft("fitted-skirt", length=90))}]
+    lines.append({"id": "e2", "base": "fitted-skirt", "pattern": {}})
+    designs.write_text("\n".join(map(json.dumps, lines)))
+    arguments = ["data", "edits", str(patterns), "--designs", str(designs), "--count", "0", "--out"]
+    assert run([*arguments, str(tmp_path / "out.jsonl")]) == 1
+    errors = capsys.readouterr().err
+    assert 'e1: The line names no pattern that was edited: "base" is None' in errors and "\ne2: " in errors
+    assert (tmp_path / "out.jsonl").read_bytes() == b""
 
 
 def test_edits_need_a_name_that_says_the_format(patterns, tmp_path, capsys):

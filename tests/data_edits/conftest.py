@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import gzip
 import json
+from collections.abc import Callable, Iterator
 from itertools import islice
 
 import pytest
 
 from swifttailor.data.captions import GarmentFacts, measure_facts
+from swifttailor.data.edits.edit_file import read_edits
+from swifttailor.data.pattern_source import parsed_pattern
+from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.pattern import Pattern, read_specification
 from swifttailor.pattern.drafts import draft, list_drafts
 
@@ -31,12 +35,15 @@ def real_patterns(garmentcode_folder) -> dict[str, Pattern]:
 
 
 @pytest.fixture(scope="session")
-def garmentcode_edits(garmentcode_folder) -> list[tuple[dict, dict]]:
-    """Lines of edits of validation patterns, each after the line of its base."""
+def garmentcode_edits(garmentcode_folder) -> Callable[..., Iterator[tuple[Pattern, Pattern]]]:
+    """Goes through GarmentCode's edits of validation patterns, each after its base."""
     if not (garmentcode_folder / "edits.jsonl.gz").exists():
         pytest.skip(f"no edits.jsonl.gz in {garmentcode_folder}")
-    with gzip.open(garmentcode_folder / "validation.jsonl.gz", "rt") as lines:
-        bases = {s["id"]: s for s in map(json.loads, lines)}
-    with gzip.open(garmentcode_folder / "edits.jsonl.gz", "rt") as lines:
-        edits = [e for e in map(json.loads, lines) if e["base"] in bases]
-    return [(bases[e["base"]], e) for e in edits]
+    bases = {p.id: p for p in read_patterns(garmentcode_folder / "validation.jsonl.gz")}
+    edits = [v for v in read_edits(garmentcode_folder / "edits.jsonl.gz") if v.base in bases]
+
+    def read(every: int = 1):
+        for version in edits[::every]:
+            yield parsed_pattern(bases[version.base]), parsed_pattern(version.pattern)
+
+    return read

@@ -8,15 +8,8 @@ import pytest
 
 from swifttailor.data.captions import measure_facts
 from swifttailor.data.edits.operations import OPERATIONS, Cutter
-from swifttailor.data.edits.pairs import (
-    design_pairs,
-    geometric_pairs,
-    pairs_of,
-    read_pairs,
-    recut,
-    seams_kept,
-)
-from swifttailor.pattern import Severity, check_pattern, read_specification
+from swifttailor.data.edits.pairs import geometric_pairs, pairs_of, recut, seams_kept
+from swifttailor.pattern import Severity, check_pattern
 from swifttailor.pattern.drafts import draft
 
 # A draft that each operation can be done to.
@@ -92,10 +85,9 @@ def test_the_rest_on_patterns_made_by_other_operations():
 def test_collars_of_real_patterns(real_patterns, garmentcode_edits):
     by_name = {o.name: o for o in OPERATIONS}
     done = set()
-    for base, _ in garmentcode_edits:
+    for pattern, _ in garmentcode_edits():
         if len(done) == 2:
             break
-        pattern = read_specification(base["pattern"]).pattern
         if any("collar" in p.name for p in pattern.panels):
             for name in ("collar height", "remove collar"):
                 pairs = geometric_pairs(pattern, 2, operations=(by_name[name],))
@@ -132,24 +124,14 @@ def test_real_patterns_are_recut(real_patterns):
 
 def test_pairs_from_garmentcodes_edits(garmentcode_edits):
     """A difference is seen in most; where one is, it is asked for both ways."""
-    sample = garmentcode_edits[::5]
+    sample = list(garmentcode_edits(every=5))
     made = 0
     for seed, (base, edited) in enumerate(sample):
-        stripped = [{k: line[k] for k in ("id", "pattern")} for line in (base, edited)]
-        pairs = design_pairs(*stripped, seed)
+        pairs = pairs_of(base, edited, seed, source="design")
         check_pairs(pairs)
         assert len(pairs) <= 2
         made += len(pairs)
     assert made >= 1.4 * len(sample)
-
-
-def test_lines_of_edits_are_read_with_their_bases(garmentcode_edits):
-    bases = {base["id"]: base for base, _ in garmentcode_edits[:3]}
-    lines = [edited for _, edited in garmentcode_edits[:3]] + [{**garmentcode_edits[0][1], "base": "unknown"}]
-    found = dict(read_pairs(iter(lines), bases, 5))
-    assert len(found) == 3 and all(
-        p.source.startswith("garmentcode") for pairs in found.values() for p in pairs
-    )
 
 
 def test_the_same_seed_makes_the_same_pairs(drafts):

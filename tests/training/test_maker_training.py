@@ -10,7 +10,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from safetensors.numpy import load_file
 
+from swifttailor.cli.main import run
 from swifttailor.errors import InputError, MissingExtraError
 from swifttailor.pattern import to_specification
 from swifttailor.pattern.drafts import draft
@@ -125,6 +127,33 @@ def test_patterns_that_cannot_be_used_are_named(tmp_path):
     path.write_text("no json\n")
     with pytest.raises(InputError, match="no pattern to learn from"):
         open_bank([path], None, tmp_path, recuts=0)
+
+
+def test_only_edits_of_these_patterns_are_measured_and_bad_ones_named(tmp_path):
+    train = write_lines(tmp_path / "train.jsonl", {"top": draft("tank-top")})
+    edits = write_lines(tmp_path / "edits.jsonl", {"longer": draft("tank-top", length=35.0)}, base="top")
+    other = write_lines(tmp_path / "other.jsonl", {"skirt": draft("fitted-skirt")}, base="unknown")
+    with edits.open("a") as stream:
+        stream.write(
+            other.read_text() + json.dumps({"id": "bad", "base": "top", "pattern": {}}) + "\nno json\n"
+        )
+    bank = open_bank([train], edits, tmp_path / "cache", recuts=0)
+    assert [[v.id for v in g.edits] for g in bank.garments] == [["longer"]]
+    assert sorted(id for id, _ in bank.skipped) == ["#4", "bad"]
+    measured = [json.loads(load_file(path)["about"].tobytes()) for path in (tmp_path / "cache").iterdir()]
+    assert sorted(v["id"] for about in measured for v in about["versions"]) == ["longer", "top"]
+
+
+def test_pairs_that_data_edits_has_written_are_edits_to_learn_from(tmp_path):
+    train = write_lines(tmp_path / "train.jsonl", {"top": draft("tank-top"), "shirt": draft("t-shirt")})
+    made = tmp_path / "pairs.jsonl"
+    assert run(["data", "edits", str(train), "--count", "2", "--out", str(made)]) == 0
+    ids = [json.loads(line)["id"] for line in made.read_text().splitlines()]
+    bank = open_bank([train], made, tmp_path / "cache", recuts=0)
+    assert not bank.skipped
+    for garment in bank.garments:
+        assert len(garment.edits) == 2 and {v.id for v in garment.edits} <= set(ids)
+        assert all(v.facts != garment.pattern.facts for v in garment.edits)
 
 
 def test_samples_are_prompts_with_their_answers(bank, config):

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import gzip
-import json
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated
 
 import tyro
-
-if TYPE_CHECKING:
-    from swifttailor.data.edits.pairs import EditPair
 
 MAX_COUNT = 27
 
@@ -22,8 +18,8 @@ MAX_COUNT = 27
 class DataEdits:
     """Recut patterns and write how to ask for it, in both directions.
 
-    Every edited pattern is checked, and fulfils its instruction. One JSON object a line: {"base": id,
-    "source": operation, "instruction": text, "changes": [...], "pattern": before, "edited": after}.
+    Every edited pattern is checked, and fulfils its instruction. One JSON object a line: {"id": text, "base":
+    id, "source": operation, "instruction": text, "changes": [...], "pattern": before, "edited": after}.
     """
 
     source: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="SOURCE")]
@@ -71,8 +67,9 @@ class DataEdits:
 
     def _lines(self) -> Iterator[tuple[bytes, str]]:
         from swifttailor.cli.item_progress import ItemProgress
+        from swifttailor.data.edits.edit_file import pair_line, read_edits
         from swifttailor.data.edits.pairs import geometric_pairs, pairs_of
-        from swifttailor.data.pattern_source import count_source, patterns_of
+        from swifttailor.data.pattern_source import count_source, parsed_pattern, patterns_of
         from swifttailor.errors import SwiftTailorError
         from swifttailor.pattern import Pattern
 
@@ -86,36 +83,11 @@ class DataEdits:
                 if self.designs is not None:
                     bases[id] = pattern
                 for pair in geometric_pairs(pattern, self.seed + number, count=self.count):
-                    yield _line(id, pair), ""
-        for number, (id, base, edited) in enumerate(self._designs()):
+                    yield pair_line(f"{id}/{pair.source}", id, pair), ""
+        for number, version in enumerate(read_edits(self.designs) if self.designs else ()):
+            id, edited = version.pattern.id, parsed_pattern(version.pattern)
             if isinstance(edited, SwiftTailorError):
                 yield b"", f"{id}: {edited}\n"
-            elif base in bases:
-                for pair in pairs_of(bases[base], edited, self.seed + number, source="design"):
-                    yield _line(base, pair), ""
-
-    def _designs(self) -> Iterator[tuple[str, str, Any]]:
-        """Id, id of the base, and pattern (or what is wrong with it) of the edits made elsewhere."""
-        from swifttailor.data.pattern_source import parsed_pattern
-        from swifttailor.draping.batch.patterns import read_patterns
-        from swifttailor.pattern.json_values import parse_json
-
-        if self.designs is None:
-            return
-        for entry in read_patterns(self.designs):
-            base = parse_json(entry.line, entry.source).get("base") if entry.line else None
-            yield entry.id, str(base), parsed_pattern(entry)
-
-
-def _line(base: str, pair: EditPair) -> bytes:
-    from swifttailor.pattern import to_specification
-
-    written = {
-        "base": base,
-        "source": pair.source,
-        "instruction": pair.instruction.text,
-        "changes": [change.to_json() for change in pair.instruction.changes],
-        "pattern": to_specification(pair.base),
-        "edited": to_specification(pair.edited),
-    }
-    return (json.dumps(written, ensure_ascii=False, allow_nan=False) + "\n").encode()
+            elif version.base in bases:
+                for pair in pairs_of(bases[version.base], edited, self.seed + number, source="design"):
+                    yield pair_line(f"{id}/{pair.source}", version.base, pair), ""

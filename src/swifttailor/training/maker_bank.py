@@ -12,7 +12,8 @@ from typing import Any
 
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.captions.facts_file import facts_from
-from swifttailor.draping.batch.patterns import BatchPattern, read_patterns
+from swifttailor.data.edits.edit_file import EditedVersion, read_edits
+from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError, SimulationError
 from swifttailor.pattern_maker.token_sequence import TokenSequence
 from swifttailor.training.maker_measure import MeasureTask, measure, task_name
@@ -88,7 +89,7 @@ def open_bank(
 
     Args:
         patterns: Files (.jsonl, .jsonl.gz) or folders.
-        edits: File with edited versions of some of them, each with the id of its ``base``.
+        edits: File with edited versions of some of them; see `read_edits`.
         cache: Folder for what is measured: about 15 kB a pattern.
         recuts: Versions to make of each pattern for editing.
         workers: Processes.
@@ -99,20 +100,18 @@ def open_bank(
         InputError: A file cannot be read or written, or there is no pattern that can be used.
         SimulationError: A worker died.
     """
-    wanted = [p for p in read_patterns(*patterns) if keep is None or keep(p.id)]
-    known = {p.id for p in wanted}
-    tasks = list(_tasks(wanted, False, recuts, cache))
-    if edits is not None:
-        # Which edits are of these patterns is known only when they are read: all are measured, once.
-        tasks += _tasks(list(read_patterns(edits)), True, 0, cache)
+    given = [EditedVersion("", p) for p in read_patterns(*patterns) if keep is None or keep(p.id)]
+    known = {p.pattern.id for p in given}
+    edited = [] if edits is None else [v for v in read_edits(edits) if v.pattern.error or v.base in known]
+    tasks = [*_tasks(given, recuts, cache), *_tasks(edited, 0, cache)]
     _measure_missing(tasks, workers, report)
     garments: dict[str, Garment] = {}
-    skipped: list[tuple[str, str]] = [(p.id, p.error) for p in wanted if p.error]
+    skipped = [(v.pattern.id, v.pattern.error) for v in (*given, *edited) if v.pattern.error]
     digest = hashlib.sha256()
     for task in tasks:
         digest.update(task.path.name.encode())
         versions, left_out = _read(task.path)
-        skipped += [(id, why) for id, why in left_out if not task.edits or id in known]
+        skipped += left_out
         for base, version in versions:
             if not base:
                 garments[version.id] = Garment(version)
@@ -124,11 +123,11 @@ def open_bank(
     return PatternBank(tuple(garments.values()), digest.hexdigest(), tuple(skipped))
 
 
-def _tasks(patterns: list[BatchPattern], edits: bool, recuts: int, cache: Path) -> Iterator[MeasureTask]:
-    usable = [p for p in patterns if not p.error]
+def _tasks(patterns: list[EditedVersion], recuts: int, cache: Path) -> Iterator[MeasureTask]:
+    usable = [p for p in patterns if not p.pattern.error]
     for start in range(0, len(usable), PATTERNS_A_FILE):
         part = tuple(usable[start : start + PATTERNS_A_FILE])
-        yield MeasureTask(part, edits, recuts, cache / task_name(part, edits, recuts))
+        yield MeasureTask(part, recuts, cache / task_name(part, recuts))
 
 
 def _measure_missing(tasks: list[MeasureTask], workers: int, report: Report | None) -> None:

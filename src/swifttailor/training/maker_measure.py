@@ -19,14 +19,14 @@ import numpy as np
 from swifttailor.data.array_cache import name_with_code
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.captions.facts_file import facts_values
+from swifttailor.data.edits.edit_file import EditedVersion
 from swifttailor.data.edits.instructions import write_instruction
 from swifttailor.data.edits.operations import OPERATIONS, Cutter
 from swifttailor.data.edits.pairs import TRIES, recut
+from swifttailor.data.pattern_source import parsed_pattern
 from swifttailor.data.shard_file import write_durably
-from swifttailor.draping.batch.patterns import BatchPattern
 from swifttailor.errors import SwiftTailorError
-from swifttailor.pattern import Pattern, read_pattern_file, read_specification
-from swifttailor.pattern.json_values import parse_json
+from swifttailor.pattern import Pattern
 from swifttailor.pattern_maker.encode import encode
 
 FORMAT = 1
@@ -37,23 +37,23 @@ _TOKENS = ("decode", "edge_numbers", "encode", "grammar", "normalization", "plac
 class MeasureTask:
     """What a worker gets: consecutive patterns of a file."""
 
-    patterns: tuple[BatchPattern, ...]
-    edits: bool
-    """Whether they are edited versions of other patterns, which they name as their ``base``."""
+    patterns: tuple[EditedVersion, ...]
+    """Those that are no edited versions have no `base`."""
     recuts: int
     """Versions to make of each."""
     path: Path
     """File to write."""
 
 
-def task_name(patterns: tuple[BatchPattern, ...], edits: bool, recuts: int) -> str:
+def task_name(patterns: tuple[EditedVersion, ...], recuts: int) -> str:
     """Name of the file for patterns: equal only if patterns, settings and code are."""
-    digest = hashlib.sha256(json.dumps([FORMAT, edits, recuts]).encode())
-    for pattern in patterns:
+    digest = hashlib.sha256(json.dumps([FORMAT, recuts]).encode())
+    for version in patterns:
+        pattern = version.pattern
         data = pattern.line if pattern.line is not None else b""
         if pattern.path is not None:
             data = pattern.path.read_bytes()
-        digest.update(pattern.id.encode() + b"\0" + data + b"\0")
+        digest.update(json.dumps([pattern.id, version.base]).encode() + b"\0" + data + b"\0")
     modules = [f"pattern_maker/{name}.py" for name in _TOKENS]
     rooms = ("pattern", "body", "data/captions/measure", "data/edits/recutting", "data/edits/operations.py")
     code = name_with_code("maker", *rooms, "data/captions/facts.py", *modules, "training/maker_measure.py")
@@ -73,12 +73,12 @@ def measure(task: MeasureTask) -> str:
     tokens, numbers = [np.zeros(0, np.int16)], [np.zeros((0, 8), np.float32)]
     for given in task.patterns:
         try:
-            for version, sequence in _versions(given, task):
+            for version, sequence in _versions(given, task.recuts):
                 about.append(version | {"length": len(sequence)})
                 tokens.append(sequence.tokens.astype(np.int16))
                 numbers.append(np.asarray(sequence.numbers))
         except SwiftTailorError as error:
-            skipped.append((given.id, str(error)))
+            skipped.append((given.pattern.id, str(error)))
     text = json.dumps({"versions": about, "skipped": skipped}, allow_nan=False)
     arrays = {
         "tokens": np.concatenate(tokens),
@@ -92,26 +92,18 @@ def measure(task: MeasureTask) -> str:
     return ""
 
 
-def _versions(given: BatchPattern, task: MeasureTask) -> Iterator[tuple[dict[str, Any], Any]]:
-    pattern, base = _read(given)
+def _versions(version: EditedVersion, recuts: int) -> Iterator[tuple[dict[str, Any], Any]]:
+    id, pattern = version.pattern.id, parsed_pattern(version.pattern)
+    if isinstance(pattern, SwiftTailorError):
+        raise pattern
     cutter = Cutter(pattern)
     # All or nothing: whatever cannot be encoded or measured is found out here.
-    own = ({"id": given.id, "base": base if task.edits else "", "source": "file"}, cutter.facts, pattern)
-    made = [own]
-    for source, facts, version in _recuts(cutter, given.id, task.recuts):
-        about = {"id": f"{given.id}/{source}", "base": given.id, "source": source}
-        made.append((about, facts, version))
-    encoded = [(about, facts, encode(version)) for about, facts, version in made]
+    made = [({"id": id, "base": version.base, "source": "file"}, cutter.facts, pattern)]
+    for source, facts, recut_pattern in _recuts(cutter, id, recuts):
+        made.append(({"id": f"{id}/{source}", "base": id, "source": source}, facts, recut_pattern))
+    encoded = [(about, facts, encode(each)) for about, facts, each in made]
     for about, facts, sequence in encoded:
         yield about | {"facts": facts_values(facts)}, sequence
-
-
-def _read(given: BatchPattern) -> tuple[Pattern, str]:
-    if given.path is not None:
-        return read_pattern_file(given.path).pattern, ""
-    assert given.line is not None
-    value = parse_json(given.line, given.source)
-    return read_specification(value["pattern"], name=given.id).pattern, str(value.get("base", ""))
 
 
 def _recuts(cutter: Cutter, id: str, count: int) -> Iterator[tuple[str, GarmentFacts, Pattern]]:

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from swifttailor.body import BodyMeasurements
 from swifttailor.data.captions.facts import GarmentFacts
@@ -13,13 +11,14 @@ from swifttailor.data.captions.measure import measure_facts
 from swifttailor.data.edits.instructions import Instruction, write_instruction
 from swifttailor.data.edits.operations import OPERATIONS, Cutter, Operation
 from swifttailor.errors import SwiftTailorError
-from swifttailor.pattern import Pattern, read_specification
+from swifttailor.pattern import Pattern
 from swifttailor.pattern.check.stitch_checks import judge_lengths
 
 SEAM_TOLERANCE = 0.02
 """How far a recut seam's ratio of lengths may move; gathers that are meant to change excepted."""
 TRIES = 3
 """Of each operation, with other amounts."""
+_REVERSED = "reversed"
 _GATHERING = frozenset({"gather skirt"})
 LOWEST_HEM_CM = -3.0
 """An edit that lengthens does not go below the floor."""
@@ -33,7 +32,7 @@ class EditPair:
     instruction: Instruction
     edited: Pattern
     source: str
-    """Where it comes from: ``garmentcode``, or the name of an operation; ``..., reversed`` the other way."""
+    """Where it comes from: ``design``, or the name of an operation; ``..., reversed`` the other way."""
 
 
 def pairs_of(
@@ -59,7 +58,7 @@ def pairs_of(
     pairs = []
     for one, other, a, b, note, offset in (
         (base, edited, before, after, source, 0),
-        (edited, base, after, before, f"{source}, reversed".lstrip(", "), 1),
+        (edited, base, after, before, f"{source}, {_REVERSED}".lstrip(", "), 1),
     ):
         instruction = write_instruction(a, b, 2 * seed + offset)
         if instruction is not None and instruction.holds(a, b):
@@ -67,22 +66,9 @@ def pairs_of(
     return pairs
 
 
-def design_pairs(
-    base: Mapping[str, Any], edited: Mapping[str, Any], seed: int = 0, *, body: BodyMeasurements | None = None
-) -> list[EditPair]:
-    """Makes the pairs of one line of GarmentCode's edits and the line of its base.
-
-    Only the ``pattern`` of both is read: which design parameters were changed says nothing about what is
-    seen.
-
-    Args:
-        base: JSON object of the base, with ``id`` and ``pattern``.
-        edited: JSON object of the edited version.
-        seed: Decides the wording.
-        body: Who they are made for; the default body when None.
-    """
-    patterns = [read_specification(line["pattern"], name=str(line["id"])).pattern for line in (base, edited)]
-    return pairs_of(patterns[0], patterns[1], seed, source="garmentcode", body=body)
+def is_reversed(source: str) -> bool:
+    """Whether a pair of this source leads back to the pattern that was edited."""
+    return source.endswith(_REVERSED)
 
 
 def geometric_pairs(
@@ -155,25 +141,6 @@ def seams_kept(before: Cutter, after: Cutter) -> bool:
         for pair, ratio in after.seam_ratios.items()
         if pair in known
     )
-
-
-def read_pairs(
-    lines: Iterator[Mapping[str, Any]], bases: Mapping[str, Mapping[str, Any]], seed: int = 0
-) -> Iterator[tuple[str, list[EditPair]]]:
-    """Goes through GarmentCode's edits.
-
-    Args:
-        lines: JSON objects with ``id``, ``base`` and ``pattern``.
-        bases: JSON objects of the bases, by id.
-        seed: Decides the wording.
-
-    Yields:
-        Id of the edit and its pairs, those of unknown bases left out.
-    """
-    for number, line in enumerate(lines):
-        base = bases.get(str(line["base"]))
-        if base is not None:
-            yield str(line["id"]), design_pairs(base, line, seed + number)
 
 
 def _plausible(before: GarmentFacts, after: GarmentFacts) -> bool:
