@@ -41,7 +41,7 @@ class DataEdits:
             SwiftTailorError: A source cannot be read.
         """
         from swifttailor.atomic_files import write_atomically
-        from swifttailor.cli.data_workers import in_range
+        from swifttailor.cli.option_checks import in_range
         from swifttailor.errors import InputError
 
         in_range("--count", self.count, 0, MAX_COUNT)
