@@ -32,24 +32,40 @@ def build_field_arrays(body: Body, mesh: PatternMesh) -> FieldArrays:
     armless = full
     if ignores.any():
         armless = body.distance_field(spacing=FIELD_SPACING_CM, without=ARMS, covering=True)
-        armless = _on_lattice(armless, full)
+    return join_fields(full, armless, ignores)
+
+
+def join_fields(full: DistanceField, armless: DistanceField, ignores_arms: np.ndarray) -> FieldArrays:
+    """Two fields on the lattice of the first.
+
+    Args:
+        full: Of the whole body.
+        armless: Without the arms: on a part of the same lattice.
+        ignores_arms: (v,) 1 for vertices that feel the second.
+    """
     return FieldArrays(
         np.ascontiguousarray(full.values, dtype=np.float32),
-        np.ascontiguousarray(armless.values, dtype=np.float32),
+        np.ascontiguousarray(_on_lattice(armless, full).values, dtype=np.float32),
         np.ascontiguousarray(full.origin, dtype=np.float64),
         float(full.spacing),
-        ignores,
+        np.ascontiguousarray(ignores_arms, dtype=np.uint8),
     )
 
 
 def _on_lattice(field: DistanceField, lattice: DistanceField) -> DistanceField:
-    """`field` on the nodes of `lattice`; both have nodes at whole multiples of the same spacing."""
-    if field.values.shape == lattice.values.shape and np.allclose(field.origin, lattice.origin):
+    """`field` on the nodes of `lattice`; both have nodes at whole multiples of the same spacing.
+
+    Nodes beyond the field get the value at its border, which is less than their distance: enough for the
+    solver, which wants to know how far at least a vertex may go unwatched.
+    """
+    before = np.rint((field.origin - lattice.origin) / lattice.spacing).astype(np.int64)
+    after = np.array(lattice.values.shape) - np.array(field.values.shape) - before
+    if not (before.any() or after.any()):
         return field
-    axes = [lattice.origin[k] + lattice.spacing * np.arange(lattice.values.shape[k]) for k in range(3)]
-    nodes = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
-    values = field.sample(nodes)[0].reshape(lattice.values.shape).astype(np.float32)
-    return DistanceField(values, lattice.origin, lattice.spacing)
+    first, last = np.maximum(-before, 0), np.array(field.values.shape) - np.maximum(-after, 0)
+    inner = field.values[first[0] : last[0], first[1] : last[1], first[2] : last[2]]
+    width = np.stack([np.maximum(before, 0), np.maximum(after, 0)], axis=1)
+    return DistanceField(np.pad(inner, width, mode="edge"), lattice.origin, lattice.spacing)
 
 
 def faces_without_arms(body: Body) -> np.ndarray:
