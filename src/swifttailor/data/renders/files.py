@@ -76,20 +76,28 @@ class Render:
 
 def draw_renders(sample: Sample, settings: RenderSettings) -> list[Render]:
     """Draws the pictures of a sample; the same sample and settings give the same ones."""
+    return [draw_render(sample, name, settings) for name in settings.names()]
+
+
+def draw_render(sample: Sample, name: str, settings: RenderSettings) -> Render:
+    """Draws one picture of a sample, as `draw_renders` does.
+
+    Args:
+        sample: What to draw.
+        name: One of `RenderSettings.names`.
+        settings: Their size, seed and quality count.
+    """
     from PIL import Image
 
-    renders = []
-    for name in settings.names():
-        if name.startswith("plain-"):
-            look = plain_look(name.removeprefix("plain-"))
-        else:
-            words = zlib.crc32(f"{sample.id}/{name}".encode())
-            look = random_look(np.random.default_rng([settings.seed, words]), name.partition("-")[0])
-        file = io.BytesIO()
-        picture = draw_look(sample.garment, _body(), look, settings.size)
-        Image.fromarray(picture).save(file, "WEBP", quality=settings.quality, method=4)
-        renders.append(Render(name, file.getvalue()))
-    return renders
+    if name.startswith("plain-"):
+        look = plain_look(name.removeprefix("plain-"))
+    else:
+        words = zlib.crc32(f"{sample.id}/{name}".encode())
+        look = random_look(np.random.default_rng([settings.seed, words]), name.partition("-")[0])
+    file = io.BytesIO()
+    picture = draw_look(sample.garment, _body(), look, settings.size)
+    Image.fromarray(picture).save(file, "WEBP", quality=settings.quality, method=4)
+    return Render(name, file.getvalue())
 
 
 class SplitRenders:
