@@ -1,6 +1,7 @@
 """What is lost when a drape becomes images and a mesh again, by both decodes, and what it costs.
 
-``python benchmarks/ggi_roundtrip.py FOLDER [--limit N] [--resolutions 128 256 512 1024] [--plot FILE.svg]``
+``python benchmarks/ggi_roundtrip.py FOLDER [--limit N] [--resolutions 128 256 512 1024] [--plot FILE.svg]
+[--turned]``
 
 FOLDER holds garments that `swifttailor drape --batch` has left. Each is drawn as images, stored in 16 bits as
 in ggi.npz, and decoded to the outlines (at the drape's edge length) and by the grid. Measured are:
@@ -12,7 +13,8 @@ in ggi.npz, and decoded to the outlines (at the drape's edge length) and by the 
 * seams: the largest distance between two stitched points, and for the grid the mesh edges along seams that
   stayed open;
 * outward: the share of faces whose normal points to the same side as the drape's there, also without the
-  garments whose pixels are coarser than the mesh: folds smaller than a pixel are not in the image;
+  garments whose pixels are coarser than the mesh: folds smaller than a pixel are not in the image; with
+  ``--turned``, which garments hold the other faces, and on which panels;
 * time: processor seconds of one core, the least of three runs, everything included but reading the file.
 """
 
@@ -59,9 +61,16 @@ class Measured:
     nonmanifold: int
     seam_gap: float
     open_seam_edges: int
-    outward: float
+    faces: int
+    turned: dict[str, int]
+    """Faces whose normals point the other way than the drape's, by panel."""
     edge_length: float
     seconds: float
+
+    @property
+    def outward(self) -> float:
+        """Share of the faces that point to the same side as the drape there."""
+        return 1.0 - sum(self.turned.values()) / self.faces
 
 
 def main() -> None:
@@ -72,6 +81,7 @@ def main() -> None:
     parser.add_argument("--limit", type=int, default=100)
     parser.add_argument("--resolutions", type=int, nargs="+", default=[128, 256, 512, 1024])
     parser.add_argument("--plot", type=Path)
+    parser.add_argument("--turned", action="store_true")
     options = parser.parse_args()
     folders = sorted(p.parent for p in options.folder.glob("*/garment.obj"))[: options.limit]
     print(describe())
@@ -79,7 +89,10 @@ def main() -> None:
     rows = [m for folder in folders for m in measure_garment(folder, options.resolutions)]
     for resolution in options.resolutions:
         for method in METHODS:
-            report([m for m in rows if (m.resolution, m.method) == (resolution, method)])
+            chosen = [m for m in rows if (m.resolution, m.method) == (resolution, method)]
+            report(chosen)
+            if options.turned:
+                list_turned(chosen)
     if options.plot:
         plot_errors(
             {
@@ -120,7 +133,8 @@ def measure_garment(folder: Path, resolutions: list[int]) -> list[Measured]:
                     reached[3],
                     gap,
                     left_open,
-                    outward(decoded, garment, images),
+                    len(decoded.faces),
+                    turned(decoded, garment, images),
                     edge_length,
                     seconds,
                 )
@@ -198,19 +212,24 @@ def seams(decoded: Garment | SewnGrid, images: GarmentGeometryImage) -> tuple[fl
     return gap, left_open
 
 
-def outward(decoded: Garment | SewnGrid, garment: Garment, images: GarmentGeometryImage) -> float:
-    """Share of the faces that point to the same side as the drape there."""
-    flat = face_normals(garment.vertices, garment.faces)
-    if isinstance(decoded, Garment):  # the same mesh: face by face
-        return float(((face_normals(decoded.vertices, decoded.faces) * flat).sum(axis=1) > 0).mean())
-    at_vertex = np.zeros_like(garment.flat_positions)
-    for k in range(3):
-        np.add.at(at_vertex, garment.mesh.flat_faces[:, k], flat)
-    raster = geometry_raster(images.layout, garment.mesh)
-    image = np.zeros((images.resolution**2, 3))
-    image[images.layout.raster.pixels] = np.einsum("nk,nkd->nd", raster.weights, at_vertex[raster.vertices])
-    there = image[decoded.flat_pixels[decoded.flat_faces]].sum(axis=1)
-    return float(((face_normals(decoded.vertices, decoded.faces) * there).sum(axis=1) > 0).mean())
+def turned(decoded: Garment | SewnGrid, garment: Garment, images: GarmentGeometryImage) -> dict[str, int]:
+    """Number of faces that point to the other side than the drape there, by panel."""
+    there = face_normals(garment.vertices, garment.faces)
+    if isinstance(decoded, SewnGrid):  # another mesh: what the drape's normals are at its pixels
+        at_vertex = np.zeros_like(garment.flat_positions)
+        for k in range(3):
+            np.add.at(at_vertex, garment.mesh.flat_faces[:, k], there)
+        raster = geometry_raster(images.layout, garment.mesh)
+        image = np.zeros((images.resolution**2, 3))
+        image[images.layout.raster.pixels] = np.einsum(
+            "nk,nkd->nd", raster.weights, at_vertex[raster.vertices]
+        )
+        there = image[decoded.flat_pixels[decoded.flat_faces]].sum(axis=1)
+    panel = decoded.face_panel if isinstance(decoded, SewnGrid) else decoded.mesh.face_panel
+    away = (face_normals(decoded.vertices, decoded.faces) * there).sum(axis=1) <= 0
+    numbers, counts = np.unique(panel[away], return_counts=True)
+    names = [p.name for p in images.layout.pattern.panels]
+    return {names[k]: int(count) for k, count in zip(numbers, counts, strict=True)}
 
 
 def face_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
@@ -244,6 +263,17 @@ def report(rows: list[Measured]) -> None:
     for m in rows:
         if not m.same_topology:
             print(f"    {m.name} at {m.cm_per_pixel:.2f} cm per pixel: {m.counts} instead of {m.wanted}")
+
+
+def list_turned(rows: list[Measured]) -> None:
+    """Prints the garments with turned faces, most of them first."""
+    found = sorted((m for m in rows if m.turned), key=lambda m: -sum(m.turned.values()))
+    every = sum(sum(m.turned.values()) for m in found)
+    print(f"  turned: {every} faces in {len(found)} garments")
+    for m in found:
+        panels = ", ".join(f"{name} {n}" for name, n in sorted(m.turned.items(), key=lambda p: -p[1]))
+        many = sum(m.turned.values())
+        print(f"    {m.name}: {many} of {m.faces}, {m.cm_per_pixel:.2f} cm per pixel: {panels}")
 
 
 if __name__ == "__main__":
