@@ -48,13 +48,23 @@ def test_placed_prior_is_the_placed_position(layout, body_distance):
     assert np.allclose(placed.direction, direction, atol=1e-4)
 
 
-def test_sewn_prior_closes_the_seams(layout, table):
+@pytest.mark.parametrize("prior", ["sewn", "hung"])
+def test_prior_closes_the_seams(layout, body_distance, prior):
+    table = tabulate(layout, prior, body_distance)
     sewn = np.flatnonzero(table.partner >= 0)
     gap = np.linalg.norm(table.prior[sewn] - table.prior[table.partner[sewn]], axis=1)
     assert np.median(gap) < 0.6 * table.cm_per_pixel
     placed = table.placed()
     apart = np.linalg.norm(placed[sewn] - placed[table.partner[sewn]], axis=1)
     assert gap.mean() < 0.1 * apart.mean()
+
+
+def test_hung_prior_is_outside_the_body_and_falls(layout, table, body_distance):
+    hung = tabulate(layout, "hung", body_distance)
+    assert (hung.distance > -1.5).mean() > 0.97
+    # The sewn prior stays about where the panels are placed; what hangs is lower, and no longer.
+    assert hung.prior[:, 1].mean() < table.prior[:, 1].mean() + 5
+    assert np.ptp(hung.prior[:, 1]) < 1.15 * np.ptp(table.prior[:, 1]) + 10
 
 
 def test_partners_are_pixels_of_the_other_side(layout, table):

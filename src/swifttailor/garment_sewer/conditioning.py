@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.pixels.pixel_table import PixelTable
 
-PriorKind = Literal["none", "placed", "sewn"]
-PRIORS: tuple[PriorKind, ...] = ("none", "placed", "sewn")
+PriorKind = Literal["none", "placed", "sewn", "hung"]
+PRIORS: tuple[PriorKind, ...] = ("none", "placed", "sewn", "hung")
 
 POSITION_CM = 50.0
 """Positions and offsets are divided by this for the network, so that they are of the order of one."""
@@ -127,9 +127,10 @@ PLACED = tuple(CHANNELS)
 class Conditioning:
     """Which channels, and which prior they come from."""
 
-    prior: PriorKind = "sewn"
+    prior: PriorKind = "hung"
     """``placed``: the flat panels where the pattern places them; ``sewn``: these sewn together around the
-    body (`sewn_prior`); ``none``: no prior, for the paper's conditioning."""
+    body (`sewn_prior`); ``hung``: sewn and hung for a second on a coarse mesh (`drape_coarsely`); ``none``:
+    no prior, for the paper's conditioning."""
     channels: tuple[str, ...] = PLACED
 
     def __post_init__(self) -> None:

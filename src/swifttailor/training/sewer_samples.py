@@ -77,7 +77,8 @@ class SewerSamples:
         self.caches = []
         for layout in range(layouts):
             stem = f"sewer{FORMAT}-{resolution}-{prior}-{layout}"
-            name = name_with_code(stem, "garment_sewer/pixels", "ggi", "panel_mesh", "pattern", "body")
+            rooms = ("garment_sewer/pixels", "ggi", "panel_mesh", "pattern", "body", "draping")
+            name = name_with_code(stem, *rooms)
             compute = partial(draw, resolution=resolution, prior=prior, layout_number=layout)
             self.caches.append(ArrayCache(reader, folder, name, compute))
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.body import Body, DistanceField
+from swifttailor.body import Body, BodyMeasurements, DistanceField
 from swifttailor.body.parts import ARMS
 from swifttailor.pattern import Pattern, body_region
 
@@ -26,6 +26,7 @@ class BodyDistance:
 
     full: DistanceField
     without_arms: DistanceField
+    measurements: BodyMeasurements
 
     @staticmethod
     def of(body: Body) -> BodyDistance:
@@ -33,6 +34,7 @@ class BodyDistance:
         return BodyDistance(
             body.distance_field(spacing=FIELD_SPACING_CM),
             body.distance_field(spacing=FIELD_SPACING_CM, without=ARMS),
+            body.measurements,
         )
 
     def sample(self, points: Floats, ignores_arms: Flags) -> tuple[Floats, Floats]:

@@ -100,8 +100,9 @@ def tabulate(
         sewing: How the panels are sewn, with the prior ``sewn``.
 
     Raises:
-        PatternError: The panels cannot be meshed, with the prior ``sewn``.
-        GeometryError: A panel crosses itself, with the prior ``sewn``.
+        PatternError: The panels cannot be meshed, with the priors ``sewn`` and ``hung``.
+        GeometryError: A panel crosses itself, with the same.
+        SimulationError: The cloth went to infinity, with the prior ``hung``.
     """
     raster, panels = layout.raster, layout.pattern.panels
     pixel_panel = raster.pixel_panel.astype(np.int64)
@@ -135,6 +136,8 @@ def tabulate(
         sewing = sewing or SewingSettings()
         mesh = mesh_pattern(layout.pattern, sewing.edge_length)
         points = geometry_raster(layout, mesh).values(sew_around_body(mesh, body, sewing))
+    elif prior == "hung":
+        points = _hung(layout, body)
     else:
         points = table.placed().astype(np.float64)
     ignores = panels_ignoring_arms(layout.pattern)[pixel_panel]
@@ -145,6 +148,16 @@ def tabulate(
         distance=distance.astype(np.float32),
         direction=direction.astype(np.float32),
     )
+
+
+def _hung(layout: Layout, body: BodyDistance) -> Array:
+    """(n, 3) where a coarse drape puts the pixels."""
+    from swifttailor.draping.coarse import CoarseSettings, coarse_edge_length, drape_coarsely
+
+    settings = CoarseSettings()
+    mesh = mesh_pattern(layout.pattern, coarse_edge_length(layout.pattern, settings))
+    hung = drape_coarsely(mesh, body.full, body.without_arms, body.measurements, settings=settings)
+    return geometry_raster(layout, mesh).values(hung)
 
 
 def _partners(layout: Layout, stitching: StitchingImage) -> Array:

@@ -1,0 +1,137 @@
+"""About where a garment will hang, in a few hundredths of a second: a drape of a few hundred vertices.
+
+The panels are sewn in a third of a second of simulated time and hang for one second, with steps twice as
+long as in a drape and without self-collision: layers pass through each other, folds smaller than the mesh
+are missing, and nothing is at rest yet. What it does find is where the garment is held and how long it
+hangs, which a network is then spared to learn.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.body import BodyMeasurements, DistanceField
+from swifttailor.draping.attachment import find_attachment
+from swifttailor.draping.cloth import build_cloth
+from swifttailor.draping.coarse_kernels import sew_and_hang
+from swifttailor.draping.collider import join_fields, vertices_ignoring_arms
+from swifttailor.draping.fabric import Fabric, get_fabric
+from swifttailor.draping.placement import place_vertices
+from swifttailor.draping.simulation import FRAME_RATE, GRAVITY
+from swifttailor.draping.xpbd_kernels import HeldArrays, StepSettings
+from swifttailor.errors import SimulationError
+from swifttailor.garment import PatternMesh
+from swifttailor.pattern import Pattern
+
+Floats = NDArray[np.float64]
+
+_SEWING_BENDING = 20.0
+_VERTEX_CM2 = math.sqrt(3) / 2
+"""Area of cloth for each vertex of a regular mesh with edges of 1 cm."""
+
+
+@dataclass(frozen=True)
+class CoarseSettings:
+    """How finely and how long; frames of 1/60 s."""
+
+    edge_length: float = 6.0
+    """Of the mesh, cm."""
+    most_vertices: int = 900
+    """Large garments get longer edges, so as not to take much longer."""
+    substeps: int = 8
+    closing_frames: int = 20
+    calming_frames: int = 4
+    hanging_frames: int = 60
+    damping: float = 8.0
+    """Of the hanging, 1/s."""
+    max_speed: float = 120.0
+    """cm/s"""
+
+
+def coarse_edge_length(pattern: Pattern, settings: CoarseSettings) -> float:
+    """Edge length in cm that keeps a garment within the number of vertices, about."""
+    area = sum(abs(panel.signed_area()) for panel in pattern.panels)
+    return max(settings.edge_length, math.sqrt(area / (_VERTEX_CM2 * settings.most_vertices)))
+
+
+def drape_coarsely(
+    mesh: PatternMesh,
+    full: DistanceField,
+    armless: DistanceField,
+    measurements: BodyMeasurements,
+    *,
+    fabric: Fabric | str = "cotton",
+    settings: CoarseSettings | None = None,
+) -> Floats:
+    """Sews a coarse mesh on a body and lets it hang for a second.
+
+    Args:
+        mesh: Of the pattern, with edges of about `coarse_edge_length`.
+        full: Distance to the body.
+        armless: The same without the arms, on a part of the same lattice.
+        measurements: Of the body.
+        fabric: A `Fabric` or the name of a preset.
+        settings: How finely and how long; the defaults when None.
+
+    Returns:
+        (v, 3) welded vertices, cm.
+
+    Raises:
+        SimulationError: The cloth went to infinity.
+    """
+    c = settings or CoarseSettings()
+    fabric = get_fabric(fabric) if isinstance(fabric, str) else fabric
+    cloth = build_cloth(mesh, fabric).arrays
+    attachment = find_attachment(mesh, measurements)
+    held = HeldArrays(
+        np.ascontiguousarray(attachment.vertices, dtype=np.int32),
+        np.array(attachment.levels, dtype=np.float64),
+    )
+    hanging = StepSettings(
+        substeps=c.substeps,
+        step=1.0 / (FRAME_RATE * c.substeps),
+        gravity=GRAVITY,
+        damping=c.damping,
+        friction=fabric.friction,
+        thickness=fabric.thickness,
+        max_speed=c.max_speed,
+        bending_factor=0.0,
+        lowest_level=2.0,
+        long_edges=False,
+        self_collision=False,
+        untangling=0.0,
+        contact_interval=5,
+        still=0.0,
+    )
+    sewing = hanging._replace(
+        gravity=0.0,
+        damping=20.0,
+        friction=0.0,
+        max_speed=250.0,
+        bending_factor=_SEWING_BENDING,
+        long_edges=True,
+    )
+    caught = min(15, c.hanging_frames)
+    positions = np.ascontiguousarray(place_vertices(mesh), dtype=np.float64)
+    sew_and_hang(
+        positions,
+        cloth._replace(rest=cloth.rest.copy()),
+        cloth.rest,
+        join_fields(full, armless, vertices_ignoring_arms(mesh)),
+        held,
+        np.ascontiguousarray(attachment.at_first),
+        (c.closing_frames, c.calming_frames, caught, c.hanging_frames - caught),
+        sewing,
+        hanging._replace(long_edges=True),
+        hanging,
+    )
+    if not np.isfinite(positions).all():
+        raise SimulationError(
+            "The cloth moved to infinity. Check the pattern for degenerate panels with "
+            "'swifttailor check PATTERN'."
+        )
+    return positions
