@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
+from swifttailor.data.captions.writing.sleeve_words import SLEEVE_NAMES
 from swifttailor.data.edits.gain_wording import GainWording, gain
 from swifttailor.data.edits.gains_below_waist import LOWER_GAINS
 from swifttailor.data.edits.gains_of_parts import PART_GAINS
 from swifttailor.data.edits.gains_of_shape import SHAPE_GAINS
 
-_SLEEVE_NAMES = {
-    "cap": "cap",
-    "short": "short",
-    "elbow": "elbow-length",
-    "three-quarter": "three-quarter",
-    "long": "long",
-    "extra-long": "extra-long",
-}
 _HEMS = {
     "micro": ("very short", "micro-short"),
     "mini": ("mini", "thigh-length", "short"),
@@ -77,7 +70,7 @@ def _lengths() -> list[GainWording]:
 
 def _sleeves() -> list[GainWording]:
     found = []
-    for word, name in _SLEEVE_NAMES.items():
+    for word, name in SLEEVE_NAMES.items():
         found.append(
             gain(
                 f"sleeves={word}",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from swifttailor.data.captions.writing.wording import Wording, wording
+from swifttailor.data.captions.writing.wording import Wording, feature, sentence
 
 _LENGTHS: dict[str, tuple[str, ...]] = {
     "cap": ("cap sleeves", "tiny cap sleeves"),
@@ -17,7 +17,7 @@ _LENGTHS: dict[str, tuple[str, ...]] = {
     "long": ("long sleeves", "full-length sleeves", "wrist-length sleeves"),
     "extra-long": ("extra-long sleeves", "sleeves that cover the hands"),
 }
-_SHORT_NAMES: dict[str, str] = {
+SLEEVE_NAMES: dict[str, str] = {
     "cap": "cap",
     "short": "short",
     "elbow": "elbow-length",
@@ -25,6 +25,7 @@ _SHORT_NAMES: dict[str, str] = {
     "long": "long",
     "extra-long": "extra-long",
 }
+"""Lengths before a noun."""
 _SHAPES: dict[str, tuple[str, ...]] = {
     "slim": ("slim", "narrow"),
     "wide": ("wide", "full", "roomy"),
@@ -70,14 +71,14 @@ _ENDS: tuple[tuple[str, tuple[str, ...]], ...] = (
 
 
 def _feature(needs: str, texts: tuple[str, ...], weight: float) -> Wording:
-    return wording("feature", needs, *texts, weight=weight, topics="sleeve noun")
+    return feature(needs, *texts, weight=weight, topics="sleeve noun")
 
 
 def _features() -> list[Wording]:
     found = []
     for length, names in _LENGTHS.items():
         found.append(_feature(f"sleeves={length}", names, 3.0))
-        short = _SHORT_NAMES[length]
+        short = SLEEVE_NAMES[length]
         for shape, adjectives in _SHAPES.items():
             texts = tuple(f"{short} {a} sleeves" for a in adjectives) + tuple(
                 f"{a}, {short} sleeves" for a in adjectives[:1]
@@ -90,20 +91,20 @@ def _features() -> list[Wording]:
         found.append(_feature(f"sleeve_shape={shape}", tuple(f"{a} sleeves" for a in adjectives), 1.2))
     for end, tails in _ENDS:
         found.append(_feature(end, tuple(f"sleeves {tail}" for tail in tails), 0.5))
-    for word in _SHORT_NAMES:
+    for word in SLEEVE_NAMES:
         for side, opposite in (("left", "right"), ("right", "left")):
-            short = _SHORT_NAMES[word]
+            short = SLEEVE_NAMES[word]
             one = (
                 f"one {short} sleeve on the {side}",
                 f"a single {short} sleeve, on the {side}",
                 f"a {short} {side} sleeve and none on the {opposite}",
             )
             found.append(_feature(f"sleeves={side}_only {side}_sleeve={word}", one, 3.0))
-        for other in _SHORT_NAMES:
+        for other in SLEEVE_NAMES:
             if other != word:
                 texts = (
-                    f"a {_SHORT_NAMES[word]} left sleeve and a {_SHORT_NAMES[other]} right one",
-                    f"a {_SHORT_NAMES[other]} sleeve on the right and a {_SHORT_NAMES[word]} one on the left",
+                    f"a {SLEEVE_NAMES[word]} left sleeve and a {SLEEVE_NAMES[other]} right one",
+                    f"a {SLEEVE_NAMES[other]} sleeve on the right and a {SLEEVE_NAMES[word]} one on the left",
                 )
                 found.append(_feature(f"left_sleeve={word} right_sleeve={other} sides=different", texts, 3.0))
     found.append(_feature("sleeves=left_only", ("a left sleeve only", "one sleeve, the left"), 1.5))
@@ -118,34 +119,30 @@ FEATURES: tuple[Wording, ...] = tuple(_features())
 """Sleeves after "with"."""
 
 
-def _sentence(needs: str, *texts: str) -> Wording:
-    return wording("sentence", needs, *texts)
-
-
 SENTENCES: tuple[Wording, ...] = (
-    _sentence("sleeves=short", "The sleeves are short.", "The sleeves end above the elbow."),
-    _sentence("sleeves=elbow", "The sleeves reach the elbow.", "The sleeves end around the elbow."),
-    _sentence(
+    sentence("sleeves=short", "The sleeves are short.", "The sleeves end above the elbow."),
+    sentence("sleeves=elbow", "The sleeves reach the elbow.", "The sleeves end around the elbow."),
+    sentence(
         "sleeves=three-quarter",
         "The sleeves end between elbow and wrist.",
         "The sleeves are three-quarter length.",
     ),
-    _sentence("sleeves=long", "The sleeves are long.", "The sleeves reach the wrist."),
-    _sentence("sleeves=long sleeve_shape=gathered_end", "The long sleeves are gathered into their cuffs."),
-    _sentence("sleeves=long cuffs=none", "The long sleeves end without cuffs."),
-    _sentence(
+    sentence("sleeves=long", "The sleeves are long.", "The sleeves reach the wrist."),
+    sentence("sleeves=long sleeve_shape=gathered_end", "The long sleeves are gathered into their cuffs."),
+    sentence("sleeves=long cuffs=none", "The long sleeves end without cuffs."),
+    sentence(
         "sleeve_shape=puffed",
         "The sleeve heads are gathered.",
         "Gathers puff the sleeves up at the shoulder.",
     ),
-    _sentence("sleeve_shape=bell", "The sleeves flare out to their ends."),
-    _sentence("sleeve_shape=slim", "The sleeves are narrow.", "The sleeves fit closely."),
-    _sentence("sleeve_shape=wide", "The sleeves are very wide.", "The sleeves are cut full."),
-    _sentence("cuffs=band", "The sleeves have cuffs.", "Cuffs finish the sleeves."),
-    _sentence("cuffs=flounce", "Flounces finish the sleeves.", "The sleeves end in flounces."),
-    _sentence("cuffs=band_and_flounce", "Each sleeve ends in a band with a flounce."),
-    _sentence("cuffs=deep", "The cuffs are deep."),
-    _sentence("sleeve_cm=?", "The sleeves are {sleeve_cm} long.", "Sleeve length: {sleeve_cm}."),
-    _sentence("sleeves=left_only", "Only the left arm has a sleeve."),
-    _sentence("sleeves=right_only", "Only the right arm has a sleeve."),
+    sentence("sleeve_shape=bell", "The sleeves flare out to their ends."),
+    sentence("sleeve_shape=slim", "The sleeves are narrow.", "The sleeves fit closely."),
+    sentence("sleeve_shape=wide", "The sleeves are very wide.", "The sleeves are cut full."),
+    sentence("cuffs=band", "The sleeves have cuffs.", "Cuffs finish the sleeves."),
+    sentence("cuffs=flounce", "Flounces finish the sleeves.", "The sleeves end in flounces."),
+    sentence("cuffs=band_and_flounce", "Each sleeve ends in a band with a flounce."),
+    sentence("cuffs=deep", "The cuffs are deep."),
+    sentence("sleeve_cm=?", "The sleeves are {sleeve_cm} long.", "Sleeve length: {sleeve_cm}."),
+    sentence("sleeves=left_only", "Only the left arm has a sleeve."),
+    sentence("sleeves=right_only", "Only the right arm has a sleeve."),
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Literal
 
 from swifttailor.data.captions.claims import CLAIM_TYPES, Claim
@@ -81,6 +82,12 @@ def wording(
         frozenset(kinds.split()),
         frozenset(_claim(each) for each in avoids.split()),
     )
+
+
+adjective = partial(wording, "adjective")
+feature = partial(wording, "feature")
+sentence = partial(wording, "sentence")
+tag = partial(wording, "tag")
 
 
 def _claim(text: str) -> Claim:
