@@ -39,6 +39,10 @@ class Written:
     log_likelihood: float
     """Natural logarithm of the probability of its tokens among those that the grammar allows, at
     temperature 1."""
+    certainty: float
+    """Mean over its places of that logarithm for the likeliest token, whichever was taken."""
+    look: Floats | None
+    """(hidden,) what the network made of the picture, its places averaged; None without one."""
 
 
 @dataclass(eq=False)
@@ -51,6 +55,8 @@ class _Answer:
     tokens: list[int] = field(default_factory=list)
     numbers: list[Floats] = field(default_factory=list)
     log_likelihood: float = 0.0
+    likeliest: float = 0.0
+    """What it would be, had the likeliest token been taken everywhere."""
 
     def choose(self, logits: NDArray[np.floating], grammar: Grammar) -> int:
         """Takes the next token; its numbers are added by `_answer_all`."""
@@ -65,6 +71,7 @@ class _Answer:
             best = int(np.argmax(logs / self.temperature + noise))
         token = int(allowed[best])
         self.log_likelihood += float(logs[best])
+        self.likeliest += float(logs.max())
         self.state = grammar.advance(self.state, token)
         self.tokens.append(token)
         return token
@@ -89,7 +96,7 @@ def write_answers(
     """
     if not asked:
         return []
-    states, logits, cache = _read(runtime, asked)
+    states, logits, cache, looks = _read(runtime, asked)
     answers, rows = [], []
     for row, one in enumerate(asked):
         for seed in one.seeds:
@@ -102,12 +109,13 @@ def write_answers(
     written: list[list[Written]] = [[] for _ in asked]
     for answer, row in zip(answers, rows, strict=True):
         sequence = TokenSequence(np.array(answer.tokens), np.array(answer.numbers))
-        written[row].append(Written(sequence, answer.log_likelihood))
+        certainty = answer.likeliest / len(answer.tokens)
+        written[row].append(Written(sequence, answer.log_likelihood, certainty, looks.get(row)))
     return written
 
 
-def _read(runtime: Runtime, asked: Several[Asked]) -> tuple[Floats, Floats, Cache]:
-    """States (B, hidden) and logits (B, tokens) after the prompts."""
+def _read(runtime: Runtime, asked: Several[Asked]) -> tuple[Floats, Floats, Cache, dict[int, Floats]]:
+    """States (B, hidden) and logits (B, tokens) after the prompts, and by row the looks of pictures."""
     lengths = np.array([len(one.prompt) for one in asked])
     longest = int(lengths.max())
     tokens = np.zeros((len(asked), longest), np.int64)
@@ -116,14 +124,16 @@ def _read(runtime: Runtime, asked: Several[Asked]) -> tuple[Floats, Floats, Cach
         tokens[row, : lengths[row]], numbers[row, : lengths[row]] = one.prompt.tokens, one.prompt.numbers
     embedded = np.array(runtime.embed(tokens, numbers))
     pictured = [row for row, one in enumerate(asked) if one.picture is not None]
+    averages: dict[int, Floats] = {}
     if pictured:
         looks = runtime.look(np.stack([one.picture for one in asked if one.picture is not None]))
         for row, look in zip(pictured, looks, strict=True):
             embedded[row, : len(look)] = look  # the places of a picture come first
+            averages[row] = look.mean(axis=0)
     known = (np.arange(longest) < lengths[:, None]).astype(np.float32)
     states, logits, cache = runtime.decode(embedded, known, runtime.empty_cache(len(asked)))
     last = np.arange(len(asked)), lengths - 1
-    return states[last], logits[last], cache
+    return states[last], logits[last], cache, averages
 
 
 def _answer_all(

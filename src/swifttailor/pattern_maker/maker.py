@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from swifttailor.errors import InputError
 from swifttailor.pattern import Finding, Pattern, Severity, check_pattern, repair_pattern
 from swifttailor.pattern.check.repair import Change, Repair
+from swifttailor.pattern_maker.confidence import Confidence
 from swifttailor.pattern_maker.decode import decode
 from swifttailor.pattern_maker.encode import encode
 from swifttailor.pattern_maker.generation import Asked, Written, write_answers
@@ -21,10 +22,13 @@ from swifttailor.pattern_maker.model_file import MakerModel, load_model
 from swifttailor.pattern_maker.pictures import picture_for_network, read_picture
 from swifttailor.pattern_maker.prompt import make_prompt
 from swifttailor.pattern_maker.runtime import Floats
+from swifttailor.pattern_maker.scripts import about_scripts, says_something
 from swifttailor.pattern_maker.token_sequence import TokenSequence
 
 SHIPPED = Path(__file__).with_name("pattern_maker.zip")
 MOST_ATTEMPTS = 64
+USUAL_TEMPERATURE = 0.5
+"""Between always the same and anything; `confidence` is measured at it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,6 +59,10 @@ class Generated:
     pattern: Pattern
     """Mended where no guess was needed."""
     log_likelihood: float
+    certainty: float
+    """See `generation.Written`."""
+    look: Floats | None
+    """See `generation.Written`."""
     sequence: TokenSequence
     """What was written, before anything was mended."""
     attempts: tuple[Attempt, ...]
@@ -64,7 +72,9 @@ class Generated:
     findings: tuple[Finding, ...]
     """What a check finds in the pattern."""
     notes: tuple[str, ...]
-    """What about the request was not used."""
+    """What about the request was not used, or not understood."""
+    confidence: Confidence | None
+    """How sure the network is of the picture; None without one, or where that was not measured for it."""
     seconds: dict[str, float]
     """By stage; requests that are answered together share theirs."""
 
@@ -133,6 +143,7 @@ class PatternMaker:
         seed: int | Sequence[int] = 0,
         temperature: float = 0.0,
         attempts: int = 1,
+        first_attempt: int = 0,
     ) -> list[Generated]:
         """Writes a pattern for each request, all together: faster than one by one.
 
@@ -141,6 +152,7 @@ class PatternMaker:
             seed: One for all, or one for each.
             temperature: See `generate`.
             attempts: For each.
+            first_attempt: How many attempts were made before, whose draws are not to come again.
 
         Raises:
             SwiftTailorError: See `generate`.
@@ -162,7 +174,7 @@ class PatternMaker:
         asked, notes = [], []
         for request, own in zip(requests, seeds, strict=True):
             one, about = self._ask(request)
-            draws = tuple((own, k) for k in range(attempts))
+            draws = tuple((own, k) for k in range(first_attempt, first_attempt + attempts))
             asked.append(Asked(one.prompt, one.picture, draws, temperature))
             notes.append(about)
         clock.stop("reading")
@@ -175,11 +187,14 @@ class PatternMaker:
             Generated(
                 repair.pattern,
                 answer.log_likelihood,
+                answer.certainty,
+                answer.look,
                 answer.sequence,
                 tried,
                 repair.changes,
                 repair.remaining,
                 about,
+                self._confidence(answer),
                 clock.seconds,
             )
             for (answer, repair, tried), about in zip(chosen, notes, strict=True)
@@ -187,11 +202,11 @@ class PatternMaker:
 
     def _ask(self, request: Request) -> tuple[Asked, tuple[str, ...]]:
         model = self.model
-        if not request.text.strip() and (request.image is None or request.edit is not None):
+        if not says_something(request.text) and (request.image is None or request.edit is not None):
             wanted = "an instruction" if request.edit is not None else "a text or an image"
             raise InputError(f"There is nothing to go by; {wanted} is needed.")
         encoded = model.text.encode(request.text, model.longest_text)
-        notes = []
+        notes = about_scripts(request.text)
         if encoded.truncated:
             read = len(model.text.decode(encoded.tokens))
             notes.append(
@@ -206,6 +221,10 @@ class PatternMaker:
         places = 0 if picture is None else model.image_tokens
         prompt = make_prompt(encoded.tokens, model.text.size, image_tokens=places, edit=edit)
         return Asked(prompt, picture), tuple(notes)
+
+    def _confidence(self, answer: Written) -> Confidence | None:
+        usual = self.model.calibration
+        return usual.confidence(answer.look, answer.certainty) if usual and answer.look is not None else None
 
 
 def _best(answers: Sequence[Written]) -> tuple[Written, Repair, tuple[Attempt, ...]]:

@@ -14,6 +14,7 @@ from typing import Any
 from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import InputError
 from swifttailor.networks.onnx_session import open_session
+from swifttailor.pattern_maker.confidence import Calibration
 from swifttailor.pattern_maker.grammar import Grammar
 from swifttailor.pattern_maker.network_config import NetworkConfig
 from swifttailor.pattern_maker.runtime import GRAPHS, OnnxRuntime, Runtime
@@ -21,7 +22,7 @@ from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
 from swifttailor.pattern_maker.vocabulary import NUMBERS, SIZE
 
 FORMAT = "swifttailor pattern-maker 1"
-CARD, TEXT = "card.json", "text_tokens.json"
+CARD, TEXT, CONFIDENCE = "card.json", "text_tokens.json", "confidence.json"
 MAX_BYTES = 2**31
 _DATE = (1980, 1, 1, 0, 0, 0)
 _MEMBERS = {CARD, TEXT, *(f"{name}.onnx" for name in GRAPHS)}
@@ -42,6 +43,8 @@ class MakerModel:
     image_tokens: int
     card: dict[str, Any]
     """What it was trained on and how good it is."""
+    calibration: Calibration | None = None
+    """What is usual for it; None where that was not measured."""
 
 
 def write_model(path: Path, graphs: Mapping[str, bytes], text: TextTokenizer, card: dict[str, Any]) -> Path:
@@ -57,6 +60,22 @@ def write_model(path: Path, graphs: Mapping[str, bytes], text: TextTokenizer, ca
         InputError: The file cannot be written.
     """
     members = {f"{name}.onnx": graphs[name] for name in GRAPHS} | {TEXT: text.to_json().encode()}
+    return _write(path, members, card)
+
+
+def add_calibration(path: Path, calibration: Calibration) -> Path:
+    """Writes into a model file what is usual for its network.
+
+    Raises:
+        InputError: The file is no model file, or cannot be written.
+    """
+    members = _read_members(path)
+    card = _read_about(members, path)["card"]
+    del members[CARD]
+    return _write(path, members | {CONFIDENCE: calibration.to_json().encode()}, card)
+
+
+def _write(path: Path, members: Mapping[str, bytes], card: dict[str, Any]) -> Path:
     about = {
         "format": FORMAT,
         "sha256": {name: hashlib.sha256(data).hexdigest() for name, data in members.items()},
@@ -65,7 +84,7 @@ def write_model(path: Path, graphs: Mapping[str, bytes], text: TextTokenizer, ca
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_STORED) as archive:
         cover = (json.dumps(about, indent=1, allow_nan=False) + "\n").encode()
-        for name, data in ({CARD: cover} | members).items():
+        for name, data in {CARD: cover, **members}.items():
             archive.writestr(zipfile.ZipInfo(name, _DATE), data)
     return write_atomically(path, lambda temporary: temporary.write_bytes(buffer.getvalue()))
 
@@ -90,6 +109,9 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
         grammar = Grammar(tags={"ascending": "ascending", "random": "any"}[tags])
     except (KeyError, TypeError, InputError) as error:
         raise InputError(f"'{path}' does not say how it must be asked: {error!r}.") from error
+    calibration = None
+    if CONFIDENCE in members:
+        calibration = Calibration.from_json(members[CONFIDENCE], f"{path}, {CONFIDENCE}")
     sessions = {
         name: open_session(members[f"{name}.onnx"], f"{path}, {name}.onnx", "PatternMaker", threads=threads)
         for name in GRAPHS
@@ -107,6 +129,8 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
         "the numbers of a token": (given["embed"]["numbers"][2], NUMBERS),
         "the numbers predicted": (made["regress"]["numbers"][1], NUMBERS),
     }
+    if calibration is not None:
+        facts["what is usual for pictures"] = (len(calibration.space.mean), hidden)
     for what, (found, wanted) in facts.items():
         if found != wanted:
             raise InputError(f"'{path}' contradicts itself: {what} should be {wanted}, and is {found}.")
@@ -118,6 +142,7 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
         network.image_size,
         network.image_tokens,
         card,
+        calibration,
     )
 
 
@@ -137,7 +162,7 @@ def _read_members(path: Path) -> dict[str, bytes]:
         with zipfile.ZipFile(path) as archive:
             infos = archive.infolist()
             names = [info.filename for info in infos]
-            if sorted(names) != sorted(_MEMBERS):
+            if len(set(names)) < len(names) or set(names) - {CONFIDENCE} != _MEMBERS:
                 raise InputError(
                     f"'{path}' is no PatternMaker: it holds {', '.join(names[:8]) or 'nothing'}, not "
                     f"{', '.join(sorted(_MEMBERS))}. Give the file of a PatternMaker."
