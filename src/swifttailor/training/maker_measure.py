@@ -11,6 +11,7 @@ import random
 import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -21,9 +22,8 @@ from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.captions.facts_file import facts_values
 from swifttailor.data.edits.edit_file import EditedVersion
 from swifttailor.data.edits.instructions import write_instruction
-from swifttailor.data.edits.operations import OPERATIONS, Cutter
-from swifttailor.data.edits.pairs import TRIES, recut
-from swifttailor.data.pattern_source import parsed_pattern
+from swifttailor.data.edits.operations import Cutter, Operation
+from swifttailor.data.edits.pairs import recut_variously
 from swifttailor.data.shard_file import write_durably
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
@@ -93,9 +93,7 @@ def measure(task: MeasureTask) -> str:
 
 
 def _versions(version: EditedVersion, recuts: int) -> Iterator[tuple[dict[str, Any], Any]]:
-    id, pattern = version.pattern.id, parsed_pattern(version.pattern)
-    if isinstance(pattern, SwiftTailorError):
-        raise pattern
+    id, pattern = version.pattern.id, version.pattern.read().pattern
     cutter = Cutter(pattern)
     # All or nothing: whatever cannot be encoded or measured is found out here.
     made = [({"id": id, "base": version.base, "source": "file"}, cutter.facts, pattern)]
@@ -108,28 +106,20 @@ def _versions(version: EditedVersion, recuts: int) -> Iterator[tuple[dict[str, A
 
 def _recuts(cutter: Cutter, id: str, count: int) -> Iterator[tuple[str, GarmentFacts, Pattern]]:
     """Recut versions for which there are words, each by another operation."""
+
+    def version(operation: Operation, after: Cutter) -> tuple[str, GarmentFacts, Pattern] | None:
+        if not can_be_asked(cutter.facts, after.facts):
+            return None
+        try:
+            encode(after.pattern)
+        except SwiftTailorError:
+            return None  # grown beyond what tokens can say
+        return operation.name, after.facts, after.pattern
+
     rng = random.Random(f"recut {zlib.crc32(id.encode())}")
-    found = 0
-    for operation in rng.sample(OPERATIONS, len(OPERATIONS)):
-        if found == count:
-            return
-        for _ in range(TRIES):
-            after = recut(cutter, operation, rng)
-            if after is None or not can_be_asked(cutter.facts, after.facts):
-                continue
-            try:
-                encode(after.pattern)
-            except SwiftTailorError:
-                continue  # grown beyond what tokens can say
-            yield operation.name, after.facts, after.pattern
-            found += 1
-            break
+    return islice(recut_variously(cutter, rng, version), count)
 
 
 def can_be_asked(before: GarmentFacts, after: GarmentFacts) -> bool:
     """Whether there is an instruction from one garment to the other, or back."""
-    for one, other in ((before, after), (after, before)):
-        instruction = write_instruction(one, other)
-        if instruction is not None and instruction.holds(one, other):
-            return True
-    return False
+    return any(write_instruction(*way) is not None for way in ((before, after), (after, before)))

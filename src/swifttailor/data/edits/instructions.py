@@ -53,8 +53,14 @@ def write_instruction(before: GarmentFacts, after: GarmentFacts, seed: int = 0) 
         seed: Decides which of the differences are named, and how.
 
     Returns:
-        The instruction; None where no difference is seen, or none that there are words for.
+        The instruction, which holds between the two; None where no difference is seen, or none that there
+        are words for.
     """
+    instruction = _write(before, after, seed)
+    return instruction if instruction is not None and instruction.holds(before, after) else None
+
+
+def _write(before: GarmentFacts, after: GarmentFacts, seed: int) -> Instruction | None:
     rng = random.Random(f"instruction {seed}")
     halves = _halves_changed(before, after)
     if halves == "less":

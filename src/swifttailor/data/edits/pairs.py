@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import islice
+from typing import TypeVar
 
 from swifttailor.body import BodyMeasurements
 from swifttailor.data.captions.facts import GarmentFacts
@@ -13,6 +16,8 @@ from swifttailor.data.edits.operations import OPERATIONS, Cutter, Operation
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.check.stitch_checks import judge_lengths
+
+T = TypeVar("T")
 
 SEAM_TOLERANCE = 0.02
 """How far a recut seam's ratio of lengths may move; gathers that are meant to change excepted."""
@@ -61,7 +66,7 @@ def pairs_of(
         (edited, base, after, before, f"{source}, {_REVERSED}".lstrip(", "), 1),
     ):
         instruction = write_instruction(a, b, 2 * seed + offset)
-        if instruction is not None and instruction.holds(a, b):
+        if instruction is not None:
             pairs.append(EditPair(one, instruction, other, note))
     return pairs
 
@@ -93,24 +98,41 @@ def geometric_pairs(
     """
     rng = random.Random(f"edit {seed}")
     cutter = Cutter(pattern, body)
-    pairs: list[EditPair] = []
-    used = 0
+
+    def pairs_with(operation: Operation, after: Cutter) -> list[EditPair]:
+        facts = (cutter.facts, after.facts)
+        return pairs_of(pattern, after.pattern, rng.randrange(2**31), source=operation.name, facts=facts)
+
+    ways = recut_variously(cutter, rng, pairs_with, operations=operations)
+    return [pair for pairs in islice(ways, count) for pair in pairs]
+
+
+def recut_variously(
+    cutter: Cutter,
+    rng: random.Random,
+    use: Callable[[Operation, Cutter], T | None],
+    *,
+    operations: tuple[Operation, ...] = OPERATIONS,
+) -> Iterator[T]:
+    """Recuts a pattern in one way after the other, each operation tried a few times with other amounts.
+
+    Args:
+        cutter: The pattern.
+        rng: Decides order and amounts.
+        use: Makes something of what an operation has left; of nothing, or what is empty, there is another
+            try.
+        operations: Which to try.
+
+    Yields:
+        What was made, at most once for each operation.
+    """
     for operation in rng.sample(operations, len(operations)):
-        if used == count:
-            break
         for _ in range(TRIES):
-            recut_cutter = recut(cutter, operation, rng)
-            if recut_cutter is None:
-                continue
-            facts = (cutter.facts, recut_cutter.facts)
-            made = pairs_of(
-                pattern, recut_cutter.pattern, rng.randrange(2**31), source=operation.name, facts=facts
-            )
+            after = recut(cutter, operation, rng)
+            made = None if after is None else use(operation, after)
             if made:
-                pairs += made
-                used += 1
+                yield made
                 break
-    return pairs
 
 
 def recut(cutter: Cutter, operation: Operation, rng: random.Random) -> Cutter | None:
