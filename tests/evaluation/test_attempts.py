@@ -13,8 +13,9 @@ from swifttailor.evaluation.patterns.attempts import (
     GATES,
     MAX_ATTEMPTS,
     Attempts,
+    Fault,
+    attempts_of,
     first_fault,
-    make_until_sound,
     summarize_attempts,
 )
 from swifttailor.pattern import EdgeRef, Pattern, Stitch, read_specification
@@ -33,31 +34,25 @@ def sewn_twice(skirt) -> Pattern:
     return replace(skirt, stitches=(*skirt.stitches, Stitch(first.first, last.second)))
 
 
-def test_the_first_sound_pattern_is_taken(skirt, sewn_twice):
-    asked: list[int] = []
-
-    def generate(k: int) -> Pattern:
-        asked.append(k)
-        if k == 0:
-            raise PatternError("Two panels have no end.")
-        return sewn_twice if k == 1 else skirt
-
-    found = make_until_sound(generate, edge_length=4.0)
-    assert found.count == 3 and found.pattern is skirt and asked == [0, 1, 2]
-    assert [gate for gate, _ in found.failures] == ["decode", "check"]
-    assert found.failures[0][1] == "Two panels have no end."
-    assert found.failures[1][1].startswith("edge-stitched-twice") or "stitch" in found.failures[1][1]
+def test_patterns_are_counted_until_one_is_sound():
+    bad = ("check", "edge-stitched-twice"), ("mesh", "no room")
+    assert attempts_of([None, bad[0]]) == Attempts(1, True, ())
+    assert attempts_of([*bad, None, bad[0]]) == Attempts(3, True, bad)
+    assert attempts_of([*bad]) is None, "nobody knows yet"
+    assert attempts_of([]) is None
 
 
-def test_an_input_that_gives_nothing_counts_as_the_limit(sewn_twice):
-    found = make_until_sound(lambda k: sewn_twice)
-    assert found.count == MAX_ATTEMPTS == 20 == len(found.failures) and found.pattern is None
-    assert make_until_sound(lambda k: sewn_twice, limit=3).count == 3
+def test_an_input_that_gives_nothing_counts_as_the_limit():
+    bad: Fault = ("decode", "Two panels have no end.")
+    assert attempts_of([bad] * 20) == Attempts(MAX_ATTEMPTS, False, (bad,) * 20)
+    assert attempts_of([bad] * 19) is None
+    assert attempts_of([bad] * 3, limit=3) == Attempts(3, False, (bad,) * 3)
+    assert attempts_of([*[bad] * 3, None], limit=3) == Attempts(3, False, (bad,) * 3)
 
 
-def test_faults_of_the_program_are_not_taken_for_faults_of_the_pattern():
-    with pytest.raises(ZeroDivisionError):
-        make_until_sound(lambda k: 1 / 0)
+def test_an_edge_sewn_twice_fails(sewn_twice):
+    gate, why = first_fault(sewn_twice) or ("", "")
+    assert (gate == "check" and why.startswith("edge-stitched-twice")) or "stitch" in why
 
 
 def test_what_the_checker_lets_pass_must_be_meshed(skirt, monkeypatch):
@@ -106,9 +101,9 @@ def test_real_patterns_pass(garmentcode_folder):
 
 def test_summary():
     attempts = [
-        Attempts(1, Pattern(()), ()),
-        Attempts(4, Pattern(()), (("decode", ""), ("mesh", ""), ("mesh", ""))),
-        Attempts(20, None, (("check", ""),) * 20),
+        Attempts(1, True, ()),
+        Attempts(4, True, (("decode", ""), ("mesh", ""), ("mesh", ""))),
+        Attempts(20, False, (("check", ""),) * 20),
     ]
     found = summarize_attempts(attempts)
     assert (found.mean, found.inputs, found.succeeded) == (25 / 3, 3, 2)

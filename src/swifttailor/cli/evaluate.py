@@ -13,6 +13,11 @@ EVALUATE = CommandGroup(
             "swifttailor evaluate garment-sewer --data DIR --split test",
             "swifttailor.cli.evaluate_garment_sewer:EvaluateGarmentSewer",
         ),
+        "pattern-maker": GroupedCommand(
+            "Patterns that a PatternMaker writes and edits, against true ones.",
+            "swifttailor evaluate pattern-maker --patterns FILE --data DIR --edits FILE --out DIR",
+            "swifttailor.cli.evaluate_pattern_maker:EvaluatePatternMaker",
+        ),
         "drape-floor": GroupedCommand(
             "Drapes against drapes of the same patterns: how near anything can come.",
             "swifttailor evaluate drape-floor --data DIR --split validation --limit 30 --out DIR",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
@@ -54,14 +53,14 @@ class EvaluateGarmentSewer:
         require_threads(self.threads)
         require_picture_count(self.pictures)
         from swifttailor.evaluation.garments.sew_split import sew_split
-        from swifttailor.evaluation.provenance import choose_samples, provenance
+        from swifttailor.evaluation.provenance import choose_samples, file_identity, provenance
         from swifttailor.garment_sewer.sewer import SHIPPED, GarmentSewer
 
         reader = open_split(self.data, self.split)
         numbers = choose_samples(reader, self.limit, self.seed)
         sewer = GarmentSewer.load(self.weights, threads=self.threads)
         weights = SHIPPED if self.weights is None else self.weights
-        model = {"file": weights.name, "sha256": hashlib.sha256(weights.read_bytes()).hexdigest()}
+        model = file_identity(weights)
         with ItemProgress(len(numbers), "garments sewn and measured") as progress:
             made = sew_split(
                 sewer, reader, numbers, resolution=self.resolution, seed=self.seed, progress=progress.add

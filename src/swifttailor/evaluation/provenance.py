@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import platform
 from collections.abc import Sequence
@@ -32,7 +33,6 @@ def choose_samples(reader: SplitReader, limit: int | None, seed: int) -> list[in
 
 def provenance(reader: SplitReader, numbers: Sequence[int], seed: int) -> dict[str, Any]:
     """Where numbers come from, as JSON values; without dates and paths."""
-    code = code_version()
     return {
         "data": reader.folder.resolve().parent.name,
         "split": reader.index.split,
@@ -41,11 +41,8 @@ def provenance(reader: SplitReader, numbers: Sequence[int], seed: int) -> dict[s
         "split_complete": reader.index.complete,
         "seed": seed,
         "drapes": {k: v for k, v in reader.index.settings.items() if k not in ("version", "shard_size")},
-        "version": code["version"],
-        "commit": code["commit"],
-        "drapes_of_this_code": {b["code"] for b in reader.index.built_with} == {code["code"]},
-        "machine": machine(),
-    }
+        "drapes_of_this_code": {b["code"] for b in reader.index.built_with} == {code_version()["code"]},
+    } | code_and_machine()
 
 
 def provenance_lines(about: dict[str, Any]) -> str:
@@ -58,6 +55,25 @@ def provenance_lines(about: dict[str, Any]) -> str:
         f"swifttailor {about['version']}, commit {about['commit'] or 'unknown'}{other}\n"
         f"{about['machine']}\n"
     )
+
+
+def code_and_machine() -> dict[str, Any]:
+    """Version and commit of the code, and what it runs on, as JSON values."""
+    code = code_version()
+    return {"version": code["version"], "commit": code["commit"], "machine": machine()}
+
+
+def file_identity(path: Path) -> dict[str, str]:
+    """Name and checksum of a file, as JSON values.
+
+    Raises:
+        InputError: It cannot be read.
+    """
+    try:
+        with path.open("rb") as stream:
+            return {"file": path.name, "sha256": hashlib.file_digest(stream, "sha256").hexdigest()}
+    except OSError as error:
+        raise InputError(f"Cannot read '{path}': {error.strerror or error}.") from error
 
 
 def machine() -> str:

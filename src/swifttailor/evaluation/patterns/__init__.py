@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from swifttailor.evaluation.patterns.adherence import Adherence, judge_claims, judge_instructions
 from swifttailor.evaluation.patterns.aipparel import AipparelScore, aipparel_score
-from swifttailor.evaluation.patterns.attempts import Attempts, make_until_sound
+from swifttailor.evaluation.patterns.attempts import Attempts, attempts_of, first_fault
 from swifttailor.evaluation.patterns.by_name import NameScore, name_score
 from swifttailor.evaluation.patterns.pattern_table import PatternSummary, pattern_tables, summarize_patterns
 
@@ -15,9 +15,10 @@ __all__ = [
     "NameScore",
     "PatternSummary",
     "aipparel_score",
+    "attempts_of",
+    "first_fault",
     "judge_claims",
     "judge_instructions",
-    "make_until_sound",
     "name_score",
     "pattern_tables",
     "summarize_patterns",

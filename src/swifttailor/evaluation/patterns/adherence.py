@@ -11,6 +11,9 @@ from swifttailor.data.edits.instructions import Instruction
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.pattern import Pattern
 
+Measurable = Pattern | GarmentFacts
+"""A pattern, or its facts where they have been measured: that takes a tenth of a second."""
+
 
 @dataclass(frozen=True)
 class Share:
@@ -42,7 +45,7 @@ class Adherence:
     """Patterns that are missing or cannot be measured; nothing holds of them."""
 
 
-def judge_claims(prompts: Sequence[Sequence[Claim]], patterns: Sequence[Pattern | None]) -> Adherence:
+def judge_claims(prompts: Sequence[Sequence[Claim]], patterns: Sequence[Measurable | None]) -> Adherence:
     """Measures patterns and judges the claims of their prompts by it, borderline cases in their favour.
 
     The share that holds is to be read between 1, which the patterns have that captions were written from, and
@@ -59,7 +62,7 @@ def judge_claims(prompts: Sequence[Sequence[Claim]], patterns: Sequence[Pattern 
     return _judge(prompts, [measured(p) for p in patterns])
 
 
-def by_chance(prompts: Sequence[Sequence[Claim]], patterns: Sequence[Pattern | None]) -> Adherence:
+def by_chance(prompts: Sequence[Sequence[Claim]], patterns: Sequence[Measurable | None]) -> Adherence:
     """The same with every prompt judged by the pattern of the next one: what holds of any garment."""
     _require_pairs(len(prompts), len(patterns))
     facts = [measured(p) for p in patterns]
@@ -68,8 +71,8 @@ def by_chance(prompts: Sequence[Sequence[Claim]], patterns: Sequence[Pattern | N
 
 def judge_instructions(
     instructions: Sequence[Instruction],
-    before: Sequence[Pattern],
-    after: Sequence[Pattern | None],
+    before: Sequence[Measurable],
+    after: Sequence[Measurable | None],
 ) -> Adherence:
     """Measures patterns before and after an edit, and judges each change that was asked for.
 
@@ -100,10 +103,10 @@ def judge_instructions(
     return Adherence(total, dict(sorted(kinds.items())), whole, unmeasured)
 
 
-def measured(pattern: Pattern | None) -> GarmentFacts | None:
+def measured(pattern: Measurable | None) -> GarmentFacts | None:
     """The facts of a pattern; None where there are none to measure."""
-    if pattern is None:
-        return None
+    if pattern is None or isinstance(pattern, GarmentFacts):
+        return pattern
     try:
         return measure_facts(pattern)
     except SwiftTailorError:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Literal
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import Any, Literal, get_args
 
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.panel_mesh import mesh_pattern
@@ -12,9 +12,11 @@ from swifttailor.panel_mesh.topology import topology
 from swifttailor.pattern import Pattern, Severity, check_pattern
 
 Gate = Literal["decode", "check", "mesh"]
-GATES: tuple[Gate, ...] = ("decode", "check", "mesh")
+GATES: tuple[Gate, ...] = get_args(Gate)
 MAX_ATTEMPTS = 20
 """As the paper's appendix has it; an input that gives nothing counts as so many."""
+
+Fault = tuple[Gate, str]
 
 
 @dataclass(frozen=True)
@@ -22,39 +24,30 @@ class Attempts:
     """What came of an input."""
 
     count: int
-    """Of the patterns that were generated."""
-    pattern: Pattern | None
-    """The first sound one, which is then evaluated; None where there was none."""
-    failures: tuple[tuple[Gate, str], ...]
+    """Of the patterns generated until one was sound, that one included; the limit where none was."""
+    sound: bool
+    """Whether one was."""
+    failures: tuple[Fault, ...]
     """Where and why the others failed, in order."""
 
 
-def make_until_sound(
-    generate: Callable[[int], Pattern], *, limit: int = MAX_ATTEMPTS, edge_length: float = 2.0
-) -> Attempts:
-    """Generates patterns until one passes every gate.
-
-    The gates: it decodes (`generate` returns), the checker finds no error, and its panels can be meshed and
-    stitched to a surface in which no edge has more than two faces. These stand for what GarmentCode checks
-    before it simulates (docs/evaluation.md).
+def attempts_of(faults: Sequence[Fault | None], limit: int = MAX_ATTEMPTS) -> Attempts | None:
+    """Counts the patterns of one input.
 
     Args:
-        generate: Makes attempt number k, from 0; raises a `SwiftTailorError` where nothing can be decoded.
+        faults: Of the patterns in the order in which they were generated: from `first_fault`, or
+            ``("decode", why)`` where nothing was decoded.
         limit: Of the attempts.
-        edge_length: Of the mesh, cm.
+
+    Returns:
+        None where it takes more patterns than these to know.
     """
-    failures: list[tuple[Gate, str]] = []
-    for k in range(limit):
-        try:
-            pattern = generate(k)
-        except SwiftTailorError as error:
-            failures.append(("decode", str(error)))
-            continue
-        fault = first_fault(pattern, edge_length)
+    failures: list[Fault] = []
+    for fault in faults[:limit]:
         if fault is None:
-            return Attempts(k + 1, pattern, tuple(failures))
+            return Attempts(len(failures) + 1, True, tuple(failures))
         failures.append(fault)
-    return Attempts(limit, None, tuple(failures))
+    return Attempts(limit, False, tuple(failures)) if len(failures) == limit else None
 
 
 @dataclass(frozen=True)
@@ -67,6 +60,10 @@ class AttemptsSummary:
     succeeded: int
     failures: dict[Gate, int]
     """Failed attempts at each gate."""
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain JSON values."""
+        return asdict(self)
 
 
 def summarize_attempts(attempts: Sequence[Attempts]) -> AttemptsSummary:
@@ -81,13 +78,22 @@ def summarize_attempts(attempts: Sequence[Attempts]) -> AttemptsSummary:
     return AttemptsSummary(
         mean=sum(a.count for a in attempts) / len(attempts),
         inputs=len(attempts),
-        succeeded=sum(a.pattern is not None for a in attempts),
+        succeeded=sum(a.sound for a in attempts),
         failures={gate: gates.count(gate) for gate in GATES},
     )
 
 
-def first_fault(pattern: Pattern, edge_length: float = 2.0) -> tuple[Gate, str] | None:
-    """The gate that a decoded pattern fails at and why; None where it can be made into a garment."""
+def first_fault(pattern: Pattern, edge_length: float = 2.0) -> Fault | None:
+    """The gate that a decoded pattern fails at and why; None where it can be made into a garment.
+
+    The gates: the checker finds no error, and the panels can be meshed and stitched to a surface in which no
+    edge has more than two faces. With decoding before them they stand for what GarmentCode checks before it
+    simulates (docs/evaluation.md).
+
+    Args:
+        pattern: As it was decoded.
+        edge_length: Of the mesh, cm.
+    """
     errors = [f for f in check_pattern(pattern) if f.severity is Severity.ERROR]
     if errors:
         return "check", f"{errors[0].code}: {errors[0].message}"

@@ -9,7 +9,7 @@ from typing import Any
 from swifttailor.errors import InputError
 from swifttailor.evaluation.mean import Means, mean_of
 from swifttailor.evaluation.paper_rows import PatternRow
-from swifttailor.evaluation.patterns.aipparel import aipparel_score
+from swifttailor.evaluation.patterns.aipparel import AipparelScore, aipparel_score
 from swifttailor.evaluation.patterns.by_name import NameScore, name_score
 from swifttailor.evaluation.text_table import Column, text_table
 from swifttailor.pattern import Pattern
@@ -33,6 +33,30 @@ class PatternSummary:
         return asdict(self)
 
 
+@dataclass(frozen=True)
+class PatternScore:
+    """One predicted pattern against the true one, by all metrics."""
+
+    missing: bool
+    """Whether nothing was decoded."""
+    aipparel: AipparelScore
+    by_name: NameScore
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain JSON values, by the names that `PatternSummary` has."""
+        return {
+            "missing": self.missing,
+            "aipparel": asdict(self.aipparel),
+            "by_name": _values(self.by_name),
+        }
+
+
+def score_pattern(predicted: Pattern | None, truth: Pattern) -> PatternScore:
+    """Compares a pattern, None where nothing was decoded, with the truth."""
+    missing = predicted is None or not predicted.panels
+    return PatternScore(missing, aipparel_score(predicted, truth), name_score(predicted, truth))
+
+
 def summarize_patterns(predicted: Sequence[Pattern | None], truth: Sequence[Pattern]) -> PatternSummary:
     """Compares predictions with the truth and takes means.
 
@@ -51,14 +75,16 @@ def summarize_patterns(predicted: Sequence[Pattern | None], truth: Sequence[Patt
             f"Got {len(predicted)} predictions and {len(truth)} true patterns; give equally many, and at "
             "least one, None for a prediction that could not be decoded."
         )
-    pairs = list(zip(predicted, truth, strict=True))
-    conditional = [asdict(aipparel_score(p, t)) for p, t in pairs]
-    free = [_values(name_score(p, t)) for p, t in pairs]
+    return summarize_scores([score_pattern(p, t) for p, t in zip(predicted, truth, strict=True)])
+
+
+def summarize_scores(scores: Sequence[PatternScore]) -> PatternSummary:
+    """Takes the means of `score_pattern`; there must be at least one."""
     return PatternSummary(
-        patterns=len(pairs),
-        missing=sum(p is None or not p.panels for p in predicted),
-        aipparel=_means(conditional),
-        by_name=_means(free),
+        patterns=len(scores),
+        missing=sum(s.missing for s in scores),
+        aipparel=_means([asdict(s.aipparel) for s in scores]),
+        by_name=_means([_values(s.by_name) for s in scores]),
     )
 
 

@@ -1,0 +1,157 @@
+"""``swifttailor evaluate pattern-maker``: generated and edited patterns against true ones."""
+
+from __future__ import annotations
+
+import json
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import tyro
+
+from swifttailor.cli.option_checks import (
+    in_range,
+    require_limit,
+    require_threads,
+    require_writable_folder,
+)
+from swifttailor.errors import InputError
+
+if TYPE_CHECKING:
+    from swifttailor.evaluation.maker.run import Evaluation
+
+MAX_SAMPLES = 1000
+
+
+@dataclass(frozen=True, kw_only=True)
+class EvaluatePatternMaker:
+    """Ask a PatternMaker for patterns that are known, by text, by picture, by both and by edits.
+
+    Prints tables beside the paper's rows, and writes into --out: tables.txt, summary.json, scores.jsonl (a
+    line for each answer), answers.jsonl and samples.jsonl (patterns), sheet-text-01.png and so on (answers
+    beside the truth). Answers are kept as they are given: stopped and started again, it goes on.
+
+    Exit code 0: done; 1: done, but some patterns could not be asked for or were not answered; 2: not done.
+    """
+
+    patterns: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")]
+    """Patterns to ask for: .jsonl, .jsonl.gz, folders of .json files, or data sets."""
+    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    """Folder for answers and results; created when missing."""
+    weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Model file (.zip) of a trained PatternMaker; the one of the package without it."""
+    data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
+    """Data set, or a split of one, with drapes of these patterns: its renders are the pictures, or pictures
+    are drawn of its drapes where it has none."""
+    edits: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Edited versions of these patterns, each with the id of its base."""
+    tasks: tuple[Literal["text", "image", "text+image", "edit"], ...] = ()
+    """What to ask by; all that there is something for without it."""
+    limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """Only N patterns and N edits, chosen by --seed. A larger N later goes on with the same ones."""
+    seed: int = 0
+    """Decides which patterns, the words of captions and instructions, the pictures, and what is drawn."""
+    temperature: float = 0.0
+    """Of the answers that are measured: 0 takes the likeliest token always."""
+    attempts: Annotated[int, tyro.conf.arg(metavar="N")] = 1
+    """Patterns written for each answer, of which the best is taken; with a temperature above 0."""
+    samples: Annotated[int, tyro.conf.arg(metavar="N")] = 20
+    """Most attempts of #Sampling, which are drawn at temperature 1; 0 leaves it out."""
+    threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
+    """Processor cores for the network."""
+    pictures: Annotated[int, tyro.conf.arg(metavar="N")] = 12
+    """How many answers of each task to draw, from the nearest to the truth to the farthest."""
+    json: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Print the numbers as JSON instead of tables."""
+
+    def run(self) -> int:
+        """Asks, measures, prints, writes and returns the exit code.
+
+        Raises:
+            SwiftTailorError: The patterns, the weights or an option cannot be used.
+        """
+        self._validate()
+        from swifttailor.cli.item_progress import ItemProgress
+        from swifttailor.evaluation.maker.ask import Asking
+        from swifttailor.evaluation.maker.run import Plan, evaluate
+        from swifttailor.evaluation.provenance import code_and_machine, file_identity
+        from swifttailor.pattern_maker.maker import SHIPPED, PatternMaker
+
+        plan = Plan(
+            self.patterns,
+            self.data,
+            self.edits,
+            self.tasks,
+            self.limit,
+            Asking(self.temperature, self.attempts, self.seed),
+            self.samples,
+        )
+        plan.chosen_tasks()
+        maker = PatternMaker.load(self.weights, threads=self.threads)
+        weights = file_identity(SHIPPED if self.weights is None else self.weights)
+        found = evaluate(maker, plan, self.out, weights, ItemProgress)
+        about = found.about | {"threads": self.threads} | code_and_machine()
+        self._write(found, about)
+        if self.pictures:
+            self._draw(found)
+        return 0 if found.complete else 1
+
+    def _validate(self) -> None:
+        """Refuses what cannot work before anything is loaded."""
+        from swifttailor.cli.evaluation_report import require_picture_count
+
+        if not self.patterns:
+            raise InputError("No patterns were given. Give at least one file: --patterns FILE")
+        require_limit(self.limit)
+        in_range("--seed", self.seed, 0, 2**31)
+        in_range("--temperature", self.temperature, 0.0, 10.0)
+        in_range("--attempts", self.attempts, 1, 64)
+        if self.attempts > 1 and self.temperature == 0:
+            raise InputError(
+                f"At temperature 0 all {self.attempts} attempts are the same. Give a --temperature above 0."
+            )
+        in_range("--samples", self.samples, 0, MAX_SAMPLES)
+        require_threads(self.threads)
+        require_picture_count(self.pictures)
+        require_writable_folder(self.out)
+
+    def _write(self, found: Evaluation, about: dict[str, Any]) -> None:
+        from swifttailor.atomic_files import write_text
+
+        content = {
+            "about": about,
+            "tasks": {result.task: result.to_json() for result in found.results},
+            "sampling": {task: summary.to_json() for task, summary in found.sampling.items()},
+        }
+        text = self._text(found, about)
+        summary = json.dumps(content, indent=1, allow_nan=False) + "\n"
+        lines = [json.dumps(s.to_json()) for scored in found.scored.values() for s in scored]
+        write_text(self.out / "scores.jsonl", "".join(line + "\n" for line in lines))
+        write_text(self.out / "summary.json", summary)
+        write_text(self.out / "tables.txt", text)
+        sys.stdout.write(summary if self.json else text)
+
+    def _text(self, found: Evaluation, about: dict[str, Any]) -> str:
+        from swifttailor.evaluation.maker.tables import provenance_text, sampling_text, task_text
+
+        parts = [provenance_text(about), *(task_text(result) for result in found.results)]
+        if found.sampling:
+            parts.append(sampling_text(found.sampling, self.samples))
+        if found.skipped:
+            parts.append("".join(f"{id}: not asked for. {why}\n" for id, why in found.skipped.items()))
+        return "\n".join(parts)
+
+    def _draw(self, found: Evaluation) -> None:
+        from swifttailor.cli.item_progress import ItemProgress
+        from swifttailor.evaluation.maker.ask import picture_of
+        from swifttailor.evaluation.maker.sheet import Shown, spread, write_sheets
+
+        with ItemProgress(len(found.scored), "tasks drawn") as progress:
+            for task, scored in found.scored.items():
+                shown = []
+                for one in spread(scored, self.pictures):
+                    picture = picture_of(one.answer.question, found.pictures)
+                    shown.append(Shown(one, None if picture is None else picture[1]))
+                write_sheets(self.out, task.replace("+", "-"), shown)
+                progress.add(1)

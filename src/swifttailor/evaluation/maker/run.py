@@ -1,0 +1,213 @@
+"""The whole evaluation of a PatternMaker: reads, asks, draws samples, scores."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Protocol
+
+from swifttailor.errors import InputError
+from swifttailor.evaluation.maker.ask import Answer, Asking, Maker, ask_all
+from swifttailor.evaluation.maker.book import Book, open_books
+from swifttailor.evaluation.maker.pictures import GarmentPictures
+from swifttailor.evaluation.maker.questions import (
+    PICTURED,
+    TASKS,
+    EditSet,
+    PatternSet,
+    Question,
+    Task,
+    choose,
+    edit_questions,
+    generation_questions,
+)
+from swifttailor.evaluation.maker.sampling import SamplingSummary, sample_all, summarize_samples
+from swifttailor.evaluation.maker.scores import Scored, TaskResult, score_answers, summarize_task
+from swifttailor.evaluation.patterns.attempts import MAX_ATTEMPTS
+
+
+class Counter(Protocol):
+    """Something that shows how many items are done."""
+
+    def add(self, count: int) -> None:
+        """Takes note of more that are done."""
+        ...
+
+
+ShowProgress = Callable[[int, str], AbstractContextManager[Counter]]
+"""Shows the progress of work on so many items with that name."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What to evaluate."""
+
+    patterns: tuple[Path, ...]
+    """Files or folders of the patterns to ask for."""
+    data: Path | None = None
+    """Data set with drapes of them, for pictures."""
+    edits: Path | None = None
+    """File of edited versions of them."""
+    tasks: tuple[Task, ...] = ()
+    """All that there is something for, when empty."""
+    limit: int | None = None
+    """Of the patterns, and of the edits."""
+    asking: Asking = field(default_factory=Asking)
+    samples: int = MAX_ATTEMPTS
+    """Attempts of #Sampling; 0 leaves it out."""
+
+    def chosen_tasks(self) -> tuple[Task, ...]:
+        """The tasks in their order.
+
+        Raises:
+            InputError: One was asked for without what it needs.
+        """
+        possible = {
+            "text": True,
+            "image": self.data is not None,
+            "text+image": self.data is not None,
+            "edit": self.edits is not None,
+        }
+        for task in self.tasks:
+            if not possible[task]:
+                needed = "pictures: give --data DIR" if task in PICTURED else "edits: give --edits FILE"
+                raise InputError(f"The task '{task}' needs {needed}, or leave it out of --tasks.")
+        return tuple(t for t in TASKS if possible[t] and (not self.tasks or t in self.tasks))
+
+
+@dataclass(frozen=True, eq=False)
+class Evaluation:
+    """What came of it."""
+
+    scored: Mapping[Task, list[Scored]]
+    results: list[TaskResult]
+    sampling: Mapping[Task, SamplingSummary]
+    skipped: dict[str, str]
+    """Patterns and edits that could not be asked for, and why."""
+    pictures: GarmentPictures | None
+    about: dict[str, Any]
+    """Data and settings, as JSON values."""
+
+    @property
+    def complete(self) -> bool:
+        """Whether everything could be asked for and was answered."""
+        answers = [s.answer for scored in self.scored.values() for s in scored]
+        return not self.skipped and all(a.pattern is not None for a in answers)
+
+
+def evaluate(maker: Maker, plan: Plan, out: Path, weights: dict[str, Any], show: ShowProgress) -> Evaluation:
+    """Runs an evaluation, or goes on with one.
+
+    Args:
+        maker: Is asked.
+        plan: What to ask.
+        out: Folder that keeps the answers.
+        weights: What tells the network from others, as JSON values.
+        show: Shows progress.
+
+    Raises:
+        InputError: Something cannot be read or written, or nothing could be asked or was answered.
+    """
+    tasks, seed = plan.chosen_tasks(), plan.asking.seed
+    patterns = PatternSet.read(plan.patterns)
+    pictures = None if plan.data is None else GarmentPictures(plan.data, seed)
+    edits = None if plan.edits is None or "edit" not in tasks else EditSet.read(plan.edits, patterns)
+    questions = _questions(plan, tasks, patterns, pictures, edits, show)
+    settings = {
+        "weights": weights,
+        "temperature": plan.asking.temperature,
+        "attempts": plan.asking.attempts,
+        "seed": seed,
+        "pictures": None if pictures is None else pictures.identity(),
+    }
+    with open_books(out, settings) as (answer_book, sample_book):
+        answers = _ask(maker, questions, answer_book, plan.asking, pictures, show)
+        sampling = _sample(maker, questions, sample_book, plan, pictures, show)
+        commits = sorted({*answer_book.commits(), *sample_book.commits()})
+    with show(len(answers), "answers measured") as progress:
+        scored_all = score_answers(answers, progress.add)
+    asked = [task for task in tasks if any(q.task == task for q in questions)]
+    scored = {t: [s for s in scored_all if s.answer.question.task == t] for t in asked}
+    results = [summarize_task(task, scored[task]) for task in asked]
+    skipped = patterns.skipped | ({} if edits is None else edits.skipped)
+    about = settings | {
+        "patterns": [p.name for p in plan.patterns],
+        "patterns_sha256": patterns.digest,
+        "of": len(patterns.patterns),
+        "chosen": plan.limit,
+        "edits": None if plan.edits is None else plan.edits.name,
+        "questions": {task: len(scored[task]) for task in asked},
+        "samples": plan.samples,
+        "skipped": skipped,
+        "pictures_drawn": [] if pictures is None else list(pictures.drawn),
+        "answered_by_commits": commits,
+    }
+    return Evaluation(scored, results, sampling, skipped, pictures, about)
+
+
+def _questions(
+    plan: Plan,
+    tasks: Sequence[Task],
+    patterns: PatternSet,
+    pictures: GarmentPictures | None,
+    edits: EditSet | None,
+    show: ShowProgress,
+) -> list[Question]:
+    seed = plan.asking.seed
+    questions: list[Question] = []
+    if any(task != "edit" for task in tasks):
+        ids = choose(list(patterns.patterns), plan.limit, seed)
+        with show(len(ids), "patterns measured") as progress:
+            pictured = (lambda id: False) if pictures is None else pictures.__contains__
+            questions += generation_questions(patterns, ids, tasks, pictured, seed, progress.add)
+    if edits is not None:
+        ids = choose(list(edits.versions), plan.limit, seed)
+        with show(len(ids), "edits measured") as progress:
+            questions += edit_questions(edits, ids, patterns, seed, progress.add)
+    for task in tasks:
+        if not any(q.task == task for q in questions) and task in plan.tasks:
+            raise InputError(
+                f"There is nothing to ask for the task '{task}': none of the patterns has what it needs."
+            )
+    if not questions:
+        id, why = next(iter(patterns.skipped.items()))
+        raise InputError(f"There is nothing to ask. The first pattern, '{id}': {why}")
+    return questions
+
+
+def _ask(
+    maker: Maker,
+    questions: Sequence[Question],
+    book: Book,
+    asking: Asking,
+    pictures: GarmentPictures | None,
+    show: ShowProgress,
+) -> list[Answer]:
+    with show(len(questions), "questions answered") as progress:
+        answers = ask_all(maker, questions, book, asking, pictures, progress.add)
+    if all(a.pattern is None for a in answers):
+        raise InputError(
+            f"Of {len(answers)} questions none was answered. The first, '{answers[0].question.key}': "
+            f"{answers[0].record.get('error')}"
+        )
+    return answers
+
+
+def _sample(
+    maker: Maker,
+    questions: Sequence[Question],
+    book: Book,
+    plan: Plan,
+    pictures: GarmentPictures | None,
+    show: ShowProgress,
+) -> dict[Task, SamplingSummary]:
+    if not plan.samples:
+        return {}
+    with show(len(questions), "questions sampled until a pattern is sound") as progress:
+        sampled = sample_all(maker, questions, book, plan.samples, plan.asking.seed, pictures, progress.add)
+    return {
+        task: summarize_samples([s for s in sampled if s.question.task == task])
+        for task in dict.fromkeys(q.task for q in questions)
+    }

@@ -1,0 +1,167 @@
+"""Answers against the truth: what is printed, and a line for each answer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from swifttailor.data.captions import GarmentFacts
+from swifttailor.errors import SwiftTailorError
+from swifttailor.evaluation.maker.ask import Answer, Progress
+from swifttailor.evaluation.maker.questions import Question, Task
+from swifttailor.evaluation.patterns.adherence import (
+    Adherence,
+    by_chance,
+    judge_claims,
+    judge_instructions,
+    measured,
+)
+from swifttailor.evaluation.patterns.pattern_table import (
+    PatternScore,
+    PatternSummary,
+    score_pattern,
+    summarize_patterns,
+    summarize_scores,
+)
+from swifttailor.pattern import Pattern
+from swifttailor.pattern_maker.decode import decode
+from swifttailor.pattern_maker.encode import encode
+
+AdherenceRows = list[tuple[str, Adherence]]
+
+
+@dataclass(frozen=True, eq=False)
+class Scored:
+    """One answer and how good it is."""
+
+    answer: Answer
+    score: PatternScore
+    facts: GarmentFacts | None
+    """Of the answer; None where there are none to measure."""
+
+    @property
+    def fulfilled(self) -> list[tuple[dict[str, Any], bool]]:
+        """Each claim of the caption, or change of the instruction, and whether it holds."""
+        question, facts = self.answer.question, self.facts
+        if question.instruction is None:
+            return [(c.to_json(), facts is not None and c.holds(facts)) for c in question.claims]
+        before = question.before_facts
+        return [
+            (dict(c.to_json()), facts is not None and before is not None and c.holds(before, facts))
+            for c in question.instruction.changes
+        ]
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain JSON values."""
+        question, record = self.answer.question, self.answer.record
+        kept = ("tokens", "log_likelihood", "mended", "errors", "warnings", "error")
+        return {
+            "question": question.key,
+            "text": question.text,
+            **{name: record[name] for name in kept if name in record},
+            **self.score.to_json(),
+            "measured": self.facts is not None,
+            "asked_for": [about | {"holds": holds} for about, holds in self.fulfilled],
+        }
+
+
+@dataclass(frozen=True)
+class TaskResult:
+    """What came of a task. Rows are pairs of a method's name and its result."""
+
+    task: Task
+    patterns: list[tuple[str, PatternSummary]]
+    """Ours first; then the true patterns through tokens and back, and another pattern or the input."""
+    adherence: AdherenceRows
+    mended: int
+    """Answers in which something was mended."""
+    faulty: int
+    """Answers in which a check still finds an error."""
+    seconds: dict[str, float]
+    """Mean of an answer, by stage; answered together with others."""
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain JSON values."""
+        return {
+            "patterns": {name: found.to_json() for name, found in self.patterns},
+            "adherence": {name: asdict(found) for name, found in self.adherence},
+            "mended": self.mended,
+            "faulty": self.faulty,
+            "seconds": self.seconds,
+        }
+
+
+OURS, TOKENS, OTHER, INPUT, TRUTH, CHANCE = (
+    "PatternMaker",
+    "truth through tokens",
+    "another pattern",
+    "input unchanged",
+    "truth",
+    "by chance",
+)
+
+
+def score_answers(answers: Sequence[Answer], progress: Progress | None = None) -> list[Scored]:
+    """Compares each answer with the truth and measures it; calls `progress` with 1 after each."""
+    scored = []
+    for answer in answers:
+        score = score_pattern(answer.pattern, answer.question.truth)
+        scored.append(Scored(answer, score, measured(answer.pattern)))
+        if progress is not None:
+            progress(1)
+    return scored
+
+
+def summarize_task(task: Task, scored: Sequence[Scored]) -> TaskResult:
+    """Means over the answers of a task, at least one, and those of what they are to be read beside."""
+    questions = [s.answer.question for s in scored]
+    truth = [q.truth for q in questions]
+    rows = [(OURS, summarize_scores([s.score for s in scored]))]
+    rows.append((TOKENS, summarize_patterns([_through_tokens(p) for p in truth], truth)))
+    if task == "edit":
+        rows.append((INPUT, summarize_patterns([q.before for q in questions], truth)))
+    else:
+        rows.append((OTHER, summarize_patterns(truth[1:] + truth[:1], truth)))
+    records = [s.answer.record for s in scored]
+    return TaskResult(
+        task,
+        rows,
+        _edit_adherence(questions, scored) if task == "edit" else _caption_adherence(questions, scored),
+        mended=sum(bool(r.get("mended")) for r in records),
+        faulty=sum(r.get("errors", 0) > 0 for r in records),
+        seconds=_seconds(records),
+    )
+
+
+def _caption_adherence(questions: Sequence[Question], scored: Sequence[Scored]) -> AdherenceRows:
+    prompts, truth = [q.claims for q in questions], [q.facts for q in questions]
+    return [
+        (OURS, judge_claims(prompts, [s.facts for s in scored])),
+        (TRUTH, judge_claims(prompts, truth)),
+        (CHANCE, by_chance(prompts, truth)),
+    ]
+
+
+def _edit_adherence(questions: Sequence[Question], scored: Sequence[Scored]) -> AdherenceRows:
+    given = [q.instruction for q in questions if q.instruction is not None]
+    before = [q.before_facts for q in questions if q.before_facts is not None]
+    return [
+        (OURS, judge_instructions(given, before, [s.facts for s in scored])),
+        (TRUTH, judge_instructions(given, before, [q.facts for q in questions])),
+        (INPUT, judge_instructions(given, before, before)),
+    ]
+
+
+def _through_tokens(pattern: Pattern) -> Pattern | None:
+    """What a network could write at best; None where tokens cannot say it."""
+    try:
+        return decode(encode(pattern))
+    except SwiftTailorError:
+        return None
+
+
+def _seconds(records: Sequence[dict[str, Any]]) -> dict[str, float]:
+    found = [r for r in records if "seconds" in r]
+    stages = found[0]["seconds"] if found else {}
+    return {name: sum(r["seconds"][name] / r["together"] for r in found) / len(found) for name in stages}

@@ -1,0 +1,124 @@
+"""What an evaluation of a PatternMaker prints."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from swifttailor.evaluation.maker.questions import Task
+from swifttailor.evaluation.maker.sampling import SamplingSummary
+from swifttailor.evaluation.maker.scores import TaskResult
+from swifttailor.evaluation.paper_rows import (
+    EDITED_PATTERNS,
+    FROM_IMAGE,
+    FROM_IMAGE_AND_TEXT,
+    FROM_TEXT,
+    PATTERNS_FROM_IMAGE,
+    PATTERNS_FROM_IMAGE_AND_TEXT,
+    GarmentRow,
+    PatternRow,
+)
+from swifttailor.evaluation.patterns.adherence_table import adherence_table
+from swifttailor.evaluation.patterns.pattern_table import pattern_tables
+from swifttailor.evaluation.text_table import Column, text_table
+
+_PATTERNS: Mapping[Task, Sequence[PatternRow]] = {
+    "text": (),
+    "image": PATTERNS_FROM_IMAGE,
+    "text+image": PATTERNS_FROM_IMAGE_AND_TEXT,
+    "edit": EDITED_PATTERNS,
+}
+"""The paper has no table of patterns from text alone."""
+_GARMENTS: Mapping[Task, Sequence[GarmentRow]] = {
+    "text": FROM_TEXT,
+    "image": FROM_IMAGE,
+    "text+image": FROM_IMAGE_AND_TEXT,
+    "edit": (),
+}
+_TITLES: Mapping[Task, str] = {
+    "text": "From text",
+    "image": "From a picture",
+    "text+image": "From a picture and a text",
+    "edit": "Edits after an instruction, there and back",
+}
+_SAMPLING = (
+    Column("attempts"),
+    Column("mended"),
+    Column("found %", ".1f"),
+    Column("closed %", ".1f"),
+    Column("paired %", ".1f"),
+    Column("no error %", ".1f"),
+    Column("sound %", ".1f"),
+    Column("mended %", ".1f"),
+    Column("n", "d"),
+)
+
+
+def task_text(result: TaskResult) -> str:
+    """Tables of one task."""
+    said = {
+        "edit": "Changes asked for that are there",
+        "image": "Statements that a caption would have made, and that hold",
+    }.get(result.task, "Statements of the captions that hold")
+    count = result.patterns[0][1].patterns
+    seconds = ", ".join(f"{name} {value:.3f}" for name, value in result.seconds.items())
+    return (
+        f"== {_TITLES[result.task]}: {count} questions ==\n\n"
+        f"{pattern_tables(result.patterns, _PATTERNS[result.task])}\n"
+        f"{said}\n\n{adherence_table(result.adherence)}\n"
+        f"{result.mended} of {count} answers were mended; in {result.faulty} a check still finds errors\n"
+        f"seconds of an answer, among others answered together: {seconds or 'none'}\n"
+    )
+
+
+def sampling_text(found: Mapping[Task, SamplingSummary], limit: int) -> str:
+    """Table of #Sampling and validity, task by task, beside the paper's."""
+    rows: list[tuple[str, list[float | int | None]]] = []
+    for task, s in found.items():
+        shares = (s.closed, s.paired, s.checked, s.sound, s.sound_mended)
+        of_all = 100 * s.written.succeeded / s.written.inputs
+        percent = [100 * share / s.samples for share in shares]
+        rows.append((f"PatternMaker, {task}", [s.written.mean, s.mended.mean, of_all, *percent, s.samples]))
+        known = {row.name.split(" + ")[0]: row.attempts for row in _GARMENTS[task]}
+        nothing: list[float | int | None] = [None] * (len(_SAMPLING) - 1)
+        rows += [(f"paper: {name}, {task}", [attempts, *nothing]) for name, attempts in known.items()]
+    failures = [
+        f"{task}: samples that failed, by gate: "
+        + ", ".join(f"{gate} {count}" for gate, count in s.written.failures.items())
+        + "\n"
+        for task, s in found.items()
+    ]
+    return (
+        "== #Sampling and validity, at temperature 1 ==\n\n"
+        f"Attempts until a pattern can be made into a garment, at most {limit}; 'mended': what is safe to\n"
+        "mend is mended first; 'found': share of the questions with success. The shares after that are\n"
+        "of first attempts: all panels closed, all stitches in pairs, no error found by the checker, can\n"
+        "be made into a garment as written, and mended.\n\n"
+        f"{text_table('', _SAMPLING, rows)}\n{''.join(failures)}"
+    )
+
+
+def provenance_text(about: Mapping[str, Any]) -> str:
+    """Where the numbers come from, from `run.Evaluation.about`, the code and the machine."""
+    some = "" if about["chosen"] is None else f", at most {about['chosen']} chosen by lot"
+    weights = about["weights"]
+    asked = ", ".join(f"{count} {task}" for task, count in about["questions"].items())
+    lines = [
+        "PatternMaker against true patterns",
+        f"patterns {', '.join(about['patterns'])}: {about['of']}{some} "
+        f"(sha256 of all {about['patterns_sha256'][:16]})",
+        f"questions: {asked}; seed {about['seed']}, temperature {about['temperature']:g}, "
+        f"{about['attempts']} attempts",
+    ]
+    if about["edits"]:
+        lines.append(f"edits {about['edits']}")
+    if about["pictures"]:
+        drawn = ", ".join(about["pictures_drawn"])
+        how = f", drawn of the drapes of {drawn}" if drawn else ""
+        lines.append(f"pictures of the splits {', '.join(about['pictures'])}{how}")
+    lines.append(f"weights {weights['file']} (sha256 {weights['sha256'][:16]}), {about['threads']} threads")
+    others = [c or "unknown" for c in about["answered_by_commits"] if c != about["commit"]]
+    made = f" (answers also by {', '.join(others)})" if others else ""
+    lines.append(f"swifttailor {about['version']}, commit {about['commit'] or 'unknown'}{made}")
+    lines.append(about["machine"])
+    return "\n".join(lines) + "\n"
