@@ -8,9 +8,8 @@ from pathlib import Path
 from swifttailor.data.index import INDEX, split_folders
 from swifttailor.data.reader import SplitReader
 from swifttailor.draping.batch.patterns import LINE_ENDINGS, BatchPattern, count_patterns, read_patterns
-from swifttailor.errors import InputError, SwiftTailorError
-from swifttailor.pattern import Pattern, read_pattern_file, read_specification
-from swifttailor.pattern.json_values import parse_json
+from swifttailor.errors import SwiftTailorError
+from swifttailor.pattern import Pattern, read_pattern_file
 
 PatternOrError = Pattern | SwiftTailorError
 
@@ -57,16 +56,7 @@ def _many(source: Path) -> bool:
 
 def parsed_pattern(entry: BatchPattern) -> PatternOrError:
     """The pattern of an entry, or what is wrong with it."""
-    if entry.error:
-        return InputError(entry.error)
-    if entry.path is not None:
-        path = entry.path
-        return _attempt(lambda: read_pattern_file(path).pattern)
-    assert entry.line is not None
-    line = entry.line
-    return _attempt(
-        lambda: read_specification(parse_json(line, entry.source)["pattern"], name=entry.id).pattern
-    )
+    return _attempt(lambda: entry.read().pattern)
 
 
 def _attempt(read: Callable[[], Pattern]) -> PatternOrError:

@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
-from typing import IO, Any
+from typing import IO, Any, Self
 
 from swifttailor.errors import InputError
 
@@ -82,6 +82,44 @@ class RecordFile:
             self._stream.close()
         except OSError:  # a full disk, which `add` has reported
             pass
+
+
+class WorkFolder:
+    """A folder that one process at a time works on; use as a context manager."""
+
+    def __init__(self, folder: Path) -> None:
+        """Nothing is touched before the context is entered."""
+        self.folder = folder
+        self._file: RecordFile | None = None
+        self._lock: FolderLock | None = None
+
+    def __enter__(self) -> Self:
+        try:
+            self._open()
+        except OSError as error:
+            self._close()
+            raise InputError(
+                f"The folder '{self.folder}' cannot be used: {error.strerror or error}."
+            ) from error
+        except BaseException:
+            self._close()
+            raise
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._close()
+
+    def _open(self) -> None:
+        """Takes the lock and opens the records, setting `_lock` and `_file`."""
+        raise NotImplementedError
+
+    def _close(self) -> None:
+        if self._file is not None:
+            self._file.close()
+        if self._lock is not None:
+            self._lock.release()
 
 
 def differences(before: dict[str, Any], now: dict[str, Any]) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 import traceback
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,9 +10,8 @@ from typing import Any
 from swifttailor.data.sample import Sample, store_sample
 from swifttailor.data.shard_file import pack_sample
 from swifttailor.draping.batch import BatchSettings
-from swifttailor.draping.batch.make_garment import read_sewable, shared_body
+from swifttailor.draping.batch.make_garment import drape_pattern
 from swifttailor.draping.batch.patterns import BatchPattern
-from swifttailor.draping.drape import drape
 from swifttailor.errors import MissingExtraError, SwiftTailorError
 from swifttailor.garment_files.folder import plain
 
@@ -76,20 +74,8 @@ def _record(task: SampleTask, status: str, reasons: list[str]) -> dict[str, Any]
 
 
 def _make(task: SampleTask) -> MadeSample:
-    settings = task.settings
-    started = time.perf_counter()
-    sewable = read_sewable(task.pattern, settings)
-    body = shared_body(settings)
-    loading = time.perf_counter() - started
-    garment = drape(
-        sewable.pattern,
-        body=body,
-        fabric=settings.fabric,
-        edge_length=settings.edge_length,
-        engine=settings.engine,
-        seed=settings.seed,
-    )
-    report = plain(sewable.complete_report(garment.report, loading))
+    garment = drape_pattern(task.pattern, task.settings)
+    report = plain(garment.report)
     quality = report["quality"]
     status = ACCEPTED if quality["accepted"] else REJECTED
     measured = {name: report[name] for name in ("quality", "panels", "stitches", "vertices", "seconds")}
@@ -99,5 +85,5 @@ def _make(task: SampleTask) -> MadeSample:
     about = {"source": task.pattern.source, "quality": quality}
     if "mended" in report:
         about["mended"] = report["mended"]
-    sample = Sample.of_garment(task.pattern.id, garment, settings.edge_length, about)
+    sample = Sample.of_garment(task.pattern.id, garment, task.settings.edge_length, about)
     return MadeSample(record, pack_sample(store_sample(sample)))

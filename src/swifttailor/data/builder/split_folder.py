@@ -10,7 +10,6 @@ from __future__ import annotations
 import hashlib
 from dataclasses import replace
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 from swifttailor.data.builder.code_version import code_version
@@ -19,12 +18,12 @@ from swifttailor.data.builder.settings import BuildSettings
 from swifttailor.data.index import INDEX, Rejected, Shard, SplitIndex, read_index
 from swifttailor.data.shard_file import ShardFile, pack_sample, unpack_sample, write_durably, write_shard
 from swifttailor.errors import InputError
-from swifttailor.workers.work_folder import LOCK, FolderLock, RecordFile, differences
+from swifttailor.workers.work_folder import LOCK, FolderLock, RecordFile, WorkFolder, differences
 
 RESULTS, SAMPLES = "results.jsonl", ".samples"
 
 
-class SplitFolder:
+class SplitFolder(WorkFolder):
     """Use as a context manager: nobody else can build the split meanwhile."""
 
     def __init__(self, folder: Path, settings: BuildSettings) -> None:
@@ -34,39 +33,22 @@ class SplitFolder:
             folder: Of the split; made when missing. Its name is the split's.
             settings: What the samples are made with.
         """
-        self.folder = folder
+        super().__init__(folder)
         self.records: dict[int, dict[str, Any]] = {}
         """The last record of each position whose range is not sealed."""
         self.index = SplitIndex(folder.name, settings.identity())
         self.shard_size = settings.shard_size
         self._shards: dict[int, Shard] = {}
-        self._file: RecordFile | None = None
-        self._lock: FolderLock | None = None
         self._other_code = False
 
-    def __enter__(self) -> SplitFolder:
-        try:
-            self._require_own_folder()
-            (self.folder / SAMPLES).mkdir(parents=True, exist_ok=True)
-            self._lock = FolderLock(self.folder, "build")
-            self._open_index()
-            self._file = RecordFile(self.folder / RESULTS)
-            self.records |= {r["position"]: r for r in self._file.found if _is_record(r)}
-            self._clean_up()
-        except OSError as error:
-            self._close()
-            raise InputError(
-                f"The folder '{self.folder}' cannot be used: {error.strerror or error}."
-            ) from error
-        except BaseException:
-            self._close()
-            raise
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._close()
+    def _open(self) -> None:
+        self._require_own_folder()
+        (self.folder / SAMPLES).mkdir(parents=True, exist_ok=True)
+        self._lock = FolderLock(self.folder, "build")
+        self._open_index()
+        self._file = RecordFile(self.folder / RESULTS)
+        self.records |= {r["position"]: r for r in self._file.found if _is_record(r)}
+        self._clean_up()
 
     @property
     def made_by_other_code(self) -> dict[str, str] | None:
@@ -235,12 +217,6 @@ class SplitFolder:
         for path in (self.folder / SAMPLES).glob("*.safetensors"):
             if path.stem.isdecimal() and self._sealed_over(int(path.stem)) is not None:
                 path.unlink()
-
-    def _close(self) -> None:
-        if self._file is not None:
-            self._file.close()
-        if self._lock is not None:
-            self._lock.release()
 
 
 def input_checksum(checksums: list[str]) -> str:

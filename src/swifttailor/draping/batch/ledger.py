@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import shutil
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 from swifttailor.atomic_files import write_text
@@ -13,52 +12,36 @@ from swifttailor.draping.batch.make_garment import UNFINISHED_PREFIX
 from swifttailor.draping.batch.settings import BatchSettings
 from swifttailor.errors import InputError
 from swifttailor.garment_files.folder import plain
-from swifttailor.workers.work_folder import FolderLock, RecordFile, differences
+from swifttailor.workers.work_folder import FolderLock, RecordFile, WorkFolder, differences
 
 SETTINGS, RESULTS = "batch.json", "results.jsonl"
 
 
-class Ledger:
+class Ledger(WorkFolder):
     """Use as a context manager: nobody else can work on the folder meanwhile.
 
     Each record is on disk before `add` returns, so that a killed batch goes on where it stopped.
     """
 
     def __init__(self, folder: Path, settings: BatchSettings) -> None:
-        """Opens the folder of a batch, or makes it.
+        """Nothing is touched before the context is entered, which refuses a folder of other things.
 
-        Raises:
-            InputError: It holds other things, was made with other settings, or cannot be written.
+        Args:
+            folder: Of the batch; made when missing.
+            settings: What the garments are made with.
         """
-        self.folder = folder
+        super().__init__(folder)
         self.records: dict[str, dict[str, Any]] = {}
         """The last record of each id."""
         self._settings = settings
-        self._file: RecordFile | None = None
-        self._lock: FolderLock | None = None
 
-    def __enter__(self) -> Ledger:
-        try:
-            self._check_settings()
-            self._lock = FolderLock(self.folder, "batch")
-            for unfinished in self.folder.glob(f"{UNFINISHED_PREFIX}*"):
-                shutil.rmtree(unfinished, ignore_errors=True)
-            self._file = RecordFile(self.folder / RESULTS)
-            self.records |= {r["id"]: r for r in self._file.found if _is_record(r)}
-        except OSError as error:
-            self._close()
-            raise InputError(
-                f"The batch folder '{self.folder}' cannot be used: {error.strerror or error}."
-            ) from error
-        except BaseException:
-            self._close()
-            raise
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._close()
+    def _open(self) -> None:
+        self._check_settings()
+        self._lock = FolderLock(self.folder, "batch")
+        for unfinished in self.folder.glob(f"{UNFINISHED_PREFIX}*"):
+            shutil.rmtree(unfinished, ignore_errors=True)
+        self._file = RecordFile(self.folder / RESULTS)
+        self.records |= {r["id"]: r for r in self._file.found if _is_record(r)}
 
     def add(self, record: dict[str, Any]) -> None:
         """Writes a record to results.jsonl, all the way to the disk."""
@@ -93,12 +76,6 @@ class Ledger:
                 "Choose a new or empty folder for --out."
             )
         write_text(path, json.dumps({"settings": identity}, indent=2) + "\n")
-
-    def _close(self) -> None:
-        if self._file is not None:
-            self._file.close()
-        if self._lock is not None:
-            self._lock.release()
 
 
 def _read_settings(path: Path) -> dict[str, Any]:

@@ -17,8 +17,7 @@ from swifttailor.draping.batch.settings import BatchSettings
 from swifttailor.draping.drape import drape
 from swifttailor.draping.sewable import Sewable, require_sewable
 from swifttailor.errors import SwiftTailorError
-from swifttailor.pattern import read_pattern_file, read_specification
-from swifttailor.pattern.json_values import parse_json
+from swifttailor.garment import Garment
 
 UNFINISHED_PREFIX = ".making-"
 
@@ -57,24 +56,13 @@ def failure(kind: str, error: str) -> dict[str, Any]:
 
 def _make(task: GarmentTask) -> dict[str, Any]:
     settings = task.settings
-    started = time.perf_counter()
-    sewable = read_sewable(task.pattern, settings)
-    body = shared_body(settings)
-    loading = time.perf_counter() - started
-    garment = drape(
-        sewable.pattern,
-        body=body,
-        fabric=settings.fabric,
-        edge_length=settings.edge_length,
-        engine=settings.engine,
-        seed=settings.seed,
-    )
-    report = sewable.complete_report(garment.report, loading)
+    garment = drape_pattern(task.pattern, settings)
+    report = garment.report
     garment = replace(garment, report={"id": task.pattern.id} | report)
     before_saving = time.perf_counter()
     unfinished = task.out / f"{UNFINISHED_PREFIX}{os.getpid()}-{task.pattern.folder}"
     try:
-        garment.save(unfinished, body=body, preview=settings.preview)
+        garment.save(unfinished, body=shared_body(settings), preview=settings.preview)
         _replace_folder(unfinished, task.out / task.pattern.folder)
     finally:
         shutil.rmtree(unfinished, ignore_errors=True)
@@ -89,19 +77,37 @@ def _make(task: GarmentTask) -> dict[str, Any]:
     }
 
 
+def drape_pattern(pattern: BatchPattern, settings: BatchSettings) -> Garment:
+    """Reads a pattern of a batch, checks that it can be sewn, and drapes it.
+
+    Returns:
+        The garment, with a complete report.
+
+    Raises:
+        SwiftTailorError: It is no pattern, or has errors, or cannot be draped.
+    """
+    started = time.perf_counter()
+    sewable = read_sewable(pattern, settings)
+    body = shared_body(settings)
+    loading = time.perf_counter() - started
+    garment = drape(
+        sewable.pattern,
+        body=body,
+        fabric=settings.fabric,
+        edge_length=settings.edge_length,
+        engine=settings.engine,
+        seed=settings.seed,
+    )
+    return replace(garment, report=sewable.complete_report(garment.report, loading))
+
+
 def read_sewable(pattern: BatchPattern, settings: BatchSettings) -> Sewable:
     """Reads a pattern of a batch and checks that it can be sewn.
 
     Raises:
         SwiftTailorError: It is no pattern, or has errors.
     """
-    if pattern.path is not None:
-        reading = read_pattern_file(pattern.path, rotation=settings.rotation)
-    else:
-        assert pattern.line is not None
-        specification = parse_json(pattern.line, pattern.source)["pattern"]
-        reading = read_specification(specification, name=pattern.id, rotation=settings.rotation)
-    return require_sewable(reading, pattern.id, repair=settings.repair)
+    return require_sewable(pattern.read(settings.rotation), pattern.id, repair=settings.repair)
 
 
 @functools.lru_cache(maxsize=1)

@@ -13,7 +13,9 @@ from itertools import chain
 from pathlib import Path
 
 from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.pattern import Reading, read_pattern_file, read_specification
 from swifttailor.pattern.json_values import MAX_FILE_BYTES, parse_json
+from swifttailor.pattern.panel import RotationReading
 
 LINE_ENDINGS = (".jsonl", ".jsonl.gz")
 MAX_ID_LENGTH = 200
@@ -41,6 +43,23 @@ class BatchPattern:
     """Its own file, where it comes from a folder."""
     error: str = ""
     """Why it cannot be used, when that is plain before it is parsed."""
+
+    def read(self, rotation: RotationReading = "intrinsic") -> Reading:
+        """Parses it.
+
+        Args:
+            rotation: How to read the placement angles.
+
+        Raises:
+            SwiftTailorError: It cannot be used, or is no pattern.
+        """
+        if self.error:
+            raise InputError(self.error)
+        if self.path is not None:
+            return read_pattern_file(self.path, rotation=rotation)
+        assert self.line is not None
+        specification = parse_json(self.line, self.source)["pattern"]
+        return read_specification(specification, name=self.id, rotation=rotation)
 
 
 def count_patterns(source: Path) -> int:
