@@ -16,6 +16,7 @@ _PUBLIC = {
     "Garment": "swifttailor.garment",
     "Pattern": "swifttailor.pattern",
     "SwiftTailorError": "swifttailor.errors",
+    "Tailor": "swifttailor.tailor",
     "check_pattern": "swifttailor.pattern",
     "drape": "swifttailor.draping",
     "draft": "swifttailor.pattern.drafts",

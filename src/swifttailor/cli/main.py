@@ -211,6 +211,18 @@ def _load_sew() -> Runner:
     return _runner(Sew, "sew")
 
 
+def _load_generate() -> Runner:
+    from swifttailor.cli.generate import Generate
+
+    return _runner(Generate, "generate")
+
+
+def _load_edit() -> Runner:
+    from swifttailor.cli.edit import Edit
+
+    return _runner(Edit, "edit")
+
+
 def _load_train() -> Runner:
     from swifttailor.cli.train import TRAIN
 
@@ -224,6 +236,16 @@ def _load_evaluate() -> Runner:
 
 
 COMMANDS: dict[str, Command] = {
+    "generate": Command(
+        "Make a pattern and its garment of words or a picture, by networks.",
+        'swifttailor generate "a long dress" --out DIR    or of a picture: --image FILE',
+        _load_generate,
+    ),
+    "edit": Command(
+        "Change a pattern as words say, and make its garment.",
+        'swifttailor edit PATTERN "make the sleeves longer" --out DIR',
+        _load_edit,
+    ),
     "drape": Command(
         "Sew a pattern together on a body and let it hang: pattern in, 3D garment out.",
         "swifttailor drape PATTERN --out DIR    or many: --batch PATTERNS.jsonl.gz --out DIR",

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import sys
-import time
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -16,10 +14,7 @@ from swifttailor.cli.option_checks import require_edge_length, require_threads, 
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
-    from swifttailor.garment import Garment
-    from swifttailor.garment_sewer.sewer import Floats, GarmentSewer, Prepared
-    from swifttailor.pattern import Finding, Pattern
-    from swifttailor.pattern.check import Repair
+    from swifttailor.tailor import Tailored
 
 SOMETHING_TO_LOOK_AT = 1
 UNUSABLE = 2
@@ -67,10 +62,15 @@ class Sew:
             SwiftTailorError: An option or the weights cannot be used.
         """
         folders = self._folders()
-        from swifttailor.garment_sewer.sewer import GarmentSewer
+        from swifttailor.tailor import Tailor
+        from swifttailor.tailor.sewing import SewingOptions
 
-        sewer = GarmentSewer.load(self.weights, threads=self.threads)
-        reports = list(self._sew_all(sewer, folders))
+        tailor = Tailor.load(garment_sewer=self.weights, threads=self.threads)
+        options = SewingOptions(self.edge_length, self.resolution, self.repair, self.finish)
+        outcomes = tailor.sew_all([path for path, _ in folders], options, rotation=self.rotation)
+        reports = [
+            self._keep(path, folder, one) for (path, folder), one in zip(folders, outcomes, strict=True)
+        ]
         if self.json:
             from swifttailor.garment_files.folder import plain
 
@@ -100,135 +100,38 @@ class Sew:
             folders[path.stem] = path
         return [(path, self.out / name) for name, path in folders.items()]
 
-    def _sew_all(self, sewer: GarmentSewer, folders: Sequence[tuple[Path, Path]]) -> Iterator[dict[str, Any]]:
-        from swifttailor.garment_sewer.sewer import BATCH
-
-        for first in range(0, len(folders), BATCH):
-            part = folders[first : first + BATCH]
-            works = [_Work(path, folder) for path, folder in part]
-            for work in works:
-                self._guard(work, self._prepare, sewer)
-            ready = [w for w in works if w.prepared is not None]
-            if ready:
-                started = time.perf_counter()
-                predicted = sewer.predict([w.prepared for w in ready if w.prepared is not None])
-                share = (time.perf_counter() - started) / len(ready)
-                for work, values in zip(ready, predicted, strict=True):
-                    work.values = values
-                    work.seconds["network"] = share
-            for work in works:
-                if work.values is not None:
-                    self._guard(work, self._complete, sewer)
-                report = work.report | {"pattern": str(work.path), "folder": str(work.folder)}
-                if not self.json:
-                    self._say(work)
-                yield report
-
-    def _guard(self, work: _Work, do: Any, sewer: GarmentSewer) -> None:
-        """Notes why a pattern cannot be sewn; the others go on."""
+    def _keep(self, path: Path, folder: Path, outcome: Tailored | SwiftTailorError) -> dict[str, Any]:
+        """Writes a garment, says what came of its pattern, and returns the report."""
+        names = {"pattern": str(path), "folder": str(folder)}
         try:
-            do(work, sewer)
+            if isinstance(outcome, SwiftTailorError):
+                raise outcome
+            outcome.save(folder, preview=self.preview, images=False)
         except SwiftTailorError as error:
-            work.prepared = work.values = None
-            work.report = {"error": str(error)}
-
-    def _prepare(self, work: _Work, sewer: GarmentSewer) -> None:
-        from swifttailor.pattern import check_pattern, read_pattern_file, repair_pattern
-
-        started = time.perf_counter()
-        reading = read_pattern_file(work.path, rotation=self.rotation)
-        pattern, findings = reading.pattern, check_pattern(reading.pattern, reader_findings=reading.findings)
-        if self.repair:
-            pattern = self._mend(work, repair_pattern(pattern, reading.findings))
-        else:
-            work.findings = findings
-        loaded = time.perf_counter()
-        work.seconds["loading"] = loaded - started
-        try:
-            work.prepared = self._prepared(pattern, sewer)
-        except SwiftTailorError:
-            # What cannot be sewn as it is may be once it is mended; that is said, not done quietly.
-            if self.repair or not findings:
-                raise
-            pattern = self._mend(work, repair_pattern(reading.pattern, reading.findings))
-            if not work.mended:
-                raise
-            work.prepared = self._prepared(pattern, sewer)
-        work.seconds["drawing"] = time.perf_counter() - loaded
-
-    def _prepared(self, pattern: Pattern, sewer: GarmentSewer) -> Prepared:
-        return sewer.prepare(pattern, edge_length=self.edge_length, resolution=self.resolution)
-
-    def _mend(self, work: _Work, repaired: Repair) -> Pattern:
-        work.findings = repaired.remaining
-        for change in repaired.changes:
-            place = f" ({change.where()})" if change.where() else ""
-            work.mended.append(f"{change.code}{place}: {change.message}")
-        return repaired.pattern
-
-    def _complete(self, work: _Work, sewer: GarmentSewer) -> None:
-        from dataclasses import replace
-
-        started = time.perf_counter()
-        assert work.prepared is not None and work.values is not None
-        garment = sewer.decode(work.prepared, work.values)
-        work.seconds["decoding"] = time.perf_counter() - started
-        report = garment.report | {
-            "seconds": {name: round(value, 4) for name, value in work.seconds.items()},
-            "findings": [_finding(f) for f in work.findings],
-        }
-        if work.mended:
-            report["mended"] = work.mended
-        garment = replace(garment, report=report)
-        if self.finish:
-            from swifttailor.draping.finish import finish
-
-            garment = finish(garment)
-        garment.save(work.folder, preview=self.preview)
-        work.garment, work.report = garment, garment.report
-
-    def _say(self, work: _Work) -> None:
-        if work.garment is None:
-            print(f"{work.path}: not sewn. {work.report['error']}")  # noqa: T201
-            return
-        for change in work.mended:
-            print(f"{work.path}: mended {change}")  # noqa: T201
-        for finding in work.findings:
-            place = f" ({finding.where()})" if finding.where() else ""
-            print(f"{work.path}: {finding.severity.value}: {finding.code}{place}: {finding.message}")  # noqa: T201
-        report = work.report
-        sewing = report["sewing"]
-        print(  # noqa: T201
-            f"{work.path}: {report['panels']} panels, {report['vertices']} vertices; seams were "
-            f"{sewing['seam_gap_before_median_cm']:.2f} cm apart and are closed; "
-            f"{sum(report['seconds'].values()):.2f} s. Wrote {work.folder}"
-        )
+            if not self.json:
+                print(f"{path}: not sewn. {error}")  # noqa: T201
+            return {"error": str(error)} | names
+        if not self.json:
+            _say(path, folder, outcome)
+        return outcome.report | names
 
 
-class _Work:
-    """One pattern on its way."""
+def _say(path: Path, folder: Path, made: Tailored) -> None:
+    from swifttailor.tailor.tailored import finding_line
 
-    def __init__(self, path: Path, folder: Path) -> None:
-        self.path, self.folder = path, folder
-        self.prepared: Prepared | None = None
-        self.values: Floats | None = None
-        self.garment: Garment | None = None
-        self.findings: tuple[Finding, ...] = ()
-        self.mended: list[str] = []
-        self.seconds: dict[str, float] = {}
-        self.report: dict[str, Any] = {}
+    for change in made.report.get("mended", ()):
+        print(f"{path}: mended {change}")  # noqa: T201
+    for finding in made.findings:
+        print(f"{path}: {finding_line(finding)}")  # noqa: T201
+    report = made.report
+    print(  # noqa: T201
+        f"{path}: {report['panels']} panels, {report['vertices']} vertices; seams were "
+        f"{report['sewing']['seam_gap_before_median_cm']:.2f} cm apart and are closed; "
+        f"{sum(made.seconds.values()):.2f} s. Wrote {folder}"
+    )
 
 
 def _is_flawed(report: dict[str, Any]) -> bool:
     """Whether a person should look: something is wrong with the pattern, or the drape is not accepted."""
     wrong = any(f["severity"] != "info" for f in report["findings"])
     return wrong or "mended" in report or not report.get("quality", {"accepted": True})["accepted"]
-
-
-def _finding(finding: Finding) -> dict[str, Any]:
-    return {
-        "code": finding.code,
-        "severity": finding.severity.value,
-        "where": finding.where(),
-        "message": finding.message,
-    }

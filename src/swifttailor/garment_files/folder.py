@@ -23,8 +23,17 @@ PATTERN, DRAWING, GLB, OBJ = "pattern.json", "pattern.svg", "garment.glb", "garm
 REPORT, PREVIEW = "report.json", "preview.png"
 
 
+PREVIEW_SIZE = 1500, 900
+"""Pixels."""
+
+
 def save_folder(
-    garment: Garment, folder: Path | str, *, body: Body | None = None, preview: bool = True
+    garment: Garment,
+    folder: Path | str,
+    *,
+    body: Body | None = None,
+    preview: bool = True,
+    preview_size: tuple[int, int] = PREVIEW_SIZE,
 ) -> Path:
     """Writes a garment's folder.
 
@@ -33,6 +42,7 @@ def save_folder(
         folder: Created when missing; files of the same names are replaced one by one, others left alone.
         body: Drawn in the preview; the default body when None.
         preview: Whether to draw preview.png.
+        preview_size: Its width and height in pixels.
 
     Returns:
         The folder.
@@ -52,7 +62,8 @@ def save_folder(
         from swifttailor.body import Body as BodyClass
         from swifttailor.render import render_preview
 
-        picture = render_preview(garment, body if body is not None else BodyClass.default())
+        body = body if body is not None else BodyClass.default()
+        picture = render_preview(garment, body, size=preview_size)
         encoded = io.BytesIO()
         picture.save(encoded, "PNG", compress_level=6)
         write_bytes(folder / PREVIEW, encoded.getvalue())

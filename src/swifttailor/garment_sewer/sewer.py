@@ -64,7 +64,8 @@ class GarmentSewer:
         """
         if weights is None and not SHIPPED.is_file():
             raise InputError(
-                "This version comes without weights. Give a model file with --weights FILE; one is made by: "
+                "This version comes without weights of a GarmentSewer. Give a model file (--weights FILE; "
+                "with generate and edit --sewer-weights FILE); one is made by: "
                 "swifttailor train garment-sewer --data DIR --out RUN"
             )
         model = load_model(SHIPPED if weights is None else weights, threads=threads)

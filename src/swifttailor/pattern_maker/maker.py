@@ -103,7 +103,8 @@ class PatternMaker:
         """
         if weights is None and not SHIPPED.is_file():
             raise InputError(
-                "This version comes without weights of a PatternMaker. Give a model file; one is made by: "
+                "This version comes without weights of a PatternMaker. Give a model file (with generate and "
+                "edit --maker-weights FILE); one is made by: "
                 "swifttailor train pattern-maker --patterns FILE --out RUN"
             )
         return PatternMaker(load_model(SHIPPED if weights is None else weights, threads=threads))

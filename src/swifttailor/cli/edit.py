@@ -1,0 +1,81 @@
+"""``swifttailor edit``: a sewing pattern, changed as words say, and its garment."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Literal
+
+import tyro
+
+from swifttailor.cli.making import Making
+from swifttailor.cli.own_folders import read_report
+from swifttailor.errors import InputError
+
+
+@dataclass(frozen=True, kw_only=True)
+class Edit(Making):
+    """Change a sewing pattern as an instruction says, and make its garment.
+
+    Writes the same files as swifttailor generate.
+
+    Exit code 0: made; 1: made, but look at what it says, or some samples were not made; 2: nothing was made.
+    """
+
+    pattern: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="PATTERN")]
+    """GarmentCode JSON file, or the folder of a garment."""
+    instruction: Annotated[tyro.conf.Positional[str], tyro.conf.arg(metavar="INSTRUCTION")]
+    """What to change, in English: "make the sleeves longer"."""
+    repair: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Mend the pattern first, as swifttailor check --repair does."""
+    rotation: Literal["intrinsic", "extrinsic"] | None = None
+    """How to read the placement angles: as GarmentCode's generator writes them (intrinsic), or as its
+    simulator and older files do (extrinsic). Without it, what a garment's folder says, else intrinsic."""
+
+    def run(self) -> int:
+        """Makes what is asked for, prints what came of it, and returns the exit code.
+
+        Raises:
+            SwiftTailorError: Nothing could be made.
+        """
+        from swifttailor.garment_files.folder import PATTERN
+
+        if not self.instruction.strip():
+            raise InputError(
+                "The instruction is empty. Say what to change: "
+                'swifttailor edit PATTERN "make it shorter" --out DIR'
+            )
+        source = self.pattern / PATTERN if self.pattern.is_dir() else self.pattern
+        for folder in self.folders():
+            if (folder / PATTERN).exists() and source.exists() and source.samefile(folder / PATTERN):
+                raise InputError(
+                    f"The edited pattern would replace the one that is edited, '{source}'. "
+                    "Choose another --out."
+                )
+        self.require_options()
+        from swifttailor.pattern import read_pattern_file, repair_pattern
+        from swifttailor.tailor import Order
+
+        reading = read_pattern_file(source, rotation=self._rotation(source))
+        pattern = reading.pattern
+        if self.repair:
+            pattern = repair_pattern(pattern, reading.findings).pattern
+        order = Order(
+            self.instruction,
+            edit=pattern,
+            samples=self.samples,
+            seed=self.seed,
+            temperature=self.temperature,
+            attempts=self.attempts,
+            edge_length=self.edge_length,
+            finish=self.finish,
+        )
+        return self.make(order)
+
+    def _rotation(self, source: Path) -> Literal["intrinsic", "extrinsic"]:
+        from swifttailor.garment_files.folder import REPORT
+
+        if self.rotation is not None:
+            return self.rotation
+        report = read_report(source.with_name(REPORT)) if self.pattern.is_dir() else None
+        return "extrinsic" if report is not None and report.get("rotation") == "extrinsic" else "intrinsic"

@@ -1,0 +1,180 @@
+"""What ``swifttailor generate`` and ``swifttailor edit`` have in common: options, folders, what is said."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import tyro
+
+from swifttailor.cli.option_checks import (
+    in_range,
+    require_edge_length,
+    require_seed,
+    require_threads,
+    require_writable_folder,
+)
+from swifttailor.cli.own_folders import require_own_files
+from swifttailor.errors import InputError, SwiftTailorError
+
+if TYPE_CHECKING:
+    from swifttailor.tailor import Order, Tailored
+
+SOMETHING_TO_LOOK_AT = 1
+UNUSABLE = 2
+SHEET = "sheet.png"
+MOST_SAMPLES = MOST_ATTEMPTS = 64
+HIGHEST_TEMPERATURE = 10.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Making:
+    """Options of both commands."""
+
+    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    """Folder to write; created when missing."""
+    samples: Annotated[int, tyro.conf.arg(metavar="K")] = 1
+    """How many garments to make; of several each gets a folder of its own in DIR, and sheet.png shows all."""
+    seed: int = 0
+    """Decides what is drawn; of several samples each has one more than the one before."""
+    temperature: Annotated[float, tyro.conf.arg(metavar="T")] = 0.5
+    """0: the likeliest pattern always; higher: more various, and odder."""
+    attempts: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """Patterns to write at most until one can be sewn; 4 without it, or 1 at temperature 0."""
+    finish: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Let the garment hang to rest by physics in the end: wrinkles, and a report of its quality."""
+    edge_length: float = 2.0
+    """Edge length of the mesh in cm, 0.5 to 10."""
+    preview: bool = True
+    """Draw preview.png, and the sheet of several samples."""
+    maker_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Model file (.zip) of a trained PatternMaker; the one of the package without it."""
+    sewer_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Model file (.onnx) of a trained GarmentSewer; the one of the package without it."""
+    threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
+    """Processor cores for the networks."""
+    json: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Print a list of the reports as JSON."""
+
+    def require_options(self) -> None:
+        """Refuses what cannot work before anything is loaded.
+
+        Raises:
+            InputError: An option is out of range, or DIR must not be written.
+        """
+        from swifttailor.garment_files.folder import DRAWING, GLB, OBJ, PATTERN, PREVIEW
+
+        in_range("--samples", self.samples, 1, MOST_SAMPLES)
+        require_seed(self.seed)
+        require_seed(self.seed + self.samples - 1)
+        in_range("--temperature", self.temperature, 0.0, HIGHEST_TEMPERATURE)
+        in_range("--attempts", self.attempts, 1, MOST_ATTEMPTS)
+        require_edge_length(self.edge_length)
+        require_threads(self.threads)
+        require_writable_folder(self.out)
+        for folder in self.folders():
+            require_own_files(folder, (PATTERN, DRAWING, GLB, OBJ, PREVIEW, "report.json", "ggi.npz"))
+        if self.samples > 1 and (self.out / SHEET).exists() and not any(f.exists() for f in self.folders()):
+            raise InputError(f"'{self.out / SHEET}' would be replaced. Choose another --out.")
+
+    def folders(self) -> list[Path]:
+        """Of the samples."""
+        if self.samples == 1:
+            return [self.out]
+        return [self.out / f"seed-{self.seed + k}" for k in range(self.samples)]
+
+    def make(self, order: Order) -> int:
+        """Carries out an order, prints what came of it, and returns the exit code.
+
+        Raises:
+            SwiftTailorError: Nothing could be made.
+        """
+        from swifttailor.cli.progress import StageProgress
+        from swifttailor.tailor import Tailor, Tailored
+
+        started = time.perf_counter()
+        tailor = Tailor.load(self.maker_weights, self.sewer_weights, threads=self.threads)
+        with StageProgress() as progress:
+            if self.finish:
+                from swifttailor.draping.compiled_code import COMPILE_NOTE, solver_is_compiled
+
+                if not solver_is_compiled():
+                    progress.note(COMPILE_NOTE)
+            outcomes = dict(zip(self.folders(), tailor.make(order, progress=progress), strict=True))
+            made = {folder: one for folder, one in outcomes.items() if isinstance(one, Tailored)}
+            if not made:
+                raise next(one for one in outcomes.values() if isinstance(one, SwiftTailorError))
+            progress("saving", 0.0)
+            for folder, one in made.items():
+                one.save(folder, preview=self.preview)
+            if self.preview and self.samples > 1:
+                _write_sheet(self.out / SHEET, made)
+        if self.json:
+            _print_json(outcomes)
+        else:
+            for folder, one in outcomes.items():
+                _say(folder, one, alone=self.samples == 1)
+            look = self.out / (SHEET if self.samples > 1 else "preview.png")
+            seconds = time.perf_counter() - started
+            where = f"; look at {look}" if self.preview else ""
+            print(f"{seconds:.1f} s in all{where}.")  # noqa: T201
+        return SOMETHING_TO_LOOK_AT if any(_is_flawed(one) for one in outcomes.values()) else 0
+
+
+def _is_flawed(outcome: Tailored | SwiftTailorError) -> bool:
+    return isinstance(outcome, SwiftTailorError) or outcome.needs_a_look
+
+
+def _say(folder: Path, outcome: Tailored | SwiftTailorError, *, alone: bool) -> None:
+    """Prints what came of one sample."""
+    from swifttailor.tailor.tailored import finding_line
+
+    lines = []
+    if isinstance(outcome, SwiftTailorError):
+        lines.append(f"not made. {outcome}")
+    else:
+        report = outcome.report
+        lines += [f"warning: {text}" for text in outcome.warnings]
+        lines += [finding_line(finding) for finding in outcome.findings]
+        if "quality" in report and not report["quality"]["accepted"]:
+            lines.append(f"not accepted: {'; '.join(report['quality']['reasons'])}")
+        lines += outcome.notes
+        stages = ", ".join(f"{name} {value:.2f}" for name, value in outcome.seconds.items() if value >= 0.005)
+        lines.append(
+            f"{report['panels']} panels, {report['stitches']} stitches, {report['vertices']} vertices; "
+            f"seconds: {stages}. Wrote {folder}"
+        )
+    prefix = "" if alone else f"{folder.name}: "
+    print("\n".join(prefix + line for line in lines))  # noqa: T201
+
+
+def _print_json(outcomes: dict[Path, Tailored | SwiftTailorError]) -> None:
+    from swifttailor.garment_files.folder import plain
+
+    reports = [
+        {"error": str(one)} | {"folder": str(folder)}
+        if isinstance(one, SwiftTailorError)
+        else one.report | {"folder": str(folder)}
+        for folder, one in outcomes.items()
+    ]
+    sys.stdout.write(json.dumps(plain(reports), indent=2, allow_nan=False) + "\n")
+
+
+def _write_sheet(path: Path, made: dict[Path, Tailored]) -> None:
+    from swifttailor.atomic_files import write_atomically
+    from swifttailor.garment_files.folder import PREVIEW
+    from swifttailor.render.contact_sheet import Tile, draw_contact_sheet
+
+    tiles = []
+    for folder, one in made.items():
+        count = f"{one.report['panels']} panels"
+        doubts = [f.code for f in one.findings if f.severity.value != "info"] + list(one.warnings)
+        caption = f"{count}; {'; '.join(doubts)}" if doubts else count
+        title = f"{folder.name}: {one.pattern.name}"
+        tiles.append(Tile(folder / PREVIEW, title, caption, not one.needs_a_look))
+    sheet = draw_contact_sheet(tiles, columns=min(4, max(2, round(len(tiles) ** 0.5))))
+    write_atomically(path, lambda target: sheet.save(target, "PNG"))

@@ -1,0 +1,34 @@
+"""With what a garment was made: versions of the program, facts about the weights."""
+
+from __future__ import annotations
+
+import platform
+from functools import cache
+from importlib import metadata
+from typing import Any
+
+from swifttailor import __version__
+from swifttailor.garment_sewer.sewer import GarmentSewer
+from swifttailor.pattern_maker.maker import PatternMaker
+
+_PACKAGES = ("numpy", "scipy", "onnxruntime")
+_FACTS = ("model", "parameters", "data", "training", "validation")
+"""What a card says that is told with every garment; how the network was configured is in its file."""
+
+
+@cache
+def versions() -> dict[str, str]:
+    """Of what a garment depends on."""
+    return {
+        "swifttailor": __version__,
+        "python": platform.python_version(),
+        **{name: metadata.version(name) for name in _PACKAGES},
+    }
+
+
+def weights(maker: PatternMaker | None, sewer: GarmentSewer) -> dict[str, Any]:
+    """What the cards of the networks say of them."""
+    cards = {"garment_sewer": sewer.model.card}
+    if maker is not None:
+        cards = {"pattern_maker": maker.model.card} | cards
+    return {name: {fact: card[fact] for fact in _FACTS if fact in card} for name, card in cards.items()}

@@ -1,0 +1,171 @@
+"""From an order to patterns that can be sewn: written, checked, and written again where they cannot."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from swifttailor.errors import InputError, PatternError, SwiftTailorError
+from swifttailor.garment_sewer.sewer import GarmentSewer
+from swifttailor.pattern import Severity
+from swifttailor.pattern_maker.framing import Framing, frame_figure
+from swifttailor.pattern_maker.maker import MOST_ATTEMPTS, Generated, PatternMaker, Request
+from swifttailor.pattern_maker.pictures import read_picture
+from swifttailor.tailor.clock import Clock
+from swifttailor.tailor.order import Order
+from swifttailor.tailor.sewing import Checked, Ready, SewingOptions, make_ready
+
+
+@dataclass(frozen=True, eq=False)
+class WrittenPattern:
+    """A pattern that can be sewn."""
+
+    ready: Ready
+    generated: Generated
+    attempt: int
+    """Which of the attempts it is, from 0."""
+    failures: tuple[str, ...]
+    """What is wrong with the attempts that were not taken, in order."""
+
+
+@dataclass(frozen=True, eq=False)
+class Asked:
+    """An order as the network is asked."""
+
+    request: Request
+    notes: tuple[str, ...] = ()
+    """What was done to it."""
+
+
+@dataclass(eq=False)
+class _Sample:
+    """One of the garments of an order, on its way."""
+
+    seed: int
+    tried: list[tuple[Generated, str]] = field(default_factory=list)
+    """With what is wrong with each."""
+    found: Ready | None = None
+    """The last one that was tried, once nothing is wrong with it."""
+
+
+def ask(order: Order) -> Asked:
+    """Reads and frames the picture of an order.
+
+    Raises:
+        InputError: It cannot be read.
+    """
+    if order.image is None:
+        return Asked(Request(order.text, None, order.edit))
+    pixels = order.image if isinstance(order.image, np.ndarray) else read_picture(order.image)
+    if not order.crop:
+        return Asked(Request(order.text, pixels, order.edit))
+    framed = frame_figure(pixels)
+    return Asked(Request(order.text, framed.pixels, order.edit), tuple(_about_framing(framed.framing)))
+
+
+def _about_framing(framing: Framing) -> list[str]:
+    return {
+        Framing.KEPT: [],
+        Framing.CROPPED: ["The picture was cropped to what stands before its plain background."],
+        Framing.BUSY: [
+            "The background of the picture is not plain, so it was used whole; the network knows people and "
+            "garments before plain backgrounds."
+        ],
+        Framing.EMPTY: ["Nothing stands out from the background of the picture; it was used whole."],
+    }[framing]
+
+
+def write_patterns(
+    maker: PatternMaker, sewer: GarmentSewer, order: Order, request: Request, clock: Clock
+) -> list[WrittenPattern | SwiftTailorError]:
+    """Writes the patterns of an order, all samples together, until each can be sewn or had its attempts.
+
+    Args:
+        maker: Writes them.
+        sewer: Says whether one can be sewn.
+        order: What is wanted.
+        request: The same as the network is asked (`ask`).
+        clock: Takes the seconds of the stages.
+
+    Raises:
+        SwiftTailorError: The request cannot be answered at all.
+    """
+    if not 1 <= order.most_attempts <= MOST_ATTEMPTS:
+        raise InputError(f"attempts is {order.most_attempts}; 1 to {MOST_ATTEMPTS} is accepted.")
+    options = SewingOptions(order.edge_length, finish=order.finish)
+    samples = [_Sample(order.seed + k) for k in range(order.samples)]
+    for attempt in range(order.most_attempts):
+        wanting = [s for s in samples if s.found is None]
+        if not wanting:
+            break
+        made = maker.generate_all(
+            [request] * len(wanting),
+            seed=[s.seed for s in wanting],
+            temperature=order.temperature,
+            first_attempt=attempt,
+        )
+        clock.add(made[0].seconds)
+        for sample, one in zip(wanting, made, strict=True):
+            fault = _first_error(one)
+            if not fault:
+                try:
+                    sample.found = _ready(sewer, one, order, options, clock)
+                except SwiftTailorError as error:
+                    fault = str(error)
+            sample.tried.append((one, fault))
+    return [_taken(sample, sewer, order, options, clock) for sample in samples]
+
+
+def _first_error(one: Generated) -> str:
+    errors = [f for f in one.findings if f.severity is Severity.ERROR]
+    if not errors:
+        return ""
+    place = f" ({errors[0].where()})" if errors[0].where() else ""
+    more = f", and {len(errors) - 1} more" if len(errors) > 1 else ""
+    return f"{errors[0].code}{place}: {errors[0].message}{more}"
+
+
+def _ready(sewer: GarmentSewer, one: Generated, order: Order, options: SewingOptions, clock: Clock) -> Ready:
+    clock.restart()
+    try:
+        pattern = replace(one.pattern, name=order.title)
+        return make_ready(sewer, Checked(pattern, one.findings, one.changes), options)
+    finally:
+        clock.stop("drawing")
+
+
+def _taken(
+    sample: _Sample, sewer: GarmentSewer, order: Order, options: SewingOptions, clock: Clock
+) -> WrittenPattern | SwiftTailorError:
+    """The sound pattern of a sample; where there is none the best of those that can be sewn all the same."""
+    taken, ready = len(sample.tried) - 1, sample.found
+    if ready is None:
+        severities = [Counter(f.severity for f in one.findings) for one, _ in sample.tried]
+        best_first = sorted(
+            range(len(sample.tried)),
+            key=lambda k: (
+                severities[k][Severity.ERROR],
+                severities[k][Severity.WARNING],
+                -sample.tried[k][0].log_likelihood,
+            ),
+        )
+        for taken in best_first:
+            try:
+                ready = _ready(sewer, sample.tried[taken][0], order, options, clock)
+                break
+            except SwiftTailorError:
+                continue
+        else:
+            return _refusal(sample, sample.tried[best_first[0]][1])
+    failures = tuple(fault for k, (_, fault) in enumerate(sample.tried) if k != taken)
+    return WrittenPattern(ready, sample.tried[taken][0], taken, failures)
+
+
+def _refusal(sample: _Sample, fault: str) -> PatternError:
+    count, fault = len(sample.tried), fault.rstrip(".")
+    said = f"None of the {count} patterns that were written can be sewn; the best has {fault}"
+    if count == 1:
+        said = f"The pattern that was written cannot be sewn: {fault}"
+    return PatternError(f"{said}. Try another seed than {sample.seed}, more attempts, or other words.")
