@@ -81,17 +81,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     neck_x = shape.neckline.start_x(figure)
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
-        lift = (
-            FRONT_BALANCE * figure.front_fullness
-            if front
-            else BLADE_FULLNESS * (figure.neck_y - figure.waist_y)
-        )
         drop = HEM_BALANCE * figure.front_fullness if front else 0.0
-        neck = (neck_x, figure.shoulder_line(neck_x) + lift)
-        tip = (tip_x, figure.shoulder_line(tip_x) + lift)
-        fall = figure.neck_y + lift - neck[1]
-        neck_shape = shape.neckline.shape if front else "round"
-        depth = (shape.neckline.front_depth if front else shape.neckline.back_depth) - fall
         outline = Outline(0.0, hem_y - drop)
         if rise + drop > 0.01:
             middle = ((half + widening) * 0.6, hem_y - drop)
@@ -99,18 +89,52 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         else:
             outline.line("hem", half + widening, hem_y)
         outline.line("side", half, under_y)
-        armhole(outline, tip, figure.slope, 0.72 if front else 0.5)
-        outline.line("shoulder", *neck)
-        draw_neckline(outline, neck, max(depth, 0.5), figure.slope, neck_shape)
-        outline.line("centre", 0.0, hem_y - drop).closed()
-        table.lay(
-            f"left_{side}torso",
-            outline,
-            label="body",
-            at=(0.0, 0.0, FRONT_Z if front else BACK_Z),
-            back=not front,
+        scoop = 0.72 if front else 0.5
+        shoulder = (neck_x, tip_x)
+        lay_torso_half(
+            table, figure, outline, shape.neckline, shoulder, front=front, balance=FRONT_BALANCE, scoop=scoop
         )
     sew_torso(table)
+
+
+def lay_torso_half(
+    table: CuttingTable,
+    figure: Figure,
+    outline: Outline,
+    neckline: Neckline,
+    shoulder: tuple[float, float],
+    *,
+    front: bool,
+    balance: float,
+    scoop: float,
+) -> None:
+    """Draws the upper end of a left front or back, and lays it.
+
+    Args:
+        table: Where it goes.
+        figure: The body.
+        outline: Drawn from the lower end of the centre to the underarm.
+        neckline: Its shape in front; it is round behind.
+        shoulder: Distances of both ends of the shoulder seam from the middle, neck first, cm.
+        front: Or back.
+        balance: Length of the front over the back, as a part of the body's extra length there.
+        scoop: Of the armhole.
+    """
+    lift = balance * figure.front_fullness if front else BLADE_FULLNESS * (figure.neck_y - figure.waist_y)
+    neck, tip = ((x, figure.shoulder_line(x) + lift) for x in shoulder)
+    armhole(outline, tip, figure.slope, scoop)
+    outline.line("shoulder", *neck)
+    fall = figure.neck_y + lift - neck[1]
+    depth = (neckline.front_depth if front else neckline.back_depth) - fall
+    draw_neckline(outline, neck, max(depth, 0.5), figure.slope, neckline.shape if front else "round")
+    outline.line("centre", *outline.sides[0].start).closed()
+    table.lay(
+        "left_ftorso" if front else "left_btorso",
+        outline,
+        label="body",
+        at=(0.0, 0.0, FRONT_Z if front else BACK_Z),
+        back=not front,
+    )
 
 
 def sew_torso(table: CuttingTable) -> None:

@@ -5,17 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from swifttailor.pattern.drafts.bodice import (
-    BACK_Z,
-    BLADE_FULLNESS,
-    FRONT_Z,
-    armhole,
-    sew_torso,
-    shoulder_tip_x,
-)
+from swifttailor.pattern.drafts.bodice import lay_torso_half, sew_torso, shoulder_tip_x
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
-from swifttailor.pattern.drafts.neckline import Neckline, draw_neckline
+from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.outline import Dart, Outline, Point
 from swifttailor.pattern.drafts.suppression import dart_places, suppress
 
@@ -63,9 +56,6 @@ def lay_fitted_bodice(table: CuttingTable, figure: Figure, shape: FittedBodice) 
         ("b", chest.back, waist.back, places.back),
     ):
         front = side == "f"
-        lift = FRONT_BALANCE * figure.front_fullness if front else BLADE_FULLNESS * (figure.neck_y - waist_y)
-        neck = (neck_x, figure.shoulder_line(neck_x) + lift)
-        tip = (tip_x, figure.shoulder_line(tip_x) + lift)
         width = taken.front if front else taken.back
         height = min(figure.bust_y - 3.0 - waist_y if front else room - 2.0, room - 1.5)
         darts = [Dart(place, width, max(height, 5.0))] if width else []
@@ -75,19 +65,10 @@ def lay_fitted_bodice(table: CuttingTable, figure: Figure, shape: FittedBodice) 
             _side_with_bust_dart(outline, figure, (half, under_y))
         else:
             outline.line("side", half, under_y)
-        armhole(outline, tip, figure.slope, 0.66 if front else 0.5)
-        outline.line("shoulder", *neck)
-        depth = shape.neckline.front_depth if front else shape.neckline.back_depth
-        neck_shape = shape.neckline.shape if front else "round"
-        fall = figure.neck_y + lift - neck[1]
-        draw_neckline(outline, neck, max(depth - fall, 0.5), figure.slope, neck_shape)
-        outline.line("centre", 0.0, waist_y).closed()
-        table.lay(
-            f"left_{side}torso",
-            outline,
-            label="body",
-            at=(0.0, 0.0, FRONT_Z if front else BACK_Z),
-            back=not front,
+        scoop = 0.66 if front else 0.5
+        shoulder = (neck_x, tip_x)
+        lay_torso_half(
+            table, figure, outline, shape.neckline, shoulder, front=front, balance=FRONT_BALANCE, scoop=scoop
         )
     sew_torso(table)
     return waist
