@@ -1,0 +1,263 @@
+"""``swifttailor generate`` and ``swifttailor edit``, from the command line to the files."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from swifttailor.cli.main import run
+from swifttailor.garment import Garment
+from swifttailor.pattern import load_pattern, write_pattern
+from swifttailor.pattern.drafts import draft
+from swifttailor.pattern_maker import maker as maker_module
+from swifttailor.pattern_maker.maker import PatternMaker
+
+TESTS = Path(__file__).parents[1]
+sys.path.insert(0, str(TESTS / "tailor"))
+from scripted_maker import crossed, scripted_maker  # noqa: E402
+
+TINY_MAKER = str(TESTS / "pattern_maker" / "tiny_maker.zip")
+TINY_SEWER = str(TESTS / "garment_sewer" / "tiny_sewer.onnx")
+FILES = {
+    "pattern.json",
+    "pattern.svg",
+    "garment.glb",
+    "garment.obj",
+    "preview.png",
+    "ggi.npz",
+    "report.json",
+}
+
+
+@pytest.fixture
+def write(monkeypatch):
+    """Lets the network write the given patterns, whatever weights are named."""
+
+    def given(*rounds):
+        maker = scripted_maker(*rounds)
+        monkeypatch.setattr(PatternMaker, "load", staticmethod(lambda weights=None, threads=1: maker))
+        return maker
+
+    return given
+
+
+def command(*arguments) -> int:
+    return run([*map(str, arguments), "--sewer-weights", TINY_SEWER])
+
+
+def test_words_to_a_folder(write, tmp_path, capsys):
+    write([draft("t-shirt")])
+    assert command("generate", "a T-shirt", "--out", tmp_path / "out") == 0
+    said = capsys.readouterr()
+    assert "8 panels, 14 stitches" in said.out and "preview.png" in said.out
+    assert "writing" in said.err and "saving" in said.err
+    assert {p.name for p in (tmp_path / "out").iterdir()} == FILES
+    garment = Garment.load(tmp_path / "out")
+    assert garment.report["order"]["text"] == "a T-shirt"
+    with Image.open(tmp_path / "out" / "preview.png") as preview:
+        picture = np.asarray(preview)
+    assert picture.std() > 10, "something is to be seen"
+
+
+def test_the_same_folder_again_is_replaced_and_other_files_stay(write, tmp_path, capsys):
+    write([draft("t-shirt")])
+    assert command("generate", "a T-shirt", "--out", tmp_path, "--no-preview") == 0
+    (tmp_path / "note.txt").write_text("mine")
+    write([draft("trousers")])
+    assert command("generate", "trousers", "--out", tmp_path, "--no-preview") == 0
+    assert Garment.load(tmp_path).report["order"]["text"] == "trousers"
+    assert (tmp_path / "note.txt").read_text() == "mine"
+    assert "preview.png" not in {p.name for p in tmp_path.iterdir()}
+
+
+@pytest.mark.parametrize("name", ["pattern.json", "garment.glb", "report.json", "ggi.npz", "preview.png"])
+def test_files_that_others_have_made_are_never_replaced(name, write, tmp_path, capsys):
+    maker = write([draft("t-shirt")])
+    (tmp_path / name).write_text("my own work")
+    assert command("generate", "a T-shirt", "--out", tmp_path) == 2
+    assert "would be replaced" in capsys.readouterr().err
+    assert (tmp_path / name).read_text() == "my own work"
+    assert [p.name for p in tmp_path.iterdir()] == [name] and not maker.model.runtime.asked
+
+
+def test_several_samples_get_a_folder_each_and_a_sheet(write, tmp_path, capsys):
+    script = [draft("t-shirt"), crossed(draft("t-shirt")), draft("fitted-skirt")], [crossed(draft("t-shirt"))]
+    write(*script)
+    out = tmp_path / "out"
+    arguments = ("generate", "some <clothes>", "--out", out, "--samples", 3, "--seed", 5, "--attempts", 2)
+    assert command(*arguments, "--json") == 1
+    reports = json.loads(capsys.readouterr().out)
+    assert [Path(r["folder"]).name for r in reports] == ["seed-5", "seed-6", "seed-7"]
+    assert ["error" in r for r in reports] == [False, True, False]
+    assert {p.name for p in out.iterdir()} == {"seed-5", "seed-7", "sheet.png"}
+    assert all({p.name for p in (out / n).iterdir()} == FILES for n in ("seed-5", "seed-7"))
+    with Image.open(out / "sheet.png") as sheet:
+        assert sheet.width > 2 * 480 and np.asarray(sheet).std() > 10
+    write(*script)
+    assert command(*arguments) == 1, "once more into the same folder"
+    said = capsys.readouterr().out
+    assert "seed-6: not made." in said and "seed-7: 4 panels" in said and "sheet.png" in said
+
+
+def test_a_sheet_that_others_have_made_is_never_replaced(write, tmp_path, capsys):
+    write([draft("t-shirt")])
+    (tmp_path / "sheet.png").write_text("mine")
+    assert command("generate", "a T-shirt", "--out", tmp_path, "--samples", 2) == 2
+    assert (tmp_path / "sheet.png").read_text() == "mine"
+
+
+def test_nothing_made_is_exit_code_2_and_leaves_nothing(write, tmp_path, capsys):
+    write([crossed(draft("t-shirt"))])
+    for samples in (1, 2):
+        assert command("generate", "a T-shirt", "--out", tmp_path / "out", "--samples", samples) == 2
+        assert "None of the 4 patterns" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_warning_is_exit_code_1(write, tmp_path, capsys):
+    write([draft("t-shirt")])
+    assert command("generate", "一条长裙 👗", "--out", tmp_path / "out", "--no-preview") == 1
+    assert "warning: The text is in a script" in capsys.readouterr().out
+
+
+def test_a_picture_to_a_folder(write, tmp_path, capsys):
+    maker = write([draft("t-shirt")])
+    pixels = np.full((200, 300, 3), 230, np.uint8)
+    pixels[30:90, 20:80] = (180, 20, 30)
+    Image.fromarray(pixels).save(tmp_path / "Häkelkleid <1>.jpg")
+    arguments = (
+        "generate",
+        "--image",
+        tmp_path / "Häkelkleid <1>.jpg",
+        "--out",
+        tmp_path / "out",
+        "--no-preview",
+    )
+    assert command(*arguments) == 0
+    assert "was cropped" in capsys.readouterr().out
+    assert len(maker.model.runtime.pictures) == 1
+    assert "<title>Häkelkleid &lt;1&gt;</title>" in (tmp_path / "out" / "pattern.svg").read_text(
+        encoding="utf-8"
+    )
+    assert command(*arguments, "--no-crop") == 0
+    assert "was cropped" not in capsys.readouterr().out
+
+
+def test_a_pattern_is_edited_from_a_file_or_a_folder(write, tmp_path, capsys):
+    write([draft("t-shirt")])
+    write_pattern(draft("tank-top"), tmp_path / "top.json")
+    assert (
+        command("edit", tmp_path / "top.json", "add sleeves", "--out", tmp_path / "one", "--no-preview") == 0
+    )
+    report = Garment.load(tmp_path / "one").report
+    assert (report["order"]["edited"], report["order"]["text"]) == ("top", "add sleeves")
+    write([draft("tank-top")])
+    assert command("edit", tmp_path / "one", "no sleeves", "--out", tmp_path / "two", "--no-preview") == 0
+    panels = {p.name for p in load_pattern(tmp_path / "two" / "pattern.json").panels}
+    assert panels == {p.name for p in draft("tank-top").panels}
+
+
+def test_a_faulty_pattern_is_edited_once_it_is_mended(write, tmp_path, capsys):
+    write([draft("t-shirt")])
+    specification = json.loads(write_pattern(draft("tank-top"), tmp_path / "top.json").read_text())
+    stitches = specification["pattern"]["stitches"]
+    stitches.append(stitches[0])
+    (tmp_path / "top.json").write_text(json.dumps(specification))
+    arguments = ("edit", tmp_path / "top.json", "longer", "--out", tmp_path / "out", "--no-preview")
+    assert command(*arguments) == 2
+    assert not (tmp_path / "out").exists()
+    assert command(*arguments, "--repair") == 0
+
+
+def test_the_pattern_that_is_edited_is_never_replaced(write, tmp_path, capsys):
+    write([draft("t-shirt")])
+    assert command("generate", "a T-shirt", "--out", tmp_path, "--no-preview") == 0
+    before = (tmp_path / "pattern.json").read_bytes()
+    for source in (tmp_path, tmp_path / "pattern.json"):
+        assert command("edit", source, "longer", "--out", tmp_path) == 2
+        assert "would replace the one that is edited" in capsys.readouterr().err
+    assert (tmp_path / "pattern.json").read_bytes() == before
+
+
+def test_which_way_a_folder_means_its_angles(tmp_path):
+    from swifttailor.cli.edit import Edit
+
+    report = {"edge_length_cm": 2.0, "rotation": "extrinsic"}
+    (tmp_path / "report.json").write_text(json.dumps(report))
+
+    def rotation(pattern: Path, **more):
+        source = tmp_path / "pattern.json"
+        return Edit(pattern=pattern, instruction="x", out=tmp_path / "out", **more)._rotation(source)
+
+    assert rotation(tmp_path) == "extrinsic"
+    assert rotation(tmp_path, rotation="intrinsic") == "intrinsic"
+    assert rotation(tmp_path / "pattern.json") == "intrinsic", "a file says nothing of its folder"
+    (tmp_path / "report.json").write_text("[]")
+    assert rotation(tmp_path) == "intrinsic"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["generate"], "Nothing was asked for"),
+        (["generate", " "], "Nothing was asked for"),
+        (["generate", "photo.PNG"], "--image photo.PNG"),
+        (["generate", "x", "--samples", "0"], "--samples is 0"),
+        (["generate", "x", "--seed", "-1"], "--seed is -1"),
+        (["generate", "x", "--seed", str(2**63 - 1), "--samples", "2"], "--seed is 9223372036854775808"),
+        (["generate", "x", "--temperature", "nan"], "--temperature is nan"),
+        (["generate", "x", "--attempts", "100"], "--attempts is 100"),
+        (["generate", "x", "--edge-length", "0.1"], "--edge-length is 0.1"),
+        (["generate", "x", "--threads", "0"], "--threads is 0"),
+        (["generate", "x", "--temperature", "0", "--samples", "2"], "all samples are the same"),
+        (["generate", "x", "--maker-weights", "none.zip"], "Cannot read the weights 'none.zip'"),
+        (["generate", "--image", "none.png", "--maker-weights", TINY_MAKER], "There is no picture"),
+        (["edit", "none.json", " "], "The instruction is empty"),
+        (["edit", "none.json", "longer"], "Cannot read 'none.json'"),
+    ],
+)
+def test_what_cannot_work_is_refused(arguments, said, tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert run([*arguments, "--out", "out", "--sewer-weights", TINY_SEWER]) == 2
+    assert said in capsys.readouterr().err
+    assert not any(tmp_path.iterdir())
+
+
+def test_without_weights_it_says_how_to_get_them(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(maker_module, "SHIPPED", tmp_path / "none.zip")
+    assert run(["generate", "a dress", "--out", str(tmp_path / "out")]) == 2
+    said = capsys.readouterr().err
+    assert "without weights of a PatternMaker" in said and "--maker-weights" in said
+    assert not (tmp_path / "out").exists()
+
+
+def test_real_model_files_end_to_end(tmp_path, capsys):
+    """Untrained, so its patterns cross themselves: the way is walked to the end and ends in a sentence."""
+    arguments = [
+        "generate",
+        "a skirt",
+        "--out",
+        tmp_path / "out",
+        "--maker-weights",
+        TINY_MAKER,
+        "--attempts",
+        2,
+    ]
+    assert command(*arguments, "--seed", 1) == 2
+    said = capsys.readouterr().err
+    assert "None of the 2 patterns that were written can be sewn" in said and "Traceback" not in said
+    assert not (tmp_path / "out").exists()
+
+
+def test_finished_by_physics(write, tmp_path, capsys):
+    write([draft("fitted-skirt")])
+    arguments = ("generate", "a skirt", "--out", tmp_path, "--finish", "--edge-length", 4, "--no-preview")
+    code = command(*arguments)
+    report = Garment.load(tmp_path).report
+    assert report["quality"]["static"] and report["seconds"]["finishing"] > 0
+    assert code == (0 if report["quality"]["accepted"] else 1)

@@ -1,0 +1,16 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from swifttailor.garment_sewer.sewer import GarmentSewer
+
+TINY_SEWER = Path(__file__).parents[1] / "garment_sewer" / "tiny_sewer.onnx"
+TINY_MAKER = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
+
+
+@pytest.fixture(scope="session")
+def sewer() -> GarmentSewer:
+    """Untrained: it sews what its prior says."""
+    return GarmentSewer.load(TINY_SEWER)
