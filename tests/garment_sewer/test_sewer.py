@@ -134,6 +134,11 @@ def test_both_runtimes_agree(tmp_path):
     exported = load_model(export(weights, card, tmp_path / "model.onnx"))
     assert compare(exported, torch_model(weights, card)) < 1e-2
     assert exported.card == card
+    small = load_model(export(weights, card, tmp_path / "half.onnx", half=True))
+    assert compare(small, torch_model(weights, card, half=True)) < 1e-2
+    assert 0 < compare(small, exported)  # rounded indeed
+    sizes = [(tmp_path / name).stat().st_size for name in ("model.onnx", "half.onnx")]
+    assert sizes[1] < 0.75 * sizes[0]
     wider = [
         np.random.default_rng(1).normal(size=(1, n, 96, 128)).astype(np.float32)
         for n in (config.conditioning.count, 1, 3)

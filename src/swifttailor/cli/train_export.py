@@ -9,6 +9,7 @@ from typing import Annotated
 
 import tyro
 
+from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import InputError
 
 MOST_APART_CM = 0.01
@@ -21,14 +22,16 @@ _MODELS = {"GarmentSewer": ".onnx", "PatternMaker": ".zip"}
 class TrainExport:
     """Write a trained network as one file: .onnx of a GarmentSewer, .zip of a PatternMaker.
 
-    Needs the extra 'train'. The file holds the weights and the card; it is compared with the network it was
-    made of before it is kept.
+    Needs the extra 'train'. The file holds the weights and the card, which is also written beside it as JSON;
+    it is compared with the network it was made of before it is kept.
     """
 
     source: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="RUN")]
     """Folder of a training."""
     out: Annotated[Path, tyro.conf.arg(metavar="FILE")]
     """File to write, ending in .onnx or .zip."""
+    half: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Round the weights to 16 bits, which halves the file; it computes with 32 all the same."""
 
     def run(self) -> int:
         """Exports, prints how far both are apart, and returns the exit code.
@@ -44,7 +47,10 @@ class TrainExport:
         model = _model_of(self.source)
         if self.out.suffix != _MODELS[model]:
             raise InputError(f"The file of a {model} ends in {_MODELS[model]}; choose another --out.")
-        said = (_export_sewer if model == "GarmentSewer" else _export_maker)(self.source, self.out)
+        write = _export_sewer if model == "GarmentSewer" else _export_maker
+        said = write(self.source, self.out, self.half)
+        card = (self.source / "card.json").read_bytes()
+        write_atomically(self.out.with_suffix(".json"), lambda temporary: temporary.write_bytes(card))
         size = self.out.stat().st_size / 1e6
         print(f"Wrote {self.out}, {size:.1f} MB; {said}.")  # noqa: T201
         return 0
@@ -60,15 +66,15 @@ def _model_of(run: Path) -> str:
     return model
 
 
-def _export_sewer(run: Path, out: Path) -> str:
+def _export_sewer(run: Path, out: Path, half: bool) -> str:
     from swifttailor.garment_sewer.export_torch import compare, export, read_card, torch_model
     from swifttailor.garment_sewer.model_file import load_model
     from swifttailor.training.run_record import WEIGHTS
 
     card = read_card(run)
     weights = run / WEIGHTS
-    export(weights, card, out)
-    apart = compare(load_model(out), torch_model(weights, card))
+    export(weights, card, out, half=half)
+    apart = compare(load_model(out), torch_model(weights, card, half=half))
     if not apart < MOST_APART_CM:
         out.unlink()
         raise InputError(
@@ -78,16 +84,16 @@ def _export_sewer(run: Path, out: Path) -> str:
     return f"at most {apart:.2g} cm from torch's predictions"
 
 
-def _export_maker(run: Path, out: Path) -> str:
+def _export_maker(run: Path, out: Path, half: bool) -> str:
     from swifttailor.pattern_maker.export_torch import compare, export, load_weights
     from swifttailor.pattern_maker.model_file import load_model
     from swifttailor.pattern_maker.runtime_torch import TorchRuntime
     from swifttailor.training.run_record import CARD, WEIGHTS
 
     card = json.loads((run / CARD).read_text(encoding="utf-8"))
-    export(run / WEIGHTS, card, out)
+    export(run / WEIGHTS, card, out, half=half)
     model = load_model(out)
-    network = TorchRuntime(load_weights(run / WEIGHTS, card, model.text.size))
+    network = TorchRuntime(load_weights(run / WEIGHTS, card, model.text.size, half=half))
     apart = compare(model.runtime, network, model.text.size, image_size=model.image_size)
     if not apart < MOST_APART:
         out.unlink()

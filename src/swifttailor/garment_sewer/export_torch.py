@@ -15,15 +15,17 @@ from swifttailor.garment_sewer.conditioning import Conditioning
 from swifttailor.garment_sewer.model_file import CARD_KEY, INPUTS, Images, SewerModel, model_card
 from swifttailor.garment_sewer.network_config import NetworkConfig
 from swifttailor.garment_sewer.network_torch import GarmentSewerNetwork, build_network
+from swifttailor.networks.half_storage import round_to_half
 from swifttailor.networks.onnx_export_torch import export_graph
 
 
-def load_weights(weights: Path, card: dict[str, Any]) -> GarmentSewerNetwork:
+def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> GarmentSewerNetwork:
     """A trained network.
 
     Args:
         weights: weights.safetensors of a run.
         card: Its card.
+        half: Whether its weights are rounded to what float16 holds.
 
     Raises:
         InputError: The file is missing, damaged, or of another network.
@@ -41,18 +43,28 @@ def load_weights(weights: Path, card: dict[str, Any]) -> GarmentSewerNetwork:
             f"The weights '{weights}' cannot be used: {reason[0][:200] if reason else type(error).__name__}. "
             "Copy the folder of the run again."
         ) from error
+    if half:
+        round_to_half(network)
     return network.eval()
 
 
-def torch_model(weights: Path, card: dict[str, Any], *, precision: torch.dtype = torch.float32) -> SewerModel:
+def torch_model(
+    weights: Path, card: dict[str, Any], *, half: bool = False, precision: torch.dtype = torch.float32
+) -> SewerModel:
     """A network that torch runs, on a GPU where there is one.
+
+    Args:
+        weights: weights.safetensors of a run.
+        card: Its card.
+        half: Whether its weights are rounded to what float16 holds.
+        precision: That it computes in.
 
     Raises:
         InputError: See `load_weights`.
     """
     conditioning, config = _shape(card)
     device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
-    network = load_weights(weights, card).to(device)
+    network = load_weights(weights, card, half=half).to(device)
 
     @torch.inference_mode()
     def predict(conditioning: Images, occupancy: Images, prior: Images) -> Images:
@@ -63,19 +75,20 @@ def torch_model(weights: Path, card: dict[str, Any], *, precision: torch.dtype =
     return SewerModel(predict, conditioning, config.resolution, config.patch_size, card)
 
 
-def export(weights: Path, card: dict[str, Any], path: Path) -> Path:
+def export(weights: Path, card: dict[str, Any], path: Path, *, half: bool = False) -> Path:
     """Writes the model file.
 
     Args:
         weights: weights.safetensors of a run.
         card: Its card, which goes into the file.
         path: File to write, ``.onnx``.
+        half: Whether to round the weights to float16, which halves the file.
 
     Raises:
         InputError: The weights cannot be used or the file not be written.
         MissingExtraError: onnx or onnxscript is not installed.
     """
-    network = load_weights(weights, card)
+    network = load_weights(weights, card, half=half)
     size, channels = network.config.image_size, network.config.num_channels
     example = (
         torch.zeros(2, channels, size, size),

@@ -11,6 +11,7 @@ from typing import Any
 import torch
 
 from swifttailor.errors import MissingExtraError
+from swifttailor.networks.half_storage import store_in_half
 
 OPSET = 18
 
@@ -62,6 +63,7 @@ def export_graph(
     assert program is not None
     model = program.model_proto
     _forget_origins(model)
+    store_in_half(model)
     for name, text in (notes or {}).items():
         entry = model.metadata_props.add()
         entry.key, entry.value = name, text

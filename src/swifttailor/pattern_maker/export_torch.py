@@ -13,6 +13,7 @@ import torch
 from torch import Tensor, nn
 
 from swifttailor.errors import InputError
+from swifttailor.networks.half_storage import round_to_half
 from swifttailor.networks.onnx_export_torch import export_graph
 from swifttailor.pattern_maker.decoder_torch import CachedDecoder
 from swifttailor.pattern_maker.model_file import network_of, write_model
@@ -25,13 +26,16 @@ from swifttailor.pattern_maker.vocabulary import MOVE, NUMBERS
 _STEPS = 6
 
 
-def load_weights(weights: Path, card: dict[str, Any], text_size: int) -> PatternMakerNetwork:
+def load_weights(
+    weights: Path, card: dict[str, Any], text_size: int, *, half: bool = False
+) -> PatternMakerNetwork:
     """A trained network.
 
     Args:
         weights: weights.safetensors of a run.
         card: Its card.
         text_size: Tokens of text.
+        half: Whether its weights are rounded to what float16 holds.
 
     Raises:
         InputError: The file is missing, damaged, or of another network.
@@ -48,16 +52,19 @@ def load_weights(weights: Path, card: dict[str, Any], text_size: int) -> Pattern
             f"The weights '{weights}' cannot be used: {lines[0][:200] if lines else type(error).__name__}. "
             "Copy the folder of the run again."
         ) from error
+    if half:
+        round_to_half(network)
     return network.eval()
 
 
-def export(weights: Path, card: dict[str, Any], path: Path) -> Path:
+def export(weights: Path, card: dict[str, Any], path: Path, *, half: bool = False) -> Path:
     """Writes the model file of a run.
 
     Args:
         weights: weights.safetensors of the run.
         card: Its card, which goes into the file.
         path: File to write, ``.zip``.
+        half: Whether to round the weights to float16, which halves the file.
 
     Raises:
         InputError: The weights cannot be used or the file not be written.
@@ -68,7 +75,7 @@ def export(weights: Path, card: dict[str, Any], path: Path) -> Path:
             "A network that began with a pretrained InternVL is run by torch; there is no model file of it."
         )
     text = TextTokenizer.shipped()
-    network = load_weights(weights, card, text.size)
+    network = load_weights(weights, card, text.size, half=half)
     return write_model(path, make_graphs(network), text, card)
 
 
