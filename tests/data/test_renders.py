@@ -12,6 +12,7 @@ from swifttailor.body import Body
 from swifttailor.data.builder import build_split
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders import Look, draw_look, plain_look, random_look
+from swifttailor.data.renders.draw import draw_body
 from swifttailor.data.renders.files import RenderSettings, SplitRenders
 from swifttailor.data.renders.look import VIEWS, View
 from swifttailor.data.renders.plain_look import plain_camera
@@ -182,3 +183,15 @@ def test_names_of_renders():
     assert RenderSettings(random=1, plain=False).names() == ["front"]
     assert RenderSettings(random=5).names()[2:] == ["front", "back", "free-1", "free-2", "free-3"]
     assert RenderSettings(random=0).names() == ["plain-front", "plain-back"]
+
+
+def test_a_body_alone_stands_in_the_picture():
+    look = Look(Plain((0.02, 0.5, 0.03), 0.0), (0.02, 0.5, 0.03), View(), body=(0.5, 0.1, 0.1))
+    picture = draw_body(Body.default(), look, 64).astype(int)
+    red = picture[..., 0] > picture[..., 1] + 20
+    rows, columns = np.flatnonzero(red.any(axis=1)), np.flatnonzero(red.any(axis=0))
+    assert 0.75 < (rows[-1] - rows[0] + 1) / 64 < 0.95, "from head to foot"
+    assert rows[0] > 0 and rows[-1] < 63 and columns[0] > 0 and columns[-1] < 63
+    assert not (picture[..., 1] > picture[..., 0] + 20).any(), "no cloth"
+    nobody = draw_body(Body.default(), Look(look.print, look.inside, View(), body=None), 64)
+    assert nobody.std() > 10

@@ -8,12 +8,15 @@ import numpy as np
 from scipy.ndimage import zoom
 
 from swifttailor.body import Body
-from swifttailor.data.renders.look import Backdrop, Look
+from swifttailor.data.renders.look import Backdrop, Look, Rgb
 from swifttailor.garment import Garment
 from swifttailor.render import Camera, LineSet, Surface, render_view
 from swifttailor.render.preview import border_edges
 
 Picture = np.ndarray[Any, np.dtype[np.uint8]]
+Floats = np.ndarray[Any, np.dtype[np.float64]]
+
+_GREY: Rgb = (0.58, 0.52, 0.47)
 
 
 def draw_look(garment: Garment, body: Body, look: Look, size: int = 256) -> Picture:
@@ -30,10 +33,33 @@ def draw_look(garment: Garment, body: Body, look: Look, size: int = 256) -> Pict
     """
     surfaces = [_cloth(garment, look)]
     if look.body is not None:
-        surfaces.insert(0, Surface(body.vertices, body.faces, np.asarray(look.body), gloss=0.05))
+        surfaces.insert(0, _figure(body, look.body))
+    return _draw(surfaces, _camera(garment.vertices, body, look), look, size)
+
+
+def draw_body(body: Body, look: Look, size: int = 256) -> Picture:
+    """Draws a body without a garment, seen whole, as a look wants it; grey where the look has nobody.
+
+    Args:
+        body: What to draw.
+        look: Everything else.
+        size: Pixels along each side.
+
+    Returns:
+        (size, size, 3) uint8 sRGB, row 0 at the top.
+    """
+    surfaces = [_figure(body, look.body or _GREY)]
+    return _draw(surfaces, _camera(body.vertices, body, look), look, size)
+
+
+def _figure(body: Body, color: Rgb) -> Surface:
+    return Surface(body.vertices, body.faces, np.asarray(color), gloss=0.05)
+
+
+def _draw(surfaces: list[Surface], camera: Camera, look: Look, size: int) -> Picture:
     return render_view(
         surfaces,
-        _camera(garment, body, look),
+        camera,
         (size, size),
         background=_backdrop(look.backdrop, size),
         lighting=look.lighting,
@@ -66,11 +92,12 @@ def _cloth(garment: Garment, look: Look) -> Surface:
     )
 
 
-def _camera(garment: Garment, body: Body, look: Look) -> Camera:
+def _camera(shown: Floats, body: Body, look: Look) -> Camera:
+    """Looks at vertices (n, 3)."""
     view = look.view
     if view.camera is not None:
         return view.camera
-    low, high = garment.vertices.min(axis=0), garment.vertices.max(axis=0)
+    low, high = shown.min(axis=0), shown.max(axis=0)
     if view.whole_body and look.body is not None:
         low = np.minimum(low, body.vertices.min(axis=0) * (0, 1, 0) + (-40, 0, -20))
         high = np.maximum(high, body.vertices.max(axis=0) * (0, 1, 0) + (40, 0, 20))
