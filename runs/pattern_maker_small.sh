@@ -20,8 +20,9 @@ files=("$patterns/train.jsonl.gz")
 [ -f "$patterns/train-2.jsonl.gz" ] && files+=("$patterns/train-2.jsonl.gz")
 more=()
 [ -f "$patterns/edits.jsonl.gz" ] && more+=(--edits "$patterns/edits.jsonl.gz")
-[ -n "${DATA:-}" ] && more+=(--data "$DATA")
+pictures=()
+[ -n "${DATA:-}" ] && pictures=(--data "$DATA")
 [ -f "$work/run/checkpoint.pt" ] && more+=(--resume)
 swifttailor train pattern-maker --patterns "${files[@]}" --validation "$patterns/validation.jsonl.gz" \
-    --out "$work/run" --config small --max-minutes "$minutes" --workers 2 "${more[@]}"
-swifttailor train export "$work/run" --out "$work/pattern_maker.zip"
+    --out "$work/run" --config small --max-minutes "$minutes" --workers 2 "${more[@]}" "${pictures[@]}"
+swifttailor train export "$work/run" --out "$work/pattern_maker.zip" "${pictures[@]}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -96,3 +97,22 @@ def test_no_tile_stays_and_none_is_lost(seed, height, width):
 def test_colours_flow(seed, size):
     picture = flowing_colours(size, np.random.default_rng(seed))
     assert picture.shape == (size, size, 3) and picture.dtype == np.uint8 and picture.std() > 10
+
+
+def test_the_export_adds_it_or_says_that_it_did_not(maker, rendered, tmp_path, capsys, monkeypatch):
+    from swifttailor.cli.train_export import _calibrate
+    from swifttailor.training import maker_calibration
+
+    path = tmp_path / "model.zip"
+    path.write_bytes(TINY.read_bytes())
+    assert "was not measured" in _calibrate(path, None)
+    assert path.read_bytes() == TINY.read_bytes()
+    monkeypatch.setattr(PatternMaker, "load", staticmethod(lambda path: maker))
+    monkeypatch.setattr(maker_calibration, "calibrate_by_renders", partial(calibrate_by_renders, strangers=2))
+    said = _calibrate(path, rendered)
+    assert "it doubts 2% of 10 pictures of garments" in said and "of bare bodies" in said
+    assert load_model(path).calibration is not None
+    assert "looking at pictures" in capsys.readouterr().out
+    with pytest.raises(InputError, match="holds no data set"):
+        _calibrate(path, tmp_path)
+    assert not path.exists(), "half a model file is none"

@@ -32,6 +32,9 @@ class TrainExport:
     """File to write, ending in .onnx or .zip."""
     half: tyro.conf.FlagCreatePairsOff[bool] = False
     """Round the weights to 16 bits, which halves the file; it computes with 32 all the same."""
+    data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
+    """Data set with renders that a PatternMaker was trained on: measures how sure the network is of pictures,
+    so that those without a garment can be told; part of the file."""
 
     def run(self) -> int:
         """Exports, prints how far both are apart, and returns the exit code.
@@ -47,8 +50,13 @@ class TrainExport:
         model = _model_of(self.source)
         if self.out.suffix != _MODELS[model]:
             raise InputError(f"The file of a {model} ends in {_MODELS[model]}; choose another --out.")
-        write = _export_sewer if model == "GarmentSewer" else _export_maker
-        said = write(self.source, self.out, self.half)
+        if model == "GarmentSewer":
+            if self.data is not None:
+                raise InputError("--data is for a PatternMaker; a GarmentSewer is shown no pictures.")
+            said = _export_sewer(self.source, self.out, self.half)
+        else:
+            said = _export_maker(self.source, self.out, self.half)
+            said += f"; {_calibrate(self.out, self.data)}"
         card = (self.source / "card.json").read_bytes()
         write_atomically(self.out.with_suffix(".json"), lambda temporary: temporary.write_bytes(card))
         size = self.out.stat().st_size / 1e6
@@ -102,3 +110,24 @@ def _export_maker(run: Path, out: Path, half: bool) -> str:
             "is accepted. Try other versions of torch and onnxruntime."
         )
     return f"at most {apart:.2g} of a value from torch"
+
+
+def _calibrate(path: Path, data: Path | None) -> str:
+    """Adds to a PatternMaker's file how sure it is of pictures, where there are any to measure it with."""
+    if data is None:
+        return "how sure it is of pictures was not measured (--data)"
+    from swifttailor.cli.progress import print_line
+    from swifttailor.errors import SwiftTailorError
+    from swifttailor.pattern_maker.confidence import DOUBT
+    from swifttailor.pattern_maker.maker import PatternMaker
+    from swifttailor.pattern_maker.model_file import add_calibration
+    from swifttailor.training.maker_calibration import calibrate_by_renders
+
+    try:
+        found = calibrate_by_renders(PatternMaker.load(path), data, report=print_line)
+    except SwiftTailorError:
+        path.unlink()
+        raise
+    add_calibration(path, found)
+    doubted = ", ".join(f"{share:.0%} of {kind}" for kind, share in found.doubted.items())
+    return f"by {found.measure} it doubts {DOUBT:.0%} of {found.pictures} pictures of garments, {doubted}"
