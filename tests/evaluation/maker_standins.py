@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -33,7 +33,9 @@ EDITS = {
 
 def write_patterns(folder: Path) -> Path:
     """A file with `DRAFTS`."""
-    lines = [_line(id, draft(name, **options)) for id, (name, options) in DRAFTS.items()]
+    patterns = {id: draft(name, **options) for id, (name, options) in DRAFTS.items()}
+    # Files need not be in canonical order.
+    lines = [_line(id, replace(p, panels=p.panels[::-1])) for id, p in patterns.items()]
     return _write(folder / "patterns.jsonl", lines)
 
 

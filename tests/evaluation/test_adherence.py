@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from swifttailor.data.captions import Claim, claims_of, measure_facts, write_caption
@@ -10,7 +11,7 @@ from swifttailor.errors import InputError, PatternError
 from swifttailor.evaluation.patterns import judge_claims, judge_instructions
 from swifttailor.evaluation.patterns.adherence import Share, by_chance
 from swifttailor.evaluation.patterns.adherence_table import adherence_table
-from swifttailor.pattern import Pattern
+from swifttailor.pattern import Edge, Panel, Pattern
 from swifttailor.pattern.drafts import draft
 
 NAMES = ("t-shirt", "fitted-skirt", "trousers", "shirt-dress")
@@ -68,6 +69,19 @@ def test_nothing_holds_of_what_is_not_there(patterns, prompts, monkeypatch):
     assert judge_claims(prompts, patterns).unmeasured == 4
     with pytest.raises(InputError, match="4 prompts and 3 patterns"):
         judge_claims(prompts, patterns[:3])
+
+
+def test_outlines_in_a_tangle_are_not_measured(patterns, monkeypatch):
+    """Each side of this star crosses nearly all others: 1,300 crossings, which measuring cannot cope with."""
+    from swifttailor.evaluation.patterns import adherence
+
+    turns = np.arange(53) * (26 / 53) * 2 * np.pi
+    star = Panel("skirt_front", 60 * np.stack([np.cos(turns), np.sin(turns)], axis=1), (Edge(),) * 53)
+    asked: list[Pattern] = []
+    monkeypatch.setattr(adherence, "measure_facts", asked.append)
+    assert adherence.measured(Pattern((*patterns[1].panels[1:], star))) is None and asked == []
+    adherence.measured(patterns[1])
+    assert asked == [patterns[1]]
 
 
 @pytest.fixture(scope="module")

@@ -322,6 +322,7 @@ def test_copying_is_worth_as_much_as_its_row_says(edits, book):
     assert patterns[OURS].aipparel["panels_right"] == patterns[INPUT].aipparel["panels_right"]
     near = patterns[INPUT].aipparel["vertex_cm"]
     assert patterns[OURS].aipparel["vertex_cm"].mean == pytest.approx(near.mean, abs=1e-6) and near.mean > 0.5
+    assert patterns[INPUT].aipparel["edges_in_order"].mean > 0.9, "panels are paired in canonical order"
     assert adherence[OURS].claims == adherence[INPUT].claims and adherence[INPUT].claims.held == 0
     assert adherence[TRUTH].whole.share == 1
     assert "input unchanged" in task_text(result) and "paper: PatternMaker" in task_text(result)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import shapely
 
 from swifttailor.pattern import EdgeRef, Pattern
 from swifttailor.pattern.svg.drawing import PALETTE
@@ -79,8 +80,7 @@ def pattern_picture(pattern: Pattern, size: tuple[int, int], scale: float | None
             return start + ((points - origin) * [1.0, -1.0] + corner) * per_mm
 
         _draw_panel(draw, item, to_pixels, colors, scale)
-        middle = np.array([item.caption.x, item.caption.y])
-        names.append((to_pixels(middle), item.panel.name, item.size * per_mm))
+        names.append((to_pixels(_middle(item)), item.panel.name, item.size * per_mm))
     small = picture.resize(size, Image.Resampling.LANCZOS)
     _write(small, names, scale, pattern)
     return small
@@ -94,6 +94,14 @@ def _lay_out(pattern: Pattern) -> _Sheet:
     gap = max(0.04 * float(np.sqrt(sizes.prod(axis=1).sum())), 1.0)
     corners, size = shelves(sizes, gap)
     return _Sheet(placed, corners, size)
+
+
+def _middle(item: PlacedPanel) -> Array:
+    """Where the name goes, mm: the middle of the panel's box, where that is within, or else deep inside."""
+    center, outline = item.low + item.size / 2, item.panel.outline(0.2) * MM_PER_CM
+    if len(outline) > 2 and shapely.contains_xy(shapely.Polygon(outline), *center):
+        return center
+    return np.array([item.caption.x, item.caption.y])
 
 
 def _draw_panel(

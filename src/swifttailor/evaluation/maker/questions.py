@@ -69,7 +69,7 @@ class PatternSet:
     """Patterns to ask for."""
 
     patterns: dict[str, Pattern] = field(default_factory=dict)
-    """By id, in the order of their files."""
+    """By id, in the order of their files; in canonical order, as networks write them."""
     skipped: dict[str, str] = field(default_factory=dict)
     """Why others cannot be used, by id."""
 
@@ -88,7 +88,7 @@ class PatternSet:
                 elif id in found.patterns:
                     found.skipped[f"{id} in {source.name}"] = "The id was used before; ids must differ."
                 else:
-                    found.patterns[id] = pattern
+                    found.patterns[id] = pattern.canonical()
         if not found.patterns:
             first = next(iter(found.skipped.items()), None)
             why = f" The first, '{first[0]}': {first[1]}" if first else ""
@@ -165,7 +165,7 @@ class EditSet:
     """Edited versions of patterns."""
 
     versions: dict[str, tuple[str, Pattern]] = field(default_factory=dict)
-    """Id of the base and edited pattern, by id of the edit."""
+    """Id of the base and edited pattern, in canonical order, by id of the edit."""
     skipped: dict[str, str] = field(default_factory=dict)
     """Why others cannot be used, by id."""
 
@@ -187,7 +187,7 @@ class EditSet:
             if isinstance(pattern, SwiftTailorError):
                 found.skipped[id] = str(pattern)
             else:
-                found.versions[id] = version.base, pattern
+                found.versions[id] = version.base, pattern.canonical()
         if not found.versions:
             raise InputError(
                 f"'{source}' has no edit that can be used: {others} are of other patterns than those of "

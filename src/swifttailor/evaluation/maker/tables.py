@@ -108,7 +108,7 @@ def provenance_text(about: Mapping[str, Any]) -> str:
         f"patterns {', '.join(about['patterns'])}: {about['of']}{some} "
         f"(sha256 of all {about['patterns_sha256'][:16]})",
         f"questions: {asked}; seed {about['seed']}, temperature {about['temperature']:g}, "
-        f"{about['attempts']} attempts",
+        f"attempts {about['attempts']}",
     ]
     if about["edits"]:
         lines.append(f"edits {about['edits']}")
@@ -116,7 +116,7 @@ def provenance_text(about: Mapping[str, Any]) -> str:
         drawn = ", ".join(about["pictures_drawn"])
         how = f", drawn of the drapes of {drawn}" if drawn else ""
         lines.append(f"pictures of the splits {', '.join(about['pictures'])}{how}")
-    lines.append(f"weights {weights['file']} (sha256 {weights['sha256'][:16]}), {about['threads']} threads")
+    lines.append(f"weights {weights['file']} (sha256 {weights['sha256'][:16]}), threads {about['threads']}")
     others = [c or "unknown" for c in about["answered_by_commits"] if c != about["commit"]]
     made = f" (answers also by {', '.join(others)})" if others else ""
     lines.append(f"swifttailor {about['version']}, commit {about['commit'] or 'unknown'}{made}")

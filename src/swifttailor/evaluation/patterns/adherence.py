@@ -10,7 +10,11 @@ from swifttailor.data.edits.differences import Gain
 from swifttailor.data.edits.instructions import Instruction
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.pattern import Pattern
+from swifttailor.pattern.check.crossings import find_crossing
+from swifttailor.pattern.check.outline import trace_outline
 
+MOST_CROSSINGS = 300
+"""Of a panel that is measured."""
 Measurable = Pattern | GarmentFacts
 """A pattern, or its facts where they have been measured: that takes a tenth of a second."""
 
@@ -104,9 +108,16 @@ def judge_instructions(
 
 
 def measured(pattern: Measurable | None) -> GarmentFacts | None:
-    """The facts of a pattern; None where there are none to measure."""
+    """The facts of a pattern; None where there are none to measure.
+
+    Untrained networks write outlines that cross themselves thousands of times, on which measuring takes
+    minutes: they have none.
+    """
     if pattern is None or isinstance(pattern, GarmentFacts):
         return pattern
+    crossings = (find_crossing(trace_outline(panel)) for panel in pattern.panels)
+    if any(c is not None and c.places > MOST_CROSSINGS for c in crossings):
+        return None
     try:
         return measure_facts(pattern)
     except SwiftTailorError:
