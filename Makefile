@@ -10,6 +10,9 @@ BIN := .venv/bin
 READY := .venv/.ready
 JOBS ?= 2
 GARMENTCODE ?= $(or $(SWIFTTAILOR_GARMENTCODE),../shared/garmentcode)
+MAKER_WEIGHTS := src/swifttailor/pattern_maker/pattern_maker.zip
+SEWER_WEIGHTS := src/swifttailor/garment_sewer/garment_sewer.onnx
+DEMO := $(if $(and $(wildcard $(MAKER_WEIGHTS)),$(wildcard $(SEWER_WEIGHTS))),demo-generate,demo-drape)
 
 help:  ## show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -23,8 +26,17 @@ $(READY): pyproject.toml requirements/dev.txt
 	"$$uv" pip install --quiet --python $(BIN)/python -r requirements/dev.txt -e .
 	@touch $@
 
-demo: $(READY)  ## draft a dress, drape it (and a real pattern where there is one) into ./demo/
-	@mkdir -p demo
+demo: $(DEMO)  ## a garment of words where the package has trained weights, else a draped draft, into ./demo/
+
+demo-generate: $(READY)
+	@echo 'The package has trained weights: a dress of words, then changed by words.'; mkdir -p demo
+	$(BIN)/swifttailor generate 'a knee-length sleeveless dress with a V neck' --out demo/words || [ $$? -eq 1 ]
+	$(BIN)/swifttailor edit demo/words 'make it 15 cm longer' --out demo/longer || [ $$? -eq 1 ]
+	@echo; echo "Made:"; ls demo/{words,longer}/{preview.png,garment.glb,pattern.svg}
+
+demo-drape: $(READY)
+	@echo 'This version has no trained weights ($(notdir $(MAKER_WEIGHTS)), $(notdir $(SEWER_WEIGHTS))), so no words:'
+	@echo 'a draft is draped by physics instead.'; mkdir -p demo
 	$(BIN)/swifttailor draft shirt-dress --out demo/dress.json
 	$(BIN)/swifttailor drape demo/dress.json --out demo/dress || [ $$? -eq 1 ]
 	@real='$(GARMENTCODE)/dress_pencil_specification.json'; \
@@ -62,4 +74,4 @@ clean-cache:  ## delete numba's compiled code: it does not see changes in module
 clean: clean-cache  ## delete everything that was made, .venv included
 	rm -rf .venv .uv demo out .pytest_cache .ruff_cache .hypothesis dist build
 
-.PHONY: help setup demo test lint format types bench lock clean-cache clean
+.PHONY: help setup demo demo-generate demo-drape test lint format types bench lock clean-cache clean

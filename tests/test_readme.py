@@ -5,6 +5,9 @@ from __future__ import annotations
 import json
 import re
 import shlex
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -104,6 +107,82 @@ def test_the_guide_to_data_sets(tmp_path, monkeypatch, capsys):
         exec(compile(block, "data.md", "exec"), names)
     assert len(names["reader"]) >= 1 and names["picture"].shape == (128, 128, 3)
     assert {"index.html", "stats.json"} <= {p.name for p in (tmp_path / "garments" / "stats").iterdir()}
+
+
+@pytest.fixture
+def networks(monkeypatch):
+    """The weights that this version does not have: a network that writes a dress, and an untrained one."""
+    import importlib.util
+
+    from swifttailor.garment_sewer.sewer import GarmentSewer
+    from swifttailor.pattern_maker.maker import PatternMaker
+    from swifttailor.tailor import tailored
+
+    place = ROOT / "tests/tailor/scripted_maker.py"
+    spec = importlib.util.spec_from_file_location("scripted_maker_of_the_guides", place)
+    scripted = importlib.util.module_from_spec(spec)
+    monkeypatch.setitem(sys.modules, spec.name, scripted)
+    spec.loader.exec_module(scripted)
+    maker = scripted.scripted_maker([swifttailor.draft("fitted-dress")])
+    sewer = GarmentSewer.load(ROOT / "tests/garment_sewer/tiny_sewer.onnx")
+    monkeypatch.setattr(PatternMaker, "load", staticmethod(lambda weights=None, threads=1: maker))
+    monkeypatch.setattr(GarmentSewer, "load", staticmethod(lambda weights=None, threads=1: sewer))
+    monkeypatch.setattr(tailored, "PREVIEW_SIZE", (100, 60))
+
+
+def test_the_guide_to_garments_of_words(tmp_path, monkeypatch, networks, capsys):
+    from PIL import Image
+
+    monkeypatch.chdir(tmp_path)
+    Image.linear_gradient("L").save("photo.jpg")
+    for command in commands("docs/generate.md"):
+        assert run(command[1:]) == 0, command
+    text = (ROOT / "docs/generate.md").read_text()
+    folder = {p.name for p in (tmp_path / "dress").iterdir()}
+    assert len(folder) == 7 and all(f"`{name}`" in text for name in folder)
+    assert {p.name for p in (tmp_path / "skirts").iterdir()} == {
+        "seed-100", "seed-101", "seed-102", "seed-103", "sheet.png"
+    }  # fmt: skip
+    report = json.loads((tmp_path / "both" / "report.json").read_text())
+    for name in ("order", "seconds", "writing", "confidence", "findings", "warnings", "notes", "sewing"):
+        assert name in report and f"`{name}`" in text
+    for stage in report["seconds"]:
+        assert f"`{stage}`" in text
+    for block in blocks("docs/generate.md", "python"):
+        exec(compile(block, "generate.md", "exec"), {})
+    assert (tmp_path / "longer-dress" / "garment.glb").is_file()
+    block = next(b for b in blocks("README.md", "bash") if "generate" in b)
+    assert {tuple(shlex.split(line)) for line in block.splitlines()} < {
+        tuple(c) for c in commands("docs/generate.md")
+    }
+
+
+def test_the_guide_lists_every_option_of_generate_and_edit():
+    import dataclasses
+
+    from swifttailor.cli.edit import Edit
+    from swifttailor.cli.generate import Generate
+
+    table = (ROOT / "docs/generate.md").read_text().split("## Options")[1].split("## ")[0]
+    shown = {option.removeprefix("no-") for option in re.findall(r"`--([a-z-]+)`", table)}
+    fields = {f.name.replace("_", "-") for kind in (Generate, Edit) for f in dataclasses.fields(kind)}
+    assert shown == fields - {"text", "pattern", "instruction", "out"}
+
+
+@pytest.mark.skipif(not shutil.which("make"), reason="make is not installed")
+@pytest.mark.parametrize("there", [(), ("maker",), ("maker", "sewer")])
+def test_the_demo_is_of_words_once_there_are_weights_and_says_what_it_does(there, tmp_path):
+    files = {name: tmp_path / name for name in ("maker", "sewer")}
+    for name in there:
+        files[name].write_bytes(b"")
+    variables = [f"MAKER_WEIGHTS={files['maker']}", f"SEWER_WEIGHTS={files['sewer']}"]
+    done = subprocess.run(
+        ["make", "-n", "demo", *variables], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    of_words = len(there) == 2
+    assert ("swifttailor generate" in done.stdout) == of_words
+    assert ("swifttailor drape" in done.stdout) == (not of_words)
+    assert ("has trained weights" if of_words else "has no trained weights") in done.stdout
 
 
 @pytest.mark.parametrize("page", ["captions", "edits"])
