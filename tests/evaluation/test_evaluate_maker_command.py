@@ -6,10 +6,11 @@ import json
 from pathlib import Path
 
 import pytest
-from maker_standins import write_edits, write_patterns
+from maker_standins import given, write_edits, write_patterns
 
 from swifttailor.cli.main import run
 from swifttailor.evaluation.maker.run import Plan
+from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker.maker import PatternMaker
 
 TINY = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
@@ -74,14 +75,21 @@ def test_the_command_asks_prints_writes_and_goes_on(files, tmp_path, capsys, cal
     assert "seed was 0, now 3" in capsys.readouterr().err
 
 
-def test_pictures_are_asked_for_where_there_are_drapes(files, data, tmp_path, capsys, calls, monkeypatch):
+def test_pictures_are_asked_for_where_there_are_drapes(files, data, tmp_path, capsys, monkeypatch):
     from swifttailor.data.renders.files import RenderSettings
     from swifttailor.evaluation.maker import pictures
 
     monkeypatch.setattr(pictures, "RenderSettings", lambda: RenderSettings(24, 2, False))
+    shown_to: list[tuple[int, ...]] = []
+
+    def answer(self, requests, **more):
+        shown_to.extend(r.image.shape for r in requests)
+        return [given(draft("fitted-skirt"))] * len(requests)
+
+    monkeypatch.setattr(PatternMaker, "generate_all", answer)
     asked = arguments(files, tmp_path, "--data", str(data), "--tasks", "image", "--samples", "0")
     assert run([*asked, "--pictures", "3"]) == 0
-    assert calls == [3], "there are drapes of three of the four patterns"
+    assert shown_to == [(24, 24, 3)] * 3, "there are drapes of three of the four patterns"
     shown = capsys.readouterr().out
     assert "questions: 3 image" in shown and "drawn of the drapes of validation" in shown
     assert (tmp_path / "sheet-image-01.png").is_file()
