@@ -96,6 +96,14 @@ def texts(folder: Path, capsys: pytest.CaptureFixture[str]) -> str:
         drape --batch shirt.json --out new --workers 0
         drape --batch shirt.json --out new --limit 0
         drape --batch shirt.json --out new --time-limit 0
+        generate --out new
+        generate photo.png --out new
+        generate dress --samples 0 --out new
+        generate dress --temperature -1 --out new
+        generate dress --out shirt.json
+        edit shirt.json --out new
+        edit none.json shorter --out new
+        edit broken.json shorter --out new
         draft
         draft t-shrt --out new.json
         draft t-shirt --sleeve-length 400 --out new.json

@@ -158,3 +158,13 @@ def test_any_picture_gives_a_picture(size, seed):
 def test_what_is_no_picture_is_refused():
     with pytest.raises(InputError, match="of bytes"):
         frame_figure(np.zeros((4, 4), np.uint8))
+
+
+def test_a_hand_at_the_border_does_not_push_the_figure_aside():
+    picture = photo(500, 300, (90, 60, 210, 440))
+    picture[200:230, 150:] = (60, 80, 140)  # an arm that ends outside
+    left, _, right, _ = frame_figure(picture).box
+    assert (left + right) / 2 == pytest.approx((90 + 300) / 2, abs=0.06 * (right - left))
+    half = photo(500, 300, (200, 60, 400, 440))
+    left, _, right, _ = frame_figure(half).box
+    assert right == pytest.approx(300, abs=3), "half of the dress is outside: no background is put there"

@@ -116,8 +116,10 @@ class Making:
         if self.json:
             _print_json(outcomes)
         else:
+            shared = _shared(list(made.values()))
+            print("".join(f"{line}\n" for line in shared), end="")  # noqa: T201
             for folder, one in outcomes.items():
-                _say(folder, one, alone=self.samples == 1)
+                _say(folder, one, shared, alone=self.samples == 1)
             look = self.out / (SHEET if self.samples > 1 else "preview.png")
             seconds = time.perf_counter() - started
             where = f"; look at {look}" if self.preview else ""
@@ -129,8 +131,17 @@ def _is_flawed(outcome: Tailored | SwiftTailorError) -> bool:
     return isinstance(outcome, SwiftTailorError) or outcome.needs_a_look
 
 
-def _say(folder: Path, outcome: Tailored | SwiftTailorError, *, alone: bool) -> None:
-    """Prints what came of one sample."""
+def _remarks(one: Tailored) -> list[str]:
+    return [f"warning: {text}" for text in one.warnings] + list(one.notes)
+
+
+def _shared(made: list[Tailored]) -> list[str]:
+    """What is to be said of all garments, of text or picture for instance."""
+    return [line for line in _remarks(made[0]) if all(line in _remarks(one) for one in made)]
+
+
+def _say(folder: Path, outcome: Tailored | SwiftTailorError, said: list[str], *, alone: bool) -> None:
+    """Prints what came of one sample, but for what was said of all."""
     from swifttailor.tailor.tailored import finding_line
 
     lines = []
@@ -138,11 +149,10 @@ def _say(folder: Path, outcome: Tailored | SwiftTailorError, *, alone: bool) -> 
         lines.append(f"not made. {outcome}")
     else:
         report = outcome.report
-        lines += [f"warning: {text}" for text in outcome.warnings]
+        lines += [line for line in _remarks(outcome) if line not in said]
         lines += [finding_line(finding) for finding in outcome.findings]
         if "quality" in report and not report["quality"]["accepted"]:
             lines.append(f"not accepted: {'; '.join(report['quality']['reasons'])}")
-        lines += outcome.notes
         stages = ", ".join(f"{name} {value:.2f}" for name, value in outcome.seconds.items() if value >= 0.005)
         lines.append(
             f"{report['panels']} panels, {report['stitches']} stitches, {report['vertices']} vertices; "

@@ -35,6 +35,8 @@ _MUCH_BETTER = 0.7
 _LEAST_CONTRAST = 6.0
 _SPECK = 0.03
 """Parts smaller than this share of the largest are dirt, or marks of a photographer."""
+_CUT_OFF = 0.25
+"""Share of a figure's extent that must lie on the border for it to be cut off there, more than a hand."""
 _NOTHING, _EVERYTHING = 0.003, 0.97
 """Shares of the picture below and above which what was found is no figure."""
 
@@ -98,12 +100,10 @@ def frame_figure(pixels: Pixels) -> Framed:
     scale = np.array([width / small.shape[1], height / small.shape[0]])
     low = np.array([columns[0], rows[0]]) * scale
     high = np.array([columns[-1] + 1, rows[-1] + 1]) * scale
-    touched = np.array(
-        [[columns[0] == 0, rows[0] == 0], [columns[-1] + 1 == small.shape[1], rows[-1] + 1 == small.shape[0]]]
-    )
-    if _is_framed(low, high, touched, np.array([width, height])):
+    border = _on_border(figure) / [len(rows), len(columns)]
+    if _is_framed(low, high, border > 0, np.array([width, height])):
         return Framed(pixels, Framing.KEPT)
-    left, top, side = _square(low, high, touched)
+    left, top, side = _square(low, high, border)
     return Framed(
         _cut(pixels, backdrop, left, top, side), Framing.CROPPED, (left, top, left + side, top + side)
     )
@@ -145,12 +145,12 @@ def _fit_backdrop(small: Floats) -> _Backdrop | None:
         if len(colors) < 4 * count:
             break
         powers = _powers(x, y, count)
-        weights = np.ones(len(colors))
-        for _ in range(20):  # least absolute distances, so that a figure in the border does not pull
-            weighted = powers.T * weights
+        away = np.abs(colors - np.median(colors, axis=0)).max(axis=1)
+        for _ in range(20):
+            # What is far off counts for nothing (Geman and McClure), not even where a figure fills one side.
+            weighted = powers.T / (1 + (away / _PLAIN_SPREAD) ** 2) ** 2
             terms = np.linalg.lstsq(weighted @ powers, weighted @ colors, rcond=None)[0]
             away = np.abs(colors - powers @ terms).max(axis=1)
-            weights = 1 / np.maximum(away, 0.5)
         near = np.sort(away)[: int(_PLAIN_SHARE * len(away)) + 1]
         spread = float(np.median(near))
         plain = near[-1] <= 3 * _PLAIN_SPREAD and spread <= _PLAIN_SPREAD
@@ -179,6 +179,12 @@ def _find_figure(small: Floats, backdrop: _Backdrop) -> NDArray[np.bool_] | None
     return figure if _NOTHING <= figure.mean() <= _EVERYTHING else None
 
 
+def _on_border(figure: NDArray[np.bool_]) -> Floats:
+    """(2, 2) how many pixels of each border a figure has: left and top, right and bottom."""
+    ends = [figure[:, 0], figure[0], figure[:, -1], figure[-1]]
+    return np.array([end.sum() for end in ends], np.float64).reshape(2, 2)
+
+
 def _is_framed(low: Floats, high: Floats, touched: NDArray[np.bool_], size: NDArray[Any]) -> bool:
     """Whether a figure is where pictures to learn from have theirs."""
     if abs(size[0] - size[1]) > 0.03 * size.max():
@@ -190,15 +196,22 @@ def _is_framed(low: Floats, high: Floats, touched: NDArray[np.bool_], size: NDAr
     return _SMALLEST <= spans <= _LARGEST and bool(off <= _OFF_CENTRE)
 
 
-def _square(low: Floats, high: Floats, touched: NDArray[np.bool_]) -> tuple[int, int, int]:
-    """Left, top and side of the square around a figure: space on its free sides, none where it is cut off."""
+def _square(low: Floats, high: Floats, border: Floats) -> tuple[int, int, int]:
+    """Left, top and side of the square around a figure: space on its free sides, none where it is cut off.
+
+    Args:
+        low: (2,) left and top of the figure.
+        high: (2,) right and bottom.
+        border: (2, 2) share of the figure's extent that lies on the border, by side.
+    """
     space = MARGIN * float((high - low).max())
-    low = low - space * ~touched[0]
-    high = high + space * ~touched[1]
+    low = low - space * (border[0] == 0)
+    high = high + space * (border[1] == 0)
     side = max(1, round(float((high - low).max())))
     lack = side - (high - low)
-    # To the free side where one is cut off: past it there is more of the figure, and nobody knows what.
-    before = np.select([touched[0] & ~touched[1], touched[1] & ~touched[0]], [0.0, 1.0], 0.5)
+    # Away from where much is cut off: past it there is more of the figure, and nobody knows what.
+    cut = border > _CUT_OFF
+    before = np.select([cut[0] & ~cut[1], cut[1] & ~cut[0]], [0.0, 1.0], 0.5)
     left, top = np.round(low - lack * before).astype(int)
     return int(left), int(top), side
 
