@@ -86,6 +86,34 @@ def test_interrupted_and_resumed_equals_uninterrupted_bit_for_bit(run, config, d
 
 
 @needs_torch
+def test_what_is_written_down_is_the_mean_of_the_steps_before(run, config, data, cache, tmp_path):
+    from swifttailor.training.sewer_loop_torch import train
+
+    train(replace(config, log_every=1), data, tmp_path / "run", cache=cache, threads=1)
+    single = [line for line in measurements(tmp_path / "run") if "total" in line]
+    for line in (line for line in measurements(run[0]) if "total" in line):
+        pair = [s["total"] for s in single if s["step"] in (line["step"] - 1, line["step"])]
+        assert len(pair) == 2 and line["total"] == pytest.approx(np.mean(pair), rel=1e-5)
+
+
+@needs_torch
+def test_begins_with_the_weights_of_another_run(run, config, data, cache, tmp_path):
+    from safetensors.numpy import load_file
+
+    from swifttailor.training.sewer_loop_torch import train
+
+    out, card = run
+    started = replace(config, start=str(out / "weights.safetensors"), steps=1, learning_rate=1e-9)
+    again = train(started, data, tmp_path / "run", cache=cache, threads=1)
+    before, after = load_file(out / "weights.safetensors"), load_file(tmp_path / "run/weights.safetensors")
+    assert max(np.abs(before[k] - after[k]).max() for k in before) < 1e-6
+    assert again["validation"]["mean"] == pytest.approx(card["validation"]["mean"], abs=1e-3)
+    (tmp_path / "text").write_text("no weights")
+    with pytest.raises(InputError, match="to start with cannot be used"):
+        train(replace(config, start=str(tmp_path / "text")), data, tmp_path / "other", cache=cache)
+
+
+@needs_torch
 def test_learns(config, data, cache, tmp_path):
     from swifttailor.training.sewer_loop_torch import train
 

@@ -29,6 +29,8 @@ class LoopConfig:
     precision: Literal["auto", "float32", "bfloat16"] = "auto"
     """Of the layers; the weights that are optimised and the losses are float32 always. auto: bfloat16 where
     the chip has it."""
+    start: str = ""
+    """Weights (weights.safetensors of another run of the same shape) to begin with; empty for none."""
     seed: int = 0
     log_every: int = 50
     validate_every: int = 500

@@ -23,6 +23,7 @@ from swifttailor.training.checkpoint_torch import MovingAverage, read_checkpoint
 from swifttailor.training.config_file import config_values
 from swifttailor.training.loop_config import LoopConfig
 from swifttailor.training.master_weights_torch import MasterWeights, parameter_groups
+from swifttailor.training.mean_losses_torch import MeanLosses
 from swifttailor.training.processes_torch import Processes
 from swifttailor.training.run_record import WEIGHTS, RunRecord, versions
 from swifttailor.training.schedule import Schedule
@@ -101,12 +102,14 @@ class Loop:
         optimised = [p for group in groups for p in group["params"]]
         optimizer = torch.optim.AdamW(groups, betas=BETAS)
         average = MovingAverage(weights.state_dict(), config.ema)
+        means = MeanLosses()
         step, seconds = 0, 0.0
         if resume:
             state = read_checkpoint(self.out, processes.device)
             weights.load_state_dict(state["network"])
             optimizer.load_state_dict(state["optimizer"])
             average.values = state["average"]
+            means.restore(state["losses"])
             step, seconds = state["step"], state["seconds"]
             if processes.is_first:
                 self.record.forget_after(step)
@@ -122,6 +125,7 @@ class Loop:
                 group["lr"] = config.learning_rate * group["factor"] * rate
             losses = task.losses(trained, step)
             losses["total"].backward()
+            means.add(losses)
             weights.take_gradients()
             norm = torch.nn.utils.clip_grad_norm_(optimised, config.clip)
             optimizer.step()
@@ -133,7 +137,7 @@ class Loop:
             ends = schedule.progress(step, seconds) >= 1
             if step % config.log_every == 0 or ends:
                 line = {"step": step, "seconds": round(seconds, 1), "rate": config.learning_rate * rate}
-                line |= {name: value.item() for name, value in losses.items()}
+                line |= means.take()
                 line["gradient_norm"] = norm.item()
                 if not math.isfinite(line["total"]):
                     raise SimulationError(
@@ -154,6 +158,7 @@ class Loop:
                         "network": weights.state_dict(),
                         "optimizer": optimizer.state_dict(),
                         "average": average.values,
+                        "losses": means.state(),
                         "step": step,
                         "seconds": seconds,
                     }

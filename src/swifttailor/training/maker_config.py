@@ -58,8 +58,6 @@ class MakerConfig(LoopConfig):
     learning_rate: float = 1e-3
     pretrained_rate: float = 1.0
     """Factor on the learning rate of what is pretrained."""
-    start: str = ""
-    """Weights (weights.safetensors of another run of the same shape) to begin with; empty for none."""
 
     tags: Literal["ascending", "random"] = "ascending"
     """Whether stitch tags count up, or mean nothing (AIpparel)."""

@@ -27,6 +27,7 @@ from swifttailor.training.maker_validation_torch import Validation
 from swifttailor.training.master_weights_torch import MasterWeights, choose_precision
 from swifttailor.training.processes_torch import Processes
 from swifttailor.training.run_record import RunRecord
+from swifttailor.training.start_torch import load_start
 
 Report = Callable[[str], None]
 HELD_OUT = 50
@@ -216,25 +217,6 @@ def compute_losses(logits: Tensor, numbers: Tensor, batch: Batch, weights: Maker
         "numbers": of_numbers,
         "total": of_tokens + weights.numbers * of_numbers,
     }
-
-
-def load_start(network: PatternMakerNetwork, path: Path) -> None:
-    """Puts the weights of another run into a network.
-
-    Raises:
-        InputError: The file is missing, damaged, or of another shape.
-    """
-    from safetensors import SafetensorError
-    from safetensors.torch import load_file
-
-    try:
-        network.load_state_dict(load_file(path))
-    except (SafetensorError, OSError, RuntimeError) as error:
-        lines = str(error).strip().splitlines()
-        raise InputError(
-            f"The weights '{path}' to start with cannot be used: {' '.join(lines[:2])[:300]}. Give the "
-            "weights.safetensors of a run of the same network."
-        ) from error
 
 
 def _held_out(id: str) -> bool:

@@ -27,6 +27,7 @@ from swifttailor.training.sewer_batch_torch import TrainingBatches
 from swifttailor.training.sewer_config import SewerConfig, config_values
 from swifttailor.training.sewer_samples import SewerSamples
 from swifttailor.training.sewer_validation_torch import Validation
+from swifttailor.training.start_torch import load_start
 
 Report = Callable[[str], None]
 
@@ -93,6 +94,8 @@ def train(
 
     torch.manual_seed(config.seed)
     network = build_network(config.network, config.conditioning.count).to(device)
+    if config.start:
+        load_start(network, Path(config.start))
     network = network.to(memory_format=torch.channels_last)
     batches = TrainingBatches(
         samples["train"], readers["train"], config, device, part=processes.rank, parts=processes.count
