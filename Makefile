@@ -12,7 +12,8 @@ JOBS ?= 2
 GARMENTCODE ?= $(or $(SWIFTTAILOR_GARMENTCODE),../shared/garmentcode)
 MAKER_WEIGHTS := src/swifttailor/pattern_maker/pattern_maker.zip
 SEWER_WEIGHTS := src/swifttailor/garment_sewer/garment_sewer.onnx
-DEMO := $(if $(and $(wildcard $(MAKER_WEIGHTS)),$(wildcard $(SEWER_WEIGHTS))),demo-generate,demo-drape)
+# What the demonstration shows is a matter of the weights that are there.
+DEMO := $(if $(wildcard $(SEWER_WEIGHTS)),$(if $(wildcard $(MAKER_WEIGHTS)),demo-generate,demo-sew),demo-drape)
 
 help:  ## show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -26,13 +27,24 @@ $(READY): pyproject.toml requirements/dev.txt
 	"$$uv" pip install --quiet --python $(BIN)/python -r requirements/dev.txt -e .
 	@touch $@
 
-demo: $(DEMO)  ## a garment of words where the package has trained weights, else a draped draft, into ./demo/
+demo: $(DEMO)  ## a garment of words if the package has the weights, else of a drafted pattern, into ./demo/
 
 demo-generate: $(READY)
 	@echo 'The package has trained weights: a dress of words, then changed by words.'; mkdir -p demo
 	$(BIN)/swifttailor generate 'a knee-length sleeveless dress with a V neck' --out demo/words || [ $$? -eq 1 ]
 	$(BIN)/swifttailor edit demo/words 'make it 15 cm longer' --out demo/longer || [ $$? -eq 1 ]
 	@echo; echo "Made:"; ls demo/{words,longer}/{preview.png,garment.glb,pattern.svg}
+
+demo-sew: $(READY)
+	@echo 'This version has no weights that read words ($(notdir $(MAKER_WEIGHTS))): drafted patterns are sewn.'; mkdir -p demo
+	for name in shirt-dress hoodie trousers; do $(BIN)/swifttailor draft $$name --out demo/$$name.json; done
+	$(BIN)/swifttailor sew demo/shirt-dress.json demo/hoodie.json demo/trousers.json --out demo || [ $$? -eq 1 ]
+	@real='$(GARMENTCODE)/dress_pencil_specification.json'; \
+	if [ -f "$$real" ]; then \
+		echo "$(BIN)/swifttailor sew $$real --out demo/real"; \
+		$(BIN)/swifttailor sew "$$real" --out demo/real || [ $$? -eq 1 ]; \
+	fi
+	@echo; echo "Made:"; ls demo/*/preview.png demo/*/garment.glb demo/*/pattern.svg
 
 demo-drape: $(READY)
 	@echo 'This version has no trained weights ($(notdir $(MAKER_WEIGHTS)), $(notdir $(SEWER_WEIGHTS))), so no words:'
@@ -74,4 +86,4 @@ clean-cache:  ## delete numba's compiled code: it does not see changes in module
 clean: clean-cache  ## delete everything that was made, .venv included
 	rm -rf .venv .uv demo out .pytest_cache .ruff_cache .hypothesis dist build
 
-.PHONY: help setup demo demo-generate demo-drape test lint format types bench lock clean-cache clean
+.PHONY: help setup demo demo-generate demo-sew demo-drape test lint format types bench lock clean-cache clean

@@ -104,6 +104,10 @@ class Making:
 
                 if not solver_is_compiled():
                     progress.note(COMPILE_NOTE)
+            if tailor.garment_sewer.must_compile:
+                from swifttailor.draping.compiled_code import COARSE_COMPILE_NOTE
+
+                progress.note(COARSE_COMPILE_NOTE)
             outcomes = dict(zip(self.folders(), tailor.make(order, progress=progress), strict=True))
             made = {folder: one for folder, one in outcomes.items() if isinstance(one, Tailored)}
             if not made:

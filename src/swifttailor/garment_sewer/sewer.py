@@ -71,6 +71,15 @@ class GarmentSewer:
         model = load_model(SHIPPED if weights is None else weights, threads=threads)
         return GarmentSewer(model, BodyDistance.of(Body.default()))
 
+    @property
+    def must_compile(self) -> bool:
+        """Whether the first garment waits for code that is not compiled on this machine yet."""
+        if self.model.conditioning.prior != "hung":
+            return False
+        from swifttailor.draping.compiled_code import coarse_drape_is_compiled
+
+        return not coarse_drape_is_compiled()
+
     def sew(self, pattern: Pattern, *, edge_length: float = 2.0, resolution: int | None = None) -> Garment:
         """Makes the garment of a pattern.
 
