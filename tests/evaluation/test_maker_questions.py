@@ -141,7 +141,8 @@ def test_edits_that_cannot_be_asked_for_are_noted(folder, patterns):
     found = EditSet.read(write_edits(folder, *lines), patterns)
     assert list(found.versions) == [*EDITS, "same", "odd"] and list(found.skipped) == ["bad"]
     assert edit_questions(found, ["same", "odd"], patterns, 0) == []
-    assert "Nothing is seen" in found.skipped["same"] and "pocket" in found.skipped["odd"]
+    assert found.unseen == ["same"]
+    assert "pocket" in found.skipped["odd"] and list(found.skipped) == ["bad", "odd"]
     with pytest.raises(InputError, match="1 are of other patterns"):
         strangers = folder / "strangers.jsonl"
         strangers.write_text((folder / "edits.jsonl").read_text().splitlines()[2] + "\n")

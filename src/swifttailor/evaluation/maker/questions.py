@@ -168,6 +168,8 @@ class EditSet:
     """Id of the base and edited pattern, in canonical order, by id of the edit."""
     skipped: dict[str, str] = field(default_factory=dict)
     """Why others cannot be used, by id."""
+    unseen: list[str] = field(default_factory=list)
+    """Ids of those that change nothing that there are words for, once they were to be asked for."""
 
     @staticmethod
     def read(source: Path, patterns: PatternSet) -> EditSet:
@@ -201,8 +203,8 @@ def edit_questions(
 ) -> list[Question]:
     """Asks for edits, there and back.
 
-    An edit of which nothing is seen, or with a pattern that cannot be measured or that the network cannot be
-    shown, is noted in `edits.skipped`.
+    An edit of which nothing is seen is noted in `edits.unseen`; one with a pattern that cannot be measured or
+    that the network cannot be shown in `edits.skipped`.
 
     Args:
         edits: Where they are.
@@ -230,7 +232,7 @@ def _both_ways(id: str, edits: EditSet, patterns: PatternSet, seed: int) -> list
         encode(pattern)  # what the network is shown
     pairs = pairs_of(base, edited, seed_of(seed, id), facts=facts)
     if not pairs:
-        raise InputError("Nothing is seen to be different that there are words for.")
+        edits.unseen.append(id)
     questions = []
     for pair in pairs:
         back = is_reversed(pair.source)

@@ -140,6 +140,7 @@ def evaluate(maker: Maker, plan: Plan, out: Path, weights: dict[str, Any], show:
         "edits": None if plan.edits is None else plan.edits.name,
         "questions": {task: len(scored[task]) for task in asked},
         "samples": plan.samples,
+        "unseen_edits": [] if edits is None else edits.unseen,
         "skipped": skipped,
         "pictures_drawn": [] if pictures is None else list(pictures.drawn),
         "answered_by_commits": commits,

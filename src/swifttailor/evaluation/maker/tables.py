@@ -111,7 +111,9 @@ def provenance_text(about: Mapping[str, Any]) -> str:
         f"attempts {about['attempts']}",
     ]
     if about["edits"]:
-        lines.append(f"edits {about['edits']}")
+        unseen = len(about["unseen_edits"])
+        left = f"; {unseen} change nothing that there are words for, and were left out" if unseen else ""
+        lines.append(f"edits {about['edits']}{left}")
     if about["pictures"]:
         drawn = ", ".join(about["pictures_drawn"])
         how = f", drawn of the drapes of {drawn}" if drawn else ""
