@@ -7,7 +7,6 @@ import pytest
 from swifttailor.garment_sewer.sewer import GarmentSewer
 
 TINY_SEWER = Path(__file__).parents[1] / "garment_sewer" / "tiny_sewer.onnx"
-TINY_MAKER = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
 
 
 @pytest.fixture(scope="session")

@@ -24,6 +24,7 @@ from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker import maker as maker_module
 from swifttailor.tailor import Order, Tailor, Tailored
 
+TINY_MAKER = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
 SHIRT, SKIRT, DRESS = draft("t-shirt"), draft("fitted-skirt"), draft("fitted-dress")
 STAGES = ["loading", "reading", "writing", "checking", "drawing", "network", "decoding"]
 FILES = {
@@ -288,6 +289,9 @@ def test_a_picture_unlike_all_that_are_known_is_doubted(tmp_path, sewer):
     assert "may show no garment" in doubted.warnings[0] and "confidence 0.000" in doubted.warnings[0]
     assert doubted.report["confidence"]["doubtful"] is True
     assert tailor.generate("a skirt").confidence is None
+    helpless = Tailor.load(scripted_maker([crossed(SKIRT)], calibration=usual), sewer)
+    with pytest.raises(PatternError, match=r"crosses itself .* may show no garment"):
+        helpless.generate(image=photo(tmp_path, (10, 10, 10), (20, 120, 20)))
 
 
 def test_a_picture_that_cannot_be_read_is_refused(tmp_path, sewer):
@@ -368,7 +372,5 @@ def test_networks_are_opened_when_they_are_needed(monkeypatch):
 
 def test_an_untrained_network_is_refused_with_a_reason(sewer):
     """Nothing scripted: a real model file, whose patterns cross themselves."""
-    from conftest import TINY_MAKER
-
     with pytest.raises(PatternError, match=r"None of the 2 patterns .* can be sewn; the best has"):
         Tailor.load(TINY_MAKER, sewer).generate("a skirt", seed=1, attempts=2)

@@ -26,7 +26,7 @@ from swifttailor.tailor.sewing import (
     sew_ready,
 )
 from swifttailor.tailor.tailored import Tailored, change_line, finding_entry
-from swifttailor.tailor.writing import WrittenPattern, ask, write_patterns
+from swifttailor.tailor.writing import WrittenPattern, ask, doubts, write_patterns
 
 Outcome = Tailored | SwiftTailorError
 """A garment, or why there is none."""
@@ -189,7 +189,7 @@ class Tailor:
             if isinstance(one, WrittenPattern):
                 made = next(sewn)
                 facts = self._about(order, order.seed + number, one, clock)
-                warnings = (*_doubts(one), *one.generated.notes)
+                warnings = (*doubts(one.generated), *one.generated.notes)
                 notes = (*asked.notes, *_remarks(order, one))
                 outcomes.append(self._hand_over(made, facts, one, notes, warnings))
             else:
@@ -296,17 +296,6 @@ class Tailor:
             },
             "confidence": made.confidence.to_json() if made.confidence is not None else None,
         }
-
-
-def _doubts(one: WrittenPattern) -> list[str]:
-    confidence = one.generated.confidence
-    if confidence is None or not confidence.doubtful:
-        return []
-    return [
-        "The picture may show no garment, or one unlike any that the network knows: it is less sure of it "
-        f"than of {1 - confidence.value:.1%} of the pictures that it was validated with (confidence "
-        f"{confidence.value:.3f})."
-    ]
 
 
 def _remarks(order: Order, one: WrittenPattern) -> list[str]:

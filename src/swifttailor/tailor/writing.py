@@ -118,6 +118,18 @@ def write_patterns(
     return [_taken(sample, sewer, order, options, clock) for sample in samples]
 
 
+def doubts(made: Generated) -> list[str]:
+    """What to tell a person of whose picture the network is not sure."""
+    confidence = made.confidence
+    if confidence is None or not confidence.doubtful:
+        return []
+    return [
+        "The picture may show no garment, or one unlike any that the network knows: it is less sure of it "
+        f"than of {1 - confidence.value:.1%} of the pictures that it was validated with (confidence "
+        f"{confidence.value:.3f})."
+    ]
+
+
 def _first_error(one: Generated) -> str:
     errors = [f for f in one.findings if f.severity is Severity.ERROR]
     if not errors:
@@ -158,14 +170,15 @@ def _taken(
             except SwiftTailorError:
                 continue
         else:
-            return _refusal(sample, sample.tried[best_first[0]][1])
+            return _refusal(sample, *sample.tried[best_first[0]])
     failures = tuple(fault for k, (_, fault) in enumerate(sample.tried) if k != taken)
     return WrittenPattern(ready, sample.tried[taken][0], taken, failures)
 
 
-def _refusal(sample: _Sample, fault: str) -> PatternError:
+def _refusal(sample: _Sample, best: Generated, fault: str) -> PatternError:
     count, fault = len(sample.tried), fault.rstrip(".")
     said = f"None of the {count} patterns that were written can be sewn; the best has {fault}"
     if count == 1:
         said = f"The pattern that was written cannot be sewn: {fault}"
-    return PatternError(f"{said}. Try another seed than {sample.seed}, more attempts, or other words.")
+    hints = f"Try another seed than {sample.seed}, more attempts, or other words."
+    return PatternError(" ".join([f"{said}.", *doubts(best), hints]))

@@ -63,11 +63,9 @@ def calibrate_by_renders(
             )
     splits = {name: SplitRenders(SplitReader(folders[name])) for name in ("train", "validation")}
     chance = np.random.default_rng([seed, 8])
-    total = sum(
-        min(most, len(split) * len(split.settings.names()))
-        for split, most in zip(splits.values(), (learnt, known), strict=True)
-    )
-    total, done = total + 3 * strangers, 0
+    there = {name: len(split) * len(split.settings.names()) for name, split in splits.items()}
+    total = min(learnt, there["train"]) + min(known, there["validation"])
+    total, done = total + min(strangers, there["validation"]) + 2 * strangers, 0
 
     def progress(count: int) -> None:
         nonlocal done
