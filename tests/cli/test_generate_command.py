@@ -66,13 +66,14 @@ def test_words_to_a_folder(write, tmp_path, capsys):
 
 def test_the_same_folder_again_is_replaced_and_other_files_stay(write, tmp_path, capsys):
     write([draft("t-shirt")])
-    assert command("generate", "a T-shirt", "--out", tmp_path, "--no-preview") == 0
+    assert command("generate", "a T-shirt", "--out", tmp_path) == 0
+    assert (tmp_path / "preview.png").is_file()
     (tmp_path / "note.txt").write_text("mine")
     write([draft("trousers")])
     assert command("generate", "trousers", "--out", tmp_path, "--no-preview") == 0
     assert Garment.load(tmp_path).report["order"]["text"] == "trousers"
     assert (tmp_path / "note.txt").read_text() == "mine"
-    assert "preview.png" not in {p.name for p in tmp_path.iterdir()}
+    assert not (tmp_path / "preview.png").exists(), "a picture of another garment is none"
 
 
 @pytest.mark.parametrize("name", ["pattern.json", "garment.glb", "report.json", "ggi.npz", "preview.png"])

@@ -358,6 +358,23 @@ def test_finished_by_physics_the_images_are_of_the_garment_at_rest(sewer):
     assert refused.needs_a_look
 
 
+def test_packages_under_other_names_are_no_fault(monkeypatch):
+    from importlib import metadata
+
+    from swifttailor.tailor import provenance
+
+    def version(name):
+        raise metadata.PackageNotFoundError(name)
+
+    usual = provenance.versions()
+    provenance.versions.cache_clear()
+    monkeypatch.setattr(metadata, "version", version)
+    try:
+        assert provenance.versions() == usual
+    finally:
+        provenance.versions.cache_clear()
+
+
 def test_networks_are_opened_when_they_are_needed(monkeypatch):
     monkeypatch.setattr(maker_module, "SHIPPED", Path("/nowhere/pattern_maker.zip"))
     monkeypatch.setattr(sewer_module, "SHIPPED", Path("/nowhere/garment_sewer.onnx"))

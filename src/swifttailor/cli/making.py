@@ -94,6 +94,7 @@ class Making:
             SwiftTailorError: Nothing could be made.
         """
         from swifttailor.cli.progress import StageProgress
+        from swifttailor.garment_files.folder import PREVIEW
         from swifttailor.tailor import Tailor, Tailored
 
         started = time.perf_counter()
@@ -115,6 +116,8 @@ class Making:
             progress("saving", 0.0)
             for folder, one in made.items():
                 one.save(folder, preview=self.preview)
+                if not self.preview:  # one of the garment that was here before
+                    (folder / PREVIEW).unlink(missing_ok=True)
             if self.preview and self.samples > 1:
                 _write_sheet(self.out / SHEET, made)
         if self.json:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import platform
 from functools import cache
-from importlib import metadata
+from importlib import import_module, metadata
 from typing import Any
 
 from swifttailor import __version__
@@ -19,11 +19,13 @@ _FACTS = ("model", "parameters", "data", "training", "validation")
 @cache
 def versions() -> dict[str, str]:
     """Of what a garment depends on."""
-    return {
-        "swifttailor": __version__,
-        "python": platform.python_version(),
-        **{name: metadata.version(name) for name in _PACKAGES},
-    }
+    found = {"swifttailor": __version__, "python": platform.python_version()}
+    for name in _PACKAGES:
+        try:
+            found[name] = metadata.version(name)
+        except metadata.PackageNotFoundError:  # some builds of onnxruntime have other names
+            found[name] = str(getattr(import_module(name), "__version__", "unknown"))
+    return found
 
 
 def weights(maker: PatternMaker | None, sewer: GarmentSewer) -> dict[str, Any]:
