@@ -95,6 +95,15 @@ def test_pictures_are_asked_for_where_there_are_drapes(files, data, tmp_path, ca
     assert (tmp_path / "sheet-image-01.png").is_file()
 
 
+def test_interrupted_it_says_how_to_go_on(files, tmp_path, capsys, monkeypatch):
+    def interrupt(self, requests, **more):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(PatternMaker, "generate_all", interrupt)
+    assert run(arguments(files, tmp_path, "--limit", "1")) == 130
+    assert f"kept in {tmp_path}; the same command goes on" in capsys.readouterr().err
+
+
 def test_patterns_that_cannot_be_used_are_named(files, tmp_path, capsys, calls):
     bad = tmp_path / "bad.jsonl"
     bad.write_text('{"id": "broken", "pattern": {}}\n' + files[0].read_text().splitlines()[1] + "\n")

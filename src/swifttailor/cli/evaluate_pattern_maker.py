@@ -90,7 +90,11 @@ class EvaluatePatternMaker:
         plan.chosen_tasks()
         maker = PatternMaker.load(self.weights, threads=self.threads)
         weights = file_identity(SHIPPED if self.weights is None else self.weights)
-        found = evaluate(maker, plan, self.out, weights, ItemProgress)
+        try:
+            found = evaluate(maker, plan, self.out, weights, ItemProgress)
+        except KeyboardInterrupt:
+            sys.stderr.write(f"What was answered is kept in {self.out}; the same command goes on with it.\n")
+            raise
         about = found.about | {"threads": self.threads} | code_and_machine()
         self._write(found, about)
         if self.pictures:
