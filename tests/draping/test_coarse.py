@@ -14,9 +14,10 @@ from swifttailor.draping.coarse import CoarseSettings, coarse_edge_length, drape
 from swifttailor.draping.coarse_kernels import advance_freely
 from swifttailor.draping.collider import ARMS, join_fields, vertices_ignoring_arms
 from swifttailor.draping.fabric import get_fabric
+from swifttailor.draping.field_kernels import sample_field
 from swifttailor.draping.placement import place_vertices
 from swifttailor.draping.simulation import Simulation, SimulationSettings
-from swifttailor.draping.xpbd_kernels import StepSettings, sample_field
+from swifttailor.draping.xpbd_kernels import StepSettings
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-from swifttailor.draping.contact_kernels import FAST
+from swifttailor.draping.compiled_code import FAST
 from swifttailor.draping.xpbd_kernels import (
+    hinge_pulls,
     hold_up,
     predict,
     push_edges_off_body,
@@ -14,6 +15,7 @@ from swifttailor.draping.xpbd_kernels import (
     push_off_body,
     solve_hinges,
     solve_springs,
+    spring_shares,
 )
 
 
@@ -21,11 +23,14 @@ from swifttailor.draping.xpbd_kernels import (
 def advance_freely(x, v, previous, cloth, field, held, clearance, settings):
     """Advances positions x and velocities v (both (n, 3), changed in place) by one frame."""
     inverse_dt2 = 1.0 / (settings.step * settings.step)
+    shares = spring_shares(cloth, inverse_dt2)
+    bends = settings.bending_factor > 0.0
+    pulls = hinge_pulls(cloth, inverse_dt2, settings.bending_factor) if bends else cloth.hinge_weights
     for s in range(settings.substeps):
         predict(x, v, previous, settings)
-        solve_springs(x, cloth, inverse_dt2)
-        if settings.bending_factor > 0.0:
-            solve_hinges(x, cloth, inverse_dt2, settings.bending_factor)
+        solve_springs(x, cloth, shares)
+        if bends:
+            solve_hinges(x, cloth, pulls)
         hold_up(x, held, inverse_dt2, cloth.inverse_mass)
         if settings.long_edges and s % 4 == 0:
             push_long_edges(x, cloth, field, settings)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from swifttailor.body import Body, BodyPart, DistanceField
-from swifttailor.draping.xpbd_kernels import FieldArrays
+from swifttailor.draping.field_kernels import FieldArrays
 from swifttailor.garment import PatternMesh
 from swifttailor.pattern import body_region
 

@@ -3,144 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
 
-from swifttailor.draping.spatial_hash import grown, hash_cell, hash_points
+from swifttailor.draping.compiled_code import FAST
+from swifttailor.draping.neighbor_lists import MARGIN
 
-FAST: dict[str, Any] = {
-    "cache": True,
-    "fastmath": {"reassoc", "contract", "arcp", "nsz"},
-    "error_model": "numpy",
-}
-
-CELL = 1.5
-"""Size of a hash cell. This and the next two are in units of `ClothArrays.spacing`: the longer lists of a
-finer mesh would make its cost grow faster than its vertices."""
-SKIN = 0.5
-"""Neighbour lists reach this much further than needed and stay valid until a vertex has moved half of it."""
-MARGIN = 0.25
-"""Contacts are noticed this much before they act."""
-FOLDED = -0.6
-"""Barycentric coordinate beyond which a surface neighbour counts as lying beside the face, not on it."""
 CLOTH_FRICTION = 0.3
 """Coulomb friction between layers of cloth."""
 MAX_LIFT = 0.02
 """Layers already too close move apart by at most this much per substep, cm: more would make them jump."""
-MAX_REACH = 2.0
-"""Longer edges, still stretched between two panels, are searched for only this far from their ends, cm."""
-
-
-class NeighborLists(NamedTuple):
-    """Vertex-face pairs that may come to touch, and where the vertices were when they were listed."""
-
-    vertex: np.ndarray
-    """(at least count,); the arrays are used again for the next lists: taking memory anew took a tenth of a
-    drape's time."""
-    face: np.ndarray
-    """(at least count,) ascending"""
-    count: int
-    anchor: np.ndarray
-    """(v, 3) cm; an empty array means that nothing is listed yet"""
-
-
-def no_neighbors() -> NeighborLists:
-    """Lists to begin with."""
-    return NeighborLists(np.zeros(4096, np.int32), np.zeros(4096, np.int32), 0, np.zeros((0, 3)))
-
-
-@njit(**FAST)
-def has_moved(x, cloth, lists):
-    """Whether the lists are empty or a vertex has moved more than half the skin since they were made."""
-    if lists.anchor.shape[0] == 0:
-        return True
-    limit = 0.25 * (SKIN * cloth.spacing) ** 2
-    for i in range(x.shape[0]):
-        dx, dy, dz = x[i, 0] - lists.anchor[i, 0], x[i, 1] - lists.anchor[i, 1], x[i, 2] - lists.anchor[i, 2]
-        if dx * dx + dy * dy + dz * dz > limit:
-            return True
-    return False
-
-
-@njit(**FAST)
-def list_neighbors(x, cloth, lists):
-    """Lists vertices near faces, surface neighbours only where the cloth is folded; overwrites old lists.
-
-    An edge that passes through a face has an end within half its length of the face, so a vertex is listed
-    as far out as half its longest edge; the same list then serves contacts and crossings.
-    """
-    faces, edges = cloth.faces, cloth.edges
-    cell, skin = CELL * cloth.spacing, SKIN * cloth.spacing
-    reach_of = cloth.radius + MARGIN * cloth.spacing
-    longest = min(0.65 * cloth.rest.mean(), MAX_REACH)
-    for e in range(edges.shape[0]):
-        p, q = edges[e, 0], edges[e, 1]
-        dx, dy, dz = x[q, 0] - x[p, 0], x[q, 1] - x[p, 1], x[q, 2] - x[p, 2]
-        half = min(0.5 * math.sqrt(dx * dx + dy * dy + dz * dz), longest)
-        reach_of[p] = max(reach_of[p], half)
-        reach_of[q] = max(reach_of[q], half)
-    furthest = reach_of.max() + skin
-    start, ids, mask = hash_points(x, cell)
-    vertex, face, anchor = lists.vertex, lists.face, lists.anchor
-    count = 0
-    for f in range(faces.shape[0]):
-        a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
-        low0, high0 = min(x[a, 0], x[b, 0], x[c, 0]), max(x[a, 0], x[b, 0], x[c, 0])
-        low1, high1 = min(x[a, 1], x[b, 1], x[c, 1]), max(x[a, 1], x[b, 1], x[c, 1])
-        low2, high2 = min(x[a, 2], x[b, 2], x[c, 2]), max(x[a, 2], x[b, 2], x[c, 2])
-        if max(high0 - low0, high1 - low1, high2 - low2) > 4 * MAX_REACH:
-            continue  # a triangle still stretched between two panels
-        ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
-        wx, wy, wz = x[c, 0] - x[a, 0], x[c, 1] - x[a, 1], x[c, 2] - x[a, 2]
-        nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
-        norm = math.sqrt(nx * nx + ny * ny + nz * nz) + 1e-15
-        nx, ny, nz = nx / norm, ny / norm, nz / norm
-        uu, uw, ww = ux * ux + uy * uy + uz * uz, ux * wx + uy * wy + uz * wz, wx * wx + wy * wy + wz * wz
-        inverse = 1.0 / (uu * ww - uw * uw + 1e-20)
-        for i in range(math.floor((low0 - furthest) / cell), math.floor((high0 + furthest) / cell) + 1):
-            for j in range(math.floor((low1 - furthest) / cell), math.floor((high1 + furthest) / cell) + 1):
-                for k in range(
-                    math.floor((low2 - furthest) / cell), math.floor((high2 + furthest) / cell) + 1
-                ):
-                    h = hash_cell(i, j, k, mask)
-                    for r in range(start[h], start[h + 1]):
-                        p = ids[r]
-                        reach = reach_of[p] + skin
-                        px, py, pz = x[p, 0], x[p, 1], x[p, 2]
-                        d = (px - x[a, 0]) * nx + (py - x[a, 1]) * ny + (pz - x[a, 2]) * nz
-                        if d > reach or d < -reach:
-                            continue
-                        if px < low0 - reach or px > high0 + reach or py < low1 - reach or py > high1 + reach:
-                            continue
-                        if pz < low2 - reach or pz > high2 + reach or p == a or p == b or p == c:
-                            continue
-                        if math.floor(px / cell) != i or math.floor(py / cell) != j:
-                            continue  # from another cell in the same bucket
-                        near = False
-                        for m in range(cloth.neighbor_start[p], cloth.neighbor_start[p + 1]):
-                            o = cloth.neighbors[m]
-                            if o == a or o == b or o == c:
-                                near = True
-                                break
-                        if near:
-                            # A surface neighbour matters only where the cloth is folded over onto itself;
-                            # lying flat it has a barycentric coordinate of about -1.
-                            dx, dy, dz = px - x[a, 0], py - x[a, 1], pz - x[a, 2]
-                            pu, pw = dx * ux + dy * uy + dz * uz, dx * wx + dy * wy + dz * wz
-                            g = (ww * pu - uw * pw) * inverse
-                            t = (uu * pw - uw * pu) * inverse
-                            if g < FOLDED or t < FOLDED or g + t > 1.0 - FOLDED:
-                                continue
-                        if count == len(vertex):
-                            vertex, face = grown(vertex), grown(face)
-                        vertex[count], face[count] = p, f
-                        count += 1
-    if anchor.shape[0] == 0:
-        anchor = np.empty_like(x)
-    anchor[:] = x
-    return NeighborLists(vertex, face, count, anchor)
 
 
 @njit(**FAST)
@@ -153,19 +26,31 @@ def find_contacts(x, cloth, contacts, lists):
     faces, radius = cloth.faces, cloth.radius
     limit = contacts.vertex.shape[0]
     found = 0
+    last = -1
+    a, b, c = 0, 0, 0
+    ux, uy, uz, wx, wy, wz, nx, ny, nz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    uu, uw, ww, inverse, square, thickest = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for q in range(lists.count):
         p, f = lists.vertex[q], lists.face[q]
-        a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
-        ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
-        wx, wy, wz = x[c, 0] - x[a, 0], x[c, 1] - x[a, 1], x[c, 2] - x[a, 2]
-        nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
+        if f != last:
+            last = f
+            a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
+            ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
+            wx, wy, wz = x[c, 0] - x[a, 0], x[c, 1] - x[a, 1], x[c, 2] - x[a, 2]
+            nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
+            square = nx * nx + ny * ny + nz * nz
+            thickest = max(radius[a], radius[b], radius[c])
+            uu, uw, ww = (
+                ux * ux + uy * uy + uz * uz,
+                ux * wx + uy * wy + uz * wz,
+                wx * wx + wy * wy + wz * wz,
+            )
+            inverse = 1.0 / (uu * ww - uw * uw + 1e-20)
         dx, dy, dz = x[p, 0] - x[a, 0], x[p, 1] - x[a, 1], x[p, 2] - x[a, 2]
         d = dx * nx + dy * ny + dz * nz
-        reach = min(radius[p], max(radius[a], radius[b], radius[c])) + MARGIN * cloth.spacing
-        if d * d > reach * reach * (nx * nx + ny * ny + nz * nz):
+        reach = min(radius[p], thickest) + MARGIN * cloth.spacing
+        if d * d > reach * reach * square:
             continue
-        uu, uw, ww = ux * ux + uy * uy + uz * uz, ux * wx + uy * wy + uz * wz, wx * wx + wy * wy + wz * wz
-        inverse = 1.0 / (uu * ww - uw * uw + 1e-20)
         pu, pw = dx * ux + dy * uy + dz * uz, dx * wx + dy * wy + dz * wz
         s = (ww * pu - uw * pw) * inverse
         t = (uu * pw - uw * pu) * inverse
@@ -307,6 +192,20 @@ def contour_gradient(x, cloth, e, f):
 
 
 @njit(**FAST)
+def _longest_half_edges(x, cloth):
+    """(v,) half the length of each vertex's longest edge, and a little more, cm."""
+    edges = cloth.edges
+    longest = np.zeros(x.shape[0])
+    for e in range(edges.shape[0]):
+        p, q = edges[e, 0], edges[e, 1]
+        dx, dy, dz = x[q, 0] - x[p, 0], x[q, 1] - x[p, 1], x[q, 2] - x[p, 2]
+        half = 0.5001 * math.sqrt(dx * dx + dy * dy + dz * dz)
+        longest[p] = max(longest[p], half)
+        longest[q] = max(longest[q], half)
+    return longest
+
+
+@njit(**FAST)
 def find_crossings(x, cloth, contacts, lists):
     """Finds edges of listed vertices that pass through the listed face, with the push that mends it.
 
@@ -316,13 +215,23 @@ def find_crossings(x, cloth, contacts, lists):
     contacts.tangled[:] = 0
     limit = contacts.crossing_edge.shape[0]
     found = 0
+    half_edge = _longest_half_edges(x, cloth)
+    last = -1
+    a, b, c = 0, 0, 0
+    nx, ny, nz, square = 0.0, 0.0, 0.0, 0.0
     for r in range(lists.count):
         p, f = lists.vertex[r], lists.face[r]
-        a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
-        ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
-        wx, wy, wz = x[c, 0] - x[a, 0], x[c, 1] - x[a, 1], x[c, 2] - x[a, 2]
-        nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
+        if f != last:
+            last = f
+            a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
+            ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
+            wx, wy, wz = x[c, 0] - x[a, 0], x[c, 1] - x[a, 1], x[c, 2] - x[a, 2]
+            nx, ny, nz = uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx
+            square = nx * nx + ny * ny + nz * nz
         dp = (x[p, 0] - x[a, 0]) * nx + (x[p, 1] - x[a, 1]) * ny + (x[p, 2] - x[a, 2]) * nz
+        # The nearer end of an edge through the plane is within half the edge of it.
+        if dp * dp > half_edge[p] * half_edge[p] * square:
+            continue
         for m in range(cloth.neighbor_start[p], cloth.neighbor_start[p + 1]):
             q = cloth.neighbors[m]
             dq = (x[q, 0] - x[a, 0]) * nx + (x[q, 1] - x[a, 1]) * ny + (x[q, 2] - x[a, 2]) * nz
@@ -342,8 +251,10 @@ def find_crossings(x, cloth, contacts, lists):
             contacts.crossing_push[found, 1] = gy
             contacts.crossing_push[found, 2] = gz
             found += 1
-            for i in (p, q, a, b, c):
+            for i in (p, q):
                 contacts.tangled[i] = 1
+            for k in range(3):
+                contacts.tangled[faces[f, k]] = 1
     return found
 
 

@@ -12,11 +12,11 @@ from swifttailor.body import Body
 from swifttailor.draping.attachment import Attachment, lowest_top
 from swifttailor.draping.cloth import ClothArrays, ClothModel
 from swifttailor.draping.collider import build_field_arrays
-from swifttailor.draping.contact_kernels import no_neighbors
 from swifttailor.draping.fabric import Fabric
+from swifttailor.draping.field_kernels import FieldArrays
+from swifttailor.draping.neighbor_lists import no_neighbors
 from swifttailor.draping.xpbd_kernels import (
     ContactArrays,
-    FieldArrays,
     HeldArrays,
     StepSettings,
     advance_frame,

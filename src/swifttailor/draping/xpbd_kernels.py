@@ -13,35 +13,21 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
+from swifttailor.draping.compiled_code import FAST
 from swifttailor.draping.contact_kernels import (
-    FAST,
     find_contacts,
     find_crossings,
-    has_moved,
-    list_neighbors,
     resolve_contacts,
     shrink_crossings,
 )
+from swifttailor.draping.field_kernels import body_distance, sample_distance, sample_field
+from swifttailor.draping.neighbor_lists import has_moved, list_neighbors
 
 ON_BODY, NEAR_BODY = 0.3, 1.2
 """Edges are held off the body when one end is nearer to contact than the first and the other than the second,
 cm."""
 EDGE_DISTANCE = 0.15
 """Distance from the body kept by edges between their ends, cm."""
-
-
-class FieldArrays(NamedTuple):
-    """Distance fields of the body for the solver (see `swifttailor.body.DistanceField`)."""
-
-    full: np.ndarray
-    """(nx, ny, nz) float32, cm, the whole body."""
-    armless: np.ndarray
-    """The same without arms, for vertices of panels that cover the legs."""
-    origin: np.ndarray
-    """(3,) of both fields, cm."""
-    spacing: float
-    ignores_arms: np.ndarray
-    """(v,) uint8"""
 
 
 class HeldArrays(NamedTuple):
@@ -98,45 +84,6 @@ class ContactArrays(NamedTuple):
 
 
 @njit(**FAST)
-def sample_field(values, origin, spacing, x, y, z):
-    """Distance and unit gradient by trilinear interpolation; far outside, a large distance."""
-    fx = (x - origin[0]) / spacing
-    fy = (y - origin[1]) / spacing
-    fz = (z - origin[2]) / spacing
-    if fy < 0.0:
-        fy = 0.0
-    nx, ny, nz = values.shape
-    i, j, k = math.floor(fx), math.floor(fy), math.floor(fz)
-    if i < 0 or k < 0 or i >= nx - 1 or j >= ny - 1 or k >= nz - 1:
-        return 1e3, 0.0, 0.0, 0.0
-    u, v, w = fx - i, fy - j, fz - k
-    c000, c001 = values[i, j, k], values[i, j, k + 1]
-    c010, c011 = values[i, j + 1, k], values[i, j + 1, k + 1]
-    c100, c101 = values[i + 1, j, k], values[i + 1, j, k + 1]
-    c110, c111 = values[i + 1, j + 1, k], values[i + 1, j + 1, k + 1]
-    a00, a10 = c000 + u * (c100 - c000), c010 + u * (c110 - c010)
-    a01, a11 = c001 + u * (c101 - c001), c011 + u * (c111 - c011)
-    b0, b1 = a00 + v * (a10 - a00), a01 + v * (a11 - a01)
-    gx = ((c100 - c000) * (1 - v) + (c110 - c010) * v) * (1 - w) + (
-        (c101 - c001) * (1 - v) + (c111 - c011) * v
-    ) * w
-    gy = (a10 - a00) * (1 - w) + (a11 - a01) * w
-    gz = b1 - b0
-    norm = math.sqrt(gx * gx + gy * gy + gz * gz) + 1e-12
-    return b0 + w * (b1 - b0), gx / norm, gy / norm, gz / norm
-
-
-@njit(**FAST)
-def body_distance(field, a, b, x, y, z, lowest):
-    """Distance to the part of the body that vertices a and b (equal for one vertex) may touch."""
-    if y < lowest:
-        y = lowest
-    if field.ignores_arms[a] == 1 and field.ignores_arms[b] == 1:
-        return sample_field(field.armless, field.origin, field.spacing, x, y, z)
-    return sample_field(field.full, field.origin, field.spacing, x, y, z)
-
-
-@njit(**FAST)
 def predict(x, v, previous, settings):
     """Moves every vertex by its damped velocity and gravity; remembers where it was."""
     keep = math.exp(-settings.damping * settings.step)
@@ -158,14 +105,38 @@ def predict(x, v, previous, settings):
 
 
 @njit(**FAST)
-def solve_springs(x, cloth, inverse_dt2):
+def spring_shares(cloth, inverse_dt2):
+    """(e,) share of a spring's error that a unit of inverse mass takes: divisions done once for all."""
+    edges, compliance, im = cloth.edges, cloth.compliance, cloth.inverse_mass
+    shares = np.zeros(edges.shape[0])
+    for e in range(edges.shape[0]):
+        shares[e] = 1.0 / (im[edges[e, 0]] + im[edges[e, 1]] + compliance[e] * inverse_dt2)
+    return shares
+
+
+@njit(**FAST)
+def hinge_pulls(cloth, inverse_dt2, factor):
+    """(h, 4) how far each vertex of a hinge moves for a unit of bending; `factor` times as stiff."""
+    hinges, weights, im = cloth.hinges, cloth.hinge_weights, cloth.inverse_mass
+    pulls = np.zeros(weights.shape)
+    for e in range(hinges.shape[0]):
+        total = cloth.hinge_compliance[e] * inverse_dt2 / factor
+        for k in range(4):
+            total += im[hinges[e, k]] * weights[e, k] * weights[e, k]
+        for k in range(4):
+            pulls[e, k] = -im[hinges[e, k]] * weights[e, k] / total
+    return pulls
+
+
+@njit(**FAST)
+def solve_springs(x, cloth, shares):
     """One Gauss-Seidel sweep, always in the same order: alternating it never comes to rest."""
-    edges, rest, compliance, im = cloth.edges, cloth.rest, cloth.compliance, cloth.inverse_mass
+    edges, rest, im = cloth.edges, cloth.rest, cloth.inverse_mass
     for e in range(edges.shape[0]):
         a, b = edges[e, 0], edges[e, 1]
         dx, dy, dz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
         length = math.sqrt(dx * dx + dy * dy + dz * dz) + 1e-12
-        s = (length - rest[e]) / ((im[a] + im[b] + compliance[e] * inverse_dt2) * length)
+        s = (length - rest[e]) * shares[e] / length
         wa, wb = s * im[a], s * im[b]
         x[a, 0] += wa * dx
         x[a, 1] += wa * dy
@@ -176,33 +147,28 @@ def solve_springs(x, cloth, inverse_dt2):
 
 
 @njit(**FAST)
-def solve_hinges(x, cloth, inverse_dt2, factor):
+def solve_hinges(x, cloth, pulls):
     """Pulls every pair of neighbouring triangles towards the plane."""
-    hinges, weights, im = cloth.hinges, cloth.hinge_weights, cloth.inverse_mass
+    hinges, weights = cloth.hinges, cloth.hinge_weights
     for e in range(hinges.shape[0]):
         a, b, c, d = hinges[e, 0], hinges[e, 1], hinges[e, 2], hinges[e, 3]
         wa, wb, wc, wd = weights[e, 0], weights[e, 1], weights[e, 2], weights[e, 3]
+        pa, pb, pc, pd = pulls[e, 0], pulls[e, 1], pulls[e, 2], pulls[e, 3]
         dx = wa * x[a, 0] + wb * x[b, 0] + wc * x[c, 0] + wd * x[d, 0]
         dy = wa * x[a, 1] + wb * x[b, 1] + wc * x[c, 1] + wd * x[d, 1]
         dz = wa * x[a, 2] + wb * x[b, 2] + wc * x[c, 2] + wd * x[d, 2]
-        total = im[a] * wa * wa + im[b] * wb * wb + im[c] * wc * wc + im[d] * wd * wd
-        s = -1.0 / (total + cloth.hinge_compliance[e] * inverse_dt2 / factor)
-        t = s * im[a] * wa
-        x[a, 0] += t * dx
-        x[a, 1] += t * dy
-        x[a, 2] += t * dz
-        t = s * im[b] * wb
-        x[b, 0] += t * dx
-        x[b, 1] += t * dy
-        x[b, 2] += t * dz
-        t = s * im[c] * wc
-        x[c, 0] += t * dx
-        x[c, 1] += t * dy
-        x[c, 2] += t * dz
-        t = s * im[d] * wd
-        x[d, 0] += t * dx
-        x[d, 1] += t * dy
-        x[d, 2] += t * dz
+        x[a, 0] += pa * dx
+        x[a, 1] += pa * dy
+        x[a, 2] += pa * dz
+        x[b, 0] += pb * dx
+        x[b, 1] += pb * dy
+        x[b, 2] += pb * dz
+        x[c, 0] += pc * dx
+        x[c, 1] += pc * dy
+        x[c, 2] += pc * dz
+        x[d, 0] += pd * dx
+        x[d, 1] += pd * dy
+        x[d, 2] += pd * dz
 
 
 @njit(**FAST)
@@ -261,12 +227,19 @@ def push_edges_off_body(x, previous, cloth, field, clearance, settings):
             near, far = far, near
         if near > ON_BODY or far > NEAR_BODY:
             continue
+        values = field.full
+        if field.ignores_arms[a] == 1 and field.ignores_arms[b] == 1:
+            values = field.armless
         for q in range(1, 4):
             t = 0.25 * q
             px = x[a, 0] + t * (x[b, 0] - x[a, 0])
             py = x[a, 1] + t * (x[b, 1] - x[a, 1])
             pz = x[a, 2] + t * (x[b, 2] - x[a, 2])
-            d, nx, ny, nz = body_distance(field, a, b, px, py, pz, settings.lowest_level)
+            py = max(py, settings.lowest_level)
+            # Most are clear of the body, so the gradient is worked out only for those that are not.
+            if sample_distance(values, field.origin, field.spacing, px, py, pz) >= EDGE_DISTANCE:
+                continue
+            d, nx, ny, nz = sample_field(values, field.origin, field.spacing, px, py, pz)
             depth = EDGE_DISTANCE - d
             if depth > 0:
                 depth = min(depth, 0.1)
@@ -330,17 +303,21 @@ def advance_frame(x, v, cloth, field, held, contacts, lists, clearance, settings
     start = x.copy()
     previous = x.copy()
     inverse_dt2 = 1.0 / (settings.step * settings.step)
+    shares, pulls = (
+        spring_shares(cloth, inverse_dt2),
+        hinge_pulls(cloth, inverse_dt2, settings.bending_factor),
+    )
     contact_count, crossing_count = 0, 0
     for s in range(settings.substeps):
         if settings.self_collision and s % settings.contact_interval == 0:
-            if has_moved(x, cloth, lists):
-                lists = list_neighbors(x, cloth, lists)
+            if has_moved(x, lists):
+                lists = list_neighbors(x, v, cloth, lists)
             if s % (2 * settings.contact_interval) == 0:
                 crossing_count = find_crossings(x, cloth, contacts, lists)
             contact_count = find_contacts(x, cloth, contacts, lists)
         predict(x, v, previous, settings)
-        solve_springs(x, cloth, inverse_dt2)
-        solve_hinges(x, cloth, inverse_dt2, settings.bending_factor)
+        solve_springs(x, cloth, shares)
+        solve_hinges(x, cloth, pulls)
         hold_up(x, held, inverse_dt2, cloth.inverse_mass)
         if settings.self_collision:
             resolve_contacts(x, previous, cloth, contacts, contact_count)
