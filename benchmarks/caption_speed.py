@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from machine import describe
+from timing import least
 from swifttailor.data.captions import GarmentFacts, measure_facts, write_caption
 from swifttailor.data.pattern_source import patterns_of
 from swifttailor.errors import SwiftTailorError
@@ -37,21 +38,11 @@ def main() -> None:
     patterns = list(islice(usable, options.limit))
     print(describe())
     write_caption(measure_facts(patterns[0]), 0)  # whatever is loaded or kept once is not counted
-    measuring = np.array([least(pattern) for pattern in patterns]) * 1e3
+    measuring = np.array([least(lambda p=pattern: measure_facts(p))[0] for pattern in patterns]) * 1e3
     writing = np.array([one_caption(measure_facts(p), options.captions) for p in patterns]) * 1e3
     print(f"{len(patterns)} patterns, processor time, median and slowest")
     print(f"measure a pattern  {np.median(measuring):7.2f} ms (max {measuring.max():.2f})")
     print(f"write a caption    {np.median(writing):7.2f} ms (max {writing.max():.2f})")
-
-
-def least(pattern: Pattern) -> float:
-    """Seconds to measure a pattern."""
-    times = []
-    for _ in range(3):
-        started = time.process_time()
-        measure_facts(pattern)
-        times.append(time.process_time() - started)
-    return min(times)
 
 
 def one_caption(facts: GarmentFacts, count: int) -> float:

@@ -18,6 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from machine import describe
+from timing import least
 from swifttailor.ggi import GarmentGeometryImage, encode, lay_out
 from swifttailor.ggi.geometry import geometry_raster
 from swifttailor.panel_mesh import mesh_pattern
@@ -60,10 +61,10 @@ def measure(pattern, mesh, resolution: int) -> tuple[float, ...]:
     images = encode(pattern, resolution)
     weights = geometry_raster(images.layout, mesh)
     return (
-        least(lambda: encode(pattern, resolution)),
-        least(lambda: conditioning(images)),
-        least(lambda: geometry_raster(images.layout, mesh)),
-        least(lambda: weights.image(vertices)),
+        least(lambda: encode(pattern, resolution))[0],
+        least(lambda: conditioning(images))[0],
+        least(lambda: geometry_raster(images.layout, mesh))[0],
+        least(lambda: weights.image(vertices))[0],
     )
 
 
@@ -86,15 +87,6 @@ def conditioning(images: GarmentGeometryImage) -> np.ndarray:
     sewn[pixels, 1] = partner % size - pixels % size
     sewn[pixels, 2] = partner // size - pixels // size
     return np.concatenate([channels, sewn.reshape(size, size, 3)], axis=2)
-
-
-def least(run) -> float:
-    times = []
-    for _ in range(3):
-        started = time.process_time()
-        run()
-        times.append(time.process_time() - started)
-    return min(times)
 
 
 if __name__ == "__main__":

@@ -29,6 +29,7 @@ import numpy as np
 
 from ggi_error_plot import plot_errors
 from machine import describe
+from timing import least
 from swifttailor.body.surface_distance import SurfaceTree
 from swifttailor.garment import Garment
 from swifttailor.ggi import encode
@@ -148,15 +149,6 @@ def stored(images: GarmentGeometryImage) -> GarmentGeometryImage:
     return GarmentGeometryImage(
         images.layout, images.occupancy, images.panel, images.semantic, images.stitching, geometry
     )
-
-
-def least(run):
-    times = []
-    for _ in range(3):
-        started = time.process_time()
-        result = run()
-        times.append(time.process_time() - started)
-    return min(times), result
 
 
 def counts(mesh: Garment | SewnGrid) -> tuple[int, int, int, int]:

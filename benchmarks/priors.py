@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from machine import describe
+from timing import least
 from swifttailor.body import Body
 from swifttailor.data.reader import SplitReader
 from swifttailor.evaluation.garment_kind import KINDS, garment_kind
@@ -43,10 +44,10 @@ def main() -> None:
         layout = lay_out(sample.pattern, options.resolution)
         stitching = stitching_image(layout)
         drape = geometry_raster(layout, sample.mesh).values(sample.vertices)
-        bare = least(lambda: tabulate(layout, "none", None, stitching=stitching))  # noqa: B023
+        bare, _ = least(lambda: tabulate(layout, "none", None, stitching=stitching))  # noqa: B023
         for prior in options.priors:
             table = tabulate(layout, prior, body, stitching=stitching)
-            spent = least(lambda: tabulate(layout, prior, body, stitching=stitching))  # noqa: B023
+            spent, _ = least(lambda: tabulate(layout, prior, body, stitching=stitching))  # noqa: B023
             errors[prior][garment_kind(layout.pattern)].append(
                 float(np.linalg.norm(table.prior - drape, axis=1).mean())
             )
@@ -61,15 +62,6 @@ def main() -> None:
         numbers = [every.mean(), np.median(every), *(np.mean(errors[prior][k]) for k in kinds)]
         numbers += [np.median(seconds[prior]), max(seconds[prior])]
         print(f"{prior:>14} " + " ".join(f"{n:>14.2f}" for n in numbers))
-
-
-def least(run) -> float:
-    times = []
-    for _ in range(3):
-        started = time.process_time()
-        run()
-        times.append(time.process_time() - started)
-    return min(times)
 
 
 if __name__ == "__main__":

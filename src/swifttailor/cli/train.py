@@ -9,7 +9,7 @@ TRAIN = CommandGroup(
     "Train the networks.",
     {
         "garment-sewer": GroupedCommand(
-            "The network that drapes patterns without physics.",
+            "The network that predicts how patterns drape.",
             "swifttailor train garment-sewer --data DIR --out RUN",
             "swifttailor.cli.train_garment_sewer:TrainGarmentSewer",
         ),

@@ -20,7 +20,7 @@ from swifttailor.cli.progress import print_line
 
 @dataclass(frozen=True, kw_only=True)
 class TrainGarmentSewer:
-    """Train the network that drapes patterns without physics (paper, Sec. 4.3).
+    """Train the network that predicts how patterns drape (paper, Sec. 4.3).
 
     Writes weights.safetensors, card.json, metrics.jsonl, pictures of validation garments, and a checkpoint to
     go on from. Uses a GPU where there is one; for several, put accelerate launch -m before the command.

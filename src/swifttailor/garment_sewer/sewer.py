@@ -45,7 +45,7 @@ class Prepared:
 
 @dataclass(frozen=True, eq=False)
 class GarmentSewer:
-    """Turns patterns into garments on the default body, without physics."""
+    """Turns patterns into garments on the default body, without simulating the cloth at rest."""
 
     model: SewerModel
     body: BodyDistance

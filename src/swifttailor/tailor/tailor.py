@@ -33,7 +33,7 @@ Outcome = Tailored | SwiftTailorError
 
 
 class Tailor:
-    """Makes garments of words, pictures and patterns, without physics."""
+    """Makes garments of words, pictures and patterns."""
 
     def __init__(
         self,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -38,19 +39,31 @@ def write_checkpoint(folder: Path, state: dict[str, Any]) -> Path:
     return write_atomically(folder / CHECKPOINT, lambda temporary: torch.save(state, temporary))
 
 
-def read_checkpoint(folder: Path, device: torch.device) -> dict[str, Any]:
+def read_checkpoint(folder: Path, device: torch.device, expected: Collection[str]) -> dict[str, Any]:
     """Reads what `write_checkpoint` wrote.
 
+    Args:
+        folder: Of the training.
+        device: Where tensors go.
+        expected: Names of the values it must hold.
+
     Raises:
-        InputError: It is missing or damaged.
+        InputError: It is missing, damaged or of another version.
     """
     path = folder / CHECKPOINT
     if not path.is_file():
         raise InputError(f"'{folder}' has no {CHECKPOINT} to go on from. Start without --resume.")
     try:
-        return torch.load(path, map_location=device, weights_only=True)
+        state = torch.load(path, map_location=device, weights_only=True)
     except Exception as error:  # torch raises a dozen kinds for a damaged file
         raise InputError(
             f"'{path}' is damaged ({type(error).__name__}: {error}). "
             "Start again without --resume, in another folder."
         ) from error
+    missing = sorted(set(expected) - set(state if isinstance(state, dict) else ()))
+    if missing:
+        raise InputError(
+            f"'{path}' was written by another version: it has no {', '.join(missing)}. "
+            "Go on with that version, or start again without --resume, in another folder."
+        )
+    return state

@@ -105,7 +105,7 @@ class Loop:
         means = MeanLosses()
         step, seconds = 0, 0.0
         if resume:
-            state = read_checkpoint(self.out, processes.device)
+            state = read_checkpoint(self.out, processes.device, STATE)
             weights.load_state_dict(state["network"])
             optimizer.load_state_dict(state["optimizer"])
             average.values = state["average"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
@@ -84,7 +85,7 @@ class RecordFile:
             pass
 
 
-class WorkFolder:
+class WorkFolder(ABC):
     """A folder that one process at a time works on; use as a context manager."""
 
     def __init__(self, folder: Path) -> None:
@@ -111,9 +112,9 @@ class WorkFolder:
     ) -> None:
         self._close()
 
+    @abstractmethod
     def _open(self) -> None:
         """Takes the lock and opens the records, setting `_lock` and `_file`."""
-        raise NotImplementedError
 
     def _close(self) -> None:
         if self._file is not None:
