@@ -184,7 +184,13 @@ def _insert_extensions(bench: Workbench, ends: Sequence[End]) -> None:
 
 
 def _cut_off(bench: Workbench, ends: Sequence[End], distance: float) -> bool:
-    """Takes `distance` cm off every side seam, whole sides where they are shorter."""
+    """Takes `distance` cm off every side seam, whole sides where they are shorter.
+
+    Returns:
+        Whether that is possible: not where a side leads to two ends.
+    """
+    if _shared(ends):
+        return False
     left = {s: distance for e in ends for s in (e.before, e.after)}
     while True:
         used_up = [s for s, rest in left.items() if rest > 0 and _length(bench, s) < rest + SHORTEST_CM]
@@ -199,14 +205,14 @@ def _cut_off(bench: Workbench, ends: Sequence[End], distance: float) -> bool:
                     continue
                 rest = left.pop(side) - _length(bench, side)
                 following = bench.neighbour(side, step)
-                if rest < 0.3 or following in (*end.run, end.before, end.after):
+                if rest < 0.3 or following in left or following in (*end.run, end.before, end.after):
                     return False
                 if which == "before":
                     bench.side(end.run[0]).start = bench.side(side).start
                 bench.drop(side)
                 setattr(end, which, following)
                 left[following] = rest
-        if not _sides_agree(bench, ends):
+        if _shared(ends) or not _sides_agree(bench, ends):
             return False
     for end in ends:
         rest, length = left[end.before], _length(bench, end.before)
@@ -219,6 +225,12 @@ def _cut_off(bench: Workbench, ends: Sequence[End], distance: float) -> bool:
         bench.drop(end.after)
         end.after = kept
     return True
+
+
+def _shared(ends: Sequence[End]) -> bool:
+    """Whether a side lies between two of the ends."""
+    sides = [s for e in ends for s in (e.before, e.after)]
+    return len(set(sides)) < len(sides)
 
 
 def _length(bench: Workbench, side: int) -> float:
