@@ -30,6 +30,8 @@ from swifttailor.training.schedule import Schedule
 
 Report = Callable[[str], None]
 BETAS = (0.9, 0.99)
+STATE = ("network", "optimizer", "average", "losses", "step", "seconds")
+"""What a checkpoint holds."""
 
 
 class Task(Protocol):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import traceback
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from swifttailor.draping.batch import BatchSettings
 from swifttailor.draping.batch.make_garment import drape_pattern
 from swifttailor.draping.batch.patterns import BatchPattern
 from swifttailor.errors import MissingExtraError, SwiftTailorError
+from swifttailor.garment import Garment
 from swifttailor.garment_files.folder import plain
 
 ACCEPTED, REJECTED, FAILED = "accepted", "rejected", "failed"
@@ -46,8 +48,13 @@ def make_sample(task: SampleTask) -> MadeSample:
     Returns:
         The sample or why there is none. Nothing is raised: whatever goes wrong is in the record.
     """
+    return guarded(task, lambda: packed(task, drape_pattern(task.pattern, task.settings)))
+
+
+def guarded(task: SampleTask, make: Callable[[], MadeSample]) -> MadeSample:
+    """What `make` returns, or the record of what went wrong."""
     try:
-        return _make(task)
+        return make()
     except MissingExtraError as error:  # not the pattern's fault
         return not_made(task, FAILED, str(error))
     except SwiftTailorError as error:
@@ -73,8 +80,8 @@ def _record(task: SampleTask, status: str, reasons: list[str]) -> dict[str, Any]
     }
 
 
-def _make(task: SampleTask) -> MadeSample:
-    garment = drape_pattern(task.pattern, task.settings)
+def packed(task: SampleTask, garment: Garment) -> MadeSample:
+    """A garment as a sample, where its quality is accepted."""
     report = plain(garment.report)
     quality = report["quality"]
     status = ACCEPTED if quality["accepted"] else REJECTED

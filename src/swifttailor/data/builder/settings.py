@@ -13,6 +13,8 @@ from swifttailor.body import Body
 from swifttailor.draping.batch import BatchSettings
 
 SHARD_SIZE = 256
+NETWORK = "network"
+"""Engine of garments that GarmentSewer has sewn."""
 
 
 @dataclass(frozen=True)
@@ -28,6 +30,8 @@ class BuildSettings:
     reading of the angles then count alone."""
     origin_body: str = ""
     """What those drapes hang on."""
+    network: str = ""
+    """Checksum of GarmentSewer's weights, where the garments are its own instead of drapes."""
 
     def identity(self) -> dict[str, Any]:
         """All that decides what the shards look like, as JSON values."""
@@ -38,6 +42,8 @@ class BuildSettings:
             return kept | origin | {"shard_size": self.shard_size}
         values = self.drape.identity()
         values["body"] = body_identity(self.drape.load_body())
+        if self.network:
+            values |= {"engine": NETWORK, "weights": self.network}
         return values | {"shard_size": self.shard_size}
 
 
