@@ -17,11 +17,10 @@ from pathlib import Path
 import numpy as np
 
 from machine import describe
-from timing import least
 from swifttailor.data.captions import GarmentFacts, measure_facts, write_caption
 from swifttailor.data.pattern_source import patterns_of
 from swifttailor.errors import SwiftTailorError
-from swifttailor.pattern import Pattern
+from timing import least
 
 PATTERNS = Path("../shared/garmentcode/validation.jsonl.gz")
 

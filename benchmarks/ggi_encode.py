@@ -12,17 +12,16 @@ from __future__ import annotations
 import argparse
 import gzip
 import json
-import time
 from pathlib import Path
 
 import numpy as np
 
 from machine import describe
-from timing import least
 from swifttailor.ggi import GarmentGeometryImage, encode, lay_out
 from swifttailor.ggi.geometry import geometry_raster
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern import read_specification
+from timing import least
 
 PATTERNS = Path("../shared/garmentcode/validation.jsonl.gz")
 

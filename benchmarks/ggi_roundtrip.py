@@ -21,7 +21,6 @@ in ggi.npz, and decoded to the outlines (at the drape's edge length) and by the 
 from __future__ import annotations
 
 import argparse
-import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -29,7 +28,6 @@ import numpy as np
 
 from ggi_error_plot import plot_errors
 from machine import describe
-from timing import least
 from swifttailor.body.surface_distance import SurfaceTree
 from swifttailor.garment import Garment
 from swifttailor.ggi import encode
@@ -41,6 +39,7 @@ from swifttailor.ggi.remesh import PixelGrid
 from swifttailor.ggi.slits import seam_sides
 from swifttailor.ggi.stitch import SewnGrid
 from swifttailor.panel_mesh.topology import edge_faces, topology
+from timing import least
 
 POINTS = 10_000
 METHODS = ("outline", "grid")

@@ -10,14 +10,12 @@ prior, the least of three runs: median, and the slowest garment.
 from __future__ import annotations
 
 import argparse
-import time
 from collections import defaultdict
 from pathlib import Path
 
 import numpy as np
 
 from machine import describe
-from timing import least
 from swifttailor.body import Body
 from swifttailor.data.reader import SplitReader
 from swifttailor.evaluation.garment_kind import KINDS, garment_kind
@@ -26,6 +24,7 @@ from swifttailor.garment_sewer.pixels.pixel_table import tabulate
 from swifttailor.ggi import lay_out
 from swifttailor.ggi.geometry import geometry_raster
 from swifttailor.ggi.stitching import stitching_image
+from timing import least
 
 
 def main() -> None:

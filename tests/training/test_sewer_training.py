@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import shutil
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from swifttailor.data.index import read_index
 from swifttailor.errors import InputError, MissingExtraError
 from swifttailor.training.extra import require_training_packages
 from swifttailor.training.sewer_config import config_values, read_config
@@ -291,3 +293,14 @@ def test_without_torch_the_extra_is_named(monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     with pytest.raises(MissingExtraError, match=r"swifttailor\[train\]"):
         require_training_packages("Training")
+
+
+@needs_torch
+def test_garments_of_a_network_are_refused(config, data, tmp_path):
+    from swifttailor.training.sewer_loop_torch import train
+
+    copy = shutil.copytree(data, tmp_path / "data")
+    index = read_index(copy / "validation")
+    replace(index, settings={"engine": "network"}).save(copy / "validation")
+    with pytest.raises(InputError, match="are those of a GarmentSewer, from which none can learn"):
+        train(config, copy, tmp_path / "run")

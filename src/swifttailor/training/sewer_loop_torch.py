@@ -12,6 +12,7 @@ import torch
 from torch import Tensor, nn
 
 from swifttailor.body import Body
+from swifttailor.data.builder.settings import NETWORK
 from swifttailor.data.index import split_folders
 from swifttailor.data.reader import SplitReader
 from swifttailor.errors import InputError
@@ -179,6 +180,12 @@ def _open_splits(data: Path) -> dict[str, SplitReader]:
     empty = [name for name, reader in readers.items() if not len(reader)]
     if empty:
         raise InputError(f"The split '{empty[0]}' in '{data}' holds no garment.")
+    for name, reader in readers.items():
+        if reader.index.settings.get("engine") == NETWORK:
+            raise InputError(
+                f"The garments of '{folders[name]}' are those of a GarmentSewer, from which none can learn. "
+                "Drape the patterns: swifttailor data build without --engine network."
+            )
     return readers
 
 
