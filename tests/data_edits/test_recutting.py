@@ -20,7 +20,7 @@ from swifttailor.data.edits.recutting.necklines import deepen_neckline, reshape_
 from swifttailor.data.edits.recutting.removal import remove_panels
 from swifttailor.data.edits.recutting.slits import open_side
 from swifttailor.data.edits.recutting.workbench import Workbench
-from swifttailor.pattern import EdgeRef, Pattern, Severity, check_pattern
+from swifttailor.pattern import Edge, EdgeRef, Panel, Pattern, Severity, check_pattern
 from swifttailor.pattern.drafts import draft
 
 FEW = settings(max_examples=12, deadline=None)
@@ -85,6 +85,21 @@ def test_lengthening_undoes_shortening(name):
     pattern = draft(name)
     longer = move_ends(pattern, Cutter(pattern).hem, 12.0)
     same_panels(move_ends(longer, Cutter(longer).hem, -12.0), pattern)
+
+
+@pytest.mark.parametrize("distance", [3.0, -2.0, -8.0])
+def test_a_hem_with_a_step_is_left_alone_where_the_step_leads_to_both_its_parts(distance):
+    """The step between the two levels is a side of both; a cut above it would need it twice."""
+    corners = [[0, 0], [20, 0], [20, 5], [40, 5], [40, 30], [0, 30]]
+    pattern = Pattern((Panel("flag", corners, (Edge(),) * 6),))
+    hem = [EdgeRef("flag", 0), EdgeRef("flag", 2)]
+    edited = move_ends(pattern, hem, distance)
+    if distance < 0:
+        assert edited is None
+    else:
+        assert {(e.severity, e.code) for e in check_pattern(edited)} == {
+            (e.severity, e.code) for e in check_pattern(pattern)
+        }
 
 
 @given(st.floats(0.3, 1.5), st.floats(5, 25))
