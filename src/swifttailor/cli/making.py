@@ -100,15 +100,8 @@ class Making:
         started = time.perf_counter()
         tailor = Tailor.load(self.maker_weights, self.sewer_weights, threads=self.threads)
         with StageProgress() as progress:
-            if self.finish:
-                from swifttailor.draping.compiled_code import COMPILE_NOTE, solver_is_compiled
-
-                if not solver_is_compiled():
-                    progress.note(COMPILE_NOTE)
-            if tailor.garment_sewer.must_compile:
-                from swifttailor.draping.compiled_code import COARSE_COMPILE_NOTE
-
-                progress.note(COARSE_COMPILE_NOTE)
+            for note in tailor.compile_notes(finish=self.finish):
+                progress.note(note)
             outcomes = dict(zip(self.folders(), tailor.make(order, progress=progress), strict=True))
             made = {folder: one for folder, one in outcomes.items() if isinstance(one, Tailored)}
             if not made:

@@ -66,10 +66,8 @@ class Sew:
         from swifttailor.tailor.sewing import SewingOptions
 
         tailor = Tailor.load(garment_sewer=self.weights, threads=self.threads)
-        if tailor.garment_sewer.must_compile:
-            from swifttailor.draping.compiled_code import COARSE_COMPILE_NOTE
-
-            print(COARSE_COMPILE_NOTE, file=sys.stderr, flush=True)  # noqa: T201
+        for note in tailor.compile_notes(finish=self.finish):
+            print(note, file=sys.stderr, flush=True)  # noqa: T201
         options = SewingOptions(self.edge_length, self.resolution, self.repair, self.finish)
         outcomes = tailor.sew_all([path for path, _ in folders], options, rotation=self.rotation)
         reports = [

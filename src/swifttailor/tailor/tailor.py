@@ -84,6 +84,23 @@ class Tailor:
             return self._sewer
         return GarmentSewer.load(self._sewer, threads=self._threads)
 
+    def compile_notes(self, *, finish: bool) -> list[str]:
+        """What the first garment waits for on a machine where it is not compiled yet, in words.
+
+        Args:
+            finish: Whether garments hang to rest by physics in the end.
+
+        Raises:
+            InputError: There are no weights to sew with, or they are damaged.
+        """
+        from swifttailor.draping.compiled_code import COARSE_COMPILE_NOTE, COMPILE_NOTE, solver_is_compiled
+
+        waits = {
+            COARSE_COMPILE_NOTE: self.garment_sewer.must_compile,
+            COMPILE_NOTE: finish and not solver_is_compiled(),
+        }
+        return [note for note, must_wait in waits.items() if must_wait]
+
     def generate(
         self,
         text: str = "",
