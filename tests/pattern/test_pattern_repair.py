@@ -13,13 +13,19 @@ from pattern_strategies import patterns
 
 from swifttailor.pattern import (
     Arc,
+    Edge,
     EdgeRef,
+    Panel,
     Pattern,
+    Quadratic,
+    Severity,
     check_pattern,
     read_specification,
     repair_pattern,
     to_specification,
 )
+from swifttailor.pattern.check.crossings import find_crossing
+from swifttailor.pattern.check.outline import trace_outline
 
 REPAIRED = [
     "zero-length-edge", "short-radius", "near-crossing", "dangling-stitch", "self-stitched-edge",
@@ -189,3 +195,17 @@ def test_several_faults_at_once(flips, wind_back_wrong):
     stitches = (*pattern.stitches, pattern.stitches[0], sew("front", 0, "front", 0), sew("x", 0, "front", 3))
     faulty = replace(pattern, stitches=stitches)
     assert repair_pattern(faulty).pattern == skirt()
+
+
+def test_larger_moves_are_made_where_they_are_allowed():
+    """A hem that bulges 2 cm through the opposite edge: too far for a pattern that somebody drew."""
+    corners = [[0, 0], [20, 0], [20, 6], [0, 6]]
+    strip = Panel("strip", corners, (Edge(Quadratic((0.5, 0.8))), Edge(), Edge(), Edge()))
+    kept = repair_pattern(Pattern((strip,)))
+    assert not kept.changes and "self-crossing" in {f.code for f in kept.remaining}
+    mended = repair_pattern(Pattern((strip,)), largest_move=4.0)
+    assert [c.code for c in mended.changes] == ["self-crossing"]
+    assert not [f for f in mended.remaining if f.severity is Severity.ERROR]
+    assert find_crossing(trace_outline(mended.pattern.panels[0])) is None
+    before, after = (p.flatten_edge(0, 0.01)[:, 1].max() for p in (strip, mended.pattern.panels[0]))
+    assert 2.0 <= before - after <= 4.0

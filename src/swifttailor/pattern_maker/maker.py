@@ -27,6 +27,9 @@ from swifttailor.pattern_maker.token_sequence import TokenSequence
 
 SHIPPED = Path(__file__).with_name("pattern_maker.zip")
 MOST_ATTEMPTS = 64
+INEXACT_CM = 4.0
+"""Corners and curves of a written pattern may be this far off: so far they are moved to free an outline of
+itself."""
 USUAL_TEMPERATURE = 0.5
 """Between always the same and anything; `confidence` is measured at it."""
 
@@ -234,7 +237,7 @@ def _best(answers: Sequence[Written]) -> tuple[Written, Repair, tuple[Attempt, .
     order = sorted(
         range(len(answers)), key=lambda k: (tried[k].errors, tried[k].warnings, -tried[k].log_likelihood)
     )
-    return answers[order[0]], repair_pattern(patterns[order[0]]), tried
+    return answers[order[0]], repair_pattern(patterns[order[0]], largest_move=INEXACT_CM), tried
 
 
 def _judge(answer: Written, pattern: Pattern) -> Attempt:

@@ -15,15 +15,16 @@ from swifttailor.pattern.curve import Arc, Array, Cubic, Curve, Quadratic
 from swifttailor.pattern.panel import Panel
 
 MAX_MOVE_CM = 0.5
-"""No point of the outline is moved further: beyond that the shape is wrong, not inexact."""
+"""No point of the outline of a pattern that was drawn is moved further: beyond that the shape is wrong, not
+inexact."""
 CLEARANCE_CM = 0.01
 """Gap left between parts of the outline that overlapped."""
 
 _MAX_ROUNDS = 8
-_FLATTENINGS = (0.995, 0.99, 0.98, 0.97, 0.96, 0.95, 0.93, 0.9)
+_FLATTENINGS = (0.995, 0.99, 0.98, 0.97, 0.96, 0.95, 0.93, 0.9, 0.8, 0.65, 0.5, 0.3, 0.0)
 
 
-def mend_crossings(panel: Panel) -> tuple[Panel, float] | None:
+def mend_crossings(panel: Panel, largest_move: float = MAX_MOVE_CM) -> tuple[Panel, float] | None:
     """Tries to free an outline of self-intersections.
 
     A corner that pokes through another edge is put back to its side of it; where two neighbouring edges
@@ -32,22 +33,23 @@ def mend_crossings(panel: Panel) -> tuple[Panel, float] | None:
 
     Args:
         panel: A panel whose outline meets itself.
+        largest_move: How far a point may be moved, cm.
 
     Returns:
         The panel with a simple outline and the longest way a point of it was moved in cm, or None when
-        changes of up to `MAX_MOVE_CM` do not do it.
+        changes of up to `largest_move` do not do it.
     """
     mended = panel
     crossing = find_crossing(trace_outline(panel))
     for _ in range(_MAX_ROUNDS):
         if crossing is None:
             return mended, _distance_moved(panel, mended)
-        if not np.isfinite(crossing.depth) or crossing.depth > MAX_MOVE_CM:
+        if not np.isfinite(crossing.depth) or crossing.depth > largest_move:
             return None
-        trials = [(_distance_moved(panel, trial), trial) for trial in _moves(mended, crossing)]
+        trials = [(_distance_moved(panel, trial), trial) for trial in _moves(mended, crossing, largest_move)]
         best, best_crossing = None, crossing
         for moved, trial in sorted(trials, key=lambda t: t[0]):
-            if moved > MAX_MOVE_CM:
+            if moved > largest_move:
                 break
             left = find_crossing(trace_outline(trial))
             if left is None:
@@ -76,9 +78,9 @@ def _badness(crossing: Crossing) -> tuple[int, float]:
     return crossing.places, crossing.depth
 
 
-def _moves(panel: Panel, crossing: Crossing) -> Iterator[Panel]:
+def _moves(panel: Panel, crossing: Crossing, largest_move: float) -> Iterator[Panel]:
     """The panel with one corner moved or one curve flattened."""
-    for corner, place in _corner_moves(panel, crossing):
+    for corner, place in _corner_moves(panel, crossing, largest_move):
         vertices = panel.vertices.copy()
         vertices[corner] = place
         yield replace(panel, vertices=vertices)
@@ -106,7 +108,7 @@ def _flattened(curve: Curve, chord: Array, factor: float) -> Curve | None:
     return replace(curve, radius=float((half**2 + sagitta**2) / (2 * sagitta))) if sagitta > 0 else None
 
 
-def _corner_moves(panel: Panel, crossing: Crossing) -> Iterator[tuple[int, Array]]:
+def _corner_moves(panel: Panel, crossing: Crossing, largest_move: float) -> Iterator[tuple[int, Array]]:
     """Corners and where to try putting them."""
     count = len(panel.edges)
     first, second = crossing.edges
@@ -122,7 +124,7 @@ def _corner_moves(panel: Panel, crossing: Crossing) -> Iterator[tuple[int, Array
             target = shapely.get_coordinates(shapely.shortest_line(shapely.points(here), lines[other]))[1]
             way = target - here
             distance = float(np.hypot(*way))
-            if distance > MAX_MOVE_CM:
+            if distance > largest_move:
                 continue
             direction = way / distance if distance > 1e-9 else _across(panel, other, target)
             for sign in (1.0, -1.0):

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from swifttailor.pattern.check.checker import check_pattern
-from swifttailor.pattern.check.crossing_repair import mend_crossings
+from swifttailor.pattern.check.crossing_repair import MAX_MOVE_CM, mend_crossings
 from swifttailor.pattern.check.crossings import find_crossing
 from swifttailor.pattern.check.outline import trace_outline
 from swifttailor.pattern.check.panel_checks import SLIVER_EDGE_CM, ZERO_LENGTH_CM, radius_needed
@@ -71,12 +72,13 @@ def repair_pattern(
     reader_findings: Iterable[Finding] = (),
     *,
     body: BodyProbe | SignedDistance | None = None,
+    largest_move: float = MAX_MOVE_CM,
 ) -> Repair:
     """Mends what is safe to mend and leaves alone what would need a guess.
 
     Removes stitches to nowhere, of an edge with itself, and repeats; drops edges without length where the
     seam partner is as short; raises arc radii to half the chord; reverses inside-out panels and turns
-    twisted seams where all evidence agrees; moves corners by up to half a centimetre out of overlaps. A
+    twisted seams where all evidence agrees; moves corners by up to `largest_move` out of overlaps. A
     pattern without such findings comes back as it is.
 
     Args:
@@ -84,11 +86,12 @@ def repair_pattern(
         reader_findings: `Reading.findings`; the reader has already mended what they name, so they are listed
             as changes.
         body: As for `check_pattern`; only for `Repair.remaining`.
+        largest_move: How far a point of an outline may be moved, cm: as far as it may be off.
     """
     changes = [_reader_change(f) for f in reader_findings]
     for _ in range(_MAX_ROUNDS):
         made: list[Change] = []
-        for step in _STEPS:
+        for step in (*_STEPS, partial(_free_crossings, largest_move=largest_move)):
             pattern, done = step(pattern)
             made += done
         changes += made
@@ -219,12 +222,14 @@ def _turn_seams(pattern: Pattern) -> tuple[Pattern, list[Change]]:
     return (replace(pattern, stitches=tuple(stitches)), changes) if changes else (pattern, [])
 
 
-def _free_crossings(pattern: Pattern) -> tuple[Pattern, list[Change]]:
+def _free_crossings(pattern: Pattern, largest_move: float) -> tuple[Pattern, list[Change]]:
     changes = []
     panels: list[Panel] = []
     for panel in pattern.panels:
         crossing = find_crossing(trace_outline(panel))
-        mended = mend_crossings(panel) if crossing is not None and crossing.kind != "touch" else None
+        mended = None
+        if crossing is not None and crossing.kind != "touch":
+            mended = mend_crossings(panel, largest_move)
         if crossing is not None and mended is not None:
             panel, moved = mended
             text = f"moved corners by up to {moved:.2g} cm, so that the outline no longer overlaps itself"
@@ -245,5 +250,4 @@ _STEPS: tuple[Callable[[Pattern], tuple[Pattern, list[Change]]], ...] = (
     _drop_zero_edges,
     _reverse_panels,
     _turn_seams,
-    _free_crossings,
 )
