@@ -11,14 +11,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 from safetensors.numpy import load_file
+from sewer_data import make_data
 
 from swifttailor.cli.main import run
+from swifttailor.data.reader import SplitReader
+from swifttailor.data.renders.files import RenderSettings, SplitRenders
 from swifttailor.errors import InputError, MissingExtraError
 from swifttailor.pattern import to_specification
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker.decode import decode
 from swifttailor.pattern_maker.encode import encode
 from swifttailor.pattern_maker.fidelity import compare
+from swifttailor.pattern_maker.pictures import picture_for_network
 from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
 from swifttailor.pattern_maker.vocabulary import PATTERN_START, STITCH_TOKENS
 from swifttailor.training.extra import require_training_packages
@@ -84,8 +88,15 @@ def config():
     return read_config("small", TINY)
 
 
-def samples_of(bank, config):
-    return MakerSamples(bank, None, config, lambda t: TEXT.encode(t, 192).tokens, TEXT.size)
+def samples_of(bank, config, renders=()):
+    return MakerSamples(bank, renders, config, lambda t: TEXT.encode(t, 192).tokens, TEXT.size)
+
+
+def drawn(folder: Path, settings: RenderSettings) -> SplitRenders:
+    renders = SplitRenders(SplitReader(folder), settings)
+    for _ in renders.draw():
+        pass
+    return renders
 
 
 def inputs(files):
@@ -111,6 +122,26 @@ def test_a_bank_holds_patterns_their_facts_and_their_edits(bank, files):
     again = open_bank([files / "train.jsonl"], files / "edits.jsonl", files / "cache", recuts=1)
     assert again.checksum == bank.checksum
     assert [g.edits[0].sequence for g in again.garments] == [g.edits[0].sequence for g in bank.garments]
+
+
+def test_pictures_come_from_every_data_set_that_has_the_garment(bank, config, tmp_path):
+    one, other = (make_data(tmp_path / name) for name in ("one", "other"))
+    plain = drawn(one / "train", RenderSettings(size=32, random=0))  # skirt0 to 2, shirt0 to 2
+    free = drawn(other / "train", RenderSettings(size=32, random=2, plain=False))
+    more = drawn(other / "validation", RenderSettings(size=32, random=1, plain=False))  # shirt, skirt
+    samples = samples_of(bank, config, (plain, free, more))
+    tasks = {one.id: samples.tasks_of(k) for k, one in enumerate(bank.garments)}
+    assert tasks["skirt0"] == tasks["shirt"] == ["text", "image", "text_image", "edit"]
+    assert tasks["top"] == ["text", "edit"]
+    chance = np.random.default_rng(0)
+    seen = {samples.make(samples.plan_task(0, "image", chance)).picture.tobytes() for _ in range(60)}
+    number = plain.reader.ids.index("skirt0")
+    there = {
+        picture_for_network(p.pixels(), config.network.image_size).tobytes()
+        for renders in (plain, free)
+        for p in renders[number]
+    }
+    assert len(there) == 4 and seen == there
 
 
 def test_patterns_that_cannot_be_used_are_named(tmp_path):

@@ -33,8 +33,8 @@ class TrainPatternMaker:
     """Folder of the run; created when missing."""
     validation: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
     """Patterns to validate with; without any, one of fifty is held out."""
-    data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
-    """Data set with renders of some of these patterns, for tasks with pictures (swifttailor data render)."""
+    data: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="DIR...")] = ()
+    """Data sets with renders of some of these patterns, for tasks with pictures (swifttailor data render)."""
     edits: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Edited versions of some of these patterns, each with the id of its base; others are made by
     recutting."""

@@ -40,7 +40,7 @@ def train(
     out: Path,
     *,
     validation: Sequence[Path] = (),
-    data: Path | None = None,
+    data: Sequence[Path] = (),
     edits: Path | None = None,
     resume: bool = False,
     cache: Path | None = None,
@@ -59,7 +59,7 @@ def train(
         out: Folder of the run; holds weights, card, checkpoint and measurements.
         validation: Files or folders of patterns to validate with; without any, one of fifty of `patterns` is
             held out.
-        data: Folder of a data set with renders of some of the patterns, for tasks with pictures.
+        data: Folders of data sets with renders of some of the patterns, for tasks with pictures.
         edits: File with edited versions of some of the patterns.
         resume: Go on from the checkpoint in `out`. On a CPU the result is that of an uninterrupted
             training, bit for bit, unless `max_minutes` is given.
@@ -120,7 +120,7 @@ def train(
         load_start(network, Path(config.start))
 
     def samples_of(name: str) -> MakerSamples:
-        return MakerSamples(banks[name], renders.get(name), config, text.encode, text.size)
+        return MakerSamples(banks[name], renders[name], config, text.encode, text.size)
 
     batches = TrainingBatches(samples_of("train"), part=processes.rank, parts=processes.count)
     task = _MakerTask(
@@ -232,10 +232,9 @@ def _require_apart(banks: dict[str, PatternBank]) -> None:
         )
 
 
-def _open_renders(data: Path | None) -> dict[str, SplitRenders]:
-    if data is None:
-        return {}
-    folders = split_folders(data)
+def _open_renders(data: Sequence[Path]) -> dict[str, list[SplitRenders]]:
+    sets = [split_folders(folder) for folder in data]
     return {
-        name: SplitRenders(SplitReader(folders[name])) for name in ("train", "validation") if name in folders
+        name: [SplitRenders(SplitReader(folders[name])) for folders in sets if name in folders]
+        for name in ("train", "validation")
     }

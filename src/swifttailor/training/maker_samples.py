@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -64,7 +64,7 @@ class MakerSamples:
     def __init__(
         self,
         bank: PatternBank,
-        renders: SplitRenders | None,
+        renders: Sequence[SplitRenders],
         config: MakerConfig,
         text_tokens: TextTokens,
         text_size: int,
@@ -73,7 +73,7 @@ class MakerSamples:
 
         Args:
             bank: The patterns.
-            renders: Pictures of some of them, found by id.
+            renders: Pictures of some of them, found by id; one garment may be in several.
             config: Of the training.
             text_tokens: The tokens of a text, as many as are read.
             text_size: Tokens of text that there are.
@@ -82,10 +82,13 @@ class MakerSamples:
         self.text_tokens, self.text_size = text_tokens, text_size
 
     @cached_property
-    def _pictured(self) -> dict[str, int]:
-        if self.renders is None:
-            return {}
-        return {id: k for k, id in enumerate(self.renders.reader.ids)}
+    def _pictured(self) -> dict[str, list[tuple[SplitRenders, int]]]:
+        """Where there are pictures of each garment."""
+        found: dict[str, list[tuple[SplitRenders, int]]] = {}
+        for renders in self.renders:
+            for k, id in enumerate(renders.reader.ids):
+                found.setdefault(id, []).append((renders, k))
+        return found
 
     def tasks_of(self, garment: int) -> list[TaskName]:
         """The tasks that there are data for."""
@@ -168,8 +171,9 @@ class MakerSamples:
         return None if instruction is None else instruction.text
 
     def _picture(self, id: str, chance: np.random.Generator) -> NDArray[np.float32]:
-        assert self.renders is not None
-        pictures = self.renders[self._pictured[id]]
+        places = self._pictured[id]
+        renders, number = places[int(chance.integers(len(places)))]
+        pictures = renders[number]
         chosen = pictures[int(chance.integers(len(pictures)))]
         return picture_for_network(chosen.pixels(), self.config.network.image_size)
 
