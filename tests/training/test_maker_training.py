@@ -306,11 +306,14 @@ def test_training_and_validation_must_not_share_patterns(config, files, tmp_path
 
 @needs_torch
 def test_a_pattern_learnt_by_heart_is_written_under_the_grammar(config, files, tmp_path):
+    import torch
+
     from swifttailor.pattern_maker.export_torch import load_weights
     from swifttailor.pattern_maker.generation import Asked, write_answers
     from swifttailor.pattern_maker.grammar import Grammar
     from swifttailor.pattern_maker.prompt import make_prompt
     from swifttailor.pattern_maker.runtime_torch import TorchRuntime
+    from swifttailor.training.maker_batch_torch import assemble
     from swifttailor.training.maker_loop_torch import train
 
     top = write_lines(tmp_path / "top.jsonl", {"top": draft("tank-top")})
@@ -326,3 +329,11 @@ def test_a_pattern_learnt_by_heart_is_written_under_the_grammar(config, files, t
     assert found.outline_cm < 3.0
     assert found.placement_cm < 3.0
     assert written.log_likelihood > -2.0
+    # What it is asked for is known before the answer begins.
+    samples = samples_of(open_bank([top], None, files / "cache", recuts=0), longer)
+    sample = samples.make(samples.plan_task(0, "text", np.random.default_rng(0)), clean=True)
+    batch = assemble([sample], longer.network.image_size)
+    with torch.no_grad():
+        _, _, foreseen = network.eval()(*batch.given)
+    assert torch.equal(foreseen > 0, batch.present > 0)
+    assert batch.present.sum() == len(set(sample.answer.tokens.tolist()))

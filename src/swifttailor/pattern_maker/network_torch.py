@@ -21,6 +21,9 @@ LONGEST_WAVE, WAVES = 16.0, 7
 would tell apart numbers which the network, feeding on its own predictions, cannot."""
 _FEATURES = 1 + 2 * WAVES
 
+TRAINING_ONLY = ("foresight_head.",)
+"""Beginnings of the names of weights that no answer needs."""
+
 
 class PatternMakerNetwork(nn.Module):
     """InternVL, with tokens that carry numbers: embedded on the way in, regressed on the way out."""
@@ -38,6 +41,7 @@ class PatternMakerNetwork(nn.Module):
         self.token_head = nn.Linear(hidden, SIZE, bias=False)
         self.placement_head = _mlp(hidden, hidden, NUMBERS, nn.ReLU)
         self.edge_head = _mlp(hidden, hidden, NUMBERS, nn.ReLU)
+        self.foresight_head = nn.Linear(hidden, SIZE)
         self.register_buffer("number_mask", torch.tensor(NUMBER_MASK), persistent=False)
         spread = vlm.config.text_config.initializer_range
         for module in (self.own_embedding, self.token_head):
@@ -50,7 +54,8 @@ class PatternMakerNetwork(nn.Module):
         pictures: Tensor,
         answers: Tensor,
         next_tokens: Tensor,
-    ) -> tuple[Tensor, Tensor]:
+        firsts: Tensor,
+    ) -> tuple[Tensor, Tensor, Tensor]:
         """Predicts the answers to some prompts, each token from those before it.
 
         Args:
@@ -59,14 +64,18 @@ class PatternMakerNetwork(nn.Module):
             pictures: (P, 3, S, S) in -1 to 1, those of the prompts that have one, in order.
             answers: (n,) places in the flattened (B * L) from which the next token is predicted.
             next_tokens: (n,) that token, of a pattern.
+            firsts: (B,) places in the flattened (B * L) of the last token of each prompt.
 
         Returns:
-            (n, tokens of patterns) logits, and (n, 8) its numbers.
+            (n, tokens of patterns) logits, (n, 8) its numbers, and (B, tokens of patterns) logits of which
+            tokens the whole answer has, foreseen from its prompt alone.
         """
         embedded = self.embed(tokens, numbers, self.look(pictures))
         states = self.vlm.language_model(inputs_embeds=embedded, use_cache=False).last_hidden_state
-        states = states.flatten(0, 1)[answers]
-        return self.logits(states), self.regress(states, next_tokens)
+        states = states.flatten(0, 1)
+        foreseen = self.foresight_head(states[firsts].float())
+        states = states[answers]
+        return self.logits(states), self.regress(states, next_tokens), foreseen
 
     def look(self, pictures: Tensor) -> Tensor:
         """(P, image tokens, hidden) of pictures (P, 3, S, S)."""

@@ -11,7 +11,7 @@ import torch
 from torch import Tensor
 
 from swifttailor.pattern_maker.prompt import PAD
-from swifttailor.pattern_maker.vocabulary import NUMBERS
+from swifttailor.pattern_maker.vocabulary import NUMBERS, SIZE
 from swifttailor.training.maker_samples import MakerSample, MakerSamples, Plan
 
 WINDOW = 24
@@ -34,6 +34,15 @@ class Batch:
     """(n,) that token, of a pattern."""
     next_numbers: Tensor
     """(n, 8) its numbers."""
+    firsts: Tensor
+    """(B,) places in (B * L) of the last token of each prompt."""
+    present: Tensor
+    """(B, tokens of patterns) 1 for those that the answer has."""
+
+    @property
+    def given(self) -> tuple[Tensor, ...]:
+        """What the network is called with."""
+        return (self.tokens, self.numbers, self.pictures, self.answers, self.next_tokens, self.firsts)
 
     def to(self, device: torch.device) -> Batch:
         """The same on a device."""
@@ -118,4 +127,8 @@ def assemble(samples: Sequence[MakerSample], image_size: int) -> Batch:
         torch.from_numpy(np.concatenate(answers)),
         torch.from_numpy(np.concatenate([s.answer.tokens for s in samples]).astype(np.int64)),
         torch.from_numpy(np.concatenate([s.answer.numbers for s in samples])),
+        torch.from_numpy(np.array([places[0] for places in answers])),
+        torch.from_numpy(
+            np.stack([np.bincount(s.answer.tokens, minlength=SIZE) > 0 for s in samples]).astype(np.float32)
+        ),
     )

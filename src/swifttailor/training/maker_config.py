@@ -33,9 +33,14 @@ class TaskMix:
 
 @dataclass(frozen=True)
 class MakerLosses:
-    """Cross entropy of tokens plus `numbers` times the error of their numbers."""
+    """Cross entropy of tokens, and what is added to it: each with its weight."""
 
     numbers: float = 1.0
+    """Of the error of the tokens' numbers."""
+    foresight: float = 2.0
+    """Of the binary cross entropy of which tokens the answer has, foreseen at the end of the prompt. The
+    answer itself tells most of each next token, so that a small network is slow to learn what the prompt
+    tells."""
     penalty: Literal["absolute", "squared"] = "absolute"
     """Of a number, in normalised units; absolute is squared below `number_penalty`'s beta."""
     by_kind: bool = False
@@ -43,7 +48,8 @@ class MakerLosses:
     or those of all such tokens are averaged."""
 
     def __post_init__(self) -> None:
-        require(self, "numbers", self.numbers >= 0, "0 or more")
+        for name in ("numbers", "foresight"):
+            require(self, name, getattr(self, name) >= 0, "0 or more")
         require(self, "penalty", self.penalty in ("absolute", "squared"), "absolute or squared")
 
 
@@ -89,7 +95,7 @@ CONFIGS: dict[str, MakerConfig] = {
     "paper": MakerConfig(
         network=PAPER_NETWORK,
         tasks=TaskMix(text=0.2, image=0.3, text_image=0.4, edit=0.1),
-        losses=MakerLosses(numbers=0.1, penalty="squared", by_kind=True),
+        losses=MakerLosses(numbers=0.1, foresight=0.0, penalty="squared", by_kind=True),
         steps=12_750,
         batch_size=80,
         learning_rate=1e-4,

@@ -15,7 +15,12 @@ from swifttailor.data.index import split_folders
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import SplitRenders
 from swifttailor.errors import InputError
-from swifttailor.pattern_maker.network_torch import PatternMakerNetwork, build_network, number_penalty
+from swifttailor.pattern_maker.network_torch import (
+    TRAINING_ONLY,
+    PatternMakerNetwork,
+    build_network,
+    number_penalty,
+)
 from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
 from swifttailor.training.loop_torch import Loop, say_nothing
 from swifttailor.training.maker_bank import PatternBank, open_bank
@@ -117,7 +122,7 @@ def train(
     torch.manual_seed(config.seed)
     network = build_network(config.network, text.size).to(device)
     if config.start:
-        load_start(network, Path(config.start))
+        load_start(network, Path(config.start), TRAINING_ONLY)
 
     def samples_of(name: str) -> MakerSamples:
         return MakerSamples(banks[name], renders[name], config, text.encode, text.size)
@@ -161,10 +166,7 @@ class _MakerTask:
         if self._ahead is None:
             self._ahead = self.batches.from_step(step, workers=self.loaders)
         batch = next(self._ahead).to(self.device)
-        logits, numbers = trained(
-            batch.tokens, batch.numbers, batch.pictures, batch.answers, batch.next_tokens
-        )
-        return compute_losses(logits, numbers, batch, self.config.losses)
+        return compute_losses(*trained(*batch.given), batch, self.config.losses)
 
     def rate_factor(self, name: str) -> float:
         pretrained = self.config.network.pretrained and name.startswith("vlm.")
@@ -176,7 +178,8 @@ class _MakerTask:
     def result_text(self, result: dict[str, Any]) -> str:
         parts = [
             f"{task}: tokens {r['token_accuracy']:.1%} (loss {r['token_loss']:.3f}), "
-            f"corners {r['corner_cm']:.2f} cm, placement {r['placement_cm']:.2f} cm"
+            f"corners {r['corner_cm']:.2f} cm, placement {r['placement_cm']:.2f} cm, "
+            f"panels foreseen {r['panels_foreseen']:.0%}"
             for task, r in result.items()
         ]
         return "validation " + "; ".join(parts)
@@ -188,17 +191,20 @@ class _MakerTask:
         return {"model": "PatternMaker", "data": {name: bank.numbers() for name, bank in self.banks.items()}}
 
 
-def compute_losses(logits: Tensor, numbers: Tensor, batch: Batch, weights: MakerLosses) -> dict[str, Tensor]:
-    """Cross entropy of the tokens, and error of their numbers (AIpparel).
+def compute_losses(
+    logits: Tensor, numbers: Tensor, foreseen: Tensor, batch: Batch, weights: MakerLosses
+) -> dict[str, Tensor]:
+    """Cross entropy of the tokens and error of their numbers (AIpparel), and what of the answer is foreseen.
 
     Args:
         logits: (n, tokens of patterns).
         numbers: (n, 8) predicted.
+        foreseen: (B, tokens of patterns) logits of which the answer has.
         batch: With the truth.
         weights: How they are added.
 
     Returns:
-        ``tokens``, ``numbers`` and ``total``.
+        ``tokens``, ``numbers``, ``foresight`` and ``total``.
     """
     tokens = batch.next_tokens
     of_tokens = F.cross_entropy(logits, tokens)
@@ -212,10 +218,13 @@ def compute_losses(logits: Tensor, numbers: Tensor, batch: Batch, weights: Maker
         of_numbers = (sums / counts.clamp(min=1)).sum()
     else:
         of_numbers = each.sum() / mask.any(-1).sum().clamp(min=1)
+    foresight = F.binary_cross_entropy_with_logits(foreseen, batch.present)
     return {
         "tokens": of_tokens,
         "numbers": of_numbers,
-        "total": of_tokens + weights.numbers * of_numbers,
+        "foresight": foresight,
+        # Added with weight 0 as well: several processes wait for the gradients of all weights.
+        "total": of_tokens + weights.numbers * of_numbers + weights.foresight * foresight,
     }
 
 

@@ -11,7 +11,7 @@ import torch.nn.functional as F
 
 from swifttailor.pattern_maker.network_torch import PatternMakerNetwork
 from swifttailor.pattern_maker.normalization import POINT_SCALE, TRANSLATION_SCALE
-from swifttailor.pattern_maker.vocabulary import COMMANDS, MOVE
+from swifttailor.pattern_maker.vocabulary import COMMANDS, MOVE, PANEL_TOKENS
 from swifttailor.training.maker_batch_torch import Batch, assemble
 from swifttailor.training.maker_config import MakerConfig
 from swifttailor.training.maker_samples import TASKS, MakerSamples
@@ -31,7 +31,8 @@ class Validation:
 
         Returns:
             By task ``token_accuracy``, the share of tokens that are the most probable ones, ``token_loss``,
-            ``corner_cm`` and ``placement_cm``.
+            ``corner_cm`` and ``placement_cm``; and ``panels_foreseen``, the share of the prompts of which the
+            panels of the answer are all known before it begins, and no others.
         """
         return {task: self._measure(network, batches) for task, batches in self._batches.items()}
 
@@ -55,13 +56,14 @@ class Validation:
         return found
 
     def _measure(self, network: PatternMakerNetwork, batches: list[Batch]) -> dict[str, float]:
-        losses, right, corners, placements = [], [], [], []
+        losses, right, corners, placements, foresight = [], [], [], [], []
         for batch in batches:
             batch = batch.to(self.device)
             tokens = batch.next_tokens
-            logits, numbers = network(
-                batch.tokens, batch.numbers, batch.pictures, batch.answers, batch.next_tokens
-            )
+            logits, numbers, foreseen = network(*batch.given)
+            panels = slice(PANEL_TOKENS.start, PANEL_TOKENS.stop)
+            same = (foreseen[:, panels] > 0) == (batch.present[:, panels] > 0)
+            foresight.append(same.all(-1).float())
             losses.append(F.cross_entropy(logits, tokens, reduction="none"))
             right.append((logits.argmax(-1) == tokens).float())
             off = numbers - batch.next_numbers
@@ -73,6 +75,7 @@ class Validation:
             "token_loss": torch.cat(losses).mean().item(),
             "corner_cm": torch.cat(corners).median().item(),
             "placement_cm": torch.cat(placements).median().item(),
+            "panels_foreseen": torch.cat(foresight).mean().item(),
         }
 
 
