@@ -1,6 +1,6 @@
 """Rounds the weights of a training to 16 bits, to be kept in the repository for trainings to begin with.
 
-``python scripts/keep_weights.py RUN weights/NAME.safetensors`` writes the file and, beside it, the card of the
+``python scripts/keep_weights.py RUN weights/NAME.safetensors`` writes the file and beside it the card of the
 run. Trainings take it as ``--set start=weights/NAME.safetensors``; it is not part of the package, whose model
 files (``swifttailor train export``) cannot be trained.
 """
