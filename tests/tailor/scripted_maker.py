@@ -94,8 +94,9 @@ def sure_of(color: tuple[float, float, float]) -> Calibration:
 
 
 def crossed(pattern: Pattern) -> Pattern:
-    """The pattern with two corners of its first panel exchanged: it crosses itself and cannot be meshed."""
+    """The pattern with far corners of its first panel exchanged: it crosses itself by more than is mended."""
     panel = pattern.panels[0]
     vertices = panel.vertices.copy()
-    vertices[[1, 2]] = vertices[[2, 1]]
+    far = 1 + len(vertices) // 2
+    vertices[[1, far]] = vertices[[far, 1]]
     return replace(pattern, panels=(replace(panel, vertices=vertices), *pattern.panels[1:]))
