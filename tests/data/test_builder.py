@@ -289,6 +289,17 @@ def test_failures_are_tried_again_when_asked(patterns_file, tmp_path, reference)
     assert split_content(out) == reference and set(made) == {"b", "j"}
 
 
+def test_the_largest_patterns_are_left_for_later(patterns_file, tmp_path):
+    from swifttailor.data.builder.make_sample import make_sample
+
+    source, out = patterns_file("a"), tmp_path / "out"
+    index = build(source, out, make=partial(make_sample, largest=100))
+    (left,) = index.shards[0].rejected
+    assert left.status == "failed" and "left for later" in left.reasons[0] and "more than 100" in left.reasons[0]
+    index = build(source, out, make=partial(make_sample, largest=100_000), retry_failed=True)
+    assert not [r for s in index.shards for r in s.rejected if "left for later" in r.reasons[0]]
+
+
 @pytest.mark.parametrize("number", range(0, 14))
 def test_a_full_disk_loses_nothing(number, patterns_file, tmp_path, reference, monkeypatch):
     """The disk is full at the n-th write to it, in the middle of a file."""

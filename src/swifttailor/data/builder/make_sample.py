@@ -11,11 +11,12 @@ from typing import Any
 from swifttailor.data.sample import Sample, store_sample
 from swifttailor.data.shard_file import pack_sample
 from swifttailor.draping.batch import BatchSettings
-from swifttailor.draping.batch.make_garment import drape_pattern
+from swifttailor.draping.batch.make_garment import drape_pattern, read_sewable
 from swifttailor.draping.batch.patterns import BatchPattern
 from swifttailor.errors import MissingExtraError, SwiftTailorError
 from swifttailor.garment import Garment
 from swifttailor.garment_files.folder import plain
+from swifttailor.panel_mesh import mesh_pattern
 
 ACCEPTED, REJECTED, FAILED = "accepted", "rejected", "failed"
 
@@ -42,13 +43,27 @@ class MadeSample:
     """The sample (`pack_sample`), where accepted."""
 
 
-def make_sample(task: SampleTask) -> MadeSample:
+def make_sample(task: SampleTask, *, largest: int | None = None) -> MadeSample:
     """Drapes a pattern and packs what came of it.
+
+    Args:
+        task: The pattern.
+        largest: Vertices beyond which it is not draped but recorded as failed, so that it can be tried again:
+            the few largest patterns take a good part of the time of all.
 
     Returns:
         The sample or why there is none. Nothing is raised: whatever goes wrong is in the record.
     """
-    return guarded(task, lambda: packed(task, drape_pattern(task.pattern, task.settings)))
+    return guarded(task, lambda: _drape(task, largest))
+
+
+def _drape(task: SampleTask, largest: int | None) -> MadeSample:
+    if largest is not None:
+        pattern = read_sewable(task.pattern, task.settings).pattern
+        vertices = mesh_pattern(pattern.canonical(), task.settings.edge_length).vertex_count
+        if vertices > largest:
+            return not_made(task, FAILED, f"left for later: {vertices} vertices, more than {largest}")
+    return packed(task, drape_pattern(task.pattern, task.settings))
 
 
 def guarded(task: SampleTask, make: Callable[[], MadeSample]) -> MadeSample:
