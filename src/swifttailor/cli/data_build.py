@@ -153,8 +153,8 @@ class DataBuild:
             raise InputError(f"--sewer-weights goes with --engine network; the engine is {self.engine}.")
         if self.largest is not None and (self.engine == "network" or self.largest < 1):
             raise InputError(
-                f"--largest is {self.largest} with --engine {self.engine}; at least 1 vertex, and an engine that "
-                "drapes, are accepted."
+                f"--largest is {self.largest} with --engine {self.engine}; at least 1 vertex, and an engine "
+                "that drapes, are accepted."
             )
         if self.ray is not None and self.workers is not None:
             raise InputError("--workers and --ray exclude each other: a Ray cluster uses all of its cores.")
