@@ -44,6 +44,15 @@ def network():
     return build_network(TINY, TEXT).eval()
 
 
+def call(network, tokens, numbers, answers, next_tokens):
+    """The network on one prompt without pictures, nothing read beside it: logits and numbers."""
+    import torch
+
+    none, pictures = torch.zeros(0, dtype=torch.long), torch.zeros(0, 3, 64, 64)
+    given = (tokens, numbers, pictures, answers, next_tokens, answers[:1], none, none, pictures)
+    return network(*given)[:2]
+
+
 def sequence(image=False):
     shirt = encode(draft("t-shirt"))
     prompt = make_prompt((5, 250, 7), TEXT, image_tokens=4 if image else 0, edit=encode(draft("tank-top")))
@@ -87,10 +96,10 @@ def test_step_by_step_equals_all_at_once(network):
     for row, (one, start) in enumerate(zip(whole, starts, strict=True)):
         places = torch.arange(start - 1, start + steps)
         with torch.no_grad():
-            expected, _ = network(
+            expected, _ = call(
+                network,
                 torch.tensor(one.tokens)[None],
                 torch.tensor(one.numbers)[None],
-                torch.zeros(0, 3, 64, 64),
                 places,
                 torch.zeros(len(places), dtype=torch.long),
             )
@@ -112,6 +121,38 @@ def test_pictures_stand_where_their_places_are(network):
         assert looks.shape == (2, TINY.image_tokens, 32)
         assert torch.equal(embedded[:, :4], looks)
         assert torch.equal(embedded[0, 4:], embedded[1, 4:])
+
+
+@needs_torch
+def test_prompts_that_are_only_read_say_what_they_say_before_an_answer(network):
+    """One after the other in one row, none sees its neighbours; pictures go to the prompts they belong to."""
+    import torch
+
+    prompts = [
+        make_prompt(text, TEXT, image_tokens=4 * image).tokens
+        for text, image in (((5, 9, 7), 0), ((), 1), ((3,), 0), ((8, 8, 2, 1), 1))
+    ]
+    torch.manual_seed(2)
+    pictures, none = torch.randn(2, 3, 64, 64), torch.zeros(0, dtype=torch.long)
+    read, parts = np.concatenate(prompts), np.repeat(np.arange(4), [len(p) for p in prompts])
+
+    def foreseen(tokens, pictures, read, parts, read_pictures):
+        tokens = torch.tensor(tokens)[None]
+        last = torch.tensor([tokens.shape[1] - 1])
+        numbers = torch.zeros(1, tokens.shape[1], NUMBERS)
+        given = (tokens, numbers, pictures, last, torch.zeros(1, dtype=torch.long), last)
+        with torch.no_grad():
+            return network(*given, torch.as_tensor(read), torch.as_tensor(parts), read_pictures)[2]
+
+    together = foreseen(prompts[0], pictures[:0], read, parts, pictures)
+    alone = [
+        foreseen(prompt, look, none, none, pictures[:0])[0]
+        for prompt, look in zip(
+            prompts, (pictures[:0], pictures[:1], pictures[:0], pictures[1:]), strict=True
+        )
+    ]
+    assert torch.allclose(together, torch.stack([alone[0], *alone]), atol=1e-5)
+    assert not torch.allclose(alone[1], alone[3], atol=1e-2)
 
 
 @needs_torch
@@ -188,12 +229,11 @@ def test_low_rank_changes_begin_at_nothing_and_are_what_is_trained(network):
     given = (
         torch.tensor(one.tokens)[None],
         torch.tensor(one.numbers)[None],
-        torch.zeros(0, 3, 64, 64),
         torch.arange(10),
         torch.full((10,), MOVE),
     )
     with torch.no_grad():
-        assert torch.equal(network(*given)[0], changed(*given)[0])
+        assert torch.equal(call(network, *given)[0], call(changed, *given)[0])
     trained = {n for n, p in changed.vlm.language_model.named_parameters() if p.requires_grad}
     assert trained and all(n.endswith((".up", ".down")) for n in trained)
     for name, parameter in changed.named_parameters():
@@ -205,8 +245,8 @@ def test_low_rank_changes_begin_at_nothing_and_are_what_is_trained(network):
         count = embedded.shape[1]
         nothing = decoder.empty_cache(1)
         _, logits, _, _ = decoder(embedded, torch.arange(count)[None], torch.ones(1, count), nothing, nothing)
-        assert torch.allclose(logits[0, :10], changed(*given)[0], atol=1e-4)
-        assert not torch.allclose(logits[0, :10], network(*given)[0], atol=1e-2)
+        assert torch.allclose(logits[0, :10], call(changed, *given)[0], atol=1e-4)
+        assert not torch.allclose(logits[0, :10], call(network, *given)[0], atol=1e-2)
 
 
 @needs_torch
@@ -233,9 +273,9 @@ def test_a_pretrained_internvl_is_taken_as_it_is(network, tmp_path):
     size, encode_text = load_text_tokens(config)
     assert (size, encode_text("a long dress with sleeves")) == (6, (1, 2, 3))
     made = build_network(config, size)
-    given = (torch.tensor([[1, 2, 3]]), torch.zeros(1, 3, NUMBERS), torch.zeros(0, 3, 64, 64))
+    given = (torch.tensor([[1, 2, 3]]), torch.zeros(1, 3, NUMBERS))
     own = whole.model.language_model(input_ids=given[0]).last_hidden_state[0]
-    logits, _ = made.eval()(*given, torch.arange(3), torch.zeros(3, dtype=torch.long))
+    logits, _ = call(made.eval(), *given, torch.arange(3), torch.zeros(3, dtype=torch.long))
     assert torch.allclose(logits, made.token_head(own), atol=1e-5)
     with pytest.raises(InputError, match="image_size and patch_size"):
         build_network(NetworkConfig(pretrained=str(tmp_path), image_size=128), size)

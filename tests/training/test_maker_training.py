@@ -23,8 +23,9 @@ from swifttailor.pattern_maker.decode import decode
 from swifttailor.pattern_maker.encode import encode
 from swifttailor.pattern_maker.fidelity import compare
 from swifttailor.pattern_maker.pictures import picture_for_network
+from swifttailor.pattern_maker.prompt import MAKE
 from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
-from swifttailor.pattern_maker.vocabulary import PATTERN_START, STITCH_TOKENS
+from swifttailor.pattern_maker.vocabulary import PATTERN_START, SIZE, STITCH_TOKENS
 from swifttailor.training.extra import require_training_packages
 from swifttailor.training.maker_bank import open_bank
 from swifttailor.training.maker_config import CONFIGS, config_from, read_config
@@ -252,6 +253,18 @@ def test_wrong_values_are_refused(wrong):
         read_config("small", [wrong])
 
 
+def test_prompts_to_read_have_no_answer_and_are_no_edits(bank, config):
+    samples = samples_of(bank, config)
+    plans = [samples.plan_read(k) for k in range(40)]
+    assert {plan.task for plan in plans} == {"text"}  # there are no pictures
+    assert len({plan.garment for plan in plans}) == len(bank)
+    made = samples.make(plans[0])
+    assert made.prompt.tolist() == made.tokens[: -len(made.answer)].tolist()
+    assert made.prompt[-1] == TEXT.size + MAKE
+    edits = replace(config, tasks=replace(config.tasks, text=0, image=0, text_image=0))
+    assert samples_of(bank, edits).plan_read(0) is None
+
+
 @needs_torch
 def test_batches_hold_samples_of_like_length_and_depend_on_their_number_alone(bank, config):
     import torch
@@ -335,5 +348,7 @@ def test_a_pattern_learnt_by_heart_is_written_under_the_grammar(config, files, t
     batch = assemble([sample], longer.network.image_size)
     with torch.no_grad():
         _, _, foreseen = network.eval()(*batch.given)
-    assert torch.equal(foreseen > 0, batch.present > 0)
+    assert torch.equal(foreseen[:, :SIZE] > 0, batch.present > 0)
+    apart = foreseen[:, SIZE:].view_as(batch.panel_numbers) - batch.panel_numbers
+    assert apart[batch.panels_known].abs().median() < 0.1
     assert batch.present.sum() == len(set(sample.answer.tokens.tolist()))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -120,15 +120,24 @@ class ArrayCache:
         self._open[number] = opened
 
 
-def name_with_code(name: str, *rooms: str) -> str:
-    """A cache's name with a checksum of the rooms or modules whose code decides what is in it."""
+def name_with_code(name: str, *rooms: str, without: Sequence[str] = ()) -> str:
+    """A cache's name with a checksum of the rooms or modules whose code decides what is in it.
+
+    Args:
+        name: Of what is in it.
+        rooms: Paths in the package.
+        without: Rooms or modules in them that have no part in it.
+    """
     import swifttailor
 
     root = Path(swifttailor.__file__).parent
     digest = hashlib.sha256()
+    left_out = [root / room for room in without]
     for room in rooms:
         place = root / room
         for path in [place] if place.is_file() else sorted(place.rglob("*.py")):
+            if any(path.is_relative_to(other) for other in left_out):
+                continue
             digest.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
     return f"{name}-{digest.hexdigest()[:8]}"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import torch
@@ -9,6 +10,7 @@ import torch.nn.functional as F
 from torch import Tensor, nn
 from transformers import InternVLConfig, InternVLModel, InternVLVisionConfig, Qwen2Config
 
+from swifttailor.pattern_maker.foresight import FORESEEN
 from swifttailor.pattern_maker.network_config import NetworkConfig
 from swifttailor.pattern_maker.prompt import IMAGE, OWN_TOKENS
 from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
@@ -20,6 +22,10 @@ LONGEST_WAVE, WAVES = 16.0, 7
 """Fourier features of a number: a wave of 16 units (440 cm), of half as much, ... down to 7 cm. Shorter ones
 would tell apart numbers which the network, feeding on its own predictions, cannot."""
 _FEATURES = 1 + 2 * WAVES
+
+FORESIGHT_DEPTH = 2 / 3
+"""Of the layers of the language model, those that a prompt must be understood by. What it says is then there
+for the layers above to read, at every token of the answer."""
 
 TRAINING_ONLY = ("foresight_head.",)
 """Beginnings of the names of weights that no answer needs."""
@@ -41,7 +47,8 @@ class PatternMakerNetwork(nn.Module):
         self.token_head = nn.Linear(hidden, SIZE, bias=False)
         self.placement_head = _mlp(hidden, hidden, NUMBERS, nn.ReLU)
         self.edge_head = _mlp(hidden, hidden, NUMBERS, nn.ReLU)
-        self.foresight_head = nn.Linear(hidden, SIZE)
+        self.foresight_head = nn.Sequential(nn.LayerNorm(hidden), nn.Linear(hidden, FORESEEN))
+        self.foresight_layer = math.ceil(FORESIGHT_DEPTH * vlm.config.text_config.num_hidden_layers)
         self.register_buffer("number_mask", torch.tensor(NUMBER_MASK), persistent=False)
         spread = vlm.config.text_config.initializer_range
         for module in (self.own_embedding, self.token_head):
@@ -55,8 +62,11 @@ class PatternMakerNetwork(nn.Module):
         answers: Tensor,
         next_tokens: Tensor,
         firsts: Tensor,
+        read: Tensor,
+        read_parts: Tensor,
+        read_pictures: Tensor,
     ) -> tuple[Tensor, Tensor, Tensor]:
-        """Predicts the answers to some prompts, each token from those before it.
+        """Predicts the answers to some prompts, each token from those before it; reads others without answer.
 
         Args:
             tokens: (B, L) ids of the whole vocabulary.
@@ -65,17 +75,38 @@ class PatternMakerNetwork(nn.Module):
             answers: (n,) places in the flattened (B * L) from which the next token is predicted.
             next_tokens: (n,) that token, of a pattern.
             firsts: (B,) places in the flattened (B * L) of the last token of each prompt.
+            read: (T,) ids of prompts without numbers that are only read, one after the other.
+            read_parts: (T,) 0, ..., 0, 1, ...: to which of these prompts each belongs.
+            read_pictures: (Q, 3, S, S), those of these prompts that have one, in order.
 
         Returns:
-            (n, tokens of patterns) logits, (n, 8) its numbers, and (B, tokens of patterns) logits of which
-            tokens the whole answer has, foreseen from its prompt alone.
+            (n, tokens of patterns) logits, (n, 8) its numbers, and (B + prompts only read, `FORESEEN`) what
+            is foreseen of each whole answer from its prompt alone.
         """
-        embedded = self.embed(tokens, numbers, self.look(pictures))
-        states = self.vlm.language_model(inputs_embeds=embedded, use_cache=False).last_hidden_state
-        states = states.flatten(0, 1)
-        foreseen = self.foresight_head(states[firsts].float())
+        looks = self.look(torch.cat([pictures, read_pictures]))
+        embedded = self.embed(tokens, numbers, looks[: len(pictures)])
+        states, early = self._states(embedded)
+        understood = early[firsts]
+        if len(read):
+            plain = numbers.new_zeros((1, len(read), NUMBERS))
+            embedded = self.embed(read[None], plain, looks[len(pictures) :])
+            # Positions that begin anew tell transformers that these are several sequences.
+            begins = torch.searchsorted(read_parts, read_parts)
+            positions = torch.arange(len(read), device=read.device) - begins
+            _, early = self._states(embedded, positions[None])
+            ends = torch.nonzero(positions.roll(-1) == 0)[:, 0]
+            understood = torch.cat([understood, early[ends]])
+        foreseen = self.foresight_head(understood.float())
         states = states[answers]
         return self.logits(states), self.regress(states, next_tokens), foreseen
+
+    def _states(self, embedded: Tensor, positions: Tensor | None = None) -> tuple[Tensor, Tensor]:
+        """(B * L, hidden) after the last layer and after that of foresight, of embedded (B, L, hidden)."""
+        out = self.vlm.language_model(
+            inputs_embeds=embedded, position_ids=positions, use_cache=False, output_hidden_states=True
+        )
+        early = out.hidden_states[self.foresight_layer]
+        return out.last_hidden_state.flatten(0, 1), early.flatten(0, 1)
 
     def look(self, pictures: Tensor) -> Tensor:
         """(P, image tokens, hidden) of pictures (P, 3, S, S)."""

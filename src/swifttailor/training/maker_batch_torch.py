@@ -10,8 +10,9 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from swifttailor.pattern_maker.foresight import foresight_of
 from swifttailor.pattern_maker.prompt import PAD
-from swifttailor.pattern_maker.vocabulary import NUMBERS, SIZE
+from swifttailor.pattern_maker.vocabulary import NUMBERS
 from swifttailor.training.maker_samples import MakerSample, MakerSamples, Plan
 
 WINDOW = 24
@@ -36,13 +37,24 @@ class Batch:
     """(n, 8) its numbers."""
     firsts: Tensor
     """(B,) places in (B * L) of the last token of each prompt."""
+    read: Tensor
+    """(T,) ids of R prompts that are only read, one after the other."""
+    read_parts: Tensor
+    """(T,) which of these prompts it is of."""
+    read_pictures: Tensor
+    """(Q, 3, size, size), of these prompts."""
     present: Tensor
-    """(B, tokens of patterns) 1 for those that the answer has."""
+    """(B + R, tokens of patterns) 1 for those that the answer has."""
+    panel_numbers: Tensor
+    """(B + R, panels, numbers of `foresight`)."""
+    panels_known: Tensor
+    """The same shape: which of them mean something."""
 
     @property
     def given(self) -> tuple[Tensor, ...]:
         """What the network is called with."""
-        return (self.tokens, self.numbers, self.pictures, self.answers, self.next_tokens, self.firsts)
+        written = (self.tokens, self.numbers, self.pictures, self.answers, self.next_tokens, self.firsts)
+        return (*written, self.read, self.read_parts, self.read_pictures)
 
     def to(self, device: torch.device) -> Batch:
         """The same on a device."""
@@ -59,8 +71,17 @@ class TrainingBatches:
 
     def __getitem__(self, step: int) -> Batch:
         """This process's share of the batch of an optimiser step, from 0."""
+        config = self.samples.config
         plans = self.plans(step)[self.part :: self.parts]
-        return assemble([self.samples.make(plan) for plan in plans], self.samples.config.network.image_size)
+        count = config.batch_size * config.reads
+        reads = [
+            self.samples.plan_read(k) for k in range(step * count + self.part, (step + 1) * count, self.parts)
+        ]
+        return assemble(
+            [self.samples.make(plan) for plan in plans],
+            config.network.image_size,
+            [self.samples.make(plan) for plan in reads if plan is not None],
+        )
 
     def plans(self, step: int) -> list[Plan]:
         """The samples of the whole batch."""
@@ -104,8 +125,8 @@ class _CountFrom(torch.utils.data.Sampler):
             step += 1
 
 
-def assemble(samples: Sequence[MakerSample], image_size: int) -> Batch:
-    """Puts samples side by side, padded to the longest."""
+def assemble(samples: Sequence[MakerSample], image_size: int, reads: Sequence[MakerSample] = ()) -> Batch:
+    """Puts samples side by side, padded to the longest, and the prompts of others one after the other."""
     length = max(len(s.tokens) for s in samples)
     some: Any = samples[0]
     pad = int(some.tokens[-1]) - int(some.answer.tokens[-1]) + PAD  # text tokens come before
@@ -117,18 +138,27 @@ def assemble(samples: Sequence[MakerSample], image_size: int) -> Batch:
         tokens[row, :size], numbers[row, :size] = sample.tokens, sample.numbers
         # Each token is predicted from the state before it.
         answers.append(row * length + np.arange(size - len(sample.answer), size) - 1)
-    pictures = [s.picture for s in samples if s.picture is not None]
+    prompts = [s.prompt for s in reads] or [np.zeros(0, np.int64)]
+    foresight = [foresight_of(s.answer) for s in (*samples, *reads)]
     return Batch(
         torch.from_numpy(tokens),
         torch.from_numpy(numbers),
-        torch.from_numpy(
-            np.stack(pictures) if pictures else np.zeros((0, 3, image_size, image_size), np.float32)
-        ),
+        _pictures(samples, image_size),
         torch.from_numpy(np.concatenate(answers)),
         torch.from_numpy(np.concatenate([s.answer.tokens for s in samples]).astype(np.int64)),
         torch.from_numpy(np.concatenate([s.answer.numbers for s in samples])),
         torch.from_numpy(np.array([places[0] for places in answers])),
-        torch.from_numpy(
-            np.stack([np.bincount(s.answer.tokens, minlength=SIZE) > 0 for s in samples]).astype(np.float32)
-        ),
+        torch.from_numpy(np.concatenate(prompts)),
+        torch.from_numpy(np.repeat(np.arange(len(prompts)), [len(p) for p in prompts])),
+        _pictures(reads, image_size),
+        torch.from_numpy(np.stack([f.present for f in foresight])),
+        torch.from_numpy(np.stack([f.numbers for f in foresight])),
+        torch.from_numpy(np.stack([f.known for f in foresight])),
+    )
+
+
+def _pictures(samples: Sequence[MakerSample], image_size: int) -> Tensor:
+    found = [s.picture for s in samples if s.picture is not None]
+    return torch.from_numpy(
+        np.stack(found) if found else np.zeros((0, 3, image_size, image_size), np.float32)
     )

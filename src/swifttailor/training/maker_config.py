@@ -37,10 +37,12 @@ class MakerLosses:
 
     numbers: float = 1.0
     """Of the error of the tokens' numbers."""
-    foresight: float = 2.0
+    foresight: float = 10.0
     """Of the binary cross entropy of which tokens the answer has, foreseen at the end of the prompt. The
     answer itself tells most of each next token, so that a small network is slow to learn what the prompt
     tells."""
+    foreseen_numbers: float = 1.0
+    """Of the error of where its panels are and how large, foreseen at the same place."""
     penalty: Literal["absolute", "squared"] = "absolute"
     """Of a number, in normalised units; absolute is squared below `number_penalty`'s beta."""
     by_kind: bool = False
@@ -48,7 +50,7 @@ class MakerLosses:
     or those of all such tokens are averaged."""
 
     def __post_init__(self) -> None:
-        for name in ("numbers", "foresight"):
+        for name in ("numbers", "foresight", "foreseen_numbers"):
             require(self, name, getattr(self, name) >= 0, "0 or more")
         require(self, "penalty", self.penalty in ("absolute", "squared"), "absolute or squared")
 
@@ -67,6 +69,9 @@ class MakerConfig(LoopConfig):
 
     tags: Literal["ascending", "random"] = "ascending"
     """Whether stitch tags count up, or mean nothing (AIpparel)."""
+    reads: int = 4
+    """Prompts beside each sample that are only read, for the losses of foresight: they are short, and what
+    they say is what is learnt last. Their tasks are as often as in `tasks`, those of editing left out."""
     recuts: int = 1
     """Edits made of each pattern by recutting it, beside those of the file of edits."""
     typos: float = 0.03
@@ -83,7 +88,7 @@ class MakerConfig(LoopConfig):
     def __post_init__(self) -> None:
         super().__post_init__()
         require(self, "validation_samples", self.validation_samples >= 1, "at least 1")
-        for name in ("recuts", "number_noise"):
+        for name in ("recuts", "reads", "number_noise"):
             require(self, name, getattr(self, name) >= 0, "0 or more")
         require(self, "pretrained_rate", self.pretrained_rate > 0, "above 0")
         require(self, "typos", 0 <= self.typos <= 1, "0 to 1")
@@ -95,13 +100,14 @@ CONFIGS: dict[str, MakerConfig] = {
     "paper": MakerConfig(
         network=PAPER_NETWORK,
         tasks=TaskMix(text=0.2, image=0.3, text_image=0.4, edit=0.1),
-        losses=MakerLosses(numbers=0.1, foresight=0.0, penalty="squared", by_kind=True),
+        losses=MakerLosses(numbers=0.1, foresight=0.0, foreseen_numbers=0.0, penalty="squared", by_kind=True),
         steps=12_750,
         batch_size=80,
         learning_rate=1e-4,
         warmup_steps=100,
         weight_decay=0.0,
         tags="random",
+        reads=0,
         typos=0.0,
         number_noise=0.0,
         validate_every=1000,

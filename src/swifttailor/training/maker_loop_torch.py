@@ -22,6 +22,7 @@ from swifttailor.pattern_maker.network_torch import (
     number_penalty,
 )
 from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
+from swifttailor.pattern_maker.vocabulary import SIZE
 from swifttailor.training.loop_torch import Loop, say_nothing
 from swifttailor.training.maker_bank import PatternBank, open_bank
 from swifttailor.training.maker_batch_torch import Batch, TrainingBatches
@@ -35,6 +36,8 @@ from swifttailor.training.run_record import RunRecord
 from swifttailor.training.start_torch import load_start
 
 Report = Callable[[str], None]
+FORESIGHT_BETA = 0.2
+"""Where the error of foreseen numbers turns from squared to absolute, normalised units: about 5 cm."""
 HELD_OUT = 50
 """Of so many patterns one is kept for validation where no file is given for that."""
 
@@ -179,7 +182,7 @@ class _MakerTask:
         parts = [
             f"{task}: tokens {r['token_accuracy']:.1%} (loss {r['token_loss']:.3f}), "
             f"corners {r['corner_cm']:.2f} cm, placement {r['placement_cm']:.2f} cm, "
-            f"panels foreseen {r['panels_foreseen']:.0%}"
+            f"foreseen: panels {r['panels_foreseen']:.0%}, sizes {r['foreseen_cm']:.1f} cm"
             for task, r in result.items()
         ]
         return "validation " + "; ".join(parts)
@@ -199,12 +202,12 @@ def compute_losses(
     Args:
         logits: (n, tokens of patterns).
         numbers: (n, 8) predicted.
-        foreseen: (B, tokens of patterns) logits of which the answer has.
+        foreseen: (B + R, `FORESEEN`) of the answers to all prompts, those that are only read included.
         batch: With the truth.
         weights: How they are added.
 
     Returns:
-        ``tokens``, ``numbers``, ``foresight`` and ``total``.
+        ``tokens``, ``numbers``, ``foresight``, ``foreseen_numbers`` and ``total``.
     """
     tokens = batch.next_tokens
     of_tokens = F.cross_entropy(logits, tokens)
@@ -218,13 +221,24 @@ def compute_losses(
         of_numbers = (sums / counts.clamp(min=1)).sum()
     else:
         of_numbers = each.sum() / mask.any(-1).sum().clamp(min=1)
-    foresight = F.binary_cross_entropy_with_logits(foreseen, batch.present)
+    foresight = F.binary_cross_entropy_with_logits(foreseen[:, :SIZE], batch.present)
+    apart = F.smooth_l1_loss(
+        foreseen[:, SIZE:].unflatten(1, batch.panel_numbers.shape[1:]),
+        batch.panel_numbers,
+        beta=FORESIGHT_BETA,
+        reduction="none",
+    )
+    foreseen_numbers = (apart * batch.panels_known).sum() / batch.panels_known.sum().clamp(min=1)
     return {
         "tokens": of_tokens,
         "numbers": of_numbers,
         "foresight": foresight,
+        "foreseen_numbers": foreseen_numbers,
         # Added with weight 0 as well: several processes wait for the gradients of all weights.
-        "total": of_tokens + weights.numbers * of_numbers + weights.foresight * foresight,
+        "total": of_tokens
+        + weights.numbers * of_numbers
+        + weights.foresight * foresight
+        + weights.foreseen_numbers * foreseen_numbers,
     }
 
 

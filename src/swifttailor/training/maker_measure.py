@@ -31,6 +31,8 @@ from swifttailor.pattern_maker.encode import encode
 
 FORMAT = 1
 _TOKENS = ("decode", "edge_numbers", "encode", "grammar", "normalization", "placement_numbers", "vocabulary")
+_NO_PART = ("pattern/check/crossing_repair.py", "pattern/check/repair.py", "pattern/svg")
+"""Of the room of patterns: patterns are not mended before they are measured."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +58,8 @@ def task_name(patterns: tuple[EditedVersion, ...], recuts: int) -> str:
         digest.update(json.dumps([pattern.id, version.base]).encode() + b"\0" + data + b"\0")
     modules = [f"pattern_maker/{name}.py" for name in _TOKENS]
     rooms = ("pattern", "body", "data/captions/measure", "data/edits/recutting", "data/edits/operations.py")
-    code = name_with_code("maker", *rooms, "data/captions/facts.py", *modules, "training/maker_measure.py")
+    rooms = (*rooms, "data/captions/facts.py", *modules, "training/maker_measure.py")
+    code = name_with_code("maker", *rooms, without=_NO_PART)
     return f"{code}-{digest.hexdigest()[:20]}.safetensors"
 
 

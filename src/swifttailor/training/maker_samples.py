@@ -57,6 +57,11 @@ class MakerSample:
     picture: NDArray[np.float32] | None
     """(3, size, size)."""
 
+    @property
+    def prompt(self) -> NDArray[np.int64]:
+        """The tokens before the answer."""
+        return self.tokens[: len(self.tokens) - len(self.answer)]
+
 
 class MakerSamples:
     """Samples of the patterns of a bank, each determined by its task, pattern and seed alone."""
@@ -105,6 +110,17 @@ class MakerSamples:
         weights = np.array([getattr(self.config.tasks, task) for task in tasks])
         if not weights.sum():
             tasks, weights = list(TASKS[:1]), np.ones(1)
+        task = tasks[int(chance.choice(len(tasks), p=weights / weights.sum()))]
+        return self.plan_task(garment, task, chance)
+
+    def plan_read(self, place: int) -> Plan | None:
+        """Prompt number `place` of those that are only read; None where all that can be asked is editing."""
+        chance = np.random.default_rng([self.config.seed, 7, place])
+        garment = int(chance.integers(len(self.bank)))
+        tasks = [task for task in self.tasks_of(garment) if task != "edit"]
+        weights = np.array([getattr(self.config.tasks, task) for task in tasks])
+        if not weights.sum():
+            return None
         task = tasks[int(chance.choice(len(tasks), p=weights / weights.sum()))]
         return self.plan_task(garment, task, chance)
 

@@ -9,9 +9,10 @@ import numpy as np
 import torch
 import torch.nn.functional as F
 
+from swifttailor.pattern_maker.foresight import BOX
 from swifttailor.pattern_maker.network_torch import PatternMakerNetwork
 from swifttailor.pattern_maker.normalization import POINT_SCALE, TRANSLATION_SCALE
-from swifttailor.pattern_maker.vocabulary import COMMANDS, MOVE, PANEL_TOKENS
+from swifttailor.pattern_maker.vocabulary import COMMANDS, MOVE, PANEL_TOKENS, SIZE
 from swifttailor.training.maker_batch_torch import Batch, assemble
 from swifttailor.training.maker_config import MakerConfig
 from swifttailor.training.maker_samples import TASKS, MakerSamples
@@ -31,8 +32,9 @@ class Validation:
 
         Returns:
             By task ``token_accuracy``, the share of tokens that are the most probable ones, ``token_loss``,
-            ``corner_cm`` and ``placement_cm``; and ``panels_foreseen``, the share of the prompts of which the
-            panels of the answer are all known before it begins, and no others.
+            ``corner_cm`` and ``placement_cm``; ``panels_foreseen``, the share of the prompts of which the
+            panels of the answer are all known before it begins, and no others; and ``foreseen_cm``, how far
+            the sides of these panels' boxes are off then.
         """
         return {task: self._measure(network, batches) for task, batches in self._batches.items()}
 
@@ -56,7 +58,7 @@ class Validation:
         return found
 
     def _measure(self, network: PatternMakerNetwork, batches: list[Batch]) -> dict[str, float]:
-        losses, right, corners, placements, foresight = [], [], [], [], []
+        losses, right, corners, placements, foresight, boxes = [], [], [], [], [], []
         for batch in batches:
             batch = batch.to(self.device)
             tokens = batch.next_tokens
@@ -64,6 +66,9 @@ class Validation:
             panels = slice(PANEL_TOKENS.start, PANEL_TOKENS.stop)
             same = (foreseen[:, panels] > 0) == (batch.present[:, panels] > 0)
             foresight.append(same.all(-1).float())
+            panel_numbers = foreseen[:, SIZE:].unflatten(1, batch.panel_numbers.shape[1:])
+            sides = (panel_numbers - batch.panel_numbers)[..., BOX][batch.panels_known[..., BOX.start]]
+            boxes.append((sides.view(-1, 2, 2).abs() * sides.new_tensor(POINT_SCALE)).flatten())
             losses.append(F.cross_entropy(logits, tokens, reduction="none"))
             right.append((logits.argmax(-1) == tokens).float())
             off = numbers - batch.next_numbers
@@ -76,6 +81,7 @@ class Validation:
             "corner_cm": torch.cat(corners).median().item(),
             "placement_cm": torch.cat(placements).median().item(),
             "panels_foreseen": torch.cat(foresight).mean().item(),
+            "foreseen_cm": torch.cat(boxes).median().item(),
         }
 
 
