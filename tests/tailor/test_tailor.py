@@ -102,8 +102,17 @@ def test_the_folder_holds_everything_and_can_be_read_back(shirt, tmp_path):
 
 
 def test_less_is_written_where_less_is_wanted(shirt, tmp_path):
-    shirt.save(tmp_path, preview=False, images=False)
-    assert {p.name for p in tmp_path.iterdir()} == FILES - {"preview.png", "ggi.npz"}
+    less = FILES - {"preview.png", "ggi.npz"}
+    shirt.save(tmp_path / "new", preview=False, images=False)
+    assert {p.name for p in (tmp_path / "new").iterdir()} == less
+    # A picture of another garment would be worse than none; in a folder of something else it is not ours.
+    (tmp_path / "own").mkdir()
+    for folder in ("new", "own"):
+        for name in ("preview.png", "ggi.npz", "notes.txt"):
+            (tmp_path / folder / name).write_bytes(b"older")
+        shirt.save(tmp_path / folder, preview=False, images=False)
+    assert {p.name for p in (tmp_path / "new").iterdir()} == less | {"notes.txt"}
+    assert {p.name for p in (tmp_path / "own").iterdir()} == FILES | {"notes.txt"}
 
 
 def test_the_image_is_what_the_network_predicted(shirt, sewer):

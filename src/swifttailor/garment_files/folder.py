@@ -39,7 +39,8 @@ def save_folder(
 
     Args:
         garment: What to write.
-        folder: Created when missing; files of the same names are replaced one by one, others left alone.
+        folder: Created when missing; files of the same names are replaced one by one, others left alone,
+            but for the preview of an earlier garment where none is drawn of this one.
         body: Drawn in the preview; the default body when None.
         preview: Whether to draw preview.png.
         preview_size: Its width and height in pixels.
@@ -54,6 +55,8 @@ def save_folder(
 
     folder = Path(folder)
     mesh = mesh_of_garment(garment)
+    if not preview and (folder / REPORT).is_file():
+        (folder / PREVIEW).unlink(missing_ok=True)
     garment.pattern.save(folder / PATTERN)
     write_svg(garment.pattern, folder / DRAWING)
     write_glb(mesh, folder / GLB)

@@ -91,8 +91,8 @@ class Tailored:
 
         Args:
             folder: Created when missing; files of these names in it are replaced, others left alone.
-            preview: Whether to draw preview.png.
-            images: Whether to write ggi.npz.
+            preview: Whether to draw preview.png; without it that of an earlier garment is removed.
+            images: Whether to write ggi.npz; without it that of an earlier garment is removed.
 
         Returns:
             The folder.
@@ -100,12 +100,14 @@ class Tailored:
         Raises:
             InputError: The folder cannot be written.
         """
-        from swifttailor.garment_files.folder import save_folder
+        from swifttailor.garment_files.folder import REPORT, save_folder
         from swifttailor.ggi.file import GGI_FILE, write_ggi
 
         folder = Path(folder)
         if images:
             write_ggi(self.images, folder / GGI_FILE)
+        elif (folder / REPORT).is_file():
+            (folder / GGI_FILE).unlink(missing_ok=True)
         return save_folder(self.garment, folder, preview=preview, preview_size=PREVIEW_SIZE)
 
 
