@@ -8,6 +8,7 @@ from typing import Any
 import torch
 import torch.nn.functional as F
 from torch import Tensor, nn
+from torch.distributed.tensor import DTensor
 from transformers import InternVLConfig, InternVLModel, InternVLVisionConfig, Qwen2Config
 
 from swifttailor.pattern_maker.foresight import FORESEEN
@@ -102,11 +103,14 @@ class PatternMakerNetwork(nn.Module):
 
     def _states(self, embedded: Tensor, positions: Tensor | None = None) -> tuple[Tensor, Tensor]:
         """(B * L, hidden) after the last layer and after that of foresight, of embedded (B, L, hidden)."""
-        out = self.vlm.language_model(
-            inputs_embeds=embedded, position_ids=positions, use_cache=False, output_hidden_states=True
-        )
-        early = out.hidden_states[self.foresight_layer]
-        return out.last_hidden_state.flatten(0, 1), early.flatten(0, 1)
+        language, early = self.vlm.language_model, []
+        above = [*language.layers, language.norm][self.foresight_layer]
+        watch = above.register_forward_pre_hook(lambda _, given: early.append(given[0]))
+        try:
+            out = language(inputs_embeds=embedded, position_ids=positions, use_cache=False)
+        finally:
+            watch.remove()
+        return out.last_hidden_state.flatten(0, 1), early[0].flatten(0, 1)
 
     def look(self, pictures: Tensor) -> Tensor:
         """(P, image tokens, hidden) of pictures (P, 3, S, S)."""
@@ -114,7 +118,7 @@ class PatternMakerNetwork(nn.Module):
             return torch.zeros((0, 1, self.hidden_size), device=pictures.device)
         if len(pictures):
             return self.vlm.get_image_features(pictures).pooler_output
-        # Several processes wait for each other's gradients: all parameters take part in every step.
+        # Several processes wait for each other's gradients, and parts: all take part in every step.
         side = self.vlm.config.vision_config.image_size[0]
         unseen = torch.zeros((1, 3, side, side), device=pictures.device)
         return self.vlm.get_image_features(unseen).pooler_output[:0]
@@ -167,9 +171,17 @@ class PatternMakerNetwork(nn.Module):
         return inside & self.number_mask.any(-1)[own.clamp(0, SIZE - 1)]
 
     @property
+    def units(self) -> list[nn.Module]:
+        """Parts that can be held by several processes together, inner ones first."""
+        layers = [*self.vlm.language_model.layers, *self.vlm.vision_tower.encoder.layer]
+        whole = [self.vlm.get_input_embeddings(), self.vlm.multi_modal_projector, self.vlm.vision_tower]
+        return [*layers, *whole, self.vlm.language_model]
+
+    @property
     def _always_looks(self) -> bool:
-        trained = next(self.vlm.vision_tower.parameters()).requires_grad
-        return self.training and trained and torch.distributed.is_initialized()
+        some = next(self.vlm.vision_tower.parameters())
+        several = torch.distributed.is_initialized()
+        return several and (isinstance(some, DTensor) or (self.training and some.requires_grad))
 
 
 def _mlp(size: int, hidden: int, out: int, activation: type[nn.Module]) -> nn.Sequential:

@@ -27,6 +27,7 @@ from swifttailor.training.mean_losses_torch import MeanLosses
 from swifttailor.training.processes_torch import Processes
 from swifttailor.training.run_record import WEIGHTS, RunRecord, versions
 from swifttailor.training.schedule import Schedule
+from swifttailor.training.sharding_torch import split_like, split_state, whole
 
 Report = Callable[[str], None]
 BETAS = (0.9, 0.99)
@@ -108,14 +109,15 @@ class Loop:
         step, seconds = 0, 0.0
         if resume:
             state = read_checkpoint(self.out, processes.device, STATE)
-            weights.load_state_dict(state["network"])
-            optimizer.load_state_dict(state["optimizer"])
-            average.values = state["average"]
+            weights.load_state_dict(split_like(state["network"], average.values))
+            optimizer.load_state_dict(split_state(state["optimizer"], optimised))
+            average.values = split_like(state["average"], average.values)
             means.restore(state["losses"])
             step, seconds = state["step"], state["seconds"]
             if processes.is_first:
                 self.record.forget_after(step)
-        trained = processes.share(weights.network)
+        sharded = weights.are_sharded
+        trained = weights.network if sharded else processes.share(weights.network)
         schedule = Schedule(
             config.steps, config.warmup_steps, config.final_rate, max_minutes and max_minutes * 60
         )
@@ -140,7 +142,7 @@ class Loop:
             if step % config.log_every == 0 or ends:
                 line = {"step": step, "seconds": round(seconds, 1), "rate": config.learning_rate * rate}
                 line |= means.take()
-                line["gradient_norm"] = norm.item()
+                line["gradient_norm"] = float(whole(norm, keep=True))
                 if not math.isfinite(line["total"]):
                     raise SimulationError(
                         f"The loss is {line['total']} at step {step}. Resume from the checkpoint with a "
@@ -150,12 +152,16 @@ class Loop:
                     self.record.add(line)
                     self.report(_line_text(line, step * config.batch_size, seconds))
             if step % config.validate_every == 0 or ends or step - first_step == stop_after:
-                if processes.is_first:
+                # All take part where each has a part of the network.
+                if processes.is_first or sharded:
                     with averaged(weights, average):
                         result = task.validate()
-                        self.record.add({"step": step, "seconds": round(seconds, 1), "validation": result})
-                        self.report(f"step {step}: {task.result_text(result)}")
-                        task.illustrate(step)
+                        if processes.is_first:
+                            self.record.add(
+                                {"step": step, "seconds": round(seconds, 1), "validation": result}
+                            )
+                            self.report(f"step {step}: {task.result_text(result)}")
+                            task.illustrate(step)
                     state = {
                         "network": weights.state_dict(),
                         "optimizer": optimizer.state_dict(),
@@ -164,10 +170,12 @@ class Loop:
                         "step": step,
                         "seconds": seconds,
                     }
-                    write_checkpoint(self.out, state)
-                    _save_weights(average, self.out)
-                    card = self._card(task, step, seconds, result)
-                    self.record.write_card(card)
+                    state = whole(state, keep=processes.is_first)
+                    if processes.is_first:
+                        write_checkpoint(self.out, state)
+                        _save_weights(state["average"], self.out)
+                        card = self._card(task, step, seconds, result)
+                        self.record.write_card(card)
                     trained.train()
                 processes.wait()
         self.report(f"{step} steps in {seconds / 60:.1f} minutes. The weights are in '{self.out / WEIGHTS}'.")
@@ -212,12 +220,12 @@ def say_nothing(text: str) -> None:
     """For the processes that are not the first."""
 
 
-def _save_weights(average: MovingAverage, out: Path) -> None:
+def _save_weights(values: dict[str, Tensor], out: Path) -> None:
     from safetensors.torch import save
 
     from swifttailor.data.shard_file import write_durably
 
-    write_durably(out / WEIGHTS, save({k: v.contiguous().cpu() for k, v in average.values.items()}))
+    write_durably(out / WEIGHTS, save({k: v.contiguous().cpu() for k, v in values.items()}))
 
 
 def _line_text(line: dict[str, Any], seen: int, seconds: float) -> str:

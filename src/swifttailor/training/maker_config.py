@@ -67,6 +67,9 @@ class MakerConfig(LoopConfig):
     pretrained_rate: float = 1.0
     """Factor on the learning rate of what is pretrained."""
 
+    shard: bool = False
+    """Whether each of several processes keeps only its part of weights, gradients and optimiser state (FSDP),
+    for networks that do not fit into one GPU otherwise."""
     tags: Literal["ascending", "random"] = "ascending"
     """Whether stitch tags count up, or mean nothing (AIpparel)."""
     reads: int = 4

@@ -33,6 +33,7 @@ from swifttailor.training.maker_validation_torch import Validation
 from swifttailor.training.master_weights_torch import MasterWeights, choose_precision
 from swifttailor.training.processes_torch import Processes
 from swifttailor.training.run_record import RunRecord
+from swifttailor.training.sharding_torch import shard
 from swifttailor.training.start_torch import load_start
 
 Report = Callable[[str], None]
@@ -132,7 +133,13 @@ def train(
 
     batches = TrainingBatches(samples_of("train"), part=processes.rank, parts=processes.count)
     task = _MakerTask(
-        network, config, banks, batches, Validation(samples_of("validation"), config, device), device, loaders
+        network,
+        config,
+        banks,
+        batches,
+        Validation(samples_of("validation"), config, device),
+        processes,
+        loaders,
     )
     total, trained = (
         sum(p.numel() for p in network.parameters() if p.requires_grad or not only) for only in (False, True)
@@ -156,13 +163,17 @@ class _MakerTask:
         banks: dict[str, PatternBank],
         batches: TrainingBatches,
         validation: Validation,
-        device: torch.device,
+        processes: Processes,
         loaders: int,
     ) -> None:
         self.network, self.config, self.banks, self.batches = network, config, banks, batches
-        self.validation, self.device, self.loaders = validation, device, loaders
-        self.precision = choose_precision(config.precision, device)
-        self.weights = MasterWeights(network, [network.vlm] if self.precision == "bfloat16" else [])
+        self.validation, self.device, self.loaders = validation, processes.device, loaders
+        self.precision = choose_precision(config.precision, self.device)
+        lowered = [network.vlm] if self.precision == "bfloat16" else []
+        if config.shard:
+            lowered = []  # the parts are float32, what is put together of them is not
+            shard(network, network.units, network.vlm, processes, self.precision)
+        self.weights = MasterWeights(network, lowered)
         self._ahead: Iterator[Batch] | None = None
 
     def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:

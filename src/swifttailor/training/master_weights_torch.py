@@ -8,6 +8,8 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
+from swifttailor.training.sharding_torch import is_sharded
+
 
 class MasterWeights:
     """The weights of a network as an optimiser sees them: all in float32."""
@@ -31,6 +33,11 @@ class MasterWeights:
                 parameter.data = parameter.data.bfloat16()
                 self._pairs.append((parameter, master))
             self.named[name] = master
+
+    @property
+    def are_sharded(self) -> bool:
+        """Whether this process holds only a part of them."""
+        return is_sharded(self.named.values())
 
     def take_gradients(self) -> None:
         """Moves the gradients of a backward pass to where the optimiser looks for them."""

@@ -1,0 +1,121 @@
+"""Several processes train one network: each with a copy of it, or each with a part."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from safetensors.numpy import load_file
+
+from swifttailor.errors import InputError, MissingExtraError
+from swifttailor.pattern import to_specification
+from swifttailor.pattern.drafts import draft
+from swifttailor.training.extra import require_training_packages
+
+try:
+    require_training_packages("This test")
+    MISSING = ""
+except MissingExtraError as error:
+    MISSING = str(error)
+pytestmark = pytest.mark.skipif(bool(MISSING), reason=MISSING)
+
+TINY = [
+    "network.hidden_size=32",
+    "network.layers=2",
+    "network.heads=2",
+    "network.key_value_heads=1",
+    "network.intermediate_size=64",
+    "network.vision_hidden_size=32",
+    "network.vision_layers=1",
+    "network.vision_heads=2",
+    "network.image_size=64",
+    "batch_size=4",
+    "learning_rate=0.003",
+    "warmup_steps=1",
+    "steps=6",
+    "validate_every=3",
+    "validation_samples=2",
+    "log_every=3",
+    "ema=0.9",
+    "recuts=0",
+]
+SCRIPT = """
+import json, sys
+from pathlib import Path
+from swifttailor.training.maker_config import read_config
+from swifttailor.training.maker_loop_torch import train
+
+folder, out, stop, *values = sys.argv[1:]
+folder = Path(folder)
+for resume in (False, True):
+    train(read_config("small", values), [folder / "train.jsonl"], folder / out, resume=resume,
+          validation=[folder / "other.jsonl"], cache=folder / "cache", threads=1, stop_after=int(stop) or None)
+    if not int(stop):
+        break
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory) -> Path:
+    folder = tmp_path_factory.mktemp("several")
+    for name, lengths in (("train", (45.0, 53.0, 61.0)), ("other", (50.0,))):
+        patterns = {f"{name}{k}": draft("fitted-skirt", length=n) for k, n in enumerate(lengths)}
+        lines = [json.dumps({"id": k, "pattern": to_specification(p)}) for k, p in patterns.items()]
+        (folder / f"{name}.jsonl").write_text("\n".join(lines) + "\n")
+    (folder / "script.py").write_text(SCRIPT)
+    return folder
+
+
+def train_in_two(folder: Path, out: str, *values: str, stop: int = 0) -> dict[str, np.ndarray]:
+    """Runs a training in two processes and gives its weights."""
+    command = [sys.executable, "-m", "torch.distributed.run", "--standalone", "--nproc_per_node", "2"]
+    command += [str(folder / "script.py"), str(folder), out, str(stop), *TINY, *values]
+    environment = os.environ | {"OMP_NUM_THREADS": "1", "CUDA_VISIBLE_DEVICES": ""}
+    done = subprocess.run(command, capture_output=True, text=True, timeout=900, env=environment)
+    assert done.returncode == 0, done.stderr[-3000:]
+    return load_file(folder / out / "weights.safetensors")
+
+
+def apart(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> float:
+    assert one.keys() == other.keys()
+    assert {k: v.shape for k, v in one.items()} == {k: v.shape for k, v in other.items()}
+    return max(float(np.abs(one[k] - other[k]).max()) for k in one)
+
+
+def test_in_parts_or_in_copies_the_same_is_learnt_and_gone_on_with(folder):
+    copies = train_in_two(folder, "copies", "precision=float32")
+    parts = train_in_two(folder, "parts", "precision=float32", "shard=true")
+    assert apart(copies, parts) < 1e-4
+    resumed = train_in_two(folder, "resumed", "precision=float32", "shard=true", stop=3)
+    assert apart(parts, resumed) < 1e-6
+    lines = [json.loads(line) for line in (folder / "resumed/metrics.jsonl").read_text().splitlines()]
+    assert [line["step"] for line in lines if "validation" in line] == [3, 6]
+    card = json.loads((folder / "parts/card.json").read_text())
+    assert card["training"]["processes"] == 2
+    assert card["parameters"] == sum(v.size for v in copies.values())
+
+
+def test_parts_compute_in_bfloat16_and_stay_float32(folder):
+    parts = train_in_two(folder, "low", "precision=bfloat16", "shard=true")
+    assert {v.dtype for v in parts.values()} == {np.dtype(np.float32)}
+    high = load_file(folder / "parts/weights.safetensors")
+    assert 1e-6 < apart(parts, high) < 0.1
+
+
+def test_one_process_has_nothing_to_split(folder):
+    from swifttailor.training.maker_config import read_config
+    from swifttailor.training.maker_loop_torch import train
+
+    with pytest.raises(InputError, match="there is one"):
+        train(
+            read_config("small", [*TINY, "shard=true"]),
+            [folder / "train.jsonl"],
+            folder / "alone",
+            validation=[folder / "other.jsonl"],
+            cache=folder / "cache",
+        )
