@@ -14,6 +14,7 @@ from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker.maker import PatternMaker
 
 TINY = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
+TINY_SEWER = Path(__file__).parents[1] / "garment_sewer" / "tiny_sewer.onnx"
 
 
 @pytest.fixture(scope="module")
@@ -88,11 +89,19 @@ def test_pictures_are_asked_for_where_there_are_drapes(files, data, tmp_path, ca
 
     monkeypatch.setattr(PatternMaker, "generate_all", answer)
     asked = arguments(files, tmp_path, "--data", str(data), "--tasks", "image", "--samples", "0")
-    assert run([*asked, "--pictures", "3"]) == 0
+    assert run([*asked, "--pictures", "3", "--garments", "--sewer-weights", str(TINY_SEWER)]) == 0
     assert shown_to == [(24, 24, 3)] * 3, "there are drapes of three of the four patterns"
     shown = capsys.readouterr().out
     assert "questions: 3 image" in shown and "drawn of the drapes of validation" in shown
     assert (tmp_path / "sheet-image-01.png").is_file()
+    assert "PatternMaker + GarmentSewer, image" in shown and "true patterns + GarmentSewer" in shown
+    summary = json.loads((tmp_path / "summary.json").read_text())
+    compared = summary["garments"]["image"]
+    assert compared["answers"]["references"] == 3 and compared["unsewable"] == {}
+    # Three times the same skirt is next to one of the three drapes alone.
+    assert compared["answers"]["coverage"] == pytest.approx(1 / 3)
+    assert compared["chamfer"] > compared["floor"]["mmd"] > 0
+    assert summary["about"]["sewer_weights"]["file"] == "tiny_sewer.onnx"
 
 
 def test_interrupted_it_says_how_to_go_on(files, tmp_path, capsys, monkeypatch):
@@ -125,6 +134,8 @@ def test_patterns_that_cannot_be_used_are_named(files, tmp_path, capsys, calls):
         (["--attempts", "3"], "At temperature 0 all 3 attempts are the same"),
         (["--attempts", "0"], "--attempts is 0; from 1 to 64"),
         (["--samples", "-1"], "--samples is -1; from 0"),
+        (["--garments"], "--garments compares with drapes: give the data set"),
+        (["--sewer-weights", "x.onnx"], "--sewer-weights goes with --garments"),
         (["--threads", "0"], "--threads is 0; from 1 to 256"),
         (["--pictures", "900"], "--pictures is 900; from 0"),
         (["--weights", "nowhere.zip"], "Cannot read the weights 'nowhere.zip'"),

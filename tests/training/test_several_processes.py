@@ -53,8 +53,8 @@ from swifttailor.training.maker_loop_torch import train
 folder, out, stop, *values = sys.argv[1:]
 folder = Path(folder)
 for resume in (False, True):
-    train(read_config("small", values), [folder / "train.jsonl"], folder / out, resume=resume,
-          validation=[folder / "other.jsonl"], cache=folder / "cache", threads=1, stop_after=int(stop) or None)
+    train(read_config("small", values), [folder / "train.jsonl"], folder / out, resume=resume, threads=1,
+          validation=[folder / "other.jsonl"], cache=folder / "cache", stop_after=int(stop) or None)
     if not int(stop):
         break
 """

@@ -20,6 +20,7 @@ from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
     from swifttailor.evaluation.maker.run import Evaluation
+    from swifttailor.garment_sewer.sewer import GarmentSewer
 
 MAX_SAMPLES = 1000
 
@@ -58,6 +59,10 @@ class EvaluatePatternMaker:
     """Patterns written for each answer, of which the best is taken; with a temperature above 0."""
     samples: Annotated[int, tyro.conf.arg(metavar="N")] = 20
     """Most attempts of #Sampling, which are drawn at temperature 1; 0 leaves it out."""
+    garments: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Sew the answers and compare them, as a set, with the drapes of --data."""
+    sewer_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """With --garments: GarmentSewer's model file; the one of the package without it."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
     """Processor cores for the network."""
     pictures: Annotated[int, tyro.conf.arg(metavar="N")] = 12
@@ -88,18 +93,33 @@ class EvaluatePatternMaker:
             self.samples,
         )
         plan.chosen_tasks()
+        sewer = self._sewer()
         maker = PatternMaker.load(self.weights, threads=self.threads)
         weights = file_identity(SHIPPED if self.weights is None else self.weights)
         try:
-            found = evaluate(maker, plan, self.out, weights, ItemProgress)
+            found = evaluate(maker, plan, self.out, weights, ItemProgress, sewer)
         except KeyboardInterrupt:
             sys.stderr.write(f"What was answered is kept in {self.out}; the same command goes on with it.\n")
             raise
         about = found.about | {"threads": self.threads} | code_and_machine()
+        if sewer is not None:
+            about["sewer_weights"] = file_identity(self._sewer_file())
         self._write(found, about)
         if self.pictures:
             self._draw(found)
         return 0 if found.complete else 1
+
+    def _sewer(self) -> GarmentSewer | None:
+        if not self.garments:
+            return None
+        from swifttailor.garment_sewer.sewer import GarmentSewer
+
+        return GarmentSewer.load(self._sewer_file(), threads=self.threads)
+
+    def _sewer_file(self) -> Path:
+        from swifttailor.garment_sewer.sewer import SHIPPED
+
+        return SHIPPED if self.sewer_weights is None else self.sewer_weights
 
     def _validate(self) -> None:
         """Refuses what cannot work before anything is loaded."""
@@ -107,6 +127,10 @@ class EvaluatePatternMaker:
 
         if not self.patterns:
             raise InputError("No patterns were given. Give at least one file: --patterns FILE")
+        if self.garments and self.data is None:
+            raise InputError("--garments compares with drapes: give the data set that has them, --data DIR.")
+        if self.sewer_weights is not None and not self.garments:
+            raise InputError("--sewer-weights goes with --garments.")
         require_limit(self.limit)
         in_range("--seed", self.seed, 0, 2**31)
         in_range("--temperature", self.temperature, 0.0, 10.0)
@@ -127,6 +151,7 @@ class EvaluatePatternMaker:
             "about": about,
             "tasks": {result.task: result.to_json() for result in found.results},
             "sampling": {task: summary.to_json() for task, summary in found.sampling.items()},
+            "garments": {task: sets.to_json() for task, sets in found.garments.items()},
         }
         text = self._text(found, about)
         summary = json.dumps(content, indent=1, allow_nan=False) + "\n"
@@ -137,11 +162,18 @@ class EvaluatePatternMaker:
         sys.stdout.write(summary if self.json else text)
 
     def _text(self, found: Evaluation, about: dict[str, Any]) -> str:
-        from swifttailor.evaluation.maker.tables import provenance_text, sampling_text, task_text
+        from swifttailor.evaluation.maker.tables import (
+            garments_text,
+            provenance_text,
+            sampling_text,
+            task_text,
+        )
 
         parts = [provenance_text(about), *(task_text(result) for result in found.results)]
         if found.sampling:
             parts.append(sampling_text(found.sampling, self.samples))
+        if found.garments:
+            parts.append(garments_text(found.garments))
         if found.skipped:
             parts.append("".join(f"{id}: not asked for. {why}\n" for id, why in found.skipped.items()))
         return "\n".join(parts)

@@ -10,6 +10,7 @@ from swifttailor.data.index import split_folders
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.draw import Picture
 from swifttailor.data.renders.files import FOLDER, INDEX, RenderSettings, SplitRenders, draw_render
+from swifttailor.data.sample import Sample
 from swifttailor.evaluation.maker.questions import seed_of
 
 
@@ -40,6 +41,17 @@ class GarmentPictures:
     def __contains__(self, id: str) -> bool:
         """Whether there is a garment of that id."""
         return id in self._places
+
+    def sample(self, id: str) -> Sample | None:
+        """The drape of a garment; None where there is none of that id.
+
+        Raises:
+            InputError: The data set is damaged.
+        """
+        if id not in self._places:
+            return None
+        split, number = self._places[id]
+        return self._readers[split][number]
 
     def picture(self, id: str) -> tuple[str, Picture]:
         """The look and the pixels of the picture of a garment.

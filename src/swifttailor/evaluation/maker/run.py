@@ -6,11 +6,12 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from swifttailor.errors import InputError
 from swifttailor.evaluation.maker.ask import Answer, Asking, Maker, ask_all
 from swifttailor.evaluation.maker.book import Book, open_books
+from swifttailor.evaluation.maker.garments import Garments, GarmentSets
 from swifttailor.evaluation.maker.pictures import GarmentPictures
 from swifttailor.evaluation.maker.questions import (
     PICTURED,
@@ -26,6 +27,9 @@ from swifttailor.evaluation.maker.questions import (
 from swifttailor.evaluation.maker.sampling import SamplingSummary, sample_all, summarize_samples
 from swifttailor.evaluation.maker.scores import Scored, TaskResult, score_answers, summarize_task
 from swifttailor.evaluation.patterns.attempts import MAX_ATTEMPTS
+
+if TYPE_CHECKING:
+    from swifttailor.garment_sewer.sewer import GarmentSewer
 
 
 class Counter(Protocol):
@@ -84,6 +88,8 @@ class Evaluation:
     scored: Mapping[Task, list[Scored]]
     results: list[TaskResult]
     sampling: Mapping[Task, SamplingSummary]
+    garments: Mapping[Task, GarmentSets]
+    """Of the tasks that make garments from nothing, where they were sewn."""
     skipped: dict[str, str]
     """Patterns and edits that could not be asked for, and why."""
     pictures: GarmentPictures | None
@@ -97,7 +103,14 @@ class Evaluation:
         return not self.skipped and all(a.pattern is not None for a in answers)
 
 
-def evaluate(maker: Maker, plan: Plan, out: Path, weights: dict[str, Any], show: ShowProgress) -> Evaluation:
+def evaluate(
+    maker: Maker,
+    plan: Plan,
+    out: Path,
+    weights: dict[str, Any],
+    show: ShowProgress,
+    sewer: GarmentSewer | None = None,
+) -> Evaluation:
     """Runs an evaluation, or goes on with one.
 
     Args:
@@ -106,6 +119,7 @@ def evaluate(maker: Maker, plan: Plan, out: Path, weights: dict[str, Any], show:
         out: Folder that keeps the answers.
         weights: What tells the network from others, as JSON values.
         show: Shows progress.
+        sewer: Sews the answers, to be compared with the drapes of `plan.data`.
 
     Raises:
         InputError: Something cannot be read or written, or nothing could be asked or was answered.
@@ -131,6 +145,7 @@ def evaluate(maker: Maker, plan: Plan, out: Path, weights: dict[str, Any], show:
     asked = [task for task in tasks if any(q.task == task for q in questions)]
     scored = {t: [s for s in scored_all if s.answer.question.task == t] for t in asked}
     results = [summarize_task(task, scored[task]) for task in asked]
+    garments = _sew(sewer, scored, pictures, seed, show)
     skipped = patterns.skipped | ({} if edits is None else edits.skipped)
     about = settings | {
         "patterns": [p.name for p in plan.patterns],
@@ -145,7 +160,27 @@ def evaluate(maker: Maker, plan: Plan, out: Path, weights: dict[str, Any], show:
         "pictures_drawn": [] if pictures is None else list(pictures.drawn),
         "answered_by_commits": commits,
     }
-    return Evaluation(scored, results, sampling, skipped, pictures, about)
+    return Evaluation(scored, results, sampling, garments, skipped, pictures, about)
+
+
+def _sew(
+    sewer: GarmentSewer | None,
+    scored: Mapping[Task, list[Scored]],
+    pictures: GarmentPictures | None,
+    seed: int,
+    show: ShowProgress,
+) -> dict[Task, GarmentSets]:
+    if sewer is None:
+        return {}
+    if pictures is None:
+        raise InputError("Garments are compared with drapes, and there is no data set: give --data DIR.")
+    garments = Garments(sewer, pictures.sample, seed)
+    compared = {}
+    for task, answers in scored.items():
+        if task != "edit":
+            with show(len(answers), f"answers by {task} sewn") as progress:
+                compared[task] = garments.compare(answers, progress.add)
+    return {task: found for task, found in compared.items() if found is not None}
 
 
 def _questions(

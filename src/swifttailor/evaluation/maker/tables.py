@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from swifttailor.evaluation.maker.garments import GarmentSets
 from swifttailor.evaluation.maker.questions import Task
 from swifttailor.evaluation.maker.sampling import SamplingSummary
 from swifttailor.evaluation.maker.scores import TaskResult
@@ -95,6 +96,29 @@ def sampling_text(found: Mapping[Task, SamplingSummary], limit: int) -> str:
         "of first attempts: all panels closed, all stitches in pairs, no error found by the checker, can\n"
         "be made into a garment as written, and mended.\n\n"
         f"{text_table('', _SAMPLING, rows)}\n{''.join(failures)}"
+    )
+
+
+def garments_text(found: Mapping[Task, GarmentSets]) -> str:
+    """Table of the garments of the answers, task by task, beside the paper's."""
+    columns = [Column("CD"), Column("MMD"), Column("COV"), Column("not sewn", "d"), Column("n", "d")]
+    rows: list[tuple[str, list[float | int | None]]] = []
+    for task, g in found.items():
+        for name, chamfer, sets in (
+            (f"PatternMaker + GarmentSewer, {task}", g.chamfer, g.answers),
+            ("  true patterns + GarmentSewer", None, g.truth),
+            ("  floor", None, g.floor),
+        ):
+            rows.append((name, [chamfer, sets.mmd, sets.coverage, sets.failed, sets.references]))
+        rows += [
+            (f"paper: {row.name}, {task}", [None, row.mmd, row.coverage, None, None])
+            for row in _GARMENTS[task]
+        ]
+    return (
+        "== Garments of the answers ==\n\n"
+        "CD (to the drape of the pattern asked for) and MMD in cm2, COV: share; 10,000 points. Floor: the\n"
+        "drapes themselves, their points drawn again. The paper states neither unit nor number of points,\n"
+        "and has other data: see docs/evaluation.md.\n\n" + text_table("", columns, rows)
     )
 
 
