@@ -23,7 +23,7 @@ from swifttailor.evaluation.garments.score import (
     score_garment,
     score_of_json,
 )
-from swifttailor.evaluation.garments.sheet import spread, write_sheet
+from swifttailor.evaluation.garments.sheet import spread, write_sheets
 from swifttailor.evaluation.garments.summary import means_of, summarize_scores, work
 from swifttailor.evaluation.paper_rows import ABLATION
 from swifttailor.garment import Garment
@@ -196,8 +196,8 @@ def test_pictures_are_spread_from_best_to_worst(some, tmp_path):
     drape = make_sample("a", "fitted-skirt").garment
     text = caption(some[1].score)
     assert "fitted-skirt, skirt" in text and "2.0 cm" in text
-    write_sheet(tmp_path / "sheet.png", [Shown(text, moved(drape, [0, 5, 0]), drape)])
-    picture = np.asarray(Image.open(tmp_path / "sheet.png"))
+    (sheet,) = write_sheets(tmp_path, [Shown(text, moved(drape, [0, 5, 0]), drape)])
+    picture = np.asarray(Image.open(sheet))
     left, right = picture[40:, : TILE[0]], picture[40:, -TILE[0] :]
     assert left.std() > 20 and not np.array_equal(left, right)
 

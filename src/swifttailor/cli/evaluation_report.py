@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from swifttailor.evaluation.garments.summary import Summary
 
 MAX_PICTURES = 200
-PER_SHEET = 6
 
 
 def open_split(data: Path, split: str) -> SplitReader:
@@ -89,7 +88,7 @@ class GarmentReport:
 
     def draw(self, reader: SplitReader, out: Path, pictures: int) -> list[Path]:
         """Writes sheet-01.png and so on: garments from the nearest to their drapes to the farthest."""
-        from swifttailor.evaluation.garments.sheet import Shown, caption, spread, write_sheet
+        from swifttailor.evaluation.garments.sheet import Shown, caption, spread, write_sheets
         from swifttailor.garment import Garment
 
         numbers = {reader.ids[k]: k for k in self.made.vertices}
@@ -98,13 +97,7 @@ class GarmentReport:
             drape = reader.sample(score.id).garment
             garment = Garment(drape.mesh, self.made.vertices[numbers[score.id]])
             shown.append(Shown(caption(score), garment, drape))
-        for old in out.glob("sheet-[0-9][0-9].png"):
-            old.unlink()
-        written = []
-        for first in range(0, len(shown), PER_SHEET):
-            written.append(out / f"sheet-{first // PER_SHEET + 1:02d}.png")
-            write_sheet(written[-1], shown[first : first + PER_SHEET])
-        return written
+        return write_sheets(out, shown)
 
     def _text(self, summary: Summary) -> str:
         from swifttailor.evaluation.garments.garment_table import garment_tables, paper_table

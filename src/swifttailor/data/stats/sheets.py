@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from swifttailor.atomic_files import write_atomically
 from swifttailor.body import Body
 from swifttailor.data.captions import write_caption
 from swifttailor.data.reader import SplitReader
@@ -18,6 +17,7 @@ from swifttailor.data.renders.draw import Picture
 from swifttailor.data.renders.files import SplitRenders
 from swifttailor.data.renders.look import Backdrop, Look, View
 from swifttailor.render import Plain
+from swifttailor.render.numbered_sheets import write_numbered_sheets
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -80,17 +80,7 @@ def show_sample(reader: SplitReader, k: int, renders: SplitRenders | None, seed:
 
 def write_sheets(folder: Path, name: str, shown: Sequence[Shown]) -> list[Path]:
     """Writes <name>-01.png, <name>-02.png, ... with twenty samples each; older ones of that name go."""
-    per_sheet = COLUMNS * ROWS
-    written = []
-    for number, start in enumerate(range(0, len(shown), per_sheet), 1):
-        sheet = _draw_sheet(shown[start : start + per_sheet])
-        path = folder / f"{name}-{number:02d}.png"
-        write_atomically(path, lambda target, sheet=sheet: sheet.save(target, "PNG"))
-        written.append(path)
-    for old in folder.glob(f"{name}-[0-9][0-9].png"):
-        if old not in written:
-            old.unlink()
-    return written
+    return write_numbered_sheets(folder, name, shown, COLUMNS * ROWS, _draw_sheet)
 
 
 def _grey_look(azimuth: float) -> Look:

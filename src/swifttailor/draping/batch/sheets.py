@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from swifttailor.atomic_files import write_atomically
 from swifttailor.garment_files.folder import PREVIEW
 from swifttailor.render.contact_sheet import COLUMNS, Tile, draw_contact_sheet
+from swifttailor.render.numbered_sheets import write_numbered_sheets
 
 ROWS = 5
 
@@ -23,18 +23,13 @@ def write_sheets(folder: Path, garments: list[dict[str, Any]]) -> list[Path]:
         The files.
     """
     shown = [g for g in garments if g["status"] == "made" and (folder / g["folder"] / PREVIEW).is_file()]
-    per_sheet = COLUMNS * ROWS
-    pages = [shown[k : k + per_sheet] for k in range(0, len(shown), per_sheet)]
-    written = []
-    for number, page in enumerate(pages, 1):
-        sheet = draw_contact_sheet([_tile(folder, garment) for garment in page])
-        path = folder / f"sheet-{number:02d}.png"
-        write_atomically(path, lambda target, sheet=sheet: sheet.save(target, "PNG"))
-        written.append(path)
-    for old in folder.glob("sheet-*.png"):
-        if old not in written:
-            old.unlink()
-    return written
+    return write_numbered_sheets(
+        folder,
+        "sheet",
+        shown,
+        COLUMNS * ROWS,
+        lambda page: draw_contact_sheet([_tile(folder, garment) for garment in page]),
+    )
 
 
 def _tile(folder: Path, garment: dict[str, Any]) -> Tile:

@@ -5,15 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from swifttailor.atomic_files import write_atomically
 from swifttailor.body import Body
 from swifttailor.errors import InputError
 from swifttailor.evaluation.garments.score import GarmentScore
 from swifttailor.garment import Garment
+from swifttailor.render.numbered_sheets import write_numbered_sheets
 
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+PER_SHEET = 6
 TILE = 720, 430
 _MARGIN, _CAPTION = 8, 24
 _PAPER, _INK = (250, 249, 247), (40, 40, 40)
@@ -35,12 +40,16 @@ def spread(scores: Sequence[GarmentScore], count: int) -> list[GarmentScore]:
     return [ordered[k] for k in places] if ordered and count > 0 else []
 
 
-def write_sheet(path: Path, shown: Sequence[Shown]) -> None:
-    """Draws each garment from three sides, and its drape to the right of it.
+def write_sheets(folder: Path, shown: Sequence[Shown]) -> list[Path]:
+    """Writes sheet-01.png and so on: each garment from three sides, and its drape to the right of it.
 
     Raises:
-        InputError: Pillow is missing, or the file cannot be written.
+        InputError: Pillow is missing, or a file cannot be written.
     """
+    return write_numbered_sheets(folder, "sheet", shown, PER_SHEET, _draw)
+
+
+def _draw(shown: Sequence[Shown]) -> Image:
     try:
         from PIL import Image, ImageDraw, ImageFont
     except ImportError as error:
@@ -56,7 +65,7 @@ def write_sheet(path: Path, shown: Sequence[Shown]) -> None:
         for column, garment in enumerate((one.garment, one.drape)):
             picture = render_preview(garment, Body.default(), size=TILE)
             sheet.paste(picture, (_MARGIN + column * (TILE[0] + _MARGIN), top + _CAPTION))
-    write_atomically(path, lambda target: sheet.save(target, "PNG"))
+    return sheet
 
 
 def caption(score: GarmentScore) -> str:

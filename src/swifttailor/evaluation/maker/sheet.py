@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from swifttailor.atomic_files import write_atomically
 from swifttailor.data.renders.draw import Picture
 from swifttailor.data.stats.sheets import wrapped
 from swifttailor.errors import InputError
 from swifttailor.evaluation.maker.scores import Scored
 from swifttailor.pattern import Pattern
+from swifttailor.render.numbered_sheets import write_numbered_sheets
 
 PER_SHEET = 6
 TILE = 420, 330
@@ -48,16 +48,7 @@ def write_sheets(folder: Path, name: str, shown: Sequence[Shown]) -> list[Path]:
     Raises:
         InputError: Pillow is missing, or a file cannot be written.
     """
-    written = []
-    for number, first in enumerate(range(0, len(shown), PER_SHEET), 1):
-        sheet = _draw(shown[first : first + PER_SHEET])
-        path = folder / f"sheet-{name}-{number:02d}.png"
-        write_atomically(path, lambda target, sheet=sheet: sheet.save(target, "PNG"))
-        written.append(path)
-    for old in folder.glob(f"sheet-{name}-[0-9][0-9].png"):
-        if old not in written:
-            old.unlink()
-    return written
+    return write_numbered_sheets(folder, f"sheet-{name}", shown, PER_SHEET, _draw)
 
 
 def _draw(shown: Sequence[Shown]) -> Any:
