@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -24,9 +25,17 @@ from swifttailor.data.reader import SplitReader
 from swifttailor.draping.batch import BatchSettings
 from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError
+from swifttailor.pattern import Pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
 from swifttailor.workers import Outcome, run_tasks
+
+
+def write_lines(path: Path, patterns: dict[str, Pattern]) -> Path:
+    lines = [json.dumps({"id": id, "pattern": to_specification(p)}) for id, p in patterns.items()]
+    path.write_text("".join(line + "\n" for line in lines))
+    return path
+
 
 IDS = ("a", "b", "bad-c", "d", "e", "f", "bad-g", "h", "bad-i", "j")
 
@@ -390,7 +399,16 @@ def test_another_input_is_refused(patterns_file, tmp_path):
 
 def test_splits_share_no_pattern(patterns_file, tmp_path):
     build(patterns_file(*IDS), tmp_path / "out")
-    build(patterns_file("k", "l"), tmp_path / "out", split="test")
+    other = write_lines(tmp_path / "other.jsonl", {"k": draft("tank-top"), "l": draft("t-shirt")})
+    index = build(other, tmp_path / "out", split="test")
+    assert [s.ids for s in index.shards] == [("k", "l")]
+    # The same pattern under another id, its panels in another order.
+    top = draft("tank-top")
+    copies = {"n": replace(top, panels=top.panels[::-1]), "o": draft("hoodie")}
+    index = build(write_lines(tmp_path / "copies.jsonl", copies), tmp_path / "out", split="validation")
+    (rejected,) = index.shards[0].rejected
+    assert rejected.id == "n" and rejected.status == "rejected" and index.shards[0].ids == ("o",)
+    assert rejected.reasons == ("the same pattern as 'k' of the split 'test'",)
     with pytest.raises(InputError, match=r"'bad-g' \(more.jsonl line 2\) is in the split 'train'"):
         build(patterns_file("m", "bad-g", name="more.jsonl"), tmp_path / "out", split="validation")
 

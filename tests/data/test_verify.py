@@ -121,9 +121,11 @@ def test_an_unreadable_index_does_not_hide_the_other_splits(dataset):
 
 
 def test_patterns_in_two_splits(dataset, tmp_path):
-    """The builder refuses the same id; a copy under another name is only found by looking at it."""
+    """The builder refuses both, but splits may be put together by hand."""
     copy = patterns(tmp_path / "v.jsonl", z="tank-top")
-    build_split(read_patterns(copy), dataset, "validation", COARSE, runner=run_here, make=make_placed)
+    apart = tmp_path / "apart"
+    build_split(read_patterns(copy), apart, "validation", COARSE, runner=run_here, make=make_placed)
+    shutil.move(apart / "validation", dataset / "validation")
     (found,) = faults(dataset)
     assert found.sample == "z" and "the same pattern as 'b' in 'train'" in found.message
     shutil.rmtree(dataset / "validation")

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from maker_standins import DRAFTS, EDITS, write_edits, write_patterns
 
+from swifttailor.data.pattern_digest import pattern_digest
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import RenderSettings, SplitRenders, draw_render
 from swifttailor.errors import InputError
@@ -21,7 +22,6 @@ from swifttailor.evaluation.maker.questions import (
     choose,
     edit_questions,
     generation_questions,
-    pattern_digest,
     seed_of,
 )
 from swifttailor.pattern import to_specification

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,6 +12,7 @@ import numpy as np
 
 from swifttailor.data.builder.settings import body_identity
 from swifttailor.data.index import Shard, SplitIndex, split_folders
+from swifttailor.data.pattern_digest import pattern_digest
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import FOLDER as RENDERS
 from swifttailor.data.renders.files import SplitRenders
@@ -21,7 +20,7 @@ from swifttailor.data.sample import Sample, load_sample
 from swifttailor.data.shard_file import ShardFile
 from swifttailor.draping.quality import seam_gap
 from swifttailor.errors import SwiftTailorError
-from swifttailor.pattern import Severity, check_pattern, to_specification
+from swifttailor.pattern import Severity, check_pattern
 
 REACH_CM = 400.0
 """No vertex of a garment on a body is farther from the origin than this."""
@@ -73,7 +72,7 @@ def verify_dataset(folder: Path, *, workers: int = 1) -> Iterator[Fault | int]:
         ]
         if (path / RENDERS).exists():
             yield from _render_faults(name, reader)
-    patterns: dict[bytes, tuple[str, str]] = {}
+    patterns: dict[str, tuple[str, str]] = {}
     done = (_verify_shard(t) for t in tasks)
     if workers > 1:
         outcomes = run_tasks(_verify_shard, tasks, workers=workers, time_limit=36_000.0)
@@ -102,7 +101,7 @@ class _Task:
 class _Result:
     split: str
     faults: list[Fault]
-    patterns: dict[str, bytes]
+    patterns: dict[str, str]
     """Checksum of the pattern without its name, of each id."""
 
 
@@ -146,7 +145,7 @@ def sample_faults(sample: Sample, edge_length: float) -> Iterator[str]:
 def _verify_shard(task: _Task) -> _Result:
     shard, name = task.shard, f"{task.split}/{task.shard.file}"
     faults: list[Fault] = []
-    patterns: dict[str, bytes] = {}
+    patterns: dict[str, str] = {}
     if not shard.file:
         return _Result(task.split, faults, patterns)
     path = task.folder / shard.file
@@ -166,8 +165,7 @@ def _verify_shard(task: _Task) -> _Result:
             if sample.id != id:
                 faults.append(Fault(name, id, f"the file has '{sample.id}' in its place"))
             faults += [Fault(name, id, text) for text in sample_faults(sample, task.edge_length)]
-            panels = json.dumps(to_specification(sample.pattern)["pattern"], sort_keys=True)
-            patterns[id] = hashlib.sha256(panels.encode()).digest()
+            patterns[id] = pattern_digest(sample.pattern)
         except SwiftTailorError as error:
             faults.append(Fault(name, id, str(error)))
     return _Result(task.split, faults, patterns)

@@ -17,9 +17,10 @@ from swifttailor.data.builder.make_sample import (
     make_sample,
     not_made,
 )
+from swifttailor.data.builder.other_splits import OtherSplits
 from swifttailor.data.builder.settings import BuildSettings
 from swifttailor.data.builder.split_folder import SplitFolder, input_checksum
-from swifttailor.data.index import INDEX, SplitIndex, read_index
+from swifttailor.data.index import SplitIndex
 from swifttailor.draping.batch.patterns import BatchPattern
 from swifttailor.errors import InputError
 from swifttailor.workers import Outcome, sigterm_as_interrupt
@@ -77,11 +78,11 @@ def build_split(
     if first is None:
         raise InputError("There are no patterns in the input. Give one pattern a line, or a folder of them.")
     settings.drape.require_usable()
-    taken = _ids_of_other_splits(out, split)
+    others = OtherSplits.read(out, split)
     with SplitFolder(out / split, settings) as folder:
         if on_start is not None:
             on_start(folder.number_of_done(), _note(folder))
-        work = _Work(folder, settings, taken, retry_failed=retry_failed, on_record=on_record)
+        work = _Work(folder, settings, others, retry_failed=retry_failed, on_record=on_record)
         outcomes = runner(make, work.tasks(_chain(first, patterns)))
         try:
             with sigterm_as_interrupt():
@@ -115,14 +116,14 @@ class _Work:
         self,
         folder: SplitFolder,
         settings: BuildSettings,
-        taken: dict[str, str],
+        others: OtherSplits,
         *,
         retry_failed: bool,
         on_record: OnRecord | None,
     ) -> None:
         self._folder = folder
         self._settings = settings
-        self._taken = taken
+        self._others = others
         self._retry_failed = retry_failed
         self._on_record = on_record
         self._ranges: dict[int, _Range] = {}
@@ -142,8 +143,12 @@ class _Work:
             if self._folder.is_done(position, task.checksum, retry_failed=self._retry_failed):
                 continue
             part.missing.add(position)
+            twin = self._others.twin_of(task.pattern)
             if task.pattern.error:
                 reason = f"{task.pattern.source}: {task.pattern.error}"
+                self.take_in(not_made(task, REJECTED, reason))
+            elif twin is not None:
+                reason = f"the same pattern as '{twin[0]}' of the split '{twin[1]}'"
                 self.take_in(not_made(task, REJECTED, reason))
             else:
                 yield task
@@ -162,11 +167,7 @@ class _Work:
 
     def _task(self, position: int, pattern: BatchPattern) -> SampleTask:
         pattern = _with_content(pattern)
-        if pattern.id in self._taken:
-            raise InputError(
-                f"The pattern '{pattern.id}' ({pattern.source}) is in the split "
-                f"'{self._taken[pattern.id]}' of the same data set already. Splits must not share patterns."
-            )
+        self._others.require_new(pattern)
         content = pattern.line if pattern.line is not None else pattern.error.encode()
         return SampleTask(position, hashlib.sha256(content).hexdigest(), pattern, self._settings.drape)
 
@@ -218,17 +219,6 @@ def _with_content(pattern: BatchPattern) -> BatchPattern:
     except OSError as error:
         return replace(pattern, path=None, error=f"Cannot be read: {error.strerror or error}.")
     return replace(pattern, path=None, line=b'{"pattern":' + content + b"}")
-
-
-def _ids_of_other_splits(out: Path, split: str) -> dict[str, str]:
-    """Every pattern's id in the other splits of a data set, and the split's name."""
-    taken = {}
-    for path in sorted(out.glob(f"*/{INDEX}")):
-        if path.parent.name != split:
-            index = read_index(path.parent)
-            for shard in index.shards:
-                taken |= dict.fromkeys([*shard.ids, *(r.id for r in shard.rejected)], index.split)
-    return {id: name for id, name in taken.items() if not id.startswith("#")}
 
 
 def _note(folder: SplitFolder) -> str:

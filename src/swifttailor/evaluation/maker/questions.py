@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import zlib
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
@@ -17,9 +16,10 @@ from swifttailor.data.captions import Claim, GarmentFacts, measure_facts, write_
 from swifttailor.data.edits.edit_file import read_edits
 from swifttailor.data.edits.instructions import Instruction
 from swifttailor.data.edits.pairs import is_reversed, pairs_of
+from swifttailor.data.pattern_digest import pattern_digest
 from swifttailor.data.pattern_source import parsed_pattern, patterns_of
 from swifttailor.errors import InputError, SwiftTailorError
-from swifttailor.pattern import Pattern, to_specification
+from swifttailor.pattern import Pattern
 from swifttailor.pattern_maker.encode import encode
 
 Task = Literal["text", "image", "text+image", "edit"]
@@ -100,12 +100,6 @@ class PatternSet:
         """Of all ids and patterns."""
         lines = [f"{id} {pattern_digest(p)}" for id, p in self.patterns.items()]
         return hashlib.sha256("\n".join(lines).encode()).hexdigest()
-
-
-def pattern_digest(pattern: Pattern) -> str:
-    """Checksum of a pattern, whatever the order of its panels and stitches."""
-    written = json.dumps(to_specification(pattern.canonical()), sort_keys=True)
-    return hashlib.sha256(written.encode()).hexdigest()[:16]
 
 
 def choose(ids: Sequence[str], limit: int | None, seed: int) -> list[str]:
