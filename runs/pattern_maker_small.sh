@@ -34,6 +34,7 @@ if ! nvidia-smi > /dev/null 2>&1 && [ "$processes" -gt 1 ]; then
     more+=(--threads 1)
 fi
 [ -f "$patterns/edits.jsonl.gz" ] && more+=(--edits "$patterns/edits.jsonl.gz")
+[ -f "$patterns/test.jsonl.gz" ] && more+=(--apart "$patterns/test.jsonl.gz")
 [ -f "$work/run/checkpoint.pt" ] && more+=(--resume)
 "${train[@]}" train pattern-maker --patterns "${files[@]}" --validation "$patterns/validation.jsonl.gz" --data "$DATA" \
     --out "$work/run" --config small --max-minutes "$minutes" --workers 2 "${more[@]}"

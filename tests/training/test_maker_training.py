@@ -27,7 +27,7 @@ from swifttailor.pattern_maker.prompt import MAKE
 from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
 from swifttailor.pattern_maker.vocabulary import PATTERN_START, SIZE, STITCH_TOKENS
 from swifttailor.training.extra import require_training_packages
-from swifttailor.training.maker_bank import open_bank
+from swifttailor.training.maker_bank import open_bank, sequences_of
 from swifttailor.training.maker_config import CONFIGS, config_from, read_config
 from swifttailor.training.maker_samples import MakerSamples
 from swifttailor.training.misspelling import misspell
@@ -123,6 +123,20 @@ def test_a_bank_holds_patterns_their_facts_and_their_edits(bank, files):
     again = open_bank([files / "train.jsonl"], files / "edits.jsonl", files / "cache", recuts=1)
     assert again.checksum == bank.checksum
     assert [g.edits[0].sequence for g in again.garments] == [g.edits[0].sequence for g in bank.garments]
+
+
+def test_patterns_to_test_with_are_left_out_under_any_id(bank, tmp_path):
+    top = draft("tank-top")
+    kept_apart = {"other": draft("fitted-skirt", length=80.0), "test": replace(top, panels=top.panels[::-1])}
+    path = write_lines(tmp_path / "test.jsonl", kept_apart)
+    left = bank.without(sequences_of([path]))
+    assert [g.id for g in left.garments] == ["skirt0", "skirt1", "skirt2", "shirt"]
+    # The first skirt may stay, its edit that makes it 80 cm long may not.
+    assert [v.id for v in bank.garments[0].edits][-1] == "longer"
+    assert [v.id for v in left.garments[0].edits] == [v.id for v in bank.garments[0].edits][:-1]
+    assert [id for id, _ in left.skipped] == ["top"] and left.numbers()["garments"] == 4
+    with pytest.raises(InputError, match="All patterns to train on"):
+        bank.without(bank.sequences())
 
 
 def test_pictures_come_from_every_data_set_that_has_the_garment(bank, config, tmp_path):

@@ -33,6 +33,9 @@ class TrainPatternMaker:
     """Folder of the run; created when missing."""
     validation: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
     """Patterns to validate with; without any, one of fifty is held out."""
+    apart: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
+    """Patterns that must not be learnt from, such as those of a test: equal ones are left out, whatever their
+    ids."""
     data: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="DIR...")] = ()
     """Data sets with renders of some of these patterns, for tasks with pictures (swifttailor data render)."""
     edits: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
@@ -78,6 +81,7 @@ class TrainPatternMaker:
             self.patterns,
             self.out,
             validation=self.validation,
+            apart=self.apart,
             data=self.data,
             edits=self.edits,
             resume=self.resume,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
 from collections.abc import Callable, Iterable, Iterator
@@ -13,8 +14,10 @@ from typing import Any
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.captions.facts_file import facts_from
 from swifttailor.data.edits.edit_file import EditedVersion, read_edits
+from swifttailor.data.pattern_source import patterns_of
 from swifttailor.draping.batch.patterns import read_patterns
-from swifttailor.errors import InputError, SimulationError
+from swifttailor.errors import InputError, SimulationError, SwiftTailorError
+from swifttailor.pattern_maker.encode import encode
 from swifttailor.pattern_maker.token_sequence import TokenSequence
 from swifttailor.training.maker_measure import MeasureTask, measure, task_name
 
@@ -64,6 +67,28 @@ class PatternBank:
     def __len__(self) -> int:
         return len(self.garments)
 
+    def sequences(self) -> Iterator[TokenSequence]:
+        """Of all patterns; not of their edits."""
+        return (garment.pattern.sequence for garment in self.garments)
+
+    def without(self, sequences: Iterable[TokenSequence]) -> PatternBank:
+        """The same but for patterns and edits that are equal to some.
+
+        Raises:
+            InputError: None is left.
+        """
+        apart = set(sequences)
+        kept, skipped = [], list(self.skipped)
+        for garment in self.garments:
+            if garment.pattern.sequence in apart:
+                skipped.append((garment.id, "It is equal to a pattern to validate or test with."))
+                continue
+            edits = [version for version in garment.edits if version.sequence not in apart]
+            kept.append(Garment(garment.pattern, edits))
+        if not kept:
+            raise InputError("All patterns to train on are equal to patterns to validate or test with.")
+        return PatternBank(tuple(kept), self.checksum, tuple(skipped))
+
     def numbers(self) -> dict[str, Any]:
         """For the card."""
         edits = sum(len(g.edits) for g in self.garments)
@@ -73,6 +98,19 @@ class PatternBank:
             "skipped": len(self.skipped),
             "sha256": self.checksum,
         }
+
+
+def sequences_of(sources: Iterable[Path]) -> Iterator[TokenSequence]:
+    """The patterns of files or folders as tokens; those that tokens cannot say are passed over.
+
+    Raises:
+        InputError: There is no such source.
+    """
+    for source in sources:
+        for _, pattern in patterns_of(source):
+            if not isinstance(pattern, SwiftTailorError):
+                with contextlib.suppress(SwiftTailorError):
+                    yield encode(pattern)
 
 
 def open_bank(

@@ -24,7 +24,7 @@ from swifttailor.pattern_maker.network_torch import (
 from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
 from swifttailor.pattern_maker.vocabulary import SIZE
 from swifttailor.training.loop_torch import Loop, say_nothing
-from swifttailor.training.maker_bank import PatternBank, open_bank
+from swifttailor.training.maker_bank import PatternBank, open_bank, sequences_of
 from swifttailor.training.maker_batch_torch import Batch, TrainingBatches
 from swifttailor.training.maker_config import MakerConfig, MakerLosses
 from swifttailor.training.maker_samples import MakerSamples
@@ -49,6 +49,7 @@ def train(
     out: Path,
     *,
     validation: Sequence[Path] = (),
+    apart: Sequence[Path] = (),
     data: Sequence[Path] = (),
     edits: Path | None = None,
     resume: bool = False,
@@ -68,6 +69,8 @@ def train(
         out: Folder of the run; holds weights, card, checkpoint and measurements.
         validation: Files or folders of patterns to validate with; without any, one of fifty of `patterns` is
             held out.
+        apart: Files or folders of patterns that must not be learnt from. Patterns and edits equal to these,
+            or to one of `validation`, are left out.
         data: Folders of data sets with renders of some of the patterns, for tasks with pictures.
         edits: File with edited versions of some of the patterns.
         resume: Go on from the checkpoint in `out`. On a CPU the result is that of an uninterrupted
@@ -117,6 +120,7 @@ def train(
         }
     if processes.is_first:
         processes.wait()
+    banks["train"] = banks["train"].without([*sequences_of(apart), *banks["validation"].sequences()])
     for name, bank in banks.items():
         for id, why in bank.skipped[:5]:
             report(f"{name}: '{id}' is left out: {why}")
