@@ -36,9 +36,10 @@ class Processes:
         except ImportError:
             raise MissingExtraError("accelerate", "train", "Training in several processes") from None
         accelerator = Accelerator(cpu=not torch.cuda.is_available())
-        return Processes(
-            accelerator.process_index, accelerator.num_processes, accelerator.device, accelerator
-        )
+        device = accelerator.device
+        if device.type == "cpu":
+            device = torch.device("cpu")  # checkpoints cannot be read onto accelerate's "cpu:0"
+        return Processes(accelerator.process_index, accelerator.num_processes, device, accelerator)
 
     @property
     def is_first(self) -> bool:
