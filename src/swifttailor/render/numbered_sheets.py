@@ -35,7 +35,7 @@ def write_numbered_sheets(
         path = folder / f"{name}-{number:02d}.png"
         write_atomically(path, lambda target, sheet=sheet: sheet.save(target, "PNG"))
         written.append(path)
-    for old in folder.glob(f"{name}-*.png"):
-        if old.stem.removeprefix(f"{name}-").isdecimal() and old not in written:
+    for digits in ("[0-9][0-9]", "[0-9][0-9][0-9]"):  # name-2024.png is somebody else's
+        for old in set(folder.glob(f"{name}-{digits}.png")).difference(written):
             old.unlink()
     return written
