@@ -103,7 +103,7 @@ class Loop:
         config, processes, weights = self.config, self.processes, task.weights
         groups = parameter_groups(weights, config.weight_decay, task.rate_factor)
         optimised = [p for group in groups for p in group["params"]]
-        optimizer = torch.optim.AdamW(groups, betas=BETAS)
+        optimizer = torch.optim.AdamW(groups, betas=BETAS, fused=not weights.are_sharded)
         average = MovingAverage(weights.state_dict(), config.ema)
         means = MeanLosses()
         step, seconds = 0, 0.0
