@@ -278,6 +278,28 @@ def test_pictures_are_drawn(run, config, data, cache, tmp_path):
         assert np.asarray(picture).std() > 10
 
 
+@needs_torch
+def test_in_bfloat16_it_learns_what_it_learns_in_float32(run, config, data, cache, tmp_path):
+    from safetensors.torch import load_file
+
+    from swifttailor.training.sewer_loop_torch import train
+
+    lowered = replace(config, precision="bfloat16", pictures=1, validate_every=12)
+    low = train(lowered, data, tmp_path / "low", cache=cache, threads=1)
+    high = train(
+        replace(config, precision="float32", validate_every=12),
+        data,
+        tmp_path / "high",
+        cache=cache,
+        threads=1,
+    )
+    assert low["training"]["precision"] == "bfloat16"
+    assert low["validation"]["mean"] == pytest.approx(high["validation"]["mean"], rel=0.05)
+    weights = load_file(tmp_path / "low" / "weights.safetensors")
+    assert {str(v.dtype) for v in weights.values()} == {"torch.float32"}
+    assert (tmp_path / "low" / "validation-0000012.png").stat().st_size > 10_000
+
+
 def test_a_data_set_without_validation_is_refused(config, data, tmp_path):
     if MISSING:
         pytest.skip(MISSING)

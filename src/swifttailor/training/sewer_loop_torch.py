@@ -149,7 +149,9 @@ class _SewerTask:
             return self.validation.measure(self.network)
 
     def illustrate(self, step: int) -> None:
-        if self.config.pictures:
+        if not self.config.pictures:
+            return
+        with self._autocast():
             self.validation.draw(self.network, self.out / f"validation-{step:07d}.png")
 
     def result_text(self, result: dict[str, Any]) -> str:
