@@ -139,6 +139,14 @@ def test_both_runtimes_agree(tmp_path):
     assert 0 < compare(small, exported)  # rounded indeed
     sizes = [(tmp_path / name).stat().st_size for name in ("model.onnx", "half.onnx")]
     assert sizes[1] < 0.75 * sizes[0]
+    random = np.random.default_rng(2)
+    eight_bit = load_model(export(weights, card, tmp_path / "int8.onnx", half=True, int8=True))
+    assert 0 < compare(eight_bit, small) < 0.5
+    assert (tmp_path / "int8.onnx").stat().st_size < sizes[1]
+    given = [random.normal(size=(3, n, 64, 64)).astype(np.float32) for n in (config.conditioning.count, 1, 3)]
+    given[0][1] *= 100.0  # a garment in the batch must not change what another is rounded to
+    alone = eight_bit.network(*(images[:1] for images in given))
+    np.testing.assert_array_equal(eight_bit.network(*given)[:1], alone)
     wider = [
         np.random.default_rng(1).normal(size=(1, n, 96, 128)).astype(np.float32)
         for n in (config.conditioning.count, 1, 3)

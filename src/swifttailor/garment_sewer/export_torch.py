@@ -75,7 +75,9 @@ def torch_model(
     return SewerModel(predict, conditioning, config.resolution, config.patch_size, card)
 
 
-def export(weights: Path, card: dict[str, Any], path: Path, *, half: bool = False) -> Path:
+def export(
+    weights: Path, card: dict[str, Any], path: Path, *, half: bool = False, int8: bool = False
+) -> Path:
     """Writes the model file.
 
     Args:
@@ -83,6 +85,7 @@ def export(weights: Path, card: dict[str, Any], path: Path, *, half: bool = Fals
         card: Its card, which goes into the file.
         path: File to write, ``.onnx``.
         half: Whether to round the weights to float16, which halves the file.
+        int8: Whether the transformer's products are of 8 bits, which is faster.
 
     Raises:
         InputError: The weights cannot be used or the file not be written.
@@ -99,8 +102,10 @@ def export(weights: Path, card: dict[str, Any], path: Path, *, half: bool = Fals
     patch = network.config.patch_size
     height, width = (patch * torch.export.Dim(name, min=2, max=256) for name in ("rows", "columns"))
     shape = {0: batch, 2: height, 3: width}
-    notes = {CARD_KEY: model_card(card)}
-    graph = export_graph(network, example, (shape, shape, shape), INPUTS, ("positions",), notes)
+    notes = {CARD_KEY: model_card(card, int8=int8)}
+    graph = export_graph(
+        network, example, (shape, shape, shape), INPUTS, ("positions",), notes, int8=int8
+    )
     return write_atomically(path, lambda temporary: temporary.write_bytes(graph))
 
 

@@ -11,6 +11,7 @@ from typing import Any
 import torch
 
 from swifttailor.errors import MissingExtraError
+from swifttailor.networks.eight_bit import with_eight_bit_products
 from swifttailor.networks.half_storage import store_in_half
 
 OPSET = 18
@@ -23,6 +24,8 @@ def export_graph(
     inputs: Sequence[str],
     outputs: Sequence[str],
     notes: Mapping[str, str] | None = None,
+    *,
+    int8: bool = False,
 ) -> bytes:
     """Writes a network as an ONNX graph without traces of where it was made.
 
@@ -33,6 +36,7 @@ def export_graph(
         inputs: Names of the inputs.
         outputs: Names of the outputs.
         notes: Texts to keep in the graph.
+        int8: Whether products with its matrices are of 8 bits (`with_eight_bit_products`).
 
     Returns:
         The content of an .onnx file.
@@ -63,6 +67,8 @@ def export_graph(
     assert program is not None
     model = program.model_proto
     _forget_origins(model)
+    if int8:
+        model = with_eight_bit_products(model)
     store_in_half(model)
     for name, text in (notes or {}).items():
         entry = model.metadata_props.add()
