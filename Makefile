@@ -24,7 +24,7 @@ $(READY): pyproject.toml requirements/dev.txt
 	@uv=$$(scripts/find_uv.sh); \
 	echo 'Setting up .venv/ ...'; \
 	[ -x $(BIN)/python ] || "$$uv" venv --quiet .venv; \
-	"$$uv" pip install --quiet --python $(BIN)/python -r requirements/dev.txt -e .
+	"$$uv" pip install --quiet --compile-bytecode --python $(BIN)/python -r requirements/dev.txt -e .
 	@touch $@
 
 demo: $(DEMO)  ## a garment of words if the package has the weights, else of a drafted pattern, into ./demo/

@@ -94,6 +94,21 @@ def test_the_command_prints_tables_and_writes_what_is_behind_them(data, tmp_path
     assert f" {mean:.2f} " in next(line for line in shown.splitlines() if line.startswith("all"))
 
 
+def test_finished_garments_are_judged_as_drapes_are(data, tmp_path, capsys):
+    assert run(arguments(data, "--limit", "1", "--finish", "--json", "--out", str(tmp_path))) == 0
+    finished = json.loads(capsys.readouterr().out)
+    assert run(arguments(data, "--limit", "1", "--json")) == 0
+    sewn = json.loads(capsys.readouterr().out)
+    assert finished["about"]["finish"] and not sewn["about"]["finish"]
+    after, before = (content["result"]["means"] for content in (finished, sewn))
+    (line,) = (json.loads(line) for line in (tmp_path / "garments.jsonl").read_text().splitlines())
+    assert after["accepted"]["mean"] == float(line["accepted"]) and "accepted" not in before
+    assert line["accepted"] is (not line["rejected_for"])
+    assert after["inside"]["mean"] == 0.0
+    # It falls from where the network has put it onto the body.
+    assert abs(after["vertex_mean_cm"]["mean"] - before["vertex_mean_cm"]["mean"]) > 0.1
+
+
 def test_a_part_of_the_split_as_json(data, capsys):
     assert run(arguments(data, "--limit", "2", "--json", "--seed", "3")) == 0
     content = json.loads(capsys.readouterr().out)

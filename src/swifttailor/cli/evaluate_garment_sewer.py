@@ -31,6 +31,8 @@ class EvaluateGarmentSewer:
     """Decides which garments, and which points of them are compared."""
     resolution: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Pixels along each side of the images; what the network was trained at without it."""
+    finish: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Let the garments hang to rest by physics before they are measured; takes a second or two each."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
     """Processor cores for the network."""
     out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
@@ -63,18 +65,25 @@ class EvaluateGarmentSewer:
         model = file_identity(weights)
         with ItemProgress(len(numbers), "garments sewn and measured") as progress:
             made = sew_split(
-                sewer, reader, numbers, resolution=self.resolution, seed=self.seed, progress=progress.add
+                sewer,
+                reader,
+                numbers,
+                resolution=self.resolution,
+                finish=self.finish,
+                seed=self.seed,
+                progress=progress.add,
             )
         size = self.resolution or sewer.model.resolution
         report = GarmentReport(
             title="GarmentSewer against the drapes of the same patterns",
             about=provenance(reader, numbers, self.seed)
-            | {"weights": model, "resolution": size, "threads": self.threads},
+            | {"weights": model, "resolution": size, "threads": self.threads, "finish": self.finish},
             notes=[
                 f"weights {model['file']} (sha256 {model['sha256'][:16]}), {size} px, {self.threads} threads"
+                + (", finished by physics" if self.finish else "")
             ],
             made=made,
-            row=f"GarmentSewer, {reader.index.split}",
+            row=f"GarmentSewer{' and physics' if self.finish else ''}, {reader.index.split}",
         )
         summary = report.summarize()
         report.write(summary, self.out, as_json=self.json)

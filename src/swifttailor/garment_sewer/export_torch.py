@@ -103,9 +103,7 @@ def export(
     height, width = (patch * torch.export.Dim(name, min=2, max=256) for name in ("rows", "columns"))
     shape = {0: batch, 2: height, 3: width}
     notes = {CARD_KEY: model_card(card, int8=int8)}
-    graph = export_graph(
-        network, example, (shape, shape, shape), INPUTS, ("positions",), notes, int8=int8
-    )
+    graph = export_graph(network, example, (shape, shape, shape), INPUTS, ("positions",), notes, int8=int8)
     return write_atomically(path, lambda temporary: temporary.write_bytes(graph))
 
 

@@ -101,7 +101,9 @@ def load_model(path: Path | str, *, threads: int = 1) -> SewerModel:
         given = dict(zip(INPUTS, (conditioning, occupancy, prior), strict=True))
         count = len(conditioning)
         parts = [
-            session.run(None, {name: images[k : k + (together or count)] for name, images in given.items()})[0]
+            session.run(None, {name: images[k : k + (together or count)] for name, images in given.items()})[
+                0
+            ]
             for k in range(0, count, together or count)
         ]
         return np.concatenate(parts) if len(parts) > 1 else parts[0]

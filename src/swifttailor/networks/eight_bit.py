@@ -28,9 +28,7 @@ def with_eight_bit_products(model: Any) -> Any:
 
     large = {t.name for t in model.graph.initializer if _size(t) >= FEWEST}
     left_alone = [
-        node.name
-        for node in model.graph.node
-        if node.op_type == "MatMul" and node.input[1] not in large
+        node.name for node in model.graph.node if node.op_type == "MatMul" and node.input[1] not in large
     ]
     add_pre_process_metadata(model)  # says that shapes are known; there would be a warning without it
     with tempfile.TemporaryDirectory() as folder:

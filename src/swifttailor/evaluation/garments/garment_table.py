@@ -35,6 +35,7 @@ _SOUNDNESS: Cells = (
     ("drape_strain_p50", Column("drape p50 %", ".1f"), "mean", 100),
     ("drape_strain_p95", Column("p95 %", ".1f"), "mean", 100),
     ("sound", Column("sound %", ".1f"), "mean", 100),
+    ("accepted", Column("accepted %", ".1f"), "mean", 100),
     ("seconds", Column("s each"), "median", 1),
 )
 

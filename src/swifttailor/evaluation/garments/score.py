@@ -71,6 +71,10 @@ class GarmentScore:
     seam_gap_median_cm: float | None = None
     """Between vertices that a stitch joins, before seams were closed."""
     seam_gap_p95_cm: float | None = None
+    accepted: bool | None = None
+    """Whether it is within the limits of quality of drapes, where it was finished by physics."""
+    rejected_for: str = ""
+    """What is beyond them."""
     seconds: float | None = None
     """That it took to make."""
 
@@ -162,6 +166,7 @@ def score_garment(
     drape_strain = _strain(drape.vertices, cloth)
     made, wanted = (topology(g.faces, len(g.vertices)) for g in (garment, drape))
     sewing, seconds = garment.report.get("sewing", {}), garment.report.get("seconds")
+    quality = garment.report.get("quality", {})
     score = GarmentScore(
         id=id,
         kind=garment_kind(mesh.pattern),
@@ -190,6 +195,8 @@ def score_garment(
         sound=made.nonmanifold_edges == 0 and _shape(made) == _shape(wanted),
         seam_gap_median_cm=sewing.get("seam_gap_before_median_cm"),
         seam_gap_p95_cm=sewing.get("seam_gap_before_p95_cm"),
+        accepted=quality.get("accepted"),
+        rejected_for="; ".join(quality.get("reasons", ())),
         seconds=float(sum(seconds.values())) if seconds else None,
     )
     return Scored(score, clouds)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.sample import Sample
+from swifttailor.draping.finish import finish as hang_to_rest
 from swifttailor.errors import SwiftTailorError
 from swifttailor.evaluation.garments.point_cloud import PointCloud
 from swifttailor.evaluation.garments.score import Floats, Scored, draw_clouds, score_garment
@@ -42,6 +43,7 @@ def sew_split(
     numbers: Sequence[int],
     *,
     resolution: int | None = None,
+    finish: bool = False,
     seed: int = 0,
     progress: Progress | None = None,
 ) -> Made:
@@ -52,6 +54,7 @@ def sew_split(
         reader: The split.
         numbers: Of the samples.
         resolution: Of the images; the model's own when None.
+        finish: Whether garments hang to rest by physics in the end.
         seed: Of the points that surfaces are compared by.
         progress: Called with 1 after each.
 
@@ -65,7 +68,7 @@ def sew_split(
             work.prepare(sewer, resolution)
         _predict(sewer, [w for w in works if w.prepared is not None])
         for work in works:
-            garment = work.decode(sewer)
+            garment = work.decode(sewer, finish=finish)
             if garment is None:
                 made.lose(work.sample, work.number, work.error, seed)
             else:
@@ -100,12 +103,14 @@ class _Work:
             self.error = str(error)
         self.seconds += time.perf_counter() - started
 
-    def decode(self, sewer: GarmentSewer) -> Garment | None:
+    def decode(self, sewer: GarmentSewer, *, finish: bool) -> Garment | None:
         if self.prepared is None or self.values is None:
             return None
         started = time.perf_counter()
         try:
             garment = sewer.decode(self.prepared, self.values)
+            if finish:
+                garment = hang_to_rest(garment)
         except SwiftTailorError as error:
             self.error = str(error)
             return None

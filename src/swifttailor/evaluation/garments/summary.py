@@ -15,7 +15,7 @@ from swifttailor.evaluation.mean import Means, mean_of
 
 Progress = Callable[[int], None]
 
-_NOT_MEASURED = ("id", "kind", "vertices")
+_NOT_MEASURED = ("id", "kind", "vertices", "rejected_for")
 
 
 @dataclass(frozen=True)
