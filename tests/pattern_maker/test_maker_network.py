@@ -49,7 +49,7 @@ def call(network, tokens, numbers, answers, next_tokens):
     import torch
 
     none, pictures = torch.zeros(0, dtype=torch.long), torch.zeros(0, 3, 64, 64)
-    given = (tokens, numbers, pictures, answers, next_tokens, answers[:1], none, none, pictures)
+    given = (tokens, numbers, pictures, answers, next_tokens, answers[:1], none, none, none, pictures)
     return network(*given)[:2]
 
 
@@ -124,33 +124,42 @@ def test_pictures_stand_where_their_places_are(network):
 
 
 @needs_torch
-def test_prompts_that_are_only_read_say_what_they_say_before_an_answer(network):
-    """One after the other in one row, none sees its neighbours; pictures go to the prompts they belong to."""
+@pytest.mark.parametrize("attention", ["eager", "sdpa"])
+def test_prompts_that_are_only_read_say_what_they_say_before_an_answer(network, attention, monkeypatch):
+    """In two rows; none sees its neighbours; pictures go to the prompts they belong to."""
     import torch
+
+    from swifttailor.training import packed_prompts
+    from swifttailor.training.packed_prompts import pack_prompts
 
     prompts = [
         make_prompt(text, TEXT, image_tokens=4 * image).tokens
         for text, image in (((5, 9, 7), 0), ((), 1), ((3,), 0), ((8, 8, 2, 1), 1))
     ]
     torch.manual_seed(2)
-    pictures, none = torch.randn(2, 3, 64, 64), torch.zeros(0, dtype=torch.long)
-    read, parts = np.concatenate(prompts), np.repeat(np.arange(4), [len(p) for p in prompts])
+    pictures = torch.randn(2, 3, 64, 64)
+    monkeypatch.setattr(packed_prompts, "ROW", 11)
+    assert pack_prompts(prompts, 0).tokens.shape == (2, 11)
 
-    def foreseen(tokens, pictures, read, parts, read_pictures):
+    def foreseen(tokens, pictures, read, read_pictures):
         tokens = torch.tensor(tokens)[None]
         last = torch.tensor([tokens.shape[1] - 1])
         numbers = torch.zeros(1, tokens.shape[1], NUMBERS)
         given = (tokens, numbers, pictures, last, torch.zeros(1, dtype=torch.long), last)
+        packed = pack_prompts(read, TEXT)
+        rows = (torch.from_numpy(a) for a in (packed.tokens, packed.positions, packed.ends))
         with torch.no_grad():
-            return network(*given, torch.as_tensor(read), torch.as_tensor(parts), read_pictures)[2]
+            return network(*given, *rows, read_pictures)[2]
 
-    together = foreseen(prompts[0], pictures[:0], read, parts, pictures)
+    network.vlm.set_attn_implementation(attention)
+    together = foreseen(prompts[0], pictures[:0], prompts, pictures)
     alone = [
-        foreseen(prompt, look, none, none, pictures[:0])[0]
+        foreseen(prompt, look, [], pictures[:0])[0]
         for prompt, look in zip(
             prompts, (pictures[:0], pictures[:1], pictures[:0], pictures[1:]), strict=True
         )
     ]
+    network.vlm.set_attn_implementation("sdpa")
     assert torch.allclose(together, torch.stack([alone[0], *alone]), atol=1e-5)
     assert not torch.allclose(alone[1], alone[3], atol=1e-2)
 

@@ -64,7 +64,8 @@ class PatternMakerNetwork(nn.Module):
         next_tokens: Tensor,
         firsts: Tensor,
         read: Tensor,
-        read_parts: Tensor,
+        read_positions: Tensor,
+        read_ends: Tensor,
         read_pictures: Tensor,
     ) -> tuple[Tensor, Tensor, Tensor]:
         """Predicts the answers to some prompts, each token from those before it; reads others without answer.
@@ -76,27 +77,25 @@ class PatternMakerNetwork(nn.Module):
             answers: (n,) places in the flattened (B * L) from which the next token is predicted.
             next_tokens: (n,) that token, of a pattern.
             firsts: (B,) places in the flattened (B * L) of the last token of each prompt.
-            read: (T,) ids of prompts without numbers that are only read, one after the other.
-            read_parts: (T,) 0, ..., 0, 1, ...: to which of these prompts each belongs.
+            read: (M, T) ids of R prompts without numbers that are only read, several in a row.
+            read_positions: (M, T) of each in its prompt, from 0.
+            read_ends: (R,) places in the flattened (M * T) of the last token of each of these prompts.
             read_pictures: (Q, 3, S, S), those of these prompts that have one, in order.
 
         Returns:
-            (n, tokens of patterns) logits, (n, 8) its numbers, and (B + prompts only read, `FORESEEN`) what
-            is foreseen of each whole answer from its prompt alone.
+            (n, tokens of patterns) logits, (n, 8) its numbers, and (B + R, `FORESEEN`) what is foreseen of
+            each whole answer from its prompt alone.
         """
         looks = self.look(torch.cat([pictures, read_pictures]))
         embedded = self.embed(tokens, numbers, looks[: len(pictures)])
         states, early = self._states(embedded)
         understood = early[firsts]
         if len(read):
-            plain = numbers.new_zeros((1, len(read), NUMBERS))
-            embedded = self.embed(read[None], plain, looks[len(pictures) :])
+            plain = numbers.new_zeros((*read.shape, NUMBERS))
+            embedded = self.embed(read, plain, looks[len(pictures) :])
             # Positions that begin anew tell transformers that these are several sequences.
-            begins = torch.searchsorted(read_parts, read_parts)
-            positions = torch.arange(len(read), device=read.device) - begins
-            _, early = self._states(embedded, positions[None])
-            ends = torch.nonzero(positions.roll(-1) == 0)[:, 0]
-            understood = torch.cat([understood, early[ends]])
+            _, early = self._states(embedded, read_positions)
+            understood = torch.cat([understood, early[read_ends]])
         foreseen = self.foresight_head(understood.float())
         states = states[answers]
         return self.logits(states), self.regress(states, next_tokens), foreseen

@@ -14,6 +14,7 @@ from swifttailor.pattern_maker.foresight import foresight_of
 from swifttailor.pattern_maker.prompt import PAD
 from swifttailor.pattern_maker.vocabulary import NUMBERS
 from swifttailor.training.maker_samples import MakerSample, MakerSamples, Plan
+from swifttailor.training.packed_prompts import pack_prompts
 
 WINDOW = 24
 """Batches that are planned together: samples of like length go into the same one."""
@@ -38,9 +39,11 @@ class Batch:
     firsts: Tensor
     """(B,) places in (B * L) of the last token of each prompt."""
     read: Tensor
-    """(T,) ids of R prompts that are only read, one after the other."""
-    read_parts: Tensor
-    """(T,) which of these prompts it is of."""
+    """(M, T) ids of R prompts that are only read, several in a row (`PackedPrompts`)."""
+    read_positions: Tensor
+    """(M, T) of each in its prompt."""
+    read_ends: Tensor
+    """(R,) places in (M * T) of their last tokens."""
     read_pictures: Tensor
     """(Q, 3, size, size), of these prompts."""
     present: Tensor
@@ -54,7 +57,7 @@ class Batch:
     def given(self) -> tuple[Tensor, ...]:
         """What the network is called with."""
         written = (self.tokens, self.numbers, self.pictures, self.answers, self.next_tokens, self.firsts)
-        return (*written, self.read, self.read_parts, self.read_pictures)
+        return (*written, self.read, self.read_positions, self.read_ends, self.read_pictures)
 
     def to(self, device: torch.device) -> Batch:
         """The same on a device."""
@@ -126,7 +129,7 @@ class _CountFrom(torch.utils.data.Sampler):
 
 
 def assemble(samples: Sequence[MakerSample], image_size: int, reads: Sequence[MakerSample] = ()) -> Batch:
-    """Puts samples side by side, padded to the longest, and the prompts of others one after the other."""
+    """Puts samples side by side, padded to the longest, and the prompts of others in rows."""
     length = max(len(s.tokens) for s in samples)
     some: Any = samples[0]
     pad = int(some.tokens[-1]) - int(some.answer.tokens[-1]) + PAD  # text tokens come before
@@ -138,7 +141,7 @@ def assemble(samples: Sequence[MakerSample], image_size: int, reads: Sequence[Ma
         tokens[row, :size], numbers[row, :size] = sample.tokens, sample.numbers
         # Each token is predicted from the state before it.
         answers.append(row * length + np.arange(size - len(sample.answer), size) - 1)
-    prompts = [s.prompt for s in reads] or [np.zeros(0, np.int64)]
+    read = pack_prompts([s.prompt for s in reads], pad)
     foresight = [foresight_of(s.answer) for s in (*samples, *reads)]
     return Batch(
         torch.from_numpy(tokens),
@@ -148,8 +151,9 @@ def assemble(samples: Sequence[MakerSample], image_size: int, reads: Sequence[Ma
         torch.from_numpy(np.concatenate([s.answer.tokens for s in samples]).astype(np.int64)),
         torch.from_numpy(np.concatenate([s.answer.numbers for s in samples])),
         torch.from_numpy(np.array([places[0] for places in answers])),
-        torch.from_numpy(np.concatenate(prompts)),
-        torch.from_numpy(np.repeat(np.arange(len(prompts)), [len(p) for p in prompts])),
+        torch.from_numpy(read.tokens),
+        torch.from_numpy(read.positions),
+        torch.from_numpy(read.ends),
         _pictures(reads, image_size),
         torch.from_numpy(np.stack([f.present for f in foresight])),
         torch.from_numpy(np.stack([f.numbers for f in foresight])),

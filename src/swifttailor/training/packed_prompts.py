@@ -1,0 +1,50 @@
+"""Several prompts in one row of a batch: short ones take no more room than they need."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Ints = NDArray[np.int64]
+
+ROW = 128
+"""Tokens of a row; of the longest prompt, where that is more. Attention costs the square of it."""
+
+
+@dataclass(frozen=True, eq=False)
+class PackedPrompts:
+    """Prompts one after the other in rows, in order."""
+
+    tokens: Ints
+    """(rows, length) ids; rows end with padding."""
+    positions: Ints
+    """(rows, length) of each token in its prompt: they begin anew with each, and with each token of padding,
+    by which transformers tells the sequences of a row apart."""
+    ends: Ints
+    """(prompts,) places of their last tokens in the flattened rows."""
+
+
+def pack_prompts(prompts: Sequence[Ints], pad: int) -> PackedPrompts:
+    """Fills row after row.
+
+    Args:
+        prompts: (n,) ids of each.
+        pad: Id to fill up with.
+    """
+    length = max([ROW, *(len(p) for p in prompts)])
+    places, row, used = [], 0, 0
+    for prompt in prompts:
+        if used + len(prompt) > length:
+            row, used = row + 1, 0
+        places.append(row * length + used)
+        used += len(prompt)
+    rows = row + 1 if prompts else 0
+    tokens, positions = np.full(rows * length, pad, np.int64), np.zeros(rows * length, np.int64)
+    for place, prompt in zip(places, prompts, strict=True):
+        tokens[place : place + len(prompt)] = prompt
+        positions[place : place + len(prompt)] = np.arange(len(prompt))
+    ends = np.array([place + len(p) - 1 for place, p in zip(places, prompts, strict=True)], np.int64)
+    return PackedPrompts(tokens.reshape(rows, length), positions.reshape(rows, length), ends)
