@@ -82,8 +82,8 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
 def _initialize(network: GarmentSewerNetwork) -> None:
     """Random weights through which signals pass undiminished (Glorot and Bengio 2010, He et al. 2015).
 
-    transformers gives all weights a deviation of 0.02. A dozen convolutions of a few channels then leave nothing
-    of what the transformer found, and the network learns from its last layers alone for a long time.
+    transformers gives all weights a deviation of 0.02. A dozen convolutions of a few channels then leave
+    nothing of what the transformer found, and the network learns from its last layers alone for a long time.
     """
     nn.init.normal_(network.dpt.embeddings.position_embeddings, std=0.02)
     for module in network.dpt.encoder.modules():

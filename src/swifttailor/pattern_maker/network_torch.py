@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
+from collections.abc import Generator
 from typing import Any
 
 import torch
@@ -94,22 +96,30 @@ class PatternMakerNetwork(nn.Module):
             plain = numbers.new_zeros((*read.shape, NUMBERS))
             embedded = self.embed(read, plain, looks[len(pictures) :])
             # Positions that begin anew tell transformers that these are several sequences.
-            _, early = self._states(embedded, read_positions)
-            understood = torch.cat([understood, early[read_ends]])
+            understood = torch.cat([understood, self._understood(embedded, read_positions)[read_ends]])
         foreseen = self.foresight_head(understood.float())
         states = states[answers]
         return self.logits(states), self.regress(states, next_tokens), foreseen
 
-    def _states(self, embedded: Tensor, positions: Tensor | None = None) -> tuple[Tensor, Tensor]:
+    def _states(self, embedded: Tensor) -> tuple[Tensor, Tensor]:
         """(B * L, hidden) after the last layer and after that of foresight, of embedded (B, L, hidden)."""
-        language, early = self.vlm.language_model, []
+        language = self.vlm.language_model
         above = [*language.layers, language.norm][self.foresight_layer]
-        watch = above.register_forward_pre_hook(lambda _, given: early.append(given[0]))
-        try:
-            out = language(inputs_embeds=embedded, position_ids=positions, use_cache=False)
-        finally:
-            watch.remove()
+        with _seen_by(above) as early:
+            out = language(inputs_embeds=embedded, use_cache=False)
         return out.last_hidden_state.flatten(0, 1), early[0].flatten(0, 1)
+
+    def _understood(self, embedded: Tensor, positions: Tensor) -> Tensor:
+        """(B * L, hidden) after the layer of foresight; those above are not computed."""
+        language = self.vlm.language_model
+        layers = language.config.num_hidden_layers
+        language.config.num_hidden_layers = self.foresight_layer  # transformers runs so many of its layers
+        try:
+            with _seen_by(language.norm) as early:
+                language(inputs_embeds=embedded, position_ids=positions, use_cache=False)
+        finally:
+            language.config.num_hidden_layers = layers
+        return early[0].flatten(0, 1)
 
     def look(self, pictures: Tensor) -> Tensor:
         """(P, image tokens, hidden) of pictures (P, 3, S, S)."""
@@ -181,6 +191,17 @@ class PatternMakerNetwork(nn.Module):
         some = next(self.vlm.vision_tower.parameters())
         several = torch.distributed.is_initialized()
         return several and (isinstance(some, DTensor) or (self.training and some.requires_grad))
+
+
+@contextlib.contextmanager
+def _seen_by(module: nn.Module) -> Generator[list[Tensor]]:
+    """Keeps what a module is called with."""
+    seen: list[Tensor] = []
+    watch = module.register_forward_pre_hook(lambda _, given: seen.append(given[0]))
+    try:
+        yield seen
+    finally:
+        watch.remove()
 
 
 def _mlp(size: int, hidden: int, out: int, activation: type[nn.Module]) -> nn.Sequential:
