@@ -4,8 +4,8 @@
 
 SPLIT is a folder of ``swifttailor data build``. Its patterns are draped again with other edge lengths, by the
 same solver to the end, and compared with the drapes of the data set at the occupied pixels of the geometry
-image: mean distance in cm over the pixels, then over the garments, by kind. What a network is asked to predict,
-folds and slides included, depends on the mesh by as much as this. Takes one to two seconds a drape.
+image: mean distance in cm over the pixels, then over the garments, by kind. What a network is asked to
+predict, folds and slides included, depends on the mesh by as much as this. Takes one to two seconds a drape.
 """
 
 from __future__ import annotations
@@ -58,7 +58,8 @@ def main() -> None:
         every = [error for some in errors.values() for error in some]
         kinds = ", ".join(f"{k} {statistics.mean(e):.2f} ({len(e)})" for k, e in errors.items() if e)
         print(
-            f"{edge_length:g} cm: mean {statistics.mean(every):.2f} cm, median {statistics.median(every):.2f}; "
+            f"{edge_length:g} cm: mean {statistics.mean(every):.2f} cm, "
+            f"median {statistics.median(every):.2f}; "
             f"{kinds}; {statistics.median(seconds):.2f} s of processor time each"
         )
 
