@@ -259,6 +259,27 @@ def test_batches_depend_on_their_number_alone(config, data, cache):
 
 
 @needs_torch
+def test_a_part_of_the_garments_is_the_same_in_every_epoch(config, data, cache, monkeypatch):
+    import torch
+
+    from swifttailor.data.reader import SplitReader
+    from swifttailor.training.sewer_batch_torch import TrainingBatches
+    from swifttailor.training.sewer_samples import SewerSamples
+
+    reader = SplitReader(data / "train")
+    samples = SewerSamples(reader, cache, 64, "sewn", 2)
+    plain = replace(config, mirror=0.0, repack=0.0, layouts=1, batch_size=1, training_garments=2)
+    seen = []
+    get = SewerSamples.get
+    monkeypatch.setattr(SewerSamples, "get", lambda self, k, layout: seen.append(k) or get(self, k, layout))
+    batches = TrainingBatches(samples, reader, plain, torch.device("cpu"))
+    for step in range(8):
+        batches[step]
+    assert len(reader) > 2 == len(set(seen))
+    assert all(set(seen[k : k + 2]) == set(seen) for k in range(0, 8, 2))
+
+
+@needs_torch
 def test_pictures_are_drawn(run, config, data, cache, tmp_path):
     import torch
     from PIL import Image

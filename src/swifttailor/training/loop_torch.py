@@ -101,6 +101,7 @@ class Loop:
             SimulationError: The loss is no number any more.
         """
         config, processes, weights = self.config, self.processes, task.weights
+        versions()  # before anybody changes the checkout
         groups = parameter_groups(weights, config.weight_decay, task.rate_factor)
         optimised = [p for group in groups for p in group["params"]]
         optimizer = torch.optim.AdamW(groups, betas=BETAS, fused=not weights.are_sharded)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import importlib.metadata
 import json
 import platform
@@ -9,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from swifttailor.atomic_files import write_text
+from swifttailor.data.builder.code_version import code_version
 from swifttailor.errors import InputError
 
 CONFIG, METRICS, CARD, WEIGHTS = "config.json", "metrics.jsonl", "card.json", "weights.safetensors"
@@ -76,10 +78,12 @@ class RunRecord:
         write_text(self.folder / CARD, json.dumps(card, indent=1, allow_nan=False) + "\n")
 
 
+@functools.cache
 def versions() -> dict[str, str]:
-    """Of what the training ran on."""
+    """Of what the training runs on, as it was when this was first called; with the commit in a checkout."""
     found = {name: importlib.metadata.version(name) for name in _PACKAGES if _is_installed(name)}
-    return {"python": platform.python_version()} | found
+    commit = code_version()["commit"]
+    return {"python": platform.python_version()} | found | ({"commit": commit} if commit else {})
 
 
 def _is_installed(name: str) -> bool:

@@ -46,11 +46,13 @@ class TrainingBatches:
     ) -> None:
         self.samples, self.reader, self.config, self.device = samples, reader, config, device
         self.part, self.parts = part, parts
+        limit = config.training_garments
+        self._chosen = np.random.default_rng([config.seed, 6]).permutation(len(samples))[: limit or None]
         self._kept: dict[tuple[int, int], SewerSample] | None = {} if device.type == "cuda" else None
 
     def __getitem__(self, step: int) -> Batch:
         """This process's share of the batch of an optimiser step, from 0."""
-        size, count = self.config.batch_size, len(self.samples)
+        size, count = self.config.batch_size, len(self._chosen)
         chosen = []
         for place in range(step * size + self.part, (step + 1) * size, self.parts):
             epoch, number = divmod(place, count)
@@ -62,7 +64,8 @@ class TrainingBatches:
 
     def _order(self, epoch: int) -> np.ndarray:
         if getattr(self, "_epoch", None) != epoch:
-            self._epoch, self._numbers = epoch, self.reader.order(self.config.seed, epoch)
+            order = self.reader.order(self.config.seed, epoch)
+            self._epoch, self._numbers = epoch, order[np.isin(order, self._chosen)]
         return self._numbers
 
     def _varied(self, k: int, chance: np.random.Generator) -> SewerSample:

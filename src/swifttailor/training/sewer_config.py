@@ -35,6 +35,9 @@ class SewerConfig(LoopConfig):
     """Images drawn of each garment: the first as at use, others up to a quarter coarser, which leaves room to
     repack."""
 
+    training_garments: int = 0
+    """How many of the training split are learnt from, drawn by the seed; 0 for all. For curves over the size
+    of the data."""
     validation_garments: int = 64
     """How many of the validation split are looked at; the same ones every time."""
     pictures: int = 4
@@ -43,7 +46,7 @@ class SewerConfig(LoopConfig):
     def __post_init__(self) -> None:
         super().__post_init__()
         require(self, "layouts", self.layouts >= 1, "at least 1")
-        for name in ("pictures", "validation_garments"):
+        for name in ("pictures", "training_garments", "validation_garments"):
             require(self, name, getattr(self, name) >= 0, "0 or more")
         require(self, "encoder_rate", self.encoder_rate > 0, "above 0")
         for name in ("mirror", "repack"):
