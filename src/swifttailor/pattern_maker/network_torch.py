@@ -14,6 +14,7 @@ from torch.distributed.tensor import DTensor
 from transformers import InternVLConfig, InternVLModel, InternVLVisionConfig, Qwen2Config
 
 from swifttailor.pattern_maker.foresight import FORESEEN
+from swifttailor.pattern_maker.initial_weights_torch import EMBEDDING, initialize
 from swifttailor.pattern_maker.network_config import NetworkConfig
 from swifttailor.pattern_maker.prompt import IMAGE, OWN_TOKENS
 from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
@@ -37,7 +38,9 @@ TRAINING_ONLY = ("foresight_head.",)
 class PatternMakerNetwork(nn.Module):
     """InternVL, with tokens that carry numbers: embedded on the way in, regressed on the way out."""
 
-    def __init__(self, vlm: InternVLModel, text_size: int, *, command_seen: bool) -> None:
+    def __init__(
+        self, vlm: InternVLModel, text_size: int, *, command_seen: bool, embedding_std: float = EMBEDDING
+    ) -> None:
         super().__init__()
         self.vlm = vlm
         self.text_size = text_size
@@ -53,9 +56,8 @@ class PatternMakerNetwork(nn.Module):
         self.foresight_head = nn.Sequential(nn.LayerNorm(hidden), nn.Linear(hidden, FORESEEN))
         self.foresight_layer = math.ceil(FORESIGHT_DEPTH * vlm.config.text_config.num_hidden_layers)
         self.register_buffer("number_mask", torch.tensor(NUMBER_MASK), persistent=False)
-        spread = vlm.config.text_config.initializer_range
-        for module in (self.own_embedding, self.token_head):
-            nn.init.normal_(module.weight, std=spread)
+        nn.init.normal_(self.own_embedding.weight, std=embedding_std)
+        nn.init.normal_(self.token_head.weight, std=vlm.config.text_config.initializer_range)
 
     def forward(
         self,
@@ -229,10 +231,15 @@ def build_network(config: NetworkConfig, text_size: int) -> PatternMakerNetwork:
         from swifttailor.pattern_maker.pretrained_torch import load_pretrained
 
         vlm = load_pretrained(config, text_size)
+        embedding_std = vlm.config.text_config.initializer_range
     else:
         vlm = InternVLModel(vlm_config(config, text_size))
         use_fused_norms(vlm)
-    network = PatternMakerNetwork(vlm, text_size, command_seen=config.command_seen)
+        initialize(vlm)
+        embedding_std = EMBEDDING
+    network = PatternMakerNetwork(
+        vlm, text_size, command_seen=config.command_seen, embedding_std=embedding_std
+    )
     if not config.vision_trained:
         for part in (vlm.vision_tower, vlm.multi_modal_projector):
             part.requires_grad_(False)
