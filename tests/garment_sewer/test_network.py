@@ -112,7 +112,7 @@ def test_one_garment_of_a_batch_does_not_change_another():
     with torch.no_grad():
         both = network(conditioning, occupancy, prior)
         alone = network(conditioning[:1], occupancy[:1], prior[:1])
-    assert torch.allclose(both[:1], alone, atol=1e-4)
+    assert torch.allclose(both[:1], alone, rtol=1e-4, atol=1e-3)
 
 
 @needs_torch

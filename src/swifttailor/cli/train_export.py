@@ -13,8 +13,8 @@ from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import InputError
 
 MOST_APART_CM = 0.01
-MOST_APART_INT8_CM = 0.5
-"""With products of 8 bits, on random images, which are unlike any garment."""
+MOST_APART_INT8 = 0.1
+"""With products of 8 bits, of the largest prediction."""
 MOST_APART = 1e-3
 """Of the values of a PatternMaker's layers, relative to the largest."""
 _MODELS = {"GarmentSewer": ".onnx", "PatternMaker": ".zip"}
@@ -90,15 +90,15 @@ def _export_sewer(run: Path, out: Path, half: bool, int8: bool) -> str:
     weights = run / WEIGHTS
     half = half or int8
     export(weights, card, out, half=half, int8=int8)
-    apart = compare(load_model(out), torch_model(weights, card, half=half))
-    limit = MOST_APART_INT8_CM if int8 else MOST_APART_CM
-    if not apart < limit:
+    found = compare(load_model(out), torch_model(weights, card, half=half))
+    limit = MOST_APART_INT8 * found.reach_cm if int8 else MOST_APART_CM
+    if not found.apart_cm < limit:
         out.unlink()
         raise InputError(
-            f"The exported network predicts {apart:.3g} cm from torch; at most {limit} cm "
+            f"The exported network predicts {found.apart_cm:.3g} cm from torch; less than {limit:.3g} cm "
             "is accepted. Try other versions of torch and onnxruntime."
         )
-    return f"at most {apart:.2g} cm from torch's predictions"
+    return f"at most {found.apart_cm:.2g} cm from torch's predictions"
 
 
 def _export_maker(run: Path, out: Path, half: bool) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -130,12 +131,23 @@ def _shape(card: dict[str, Any]) -> tuple[Conditioning, NetworkConfig]:
     return Conditioning(given["prior"], tuple(given["channels"])), NetworkConfig(**network)
 
 
-def compare(first: SewerModel, second: SewerModel, *, seed: int = 0) -> float:
-    """Largest difference in cm between what two models predict for the same random input."""
+@dataclass(frozen=True)
+class Comparison:
+    """Two models, asked the same."""
+
+    apart_cm: float
+    """Largest difference between their predictions."""
+    reach_cm: float
+    """Largest prediction, measured from the prior where there is one."""
+
+
+def compare(first: SewerModel, second: SewerModel, *, seed: int = 0) -> Comparison:
+    """Compares what two models predict for the same random images, which are unlike any garment."""
     chance = np.random.default_rng(seed)
     size = first.resolution
     given = [
         chance.normal(size=(2, n, size, size)).astype(np.float32) for n in (first.conditioning.count, 1, 3)
     ]
     given[1] = (given[1] > 0).astype(np.float32)
-    return float(np.abs(first.network(*given) - second.network(*given)).max())
+    one, other = first.network(*given), second.network(*given)
+    return Comparison(float(np.abs(one - other).max()), float(np.abs(other - given[2]).max()))
