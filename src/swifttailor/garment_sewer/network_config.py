@@ -34,6 +34,9 @@ class NetworkConfig:
     masked: bool = True
     """Whether the stages at full resolution look at pixels of panels only, and not across the empty pixels
     between them."""
+    normalized: bool = True
+    """Whether the decoder's features are normalised before the last stage, whose activations are GELU then
+    instead of DPT's ReLU: without it a training from random weights may lose the transformer for good."""
     pretrained: str = ""
     """Folder or name of a DPT or ViT whose weights to begin with; empty to begin with random ones."""
 
@@ -76,5 +79,6 @@ PAPER_NETWORK = NetworkConfig(
     output="absolute",
     input_skip=0,
     masked=False,
+    normalized=False,
 )
 """DPT-Large, as the paper has it; its resolution is not given there."""

@@ -13,7 +13,7 @@ from swifttailor.garment_sewer.network_config import NetworkConfig
 
 HEAD_SIZE = 32
 """Channels of the last stage, fixed in DPT."""
-OUTPUT_CM = 20.0
+OUTPUT_CM = 10.0
 """Centimetres per unit that the last layer gives."""
 ORIGIN_CM = (0.0, 100.0, 0.0)
 """What absolute positions are measured from."""
@@ -31,6 +31,8 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
         head: Any = self.head.head
         head[4] = nn.Conv2d(HEAD_SIZE, 3, 1)
         head[5] = nn.Identity()
+        if config.normalized:
+            self.feature_norm = nn.LayerNorm(config.fusion_hidden_size)
         patches: Any = self.dpt.embeddings.patch_embeddings
         patches.projection = _exact_like(patches.projection)
         # Zero weights: an untrained network predicts its prior, or one point, exactly.
@@ -65,16 +67,20 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
         height, width = conditioning.shape[-2] // patch, conditioning.shape[-1] // patch
         features = self.neck(states, height, width)[self.config.head_in_index]
         head: Any = self.head.head
+        act = F.relu
+        if self.config.normalized:
+            act = F.gelu
+            features = self.feature_norm(features.permute(0, 2, 3, 1)).permute(0, 3, 1, 2)
         x = F.interpolate(
             head[0](features), size=conditioning.shape[-2:], mode="bilinear", align_corners=True
         )
         mask = occupancy.to(x.dtype) if self.config.masked else None
-        x = F.relu(_masked(head[2], x, mask))
+        x = act(_masked(head[2], x, mask))
         if self.config.input_skip:
             with torch.autocast(x.device.type, enabled=False):
                 seen = occupancy.float() if self.config.masked else None
-                skip = F.relu(_masked(self.input_skip, conditioning.float(), seen))
-            x = x + F.relu(self.input_merge(torch.cat([x, skip.to(x.dtype)], dim=1)))
+                skip = act(_masked(self.input_skip, conditioning.float(), seen))
+            x = x + act(self.input_merge(torch.cat([x, skip.to(x.dtype)], dim=1)))
         with torch.autocast(x.device.type, enabled=False):
             # bfloat16 would round a metre to millimetres.
             offset = F.conv2d(x.float(), head[4].weight.float(), head[4].bias.float()) * OUTPUT_CM
@@ -181,6 +187,7 @@ def dpt_config(config: NetworkConfig, channels: int) -> DPTConfig:
         use_auxiliary_head=False,
     )
     made.output, made.input_skip, made.masked = config.output, config.input_skip, config.masked
+    made.normalized = config.normalized
     return made
 
 
