@@ -70,7 +70,7 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
         act = F.relu
         if self.config.normalized:
             act = F.gelu
-            features = self.feature_norm(features.permute(0, 2, 3, 1)).permute(0, 3, 1, 2)
+            features = self.feature_norm(features.permute(0, 2, 3, 1).float()).permute(0, 3, 1, 2)
         x = F.interpolate(
             head[0](features), size=conditioning.shape[-2:], mode="bilinear", align_corners=True
         )
