@@ -121,7 +121,8 @@ class _ExactConvolution(nn.Conv2d):
     def forward(self, input: Tensor) -> Tensor:
         with torch.autocast(input.device.type, enabled=False):
             bias = None if self.bias is None else self.bias.float()
-            return self._conv_forward(input.float(), self.weight.float(), bias)
+            out = self._conv_forward(input.float(), self.weight.float(), bias)
+        return out.to(self.weight.dtype)
 
 
 def _exact_like(convolution: nn.Conv2d) -> _ExactConvolution:
