@@ -18,11 +18,17 @@ import sys
 from pathlib import Path
 
 from machine import describe
+from swifttailor.garment_sewer.conditioning import PLACED
 
 _PAPER = ("conditioning.prior=none", 'conditioning.channels=["color"]', "network.output=absolute")
 _REGRESSION = ("losses.edge=100", "losses.edge_band=10", "losses.seam_pairs=0")
 _STITCHING = ("losses.stitching=1000",)
 _NORMALS = ("losses.normals=0.01",)
+
+
+def _without(*channels: str) -> str:
+    return f"conditioning.channels={json.dumps([c for c in PLACED if c not in channels])}"
+
 
 ROWS: dict[str, tuple[str, ...]] = {
     "paper-no-semantic": (*_PAPER, *_REGRESSION, 'conditioning.channels=["occupancy"]'),
@@ -32,14 +38,9 @@ ROWS: dict[str, tuple[str, ...]] = {
     "ours": (),
     "prior-placed": ("conditioning.prior=placed",),
     "colors-and-prior": ('conditioning.channels=["color", "occupancy", "prior"]',),
-    "no-partners": (
-        'conditioning.channels=["color", "occupancy", "prior", "placed", "local", "normal", "scale", '
-        '"stitched", "contour", "body_distance", "body_direction"]',
-    ),
-    "no-body": (
-        'conditioning.channels=["color", "occupancy", "prior", "placed", "local", "normal", "scale", '
-        '"stitched", "contour", "partner", "partner_pixel"]',
-    ),
+    "no-partners": (_without("partner", "partner_pixel"),),
+    "no-body": (_without("body_distance", "body_direction"),),
+    "no-slope": (_without("slope"),),
     "paper-losses": (*_REGRESSION, *_STITCHING, *_NORMALS),
     "no-edge": ("losses.edge=0",),
     "no-seam-pairs": ("losses.seam_pairs=0",),

@@ -26,4 +26,4 @@ resume=()
 [ -f "$work/run/checkpoint.pt" ] && resume=(--resume)
 swifttailor train garment-sewer --data "$work/data" --out "$work/run" --config small \
     --max-minutes "$minutes" --workers 2 "${resume[@]}"
-swifttailor train export "$work/run" --out "$work/garment_sewer.onnx" --int8
+swifttailor train export "$work/run" --out "$work/garment_sewer.onnx" --half

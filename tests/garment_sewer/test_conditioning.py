@@ -15,6 +15,7 @@ from swifttailor.garment_sewer.conditioning import (
     Conditioning,
     conditioning_image,
 )
+from swifttailor.garment_sewer.pixels.pixel_table import tabulate
 from swifttailor.ggi.panel_colors import color_types
 from swifttailor.ggi.semantic import semantic_image
 
@@ -81,3 +82,20 @@ def test_channels_come_in_the_order_asked_for(table):
 def test_impossible_conditioning_is_refused(prior, channels, said):
     with pytest.raises(InputError, match=said):
         Conditioning(prior, channels)
+
+
+def test_slope_of_flat_panels_is_their_axes(layout, body_distance):
+    """Where the prior is the placed panel, steps along rows and columns are its own unit axes."""
+    table = tabulate(layout, "placed", body_distance)
+    slope = np.stack(CHANNELS["slope"].columns(table), axis=1).reshape(-1, 2, 3)
+    inner = ~table.contour
+    expected = (
+        table.panel_axes[table.panel]
+        * np.stack([table.panel_sign[table.panel], np.ones(len(table.panel))], axis=1)[:, :, None]
+    )
+    assert inner.sum() > 500
+    # Next to the outline, pixels stand for points of it, off the row and the column.
+    apart = np.abs(slope - expected).max(axis=(1, 2))
+    assert np.median(apart[inner]) < 1e-4
+    lengths = np.linalg.norm(slope, axis=2)
+    assert (lengths[inner] > 0.99).all() and (lengths < 1.001).all()

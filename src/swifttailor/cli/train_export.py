@@ -36,7 +36,7 @@ class TrainExport:
     """Round the weights to 16 bits, which halves the file; it computes with 32 all the same."""
     int8: tyro.conf.FlagCreatePairsOff[bool] = False
     """Compute a GarmentSewer's matrix products with 8-bit integers, which takes half the time on a CPU, and
-    round the other weights to 16 bits; moves positions by some hundredths of a centimetre."""
+    round the other weights to 16 bits; evaluate it beside --half before use."""
     data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
     """Data set with renders that a PatternMaker was trained on: measures how sure the network is of pictures,
     so that those without a garment can be told; part of the file."""

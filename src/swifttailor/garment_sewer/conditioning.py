@@ -92,8 +92,8 @@ def _body_direction(t: PixelTable) -> Columns:
 def _slope(t: PixelTable) -> Columns:
     """How the prior runs along the image's rows and columns: steps in space over steps on the panel.
 
-    A length of one is unstretched. The positions themselves do not tell: rounded to bfloat16, as a network in
-    training sees them, they are 2 to 4 mm apart.
+    A length of one is unstretched. In the positions themselves, of the order of one, it is a difference of
+    some thousandths.
     """
     local, columns = t.local(), []
     for step in (1, t.resolution):

@@ -36,7 +36,7 @@ class NetworkConfig:
     between them."""
     normalized: bool = True
     """Whether the decoder's features are normalised before the last stage, whose activations are GELU then
-    instead of DPT's ReLU: without it a training from random weights may lose the transformer for good."""
+    instead of DPT's ReLU, which died in a training from random weights."""
     pretrained: str = ""
     """Folder or name of a DPT or ViT whose weights to begin with; empty to begin with random ones."""
 

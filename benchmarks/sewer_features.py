@@ -1,0 +1,74 @@
+"""Whether a trained GarmentSewer listens to its transformer: what becomes of predictions without it.
+
+``python benchmarks/sewer_features.py RUN DATA [--garments 12]``
+
+RUN is the folder of a training. Garments of DATA's validation split are predicted as they are, with the
+decoder's features set to 0, and with those of another garment: mean change of the pixels' positions, and mean
+error, in cm. Where the features of another garment change nothing, the network has learnt from its last
+layers alone. Then the root mean square of the features after each stage of the decoder. Needs the extra `train`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+
+import torch
+
+from machine import describe
+from swifttailor.data.reader import SplitReader
+from swifttailor.garment_sewer.export_torch import load_weights
+from swifttailor.training.sewer_batch_torch import assemble, to_tensors
+from swifttailor.training.sewer_config import config_from
+from swifttailor.training.sewer_samples import SewerSamples
+
+
+@torch.no_grad()
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("run", type=Path)
+    parser.add_argument("data", type=Path)
+    parser.add_argument("--garments", type=int, default=12)
+    options = parser.parse_args()
+    card = json.loads((options.run / "card.json").read_text())
+    config = config_from(card["config"])
+    reader = SplitReader(options.data / "validation")
+    size, prior = config.network.resolution, config.conditioning.prior
+    samples = SewerSamples(reader, options.data / "cache", size, prior, 1)
+    for _ in samples.prepare(workers=1):
+        pass
+    step = max(1, len(reader) // options.garments)
+    chosen = [to_tensors(samples.get(k, 0), torch.device("cpu")) for k in range(0, len(reader), step)]
+    batch = assemble(chosen, config.conditioning)
+    network = load_weights(options.run / "weights.safetensors", card)
+    occupied = batch.truth.occupancy[:, 0] > 0
+
+    def mean(vectors: torch.Tensor) -> float:
+        return float(vectors.norm(dim=1)[occupied].mean())
+
+    def predict() -> torch.Tensor:
+        return network(batch.conditioning, batch.truth.occupancy, batch.prior)
+
+    sizes: list[float] = []
+    for stage in network.neck.fusion_stage.layers:
+        stage.register_forward_hook(lambda _, given, out: sizes.append(float(out.square().mean().sqrt())))
+    whole = predict()
+    stages = ", ".join(f"{value:.3g}" for value in sizes)
+    neck = network.neck.forward
+    network.neck.forward = lambda *given: [torch.zeros_like(f) for f in neck(*given)]
+    without = predict()
+    network.neck.forward = lambda *given: [f.roll(1, 0) for f in neck(*given)]
+    exchanged = predict()
+    target = batch.truth.target
+    print(describe())
+    print(f"validation, every {step}: n = {len(chosen)}; cm")
+    print(f"prior: error {mean(batch.prior - target):.3f}")
+    print(f"as it is: error {mean(whole - target):.3f}")
+    for name, found in (("features 0", without), ("of another garment", exchanged)):
+        print(f"{name}: error {mean(found - target):.3f}, predictions moved by {mean(found - whole):.4f}")
+    print(f"features after the stages of the decoder: {stages}")
+
+
+if __name__ == "__main__":
+    main()
