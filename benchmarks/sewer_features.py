@@ -5,7 +5,8 @@
 RUN is the folder of a training. Garments of DATA's validation split are predicted as they are, with the
 decoder's features set to 0, and with those of another garment: mean change of the pixels' positions, and mean
 error, in cm. Where the features of another garment change nothing, the network has learnt from its last
-layers alone. Then the root mean square of the features after each stage of the decoder. Needs the extra `train`.
+layers alone. Then the root mean square of the features after each stage of the decoder. Needs the extra
+`train`.
 """
 
 from __future__ import annotations
