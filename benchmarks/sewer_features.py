@@ -15,18 +15,19 @@ import argparse
 import json
 from pathlib import Path
 
-import torch
-
 from machine import describe
 from swifttailor.data.reader import SplitReader
-from swifttailor.garment_sewer.export_torch import load_weights
-from swifttailor.training.sewer_batch_torch import assemble, to_tensors
 from swifttailor.training.sewer_config import config_from
 from swifttailor.training.sewer_samples import SewerSamples
 
 
-@torch.no_grad()
 def main() -> None:
+    import torch
+
+    from swifttailor.garment_sewer.export_torch import load_weights
+    from swifttailor.training.sewer_batch_torch import assemble, to_tensors
+
+    torch.set_grad_enabled(False)
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("run", type=Path)
     parser.add_argument("data", type=Path)
