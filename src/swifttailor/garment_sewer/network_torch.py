@@ -32,6 +32,8 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
         head[4] = nn.Conv2d(HEAD_SIZE, 3, 1)
         head[5] = nn.Identity()
         if config.normalized:
+            count = len(config.backbone_out_indices)
+            self.state_norms = nn.ModuleList(_StateNorm(config.hidden_size) for _ in range(count))
             self.feature_norm = nn.LayerNorm(config.fusion_hidden_size)
         patches: Any = self.dpt.embeddings.patch_embeddings
         patches.projection = _exact_like(patches.projection)
@@ -63,6 +65,8 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
         states = self.dpt(conditioning, output_hidden_states=True).hidden_states
         wanted = self.config.backbone_out_indices
         states = [s for k, s in enumerate(states[1:]) if k in wanted]
+        if self.config.normalized:
+            states = [norm(s) for norm, s in zip(self.state_norms, states, strict=True)]
         patch = self.config.patch_size
         height, width = conditioning.shape[-2] // patch, conditioning.shape[-1] // patch
         features = self.neck(states, height, width)[self.config.head_in_index]
@@ -109,6 +113,24 @@ def _initialize(network: GarmentSewerNetwork) -> None:
         # What is added to a residual is small, so that four stages of them do not add up to much.
         factor = 0.5 if name.endswith("convolution2") else 1.0
         nn.init.normal_(module.weight, std=factor * gain / fan**0.5)
+
+
+class _StateNorm(nn.BatchNorm1d):
+    """Takes away what the transformer's tokens have in common, whatever the garment.
+
+    It grows from layer to layer and step to step. The decoder would multiply it until nothing else is heard.
+    """
+
+    def __init__(self, size: int) -> None:
+        super().__init__(size, affine=False)
+
+    def forward(self, input: Tensor) -> Tensor:
+        """(B, n, size) for (B, n, size)."""
+        if self.training:
+            return super().forward(input.flatten(0, 1)).view_as(input)
+        mean, variance = self.running_mean, self.running_var
+        assert mean is not None and variance is not None
+        return (input - mean) * torch.rsqrt(variance + self.eps)
 
 
 class _ExactConvolution(nn.Conv2d):
@@ -188,7 +210,7 @@ def dpt_config(config: NetworkConfig, channels: int) -> DPTConfig:
         use_auxiliary_head=False,
     )
     made.output, made.input_skip, made.masked = config.output, config.input_skip, config.masked
-    made.normalized = config.normalized
+    made.normalized = made.use_batch_norm_in_fusion_residual = config.normalized
     return made
 
 

@@ -16,7 +16,7 @@ CHECKPOINT = "checkpoint.pt"
 
 
 class MovingAverage:
-    """Exponential moving average of a network's weights, in float32."""
+    """Exponential moving average of a network's weights, in float32; counters are the last ones."""
 
     def __init__(self, weights: dict[str, Tensor], decay: float) -> None:
         self.decay = decay
@@ -27,7 +27,11 @@ class MovingAverage:
         """Takes in the weights after an optimiser step, from 0; the first steps count for more."""
         decay = min(self.decay, (1 + step) / (10 + step))
         for name, value in weights.items():
-            self.values[name].lerp_(value.to(self.values[name].dtype), 1 - decay)
+            kept = self.values[name]
+            if kept.is_floating_point():
+                kept.lerp_(value.to(kept.dtype), 1 - decay)
+            else:
+                kept.copy_(value)
 
 
 def write_checkpoint(folder: Path, state: dict[str, Any]) -> Path:
