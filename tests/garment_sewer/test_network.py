@@ -263,3 +263,35 @@ def test_weights_of_another_shape_or_kind_are_refused(tmp_path):
 def test_impossible_networks_are_refused(values, said):
     with pytest.raises(InputError, match=said):
         replace(NetworkConfig(), **values)
+
+
+@needs_torch
+def test_learns_what_is_told_at_the_other_end_of_the_image():
+    import torch
+
+    from swifttailor.garment_sewer.network_torch import build_network
+
+    torch.manual_seed(0)
+    network = build_network(replace(TINY, patch_size=8), 3).train()
+    occupancy = torch.zeros(8, 1, 64, 64)
+    occupancy[:, :, 40:, 40:] = 1
+    prior = torch.zeros(8, 3, 64, 64)
+
+    def garments():
+        given = torch.randn(8, 3, 64, 64) * 0.3
+        side = torch.randint(0, 2, (8, 1, 1, 1)) * 2.0 - 1
+        given[:, :1, :8, :8] += side
+        return given, side
+
+    optimizer = torch.optim.AdamW(network.parameters(), lr=1e-3)
+    for _ in range(60):
+        given, side = garments()
+        found = network(given, occupancy, prior)
+        ((found - 5 * side).abs() * occupancy).mean().backward()
+        optimizer.step()
+        optimizer.zero_grad()
+    network.eval()
+    given, side = garments()
+    with torch.no_grad():
+        found = network(given, occupancy, prior)
+    assert float(((found - 5 * side).abs() * occupancy).sum() / (3 * occupancy.sum())) < 1.5

@@ -277,7 +277,12 @@ def test_a_pretrained_internvl_is_taken_as_it_is(network, tmp_path):
     tokenizer.pre_tokenizer = pre_tokenizers.Whitespace()
     PreTrainedTokenizerFast(tokenizer_object=tokenizer, unk_token="[UNK]").save_pretrained(tmp_path)
     config = NetworkConfig(
-        pretrained=str(tmp_path), image_size=64, patch_size=16, longest_text=3, lora_rank=2
+        pretrained=str(tmp_path),
+        early_convolutions=False,
+        image_size=64,
+        patch_size=16,
+        longest_text=3,
+        lora_rank=2,
     )
     size, encode_text = load_text_tokens(config)
     assert (size, encode_text("a long dress with sleeves")) == (6, (1, 2, 3))
@@ -287,9 +292,11 @@ def test_a_pretrained_internvl_is_taken_as_it_is(network, tmp_path):
     logits, _ = call(made.eval(), *given, torch.arange(3), torch.zeros(3, dtype=torch.long))
     assert torch.allclose(logits, made.token_head(own), atol=1e-5)
     with pytest.raises(InputError, match="image_size and patch_size"):
-        build_network(NetworkConfig(pretrained=str(tmp_path), image_size=128), size)
+        build_network(NetworkConfig(pretrained=str(tmp_path), early_convolutions=False, image_size=128), size)
     with pytest.raises(InputError, match="cannot be had"):
-        build_network(NetworkConfig(pretrained=str(tmp_path / "none"), image_size=64), size)
+        build_network(
+            NetworkConfig(pretrained=str(tmp_path / "none"), early_convolutions=False, image_size=64), size
+        )
 
 
 @pytest.mark.parametrize(
@@ -299,3 +306,23 @@ def test_a_pretrained_internvl_is_taken_as_it_is(network, tmp_path):
 def test_shapes_that_do_not_fit_are_refused(wrong):
     with pytest.raises(InputError, match="network"):
         NetworkConfig(**wrong)
+
+
+@needs_torch
+@pytest.mark.parametrize(("patch", "widths"), [(8, [16, 32]), (16, [8, 16, 32]), (32, [8, 8, 16, 32])])
+def test_convolutions_cut_a_picture_into_patches(patch, widths):
+    import torch
+
+    from swifttailor.pattern_maker.stem_torch import ConvolutionalStem
+
+    stem = ConvolutionalStem(32, patch).eval()
+    pictures = torch.randn(2, 3, 64, 64)
+    with torch.no_grad():
+        patches = stem(pictures)
+        changed = pictures.clone()
+        changed[0, :, :8, :8] += 1  # a corner: patches far from it stay as they were
+        moved = (stem(changed) - patches).abs().amax(1)
+    assert patches.shape == (2, 32, 64 // patch, 64 // patch)
+    assert [m.num_features for m in stem.modules() if isinstance(m, torch.nn.BatchNorm2d)][::3] == widths
+    assert moved[0, 0, 0] > 0 and not moved[1].any()
+    assert patch > 16 or moved[0, -1, -1] == 0

@@ -35,9 +35,9 @@ class NetworkConfig:
     """Whether the stages at full resolution look at pixels of panels only, and not across the empty pixels
     between them."""
     normalized: bool = True
-    """Whether what the decoder reads and adds up is normalised over the batch, as in DPT for segmentation, and
-    its features over the channels before the last stage, whose activations are GELU then instead of ReLU. From
-    random weights a DPT without it learns nothing from its transformer."""
+    """Whether what the decoder reads and adds up is normalised over the batch, as in DPT for segmentation,
+    and its features over the channels before the last stage, whose activations are GELU then instead of ReLU.
+    From random weights a DPT without it learns next to nothing from its transformer."""
     pretrained: str = ""
     """Folder or name of a DPT or ViT whose weights to begin with; empty to begin with random ones."""
 

@@ -27,6 +27,8 @@ class NetworkConfig:
     """Pixels along each side of a picture."""
     patch_size: int = 16
     """Four patches become one token."""
+    early_convolutions: bool = True
+    """Whether pictures become patches by several convolutions, or by one matrix as in InternVL."""
     longest_text: int = 192
     """Tokens of a text that are read; what is beyond is left out."""
     command_seen: bool = True
@@ -68,6 +70,15 @@ class NetworkConfig:
                 f"network.image_size is {self.image_size}; a multiple of {2 * self.patch_size}, twice the "
                 "patch_size, is accepted."
             )
+        if self.early_convolutions and (self.patch_size < 8 or self.patch_size & (self.patch_size - 1)):
+            raise InputError(
+                f"network.patch_size is {self.patch_size}; 8, 16, 32 are accepted with "
+                "network.early_convolutions."
+            )
+        if self.early_convolutions and self.pretrained:
+            raise InputError(
+                "network.early_convolutions is true, and what is pretrained has none; set it to false."
+            )
         if self.lora_rank < 0 or (self.lora_rank and not self.pretrained):
             raise InputError(
                 f"network.lora_rank is {self.lora_rank}; 0 is accepted, or more with network.pretrained."
@@ -82,6 +93,7 @@ class NetworkConfig:
 PAPER_NETWORK = NetworkConfig(
     image_size=448,
     patch_size=14,
+    early_convolutions=False,
     longest_text=512,
     command_seen=False,
     pretrained="OpenGVLab/InternVL3-2B-hf",

@@ -17,6 +17,7 @@ from swifttailor.pattern_maker.foresight import FORESEEN
 from swifttailor.pattern_maker.initial_weights_torch import EMBEDDING, initialize
 from swifttailor.pattern_maker.network_config import NetworkConfig
 from swifttailor.pattern_maker.prompt import IMAGE, OWN_TOKENS
+from swifttailor.pattern_maker.stem_torch import ConvolutionalStem
 from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
 from swifttailor.pattern_maker.vocabulary import MOVE, NUMBERS, SIZE
 
@@ -33,6 +34,8 @@ for the layers above to read, at every token of the answer."""
 
 TRAINING_ONLY = ("foresight_head.",)
 """Beginnings of the names of weights that no answer needs."""
+VISION = ("vlm.vision_tower.", "vlm.multi_modal_projector.")
+"""And of those that pictures go through."""
 
 
 class PatternMakerNetwork(nn.Module):
@@ -234,6 +237,9 @@ def build_network(config: NetworkConfig, text_size: int) -> PatternMakerNetwork:
         embedding_std = vlm.config.text_config.initializer_range
     else:
         vlm = InternVLModel(vlm_config(config, text_size))
+        if config.early_convolutions:
+            patches: Any = vlm.vision_tower.embeddings.patch_embeddings
+            patches.projection = ConvolutionalStem(config.vision_hidden_size, config.patch_size)
         use_fused_norms(vlm)
         initialize(vlm)
         embedding_std = EMBEDDING

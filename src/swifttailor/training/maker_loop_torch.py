@@ -17,6 +17,7 @@ from swifttailor.data.renders.files import SplitRenders
 from swifttailor.errors import InputError
 from swifttailor.pattern_maker.network_torch import (
     TRAINING_ONLY,
+    VISION,
     PatternMakerNetwork,
     build_network,
     number_penalty,
@@ -133,7 +134,8 @@ def train(
         # The fused attention's backward pass takes a third of a step on a CPU, plain products a sixth.
         network.vlm.set_attn_implementation("eager")
     if config.start:
-        load_start(network, Path(config.start), TRAINING_ONLY)
+        for name in load_start(network, Path(config.start), (TRAINING_ONLY, VISION)):
+            report(f"'{config.start}' is of another network in '{name}', which begins anew.")
 
     def samples_of(name: str) -> MakerSamples:
         return MakerSamples(banks[name], renders[name], config, text.encode, text.size)

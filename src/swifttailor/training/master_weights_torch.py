@@ -19,10 +19,13 @@ class MasterWeights:
 
         Args:
             network: Changed in place; its other parts are trained as they are.
-            lowered: Parts whose weights become bfloat16.
+            lowered: Parts whose weights become bfloat16, those of norms over the batch apart, which torch
+                wants in float32.
         """
         self.network = network
         inside = {id(p) for part in lowered for p in part.parameters()}
+        norms = (m for m in network.modules() if isinstance(m, (nn.BatchNorm1d, nn.BatchNorm2d)))
+        inside -= {id(p) for norm in norms for p in norm.parameters()}
         self._pairs: list[tuple[nn.Parameter, nn.Parameter]] = []
         self.named: dict[str, nn.Parameter] = {}
         """What is optimised, by name."""

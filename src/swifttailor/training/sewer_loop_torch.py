@@ -130,7 +130,7 @@ class _SewerTask:
         self.network, self.config, self.readers, self.batches = network, config, readers, batches
         self.out, self.device = out, device
         self.precision = choose_precision(config.precision, device)
-        lowered = _lowered(network) if self.precision == "bfloat16" else ()
+        lowered = (network.dpt, network.neck) if self.precision == "bfloat16" else ()
         self.weights = MasterWeights(network, lowered)
         self.validation = Validation(validated, readers["validation"], config, device)
 
@@ -172,12 +172,6 @@ class _SewerTask:
         if not self.config.losses.penetration:
             return None
         return BodyField(BodyDistance.of(Body.default()), self.device)
-
-
-def _lowered(network: GarmentSewerNetwork) -> list[nn.Module]:
-    """What computes in bfloat16: the layers that hold nearly all weights, without the decoder's norms."""
-    decoder = [m for m in network.neck.modules() if isinstance(m, (nn.Conv2d, nn.ConvTranspose2d, nn.Linear))]
-    return [network.dpt, *decoder]
 
 
 def _open_splits(data: Path) -> dict[str, SplitReader]:

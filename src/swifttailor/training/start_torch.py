@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
-from torch import Tensor, nn
+from torch import nn
 
 from swifttailor.errors import InputError
 
 
-def load_start(network: nn.Module, path: Path, optional: tuple[str, ...] = ()) -> None:
+def load_start(network: nn.Module, path: Path, optional: Sequence[tuple[str, ...]] = ()) -> list[str]:
     """Puts the weights of another run into a network.
 
     Args:
         network: Changed in place.
         path: Of the weights.
-        optional: Beginnings of the names of weights that stay as they are where the file lacks them, or has
-            others.
+        optional: Parts, each as the beginnings of the names of its weights. One of which the file lacks
+            weights, or has others, stays as it is.
+
+    Returns:
+        The beginnings of the names of what stayed.
 
     Raises:
         InputError: The file is missing, damaged, or of another shape.
@@ -27,9 +31,13 @@ def load_start(network: nn.Module, path: Path, optional: tuple[str, ...] = ()) -
     try:
         loaded = load_file(path)
         own = network.state_dict()
-        if optional:
-            loaded = {k: v for k, v in loaded.items() if not k.startswith(optional) or _fits(own.get(k), v)}
-            loaded = {k: v for k, v in own.items() if k.startswith(optional)} | loaded
+        stayed: list[str] = []
+        for part in optional:
+            mine = {k: v for k, v in own.items() if k.startswith(part)}
+            given = {k: v for k, v in loaded.items() if k.startswith(part)}
+            if {k: v.shape for k, v in mine.items()} != {k: v.shape for k, v in given.items()}:
+                loaded = {k: v for k, v in loaded.items() if k not in given} | mine
+                stayed += part
         network.load_state_dict(loaded)
     except (SafetensorError, OSError, RuntimeError) as error:
         lines = str(error).strip().splitlines()
@@ -37,7 +45,4 @@ def load_start(network: nn.Module, path: Path, optional: tuple[str, ...] = ()) -
             f"The weights '{path}' to start with cannot be used: {' '.join(lines[:2])[:300]}. Give the "
             "weights.safetensors of a run of the same network."
         ) from error
-
-
-def _fits(own: Tensor | None, loaded: Tensor) -> bool:
-    return own is not None and own.shape == loaded.shape
+    return stayed
