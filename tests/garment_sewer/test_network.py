@@ -20,6 +20,10 @@ TINY = NetworkConfig(
     fusion_size=16,
     input_skip=8,
 )
+HYBRID = NetworkConfig(
+    resolution=64, patch_size=8, hidden_size=32, layers=2, heads=2, convolutions=(8, 8, 16)
+)
+both_kinds = pytest.mark.parametrize("shape", [TINY, HYBRID], ids=["dpt", "hybrid"])
 
 
 def given(size=(64, 64), channels=5, seed=0):
@@ -40,7 +44,7 @@ def unsettled(config, channels=5):
 
     torch.manual_seed(1)
     network = build_network(config, channels).eval()
-    torch.nn.init.normal_(network.head.head[4].weight)
+    torch.nn.init.normal_(network.last.weight)
     return network
 
 
@@ -52,39 +56,44 @@ def test_untrained_network_predicts_its_prior(patch, skip):
 
     from swifttailor.garment_sewer.network_torch import build_network
 
-    network = build_network(replace(TINY, patch_size=patch, input_skip=skip), 5)
-    conditioning, occupancy, prior = given()
-    assert torch.equal(network(conditioning, occupancy, prior), prior)
+    for shape in (replace(TINY, patch_size=patch, input_skip=skip), HYBRID):
+        network = build_network(shape, 5)
+        conditioning, occupancy, prior = given()
+        assert torch.equal(network(conditioning, occupancy, prior), prior)
 
 
 @needs_torch
-def test_untrained_absolute_network_predicts_one_point():
+@both_kinds
+def test_untrained_absolute_network_predicts_one_point(shape):
     import torch
 
-    from swifttailor.garment_sewer.network_torch import ORIGIN_CM, build_network
+    from swifttailor.garment_sewer.network_torch import build_network
+    from swifttailor.garment_sewer.positions_torch import ORIGIN_CM
 
-    network = build_network(replace(TINY, output="absolute"), 5)
+    network = build_network(replace(shape, output="absolute"), 5)
     predicted = network(*given())
     assert torch.equal(predicted, torch.tensor(ORIGIN_CM)[None, :, None, None].expand_as(predicted))
 
 
 @needs_torch
+@both_kinds
 @pytest.mark.parametrize("size", [(64, 64), (96, 96), (32, 80)])
-def test_any_size_that_the_patch_divides(size):
+def test_any_size_that_the_patch_divides(shape, size):
     import torch
 
     with torch.no_grad():
-        predicted = unsettled(TINY)(*given(size))
+        predicted = unsettled(shape)(*given(size))
     assert predicted.shape == (2, 3, *size)
     assert predicted.dtype == torch.float32
     assert torch.isfinite(predicted).all()
 
 
 @needs_torch
-def test_absolute_output_does_not_look_at_the_prior():
+@both_kinds
+def test_absolute_output_does_not_look_at_the_prior(shape):
     import torch
 
-    network = unsettled(replace(TINY, output="absolute"))
+    network = unsettled(replace(shape, output="absolute"))
     conditioning, occupancy, prior = given()
     with torch.no_grad():
         assert torch.equal(
@@ -93,10 +102,11 @@ def test_absolute_output_does_not_look_at_the_prior():
 
 
 @needs_torch
-def test_displacement_follows_the_prior():
+@both_kinds
+def test_displacement_follows_the_prior(shape):
     import torch
 
-    network = unsettled(TINY)
+    network = unsettled(shape)
     conditioning, occupancy, prior = given()
     with torch.no_grad():
         moved = network(conditioning, occupancy, prior + 9) - network(conditioning, occupancy, prior)
@@ -104,10 +114,11 @@ def test_displacement_follows_the_prior():
 
 
 @needs_torch
-def test_one_garment_of_a_batch_does_not_change_another():
+@both_kinds
+def test_one_garment_of_a_batch_does_not_change_another(shape):
     import torch
 
-    network = unsettled(TINY)
+    network = unsettled(shape)
     conditioning, occupancy, prior = given()
     with torch.no_grad():
         both = network(conditioning, occupancy, prior)
@@ -141,13 +152,14 @@ def test_masked_convolution_is_a_mean_over_what_is_seen():
 
 
 @needs_torch
-def test_bfloat16_rounds_features_and_not_positions():
+@both_kinds
+def test_bfloat16_rounds_features_and_not_positions(shape):
     import torch
 
-    network = unsettled(TINY)
+    network = unsettled(shape)
     conditioning, occupancy, prior = given()
     prior = prior * 0 + 123.4567
-    torch.nn.init.zeros_(network.head.head[4].weight)
+    torch.nn.init.zeros_(network.last.weight)
     with torch.no_grad(), torch.autocast("cpu", torch.bfloat16):
         predicted = network(conditioning, occupancy, prior)
     assert predicted.dtype == torch.float32
@@ -266,13 +278,14 @@ def test_impossible_networks_are_refused(values, said):
 
 
 @needs_torch
-def test_learns_what_is_told_at_the_other_end_of_the_image():
+@pytest.mark.parametrize("shape", [replace(TINY, patch_size=8), HYBRID], ids=["dpt", "hybrid"])
+def test_learns_what_is_told_at_the_other_end_of_the_image(shape):
     import torch
 
     from swifttailor.garment_sewer.network_torch import build_network
 
     torch.manual_seed(0)
-    network = build_network(replace(TINY, patch_size=8), 3).train()
+    network = build_network(shape, 3).train()
     occupancy = torch.zeros(8, 1, 64, 64)
     occupancy[:, :, 40:, 40:] = 1
     prior = torch.zeros(8, 3, 64, 64)
@@ -283,8 +296,8 @@ def test_learns_what_is_told_at_the_other_end_of_the_image():
         given[:, :1, :8, :8] += side
         return given, side
 
-    optimizer = torch.optim.AdamW(network.parameters(), lr=1e-3)
-    for _ in range(60):
+    optimizer = torch.optim.AdamW(network.parameters(), lr=3e-3)
+    for _ in range(100):
         given, side = garments()
         found = network(given, occupancy, prior)
         ((found - 5 * side).abs() * occupancy).mean().backward()

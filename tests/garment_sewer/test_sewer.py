@@ -114,20 +114,21 @@ def test_a_network_that_predicts_no_numbers_is_refused(sewer):
 
 
 @needs_torch
-def test_both_runtimes_agree(tmp_path):
+@pytest.mark.parametrize("kind", ["TINY", "HYBRID"])
+def test_both_runtimes_agree(kind, tmp_path):
     """A network with random weights, so that every layer counts."""
+    import test_network
     import torch
     from safetensors.torch import save_file
-    from test_network import TINY as SHAPE
 
     from swifttailor.garment_sewer.export_torch import compare, export, torch_model
     from swifttailor.garment_sewer.network_torch import build_network
     from swifttailor.training.sewer_config import SewerConfig, config_values
 
-    config = SewerConfig(network=SHAPE)
+    config = SewerConfig(network=getattr(test_network, kind))
     torch.manual_seed(0)
     network = build_network(config.network, config.conditioning.count)
-    torch.nn.init.normal_(network.head.head[4].weight, std=0.02)
+    torch.nn.init.normal_(network.last.weight, std=0.02)
     weights = tmp_path / "weights.safetensors"
     save_file({k: v.contiguous() for k, v in network.state_dict().items()}, weights)
     card = {"config": config_values(config)}

@@ -72,7 +72,7 @@ def test_paper_has_the_papers_losses_and_conditioning():
 @pytest.mark.parametrize(
     ("name", "changes", "said"),
     [
-        ("medium", [], "small or paper"),
+        ("medium", [], "small or small-dpt or paper"),
         ("small", ["steps"], "field=value"),
         ("small", ["step=3"], "no 'step'"),
         ("small", ["loss.edge=3"], "'loss' is no group"),

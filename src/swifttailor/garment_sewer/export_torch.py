@@ -15,12 +15,12 @@ from swifttailor.errors import InputError
 from swifttailor.garment_sewer.conditioning import Conditioning
 from swifttailor.garment_sewer.model_file import CARD_KEY, INPUTS, Images, SewerModel, model_card
 from swifttailor.garment_sewer.network_config import NetworkConfig
-from swifttailor.garment_sewer.network_torch import GarmentSewerNetwork, build_network
+from swifttailor.garment_sewer.network_torch import SewerNetwork, build_network
 from swifttailor.networks.half_storage import round_to_half
 from swifttailor.networks.onnx_export_torch import export_graph
 
 
-def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> GarmentSewerNetwork:
+def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> SewerNetwork:
     """A trained network.
 
     Args:
@@ -125,7 +125,8 @@ def read_card(run: Path) -> dict[str, Any]:
 def _shape(card: dict[str, Any]) -> tuple[Conditioning, NetworkConfig]:
     config = card["config"]
     network = dict(config["network"])
-    network["decoder_sizes"] = tuple(network["decoder_sizes"])
+    for name in ("decoder_sizes", "convolutions"):
+        network[name] = tuple(network.get(name, ()))
     network["pretrained"] = ""
     given = config["conditioning"]
     return Conditioning(given["prior"], tuple(given["channels"])), NetworkConfig(**network)

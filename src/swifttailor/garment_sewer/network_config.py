@@ -12,7 +12,8 @@ from swifttailor.errors import InputError
 class NetworkConfig:
     """A DPT (Ranftl et al. 2021): a vision transformer and a convolutional decoder over four of its layers.
 
-    The defaults are the small model. ViT-L/16 with DPT's own decoder is `PAPER_NETWORK`.
+    With `convolutions`, a DPT-Hybrid; from `decoder_sizes` on, only `output` says anything about it. The
+    small model is `SMALL_NETWORK`, DPT-Large `PAPER_NETWORK`.
     """
 
     resolution: int = 128
@@ -21,6 +22,9 @@ class NetworkConfig:
     hidden_size: int = 256
     layers: int = 8
     heads: int = 4
+    convolutions: tuple[int, ...] = ()
+    """Channels of the convolutions before the transformer, finest first, each at half the resolution of the
+    one before: 2 to the power of their number is `patch_size`. Empty for DPT itself."""
     decoder_sizes: tuple[int, int, int, int] = (64, 64, 128, 128)
     """Channels of the decoder's four inputs, finest first."""
     fusion_size: int = 64
@@ -48,6 +52,13 @@ class NetworkConfig:
                 raise InputError(f"network.{name} is {value!r}; a whole number of at least 1 is accepted.")
         if self.patch_size not in (8, 16, 32):
             raise InputError(f"network.patch_size is {self.patch_size}; 8, 16 or 32 is accepted.")
+        if self.convolutions and 2 ** len(self.convolutions) != self.patch_size:
+            raise InputError(
+                f"network.convolutions are {len(self.convolutions)} and network.patch_size is "
+                f"{self.patch_size}; 2 to the power of their number is accepted."
+            )
+        if self.convolutions and self.pretrained:
+            raise InputError("network.pretrained is of a DPT; set network.convolutions=[] for that.")
         if self.resolution % self.patch_size:
             raise InputError(
                 f"network.resolution is {self.resolution}; a multiple of patch_size is accepted."
@@ -56,7 +67,7 @@ class NetworkConfig:
             raise InputError(
                 f"network.hidden_size is {self.hidden_size}; a multiple of heads {self.heads} is accepted."
             )
-        if self.layers < 4:
+        if self.layers < 4 and not self.convolutions:
             raise InputError(f"network.layers is {self.layers}; at least 4 are needed, one for each input.")
         if len(self.decoder_sizes) != 4 or self.fusion_size % 2:
             raise InputError("network.decoder_sizes are four numbers, and network.fusion_size is even.")
@@ -68,6 +79,10 @@ class NetworkConfig:
             raise InputError(f"network.readout is {self.readout!r}; ignore, add or project is accepted.")
 
 
+SMALL_NETWORK = NetworkConfig(patch_size=16, layers=4, convolutions=(32, 48, 96, 160))
+"""The default: 3 million parameters."""
+SMALL_DPT = NetworkConfig()
+"""Of about the same cost, without convolutions."""
 PAPER_NETWORK = NetworkConfig(
     resolution=256,
     patch_size=16,

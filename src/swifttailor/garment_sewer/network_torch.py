@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeAlias
 
 import torch
 import torch.nn.functional as F
 from torch import Tensor, nn
 from transformers import DPTConfig, DPTForDepthEstimation
 
+from swifttailor.garment_sewer.exact_convolution_torch import exact_like
+from swifttailor.garment_sewer.hybrid_torch import HybridSewerNetwork
 from swifttailor.garment_sewer.network_config import NetworkConfig
+from swifttailor.garment_sewer.positions_torch import positions_from
+
+SewerNetwork: TypeAlias = "GarmentSewerNetwork | HybridSewerNetwork"
 
 HEAD_SIZE = 32
 """Channels of the last stage, fixed in DPT."""
-OUTPUT_CM = 10.0
-"""Centimetres per unit that the last layer gives."""
-ORIGIN_CM = (0.0, 100.0, 0.0)
-"""What absolute positions are measured from."""
 
 
 class GarmentSewerNetwork(DPTForDepthEstimation):
@@ -36,7 +37,7 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
             self.state_norms = nn.ModuleList(_StateNorm(config.hidden_size) for _ in range(count))
             self.feature_norm = nn.LayerNorm(config.fusion_hidden_size)
         patches: Any = self.dpt.embeddings.patch_embeddings
-        patches.projection = _exact_like(patches.projection)
+        patches.projection = exact_like(patches.projection)
         # Zero weights: an untrained network predicts its prior, or one point, exactly.
         skip = config.input_skip
         if skip:
@@ -44,7 +45,7 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
             self.input_merge = nn.Conv2d(HEAD_SIZE + skip, HEAD_SIZE, 1)
         self.post_init()
         _initialize(self)
-        nn.init.zeros_(head[4].weight)
+        nn.init.zeros_(self.last.weight)
         nn.init.zeros_(head[4].bias)
         # DPT carries these along without using them: the first fusion has no second input, and the decoder
         # reads the layers before the last norm. Several processes would wait for their gradients.
@@ -85,12 +86,18 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
                 seen = occupancy.float() if self.config.masked else None
                 skip = act(_masked(self.input_skip, conditioning.float(), seen))
             x = x + act(self.input_merge(torch.cat([x, skip.to(x.dtype)], dim=1)))
-        with torch.autocast(x.device.type, enabled=False):
-            # bfloat16 would round a metre to millimetres.
-            offset = F.conv2d(x.float(), head[4].weight.float(), head[4].bias.float()) * OUTPUT_CM
-            if self.config.output == "displacement":
-                return prior.float() + offset
-            return offset + torch.tensor(ORIGIN_CM, device=x.device)[:, None, None]
+        return positions_from(x, self.last, prior, self.config.output)
+
+    @property
+    def last(self) -> nn.Conv2d:
+        """The layer that gives positions."""
+        head: Any = self.head.head
+        return head[4]
+
+    @property
+    def lowered(self) -> list[nn.Module]:
+        """What may compute in bfloat16."""
+        return [self.dpt, self.neck]
 
 
 def _initialize(network: GarmentSewerNetwork) -> None:
@@ -133,26 +140,6 @@ class _StateNorm(nn.BatchNorm1d):
         return (input - mean) * torch.rsqrt(variance + self.eps)
 
 
-class _ExactConvolution(nn.Conv2d):
-    """A convolution in float32, whatever the rest is computed in.
-
-    Positions of a metre in bfloat16 are 4 mm apart, and neighbouring pixels 5 to 20: the network would hardly
-    see how the cloth that it is shown runs.
-    """
-
-    def forward(self, input: Tensor) -> Tensor:
-        with torch.autocast(input.device.type, enabled=False):
-            bias = None if self.bias is None else self.bias.float()
-            out = self._conv_forward(input.float(), self.weight.float(), bias)
-        return out.to(self.weight.dtype)
-
-
-def _exact_like(convolution: nn.Conv2d) -> _ExactConvolution:
-    kernel: Any = convolution.kernel_size
-    stride: Any = convolution.stride
-    return _ExactConvolution(convolution.in_channels, convolution.out_channels, kernel, stride)
-
-
 def _masked(convolution: nn.Module, x: Tensor, mask: Tensor | None) -> Tensor:
     """A 3 x 3 convolution that sees the masked pixels only, and is made up for those it does not see.
 
@@ -167,7 +154,7 @@ def _masked(convolution: nn.Module, x: Tensor, mask: Tensor | None) -> Tensor:
     return summed * (9.0 / seen.clamp(min=1.0)) + bias[:, None, None]
 
 
-def build_network(config: NetworkConfig, channels: int) -> GarmentSewerNetwork:
+def build_network(config: NetworkConfig, channels: int) -> SewerNetwork:
     """Makes a network, from random weights or from `config.pretrained`.
 
     Args:
@@ -177,6 +164,8 @@ def build_network(config: NetworkConfig, channels: int) -> GarmentSewerNetwork:
     Raises:
         InputError: The pretrained weights cannot be had or do not fit.
     """
+    if config.convolutions:
+        return HybridSewerNetwork(dpt_config(config, channels))
     network = GarmentSewerNetwork(dpt_config(config, channels))
     if config.pretrained:
         from swifttailor.garment_sewer.pretrained_torch import load_pretrained
@@ -202,13 +191,14 @@ def dpt_config(config: NetworkConfig, channels: int) -> DPTConfig:
         layer_norm_eps=1e-6,
         hidden_dropout_prob=0.0,
         attention_probs_dropout_prob=0.0,
-        backbone_out_indices=out_layers(config.layers),
+        backbone_out_indices=[config.layers - 1] if config.convolutions else out_layers(config.layers),
         readout_type=config.readout,
         reassemble_factors=[int(f) if f >= 1 else f for f in factors],
         neck_hidden_sizes=list(config.decoder_sizes),
         fusion_hidden_size=config.fusion_size,
         use_auxiliary_head=False,
     )
+    made.convolutions = list(config.convolutions)
     made.output, made.input_skip, made.masked = config.output, config.input_skip, config.masked
     made.normalized = made.use_batch_norm_in_fusion_residual = config.normalized
     return made

@@ -9,7 +9,7 @@ from typing import Any
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.conditioning import SEMANTIC, Conditioning
 from swifttailor.garment_sewer.losses import PAPER_LOSSES, LossWeights
-from swifttailor.garment_sewer.network_config import PAPER_NETWORK, NetworkConfig
+from swifttailor.garment_sewer.network_config import PAPER_NETWORK, SMALL_DPT, SMALL_NETWORK, NetworkConfig
 from swifttailor.training.config_file import changed_config, config_values, read_config_of, require
 from swifttailor.training.loop_config import LoopConfig
 
@@ -20,7 +20,7 @@ __all__ = ["CONFIGS", "SewerConfig", "config_from", "config_values", "read_confi
 class SewerConfig(LoopConfig):
     """Network, conditioning, losses, and how they are optimised."""
 
-    network: NetworkConfig = field(default_factory=NetworkConfig)
+    network: NetworkConfig = SMALL_NETWORK
     conditioning: Conditioning = field(default_factory=Conditioning)
     losses: LossWeights = field(default_factory=LossWeights)
 
@@ -60,6 +60,7 @@ class SewerConfig(LoopConfig):
 
 CONFIGS: dict[str, SewerConfig] = {
     "small": SewerConfig(),
+    "small-dpt": SewerConfig(network=SMALL_DPT),
     "paper": SewerConfig(
         network=PAPER_NETWORK,
         conditioning=Conditioning("none", SEMANTIC),

@@ -18,7 +18,7 @@ from swifttailor.data.reader import SplitReader
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.body_field_torch import BodyField
 from swifttailor.garment_sewer.losses_torch import compute_losses
-from swifttailor.garment_sewer.network_torch import GarmentSewerNetwork, build_network
+from swifttailor.garment_sewer.network_torch import SewerNetwork, build_network
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.training.loop_torch import Loop, say_nothing
 from swifttailor.training.master_weights_torch import MasterWeights, choose_precision
@@ -119,7 +119,7 @@ class _SewerTask:
 
     def __init__(
         self,
-        network: GarmentSewerNetwork,
+        network: SewerNetwork,
         config: SewerConfig,
         readers: dict[str, SplitReader],
         validated: SewerSamples,
@@ -130,7 +130,7 @@ class _SewerTask:
         self.network, self.config, self.readers, self.batches = network, config, readers, batches
         self.out, self.device = out, device
         self.precision = choose_precision(config.precision, device)
-        lowered = (network.dpt, network.neck) if self.precision == "bfloat16" else ()
+        lowered = network.lowered if self.precision == "bfloat16" else ()
         self.weights = MasterWeights(network, lowered)
         self.validation = Validation(validated, readers["validation"], config, device)
 

@@ -16,7 +16,7 @@ from swifttailor.errors import InputError
 from swifttailor.evaluation.garment_error import GarmentError, measure_error, summarize
 from swifttailor.garment import Garment
 from swifttailor.garment_sewer.closing import close_seams
-from swifttailor.garment_sewer.network_torch import GarmentSewerNetwork
+from swifttailor.garment_sewer.network_torch import SewerNetwork
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.ggi.outline_decode import OutlineSampler, outline_sampler
 from swifttailor.training.sewer_batch_torch import assemble, to_tensors
@@ -47,16 +47,16 @@ class Validation:
     def _body(self) -> BodyDistance:
         return BodyDistance.of(Body.default())
 
-    def measure(self, network: GarmentSewerNetwork) -> dict[str, Any]:
+    def measure(self, network: SewerNetwork) -> dict[str, Any]:
         """Means over the garments, and over those of each kind (`summarize`)."""
         return summarize([self.error_of(network, k) for k in self.numbers])
 
-    def error_of(self, network: GarmentSewerNetwork, k: int) -> GarmentError:
+    def error_of(self, network: SewerNetwork, k: int) -> GarmentError:
         """The error of garment number k of the split."""
         known = self._of(k)
         return measure_error(known.sampler.mesh, self._predict(network, k), known.drape, self._body)
 
-    def draw(self, network: GarmentSewerNetwork, path: Path) -> None:
+    def draw(self, network: SewerNetwork, path: Path) -> None:
         """Draws garments as they are made of predictions, and their drapes beside them, from three sides.
 
         Raises:
@@ -88,7 +88,7 @@ class Validation:
         return self._known[k]
 
     @torch.no_grad()
-    def _predict(self, network: GarmentSewerNetwork, k: int) -> np.ndarray:
+    def _predict(self, network: SewerNetwork, k: int) -> np.ndarray:
         """(m, 3) cm at the flat vertices of the garment's mesh."""
         sample = to_tensors(self.samples.get(k), self.device)
         batch = assemble([sample], self.config.conditioning)
