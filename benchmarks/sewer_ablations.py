@@ -30,6 +30,9 @@ def _without(*channels: str) -> str:
     return f"conditioning.channels={json.dumps([c for c in PLACED if c not in channels])}"
 
 
+_DPT = ("network.convolutions=[]", "network.patch_size=8", "network.layers=8")
+
+
 ROWS: dict[str, tuple[str, ...]] = {
     "paper-no-semantic": (*_PAPER, *_REGRESSION, 'conditioning.channels=["occupancy"]'),
     "paper-regression": (*_PAPER, *_REGRESSION),
@@ -47,10 +50,12 @@ ROWS: dict[str, tuple[str, ...]] = {
     "gradient": ("losses.gradient=1",),
     "strain": ("losses.strain=0.1",),
     "penetration": ("losses.penetration=1",),
-    "no-input-skip": ("network.input_skip=0",),
-    "no-masks": ("network.masked=false",),
+    "dpt": _DPT,
+    "dpt-no-norms": (*_DPT, "network.normalized=false"),
+    "dpt-no-input-skip": (*_DPT, "network.input_skip=0"),
+    "dpt-no-masks": (*_DPT, "network.masked=false"),
     "no-augmentation": ("mirror=0", "repack=0"),
-    "pixels-256": ("network.resolution=256", "network.patch_size=16", "losses.edge_band=10"),
+    "pixels-256": ("network.resolution=256", "losses.edge_band=10"),
     "garments-500": ("training_garments=500",),
     "garments-1000": ("training_garments=1000",),
     "garments-2000": ("training_garments=2000",),

@@ -18,21 +18,14 @@ import numpy as np
 from machine import describe
 from swifttailor.training.sewer_config import SewerConfig, read_config
 
-_LARGE = ("network.resolution=256", "network.patch_size=16")
-_NO_SKIP = ("network.input_skip=0",)
+_DPT = ("network.convolutions=[]", "network.patch_size=8", "network.layers=8")
+_LARGE = ("network.resolution=256",)
 NETWORKS: dict[str, tuple[str, ...]] = {
     "small": (),
-    "small-no-skip": _NO_SKIP,
-    "slim": (
-        "network.hidden_size=192",
-        "network.layers=6",
-        "network.heads=3",
-        "network.decoder_sizes=[48, 48, 96, 96]",
-        "network.fusion_size=48",
-    ),
-    "256": _LARGE,
-    "256-no-skip": (*_LARGE, *_NO_SKIP),
-    "256-no-skip-no-mask": (*_LARGE, *_NO_SKIP, "network.masked=false"),
+    "small-256": _LARGE,
+    "dpt": _DPT,
+    "dpt-no-skip": (*_DPT, "network.input_skip=0"),
+    "dpt-256": (*_DPT, *_LARGE, "network.patch_size=16"),
 }
 """By name, what is changed in the configuration ``small``."""
 
@@ -79,6 +72,7 @@ def measure(config: SewerConfig, precision: str, batch: int, repeats: int) -> tu
     torch.manual_seed(0)
     size = config.network.resolution
     network = build_network(config.network, config.conditioning.count)
+    network.set_attn_implementation("eager")  # as in trainings on a CPU
     network = network.to(memory_format=torch.channels_last).train()
     shape = (batch, config.conditioning.count, size, size)
     given = torch.randn(shape).contiguous(memory_format=torch.channels_last)
