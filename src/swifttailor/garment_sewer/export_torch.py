@@ -16,6 +16,7 @@ from swifttailor.garment_sewer.conditioning import Conditioning
 from swifttailor.garment_sewer.model_file import CARD_KEY, INPUTS, Images, SewerModel, model_card
 from swifttailor.garment_sewer.network_config import NetworkConfig
 from swifttailor.garment_sewer.network_torch import SewerNetwork, build_network
+from swifttailor.networks.folded_norms_torch import fold_norms
 from swifttailor.networks.half_storage import round_to_half
 from swifttailor.networks.onnx_export_torch import export_graph
 
@@ -44,9 +45,10 @@ def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> 
             f"The weights '{weights}' cannot be used: {reason[0][:200] if reason else type(error).__name__}. "
             "Copy the folder of the run again."
         ) from error
+    fold_norms(network.eval())
     if half:
         round_to_half(network)
-    return network.eval()
+    return network
 
 
 def torch_model(

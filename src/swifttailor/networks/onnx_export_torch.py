@@ -67,6 +67,7 @@ def export_graph(
     assert program is not None
     model = program.model_proto
     _forget_origins(model)
+    _rename_weights(model, {*inputs, *outputs})
     if int8:
         model = with_eight_bit_products(model)
     store_in_half(model)
@@ -84,3 +85,16 @@ def _forget_origins(model: Any) -> None:
     for part in (*graph.node, *graph.value_info, *graph.input, *graph.output, *graph.initializer, graph):
         part.ClearField("metadata_props")
         part.ClearField("doc_string")
+
+
+def _rename_weights(model: Any, taken: set[str]) -> None:
+    """Gives weights with the name of an input or output another one; torch keeps them apart, ONNX cannot."""
+    names = {t.name: f"{t.name}.weight" for t in model.graph.initializer if t.name in taken}
+    for tensor in model.graph.initializer:
+        tensor.name = names.get(tensor.name, tensor.name)
+    made: set[str] = set()
+    for node in model.graph.node:  # in an order in which they can be computed
+        for k, name in enumerate(node.input):
+            if name in names and name not in made:
+                node.input[k] = names[name]
+        made.update(node.output)

@@ -13,6 +13,7 @@ import torch
 from torch import Tensor, nn
 
 from swifttailor.errors import InputError
+from swifttailor.networks.folded_norms_torch import fold_norms
 from swifttailor.networks.half_storage import round_to_half
 from swifttailor.networks.onnx_export_torch import export_graph
 from swifttailor.pattern_maker.decoder_torch import CachedDecoder
@@ -52,9 +53,10 @@ def load_weights(
             f"The weights '{weights}' cannot be used: {lines[0][:200] if lines else type(error).__name__}. "
             "Copy the folder of the run again."
         ) from error
+    fold_norms(network.eval())
     if half:
         round_to_half(network)
-    return network.eval()
+    return network
 
 
 def export(weights: Path, card: dict[str, Any], path: Path, *, half: bool = False) -> Path:
