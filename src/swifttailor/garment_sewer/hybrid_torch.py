@@ -61,7 +61,9 @@ class HybridSewerNetwork(DPTPreTrainedModel):
         for step in self.down:
             features.append(step(features[-1]))
         x = self.token_norm(features.pop())
-        tokens = (x + self._positions(x)).flatten(2).transpose(1, 2)
+        # In other sizes than it was trained at; always, since a graph must hold for all of them.
+        places = F.interpolate(self.positions, size=x.shape[-2:], mode="bilinear", align_corners=False)
+        tokens = (x + places).flatten(2).transpose(1, 2)
         tokens = self.encoder(tokens.to(next(self.encoder.parameters()).dtype)).last_hidden_state
         x = tokens.transpose(1, 2).reshape(x.shape).to(x.dtype)
         for step in self.up:
@@ -69,12 +71,6 @@ class HybridSewerNetwork(DPTPreTrainedModel):
             x = F.interpolate(x, scale_factor=2.0, mode="nearest")
             x = step(torch.cat([x, fine.to(x.dtype)], dim=1))
         return positions_from(x, self.last, prior, self.config.output)
-
-    def _positions(self, x: Tensor) -> Tensor:
-        wanted = x.shape[-2:]
-        if wanted == self.positions.shape[-2:]:
-            return self.positions
-        return F.interpolate(self.positions, size=wanted, mode="bilinear", align_corners=False)
 
 
 def _initialize(network: HybridSewerNetwork) -> None:
