@@ -22,6 +22,7 @@ from swifttailor.ggi.file import read_ggi
 from swifttailor.pattern import load_pattern, write_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker import maker as maker_module
+from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
 from swifttailor.tailor import Order, Tailor, Tailored
 
 TINY_MAKER = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
@@ -73,7 +74,7 @@ def test_words_become_the_pattern_that_was_written_and_its_garment(shirt, sewer)
 def test_the_report_tells_what_made_it(shirt):
     report = shirt.report
     assert report["order"]["text"] == "a <b>T-shirt</b>\n& more"
-    assert report["order"]["seed"] == 3 and report["order"]["temperature"] == 0.5
+    assert report["order"]["seed"] == 3 and report["order"]["temperature"] == USUAL_TEMPERATURE
     assert report["versions"]["swifttailor"] == swifttailor.__version__
     assert set(report["versions"]) == {"swifttailor", "python", "numpy", "scipy", "onnxruntime"}
     assert report["weights"]["pattern_maker"]["data"] == {"train": {"garments": 2}}

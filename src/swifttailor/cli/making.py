@@ -41,7 +41,7 @@ class Making:
     """How many garments to make; of several each gets a folder of its own in DIR, and sheet.png shows all."""
     seed: int = 0
     """Decides what is drawn; of several samples each has one more than the one before."""
-    temperature: Annotated[float, tyro.conf.arg(metavar="T")] = 0.5
+    temperature: Annotated[float, tyro.conf.arg(metavar="T")] = 0.2
     """0: the likeliest pattern always; higher: more various, and odder."""
     attempts: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Patterns to write at most until one can be sewn; 4 without it, or 1 at temperature 0."""

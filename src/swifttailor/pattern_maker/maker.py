@@ -30,7 +30,7 @@ MOST_ATTEMPTS = 64
 INEXACT_CM = 4.0
 """Corners and curves of a written pattern may be this far off: so far they are moved to free an outline of
 itself."""
-USUAL_TEMPERATURE = 0.5
+USUAL_TEMPERATURE = 0.2
 """Between always the same and anything; `confidence` is measured at it."""
 
 

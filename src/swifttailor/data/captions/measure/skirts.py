@@ -94,6 +94,8 @@ def _edges(anatomy: Anatomy, name: str) -> list[EdgeRef]:
 def _runs_down(anatomy: Anatomy, fall: Floats, ref: EdgeRef) -> bool:
     """Whether an edge leads down the skirt, as side seams do, rather than around it."""
     start, end = fall[anatomy.cloth.node[anatomy.cloth.samples[ref][[0, -1]]]]
+    if not np.isfinite(start) or not np.isfinite(end):
+        return False  # nothing holds it up
     return bool(abs(end - start) > RUNS_DOWN * anatomy.edge_length(ref))
 
 
@@ -145,7 +147,7 @@ def _hips(
     # Along the straight panels: where they are placed, the same way below their upper edges.
     total = 0.0
     for name in base:
-        own = [r for r in top if r.panel == name]
+        own = [r for r in top if r.panel == name] or top  # a panel that hangs beside the others
         placed = float(anatomy.cloth.placed(own)[:, 1].mean())
         total += girth_at([anatomy.pattern.panel(name)], placed - depth)
     return total
