@@ -189,3 +189,14 @@ def test_closed_and_odd_shapes_do_not_break_it():
     facts = measure_facts(closed)
     assert facts.hem is None and facts.front_neck is None
     assert measure_facts(Pattern((a,))).panels == 1
+
+
+@pytest.mark.parametrize(("name", "missing"), [("fitted-skirt", (2, 3)), ("circle-skirt", (0, 2, 3))])
+@pytest.mark.filterwarnings("error")
+def test_a_skirt_with_a_panel_that_nothing_holds_is_measured(name, missing):
+    """As networks write them: a panel is sewn to its neighbours, or to nothing, and not to the waistband."""
+    whole = draft(name)
+    loose = replace(whole, stitches=tuple(s for k, s in enumerate(whole.stitches) if k not in missing))
+    facts = measure_facts(loose)
+    assert all(np.isfinite(v) for v in numbers(facts).values() if isinstance(v, float))
+    assert facts.skirt is not None and facts.skirt.hips > 0

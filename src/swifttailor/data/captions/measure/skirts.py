@@ -36,7 +36,7 @@ def measure_skirt(anatomy: Anatomy, worn: Worn, hem: HemLine) -> Skirt | None:
     if not panels or not top:
         return None
     cloth, length_of = anatomy.cloth, anatomy.edge_length
-    fall = cloth.distances(cloth.nodes(top))
+    fall = _fall(anatomy, top)
     own_upper = sum(map(length_of, top))
     upper = min(seam.length, seam.other_length) + sum(length_of(r) for r in top if r not in set(seam.own))
     rows = _rows(anatomy, fall, top)
@@ -69,6 +69,18 @@ def measure_skirt(anatomy: Anatomy, worn: Worn, hem: HemLine) -> Skirt | None:
     )
 
 
+def _fall(anatomy: Anatomy, top: Sequence[EdgeRef]) -> Floats:
+    """(nodes,) cm from the upper edges along the cloth; straight down, as placed, where no cloth leads."""
+    cloth = anatomy.cloth
+    fall = cloth.distances(cloth.nodes(top))
+    lost = ~np.isfinite(fall)
+    if lost.any():
+        height = np.zeros(len(fall))
+        height[cloth.node] = cloth.world[:, 1]
+        fall[lost] = np.maximum(cloth.placed(top)[:, 1].mean() - height[lost], 0.0)
+    return fall
+
+
 def _rows(anatomy: Anatomy, fall: Floats, top: Sequence[EdgeRef]) -> dict[str, int]:
     """Row of every skirt panel: 0 at the waist, then what is sewn below it."""
     names = [p.name for p in anatomy.panels(Part.SKIRT)]
@@ -94,8 +106,6 @@ def _edges(anatomy: Anatomy, name: str) -> list[EdgeRef]:
 def _runs_down(anatomy: Anatomy, fall: Floats, ref: EdgeRef) -> bool:
     """Whether an edge leads down the skirt, as side seams do, rather than around it."""
     start, end = fall[anatomy.cloth.node[anatomy.cloth.samples[ref][[0, -1]]]]
-    if not np.isfinite(start) or not np.isfinite(end):
-        return False  # nothing holds it up
     return bool(abs(end - start) > RUNS_DOWN * anatomy.edge_length(ref))
 
 
