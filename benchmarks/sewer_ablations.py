@@ -24,13 +24,11 @@ _PAPER = ("conditioning.prior=none", 'conditioning.channels=["color"]', "network
 _REGRESSION = ("losses.edge=100", "losses.edge_band=10", "losses.seam_pairs=0")
 _STITCHING = ("losses.stitching=1000",)
 _NORMALS = ("losses.normals=0.01",)
+_DPT = ("network.convolutions=[]", "network.patch_size=8", "network.layers=8")
 
 
 def _without(*channels: str) -> str:
     return f"conditioning.channels={json.dumps([c for c in PLACED if c not in channels])}"
-
-
-_DPT = ("network.convolutions=[]", "network.patch_size=8", "network.layers=8")
 
 
 ROWS: dict[str, tuple[str, ...]] = {

@@ -5,7 +5,8 @@
 RUN is the folder of a training. Garments of DATA's validation split are predicted as they are, with the
 transformer's features set to 0, and with those of another garment: mean change of the pixels' positions, and
 mean error, in cm. Where the features of another garment change nothing, the network has learnt from its
-convolutions alone. Needs the extra `train`.
+convolutions alone. A hybrid's transformer hands on its coarsest convolutions' features as well: they count as
+its own here. Needs the extra `train`.
 """
 
 from __future__ import annotations

@@ -270,6 +270,9 @@ def test_weights_of_another_shape_or_kind_are_refused(tmp_path):
         ({"layers": 3}, "at least 4"),
         ({"output": "relative"}, "displacement or absolute"),
         ({"hidden_size": 0}, "at least 1"),
+        ({"convolutions": (8, 8)}, "are 2 and network.patch_size is 8"),
+        ({"convolutions": (8, 0, 8)}, "of at least 1"),
+        ({"convolutions": (8, 8, 8), "pretrained": "x"}, "is of a DPT"),
     ],
 )
 def test_impossible_networks_are_refused(values, said):

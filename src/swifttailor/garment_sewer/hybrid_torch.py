@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Any
 
 import torch
 import torch.nn.functional as F
@@ -74,6 +73,7 @@ class HybridSewerNetwork(DPTPreTrainedModel):
 
 
 def _initialize(network: HybridSewerNetwork) -> None:
+    """Weights through which signals pass, as `network_torch` has them; the transformer begins with little."""
     for name, module in network.named_modules():
         if isinstance(module, nn.Conv2d):
             nn.init.normal_(module.weight, std=module.weight[0].numel() ** -0.5)
@@ -90,7 +90,7 @@ def _initialize(network: HybridSewerNetwork) -> None:
 
 class _Convolution(nn.Sequential):
     def __init__(self, given: int, size: int, stride: int = 1) -> None:
-        convolution: Any = nn.Conv2d(given, size, 3, stride, padding=1, bias=False)
+        convolution = nn.Conv2d(given, size, 3, stride, padding=1, bias=False)
         super().__init__(convolution, nn.BatchNorm2d(size), nn.GELU())
 
 

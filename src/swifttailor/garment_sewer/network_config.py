@@ -52,6 +52,11 @@ class NetworkConfig:
                 raise InputError(f"network.{name} is {value!r}; a whole number of at least 1 is accepted.")
         if self.patch_size not in (8, 16, 32):
             raise InputError(f"network.patch_size is {self.patch_size}; 8, 16 or 32 is accepted.")
+        if not all(isinstance(w, int) and w >= 1 for w in self.convolutions):
+            raise InputError(
+                f"network.convolutions are {list(self.convolutions)}; whole numbers of at least 1 are "
+                "accepted."
+            )
         if self.convolutions and 2 ** len(self.convolutions) != self.patch_size:
             raise InputError(
                 f"network.convolutions are {len(self.convolutions)} and network.patch_size is "
@@ -80,9 +85,9 @@ class NetworkConfig:
 
 
 SMALL_NETWORK = NetworkConfig(patch_size=16, layers=4, convolutions=(32, 48, 96, 160))
-"""The default: 3 million parameters."""
+"""The default: 6.8 million parameters."""
 SMALL_DPT = NetworkConfig()
-"""Of about the same cost, without convolutions."""
+"""Without convolutions: 8.2 million parameters, and about twice the time for an image."""
 PAPER_NETWORK = NetworkConfig(
     resolution=256,
     patch_size=16,
