@@ -107,6 +107,11 @@ def test_parts_compute_in_bfloat16_and_stay_float32(folder):
     assert 1e-6 < apart(parts, high) < 0.1
 
 
+def test_what_needs_whole_matrices_is_not_split(folder):
+    with pytest.raises(AssertionError, match="optimizer=muon needs whole matrices"):
+        train_in_two(folder, "muon", "precision=float32", "shard=true", "optimizer=muon")
+
+
 def test_one_process_has_nothing_to_split(folder):
     from swifttailor.training.maker_config import read_config
     from swifttailor.training.maker_loop_torch import train

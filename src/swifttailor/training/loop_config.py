@@ -22,6 +22,8 @@ class LoopConfig:
     final_rate: float = 0.01
     """Share of the learning rate that the cosine ends with."""
     weight_decay: float = 0.05
+    optimizer: Literal["adamw", "muon"] = "adamw"
+    """muon: for the matrices inside the network; what else there is stays with AdamW."""
     clip: float = 1.0
     """Largest norm of the gradient."""
     ema: float = 0.999
@@ -45,5 +47,6 @@ class LoopConfig:
             require(self, name, getattr(self, name) > 0, "above 0")
         require(self, "final_rate", 0 <= self.final_rate <= 1, "0 to 1")
         require(self, "ema", 0 <= self.ema < 1, "0 or more and below 1")
+        require(self, "optimizer", self.optimizer in ("adamw", "muon"), "adamw or muon")
         precisions = ("auto", "float32", "bfloat16")
         require(self, "precision", self.precision in precisions, "auto, float32 or bfloat16")

@@ -18,12 +18,13 @@ from typing import Any, Protocol
 import torch
 from torch import Tensor, nn
 
-from swifttailor.errors import SimulationError
+from swifttailor.errors import InputError, SimulationError
 from swifttailor.training.checkpoint_torch import MovingAverage, read_checkpoint, write_checkpoint
 from swifttailor.training.config_file import config_values
 from swifttailor.training.loop_config import LoopConfig
 from swifttailor.training.master_weights_torch import MasterWeights, parameter_groups
 from swifttailor.training.mean_losses_torch import MeanLosses
+from swifttailor.training.muon_torch import Muon, inner_matrices
 from swifttailor.training.processes_torch import Processes
 from swifttailor.training.run_record import WEIGHTS, RunRecord, versions
 from swifttailor.training.schedule import Schedule
@@ -97,14 +98,13 @@ class Loop:
             The card.
 
         Raises:
-            InputError: There is no checkpoint, or a file cannot be written.
+            InputError: There is no checkpoint, a file cannot be written, or weights cannot be split.
             SimulationError: The loss is no number any more.
         """
         config, processes, weights = self.config, self.processes, task.weights
         versions()  # before anybody changes the checkout
-        groups = parameter_groups(weights, config.weight_decay, task.rate_factor)
-        optimised = [p for group in groups for p in group["params"]]
-        optimizer = torch.optim.AdamW(groups, betas=BETAS, fused=not weights.are_sharded)
+        optimizer = _optimizer(task, config)
+        optimised = [p for group in optimizer.param_groups for p in group["params"]]
         average = MovingAverage(weights.state_dict(), config.ema)
         means = MeanLosses()
         step, seconds = 0, 0.0
@@ -203,6 +203,18 @@ class Loop:
             "validation": result,
             "versions": versions(),
         }
+
+
+def _optimizer(task: Task, config: LoopConfig) -> torch.optim.AdamW:
+    weights, muon = task.weights, config.optimizer == "muon"
+    if muon and weights.are_sharded:
+        raise InputError(
+            "optimizer=muon needs whole matrices, and shard=true splits them over the processes. Choose "
+            "optimizer=adamw or shard=false."
+        )
+    matrices = inner_matrices(weights.network) if muon else ()
+    groups = parameter_groups(weights, config.weight_decay, task.rate_factor, matrices)
+    return (Muon if muon else torch.optim.AdamW)(groups, betas=BETAS, fused=not weights.are_sharded)
 
 
 @contextlib.contextmanager

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from typing import Any
 
 import torch
@@ -69,7 +69,10 @@ class MasterWeights:
 
 
 def parameter_groups(
-    weights: MasterWeights, weight_decay: float, rate_factor: Callable[[str], float]
+    weights: MasterWeights,
+    weight_decay: float,
+    rate_factor: Callable[[str], float],
+    orthogonal: Collection[str] = (),
 ) -> list[dict[str, Any]]:
     """Groups for an optimiser: matrices decay, biases and norms do not; some may have a rate of their own.
 
@@ -77,14 +80,21 @@ def parameter_groups(
         weights: Of the network.
         weight_decay: Of the matrices.
         rate_factor: Of a weight, by its name: factor on the learning rate, kept as the group's ``factor``.
+        orthogonal: Names of weights whose groups are marked as `Muon`'s.
     """
-    groups: dict[tuple[bool, float], list[nn.Parameter]] = {}
+    groups: dict[tuple[bool, float, bool], list[nn.Parameter]] = {}
     for name, parameter in weights.named.items():
         if parameter.requires_grad:
-            groups.setdefault((parameter.ndim > 1, rate_factor(name)), []).append(parameter)
+            kind = (parameter.ndim > 1, rate_factor(name), name in orthogonal)
+            groups.setdefault(kind, []).append(parameter)
     return [
-        {"params": parameters, "weight_decay": weight_decay if decays else 0.0, "factor": factor}
-        for (decays, factor), parameters in groups.items()
+        {
+            "params": parameters,
+            "weight_decay": weight_decay if decays else 0.0,
+            "factor": factor,
+            "orthogonal": is_orthogonal,
+        }
+        for (decays, factor, is_orthogonal), parameters in groups.items()
     ]
 
 
