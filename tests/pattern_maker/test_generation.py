@@ -28,6 +28,8 @@ class Chance:
         self.spread, self.size = spread, size
         self.fed: list[np.ndarray] = []
 
+    copies = False
+
     def look(self, pictures):
         return np.zeros((len(pictures), 1, HIDDEN), np.float32)
 

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import copy
 import importlib.util
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from swifttailor.errors import InputError
 from swifttailor.pattern.drafts import draft
+from swifttailor.pattern_maker.copying import LEANINGS, UNCHANGED
+from swifttailor.pattern_maker.counterpart import counterparts
 from swifttailor.pattern_maker.encode import encode
+from swifttailor.pattern_maker.grammar import Grammar, Limits, State
 from swifttailor.pattern_maker.network_config import NetworkConfig
 from swifttailor.pattern_maker.prompt import EDIT, IMAGE, MAKE, make_prompt, pattern_part
-from swifttailor.pattern_maker.vocabulary import MOVE, NUMBERS, SIZE
+from swifttailor.pattern_maker.vocabulary import END, MOVE, NUMBERS, SIZE
 
 HAS_TORCH = all(importlib.util.find_spec(name) for name in ("torch", "transformers"))
 needs_torch = pytest.mark.skipif(
@@ -41,16 +46,21 @@ def network():
     from swifttailor.pattern_maker.network_torch import build_network
 
     torch.manual_seed(1)
-    return build_network(TINY, TEXT).eval()
+    network = build_network(TINY, TEXT).eval()
+    for parameter in (network.counterpart_in.weight, network.counterpart_head[2].weight):
+        torch.nn.init.normal_(parameter, std=0.5)
+    return network
 
 
-def call(network, tokens, numbers, answers, next_tokens):
+def call(network, tokens, numbers, answers, next_tokens, copied=None, copied_numbers=None):
     """The network on one prompt without pictures, nothing read beside it: logits and numbers."""
     import torch
 
     none, pictures = torch.zeros(0, dtype=torch.long), torch.zeros(0, 3, 64, 64)
     given = (tokens, numbers, pictures, answers, next_tokens, answers[:1], none, none, none, pictures)
-    return network(*given)[:2]
+    if copied is None:
+        copied, copied_numbers = torch.full_like(tokens, -1), torch.zeros_like(numbers)
+    return network(*given, copied, copied_numbers)[:2]
 
 
 def sequence(image=False):
@@ -107,6 +117,84 @@ def test_step_by_step_equals_all_at_once(network):
 
 
 @needs_torch
+def test_written_step_by_step_an_edit_is_what_is_told_of_it_all_at_once(network):
+    """Likelihood and numbers of an answer that takes and changes counterparts, by both ways."""
+    import torch
+
+    from swifttailor.pattern_maker.generation import Asked, write_answers
+    from swifttailor.pattern_maker.runtime_torch import TorchRuntime
+    from swifttailor.training.maker_batch_torch import assemble
+    from swifttailor.training.maker_samples import MakerSample
+
+    network = copy.deepcopy(network)
+    with torch.no_grad():
+        network.counterpart_head[2].bias[0] = 5.0  # much is taken
+    old = encode(draft("tank-top"))
+    prompt = make_prompt((5, 250, 7), TEXT, edit=old)
+    asked = Asked(prompt, seeds=((3,),), temperature=1.0, edit=old)
+    ((written,),) = write_answers(TorchRuntime(network), [asked], Grammar(Limits(60, 8)), TEXT)
+    answer = written.sequence
+    whole = prompt + pattern_part(answer, TEXT)
+    sample = MakerSample("edit", whole.tokens, whole.numbers, answer, None, old)
+    batch = assemble([sample], 64)
+    with torch.no_grad():
+        logits, numbers, _ = network(*batch.given)
+    grammar, state, likelihood = Grammar(Limits(60, 8)), State(), 0.0
+    for token, row in zip(answer.tokens.tolist(), logits.double(), strict=True):
+        allowed = torch.tensor(grammar.allowed(state))
+        likelihood += float(row.masked_fill(~allowed, -torch.inf).log_softmax(-1)[token])
+        state = grammar.advance(state, token)
+    assert likelihood == pytest.approx(written.log_likelihood, abs=1e-3)
+    apart = np.abs(numbers.numpy() - answer.numbers).max(axis=1)
+    copied = np.array(
+        [(answer.numbers[k] == c.numbers).all() for k, c in enumerate(counterparts(old, answer))]
+    )
+    assert (apart < np.where(copied, UNCHANGED, 1e-4)).all()
+    places = batch.copied.flatten()[batch.answers]
+    assert 5 < (places >= 0).sum() and (places == torch.tensor(answer.tokens)).sum() > 3
+
+
+@needs_torch
+def test_until_it_has_learnt_to_copy_the_network_is_what_it_is_without(network):
+    import torch
+
+    from swifttailor.pattern_maker.network_torch import build_network
+
+    torch.manual_seed(1)
+    fresh = build_network(TINY, TEXT).eval()
+    torch.manual_seed(1)
+    without = build_network(replace(TINY, copying=False), TEXT).eval()
+    one = sequence()
+    tokens, numbers = torch.tensor(one.tokens)[None], torch.tensor(one.numbers)[None]
+    told = torch.full_like(tokens, MOVE), torch.randn(numbers.shape)
+    given = (tokens, numbers, torch.arange(30), torch.full((30,), MOVE + 1))
+    with torch.no_grad():
+        assert torch.equal(call(fresh, *given, *told)[0], call(without, *given)[0])
+        assert torch.equal(call(fresh, *given, *told)[1], call(without, *given)[1])  # of another kind
+        assert not torch.equal(call(network, *given, *told)[0], call(network, *given)[0])
+
+
+@needs_torch
+def test_numbers_are_mixed_alike_with_and_without_torch():
+    import torch
+
+    from swifttailor.pattern_maker import network_torch
+    from swifttailor.pattern_maker.copying import mix
+
+    chance = np.random.default_rng(0)
+    written, copied = chance.normal(size=(2, 40, NUMBERS)).astype(np.float32)
+    leanings = chance.normal(scale=3, size=(40, LEANINGS)).astype(np.float32)
+    tokens = np.full(40, MOVE + 1)
+    expected = network_torch.mix(*(torch.tensor(a) for a in (written, copied, leanings))).numpy()
+    found = mix(written, copied, leanings, tokens, tokens)
+    assert np.allclose(found[:, END], expected[:, END], atol=1e-5)
+    for other in (MOVE, MOVE + 2, -1):
+        assert np.array_equal(mix(written, copied, leanings, tokens, np.full(40, other)), written)
+    leanings[:, 1], leanings[:, 2:] = 20, UNCHANGED / 2
+    assert np.array_equal(mix(written, copied, leanings, tokens, tokens), copied)
+
+
+@needs_torch
 def test_pictures_stand_where_their_places_are(network):
     import torch
 
@@ -149,7 +237,8 @@ def test_prompts_that_are_only_read_say_what_they_say_before_an_answer(network, 
         packed = pack_prompts(read, TEXT)
         rows = (torch.from_numpy(a) for a in (packed.tokens, packed.positions, packed.ends))
         with torch.no_grad():
-            return network(*given, *rows, read_pictures)[2]
+            nothing = torch.full_like(tokens, -1), torch.zeros_like(numbers)
+            return network(*given, *rows, read_pictures, *nothing)[2]
 
     network.vlm.set_attn_implementation(attention)
     together = foreseen(prompts[0], pictures[:0], prompts, pictures)
@@ -224,8 +313,6 @@ def test_model_file_predicts_what_torch_does(network, tmp_path):
 
 @needs_torch
 def test_low_rank_changes_begin_at_nothing_and_are_what_is_trained(network):
-    import copy
-
     import torch
 
     from swifttailor.pattern_maker.decoder_torch import CachedDecoder

@@ -20,9 +20,9 @@ from swifttailor.pattern_maker.decoder_torch import CachedDecoder
 from swifttailor.pattern_maker.model_file import network_of, write_model
 from swifttailor.pattern_maker.network_torch import PatternMakerNetwork, build_network
 from swifttailor.pattern_maker.prompt import OWN_TOKENS
-from swifttailor.pattern_maker.runtime import GRAPHS, Runtime
+from swifttailor.pattern_maker.runtime import COPYING_GRAPHS, GRAPHS, Runtime
 from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
-from swifttailor.pattern_maker.vocabulary import MOVE, NUMBERS
+from swifttailor.pattern_maker.vocabulary import MOVE, NUMBERS, SIZE
 
 _STEPS = 6
 
@@ -124,8 +124,11 @@ def make_graphs(network: PatternMakerNetwork) -> dict[str, bytes]:
             ({0: rows}, {0: rows}),
         ),
     }
+    if network.copying:
+        given["counterpart"] = (_Counterparts(network), *given["embed"][1:])
+        given["leaning"] = (_Lean(network), (torch.zeros(2, hidden),), ({0: rows},))
     return {
-        name: export_graph(module, example, shapes, *GRAPHS[name])
+        name: export_graph(module, example, shapes, *(GRAPHS | COPYING_GRAPHS)[name])
         for name, (module, example, shapes) in given.items()
     }
 
@@ -150,6 +153,10 @@ def compare(first: Runtime, second: Runtime, text_size: int, *, image_size: int,
             one = runtime.embed(tokens[:, step : step + 1], numbers[:, step : step + 1])
             states, logits, cache = runtime.decode(one, np.ones((2, 1), np.float32), cache)
             found += [states, logits, runtime.regress(states[:, 0], np.array([MOVE, MOVE + 1 + step % 8]))]
+            if first.copies and second.copies:
+                own = np.clip(tokens[:, step : step + 1] - text_size, 0, SIZE - 1)
+                found.append(runtime.embed_counterparts(own, numbers[:, step : step + 1]))
+                found.append(runtime.lean(states[:, 0]))
         results.append(found)
     return max(float(np.abs(a - b).max() / max(np.abs(a).max(), 1e-6)) for a, b in zip(*results, strict=True))
 
@@ -176,6 +183,24 @@ class _Embed(nn.Module):
         embedded = torch.where((own < 0)[..., None], text, self.network.own_embedding(own.clamp(min=0)))
         carries = self.network.carries_numbers(own)[..., None]
         return embedded + torch.where(carries, self.network.embed_numbers(own, numbers), 0.0)
+
+
+class _Counterparts(nn.Module):
+    def __init__(self, network: PatternMakerNetwork) -> None:
+        super().__init__()
+        self.network = network
+
+    def forward(self, tokens: Tensor, numbers: Tensor) -> Tensor:
+        return self.network.embed_counterparts(tokens, numbers)
+
+
+class _Lean(nn.Module):
+    def __init__(self, network: PatternMakerNetwork) -> None:
+        super().__init__()
+        self.network = network
+
+    def forward(self, states: Tensor) -> Tensor:
+        return self.network.lean(states)
 
 
 class _Regress(nn.Module):

@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.errors import InputError
+from swifttailor.pattern_maker.copying import mix
+from swifttailor.pattern_maker.counterpart import Counterpart, Counterparts
 from swifttailor.pattern_maker.grammar import Grammar, Stage, State
 from swifttailor.pattern_maker.prompt import Sequence
 from swifttailor.pattern_maker.runtime import Cache, Floats, Runtime
@@ -29,6 +31,8 @@ class Asked:
     """One answer is written for each."""
     temperature: float = 0.0
     """0 takes the most probable token always; 1 draws by probability."""
+    edit: TokenSequence | None = None
+    """The pattern to edit that is in the prompt."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +61,18 @@ class _Answer:
     log_likelihood: float = 0.0
     likeliest: float = 0.0
     """What it would be, had the likeliest token been taken everywhere."""
+    old: Counterparts | None = None
+    """Of the pattern to edit, for a network that copies."""
+
+    def counterpart(self) -> Counterpart:
+        """Of the token that is to come."""
+        return Counterpart() if self.old is None else self.old.next()
+
+    def take_numbers(self, numbers: Floats) -> None:
+        """Adds the numbers (8,) of the token that was chosen."""
+        self.numbers.append(numbers)
+        if self.old is not None:
+            self.old.follow(self.tokens[-1], numbers)
 
     def choose(self, logits: NDArray[np.floating], grammar: Grammar) -> int:
         """Takes the next token; its numbers are added by `_answer_all`."""
@@ -100,7 +116,8 @@ def write_answers(
     answers, rows = [], []
     for row, one in enumerate(asked):
         for seed in one.seeds:
-            answers.append(_Answer(one.temperature, np.random.default_rng(list(seed))))
+            old = Counterparts(one.edit) if runtime.copies and one.edit is not None else None
+            answers.append(_Answer(one.temperature, np.random.default_rng(list(seed)), old=old))
             rows.append(row)
     chosen = np.array(rows, np.int64)
     if len(rows) != len(asked):
@@ -123,6 +140,8 @@ def _read(runtime: Runtime, asked: Several[Asked]) -> tuple[Floats, Floats, Cach
     for row, one in enumerate(asked):
         tokens[row, : lengths[row]], numbers[row, : lengths[row]] = one.prompt.tokens, one.prompt.numbers
     embedded = np.array(runtime.embed(tokens, numbers))
+    firsts = [Counterpart() if one.edit is None else Counterparts(one.edit).next() for one in asked]
+    embedded[np.arange(len(asked)), lengths - 1] += _added(runtime, firsts, embedded.shape[-1])
     pictured = [row for row, one in enumerate(asked) if one.picture is not None]
     averages: dict[int, Floats] = {}
     if pictured:
@@ -145,25 +164,47 @@ def _answer_all(
     grammar: Grammar,
     text_size: int,
 ) -> None:
+    own = [answer.counterpart() for answer in active]
     while True:
+        others = np.array([c.token for c in own], np.int64)
+        leanings = runtime.lean(states) if (others >= 0).any() else None
+        if leanings is not None:
+            there = np.flatnonzero(others >= 0)
+            logits = np.array(logits)
+            logits[there, others[there]] += leanings[there, 0]
         if not np.isfinite(logits).all():
             raise InputError("The network's logits are not finite numbers: its weights are damaged.")
         tokens = np.array([a.choose(x, grammar) for a, x in zip(active, logits, strict=True)], np.int64)
         numbers = np.zeros((len(active), NUMBERS), np.float32)
         if _CARRIES[tokens].any():
             given = runtime.regress(states, tokens)
+            if leanings is not None:
+                given = mix(given, np.stack([c.numbers for c in own]), leanings, tokens, others)
             if not np.isfinite(given).all():
                 raise InputError("The network's numbers are not finite: its weights are damaged.")
             numbers = given.clip(-LARGEST_NUMBER, LARGEST_NUMBER) * NUMBER_MASK[tokens]
         for answer, row in zip(active, numbers, strict=True):
-            answer.numbers.append(row)
+            answer.take_numbers(row)
         going = np.array([k for k, a in enumerate(active) if a.state.stage is not Stage.FINISHED], np.int64)
         if not len(going):
             return
         if len(going) < len(active):
             active = [active[k] for k in going]
             tokens, numbers, cache = tokens[going], numbers[going], cache.rows(going)
+        own = [answer.counterpart() for answer in active]
         embedded = runtime.embed(tokens[:, None] + text_size, numbers[:, None])
+        embedded = embedded + _added(runtime, own, embedded.shape[-1])[:, None]
         known = np.ones((len(active), 1), np.float32)
         after, next_logits, cache = runtime.decode(embedded, known, cache)
         states, logits = after[:, 0], next_logits[:, 0]
+
+
+def _added(runtime: Runtime, following: Several[Counterpart], hidden: int) -> Floats:
+    """(B, hidden) to add to the tokens before those that have these counterparts."""
+    added = np.zeros((len(following), hidden), np.float32)
+    there = [k for k, c in enumerate(following) if c.token >= 0] if runtime.copies else []
+    if there:
+        tokens = np.array([following[k].token for k in there], np.int64)
+        numbers = np.stack([following[k].numbers for k in there])
+        added[there] = runtime.embed_counterparts(tokens[:, None], numbers[:, None])[:, 0]
+    return added

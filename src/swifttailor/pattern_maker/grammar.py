@@ -120,7 +120,7 @@ class Grammar:
         mask = np.zeros(SIZE, bool)
         for tokens in self._by_syntax(state):
             # What follows is the same for all tokens of one group.
-            if len(tokens) and self._can_finish(_after(state, tokens[0])):
+            if len(tokens) and self._can_finish(next_state(state, tokens[0])):
                 mask[tokens] = True
         return mask
 
@@ -134,7 +134,7 @@ class Grammar:
             raise InputError(f"Token {state.length} is {token}; tokens are from 0 to {SIZE - 1}.")
         for tokens in self._by_syntax(state):
             if token in tokens:
-                after = _after(state, token)
+                after = next_state(state, token)
                 if self._can_finish(after):
                     return after
                 raise InputError(
@@ -226,7 +226,7 @@ class Grammar:
         return begun + 2 * here + 2 * panels + 2 * there + 1
 
 
-def _after(state: State, token: int) -> State:
+def next_state(state: State, token: int) -> State:
     """The state after a token that the rules let follow."""
     state = replace(state, length=state.length + 1)
     if token == PATTERN_START:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -179,7 +179,7 @@ class PatternMaker:
         for request, own in zip(requests, seeds, strict=True):
             one, about = self._ask(request)
             draws = tuple((own, k) for k in range(first_attempt, first_attempt + attempts))
-            asked.append(Asked(one.prompt, one.picture, draws, temperature))
+            asked.append(replace(one, seeds=draws, temperature=temperature))
             notes.append(about)
         clock.stop("reading")
         model = self.model
@@ -224,7 +224,7 @@ class PatternMaker:
         edit = None if request.edit is None else encode(request.edit, limits=model.grammar.limits)
         places = 0 if picture is None else model.image_tokens
         prompt = make_prompt(encoded.tokens, model.text.size, image_tokens=places, edit=edit)
-        return Asked(prompt, picture), tuple(notes)
+        return Asked(prompt, picture, edit=edit), tuple(notes)
 
     def _confidence(self, answer: Written) -> Confidence | None:
         usual = self.model.calibration

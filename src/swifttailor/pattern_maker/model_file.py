@@ -15,9 +15,10 @@ from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import InputError
 from swifttailor.networks.onnx_session import open_session
 from swifttailor.pattern_maker.confidence import Calibration
+from swifttailor.pattern_maker.copying import LEANINGS
 from swifttailor.pattern_maker.grammar import Grammar
 from swifttailor.pattern_maker.network_config import NetworkConfig
-from swifttailor.pattern_maker.runtime import GRAPHS, OnnxRuntime, Runtime
+from swifttailor.pattern_maker.runtime import COPYING_GRAPHS, GRAPHS, OnnxRuntime, Runtime
 from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
 from swifttailor.pattern_maker.vocabulary import NUMBERS, SIZE
 
@@ -26,6 +27,7 @@ CARD, TEXT, CONFIDENCE = "card.json", "text_tokens.json", "confidence.json"
 MAX_BYTES = 2**31
 _DATE = (1980, 1, 1, 0, 0, 0)
 _MEMBERS = {CARD, TEXT, *(f"{name}.onnx" for name in GRAPHS)}
+_OF_COPYING = {f"{name}.onnx" for name in COPYING_GRAPHS}
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,14 +54,14 @@ def write_model(path: Path, graphs: Mapping[str, bytes], text: TextTokenizer, ca
 
     Args:
         path: File to write, ``.zip``.
-        graphs: ONNX graphs by their names in `GRAPHS`.
+        graphs: ONNX graphs by their names in `GRAPHS` and `COPYING_GRAPHS`.
         text: Text tokens.
         card: Of the run.
 
     Raises:
         InputError: The file cannot be written.
     """
-    members = {f"{name}.onnx": graphs[name] for name in GRAPHS} | {TEXT: text.to_json().encode()}
+    members = {f"{name}.onnx": graph for name, graph in graphs.items()} | {TEXT: text.to_json().encode()}
     return _write(path, members, card)
 
 
@@ -114,7 +116,7 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
         calibration = Calibration.from_json(members[CONFIDENCE], f"{path}, {CONFIDENCE}")
     sessions = {
         name: open_session(members[f"{name}.onnx"], f"{path}, {name}.onnx", "PatternMaker", threads=threads)
-        for name in GRAPHS
+        for name in (GRAPHS | COPYING_GRAPHS if members.keys() >= _OF_COPYING else GRAPHS)
     }
     for name, session in sessions.items():
         _require_signature(name, session, path)
@@ -129,6 +131,9 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
         "the numbers of a token": (given["embed"]["numbers"][2], NUMBERS),
         "the numbers predicted": (made["regress"]["numbers"][1], NUMBERS),
     }
+    if "leaning" in sessions:
+        facts["what it says of counterparts"] = (made["leaning"]["leanings"][1], LEANINGS)
+        facts["the counterparts' width"] = (made["counterpart"]["added"][2], hidden)
     if calibration is not None:
         facts["what is usual for pictures"] = (len(calibration.space.mean), hidden)
     for what, (found, wanted) in facts.items():
@@ -162,7 +167,8 @@ def _read_members(path: Path) -> dict[str, bytes]:
         with zipfile.ZipFile(path) as archive:
             infos = archive.infolist()
             names = [info.filename for info in infos]
-            if len(set(names)) < len(names) or set(names) - {CONFIDENCE} != _MEMBERS:
+            found = set(names) - {CONFIDENCE}
+            if len(set(names)) < len(names) or found not in (_MEMBERS, _MEMBERS | _OF_COPYING):
                 raise InputError(
                     f"'{path}' is no PatternMaker: it holds {', '.join(names[:8]) or 'nothing'}, not "
                     f"{', '.join(sorted(_MEMBERS))}. Give the file of a PatternMaker."
@@ -199,7 +205,7 @@ def _read_about(members: Mapping[str, bytes], path: Path) -> dict[str, Any]:
 
 
 def _require_signature(name: str, session: Any, path: Path) -> None:
-    inputs, outputs = GRAPHS[name]
+    inputs, outputs = (GRAPHS | COPYING_GRAPHS)[name]
     found = (
         tuple(i.name for i in session.get_inputs()),
         tuple(o.name for o in session.get_outputs()),

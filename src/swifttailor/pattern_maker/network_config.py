@@ -34,6 +34,9 @@ class NetworkConfig:
     command_seen: bool = True
     """Whether the numbers of a token are predicted knowing which token it is. AIpparel predicts them from the
     state before it alone."""
+    copying: bool = True
+    """Whether the network is told what a pattern to edit has at the place that it writes, and may take that
+    as it is (`counterpart`). AIpparel's has to find it in the prompt and write it anew."""
     pretrained: str = ""
     """Folder or name of an InternVL for transformers to begin with; empty to begin with random weights."""
     lora_rank: int = 0
@@ -96,6 +99,7 @@ PAPER_NETWORK = NetworkConfig(
     early_convolutions=False,
     longest_text=512,
     command_seen=False,
+    copying=False,
     pretrained="OpenGVLab/InternVL3-2B-hf",
 )
 """The paper's: InternVL3-2B with AIpparel's heads."""

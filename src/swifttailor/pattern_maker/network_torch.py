@@ -13,6 +13,7 @@ from torch import Tensor, nn
 from torch.distributed.tensor import DTensor
 from transformers import InternVLConfig, InternVLModel, InternVLVisionConfig, Qwen2Config
 
+from swifttailor.pattern_maker.copying import LEANINGS
 from swifttailor.pattern_maker.foresight import FORESEEN
 from swifttailor.pattern_maker.initial_weights_torch import EMBEDDING, initialize
 from swifttailor.pattern_maker.network_config import NetworkConfig
@@ -36,18 +37,29 @@ TRAINING_ONLY = ("foresight_head.",)
 """Beginnings of the names of weights that no answer needs."""
 VISION = ("vlm.vision_tower.", "vlm.multi_modal_projector.")
 """And of those that pictures go through."""
+COPYING = ("counterpart_",)
+"""And of those that only editing needs."""
+SELDOM = -2.0
+"""Before anything is learnt, the logarithm of how much rather a number is taken from its counterpart."""
 
 
 class PatternMakerNetwork(nn.Module):
     """InternVL, with tokens that carry numbers: embedded on the way in, regressed on the way out."""
 
     def __init__(
-        self, vlm: InternVLModel, text_size: int, *, command_seen: bool, embedding_std: float = EMBEDDING
+        self,
+        vlm: InternVLModel,
+        text_size: int,
+        *,
+        command_seen: bool,
+        copying: bool,
+        embedding_std: float = EMBEDDING,
     ) -> None:
         super().__init__()
         self.vlm = vlm
         self.text_size = text_size
         self.command_seen = command_seen
+        self.copying = copying
         hidden = vlm.config.text_config.hidden_size
         self.hidden_size = hidden
         self.own_embedding = nn.Embedding(OWN_TOKENS, hidden)
@@ -61,6 +73,14 @@ class PatternMakerNetwork(nn.Module):
         self.register_buffer("number_mask", torch.tensor(NUMBER_MASK), persistent=False)
         nn.init.normal_(self.own_embedding.weight, std=embedding_std)
         nn.init.normal_(self.token_head.weight, std=vlm.config.text_config.initializer_range)
+        if copying:
+            self.counterpart_in = nn.Linear(hidden, hidden, bias=False)
+            self.counterpart_head = _mlp(hidden, hidden, LEANINGS, nn.GELU)
+            # Until something is learnt the network is what it is without.
+            for weight in (self.counterpart_in.weight, self.counterpart_head[2].weight):
+                nn.init.zeros_(weight)
+            with torch.no_grad():
+                self.counterpart_head[2].bias.zero_()[1] = SELDOM
 
     def forward(
         self,
@@ -74,6 +94,8 @@ class PatternMakerNetwork(nn.Module):
         read_positions: Tensor,
         read_ends: Tensor,
         read_pictures: Tensor,
+        copied: Tensor,
+        copied_numbers: Tensor,
     ) -> tuple[Tensor, Tensor, Tensor]:
         """Predicts the answers to some prompts, each token from those before it; reads others without answer.
 
@@ -88,6 +110,8 @@ class PatternMakerNetwork(nn.Module):
             read_positions: (M, T) of each in its prompt, from 0.
             read_ends: (R,) places in the flattened (M * T) of the last token of each of these prompts.
             read_pictures: (Q, 3, S, S), those of these prompts that have one, in order.
+            copied: (B, L) the counterpart of the token after each place, of a pattern; negative for none.
+            copied_numbers: (B, L, 8) that go with them.
 
         Returns:
             (n, tokens of patterns) logits, (n, 8) its numbers, and (B + R, `FORESEEN`) what is foreseen of
@@ -95,6 +119,8 @@ class PatternMakerNetwork(nn.Module):
         """
         looks = self.look(torch.cat([pictures, read_pictures]))
         embedded = self.embed(tokens, numbers, looks[: len(pictures)])
+        if self.copying:
+            embedded = self._with_counterparts(embedded, copied, copied_numbers)
         states, early = self._states(embedded)
         understood = early[firsts]
         if len(read):
@@ -104,7 +130,17 @@ class PatternMakerNetwork(nn.Module):
             understood = torch.cat([understood, self._understood(embedded, read_positions)[read_ends]])
         foreseen = self.foresight_head(understood.float())
         states = states[answers]
-        return self.logits(states), self.regress(states, next_tokens), foreseen
+        logits, given = self.logits(states), self.regress(states, next_tokens)
+        if self.copying:
+            own, own_numbers = copied.flatten()[answers], copied_numbers.flatten(0, 1)[answers]
+            there = torch.nonzero(own >= 0)[:, 0]
+            leanings = self.lean(states[there])
+            logits = logits.index_put((there, own[there]), leanings[:, 0], accumulate=True)
+            mixed = mix(given[there], own_numbers[there], leanings)
+            alike = self.carries_alike(next_tokens[there], own[there])
+            given = given.index_copy(0, there, torch.where(alike[:, None], mixed, given[there]))
+            given = given * self.number_mask[next_tokens]
+        return logits, given, foreseen
 
     def _states(self, embedded: Tensor) -> tuple[Tensor, Tensor]:
         """(B * L, hidden) after the last layer and after that of foresight, of embedded (B, L, hidden)."""
@@ -166,6 +202,35 @@ class PatternMakerNetwork(nn.Module):
         edge = self.edge_embedding((_features(numbers) * known).flatten(-2))
         return torch.where((own == MOVE)[..., None], placement, edge)
 
+    def embed_counterparts(self, tokens: Tensor, numbers: Tensor) -> Tensor:
+        """(..., hidden) to add to tokens, for the counterparts (...) of those after them.
+
+        Args:
+            tokens: (...) the counterparts, of a pattern.
+            numbers: (..., 8) that go with them.
+        """
+        values = torch.where(
+            self.carries_numbers(tokens)[..., None], self.embed_numbers(tokens, numbers), 0.0
+        )
+        return self.counterpart_in(self.own_embedding(tokens) + values)
+
+    def lean(self, states: Tensor) -> Tensor:
+        """(..., `LEANINGS`) towards the counterparts, of states (..., hidden).
+
+        What the logit of the counterpart gains; the logit of taking its numbers; and what is added to these.
+        """
+        return self.counterpart_head(states.float())
+
+    def _with_counterparts(self, embedded: Tensor, copied: Tensor, numbers: Tensor) -> Tensor:
+        there = torch.nonzero(copied.flatten() >= 0)[:, 0]
+        values = self.embed_counterparts(copied.flatten()[there], numbers.flatten(0, 1)[there])
+        return embedded.flatten(0, 1).index_add(0, there, values.to(embedded.dtype)).view(embedded.shape)
+
+    def carries_alike(self, tokens: Tensor, others: Tensor) -> Tensor:
+        """Which tokens (...) of patterns carry numbers that mean the same as those of others (...)."""
+        same = (self.number_mask[tokens] == self.number_mask[others]).all(-1)
+        return same & self.number_mask[tokens].any(-1) & ((tokens == MOVE) == (others == MOVE))
+
     def logits(self, states: Tensor) -> Tensor:
         """(..., tokens of patterns) float32 of states (..., hidden)."""
         return self.token_head(states.float())
@@ -220,6 +285,18 @@ def _features(numbers: Tensor) -> Tensor:
     return torch.cat([torch.asinh(numbers)[..., None], angles.sin(), angles.cos()], dim=-1)
 
 
+def mix(written: Tensor, copied: Tensor, leanings: Tensor) -> Tensor:
+    """(..., 8) numbers, from those that the network would write and those of the counterparts (..., 8).
+
+    Args:
+        written: (..., 8).
+        copied: (..., 8).
+        leanings: (..., `LEANINGS`), see `PatternMakerNetwork.lean`.
+    """
+    share = leanings[..., 1:2].sigmoid()
+    return written + share * (copied + leanings[..., 2:] - written)
+
+
 def build_network(config: NetworkConfig, text_size: int) -> PatternMakerNetwork:
     """Makes a network, from random weights or from `config.pretrained`.
 
@@ -244,7 +321,11 @@ def build_network(config: NetworkConfig, text_size: int) -> PatternMakerNetwork:
         initialize(vlm)
         embedding_std = EMBEDDING
     network = PatternMakerNetwork(
-        vlm, text_size, command_seen=config.command_seen, embedding_std=embedding_std
+        vlm,
+        text_size,
+        command_seen=config.command_seen,
+        copying=config.copying,
+        embedding_std=embedding_std,
     )
     if not config.vision_trained:
         for part in (vlm.vision_tower, vlm.multi_modal_projector):

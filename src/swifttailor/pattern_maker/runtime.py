@@ -21,6 +21,11 @@ GRAPHS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "regress": (("states", "tokens"), ("numbers",)),
 }
 """The parts of a network as ONNX graphs: names of their inputs and outputs."""
+COPYING_GRAPHS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "counterpart": (("tokens", "numbers"), ("added",)),
+    "leaning": (("states",), ("leanings",)),
+}
+"""Those that a network has which copies from the pattern to edit."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,13 +80,26 @@ class Runtime(Protocol):
         """Of no tokens."""
         ...
 
+    @property
+    def copies(self) -> bool:
+        """Whether it is told the counterparts in a pattern to edit, by the two functions below."""
+        ...
+
+    def embed_counterparts(self, tokens: Ids, numbers: Floats) -> Floats:
+        """(B, L, hidden) to add to tokens, for the counterparts (B, L) of those after them."""
+        ...
+
+    def lean(self, states: Floats) -> Floats:
+        """(B, `LEANINGS`) towards the counterparts, after the states (B, hidden)."""
+        ...
+
 
 @dataclass(frozen=True, eq=False)
 class OnnxRuntime:
     """Runs the graphs of a model file with onnxruntime."""
 
     sessions: dict[str, Any]
-    """By name, as in `GRAPHS`."""
+    """By name, as in `GRAPHS`, and all or none of `COPYING_GRAPHS`."""
 
     def look(self, pictures: Floats) -> Floats:
         """See `Runtime`."""
@@ -109,8 +127,22 @@ class OnnxRuntime:
         nothing = np.zeros((layers, rows, groups, 0, size), np.float32)
         return Cache(nothing, nothing, np.zeros((rows, 0), np.float32), np.zeros(rows, np.int64))
 
+    @property
+    def copies(self) -> bool:
+        """See `Runtime`."""
+        return COPYING_GRAPHS.keys() <= self.sessions.keys()
+
+    def embed_counterparts(self, tokens: Ids, numbers: Floats) -> Floats:
+        """See `Runtime`."""
+        return self._run("counterpart", tokens, numbers)[0]
+
+    def lean(self, states: Floats) -> Floats:
+        """See `Runtime`."""
+        return self._run("leaning", states)[0]
+
     def _run(self, graph: str, *given: Any) -> Any:
-        return self.sessions[graph].run(None, dict(zip(GRAPHS[graph][0], given, strict=True)))
+        inputs, _ = (GRAPHS | COPYING_GRAPHS)[graph]
+        return self.sessions[graph].run(None, dict(zip(inputs, given, strict=True)))
 
 
 def extended(known: Floats, cache: Cache) -> tuple[Ids, Floats]:

@@ -56,6 +56,21 @@ class TorchRuntime:
         nothing = self.decoder.empty_cache(rows)
         return Cache(nothing, nothing, np.zeros((rows, 0), np.float32), np.zeros(rows, np.int64))
 
+    @property
+    def copies(self) -> bool:
+        """See `Runtime`."""
+        return self.network.copying
+
+    @torch.inference_mode()
+    def embed_counterparts(self, tokens: Ids, numbers: Floats) -> Floats:
+        """See `Runtime`."""
+        return _floats(self.network.embed_counterparts(self._given(tokens), self._given(numbers)))
+
+    @torch.inference_mode()
+    def lean(self, states: Floats) -> Floats:
+        """See `Runtime`."""
+        return _floats(self.network.lean(self._given(states)))
+
     def _given(self, array: Any) -> torch.Tensor:
         return torch.as_tensor(array, device=self.device)
 

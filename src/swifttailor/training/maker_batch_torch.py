@@ -10,6 +10,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from swifttailor.pattern_maker.counterpart import NONE, counterparts
 from swifttailor.pattern_maker.foresight import foresight_of
 from swifttailor.pattern_maker.prompt import PAD
 from swifttailor.pattern_maker.vocabulary import NUMBERS
@@ -52,12 +53,17 @@ class Batch:
     """(B + R, panels, numbers of `foresight`)."""
     panels_known: Tensor
     """The same shape: which of them mean something."""
+    copied: Tensor
+    """(B, L) counterpart of the token after each place; negative where it has none."""
+    copied_numbers: Tensor
+    """(B, L, 8)."""
 
     @property
     def given(self) -> tuple[Tensor, ...]:
         """What the network is called with."""
         written = (self.tokens, self.numbers, self.pictures, self.answers, self.next_tokens, self.firsts)
-        return (*written, self.read, self.read_positions, self.read_ends, self.read_pictures)
+        read = (self.read, self.read_positions, self.read_ends, self.read_pictures)
+        return (*written, *read, self.copied, self.copied_numbers)
 
     def to(self, device: torch.device) -> Batch:
         """The same on a device."""
@@ -135,12 +141,18 @@ def assemble(samples: Sequence[MakerSample], image_size: int, reads: Sequence[Ma
     pad = int(some.tokens[-1]) - int(some.answer.tokens[-1]) + PAD  # text tokens come before
     tokens = np.full((len(samples), length), pad, np.int64)
     numbers = np.zeros((len(samples), length, NUMBERS), np.float32)
+    copied = np.full((len(samples), length), NONE, np.int64)
+    copied_numbers = np.zeros_like(numbers)
     answers = []
     for row, sample in enumerate(samples):
         size = len(sample.tokens)
         tokens[row, :size], numbers[row, :size] = sample.tokens, sample.numbers
         # Each token is predicted from the state before it.
-        answers.append(row * length + np.arange(size - len(sample.answer), size) - 1)
+        places = np.arange(size - len(sample.answer), size) - 1
+        answers.append(row * length + places)
+        if sample.before is not None:
+            for place, own in zip(places, counterparts(sample.before, sample.answer), strict=True):
+                copied[row, place], copied_numbers[row, place] = own.token, own.numbers
     read = pack_prompts([s.prompt for s in reads], pad)
     foresight = [foresight_of(s.answer) for s in (*samples, *reads)]
     return Batch(
@@ -158,6 +170,8 @@ def assemble(samples: Sequence[MakerSample], image_size: int, reads: Sequence[Ma
         torch.from_numpy(np.stack([f.present for f in foresight])),
         torch.from_numpy(np.stack([f.numbers for f in foresight])),
         torch.from_numpy(np.stack([f.known for f in foresight])),
+        torch.from_numpy(copied),
+        torch.from_numpy(copied_numbers),
     )
 
 

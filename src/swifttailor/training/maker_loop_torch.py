@@ -16,6 +16,7 @@ from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import SplitRenders
 from swifttailor.errors import InputError
 from swifttailor.pattern_maker.network_torch import (
+    COPYING,
     TRAINING_ONLY,
     VISION,
     PatternMakerNetwork,
@@ -134,7 +135,7 @@ def train(
         # The fused attention's backward pass takes a third of a step on a CPU, plain products a sixth.
         network.vlm.set_attn_implementation("eager")
     if config.start:
-        for name in load_start(network, Path(config.start), (TRAINING_ONLY, VISION)):
+        for name in load_start(network, Path(config.start), (TRAINING_ONLY, VISION, COPYING)):
             report(f"'{config.start}' is of another network in '{name}', which begins anew.")
 
     def samples_of(name: str) -> MakerSamples:

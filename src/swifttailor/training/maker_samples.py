@@ -56,6 +56,8 @@ class MakerSample:
     """With the numbers that it should write."""
     picture: NDArray[np.float32] | None
     """(3, size, size)."""
+    before: TokenSequence | None = None
+    """What is edited."""
 
     @property
     def prompt(self) -> NDArray[np.int64]:
@@ -162,11 +164,12 @@ class MakerSamples:
         if not clean:
             text = misspell(text, chance, self.config.typos)
         answer = self._tagged(version.sequence, chance)
+        edit = None if before is None else self._tagged(before.sequence, chance)
         prompt = make_prompt(
             self.text_tokens(text),
             self.text_size,
             image_tokens=0 if picture is None else self.config.network.image_tokens,
-            edit=None if before is None else self._tagged(before.sequence, chance),
+            edit=edit,
         )
         written = pattern_part(answer, self.text_size)
         numbers = written.numbers
@@ -174,7 +177,7 @@ class MakerSamples:
             noise = chance.normal(scale=self.config.number_noise, size=numbers.shape)
             numbers = numbers + noise.astype(np.float32) * NUMBER_MASK[answer.tokens]
         tokens = np.concatenate([prompt.tokens, written.tokens])
-        return MakerSample(task, tokens, np.concatenate([prompt.numbers, numbers]), answer, picture)
+        return MakerSample(task, tokens, np.concatenate([prompt.numbers, numbers]), answer, picture, edit)
 
     def _order(self, epoch: int) -> NDArray[Any]:
         if getattr(self, "_epoch", None) != epoch:

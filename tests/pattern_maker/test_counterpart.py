@@ -1,0 +1,121 @@
+"""Where an edited pattern stands in the old one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from swifttailor.pattern.drafts import draft, list_drafts
+from swifttailor.pattern_maker.counterpart import NONE, Counterparts, counterparts
+from swifttailor.pattern_maker.decode import decode
+from swifttailor.pattern_maker.encode import encode
+from swifttailor.pattern_maker.token_sequence import NUMBER_MASK, TokenSequence
+from swifttailor.pattern_maker.vocabulary import (
+    COMMANDS,
+    NOT_STITCHED,
+    PANEL_TOKENS,
+    STITCH_TOKENS,
+)
+
+NAMES = [info.name for info in list_drafts()]
+
+
+def shares(old, new):
+    """Of the tokens of `new` those that equal their counterparts, and of these those with equal numbers."""
+    found = counterparts(old, new)
+    same = np.array([c.token for c in found]) == new.tokens
+    equal = [np.allclose(c.numbers, n, atol=1e-6) for c, n in zip(found, new.numbers, strict=True)]
+    return same.mean(), np.array(equal)[same].mean()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_unchanged_every_token_is_its_counterpart(name):
+    pattern = encode(draft(name))
+    assert shares(pattern, pattern) == (1, 1)
+
+
+def test_real_patterns_unchanged(real_patterns):
+    for pattern in real_patterns("validation", 15):
+        sequence = encode(pattern)
+        assert shares(sequence, sequence) == (1, 1)
+
+
+@pytest.mark.parametrize(
+    ("name", "values"), [("shirt-dress", {"skirt_length": 50.0}), ("t-shirt", {"sleeve_length": 30.0})]
+)
+def test_of_another_length_only_numbers_differ(name, values):
+    tokens, numbers = shares(encode(draft(name)), encode(draft(name, **values)))
+    assert tokens == 1
+    assert 0.3 < numbers < 1
+
+
+def without_panel(pattern, name):
+    """A pattern without one of its panels and the stitches to it."""
+    kept = [s for s in pattern.stitches if name not in (s.first.panel, s.second.panel)]
+    return replace(pattern, panels=tuple(p for p in pattern.panels if p.name != name), stitches=tuple(kept))
+
+
+def test_what_was_sewn_to_a_panel_that_is_gone_is_sewn_to_nothing():
+    old = draft("t-shirt").canonical()
+    gone = old.panels[1].name  # others stand before and after it
+    new = encode(without_panel(old, gone))
+    found = counterparts(encode(old), new)
+
+    assert PANEL_TOKENS.start <= found[int(np.flatnonzero(np.isin(new.tokens, PANEL_TOKENS))[1])].token
+    wrong = [(int(t), c.token) for t, c in zip(new.tokens, found, strict=True) if t != c.token]
+    # The name that is left out, and stitches towards it that come before it: these are open as before.
+    names = [pair for pair in wrong if pair[0] in PANEL_TOKENS]
+    assert len(names) == 1
+    assert all(t == NOT_STITCHED and c in STITCH_TOKENS for t, c in wrong if t not in PANEL_TOKENS)
+    after = [k for k, t in enumerate(new.tokens) if t in PANEL_TOKENS][1]
+    assert all(t == c.token for t, c in zip(new.tokens[after + 1 :], found[after + 1 :], strict=True))
+
+
+def test_a_new_panel_has_none_and_those_after_it_have_theirs():
+    new = draft("t-shirt").canonical()
+    added = new.panels[1].name
+    new_sequence = encode(new)
+    found = counterparts(encode(without_panel(new, added)), new_sequence)
+
+    starts = [k for k, t in enumerate(new_sequence.tokens) if t in PANEL_TOKENS]
+    inside = range(starts[1] + 1, starts[2] - 1)
+    assert {found[k].token for k in inside} == {NONE}
+    after = range(starts[2], len(new_sequence))
+    numbered = [k for k in after if NUMBER_MASK[new_sequence.tokens[k]].any()]
+    assert all(found[k].token == new_sequence.tokens[k] for k in numbered)
+    assert all(np.allclose(found[k].numbers, new_sequence.numbers[k], atol=1e-6) for k in numbered)
+
+
+@pytest.mark.parametrize("insert", [True, False])
+def test_behind_an_edge_more_or_less_the_edges_find_theirs(insert):
+    """An edge halved, or two joined: what comes after it is found again."""
+    long = encode(draft("fitted-skirt"))
+    at = int(
+        np.flatnonzero(np.isin(long.tokens, COMMANDS) & np.isin(np.roll(long.tokens, -1), [NOT_STITCHED]))[0]
+    )
+    tokens, numbers = long.tokens.tolist(), long.numbers.tolist()
+    half = [x * 0.5 for x in numbers[at]]
+    tokens[at:at], numbers[at:at] = [COMMANDS[0], NOT_STITCHED], [half, [0.0] * 8]
+    longer = TokenSequence(np.array(tokens), np.array(numbers))
+    decode(longer)  # is a pattern
+    old, new = (long, longer) if insert else (longer, long)
+    found = counterparts(old, new)
+    behind = at + (4 if insert else 2)
+    assert [c.token for c in found[behind:]] == new.tokens[behind:].tolist()
+    assert all(np.allclose(c.numbers, n) for c, n in zip(found[behind:], new.numbers[behind:], strict=True))
+
+
+def test_whatever_is_written_there_is_an_answer():
+    """Any other pattern may be written for a pattern."""
+    sequences = [encode(draft(name)) for name in NAMES]
+    for old in sequences:
+        for new in sequences:
+            walk = Counterparts(old)
+            for token, numbers in zip(new.tokens.tolist(), new.numbers, strict=True):
+                counterpart = walk.next()
+                assert counterpart.token == NONE or 0 <= counterpart.token
+                assert counterpart.numbers.shape == (8,)
+                walk.follow(token, numbers)
+            assert walk.next().token == NONE
