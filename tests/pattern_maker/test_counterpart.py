@@ -1,4 +1,4 @@
-"""Where an edited pattern stands in the old one."""
+"""What is likely to be repeated: of a pattern to edit, and of the body's other side."""
 
 from __future__ import annotations
 
@@ -8,11 +8,14 @@ import numpy as np
 import pytest
 
 from swifttailor.pattern.drafts import draft, list_drafts
+from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.pattern_maker.counterpart import NONE, Counterparts, counterparts
 from swifttailor.pattern_maker.decode import decode
 from swifttailor.pattern_maker.encode import encode
+from swifttailor.pattern_maker.panel_tokens import TWINS, are_alike, mirrored, panels_of
 from swifttailor.pattern_maker.token_sequence import NUMBER_MASK, TokenSequence
 from swifttailor.pattern_maker.vocabulary import (
+    CLOSING_COMMANDS,
     COMMANDS,
     NOT_STITCHED,
     PANEL_TOKENS,
@@ -55,6 +58,83 @@ def without_panel(pattern, name):
     """A pattern without one of its panels and the stitches to it."""
     kept = [s for s in pattern.stitches if name not in (s.first.panel, s.second.panel)]
     return replace(pattern, panels=tuple(p for p in pattern.panels if p.name != name), stitches=tuple(kept))
+
+
+def symmetric_panels(panels):
+    """Class ids of those on the right that are the reflection of those on the left."""
+    pairs = [(right, left) for right, left in TWINS.items() if right in panels and left in panels]
+    return {right for right, left in pairs if are_alike(mirrored(panels[left], right), panels[right], 1e-3)}
+
+
+def test_what_is_changed_on_one_side_is_offered_on_the_other(real_patterns):
+    """Of patterns to edit that are symmetric: made longer on both sides."""
+    tried = 0
+    for pattern in real_patterns("validation", 5):
+        old = encode(pattern)
+        right = symmetric_panels(panels_of(old))
+        both = right | {TWINS[name] for name in right}
+        edges = in_panels(old, both) & np.isin(old.tokens, [*COMMANDS, *CLOSING_COMMANDS])[:, None]
+        longer = np.where(edges & (np.arange(8) % 2 == 1), old.numbers * 1.3, old.numbers)
+        new = TokenSequence(old.tokens, longer)
+        found = counterparts(old, new)
+        for k in np.flatnonzero(in_panels(new, right)[:, 0] & NUMBER_MASK[new.tokens].any(axis=1)):
+            assert found[k].token == new.tokens[k]
+            assert np.allclose(found[k].numbers, new.numbers[k], atol=2e-3)
+            tried += 1
+    assert tried > 100
+
+
+def in_panels(sequence, names):
+    """(n, 1) which tokens belong to panels of these class ids."""
+    panel, inside = NONE, []
+    for token in sequence.tokens.tolist():
+        panel = token - PANEL_TOKENS.start if token in PANEL_TOKENS else panel
+        inside.append(panel in names)
+    return np.array(inside)[:, None]
+
+
+def test_the_other_side_of_a_symmetric_garment_is_told_from_the_first(real_patterns):
+    """Without a pattern to edit. Numbers all, and most stitches."""
+    told = right = 0
+    for pattern in real_patterns("validation", 5):
+        sequence = encode(pattern)
+        symmetric = symmetric_panels(panels_of(sequence))
+        inside = in_panels(sequence, symmetric)[:, 0]
+        for k, c in enumerate(counterparts(None, sequence)):
+            token = int(sequence.tokens[k])
+            if not inside[k] or token in PANEL_TOKENS:
+                assert inside[k] or c.token in (NONE, 0) or panel_has_twin(sequence, k)
+                continue
+            if NUMBER_MASK[token].any():
+                assert c.token == token
+                assert np.allclose(c.numbers, sequence.numbers[k], atol=2e-3)
+            told += 1
+            right += c.token == token
+    assert told > 500
+    assert right > 0.9 * told
+
+
+def panel_has_twin(sequence, place):
+    names = [t for t in sequence.tokens[: place + 1].tolist() if t in PANEL_TOKENS]
+    return bool(names) and names[-1] - PANEL_TOKENS.start in TWINS
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_reflection_s_reflection_is_the_panel(name):
+    for panel in panels_of(encode(draft(name))).values():
+        again = mirrored(mirrored(panel, panel.name), panel.name)
+        assert are_alike(again, panel, 1e-5)
+        assert [e.label for e in again.edges] == [e.label for e in panel.edges]
+        if panel.edges[0].kind == 0 and abs(panel.placement[0]) > 0.5:
+            assert not are_alike(mirrored(panel, panel.name), panel, 1e-2)
+
+
+def test_twins_are_the_two_sides_and_the_first_is_written_before():
+    named = {PANEL_NAMES[right]: PANEL_NAMES[left] for right, left in TWINS.items()}
+    assert named["right_ftorso"] == "left_ftorso" and named["pant_b_r"] == "pant_b_l"
+    assert named["sl_right_cuff_skirt_b"] == "sl_left_cuff_skirt_b"
+    assert all(right > left for right, left in TWINS.items())
+    assert len(set(TWINS.values())) == len(TWINS) and not set(TWINS) & set(TWINS.values())
 
 
 def test_what_was_sewn_to_a_panel_that_is_gone_is_sewn_to_nothing():

@@ -1,4 +1,4 @@
-"""Taking over from the pattern to edit: what the network's leanings towards a counterpart mean."""
+"""Repeating: what the network's leanings towards a counterpart mean."""
 
 from __future__ import annotations
 

@@ -1,23 +1,33 @@
-"""Where a pattern that is written stands in the pattern that it is an edited version of.
+"""What a token that is to be written most likely repeats: of a pattern to edit, or of the body's other side.
 
-Most of an edited pattern is what it was before. At every place of the answer there is a token of the old
-pattern that would come next if nothing were changed: its counterpart. The network is told it, and decides
-whether to take it, to change its numbers, or to write something else.
+Most of an edited pattern is what it was before, and most garments are the same left and right. At every place
+of an answer where a token of the old pattern would come if nothing were changed, or one of the mirrored panel
+if the garment were symmetric, that token is the counterpart. The network is told it, and decides whether to
+take it, to change its numbers, or to write something else.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.pattern_maker.grammar import Stage, State, next_state
+from swifttailor.pattern_maker.panel_tokens import (
+    TWINS,
+    EdgeTokens,
+    PanelCollector,
+    PanelTokens,
+    are_alike,
+    mirrored,
+    panels_of,
+)
 from swifttailor.pattern_maker.token_sequence import TokenSequence
 from swifttailor.pattern_maker.vocabulary import (
     CLOSING_COMMANDS,
     COMMANDS,
-    EDGE_LABEL_TOKENS,
     END,
     MOVE,
     NOT_STITCHED,
@@ -32,139 +42,173 @@ from swifttailor.pattern_maker.vocabulary import (
 
 NONE = -1
 """In place of a token where there is no counterpart."""
+SAME = 0.02
+"""Normalised units (0.5 cm): panels that differ by less from each other's reflection are symmetric."""
 SAME_END = 0.05
 """Normalised units (1.4 cm): an edge that ends this near to where an old one ended is that edge."""
 REACH = 4
 """Edges inserted or left out in a row that are noticed."""
 _NO_NUMBERS = np.zeros(NUMBERS, np.float32)
+Side = tuple[int, int]
+"""Class id of a panel and the number of an edge of it."""
 
 
 @dataclass(frozen=True, eq=False)
 class Counterpart:
-    """What the old pattern has at a place of the new one."""
+    """What is likely to be repeated at a place."""
 
     token: int = NONE
     numbers: NDArray[np.float32] = field(default_factory=lambda: _NO_NUMBERS)
-    """(8,) of the old pattern's token."""
-
-
-@dataclass(frozen=True)
-class _Edge:
-    command: int
-    label: int | None
-    """Places of its tokens in the sequence."""
-    right_wrong: int | None
-    stitch: int
-
-
-@dataclass(frozen=True)
-class _Panel:
-    head: tuple[int, ...]
-    """Places of its label, if it has one, and its placement."""
-    edges: tuple[_Edge, ...]
+    """(8,) of that token."""
 
 
 class Counterparts:
-    """Goes along the old pattern while the new one is written, token by token."""
+    """Follows a pattern while it is written, token by token."""
 
-    def __init__(self, old: TokenSequence) -> None:
+    def __init__(self, old: TokenSequence | None = None) -> None:
         """Begins before the first token.
 
         Args:
-            old: Pattern to edit; allowed by the grammar.
+            old: Pattern to edit, allowed by the grammar; None where there is none.
         """
-        self._old = old
-        self._panels = _panels_of(old)
-        self._names = sorted(self._panels)
-        self._seconds = _second_sides(old)
-        self._state = State()
-        self._edge = 0
-        """Of the old panel: the edge that the present, or next, one was."""
+        self._old = {} if old is None else panels_of(old)
+        self._names = sorted(self._old)
+        self._old_sides = _sides(self._old.values())
+        self._new = PanelCollector()
+        self._sides: dict[int, list[Side]] = {}
+        """Of each tag that was written."""
         self._tags: dict[int, int] = {}
         """Tags of the old stitches that have come, and what they are called now."""
+        self._state = State()
+        self._source: PanelTokens | None = None
+        """What the present panel is likely to repeat."""
+        self._edge = 0
+        """Of it: the one that the present, or next, edge repeats."""
 
     def next(self) -> Counterpart:
         """Of the token that is to come."""
-        place = self._place()
-        if place is None:
+        state, source = self._state, self._source
+        if state.stage is Stage.NOTHING:
+            return Counterpart(PATTERN_START)
+        if state.stage is Stage.BETWEEN_PANELS:
+            return self._next_panel()
+        if source is None or state.stage is Stage.FINISHED:
             return Counterpart()
-        token = int(self._old.tokens[place])
-        if token in STITCH_TOKENS:
-            return Counterpart(self._stitch(place, token))
-        return Counterpart(token, self._old.numbers[place])
+        if state.stage is Stage.NAME and source.label is not None:
+            return Counterpart(source.label)
+        if state.stage in (Stage.NAME, Stage.PANEL_LABEL):
+            return Counterpart(MOVE, source.placement)
+        if self._edge >= len(source.edges):
+            return Counterpart()
+        edge = source.edges[self._edge]
+        if state.stage is Stage.IN_PANEL:
+            closing = self._edge == len(source.edges) - 1
+            return Counterpart((CLOSING_COMMANDS if closing else COMMANDS)[edge.kind], edge.numbers)
+        if state.stage is Stage.COMMAND and edge.label is not None:
+            return Counterpart(edge.label)
+        stitch = self._stitch()
+        completes = stitch in STITCH_TOKENS and stitch - STITCH_TOKENS.start in state.open
+        if completes and self._is_right_wrong() and state.stage is not Stage.RIGHT_WRONG:
+            return Counterpart(RIGHT_WRONG)
+        return Counterpart(stitch)
 
     def follow(self, token: int, numbers: NDArray[np.floating]) -> None:
         """Takes in the next token of the new pattern, one that the grammar allows, and its numbers (8,)."""
-        state = self._state
         if token in COMMANDS:
             self._edge = self._nearest(numbers[END])
         elif token in STITCH_TOKENS:
-            place = self._place_of_stitch()
-            if place is not None and int(self._old.tokens[place]) in STITCH_TOKENS:
-                self._tags.setdefault(int(self._old.tokens[place]), token)
-        self._state = next_state(state, token)
+            old = self._old_edge()
+            if old is not None and old.stitch in STITCH_TOKENS:
+                self._tags.setdefault(old.stitch, token)
+            self._sides.setdefault(token, []).append((self._state.name, self._state.edges - 1))
+        self._state = next_state(self._state, token)
+        self._new.add(token, numbers)
         if token in STITCH_TOKENS or token == NOT_STITCHED:
             self._edge += 1
         elif token in PANEL_TOKENS:
-            self._edge = 0
+            self._source, self._edge = self._source_of(self._state.name), 0
 
-    def _place(self) -> int | None:
-        """Of the counterpart in the old sequence."""
-        state, panel = self._state, self._panels.get(self._state.name)
-        if state.stage is Stage.NOTHING:
-            return 0
-        if state.stage is Stage.BETWEEN_PANELS:
-            later = next((name for name in self._names if name > state.name), None)
-            # A panel's name stands before its head.
-            return len(self._old) - 1 if later is None else self._panels[later].head[0] - 1
-        if panel is None or state.stage is Stage.FINISHED:
+    def _next_panel(self) -> Counterpart:
+        if not self._old:
+            return Counterpart()
+        later = next((name for name in self._names if name > self._state.name), None)
+        return Counterpart(PATTERN_END if later is None else PANEL_TOKENS[later])
+
+    def _source_of(self, name: int) -> PanelTokens | None:
+        old, twin = self._old.get(name), TWINS.get(name, NONE)
+        if twin not in self._new.panels:
+            return old
+        reflection = mirrored(self._new.panels[twin], name)
+        if old is None:
+            return reflection
+        # What was symmetric stays so: the other side has been changed already.
+        was_symmetric = twin in self._old and are_alike(mirrored(self._old[twin], name), old, SAME)
+        return reflection if was_symmetric else old
+
+    def _old_edge(self) -> EdgeTokens | None:
+        """Of the pattern to edit, at the present edge."""
+        panel, source = self._old.get(self._state.name), self._source
+        if panel is None or source is None or len(panel.edges) != len(source.edges):
             return None
-        if state.stage is Stage.NAME:
-            return panel.head[0]
-        if state.stage is Stage.PANEL_LABEL:
-            return panel.head[-1]
-        edge = panel.edges[self._edge] if self._edge < len(panel.edges) else None
-        if edge is None:
-            return None
-        if state.stage is Stage.IN_PANEL:
-            return edge.command
-        if state.stage is Stage.COMMAND and edge.label is not None:
-            return edge.label
-        is_open = self._tags.get(int(self._old.tokens[edge.stitch]), NONE) - STITCH_TOKENS.start in state.open
-        if edge.right_wrong is not None and is_open and state.stage is not Stage.RIGHT_WRONG:
-            return edge.right_wrong
-        return edge.stitch
+        return panel.edges[self._edge] if self._edge < len(panel.edges) else None
 
-    def _place_of_stitch(self) -> int | None:
-        panel = self._panels.get(self._state.name)
-        return panel.edges[self._edge].stitch if panel and self._edge < len(panel.edges) else None
+    def _is_right_wrong(self) -> bool:
+        edge = self._old_edge()
+        return edge is not None and edge.right_wrong
 
-    def _stitch(self, place: int, token: int) -> int:
+    def _stitch(self) -> int:
+        """The present edge's."""
+        old, source = self._old_edge(), self._source
+        if old is not None:
+            return self._stitch_of_old(old.stitch)
+        if source is None or source.edges[self._edge].stitch == NOT_STITCHED:
+            return NOT_STITCHED
+        return self._stitch_of_twin(source)
+
+    def _stitch_of_old(self, token: int) -> int:
         """What an old stitch is called in the new pattern."""
-        state = self._state
-        if token in self._tags and self._tags[token] - STITCH_TOKENS.start in state.open:
+        if token == NOT_STITCHED:
+            return token
+        if token in self._tags and self._tags[token] - STITCH_TOKENS.start in self._state.open:
             return self._tags[token]
-        if place in self._seconds:
-            return NOT_STITCHED  # what it was sewn to is gone
-        free = next((tag for tag in range(STITCH_TAGS) if tag not in state.used), None)
+        first = self._old_sides[token][0]
+        is_second = first != (self._state.name, self._edge)
+        return NOT_STITCHED if is_second else self._new_tag()  # if second, what it was sewn to is gone
+
+    def _stitch_of_twin(self, source: PanelTokens) -> int:
+        """Sewn to the reflection of what the other side is sewn to, if that is there."""
+        edges = len(source.edges)
+        here = (TWINS.get(source.name, NONE), edges - 1 - self._edge)
+        others = [side for side in self._sides.get(source.edges[self._edge].stitch, []) if side != here]
+        for panel, edge in others:
+            name = next((right for right, left in TWINS.items() if left == panel), None)
+            written = self._new.panels.get(NONE if name is None else name)
+            if written is None and name == self._new.name:
+                written = PanelTokens(name, None, self._new.placement, tuple(self._new.edges))
+            total = len(self._new.panels[panel].edges) if panel in self._new.panels else 0
+            place = total - 1 - edge
+            if written is not None and 0 <= place < len(written.edges):
+                tag = written.edges[place].stitch
+                if tag in STITCH_TOKENS and tag - STITCH_TOKENS.start in self._state.open:
+                    return tag
+        return self._new_tag()
+
+    def _new_tag(self) -> int:
+        free = next((tag for tag in range(STITCH_TAGS) if tag not in self._state.used), None)
         return NOT_STITCHED if free is None else STITCH_TOKENS[free]
 
     def _nearest(self, end: NDArray[np.floating]) -> int:
-        """The old edge that ends where an edge now ends; the one expected where none does."""
-        panel = self._panels.get(self._state.name)
-        if panel is None:
+        """The edge of the source that ends where an edge now ends; the one expected where none does."""
+        if self._source is None:
             return self._edge
-        places = range(max(self._edge - REACH, 0), min(self._edge + REACH + 1, len(panel.edges) - 1))
-        same = [
-            k
-            for k in places
-            if np.linalg.norm(self._old.numbers[panel.edges[k].command, END] - end) <= SAME_END
-        ]
+        edges = self._source.edges
+        places = range(max(self._edge - REACH, 0), min(self._edge + REACH + 1, len(edges) - 1))
+        same = [k for k in places if np.linalg.norm(edges[k].numbers[END] - end) <= SAME_END]
         return min(same, key=lambda k: abs(k - self._edge), default=self._edge)
 
 
-def counterparts(old: TokenSequence, new: TokenSequence) -> list[Counterpart]:
-    """Of every token of a new version of a pattern."""
+def counterparts(old: TokenSequence | None, new: TokenSequence) -> list[Counterpart]:
+    """Of every token of a pattern, and of what it is an edited version of, if it is one."""
     walk, found = Counterparts(old), []
     for token, numbers in zip(new.tokens.tolist(), new.numbers, strict=True):
         found.append(walk.next())
@@ -172,39 +216,11 @@ def counterparts(old: TokenSequence, new: TokenSequence) -> list[Counterpart]:
     return found
 
 
-def _panels_of(sequence: TokenSequence) -> dict[int, _Panel]:
-    """By class id of their names."""
-    heads: dict[int, list[int]] = {}
-    edges: dict[int, list[list[int]]] = {}
-    name = NONE
-    for place, token in enumerate(sequence.tokens.tolist()):
-        if token in PANEL_TOKENS:
-            name = token - PANEL_TOKENS.start
-            heads[name], edges[name] = [], []
-        elif token in COMMANDS or token in CLOSING_COMMANDS:
-            edges[name].append([place])
-        elif token in (PATTERN_START, PATTERN_END):
-            continue
-        elif token == MOVE or not edges[name]:
-            heads[name].append(place)
-        else:
-            edges[name][-1].append(place)
-    return {n: _Panel(tuple(heads[n]), tuple(_edge(sequence, e) for e in edges[n])) for n in heads}
-
-
-def _edge(sequence: TokenSequence, places: list[int]) -> _Edge:
-    kinds = {int(sequence.tokens[place]): place for place in places[1:-1]}
-    label = next((place for token, place in kinds.items() if token in EDGE_LABEL_TOKENS), None)
-    return _Edge(places[0], label, kinds.get(RIGHT_WRONG), places[-1])
-
-
-def _second_sides(sequence: TokenSequence) -> set[int]:
-    """Places of stitch tags that came before."""
-    seen: set[int] = set()
-    seconds = set()
-    for place, token in enumerate(sequence.tokens.tolist()):
-        if token in STITCH_TOKENS:
-            if token in seen:
-                seconds.add(place)
-            seen.add(token)
-    return seconds
+def _sides(panels: Iterable[PanelTokens]) -> dict[int, list[Side]]:
+    """Of each tag, in the order of a sequence."""
+    found: dict[int, list[Side]] = {}
+    for panel in sorted(panels, key=lambda panel: panel.name):
+        for number, edge in enumerate(panel.edges):
+            if edge.stitch != NOT_STITCHED:
+                found.setdefault(edge.stitch, []).append((panel.name, number))
+    return found

@@ -61,18 +61,18 @@ class _Answer:
     log_likelihood: float = 0.0
     likeliest: float = 0.0
     """What it would be, had the likeliest token been taken everywhere."""
-    old: Counterparts | None = None
-    """Of the pattern to edit, for a network that copies."""
+    likely: Counterparts | None = None
+    """For a network that is told what it is likely to repeat."""
 
     def counterpart(self) -> Counterpart:
         """Of the token that is to come."""
-        return Counterpart() if self.old is None else self.old.next()
+        return Counterpart() if self.likely is None else self.likely.next()
 
     def take_numbers(self, numbers: Floats) -> None:
         """Adds the numbers (8,) of the token that was chosen."""
         self.numbers.append(numbers)
-        if self.old is not None:
-            self.old.follow(self.tokens[-1], numbers)
+        if self.likely is not None:
+            self.likely.follow(self.tokens[-1], numbers)
 
     def choose(self, logits: NDArray[np.floating], grammar: Grammar) -> int:
         """Takes the next token; its numbers are added by `_answer_all`."""
@@ -116,8 +116,8 @@ def write_answers(
     answers, rows = [], []
     for row, one in enumerate(asked):
         for seed in one.seeds:
-            old = Counterparts(one.edit) if runtime.copies and one.edit is not None else None
-            answers.append(_Answer(one.temperature, np.random.default_rng(list(seed)), old=old))
+            likely = Counterparts(one.edit) if runtime.copies else None
+            answers.append(_Answer(one.temperature, np.random.default_rng(list(seed)), likely=likely))
             rows.append(row)
     chosen = np.array(rows, np.int64)
     if len(rows) != len(asked):
@@ -140,7 +140,7 @@ def _read(runtime: Runtime, asked: Several[Asked]) -> tuple[Floats, Floats, Cach
     for row, one in enumerate(asked):
         tokens[row, : lengths[row]], numbers[row, : lengths[row]] = one.prompt.tokens, one.prompt.numbers
     embedded = np.array(runtime.embed(tokens, numbers))
-    firsts = [Counterpart() if one.edit is None else Counterparts(one.edit).next() for one in asked]
+    firsts = [Counterparts(one.edit).next() for one in asked]
     embedded[np.arange(len(asked)), lengths - 1] += _added(runtime, firsts, embedded.shape[-1])
     pictured = [row for row, one in enumerate(asked) if one.picture is not None]
     averages: dict[int, Floats] = {}

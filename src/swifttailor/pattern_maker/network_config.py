@@ -35,8 +35,8 @@ class NetworkConfig:
     """Whether the numbers of a token are predicted knowing which token it is. AIpparel predicts them from the
     state before it alone."""
     copying: bool = True
-    """Whether the network is told what a pattern to edit has at the place that it writes, and may take that
-    as it is (`counterpart`). AIpparel's has to find it in the prompt and write it anew."""
+    """Whether the network is told what the pattern to edit, or the panel on the body's other side, has at the
+    place that it writes, and may take that as it is (`counterpart`). AIpparel's writes it anew."""
     pretrained: str = ""
     """Folder or name of an InternVL for transformers to begin with; empty to begin with random weights."""
     lora_rank: int = 0

@@ -38,7 +38,7 @@ TRAINING_ONLY = ("foresight_head.",)
 VISION = ("vlm.vision_tower.", "vlm.multi_modal_projector.")
 """And of those that pictures go through."""
 COPYING = ("counterpart_",)
-"""And of those that only editing needs."""
+"""And of those of `copying`."""
 SELDOM = -2.0
 """Before anything is learnt, the logarithm of how much rather a number is taken from its counterpart."""
 

@@ -25,7 +25,7 @@ COPYING_GRAPHS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "counterpart": (("tokens", "numbers"), ("added",)),
     "leaning": (("states",), ("leanings",)),
 }
-"""Those that a network has which copies from the pattern to edit."""
+"""Those that a network has which is told what it is likely to repeat (`counterpart`)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +82,7 @@ class Runtime(Protocol):
 
     @property
     def copies(self) -> bool:
-        """Whether it is told the counterparts in a pattern to edit, by the two functions below."""
+        """Whether it is told the counterparts of what it writes, by the two functions below."""
         ...
 
     def embed_counterparts(self, tokens: Ids, numbers: Floats) -> Floats:

@@ -150,9 +150,8 @@ def assemble(samples: Sequence[MakerSample], image_size: int, reads: Sequence[Ma
         # Each token is predicted from the state before it.
         places = np.arange(size - len(sample.answer), size) - 1
         answers.append(row * length + places)
-        if sample.before is not None:
-            for place, own in zip(places, counterparts(sample.before, sample.answer), strict=True):
-                copied[row, place], copied_numbers[row, place] = own.token, own.numbers
+        for place, own in zip(places, counterparts(sample.before, sample.answer), strict=True):
+            copied[row, place], copied_numbers[row, place] = own.token, own.numbers
     read = pack_prompts([s.prompt for s in reads], pad)
     foresight = [foresight_of(s.answer) for s in (*samples, *reads)]
     return Batch(
