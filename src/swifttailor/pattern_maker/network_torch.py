@@ -252,7 +252,8 @@ class PatternMakerNetwork(nn.Module):
     @property
     def units(self) -> list[nn.Module]:
         """Parts that can be held by several processes together, inner ones first."""
-        layers = [*self.vlm.language_model.layers, *self.vlm.vision_tower.encoder.layer]
+        norms = [m for m in self.vlm.vision_tower.modules() if isinstance(m, nn.BatchNorm2d)]
+        layers = [*norms, *self.vlm.language_model.layers, *self.vlm.vision_tower.encoder.layer]
         whole = [self.vlm.get_input_embeddings(), self.vlm.multi_modal_projector, self.vlm.vision_tower]
         return [*layers, *whole, self.vlm.language_model]
 

@@ -22,8 +22,9 @@ class LoopConfig:
     final_rate: float = 0.01
     """Share of the learning rate that the cosine ends with."""
     weight_decay: float = 0.05
-    optimizer: Literal["adamw", "muon"] = "adamw"
-    """muon: for the matrices inside the network; what else there is stays with AdamW."""
+    optimizer: Literal["adamw", "muon"] = "muon"
+    """muon: for the matrices inside the network, the rest by AdamW. Weights that are split over several
+    processes need adamw."""
     clip: float = 1.0
     """Largest norm of the gradient."""
     ema: float = 0.999

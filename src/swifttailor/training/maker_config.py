@@ -16,13 +16,13 @@ from swifttailor.training.loop_config import LoopConfig
 class TaskMix:
     """How often a sample is which task, as weights; tasks that a garment has no data for are left out."""
 
-    text: float = 0.4
+    text: float = 0.3
     """Caption to pattern."""
-    image: float = 0.2
+    image: float = 0.3
     """Picture to pattern."""
-    text_image: float = 0.1
+    text_image: float = 0.2
     """Both to pattern."""
-    edit: float = 0.3
+    edit: float = 0.2
     """Pattern and instruction to pattern."""
 
     def __post_init__(self) -> None:
@@ -63,7 +63,8 @@ class MakerConfig(LoopConfig):
     tasks: TaskMix = field(default_factory=TaskMix)
     losses: MakerLosses = field(default_factory=MakerLosses)
 
-    learning_rate: float = 1e-3
+    batch_size: int = 8
+    learning_rate: float = 8e-4
     pretrained_rate: float = 1.0
     """Factor on the learning rate of what is pretrained."""
 
@@ -72,7 +73,7 @@ class MakerConfig(LoopConfig):
     for networks that do not fit into one GPU otherwise."""
     tags: Literal["ascending", "random"] = "ascending"
     """Whether stitch tags count up, or mean nothing (AIpparel)."""
-    reads: int = 4
+    reads: int = 16
     """Prompts beside each sample that are only read, for the losses of foresight: they are short, and what
     they say is what is learnt last. Their tasks are as often as in `tasks`, those of editing left out."""
     recuts: int = 1
@@ -106,6 +107,7 @@ CONFIGS: dict[str, MakerConfig] = {
         losses=MakerLosses(numbers=0.1, foresight=0.0, foreseen_numbers=0.0, penalty="squared", by_kind=True),
         steps=12_750,
         batch_size=80,
+        optimizer="adamw",
         learning_rate=1e-4,
         warmup_steps=100,
         weight_decay=0.0,

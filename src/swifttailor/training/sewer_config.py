@@ -20,6 +20,9 @@ __all__ = ["CONFIGS", "SewerConfig", "config_from", "config_values", "read_confi
 class SewerConfig(LoopConfig):
     """Network, conditioning, losses, and how they are optimised."""
 
+    batch_size: int = 8
+    learning_rate: float = 1e-3
+
     network: NetworkConfig = SMALL_NETWORK
     conditioning: Conditioning = field(default_factory=Conditioning)
     losses: LossWeights = field(default_factory=LossWeights)
@@ -67,6 +70,7 @@ CONFIGS: dict[str, SewerConfig] = {
         losses=PAPER_LOSSES,
         steps=100_000,
         batch_size=32,
+        optimizer="adamw",
         learning_rate=1e-4,
         warmup_steps=1000,
         mirror=0.0,

@@ -18,6 +18,9 @@ from torch.distributed.tensor import DTensor, distribute_tensor
 from swifttailor.errors import InputError
 from swifttailor.training.processes_torch import Processes
 
+_FLOAT = (nn.BatchNorm1d, nn.BatchNorm2d)
+"""Torch wants their weights in float32; they are units of their own where the rest is lowered."""
+
 
 def shard(
     network: nn.Module, units: Iterable[nn.Module], lowered: nn.Module, processes: Processes, precision: str
@@ -41,7 +44,7 @@ def shard(
         )
     mesh = init_device_mesh(processes.device.type, (processes.count,))
     low = MixedPrecisionPolicy(torch.bfloat16, torch.float32) if precision == "bfloat16" else None
-    inside = set(lowered.modules())
+    inside = {m for m in lowered.modules() if not isinstance(m, _FLOAT)}
     for unit in units:
         policy = low if unit in inside else None
         fully_shard(unit, mesh=mesh, mp_policy=policy or MixedPrecisionPolicy())
