@@ -36,6 +36,8 @@ def main() -> None:
     text = TextTokenizer.shipped()
     torch.manual_seed(0)
     network = build_network(config.network, text.size)
+    for weight in (network.counterpart_in.weight, network.counterpart_head[2].weight):
+        torch.nn.init.normal_(weight, std=0.5)  # else it would repeat nothing
     write_model(FILE, make_graphs(network), text, {"model": "PatternMaker", "config": config_values(config)})
     print(f"Wrote {FILE}, {FILE.stat().st_size / 1e3:.0f} kB")
 

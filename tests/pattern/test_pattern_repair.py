@@ -24,6 +24,7 @@ from swifttailor.pattern import (
     repair_pattern,
     to_specification,
 )
+from swifttailor.pattern.check import crossing_repair
 from swifttailor.pattern.check.crossings import find_crossing
 from swifttailor.pattern.check.outline import trace_outline
 
@@ -154,6 +155,22 @@ def test_noise_crossings_are_moved_out_by_little(reach):
     repair = repair_pattern(faulty)
     moved = np.abs(repair.pattern.panels[0].vertices - faulty.panels[0].vertices).max()
     assert 0 < moved < 0.1 and repair.remaining == ()
+
+
+def test_what_crosses_itself_everywhere_is_left_without_trying(monkeypatch):
+    """A saw of 60 teeth that all poke through the opposite edge by a millimetre."""
+    teeth = [(x, -0.1 if k % 2 else 1.0) for k, x in enumerate(np.linspace(99, 1, 121))]
+    saw = panel("saw", [(0, 0), (100, 0), *teeth])
+    looked = []
+
+    def look(outline):
+        looked.append(outline)
+        return find_crossing(outline)
+
+    monkeypatch.setattr(crossing_repair, "find_crossing", look)
+    assert find_crossing(trace_outline(saw)).places > crossing_repair.MOST_PLACES
+    assert crossing_repair.mend_crossings(saw, 4.0) is None
+    assert len(looked) == 1
 
 
 def test_deep_crossings_are_left():

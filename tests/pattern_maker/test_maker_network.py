@@ -17,6 +17,7 @@ from swifttailor.pattern_maker.encode import encode
 from swifttailor.pattern_maker.grammar import Grammar, Limits, State
 from swifttailor.pattern_maker.network_config import NetworkConfig
 from swifttailor.pattern_maker.prompt import EDIT, IMAGE, MAKE, make_prompt, pattern_part
+from swifttailor.pattern_maker.runtime import GRAPHS
 from swifttailor.pattern_maker.vocabulary import END, MOVE, NUMBERS, SIZE
 
 HAS_TORCH = all(importlib.util.find_spec(name) for name in ("torch", "transformers"))
@@ -309,6 +310,12 @@ def test_model_file_predicts_what_torch_does(network, tmp_path):
     written = path.read_bytes()
     assert write_model(tmp_path / "again.zip", graphs, text, card).read_bytes() == written
     assert b"/" + b"network_torch.py" not in written
+    assert model.runtime.copies
+    plain = {name: graph for name, graph in graphs.items() if name in GRAPHS}
+    assert not load_model(write_model(tmp_path / "plain.zip", plain, text, card)).runtime.copies
+    half = plain | {"leaning": graphs["leaning"]}
+    with pytest.raises(InputError, match="is no PatternMaker: it holds"):
+        load_model(write_model(tmp_path / "half.zip", half, text, card))
 
 
 @needs_torch

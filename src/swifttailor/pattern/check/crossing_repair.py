@@ -20,6 +20,8 @@ inexact."""
 CLEARANCE_CM = 0.01
 """Gap left between parts of the outline that overlapped."""
 
+MOST_PLACES = 64
+"""An outline that meets itself more often is no slip: trying to mend it would take minutes and fail."""
 _MAX_ROUNDS = 8
 _FLATTENINGS = (0.995, 0.99, 0.98, 0.97, 0.96, 0.95, 0.93, 0.9, 0.8, 0.65, 0.5, 0.3, 0.0)
 
@@ -45,6 +47,8 @@ def mend_crossings(panel: Panel, largest_move: float = MAX_MOVE_CM) -> tuple[Pan
         if crossing is None:
             return mended, _distance_moved(panel, mended)
         if not np.isfinite(crossing.depth) or crossing.depth > largest_move:
+            return None
+        if crossing.places > MOST_PLACES:
             return None
         trials = [(_distance_moved(panel, trial), trial) for trial in _moves(mended, crossing, largest_move)]
         best, best_crossing = None, crossing
