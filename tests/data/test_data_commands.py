@@ -11,6 +11,8 @@ from swifttailor.cli.data import DATA
 from swifttailor.cli.main import run
 from swifttailor.data.builder import BuildSettings, build_split
 from swifttailor.data.captions import Claim, measure_facts
+from swifttailor.data.edits.edit_file import read_edits
+from swifttailor.data.pattern_source import patterns_of
 from swifttailor.draping.batch import BatchSettings
 from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.pattern import read_specification
@@ -182,6 +184,23 @@ def test_designs_that_cannot_be_used_are_complained_of(patterns, tmp_path, capsy
     errors = capsys.readouterr().err
     assert 'e1: The line names no pattern that was edited: "base" is None' in errors and "\ne2: " in errors
     assert (tmp_path / "out.jsonl").read_bytes() == b""
+
+
+def test_versions_are_patterns_like_any_others(patterns, tmp_path, capsys):
+    out = tmp_path / "recut.jsonl"
+    assert run(["data", "edits", str(patterns), "--versions", "--count", "2", "--out", str(out)]) == 0
+    lines = [json.loads(line) for line in out.read_text().splitlines()]
+    assert capsys.readouterr().out == f"{len(lines)} patterns in {out}\n"
+    assert [line["base"] for line in lines] == ["fitted-skirt"] * 2 + ["tank-top"] * 2
+    assert len({line["id"] for line in lines}) == 4 and not any("/" in line["id"] for line in lines)
+    read = dict(patterns_of(out))
+    assert list(read) == [line["id"] for line in lines]
+    facts = {base: measure_facts(draft(base)) for base in ("fitted-skirt", "tank-top")}
+    for line in lines:
+        assert measure_facts(read[line["id"]]) != facts[line["base"]]
+    assert [v.base for v in read_edits(out)] == [line["base"] for line in lines]
+    arguments = ["data", "edits", str(patterns), "--versions", "--designs", str(out), "--out"]
+    assert run([*arguments, str(tmp_path / "x.jsonl")]) == 2
 
 
 def test_edits_need_a_name_that_says_the_format(patterns, tmp_path, capsys):

@@ -31,6 +31,9 @@ class DataEdits:
     designs: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Edited versions made elsewhere, one {"id": ..., "base": ..., "pattern": ...} a line, whose bases are
     in SOURCE; their pairs are written too."""
+    versions: bool = False
+    """Write the recut patterns alone, one {"id": ..., "base": ..., "pattern": ...} a line: more patterns to
+    drape, to draw and to learn from."""
     seed: int = 0
     """Decides operations, amounts and words."""
 
@@ -46,6 +49,8 @@ class DataEdits:
 
         in_range("--count", self.count, 0, MAX_COUNT)
         in_range("--seed", self.seed, 0, 2**31)
+        if self.versions and self.designs is not None:
+            raise InputError("--versions writes recut patterns, and --designs are patterns already.")
         if not self.out.name.lower().endswith((".jsonl", ".jsonl.gz")):
             raise InputError(f"--out is '{self.out}'; a file that ends in .jsonl or .jsonl.gz is written.")
         self.out.parent.mkdir(parents=True, exist_ok=True)
@@ -62,13 +67,13 @@ class DataEdits:
                     counts[1] += bool(problem)
 
         write_atomically(self.out, write)
-        sys.stdout.write(f"{counts[0]} pairs in {self.out}\n")
+        sys.stdout.write(f"{counts[0]} {'patterns' if self.versions else 'pairs'} in {self.out}\n")
         return int(counts[1] > 0)
 
     def _lines(self) -> Iterator[tuple[bytes, str]]:
         from swifttailor.cli.item_progress import ItemProgress
-        from swifttailor.data.edits.edit_file import pair_line, read_edits
-        from swifttailor.data.edits.pairs import geometric_pairs, pairs_of
+        from swifttailor.data.edits.edit_file import pair_line, read_edits, version_line
+        from swifttailor.data.edits.pairs import geometric_pairs, is_reversed, pairs_of
         from swifttailor.data.pattern_source import count_source, parsed_pattern, patterns_of
         from swifttailor.errors import SwiftTailorError
         from swifttailor.pattern import Pattern
@@ -82,8 +87,15 @@ class DataEdits:
                     continue
                 if self.designs is not None:
                     bases[id] = pattern
+                last: Pattern | None = None
                 for pair in geometric_pairs(pattern, self.seed + number, count=self.count):
-                    yield pair_line(f"{id}/{pair.source}", id, pair), ""
+                    version = pair.base if is_reversed(pair.source) else pair.edited
+                    if not self.versions:
+                        yield pair_line(f"{id}/{pair.source}", id, pair), ""
+                    elif version is not last:  # a pair and the same the other way are one version
+                        name = pair.source.split(",")[0].replace(" ", "-")
+                        yield version_line(f"{id}-{name}", id, version), ""
+                    last = version
         for number, version in enumerate(read_edits(self.designs) if self.designs else ()):
             id, edited = version.pattern.id, parsed_pattern(version.pattern)
             if isinstance(edited, SwiftTailorError):

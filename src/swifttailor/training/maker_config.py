@@ -45,12 +45,15 @@ class MakerLosses:
     """Of the error of where its panels are and how large, foreseen at the same place."""
     penalty: Literal["absolute", "squared"] = "absolute"
     """Of a number, in normalised units; absolute is squared below `number_penalty`'s beta."""
+    changed: float = 4.0
+    """Weight of a token that is not its counterpart (`counterpart`), and of numbers that are not: most of an
+    edit is to be taken over, and what is learnt of it first is to take over everything."""
     by_kind: bool = False
     """Whether the errors of every kind of token that carries numbers are averaged and then added (AIpparel),
     or those of all such tokens are averaged."""
 
     def __post_init__(self) -> None:
-        for name in ("numbers", "foresight", "foreseen_numbers"):
+        for name in ("numbers", "foresight", "foreseen_numbers", "changed"):
             require(self, name, getattr(self, name) >= 0, "0 or more")
         require(self, "penalty", self.penalty in ("absolute", "squared"), "absolute or squared")
 
@@ -80,6 +83,8 @@ class MakerConfig(LoopConfig):
     """Edits made of each pattern by recutting it, beside those of the file of edits."""
     typos: float = 0.03
     """Share of the words that are misspelt."""
+    picture_variation: float = 1.0
+    """How different pictures are each time: moved, tilted, in other light; 0 shows them as they are."""
     number_noise: float = 0.01
     """Standard deviation, in normalised units, of what is added to the numbers that the network reads of its
     own answer, since at use these are its own predictions."""
@@ -92,7 +97,7 @@ class MakerConfig(LoopConfig):
     def __post_init__(self) -> None:
         super().__post_init__()
         require(self, "validation_samples", self.validation_samples >= 1, "at least 1")
-        for name in ("recuts", "reads", "number_noise"):
+        for name in ("recuts", "reads", "number_noise", "picture_variation"):
             require(self, name, getattr(self, name) >= 0, "0 or more")
         require(self, "pretrained_rate", self.pretrained_rate > 0, "above 0")
         require(self, "typos", 0 <= self.typos <= 1, "0 to 1")
@@ -104,7 +109,9 @@ CONFIGS: dict[str, MakerConfig] = {
     "paper": MakerConfig(
         network=PAPER_NETWORK,
         tasks=TaskMix(text=0.2, image=0.3, text_image=0.4, edit=0.1),
-        losses=MakerLosses(numbers=0.1, foresight=0.0, foreseen_numbers=0.0, penalty="squared", by_kind=True),
+        losses=MakerLosses(
+            numbers=0.1, foresight=0.0, foreseen_numbers=0.0, penalty="squared", changed=1.0, by_kind=True
+        ),
         steps=12_750,
         batch_size=80,
         optimizer="adamw",
@@ -114,6 +121,7 @@ CONFIGS: dict[str, MakerConfig] = {
         tags="random",
         reads=0,
         typos=0.0,
+        picture_variation=0.0,
         number_noise=0.0,
         validate_every=1000,
     ),

@@ -15,6 +15,7 @@ from swifttailor.data.index import split_folders
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import SplitRenders
 from swifttailor.errors import InputError
+from swifttailor.pattern_maker.copying import UNCHANGED
 from swifttailor.pattern_maker.network_torch import (
     COPYING,
     TRAINING_ONLY,
@@ -231,10 +232,12 @@ def compute_losses(
         ``tokens``, ``numbers``, ``foresight``, ``foreseen_numbers`` and ``total``.
     """
     tokens = batch.next_tokens
-    of_tokens = F.cross_entropy(logits, tokens)
     mask = torch.tensor(NUMBER_MASK, device=tokens.device)[tokens]
     penalty = number_penalty(numbers, batch.next_numbers, tokens, weights.penalty)
-    each = (penalty * mask).sum(-1)
+    other, elsewhere = _unlike_counterparts(batch, mask)
+    extra = weights.changed - 1
+    of_tokens = (F.cross_entropy(logits, tokens, reduction="none") * (1 + extra * other)).mean()
+    each = (penalty * mask).sum(-1) * (1 + extra * elsewhere)
     if weights.by_kind:
         kinds = tokens.new_zeros(len(NUMBER_MASK), dtype=torch.float32)
         sums = kinds.index_add(0, tokens, each)
@@ -261,6 +264,15 @@ def compute_losses(
         + weights.foresight * foresight
         + weights.foreseen_numbers * foreseen_numbers,
     }
+
+
+def _unlike_counterparts(batch: Batch, mask: Tensor) -> tuple[Tensor, Tensor]:
+    """Which tokens (n,) of the answers are not their counterparts; and these with those of other numbers."""
+    own = batch.copied.flatten()[batch.answers]
+    numbers = batch.copied_numbers.flatten(0, 1)[batch.answers]
+    other = (own >= 0) & (own != batch.next_tokens)
+    apart = ((numbers - batch.next_numbers).abs() * mask).amax(-1) > UNCHANGED
+    return other, other | ((own >= 0) & apart)
 
 
 def _held_out(id: str) -> bool:

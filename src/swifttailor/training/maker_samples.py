@@ -20,6 +20,7 @@ from swifttailor.pattern_maker.vocabulary import STITCH_TAGS, STITCH_TOKENS
 from swifttailor.training.maker_bank import PatternBank, Version
 from swifttailor.training.maker_config import MakerConfig
 from swifttailor.training.misspelling import misspell
+from swifttailor.training.picture_variation import vary_picture
 
 TaskName = Literal["text", "image", "text_image", "edit"]
 TASKS: tuple[TaskName, ...] = ("text", "image", "text_image", "edit")
@@ -161,6 +162,8 @@ class MakerSamples:
             text = write_caption(version.facts, plan.seed[0]).text
         if task in ("image", "text_image"):
             picture = self._picture(self.bank.garments[plan.garment].id, chance)
+            if not clean:
+                picture = vary_picture(picture, chance, self.config.picture_variation)
         if not clean:
             text = misspell(text, chance, self.config.typos)
         answer = self._tagged(version.sequence, chance)

@@ -11,7 +11,7 @@ from typing import Any
 from swifttailor.data.edits.pairs import EditPair, is_reversed
 from swifttailor.draping.batch.patterns import LINE_ENDINGS, BatchPattern, read_patterns
 from swifttailor.errors import InputError
-from swifttailor.pattern import to_specification
+from swifttailor.pattern import Pattern, to_specification
 from swifttailor.pattern.json_values import parse_json
 
 
@@ -80,3 +80,15 @@ def pair_line(id: str, base: str, pair: EditPair) -> bytes:
         "edited": to_specification(pair.edited),
     }
     return (json.dumps(written, ensure_ascii=False, allow_nan=False) + "\n").encode()
+
+
+def version_line(id: str, base: str, pattern: Pattern) -> bytes:
+    """A recut pattern as a line of JSON, its end included: for `read_edits` and all readers of patterns.
+
+    Args:
+        id: Of the version.
+        base: Id of the pattern that was recut.
+        pattern: The version.
+    """
+    written = {"id": id, "base": base, "pattern": to_specification(pattern)}
+    return json.dumps(written, ensure_ascii=False, allow_nan=False).encode() + b"\n"
