@@ -151,7 +151,8 @@ def test_pictures_come_from_every_data_set_that_has_the_garment(bank, config, tm
     assert tasks["skirt0"] == tasks["shirt"] == ["text", "image", "text_image", "edit"]
     assert tasks["top"] == ["text", "edit"]
     chance = np.random.default_rng(0)
-    seen = {samples.make(samples.plan_task(0, "image", chance)).picture.tobytes() for _ in range(60)}
+    plans = [samples.plan_task(0, "image", chance) for _ in range(60)]
+    seen = {samples.make(plan, clean=True).picture.tobytes() for plan in plans}
     number = plain.reader.ids.index("skirt0")
     there = {
         picture_for_network(p.pixels(), config.network.image_size).tobytes()
@@ -159,6 +160,8 @@ def test_pictures_come_from_every_data_set_that_has_the_garment(bank, config, tm
         for p in renders[number]
     }
     assert len(there) == 4 and seen == there
+    # In training no picture comes twice.
+    assert len({samples.make(plan).picture.tobytes() for plan in plans}) == 60
 
 
 def test_patterns_that_cannot_be_used_are_named(tmp_path):
