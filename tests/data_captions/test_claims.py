@@ -10,9 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from swifttailor.data.captions import CLAIM_TYPES, Claim, claims_of
+from swifttailor.data.captions import CLAIM_TYPES, Claim, claims_of, measure_facts
 from swifttailor.data.captions.claims.judgement import CLAIMING, HOLDING, Judgement
 from swifttailor.errors import InputError
+from swifttailor.pattern.drafts import draft
 
 # Words of which at most one may be claimed of a garment, by claim type.
 EXCLUSIVE = {
@@ -175,3 +176,10 @@ def test_json_round_trip():
 def test_unknown_claims_are_refused(name, value, text):
     with pytest.raises(InputError, match=text):
         Claim(name, value)
+
+
+def test_of_legs_that_end_above_the_thigh_no_shape_is_said():
+    facts = measure_facts(draft("trousers"))
+    short = replace(facts, trousers=replace(facts.trousers, thigh=0.0))
+    assert {c.value for c in claims_of(facts) if c.name == "legs"} == {"tapered"}
+    assert not [c for c in claims_of(short) if c.name == "legs"]

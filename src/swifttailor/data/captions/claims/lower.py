@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from swifttailor.data.captions.claims.judgement import Judgement, Predicate
@@ -172,28 +173,29 @@ def _loose_band(facts: GarmentFacts, by: Judgement) -> bool:
     return facts.waistband is not None and by.above(facts.waistband.upper, 1.16 * facts.body.waist_girth, 3.0)
 
 
+def _opening(legs: Trousers) -> float:
+    """Hem over thigh; no number, of which nothing holds, where the legs end above the thigh."""
+    return legs.hem / legs.thigh if legs.thigh > 0 else math.nan
+
+
 def _wide_leg(legs: Trousers, facts: GarmentFacts, by: Judgement) -> bool:
-    return by.above(legs.hem, 1.0 * facts.body.thigh_girth, 2.0) and by.above(
-        legs.hem / legs.thigh, 0.9, 0.03
-    )
+    return by.above(legs.hem, 1.0 * facts.body.thigh_girth, 2.0) and by.above(_opening(legs), 0.9, 0.03)
 
 
 def _tapered_leg(legs: Trousers, facts: GarmentFacts, by: Judgement) -> bool:
-    return by.below(legs.hem / legs.thigh, 0.8, 0.03)
+    return by.below(_opening(legs), 0.8, 0.03)
 
 
 def _straight_leg(legs: Trousers, facts: GarmentFacts, by: Judgement) -> bool:
-    return by.between(legs.hem / legs.thigh, 0.82, 1.03, 0.02)
+    return by.between(_opening(legs), 0.82, 1.03, 0.02)
 
 
 def _flared_leg(legs: Trousers, facts: GarmentFacts, by: Judgement) -> bool:
-    return by.above(legs.hem / legs.thigh, 1.04, 0.02)
+    return by.above(_opening(legs), 1.04, 0.02)
 
 
 def _slim_leg(legs: Trousers, facts: GarmentFacts, by: Judgement) -> bool:
-    return by.below(legs.thigh, 1.06 * facts.body.thigh_girth, 1.0) and by.below(
-        legs.hem / legs.thigh, 0.85, 0.03
-    )
+    return by.below(legs.thigh, 1.06 * facts.body.thigh_girth, 1.0) and by.below(_opening(legs), 0.85, 0.03)
 
 
 def _leg_cuff(kind: CuffKind) -> Predicate:
