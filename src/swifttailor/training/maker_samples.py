@@ -114,7 +114,7 @@ class MakerSamples:
         if not weights.sum():
             tasks, weights = list(TASKS[:1]), np.ones(1)
         task = tasks[int(chance.choice(len(tasks), p=weights / weights.sum()))]
-        return self.plan_task(garment, task, chance)
+        return self.plan_task(garment, task, chance, edited=True)
 
     def plan_read(self, place: int) -> Plan | None:
         """Prompt number `place` of those that are only read; None where all that can be asked is editing."""
@@ -125,12 +125,23 @@ class MakerSamples:
         if not weights.sum():
             return None
         task = tasks[int(chance.choice(len(tasks), p=weights / weights.sum()))]
-        return self.plan_task(garment, task, chance)
+        return self.plan_task(garment, task, chance, edited=True)
 
-    def plan_task(self, garment: int, task: TaskName, chance: np.random.Generator) -> Plan:
-        """A sample of a garment and a task; its seed is drawn."""
+    def plan_task(
+        self, garment: int, task: TaskName, chance: np.random.Generator, *, edited: bool = False
+    ) -> Plan:
+        """A sample of a garment and a task; its seed is drawn.
+
+        Args:
+            garment: Its number in the bank.
+            task: One of `tasks_of`.
+            chance: Decides what the task leaves open.
+            edited: Whether a text may also describe an edited version: a pattern more to read about.
+        """
         one = self.bank.garments[garment]
         version, before = one.pattern, None
+        if task == "text" and edited:
+            version = (version, *one.edits)[int(chance.integers(1 + len(one.edits)))]
         if task == "edit":
             edited = one.edits[int(chance.integers(len(one.edits)))]
             version, before = (edited, one.pattern) if chance.random() < 0.5 else (one.pattern, edited)

@@ -12,6 +12,8 @@ _WORD = re.compile(r"[^\W\d_]{3,}")
 def misspell(text: str, chance: np.random.Generator, share: float) -> str:
     """The text with an error in some of its words: a letter left out, doubled, or swapped with the next.
 
+    The first two letters are never left out.
+
     Args:
         text: Any.
         chance: Decides which words, and how.
@@ -22,8 +24,10 @@ def misspell(text: str, chance: np.random.Generator, share: float) -> str:
         word = found[0]
         if chance.random() >= share:
             return word
-        place = int(chance.integers(len(word) - 1))
         kind = int(chance.integers(3))
+        # Words are told apart by how they begin: a letter left out there makes "skirt" and "shirt" the same.
+        first = 2 if kind == 0 else 0
+        place = int(chance.integers(first, max(len(word) - 1, first + 1)))
         if kind == 0:
             return word[:place] + word[place + 1 :]
         if kind == 1:

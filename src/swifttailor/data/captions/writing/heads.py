@@ -15,6 +15,7 @@ HEADS: tuple[Wording, ...] = (
     wording("head", "", "garment", "piece", "design", topics="kind", weight=0.05),
     # Tops.
     _head("kind=top", "top", weight=3),
+    _head("kind=top", "shirt", avoids="hood=hood shoulders=strapless top_hem=bra"),
     _head(
         "kind=top sleeves=none shoulders=both bodice=undarted",
         "tank top",
@@ -45,6 +46,31 @@ HEADS: tuple[Wording, ...] = (
     _head("kind=top hood=hood", "hooded top", weight=2),
     _head("kind=top hood=hood sleeves=none", "sleeveless hoodie", weight=2),
     _head("kind=top sleeves=long", "blouse", "long-sleeved top@uk", "long-sleeve top@us", avoids="hood=hood"),
+    _head(
+        "kind=top sleeves=long",
+        "shirt",
+        "long-sleeved shirt@uk",
+        "long-sleeve shirt@us",
+        "sweater@us",
+        "jumper@uk",
+        "pullover",
+        "sweatshirt",
+        weight=2,
+        avoids="hood=hood",
+    ),
+    _head(
+        "kind=top sleeves=long bodice=undarted",
+        "long-sleeved T-shirt@uk",
+        "long-sleeve tee@us",
+        avoids="hood=hood collar=stand collar=lapel skirt=peplum waist_seam=natural",
+    ),
+    _head(
+        "kind=top sleeves=short",
+        "shirt",
+        "short-sleeved shirt@uk",
+        "short-sleeve shirt@us",
+        avoids="hood=hood",
+    ),
     _head("kind=top sleeves=three-quarter", "blouse", avoids="hood=hood"),
     _head("kind=top sleeves=elbow", "blouse", avoids="hood=hood"),
     _head(
@@ -64,6 +90,8 @@ HEADS: tuple[Wording, ...] = (
     # Dresses.
     _head("kind=dress", "dress", weight=9),
     _head("kind=dress", "frock@uk", weight=0.3),
+    _head("kind=dress collar=stand sleeves=long", "shirt dress", avoids="hood=hood"),
+    _head("kind=dress sleeves=short bodice=undarted", "T-shirt dress", avoids="hood=hood collar=stand"),
     _head("kind=dress skirt_hem=maxi", "maxi dress", "gown", "maxi", weight=1.5),
     _head("kind=dress skirt_hem=floor", "floor-length gown", "evening gown", weight=1.5),
     _head("kind=dress skirt_hem=midi", "midi dress", weight=1.5),
@@ -109,6 +137,8 @@ HEADS: tuple[Wording, ...] = (
     _head("kind=skirt tiers=?", "{tiers}-tier skirt", "{tiers}-tiered skirt"),
     # Legs.
     _head("kind=trousers", "trousers@uk", "pants@us", "slacks@us", weight=5, plural=True),
+    _head("kind=trousers legs=slim", "leggings", "skinny trousers@uk", "skinny pants@us", plural=True),
+    _head("kind=trousers", "jeans", "chinos", weight=0.5, plural=True),
     _head("kind=trousers legs=wide leg_hem=full", "palazzo trousers@uk", "palazzo pants@us", plural=True),
     _head("kind=trousers legs=wide", "wide-leg trousers@uk", "wide-leg pants@us", weight=2, plural=True),
     _head("kind=trousers legs=wide leg_hem=calf", "culottes", weight=2, plural=True),

@@ -1,0 +1,139 @@
+"""Samples sewing patterns with GarmentCode's own programs: as many as training can use.
+
+Needs a checkout of GarmentCode (github.com/maria-korosteleva/GarmentCode, MIT licence; written for commit
+d449629) and an environment with what its ``pygarment`` imports, for it pins other versions than SwiftTailor:
+
+python3 -m venv garmentcode-env
+garmentcode-env/bin/pip install numpy scipy svgpathtools svgwrite pyyaml psutil cairosvg matplotlib
+garmentcode-env/bin/python scripts/sample_garmentcode.py GarmentCode --count 10000 --out sampled.jsonl.gz
+
+Every attempt has a seed of its own, from --start upwards; what GarmentCode's sampler would refuse is left
+out, in its order: combinations of parameters that slide off, garments longer than the body, self-crossing
+panels. (Its check on a random body needs body data that are not public, and is not made.) One JSON object a
+line: id ("gc_SEED"), seed, design (flat parameters), pattern (GarmentCode's format). Nothing of SwiftTailor
+is imported; give the file to ``swifttailor data build`` and ``swifttailor train``.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import functools
+import gzip
+import io
+import itertools
+import json
+import multiprocessing
+import os
+import random
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+BODY = "assets/bodies/mean_all.yaml"
+DESIGNS = "assets/design_params/default.yaml"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("garmentcode", type=Path, help="checkout of GarmentCode")
+    parser.add_argument("--count", type=int, required=True, help="patterns to write")
+    parser.add_argument("--start", type=int, default=10_000_000, help="seed of the first attempt")
+    parser.add_argument("--out", type=Path, required=True, help="a .jsonl.gz file")
+    parser.add_argument("--workers", type=int, default=os.cpu_count())
+    options = parser.parse_args()
+    if not (options.garmentcode / DESIGNS).is_file():
+        parser.error(f"{options.garmentcode} is no checkout of GarmentCode: it has no {DESIGNS}")
+    began, attempts, refused = time.perf_counter(), 0, {}
+    part = options.out.with_name(options.out.name + ".part")
+    with (
+        multiprocessing.Pool(options.workers, prepare, (options.garmentcode.resolve(),)) as pool,
+        gzip.GzipFile(part, "wb", mtime=0) as file,
+    ):
+        written = 0
+        for outcome in pool.imap(sample, itertools.count(options.start), chunksize=4):
+            attempts += 1
+            if isinstance(outcome, str):
+                refused[outcome] = refused.get(outcome, 0) + 1
+                continue
+            file.write(json.dumps(outcome, separators=(",", ":")).encode() + b"\n")
+            written += 1
+            if written % 100 == 0:
+                print(f"{written}/{options.count} of {attempts} attempts", file=sys.stderr, flush=True)
+            if written == options.count:
+                pool.terminate()
+                break
+    part.replace(options.out)
+    print(f"{written} patterns, {attempts} attempts, {time.perf_counter() - began:.0f} s; refused: {refused}")
+
+
+def prepare(checkout: Path) -> None:
+    """Makes GarmentCode's modules importable in a worker; their paths are relative to the checkout."""
+    os.chdir(checkout)
+    sys.path.insert(0, str(checkout))
+    from pygarment.garmentcode import operators  # ty: ignore[unresolved-import]
+
+    operators._max_curvature = largest_curvature  # it takes half of the time, one point after the other
+
+
+def largest_curvature(curve: Any, points_estimates: int = 100) -> float:
+    """GarmentCode's ``_max_curvature`` of a Bezier curve, all points at once."""
+    polynomial = curve.poly()
+    at = np.linspace(0, 1, points_estimates)
+    first, second = polynomial.deriv()(at), polynomial.deriv(2)(at)
+    speed = np.abs(first)
+    if not speed.all():
+        return max(curve.curvature(t) for t in at)
+    return float(np.max(np.abs((first.conj() * second).imag) / speed**3))
+
+
+@functools.cache
+def given() -> tuple[Any, Any]:
+    """GarmentCode's sampler of designs, and its body."""
+    from assets.bodies.body_params import BodyParameters  # ty: ignore[unresolved-import]
+    from pygarment import DesignSampler  # ty: ignore[unresolved-import]
+
+    return DesignSampler(DESIGNS), BodyParameters(BODY)
+
+
+def sample(seed: int) -> dict[str, Any] | str:
+    """The pattern of a seed, or why there is none."""
+    import pattern_sampler  # ty: ignore[unresolved-import]
+    from assets.garment_programs.meta_garment import MetaGarment  # ty: ignore[unresolved-import]
+    from pygarment.pattern.core import BasicPattern  # ty: ignore[unresolved-import]
+
+    random.seed(seed)
+    designs, body = given()
+    design, name = designs.randomize(), f"gc_{seed}"
+    with contextlib.redirect_stdout(io.StringIO()), tempfile.TemporaryDirectory() as folder:
+        try:
+            pattern_sampler.assert_param_combinations(design)
+            garment = MetaGarment(name, body, design)
+            garment.assert_total_length()
+            if garment.is_self_intersecting():
+                return "self-crossing"
+            BasicPattern.serialize(garment.assembly(), folder, to_subfolder=False)  # its own draws pictures
+            pattern = json.loads(next(Path(folder).rglob("*_specification.json")).read_text())
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:  # GarmentCode's own errors are BaseExceptions
+            return type(error).__name__
+    return {"id": name, "seed": seed, "design": dict(flatten(design)), "pattern": pattern}
+
+
+def flatten(design: dict[str, Any], path: str = "") -> Any:
+    """The values of nested parameters: ("sleeve.length", 0.3)."""
+    for key, value in design.items():
+        where = f"{path}.{key}" if path else key
+        if "v" in value:
+            yield where, value["v"]
+        else:
+            yield from flatten(value, where)
+
+
+if __name__ == "__main__":
+    main()
