@@ -37,7 +37,7 @@ def mesh_pattern(pattern: Pattern, edge_length: float = 2.0) -> PatternMesh:
         InputError: `edge_length` is not positive or would need more than `MAX_VERTICES` vertices.
         PatternError: There are no panels, or a stitch is impossible (dangling, used twice, closing an edge
             onto a point).
-        GeometryError: A panel crosses itself.
+        GeometryError: A panel crosses itself or has no area.
     """
     if not (np.isfinite(edge_length) and 0.05 <= edge_length <= 50):
         raise InputError(f"The edge length must lie between 0.05 and 50 cm, got {edge_length!r}.")
@@ -110,6 +110,11 @@ def _fill(
 ) -> PatternMesh:
     """Triangulates the outlines and numbers outline points as vertices of the result."""
     flat, faces, starts = triangulate_polygons(boundaries, edge_length, [p.name for p in pattern.panels])
+    panel = np.repeat(np.arange(len(boundaries), dtype=np.int32), np.diff(starts))
+    filled = np.bincount(panel[faces[:, 0]], minlength=len(boundaries)) > 0
+    if not filled.all():
+        name = pattern.panels[int(np.argmin(filled))].name
+        raise GeometryError(f"Panel '{name}' has no area to mesh. Run: swifttailor check PATTERN")
     sizes = np.array([len(b) for b in boundaries])
     vertex = np.arange(len(labels)) + np.repeat(starts[:-1] - np.cumsum(sizes) + sizes, sizes)
     all_labels = len(labels) + np.arange(len(flat))
@@ -118,7 +123,7 @@ def _fill(
     return PatternMesh(
         pattern,
         flat,
-        np.repeat(np.arange(len(boundaries), dtype=np.int32), np.diff(starts)),
+        panel,
         faces,
         weld,
         tuple(Seam(k, weld[vertex[p[:, 0]]]) for k, p in enumerate(pairs)),
