@@ -228,6 +228,23 @@ def test_samples_are_prompts_with_their_answers(bank, config):
     assert {samples.plan(k).garment for k in range(5)} == set(range(5)), "every pattern once in an epoch"
 
 
+def test_texts_are_of_edited_versions_too_but_those_to_validate_with_are_not(bank, config):
+    samples, chance = samples_of(bank, config), np.random.default_rng(0)
+    garment = next(k for k, one in enumerate(bank.garments) if one.edits)
+    versions = {one.id for one in (bank.garments[garment].pattern, *bank.garments[garment].edits)}
+    plans = [samples.plan_task(garment, "text", chance, versions=True) for _ in range(40)]
+    assert len(versions) > 1 and {plan.version.id for plan in plans} == versions
+    plans = [samples.plan_task(garment, "text", chance) for _ in range(40)]
+    assert {plan.version.id for plan in plans} == {bank.garments[garment].id}
+
+
+def test_misspelt_words_keep_what_tells_them_apart():
+    chance = np.random.default_rng(0)
+    shirts, skirts = ({misspell(word, chance, 1.0) for _ in range(300)} for word in ("shirt", "skirt"))
+    assert len(shirts) > 8 and "shirt" not in shirts and not shirts & skirts
+    assert all(word[:3] != "sir" for word in shirts)
+
+
 def test_captions_are_new_every_time(bank, config):
     samples = samples_of(bank, config)
     chance = np.random.default_rng(0)

@@ -250,10 +250,20 @@ class PatternMakerNetwork(nn.Module):
         return inside & self.number_mask.any(-1)[own.clamp(0, SIZE - 1)]
 
     @property
+    def layers(self) -> list[nn.Module]:
+        """Those of the language and of the vision model, where the time goes."""
+        return [*self.vlm.language_model.layers, *self.vlm.vision_tower.encoder.layer]
+
+    @property
+    def compilable(self) -> list[nn.Module]:
+        """What is translated as a whole where a training is compiled."""
+        return [self.vlm.vision_tower.embeddings, *self.layers]
+
+    @property
     def units(self) -> list[nn.Module]:
         """Parts that can be held by several processes together, inner ones first."""
         norms = [m for m in self.vlm.vision_tower.modules() if isinstance(m, nn.BatchNorm2d)]
-        layers = [*norms, *self.vlm.language_model.layers, *self.vlm.vision_tower.encoder.layer]
+        layers = [*norms, *self.layers]
         whole = [self.vlm.get_input_embeddings(), self.vlm.multi_modal_projector, self.vlm.vision_tower]
         return [*layers, *whole, self.vlm.language_model]
 

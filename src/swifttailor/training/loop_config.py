@@ -32,6 +32,9 @@ class LoopConfig:
     precision: Literal["auto", "float32", "bfloat16"] = "auto"
     """Of the layers; the weights that are optimised and the losses are float32 always. auto: bfloat16 where
     the chip has it."""
+    compiled: bool = False
+    """Whether layers are translated by torch.compile: some minutes at the beginning, then a third less time
+    a step. Needs a C++ compiler, and is not for weights that are split over several processes."""
     start: str = ""
     """Weights (weights.safetensors of another run of the same shape) to begin with; empty for none."""
     seed: int = 0

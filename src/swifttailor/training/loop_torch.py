@@ -20,6 +20,7 @@ from torch import Tensor, nn
 
 from swifttailor.errors import InputError, SimulationError
 from swifttailor.training.checkpoint_torch import MovingAverage, read_checkpoint, write_checkpoint
+from swifttailor.training.compilation_torch import not_compiled
 from swifttailor.training.config_file import config_values
 from swifttailor.training.loop_config import LoopConfig
 from swifttailor.training.master_weights_torch import MasterWeights, parameter_groups
@@ -155,7 +156,7 @@ class Loop:
             if step % config.validate_every == 0 or ends or step - first_step == stop_after:
                 # All take part where each has a part of the network.
                 if processes.is_first or sharded:
-                    with averaged(weights, average):
+                    with averaged(weights, average), not_compiled():
                         result = task.validate()
                         if processes.is_first:
                             self.record.add(

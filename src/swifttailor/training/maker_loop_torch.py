@@ -26,6 +26,7 @@ from swifttailor.pattern_maker.network_torch import (
 )
 from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
 from swifttailor.pattern_maker.vocabulary import SIZE
+from swifttailor.training.compilation_torch import compile_layers
 from swifttailor.training.loop_torch import Loop, say_nothing
 from swifttailor.training.maker_bank import PatternBank, open_bank, sequences_of
 from swifttailor.training.maker_batch_torch import Batch, TrainingBatches
@@ -93,6 +94,8 @@ def train(
         InputError: A file, the folder or the configuration cannot be used.
         SimulationError: The loss is no number any more.
     """
+    if config.compiled and config.shard:
+        raise InputError("compiled=true cannot go with shard=true. Choose one of them.")
     if threads is not None:
         torch.set_num_threads(threads)
     processes = Processes.start()
@@ -135,6 +138,8 @@ def train(
     if device.type == "cpu" and not config.shard:
         # The fused attention's backward pass takes a third of a step on a CPU, plain products a sixth.
         network.vlm.set_attn_implementation("eager")
+    if config.compiled:
+        compile_layers(network.compilable, device)
     if config.start:
         for name in load_start(network, Path(config.start), (TRAINING_ONLY, VISION, COPYING)):
             report(f"'{config.start}' is of another network in '{name}', which begins anew.")

@@ -114,7 +114,7 @@ class MakerSamples:
         if not weights.sum():
             tasks, weights = list(TASKS[:1]), np.ones(1)
         task = tasks[int(chance.choice(len(tasks), p=weights / weights.sum()))]
-        return self.plan_task(garment, task, chance, edited=True)
+        return self.plan_task(garment, task, chance, versions=True)
 
     def plan_read(self, place: int) -> Plan | None:
         """Prompt number `place` of those that are only read; None where all that can be asked is editing."""
@@ -125,10 +125,10 @@ class MakerSamples:
         if not weights.sum():
             return None
         task = tasks[int(chance.choice(len(tasks), p=weights / weights.sum()))]
-        return self.plan_task(garment, task, chance, edited=True)
+        return self.plan_task(garment, task, chance, versions=True)
 
     def plan_task(
-        self, garment: int, task: TaskName, chance: np.random.Generator, *, edited: bool = False
+        self, garment: int, task: TaskName, chance: np.random.Generator, *, versions: bool = False
     ) -> Plan:
         """A sample of a garment and a task; its seed is drawn.
 
@@ -136,11 +136,11 @@ class MakerSamples:
             garment: Its number in the bank.
             task: One of `tasks_of`.
             chance: Decides what the task leaves open.
-            edited: Whether a text may also describe an edited version: a pattern more to read about.
+            versions: Whether a text may also describe an edited version: a pattern more to read about.
         """
         one = self.bank.garments[garment]
         version, before = one.pattern, None
-        if task == "text" and edited:
+        if task == "text" and versions:
             version = (version, *one.edits)[int(chance.integers(1 + len(one.edits)))]
         if task == "edit":
             edited = one.edits[int(chance.integers(len(one.edits)))]
@@ -172,9 +172,8 @@ class MakerSamples:
         if task in ("text", "text_image"):
             text = write_caption(version.facts, plan.seed[0]).text
         if task in ("image", "text_image"):
-            picture = self._picture(self.bank.garments[plan.garment].id, chance)
-            if not clean:
-                picture = vary_picture(picture, chance, self.config.picture_variation)
+            strength = 0.0 if clean else self.config.picture_variation
+            picture = self._picture(self.bank.garments[plan.garment].id, chance, strength)
         if not clean:
             text = misspell(text, chance, self.config.typos)
         answer = self._tagged(version.sequence, chance)
@@ -203,12 +202,13 @@ class MakerSamples:
         instruction = write_instruction(before.facts, after.facts, seed)
         return None if instruction is None else instruction.text
 
-    def _picture(self, id: str, chance: np.random.Generator) -> NDArray[np.float32]:
+    def _picture(self, id: str, chance: np.random.Generator, variation: float) -> NDArray[np.float32]:
         places = self._pictured[id]
         renders, number = places[int(chance.integers(len(places)))]
         pictures = renders[number]
         chosen = pictures[int(chance.integers(len(pictures)))]
-        return picture_for_network(chosen.pixels(), self.config.network.image_size)
+        pixels = vary_picture(chosen.pixels(), chance, variation)
+        return picture_for_network(pixels, self.config.network.image_size)
 
     def _tagged(self, sequence: TokenSequence, chance: np.random.Generator) -> TokenSequence:
         """The sequence with its stitch tags renamed, where tags are to mean nothing."""

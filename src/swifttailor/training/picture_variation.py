@@ -7,41 +7,51 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 SHIFT = 0.05
 """Share of the side that the picture is moved by at most, to all sides."""
 SCALE = 0.1
 TILT = np.deg2rad(4.0)
-LIGHT = 0.2
-"""By how much each colour, and all together, become stronger or weaker, of their range."""
-NOISE = 0.04
+LIGHT = 0.1
+"""By how much each colour, and all together, become stronger or weaker, and lighter or darker, of white."""
+NOISE = 0.02
+"""Standard deviation at most, of white."""
 
-Picture = NDArray[np.float32]
+Pixels = NDArray[np.uint8]
 
 
-def vary_picture(picture: Picture, chance: np.random.Generator, strength: float = 1.0) -> Picture:
+def vary_picture(pixels: Pixels, chance: np.random.Generator, strength: float = 1.0) -> Pixels:
     """Another picture of the same thing.
 
     Args:
-        picture: (3, size, size) from -1 to 1. What comes in from outside repeats its border.
+        pixels: (h, w, 3) sRGB. What comes in from outside has the middle colour of its border.
         chance: Decides.
-        strength: Factor on how different it is.
+        strength: Factor on how different it is; 0 leaves it as it is.
 
     Returns:
-        The same shape and range.
+        The same shape.
     """
+    from PIL import Image
+
     if not strength:
-        return picture
+        return pixels
+    height, width, _ = pixels.shape
     scale = 1 + strength * SCALE * chance.uniform(-1, 1)
     angle = strength * TILT * chance.uniform(-1, 1)
-    side = picture.shape[-1]
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]) / scale
-    middle = np.full(2, (side - 1) / 2)
-    offset = middle - turn @ (middle + strength * SHIFT * side * chance.uniform(-1, 1, size=2))
-    moved = np.stack([ndimage.affine_transform(c, turn, offset, order=1, mode="nearest") for c in picture])
-    gain = 1 + strength * LIGHT * (chance.uniform(-1, 1) + chance.uniform(-1, 1, size=3)) / 2
-    bias = strength * LIGHT * (chance.uniform(-1, 1) + chance.uniform(-1, 1, size=3)) / 2
-    noise = chance.normal(scale=strength * NOISE * chance.random(), size=picture.shape)
-    lit = moved * gain[:, None, None] + bias[:, None, None] + noise
-    return lit.clip(-1, 1).astype(np.float32)
+    middle, size = np.array([width / 2, height / 2]), np.array([width, height])
+    offset = middle - turn @ (middle + strength * SHIFT * size * chance.uniform(-1, 1, size=2))
+    border = np.concatenate([pixels[0], pixels[-1], pixels[:, 0], pixels[:, -1]])
+    moved = Image.fromarray(pixels).transform(
+        (width, height),
+        Image.Transform.AFFINE,
+        tuple(np.column_stack([turn, offset]).ravel()),
+        Image.Resampling.BILINEAR,
+        fillcolor=tuple(int(c) for c in np.median(border, axis=0)),
+    )
+    gain = 1 + strength * LIGHT * (chance.uniform(-1, 1) + chance.uniform(-1, 1, size=3))
+    bias = 255 * strength * LIGHT * (chance.uniform(-1, 1) + chance.uniform(-1, 1, size=3)) / 2
+    lit = np.asarray(moved, np.float32) * gain.astype(np.float32) + bias.astype(np.float32)
+    noise = chance.standard_normal(pixels.shape, np.float32)
+    lit += np.float32(255 * strength * NOISE * chance.random()) * noise
+    return lit.clip(0, 255).round().astype(np.uint8)

@@ -60,6 +60,7 @@ class Speech:
     def __post_init__(self) -> None:
         self._words = {c for c in self.claims if isinstance(c.value, str)}
         self._measures = {c.name: float(c.value) for c in self.claims if not isinstance(c.value, str)}
+        self._true = [w for w in _WORDINGS if self._holds(w)]
 
     def say(self, *forms: Form, about: Collection[str] | None = None) -> Phrase | None:
         """Says one thing that has not been said; None when there is nothing left.
@@ -68,7 +69,7 @@ class Speech:
             forms: Accepted forms.
             about: Only topics among these; any when None.
         """
-        options = [w for w in _WORDINGS if w.form in forms and self._fits(w, about)]
+        options = [w for w in self._true if w.form in forms and self._fits(w, about)]
         if self.rng.random() > _MINOR_SHARE:
             options = [w for w in options if w.weight >= _MINOR] or [w for w in options if w.form == "head"]
         if not options:
@@ -106,19 +107,21 @@ class Speech:
         comma = "," if self.dialect == "us" and self.rng.random() < 0.7 else ""
         return f"{', '.join(texts[:-1])}{comma} {last} {texts[-1]}"
 
-    def _fits(self, wording: Wording, about: Collection[str] | None) -> bool:
-        if wording.topics & self.topics or (about is not None and not wording.topics <= set(about)):
-            return False
-        if wording.kinds and self.kind and self.kind not in wording.kinds:
-            return False
-        if not self.numbers and any(map(is_length, wording.numbers)):
-            return False
+    def _holds(self, wording: Wording) -> bool:
+        """Whether it may be said of the garment in this dialect at all."""
         return (
             self._words.issuperset(wording.needs)
             and self._words.isdisjoint(wording.avoids)
             and all(n in self._measures for n in wording.numbers)
+            and (self.numbers or not any(map(is_length, wording.numbers)))
             and bool(self._in_dialect(wording.texts))
         )
+
+    def _fits(self, wording: Wording, about: Collection[str] | None) -> bool:
+        """Whether it may be said after what was said so far."""
+        if wording.topics & self.topics or (about is not None and not wording.topics <= set(about)):
+            return False
+        return not (wording.kinds and self.kind and self.kind not in wording.kinds)
 
     def _in_dialect(self, texts: Iterable[str]) -> list[str]:
         kept = []
