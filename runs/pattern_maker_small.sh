@@ -7,8 +7,9 @@
 # on where it was interrupted when it is started again. GARMENTCODE names the folder of the patterns (train.jsonl.gz,
 # validation.jsonl.gz, edits.jsonl.gz). DATA may name a data set with renders of them (swifttailor data build, data
 # render); without it PICTURED (3000) of the garments are sewn by GarmentSewer and drawn, 0.5 s of a core each. Before
-# the training the patterns are measured once, 0.15 s of a core each. On a GPU the same script uses it; without one,
-# PROCESSES (2) processes train together, a core each.
+# the training the patterns are measured once, 0.15 s of a core each. MORE names further files of patterns to learn from,
+# such as scripts/sample_garmentcode.py writes. On a GPU the same script uses it; without one, PROCESSES (2) processes train
+# together, a core each, their layers compiled where there is a C++ compiler.
 set -euo pipefail
 
 work=${1:-out/pattern-maker}
@@ -20,6 +21,8 @@ export OMP_WAIT_POLICY=PASSIVE GOMP_SPINCOUNT=0
 
 files=("$patterns/train.jsonl.gz")
 [ -f "$patterns/train-2.jsonl.gz" ] && files+=("$patterns/train-2.jsonl.gz")
+read -r -a sampled <<< "${MORE:-}"
+files+=("${sampled[@]}")
 if [ -z "${DATA:-}" ]; then
     DATA=$work/pictures
     swifttailor data build --engine network --patterns "$patterns/validation.jsonl.gz" --split validation --out "$DATA"
@@ -33,6 +36,7 @@ if ! nvidia-smi > /dev/null 2>&1 && [ "$processes" -gt 1 ]; then
     train=(torchrun --nproc_per_node "$processes" -m swifttailor)
     more+=(--threads 1)
 fi
+command -v g++ > /dev/null && more+=(--set compiled=true)
 [ -f "$patterns/edits.jsonl.gz" ] && more+=(--edits "$patterns/edits.jsonl.gz")
 [ -f "$patterns/test.jsonl.gz" ] && more+=(--apart "$patterns/test.jsonl.gz")
 [ -f "$work/run/checkpoint.pt" ] && more+=(--resume)

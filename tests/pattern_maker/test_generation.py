@@ -28,7 +28,7 @@ class Chance:
         self.spread, self.size = spread, size
         self.fed: list[np.ndarray] = []
 
-    copies = False
+    copies = plans = False
 
     def look(self, pictures):
         return np.zeros((len(pictures), 1, HIDDEN), np.float32)

@@ -17,7 +17,7 @@ from swifttailor.pattern_maker.encode import encode
 from swifttailor.pattern_maker.grammar import Grammar, Limits, State
 from swifttailor.pattern_maker.network_config import NetworkConfig
 from swifttailor.pattern_maker.prompt import EDIT, IMAGE, MAKE, make_prompt, pattern_part
-from swifttailor.pattern_maker.runtime import GRAPHS
+from swifttailor.pattern_maker.runtime import GRAPHS, PLANNING_GRAPHS
 from swifttailor.pattern_maker.vocabulary import END, MOVE, NUMBERS, SIZE
 
 HAS_TORCH = all(importlib.util.find_spec(name) for name in ("torch", "transformers"))
@@ -48,7 +48,8 @@ def network():
 
     torch.manual_seed(1)
     network = build_network(TINY, TEXT).eval()
-    for parameter in (network.counterpart_in.weight, network.counterpart_head[2].weight):
+    heads = (network.counterpart_in, network.counterpart_head[2], network.planned_in)
+    for parameter in (head.weight for head in heads):
         torch.nn.init.normal_(parameter, std=0.5)
     return network
 
@@ -61,7 +62,7 @@ def call(network, tokens, numbers, answers, next_tokens, copied=None, copied_num
     given = (tokens, numbers, pictures, answers, next_tokens, answers[:1], none, none, none, pictures)
     if copied is None:
         copied, copied_numbers = torch.full_like(tokens, -1), torch.zeros_like(numbers)
-    return network(*given, copied, copied_numbers)[:2]
+    return network(*given, copied, copied_numbers, torch.zeros(tokens.shape, dtype=torch.bool))[:2]
 
 
 def sequence(image=False):
@@ -156,6 +157,44 @@ def test_written_step_by_step_an_edit_is_what_is_told_of_it_all_at_once(network)
 
 
 @needs_torch
+def test_written_step_by_step_an_answer_is_told_what_was_foreseen_of_it(network):
+    """The plan that a training adds to an answer is the one that it was written with."""
+    import torch
+
+    from swifttailor.pattern_maker.generation import Asked, write_answers
+    from swifttailor.pattern_maker.runtime_torch import TorchRuntime
+    from swifttailor.training.maker_batch_torch import assemble, with_plans
+    from swifttailor.training.maker_samples import MakerSample
+
+    prompts = [make_prompt(text, TEXT) for text in ((5, 250, 7), (9,), (1, 2, 3, 4, 5))]
+    asked = [Asked(p, seeds=((3,),), temperature=1.0) for p in prompts]
+    written = [one for (one,) in write_answers(TorchRuntime(network), asked, Grammar(Limits(60, 8)), TEXT)]
+    samples = []
+    for prompt, one in zip(prompts, written, strict=True):
+        whole = prompt + pattern_part(one.sequence, TEXT)
+        samples.append(MakerSample("text", whole.tokens, whole.numbers, one.sequence, None))
+    batch = with_plans(assemble(samples, 64, planning=True), network)
+    assert not batch.unplanned and batch.planned.sum() > 10
+    assert ((batch.copied >= 0) & ~batch.planned).sum() >= 3  # the first token is always the same
+    with torch.no_grad():
+        logits, numbers, _ = network(*batch.given)
+        unaware = network(*assemble(samples, 64).given)[0]
+    likelihoods, start = [], 0
+    for one in written:
+        grammar, state, likelihood = Grammar(Limits(60, 8)), State(), 0.0
+        for k, token in enumerate(one.sequence.tokens.tolist(), start):
+            allowed = torch.tensor(grammar.allowed(state))
+            likelihood += float(logits[k].double().masked_fill(~allowed, -torch.inf).log_softmax(-1)[token])
+            state = grammar.advance(state, token)
+        likelihoods.append(likelihood)
+        apart = np.abs(numbers[start : start + len(one.sequence)].numpy() - one.sequence.numbers)
+        assert apart.max() < 1e-3
+        start += len(one.sequence)
+    assert likelihoods == pytest.approx([one.log_likelihood for one in written], abs=1e-3)
+    assert not torch.allclose(logits, unaware, atol=0.1)
+
+
+@needs_torch
 def test_until_it_has_learnt_to_copy_the_network_is_what_it_is_without(network):
     import torch
 
@@ -164,7 +203,7 @@ def test_until_it_has_learnt_to_copy_the_network_is_what_it_is_without(network):
     torch.manual_seed(1)
     fresh = build_network(TINY, TEXT).eval()
     torch.manual_seed(1)
-    without = build_network(replace(TINY, copying=False), TEXT).eval()
+    without = build_network(replace(TINY, copying=False, planning=False), TEXT).eval()
     one = sequence()
     tokens, numbers = torch.tensor(one.tokens)[None], torch.tensor(one.numbers)[None]
     told = torch.full_like(tokens, MOVE), torch.randn(numbers.shape)
@@ -238,7 +277,7 @@ def test_prompts_that_are_only_read_say_what_they_say_before_an_answer(network, 
         packed = pack_prompts(read, TEXT)
         rows = (torch.from_numpy(a) for a in (packed.tokens, packed.positions, packed.ends))
         with torch.no_grad():
-            nothing = torch.full_like(tokens, -1), torch.zeros_like(numbers)
+            nothing = torch.full_like(tokens, -1), torch.zeros_like(numbers), tokens < 0
             return network(*given, *rows, read_pictures, *nothing)[2]
 
     network.vlm.set_attn_implementation(attention)
@@ -297,6 +336,7 @@ def test_model_file_predicts_what_torch_does(network, tmp_path):
 
     from swifttailor.pattern_maker.export_torch import compare, make_graphs
     from swifttailor.pattern_maker.model_file import load_model, write_model
+    from swifttailor.pattern_maker.network_torch import build_network
     from swifttailor.pattern_maker.runtime_torch import TorchRuntime
     from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
 
@@ -310,9 +350,13 @@ def test_model_file_predicts_what_torch_does(network, tmp_path):
     written = path.read_bytes()
     assert write_model(tmp_path / "again.zip", graphs, text, card).read_bytes() == written
     assert b"/" + b"network_torch.py" not in written
-    assert model.runtime.copies
-    plain = {name: graph for name, graph in graphs.items() if name in GRAPHS}
+    assert model.runtime.copies and model.runtime.plans
+    plain = make_graphs(build_network(replace(TINY, copying=False, planning=False), TEXT))
+    assert plain.keys() == GRAPHS.keys()
     assert not load_model(write_model(tmp_path / "plain.zip", plain, text, card)).runtime.copies
+    copying = {name: graph for name, graph in graphs.items() if name not in PLANNING_GRAPHS}
+    with pytest.raises(InputError, match=r"decoder.onnx is another network"):
+        load_model(write_model(tmp_path / "copying.zip", copying, text, card))
     half = plain | {"leaning": graphs["leaning"]}
     with pytest.raises(InputError, match="is no PatternMaker: it holds"):
         load_model(write_model(tmp_path / "half.zip", half, text, card))
@@ -347,7 +391,7 @@ def test_low_rank_changes_begin_at_nothing_and_are_what_is_trained(network):
         embedded = changed.embed(given[0], given[1], torch.zeros(0, 1, 32))
         count = embedded.shape[1]
         nothing = decoder.empty_cache(1)
-        _, logits, _, _ = decoder(embedded, torch.arange(count)[None], torch.ones(1, count), nothing, nothing)
+        _, logits, *_ = decoder(embedded, torch.arange(count)[None], torch.ones(1, count), nothing, nothing)
         assert torch.allclose(logits[0, :10], call(changed, *given)[0], atol=1e-4)
         assert not torch.allclose(logits[0, :10], call(network, *given)[0], atol=1e-2)
 

@@ -38,7 +38,7 @@ class ScriptedRuntime:
     pictures: list[np.ndarray] = field(default_factory=list)
     """All that it was shown."""
     written: list[TokenSequence] = field(default_factory=list)
-    copies = False
+    copies = plans = False
 
     def look(self, pictures):
         self.pictures += list(pictures)

@@ -316,7 +316,8 @@ def test_batches_hold_samples_of_like_length_and_depend_on_their_number_alone(ba
     everything = [p.length for b in planned for p in b]
     assert spread < 0.3 * (max(everything) - min(everything))
     first, again = batches()[30], batches()[30]
-    assert all(torch.equal(a, b) for a, b in zip(vars(first).values(), vars(again).values(), strict=True))
+    assert all(torch.equal(a, b) for a, b in zip(first.given, again.given, strict=True))
+    assert [u.answer for u in first.unplanned] == [u.answer for u in again.unplanned]
     tokens = first.tokens.flatten()[first.answers + 1] - TEXT.size
     assert torch.equal(tokens, first.next_tokens)
     shares = [batches(part=k, parts=2)[30] for k in (0, 1)]

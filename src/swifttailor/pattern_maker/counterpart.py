@@ -24,6 +24,7 @@ from swifttailor.pattern_maker.panel_tokens import (
     mirrored,
     panels_of,
 )
+from swifttailor.pattern_maker.plan import PatternPlan
 from swifttailor.pattern_maker.token_sequence import TokenSequence
 from swifttailor.pattern_maker.vocabulary import (
     CLOSING_COMMANDS,
@@ -60,17 +61,21 @@ class Counterpart:
     token: int = NONE
     numbers: NDArray[np.float32] = field(default_factory=lambda: _NO_NUMBERS)
     """(8,) of that token."""
+    planned: bool = False
+    """Whether it is foreseen (`PatternPlan`), which is rough, and not repeated, which is exact."""
 
 
 class Counterparts:
     """Follows a pattern while it is written, token by token."""
 
-    def __init__(self, old: TokenSequence | None = None) -> None:
+    def __init__(self, old: TokenSequence | None = None, plan: PatternPlan | None = None) -> None:
         """Begins before the first token.
 
         Args:
             old: Pattern to edit, allowed by the grammar; None where there is none.
+            plan: What is foreseen; it fills the places where there is nothing to repeat.
         """
+        self._plan = plan
         self._old = {} if old is None else panels_of(old)
         self._names = sorted(self._old)
         self._old_sides = _sides(self._old.values())
@@ -87,6 +92,21 @@ class Counterparts:
 
     def next(self) -> Counterpart:
         """Of the token that is to come."""
+        repeated = self._repeated()
+        if repeated.token >= 0 or self._plan is None:
+            return repeated
+        return self._foreseen(self._plan)
+
+    def _foreseen(self, plan: PatternPlan) -> Counterpart:
+        state = self._state
+        if state.stage is Stage.BETWEEN_PANELS:
+            return Counterpart(plan.after(state.name), planned=True)
+        if state.stage in (Stage.NAME, Stage.PANEL_LABEL):
+            return Counterpart(MOVE, plan.placement(state.name), planned=True)
+        edge = plan.edge(state.name, self._edge) if state.stage is Stage.IN_PANEL else None
+        return Counterpart() if edge is None else Counterpart(*edge, planned=True)
+
+    def _repeated(self) -> Counterpart:
         state, source = self._state, self._source
         if state.stage is Stage.NOTHING:
             return Counterpart(PATTERN_START)
@@ -207,9 +227,11 @@ class Counterparts:
         return min(same, key=lambda k: abs(k - self._edge), default=self._edge)
 
 
-def counterparts(old: TokenSequence | None, new: TokenSequence) -> list[Counterpart]:
-    """Of every token of a pattern, and of what it is an edited version of, if it is one."""
-    walk, found = Counterparts(old), []
+def counterparts(
+    old: TokenSequence | None, new: TokenSequence, plan: PatternPlan | None = None
+) -> list[Counterpart]:
+    """Of every token of a pattern; see `Counterparts`."""
+    walk, found = Counterparts(old, plan), []
     for token, numbers in zip(new.tokens.tolist(), new.numbers, strict=True):
         found.append(walk.next())
         walk.follow(token, numbers)

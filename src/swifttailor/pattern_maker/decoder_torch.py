@@ -36,10 +36,11 @@ class CachedDecoder(nn.Module):
         self.head = nn.Parameter(network.token_head.weight.detach(), requires_grad=False)
         self.register_buffer("frequencies", model.rotary_emb.inv_freq.detach().float())
         self.scale = float(model.rotary_emb.attention_scaling)
+        self.early = network.foresight_layer if network.planning else None
 
     def forward(
         self, embedded: Tensor, positions: Tensor, seen: Tensor, keys: Tensor, values: Tensor
-    ) -> tuple[Tensor, Tensor, Tensor, Tensor]:
+    ) -> tuple[Tensor, ...]:
         """Goes through all layers once.
 
         Args:
@@ -50,7 +51,8 @@ class CachedDecoder(nn.Module):
             values: The same.
 
         Returns:
-            (B, L, hidden) states, (B, L, tokens of patterns) logits, and keys and values for P + L tokens.
+            (B, L, hidden) states, (B, L, tokens of patterns) logits, and keys and values for P + L tokens; of
+            a network that plans also (B, L, hidden) states after the layer of foresight.
         """
         before, count = keys.shape[3], embedded.shape[1]
         angles = positions[..., None].float() * self.frequencies
@@ -60,7 +62,7 @@ class CachedDecoder(nn.Module):
         causal = place[None, :] <= before + torch.arange(count, device=embedded.device)[:, None]
         hidden = (~causal)[None] | (seen[:, None] < 0.5)
         bias = hidden[:, None, None].to(embedded.dtype) * -1e9
-        x, new_keys, new_values = embedded, [], []
+        x, new_keys, new_values, early = embedded, [], [], embedded
         for number, layer in enumerate(self.layers):
             y = F.rms_norm(x, (x.shape[-1],), layer.attention_norm, self.epsilon)
             joined = F.linear(y, layer.qkv, layer.qkv_bias).unflatten(-1, (-1, self.size)).transpose(1, 2)
@@ -79,8 +81,12 @@ class CachedDecoder(nn.Module):
             y = F.rms_norm(x, (x.shape[-1],), layer.mlp_norm, self.epsilon)
             gate, up = F.linear(y, layer.gate_up).chunk(2, dim=-1)
             x = x + F.linear(F.silu(gate) * up, layer.down)
+            if number + 1 == self.early:
+                early = x
         x = F.rms_norm(x, (x.shape[-1],), self.norm, self.epsilon)
-        return x, F.linear(x.to(self.head.dtype), self.head), torch.stack(new_keys), torch.stack(new_values)
+        logits = F.linear(x.to(self.head.dtype), self.head)
+        made = x, logits, torch.stack(new_keys), torch.stack(new_values)
+        return made if self.early is None else (*made, early)
 
     def empty_cache(self, rows: int) -> Tensor:
         """Keys or values of no tokens."""

@@ -20,7 +20,7 @@ from swifttailor.pattern_maker.decoder_torch import CachedDecoder
 from swifttailor.pattern_maker.model_file import network_of, write_model
 from swifttailor.pattern_maker.network_torch import PatternMakerNetwork, build_network
 from swifttailor.pattern_maker.prompt import OWN_TOKENS
-from swifttailor.pattern_maker.runtime import COPYING_GRAPHS, GRAPHS, Runtime
+from swifttailor.pattern_maker.runtime import Runtime, signature
 from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
 from swifttailor.pattern_maker.vocabulary import MOVE, NUMBERS, SIZE
 
@@ -127,8 +127,11 @@ def make_graphs(network: PatternMakerNetwork) -> dict[str, bytes]:
     if network.copying:
         given["counterpart"] = (_Counterparts(network), *given["embed"][1:])
         given["leaning"] = (_Lean(network), (torch.zeros(2, hidden),), ({0: rows},))
+    if network.planning:
+        given["plan"] = (_Plan(network), (torch.zeros(2, hidden),), ({0: rows},))
+        given["planned"] = (_Planned(network), *given["embed"][1:])
     return {
-        name: export_graph(module, example, shapes, *(GRAPHS | COPYING_GRAPHS)[name])
+        name: export_graph(module, example, shapes, *signature(name, planning=network.planning))
         for name, (module, example, shapes) in given.items()
     }
 
@@ -147,6 +150,8 @@ def compare(first: Runtime, second: Runtime, text_size: int, *, image_size: int,
     results = []
     for runtime in (first, second):
         found = [runtime.look(pictures), runtime.embed(tokens, numbers)]
+        if first.plans and second.plans:
+            found.append(runtime.foresee(found[1], known))
         _, logits, cache = runtime.decode(found[1], known, runtime.empty_cache(2))
         found.append(logits * known[..., None])
         for step in range(_STEPS):
@@ -157,6 +162,8 @@ def compare(first: Runtime, second: Runtime, text_size: int, *, image_size: int,
                 own = np.clip(tokens[:, step : step + 1] - text_size, 0, SIZE - 1)
                 found.append(runtime.embed_counterparts(own, numbers[:, step : step + 1]))
                 found.append(runtime.lean(states[:, 0]))
+                if first.plans and second.plans:
+                    found.append(runtime.embed_planned(own, numbers[:, step : step + 1]))
         results.append(found)
     return max(float(np.abs(a - b).max() / max(np.abs(a).max(), 1e-6)) for a, b in zip(*results, strict=True))
 
@@ -192,6 +199,24 @@ class _Counterparts(nn.Module):
 
     def forward(self, tokens: Tensor, numbers: Tensor) -> Tensor:
         return self.network.embed_counterparts(tokens, numbers)
+
+
+class _Planned(nn.Module):
+    def __init__(self, network: PatternMakerNetwork) -> None:
+        super().__init__()
+        self.network = network
+
+    def forward(self, tokens: Tensor, numbers: Tensor) -> Tensor:
+        return self.network.embed_planned(tokens, numbers)
+
+
+class _Plan(nn.Module):
+    def __init__(self, network: PatternMakerNetwork) -> None:
+        super().__init__()
+        self.head = network.foresight_head
+
+    def forward(self, early: Tensor) -> Tensor:
+        return self.head(early)
 
 
 class _Lean(nn.Module):

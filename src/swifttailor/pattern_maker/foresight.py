@@ -31,12 +31,13 @@ PLACEMENT = slice(0, QUATERNION.stop)
 BOX = slice(PLACEMENT.stop, PLACEMENT.stop + 4)
 """Least and largest coordinates of the corners."""
 EDGES = slice(BOX.stop, BOX.stop + len(CURVES))
-"""How many edges of each kind, over `_MANY`."""
+"""How many edges of each kind, over `MANY`."""
 OUTLINE = slice(EDGES.stop, EDGES.stop + 2 * CORNERS)
 PANEL_NUMBERS = OUTLINE.stop
 FORESEEN = SIZE + len(PANEL_TOKENS) * PANEL_NUMBERS
 """All that is foreseen, as one row: a logit for each token, and the numbers of each panel."""
-_MANY = 8.0
+MANY = 8.0
+"""Edges of a kind that count as one unit."""
 _LARGEST = 8.0
 """In normalised units, about 2 m: the few flounces beyond would outweigh everything else."""
 
@@ -82,7 +83,7 @@ def _fill(
     corners = np.concatenate([first[None], ends])
     numbers[BOX] = np.concatenate([corners.min(axis=0), corners.max(axis=0)])
     kinds = tokens[(tokens >= COMMANDS.start) & (tokens < CLOSING_COMMANDS.stop)] - COMMANDS.start
-    numbers[EDGES] = np.bincount(kinds % len(CURVES), minlength=len(CURVES)) / _MANY
+    numbers[EDGES] = np.bincount(kinds % len(CURVES), minlength=len(CURVES)) / MANY
     known[BOX] = known[EDGES] = True
     some = ends[:CORNERS].ravel()
     numbers[OUTLINE][: len(some)] = some

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from swifttailor.errors import InputError
 from swifttailor.pattern_maker.copying import mix
-from swifttailor.pattern_maker.counterpart import Counterpart, Counterparts
+from swifttailor.pattern_maker.counterpart import NONE, Counterpart, Counterparts
 from swifttailor.pattern_maker.grammar import Grammar, Stage, State
+from swifttailor.pattern_maker.plan import PatternPlan
 from swifttailor.pattern_maker.prompt import Sequence
 from swifttailor.pattern_maker.runtime import Cache, Floats, Runtime
 from swifttailor.pattern_maker.token_sequence import LARGEST_NUMBER, NUMBER_MASK, TokenSequence
@@ -112,11 +113,11 @@ def write_answers(
     """
     if not asked:
         return []
-    states, logits, cache, looks = _read(runtime, asked)
+    states, logits, cache, looks, plans = _read(runtime, asked)
     answers, rows = [], []
     for row, one in enumerate(asked):
         for seed in one.seeds:
-            likely = Counterparts(one.edit) if runtime.copies else None
+            likely = Counterparts(one.edit, plans.get(row)) if runtime.copies else None
             answers.append(_Answer(one.temperature, np.random.default_rng(list(seed)), likely=likely))
             rows.append(row)
     chosen = np.array(rows, np.int64)
@@ -131,8 +132,10 @@ def write_answers(
     return written
 
 
-def _read(runtime: Runtime, asked: Several[Asked]) -> tuple[Floats, Floats, Cache, dict[int, Floats]]:
-    """States (B, hidden) and logits (B, tokens) after the prompts, and by row the looks of pictures."""
+def _read(
+    runtime: Runtime, asked: Several[Asked]
+) -> tuple[Floats, Floats, Cache, dict[int, Floats], dict[int, PatternPlan]]:
+    """States (B, hidden) and logits (B, tokens) after prompts; by row the looks of pictures, and plans."""
     lengths = np.array([len(one.prompt) for one in asked])
     longest = int(lengths.max())
     tokens = np.zeros((len(asked), longest), np.int64)
@@ -140,8 +143,6 @@ def _read(runtime: Runtime, asked: Several[Asked]) -> tuple[Floats, Floats, Cach
     for row, one in enumerate(asked):
         tokens[row, : lengths[row]], numbers[row, : lengths[row]] = one.prompt.tokens, one.prompt.numbers
     embedded = np.array(runtime.embed(tokens, numbers))
-    firsts = [Counterparts(one.edit).next() for one in asked]
-    embedded[np.arange(len(asked)), lengths - 1] += _added(runtime, firsts, embedded.shape[-1])
     pictured = [row for row, one in enumerate(asked) if one.picture is not None]
     averages: dict[int, Floats] = {}
     if pictured:
@@ -150,9 +151,24 @@ def _read(runtime: Runtime, asked: Several[Asked]) -> tuple[Floats, Floats, Cach
             embedded[row, : len(look)] = look  # the places of a picture come first
             averages[row] = look.mean(axis=0)
     known = (np.arange(longest) < lengths[:, None]).astype(np.float32)
+    plans = _plan(runtime, asked, embedded, known)
+    firsts = [Counterparts(one.edit).next() for one in asked]
+    embedded[np.arange(len(asked)), lengths - 1] += _added(runtime, firsts, embedded.shape[-1])
     states, logits, cache = runtime.decode(embedded, known, runtime.empty_cache(len(asked)))
     last = np.arange(len(asked)), lengths - 1
-    return states[last], logits[last], cache, averages
+    return states[last], logits[last], cache, averages, plans
+
+
+def _plan(runtime: Runtime, asked: Several[Asked], embedded: Floats, known: Floats) -> dict[int, PatternPlan]:
+    """What is foreseen, by row, of answers that are not edits: these have an old pattern to go by."""
+    rows = np.array([row for row, one in enumerate(asked) if one.edit is None], np.int64)
+    if not runtime.plans or not len(rows):
+        return {}
+    longest = int(known[rows].sum(axis=1).max())
+    foreseen = runtime.foresee(embedded[rows, :longest], known[rows, :longest])
+    if not np.isfinite(foreseen).all():
+        raise InputError("What the network foresees are not finite numbers: its weights are damaged.")
+    return {int(row): PatternPlan.from_foresight(f) for row, f in zip(rows, foreseen, strict=True)}
 
 
 def _answer_all(
@@ -166,7 +182,7 @@ def _answer_all(
 ) -> None:
     own = [answer.counterpart() for answer in active]
     while True:
-        others = np.array([c.token for c in own], np.int64)
+        others = np.array([NONE if c.planned else c.token for c in own], np.int64)
         leanings = runtime.lean(states) if (others >= 0).any() else None
         if leanings is not None:
             there = np.flatnonzero(others >= 0)
@@ -202,9 +218,11 @@ def _answer_all(
 def _added(runtime: Runtime, following: Several[Counterpart], hidden: int) -> Floats:
     """(B, hidden) to add to the tokens before those that have these counterparts."""
     added = np.zeros((len(following), hidden), np.float32)
-    there = [k for k, c in enumerate(following) if c.token >= 0] if runtime.copies else []
-    if there:
-        tokens = np.array([following[k].token for k in there], np.int64)
-        numbers = np.stack([following[k].numbers for k in there])
-        added[there] = runtime.embed_counterparts(tokens[:, None], numbers[:, None])[:, 0]
+    for planned in (False, True) if runtime.copies else ():
+        there = [k for k, c in enumerate(following) if c.token >= 0 and c.planned == planned]
+        if there:
+            tokens = np.array([following[k].token for k in there], np.int64)
+            numbers = np.stack([following[k].numbers for k in there])
+            embed = runtime.embed_planned if planned else runtime.embed_counterparts
+            added[there] = embed(tokens[:, None], numbers[:, None])[:, 0]
     return added

@@ -16,9 +16,17 @@ from swifttailor.errors import InputError
 from swifttailor.networks.onnx_session import open_session
 from swifttailor.pattern_maker.confidence import Calibration
 from swifttailor.pattern_maker.copying import LEANINGS
+from swifttailor.pattern_maker.foresight import FORESEEN
 from swifttailor.pattern_maker.grammar import Grammar
 from swifttailor.pattern_maker.network_config import NetworkConfig
-from swifttailor.pattern_maker.runtime import COPYING_GRAPHS, GRAPHS, OnnxRuntime, Runtime
+from swifttailor.pattern_maker.runtime import (
+    COPYING_GRAPHS,
+    GRAPHS,
+    PLANNING_GRAPHS,
+    OnnxRuntime,
+    Runtime,
+    signature,
+)
 from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
 from swifttailor.pattern_maker.vocabulary import NUMBERS, SIZE
 
@@ -28,6 +36,7 @@ MAX_BYTES = 2**31
 _DATE = (1980, 1, 1, 0, 0, 0)
 _MEMBERS = {CARD, TEXT, *(f"{name}.onnx" for name in GRAPHS)}
 _OF_COPYING = {f"{name}.onnx" for name in COPYING_GRAPHS}
+_OF_PLANNING = {f"{name}.onnx" for name in PLANNING_GRAPHS}
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +63,7 @@ def write_model(path: Path, graphs: Mapping[str, bytes], text: TextTokenizer, ca
 
     Args:
         path: File to write, ``.zip``.
-        graphs: ONNX graphs by their names in `GRAPHS` and `COPYING_GRAPHS`.
+        graphs: ONNX graphs by their names in `GRAPHS`, `COPYING_GRAPHS` and `PLANNING_GRAPHS`.
         text: Text tokens.
         card: Of the run.
 
@@ -116,10 +125,11 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
         calibration = Calibration.from_json(members[CONFIDENCE], f"{path}, {CONFIDENCE}")
     sessions = {
         name: open_session(members[f"{name}.onnx"], f"{path}, {name}.onnx", "PatternMaker", threads=threads)
-        for name in (GRAPHS | COPYING_GRAPHS if members.keys() >= _OF_COPYING else GRAPHS)
+        for name in GRAPHS | COPYING_GRAPHS | PLANNING_GRAPHS
+        if f"{name}.onnx" in members
     }
     for name, session in sessions.items():
-        _require_signature(name, session, path)
+        _require_signature(name, session, path, planning=PLANNING_GRAPHS.keys() <= sessions.keys())
     given = {name: {i.name: i.shape for i in s.get_inputs()} for name, s in sessions.items()}
     made = {name: {o.name: o.shape for o in s.get_outputs()} for name, s in sessions.items()}
     hidden = made["embed"]["embedded"][2]
@@ -134,6 +144,9 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
     if "leaning" in sessions:
         facts["what it says of counterparts"] = (made["leaning"]["leanings"][1], LEANINGS)
         facts["the counterparts' width"] = (made["counterpart"]["added"][2], hidden)
+    if "plan" in sessions:
+        facts["what it foresees"] = (made["plan"]["foreseen"][1], FORESEEN)
+        facts["the plan's width"] = (made["planned"]["added"][2], hidden)
     if calibration is not None:
         facts["what is usual for pictures"] = (len(calibration.space.mean), hidden)
     for what, (found, wanted) in facts.items():
@@ -168,7 +181,8 @@ def _read_members(path: Path) -> dict[str, bytes]:
             infos = archive.infolist()
             names = [info.filename for info in infos]
             found = set(names) - {CONFIDENCE}
-            if len(set(names)) < len(names) or found not in (_MEMBERS, _MEMBERS | _OF_COPYING):
+            copying = _MEMBERS | _OF_COPYING
+            if len(set(names)) < len(names) or found not in (_MEMBERS, copying, copying | _OF_PLANNING):
                 raise InputError(
                     f"'{path}' is no PatternMaker: it holds {', '.join(names[:8]) or 'nothing'}, not "
                     f"{', '.join(sorted(_MEMBERS))}. Give the file of a PatternMaker."
@@ -204,8 +218,8 @@ def _read_about(members: Mapping[str, bytes], path: Path) -> dict[str, Any]:
     return about
 
 
-def _require_signature(name: str, session: Any, path: Path) -> None:
-    inputs, outputs = (GRAPHS | COPYING_GRAPHS)[name]
+def _require_signature(name: str, session: Any, path: Path, *, planning: bool) -> None:
+    inputs, outputs = signature(name, planning=planning)
     found = (
         tuple(i.name for i in session.get_inputs()),
         tuple(o.name for o in session.get_outputs()),

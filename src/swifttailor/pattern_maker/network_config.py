@@ -37,6 +37,8 @@ class NetworkConfig:
     copying: bool = True
     """Whether the network is told what the pattern to edit, or the panel on the body's other side, has at the
     place that it writes, and may take that as it is (`counterpart`). AIpparel's writes it anew."""
+    planning: bool = True
+    """Whether it is told what it has foreseen, where there is nothing to repeat (`plan`)."""
     pretrained: str = ""
     """Folder or name of an InternVL for transformers to begin with; empty to begin with random weights."""
     lora_rank: int = 0
@@ -82,6 +84,8 @@ class NetworkConfig:
             raise InputError(
                 "network.early_convolutions is true, and what is pretrained has none; set it to false."
             )
+        if self.planning and not self.copying:
+            raise InputError("network.planning is true without network.copying; set both or neither.")
         if self.lora_rank < 0 or (self.lora_rank and not self.pretrained):
             raise InputError(
                 f"network.lora_rank is {self.lora_rank}; 0 is accepted, or more with network.pretrained."
@@ -100,6 +104,7 @@ PAPER_NETWORK = NetworkConfig(
     longest_text=512,
     command_seen=False,
     copying=False,
+    planning=False,
     pretrained="OpenGVLab/InternVL3-2B-hf",
 )
 """The paper's: InternVL3-2B with AIpparel's heads."""

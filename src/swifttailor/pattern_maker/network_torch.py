@@ -14,6 +14,7 @@ from torch.distributed.tensor import DTensor
 from transformers import InternVLConfig, InternVLModel, InternVLVisionConfig, Qwen2Config
 
 from swifttailor.pattern_maker.copying import LEANINGS
+from swifttailor.pattern_maker.counterpart import NONE
 from swifttailor.pattern_maker.foresight import FORESEEN
 from swifttailor.pattern_maker.initial_weights_torch import EMBEDDING, initialize
 from swifttailor.pattern_maker.network_config import NetworkConfig
@@ -34,11 +35,13 @@ FORESIGHT_DEPTH = 2 / 3
 for the layers above to read, at every token of the answer."""
 
 TRAINING_ONLY = ("foresight_head.",)
-"""Beginnings of the names of weights that no answer needs."""
+"""Beginnings of the names of weights that no answer needs but one that is planned."""
 VISION = ("vlm.vision_tower.", "vlm.multi_modal_projector.")
 """And of those that pictures go through."""
 COPYING = ("counterpart_",)
 """And of those of `copying`."""
+PLANNING = ("planned_in.",)
+"""And of those of `planning`."""
 SELDOM = -2.0
 """Before anything is learnt, the logarithm of how much rather a number is taken from its counterpart."""
 
@@ -53,13 +56,14 @@ class PatternMakerNetwork(nn.Module):
         *,
         command_seen: bool,
         copying: bool,
+        planning: bool,
         embedding_std: float = EMBEDDING,
     ) -> None:
         super().__init__()
         self.vlm = vlm
         self.text_size = text_size
         self.command_seen = command_seen
-        self.copying = copying
+        self.copying, self.planning = copying, planning
         hidden = vlm.config.text_config.hidden_size
         self.hidden_size = hidden
         self.own_embedding = nn.Embedding(OWN_TOKENS, hidden)
@@ -81,6 +85,9 @@ class PatternMakerNetwork(nn.Module):
                 nn.init.zeros_(weight)
             with torch.no_grad():
                 self.counterpart_head[2].bias.zero_()[1] = SELDOM
+        if planning:
+            self.planned_in = nn.Linear(hidden, hidden, bias=False)
+            nn.init.zeros_(self.planned_in.weight)
 
     def forward(
         self,
@@ -96,6 +103,7 @@ class PatternMakerNetwork(nn.Module):
         read_pictures: Tensor,
         copied: Tensor,
         copied_numbers: Tensor,
+        planned: Tensor,
     ) -> tuple[Tensor, Tensor, Tensor]:
         """Predicts the answers to some prompts, each token from those before it; reads others without answer.
 
@@ -112,6 +120,7 @@ class PatternMakerNetwork(nn.Module):
             read_pictures: (Q, 3, S, S), those of these prompts that have one, in order.
             copied: (B, L) the counterpart of the token after each place, of a pattern; negative for none.
             copied_numbers: (B, L, 8) that go with them.
+            planned: (B, L) whether the counterpart is foreseen and not repeated.
 
         Returns:
             (n, tokens of patterns) logits, (n, 8) its numbers, and (B + R, `FORESEEN`) what is foreseen of
@@ -120,19 +129,18 @@ class PatternMakerNetwork(nn.Module):
         looks = self.look(torch.cat([pictures, read_pictures]))
         embedded = self.embed(tokens, numbers, looks[: len(pictures)])
         if self.copying:
-            embedded = self._with_counterparts(embedded, copied, copied_numbers)
+            embedded = self._with_counterparts(embedded, copied, copied_numbers, planned)
         states, early = self._states(embedded)
         understood = early[firsts]
         if len(read):
-            plain = numbers.new_zeros((*read.shape, NUMBERS))
-            embedded = self.embed(read, plain, looks[len(pictures) :])
-            # Positions that begin anew tell transformers that these are several sequences.
-            understood = torch.cat([understood, self._understood(embedded, read_positions)[read_ends]])
+            others = self._understood(read, read_positions, looks[len(pictures) :])
+            understood = torch.cat([understood, others[read_ends]])
         foreseen = self.foresight_head(understood.float())
         states = states[answers]
         logits, given = self.logits(states), self.regress(states, next_tokens)
         if self.copying:
-            own, own_numbers = copied.flatten()[answers], copied_numbers.flatten(0, 1)[answers]
+            own = torch.where(planned, NONE, copied).flatten()[answers]
+            own_numbers = copied_numbers.flatten(0, 1)[answers]
             there = torch.nonzero(own >= 0)[:, 0]
             leanings = self.lean(states[there])
             logits = logits.index_put((there, own[there]), leanings[:, 0], accumulate=True)
@@ -150,13 +158,20 @@ class PatternMakerNetwork(nn.Module):
             out = language(inputs_embeds=embedded, use_cache=False)
         return out.last_hidden_state.flatten(0, 1), early[0].flatten(0, 1)
 
-    def _understood(self, embedded: Tensor, positions: Tensor) -> Tensor:
+    def foresee(self, tokens: Tensor, positions: Tensor, ends: Tensor, pictures: Tensor) -> Tensor:
+        """(R, `FORESEEN`) of the answers to prompts that stand in rows, as `read` does in `forward`."""
+        return self.foresight_head(self._understood(tokens, positions, self.look(pictures))[ends].float())
+
+    def _understood(self, tokens: Tensor, positions: Tensor, looks: Tensor) -> Tensor:
         """(B * L, hidden) after the layer of foresight; those above are not computed."""
+        plain = torch.zeros((*tokens.shape, NUMBERS), device=tokens.device)
+        embedded = self.embed(tokens, plain, looks)
         language = self.vlm.language_model
         layers = language.config.num_hidden_layers
         language.config.num_hidden_layers = self.foresight_layer  # transformers runs so many of its layers
         try:
             with _seen_by(language.norm) as early:
+                # Positions that begin anew tell transformers that these are several sequences.
                 language(inputs_embeds=embedded, position_ids=positions, use_cache=False)
         finally:
             language.config.num_hidden_layers = layers
@@ -209,10 +224,16 @@ class PatternMakerNetwork(nn.Module):
             tokens: (...) the counterparts, of a pattern.
             numbers: (..., 8) that go with them.
         """
-        values = torch.where(
-            self.carries_numbers(tokens)[..., None], self.embed_numbers(tokens, numbers), 0.0
-        )
-        return self.counterpart_in(self.own_embedding(tokens) + values)
+        return self.counterpart_in(self._with_numbers(tokens, numbers))
+
+    def embed_planned(self, tokens: Tensor, numbers: Tensor) -> Tensor:
+        """The same for counterparts that are foreseen."""
+        return self.planned_in(self._with_numbers(tokens, numbers))
+
+    def _with_numbers(self, tokens: Tensor, numbers: Tensor) -> Tensor:
+        """(..., hidden) of tokens (...) of patterns and their numbers (..., 8)."""
+        carries = self.carries_numbers(tokens)[..., None]
+        return self.own_embedding(tokens) + torch.where(carries, self.embed_numbers(tokens, numbers), 0.0)
 
     def lean(self, states: Tensor) -> Tensor:
         """(..., `LEANINGS`) towards the counterparts, of states (..., hidden).
@@ -221,10 +242,16 @@ class PatternMakerNetwork(nn.Module):
         """
         return self.counterpart_head(states.float())
 
-    def _with_counterparts(self, embedded: Tensor, copied: Tensor, numbers: Tensor) -> Tensor:
-        there = torch.nonzero(copied.flatten() >= 0)[:, 0]
-        values = self.embed_counterparts(copied.flatten()[there], numbers.flatten(0, 1)[there])
-        return embedded.flatten(0, 1).index_add(0, there, values.to(embedded.dtype)).view(embedded.shape)
+    def _with_counterparts(
+        self, embedded: Tensor, copied: Tensor, numbers: Tensor, planned: Tensor
+    ) -> Tensor:
+        flat = embedded.flatten(0, 1)
+        for foreseen in (False, True) if self.planning else (False,):
+            there = torch.nonzero(((copied >= 0) & (planned == foreseen)).flatten())[:, 0]
+            embed = self.embed_planned if foreseen else self.embed_counterparts
+            values = embed(copied.flatten()[there], numbers.flatten(0, 1)[there])
+            flat = flat.index_add(0, there, values.to(flat.dtype))
+        return flat.view(embedded.shape)
 
     def carries_alike(self, tokens: Tensor, others: Tensor) -> Tensor:
         """Which tokens (...) of patterns carry numbers that mean the same as those of others (...)."""
@@ -336,6 +363,7 @@ def build_network(config: NetworkConfig, text_size: int) -> PatternMakerNetwork:
         text_size,
         command_seen=config.command_seen,
         copying=config.copying,
+        planning=config.planning,
         embedding_std=embedding_std,
     )
     if not config.vision_trained:

@@ -26,6 +26,19 @@ COPYING_GRAPHS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "leaning": (("states",), ("leanings",)),
 }
 """Those that a network has which is told what it is likely to repeat (`counterpart`)."""
+PLANNING_GRAPHS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "plan": (("early",), ("foreseen",)),
+    "planned": (("tokens", "numbers"), ("added",)),
+}
+"""And those of one that is told what it has foreseen as well (`plan`)."""
+EARLY = "early"
+"""What the decoder of such a network makes besides: states after the layer of foresight."""
+
+
+def signature(name: str, *, planning: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names of the inputs and outputs of a graph."""
+    inputs, outputs = (GRAPHS | COPYING_GRAPHS | PLANNING_GRAPHS)[name]
+    return inputs, (*outputs, EARLY) if planning and name == "decoder" else outputs
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,13 +106,26 @@ class Runtime(Protocol):
         """(B, `LEANINGS`) towards the counterparts, after the states (B, hidden)."""
         ...
 
+    @property
+    def plans(self) -> bool:
+        """Whether it is told what it has foreseen, by the two functions below."""
+        ...
+
+    def foresee(self, embedded: Floats, known: Floats) -> Floats:
+        """(B, `FORESEEN`) of the answers to embedded prompts (B, L, hidden), padded as for `decode`."""
+        ...
+
+    def embed_planned(self, tokens: Ids, numbers: Floats) -> Floats:
+        """What `embed_counterparts` is, for those that are foreseen."""
+        ...
+
 
 @dataclass(frozen=True, eq=False)
 class OnnxRuntime:
     """Runs the graphs of a model file with onnxruntime."""
 
     sessions: dict[str, Any]
-    """By name, as in `GRAPHS`, and all or none of `COPYING_GRAPHS`."""
+    """By name, as in `GRAPHS`; all or none of `COPYING_GRAPHS`, and with these of `PLANNING_GRAPHS`."""
 
     def look(self, pictures: Floats) -> Floats:
         """See `Runtime`."""
@@ -113,7 +139,7 @@ class OnnxRuntime:
         """See `Runtime`."""
         positions, seen = extended(known, cache)
         given = (embedded, positions, seen, cache.keys, cache.values)
-        states, logits, keys, values = self._run("decoder", *given)
+        states, logits, keys, values = self._run("decoder", *given)[:4]
         lengths = cache.lengths + known.sum(axis=1).astype(np.int64)
         return states, logits, Cache(keys, values, seen, lengths)
 
@@ -140,9 +166,30 @@ class OnnxRuntime:
         """See `Runtime`."""
         return self._run("leaning", states)[0]
 
+    @property
+    def plans(self) -> bool:
+        """See `Runtime`."""
+        return PLANNING_GRAPHS.keys() <= self.sessions.keys()
+
+    def foresee(self, embedded: Floats, known: Floats) -> Floats:
+        """See `Runtime`."""
+        nothing = self.empty_cache(len(embedded))
+        positions, seen = extended(known, nothing)
+        early = self._run("decoder", embedded, positions, seen, nothing.keys, nothing.values)[4]
+        return self._run("plan", ends_of(early, known))[0]
+
+    def embed_planned(self, tokens: Ids, numbers: Floats) -> Floats:
+        """See `Runtime`."""
+        return self._run("planned", tokens, numbers)[0]
+
     def _run(self, graph: str, *given: Any) -> Any:
-        inputs, _ = (GRAPHS | COPYING_GRAPHS)[graph]
+        inputs, _ = signature(graph, planning=self.plans)
         return self.sessions[graph].run(None, dict(zip(inputs, given, strict=True)))
+
+
+def ends_of(states: Any, known: Floats) -> Any:
+    """(B, hidden) of states (B, L, hidden): those of the last known places."""
+    return states[np.arange(len(known)), known.sum(axis=1).astype(np.int64) - 1]
 
 
 def extended(known: Floats, cache: Cache) -> tuple[Ids, Floats]:

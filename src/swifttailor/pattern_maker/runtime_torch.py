@@ -12,7 +12,7 @@ import torch
 
 from swifttailor.pattern_maker.decoder_torch import CachedDecoder
 from swifttailor.pattern_maker.network_torch import PatternMakerNetwork
-from swifttailor.pattern_maker.runtime import Cache, Floats, Ids, extended
+from swifttailor.pattern_maker.runtime import Cache, Floats, Ids, ends_of, extended
 
 
 class TorchRuntime:
@@ -42,7 +42,7 @@ class TorchRuntime:
         given = self._given(embedded).to(self.decoder.norm.dtype)
         states, logits, keys, values = self.decoder(
             given, self._given(positions), self._given(seen), cache.keys, cache.values
-        )
+        )[:4]
         lengths = cache.lengths + known.sum(axis=1).astype(np.int64)
         return _floats(states), _floats(logits), Cache(keys, values, seen, lengths)
 
@@ -70,6 +70,25 @@ class TorchRuntime:
     def lean(self, states: Floats) -> Floats:
         """See `Runtime`."""
         return _floats(self.network.lean(self._given(states)))
+
+    @property
+    def plans(self) -> bool:
+        """See `Runtime`."""
+        return self.network.planning
+
+    @torch.inference_mode()
+    def foresee(self, embedded: Floats, known: Floats) -> Floats:
+        """See `Runtime`."""
+        positions, seen = extended(known, self.empty_cache(len(embedded)))
+        given = self._given(embedded).to(self.decoder.norm.dtype)
+        nothing = self.decoder.empty_cache(len(embedded))
+        early = self.decoder(given, self._given(positions), self._given(seen), nothing, nothing)[4]
+        return _floats(self.network.foresight_head(ends_of(early, known).float()))
+
+    @torch.inference_mode()
+    def embed_planned(self, tokens: Ids, numbers: Floats) -> Floats:
+        """See `Runtime`."""
+        return _floats(self.network.embed_planned(self._given(tokens), self._given(numbers)))
 
     def _given(self, array: Any) -> torch.Tensor:
         return torch.as_tensor(array, device=self.device)

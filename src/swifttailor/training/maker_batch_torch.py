@@ -3,22 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 import torch
+from numpy.typing import NDArray
 from torch import Tensor
 
 from swifttailor.pattern_maker.counterpart import NONE, counterparts
 from swifttailor.pattern_maker.foresight import foresight_of
+from swifttailor.pattern_maker.network_torch import PatternMakerNetwork
+from swifttailor.pattern_maker.plan import PatternPlan
 from swifttailor.pattern_maker.prompt import PAD
+from swifttailor.pattern_maker.token_sequence import TokenSequence
 from swifttailor.pattern_maker.vocabulary import NUMBERS
 from swifttailor.training.maker_samples import MakerSample, MakerSamples, Plan
 from swifttailor.training.packed_prompts import pack_prompts
 
 WINDOW = 24
 """Batches that are planned together: samples of like length go into the same one."""
+
+
+@dataclass(frozen=True, eq=False)
+class Unplanned:
+    """An answer whose counterparts hang on what the network foresees."""
+
+    row: int
+    prompt: int
+    """Tokens before it."""
+    answer: TokenSequence
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,17 +71,22 @@ class Batch:
     """(B, L) counterpart of the token after each place; negative where it has none."""
     copied_numbers: Tensor
     """(B, L, 8)."""
+    planned: Tensor
+    """(B, L) whether it is foreseen and not repeated."""
+    unplanned: tuple[Unplanned, ...]
+    """Answers that `with_plans` has still to add the counterparts of."""
 
     @property
     def given(self) -> tuple[Tensor, ...]:
         """What the network is called with."""
         written = (self.tokens, self.numbers, self.pictures, self.answers, self.next_tokens, self.firsts)
         read = (self.read, self.read_positions, self.read_ends, self.read_pictures)
-        return (*written, *read, self.copied, self.copied_numbers)
+        return (*written, *read, self.copied, self.copied_numbers, self.planned)
 
     def to(self, device: torch.device) -> Batch:
         """The same on a device."""
-        return Batch(**{name: value.to(device) for name, value in vars(self).items()})
+        tensors = {k: v.to(device) for k, v in vars(self).items() if isinstance(v, Tensor)}
+        return replace(self, **tensors)
 
 
 class TrainingBatches:
@@ -90,6 +109,7 @@ class TrainingBatches:
             [self.samples.make(plan) for plan in plans],
             config.network.image_size,
             [self.samples.make(plan) for plan in reads if plan is not None],
+            planning=config.network.planning,
         )
 
     def plans(self, step: int) -> list[Plan]:
@@ -134,8 +154,21 @@ class _CountFrom(torch.utils.data.Sampler):
             step += 1
 
 
-def assemble(samples: Sequence[MakerSample], image_size: int, reads: Sequence[MakerSample] = ()) -> Batch:
-    """Puts samples side by side, padded to the longest, and the prompts of others in rows."""
+def assemble(
+    samples: Sequence[MakerSample],
+    image_size: int,
+    reads: Sequence[MakerSample] = (),
+    *,
+    planning: bool = False,
+) -> Batch:
+    """Puts samples side by side, padded to the longest, and the prompts of others in rows.
+
+    Args:
+        samples: To write.
+        image_size: Pixels along each side of a picture.
+        reads: To read the prompts of.
+        planning: Whether `with_plans` is to follow.
+    """
     length = max(len(s.tokens) for s in samples)
     some: Any = samples[0]
     pad = int(some.tokens[-1]) - int(some.answer.tokens[-1]) + PAD  # text tokens come before
@@ -143,13 +176,17 @@ def assemble(samples: Sequence[MakerSample], image_size: int, reads: Sequence[Ma
     numbers = np.zeros((len(samples), length, NUMBERS), np.float32)
     copied = np.full((len(samples), length), NONE, np.int64)
     copied_numbers = np.zeros_like(numbers)
-    answers = []
+    answers: list[NDArray[np.int64]] = []
+    unplanned: list[Unplanned] = []
     for row, sample in enumerate(samples):
         size = len(sample.tokens)
         tokens[row, :size], numbers[row, :size] = sample.tokens, sample.numbers
         # Each token is predicted from the state before it.
         places = np.arange(size - len(sample.answer), size) - 1
         answers.append(row * length + places)
+        if planning and sample.before is None:
+            unplanned.append(Unplanned(row, size - len(sample.answer), sample.answer))
+            continue
         for place, own in zip(places, counterparts(sample.before, sample.answer), strict=True):
             copied[row, place], copied_numbers[row, place] = own.token, own.numbers
     read = pack_prompts([s.prompt for s in reads], pad)
@@ -171,7 +208,33 @@ def assemble(samples: Sequence[MakerSample], image_size: int, reads: Sequence[Ma
         torch.from_numpy(np.stack([f.known for f in foresight])),
         torch.from_numpy(copied),
         torch.from_numpy(copied_numbers),
+        torch.zeros(copied.shape, dtype=torch.bool),
+        tuple(unplanned),
     )
+
+
+@torch.no_grad()
+def with_plans(batch: Batch, network: PatternMakerNetwork) -> Batch:
+    """The same with the counterparts of answers for which the network, as it is now, foresees something."""
+    if not batch.unplanned:
+        return batch
+    given = batch.tokens.cpu().numpy()
+    packed = pack_prompts([given[u.row, : u.prompt] for u in batch.unplanned], network.text_size + PAD)
+    device = batch.tokens.device
+    places = [torch.from_numpy(a).to(device) for a in (packed.tokens, packed.positions, packed.ends)]
+    was_training = network.training
+    network.eval()  # as it is when it answers
+    foreseen = network.foresee(*places, batch.pictures).float().cpu().numpy()
+    network.train(was_training)
+    copied, planned = batch.copied.cpu().numpy().copy(), batch.planned.cpu().numpy().copy()
+    numbers = batch.copied_numbers.cpu().numpy().copy()
+    for one, row in zip(batch.unplanned, foreseen, strict=True):
+        for k, own in enumerate(counterparts(None, one.answer, PatternPlan.from_foresight(row))):
+            place = one.row, one.prompt + k - 1  # each token is predicted from the state before it
+            copied[place], numbers[place], planned[place] = own.token, own.numbers, own.planned
+    arrays = {"copied": copied, "copied_numbers": numbers, "planned": planned}
+    made = {name: torch.from_numpy(a).to(device) for name, a in arrays.items()}
+    return replace(batch, unplanned=(), **made)
 
 
 def _pictures(samples: Sequence[MakerSample], image_size: int) -> Tensor:

@@ -101,6 +101,11 @@ class MakerConfig(LoopConfig):
             require(self, name, getattr(self, name) >= 0, "0 or more")
         require(self, "pretrained_rate", self.pretrained_rate > 0, "above 0")
         require(self, "typos", 0 <= self.typos <= 1, "0 to 1")
+        if self.network.planning and not self.losses.foresight:
+            raise InputError(
+                "network.planning is true, and losses.foresight 0: nothing would be foreseen. Set "
+                "losses.foresight above 0, or network.planning to false."
+            )
         require(self, "tags", self.tags in ("ascending", "random"), "ascending or random")
 
 

@@ -16,8 +16,10 @@ from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import SplitRenders
 from swifttailor.errors import InputError
 from swifttailor.pattern_maker.copying import UNCHANGED
+from swifttailor.pattern_maker.counterpart import NONE
 from swifttailor.pattern_maker.network_torch import (
     COPYING,
+    PLANNING,
     TRAINING_ONLY,
     VISION,
     PatternMakerNetwork,
@@ -29,7 +31,7 @@ from swifttailor.pattern_maker.vocabulary import SIZE
 from swifttailor.training.compilation_torch import compile_layers
 from swifttailor.training.loop_torch import Loop, say_nothing
 from swifttailor.training.maker_bank import PatternBank, open_bank, sequences_of
-from swifttailor.training.maker_batch_torch import Batch, TrainingBatches
+from swifttailor.training.maker_batch_torch import Batch, TrainingBatches, with_plans
 from swifttailor.training.maker_config import MakerConfig, MakerLosses
 from swifttailor.training.maker_samples import MakerSamples
 from swifttailor.training.maker_text_torch import open_text
@@ -96,6 +98,8 @@ def train(
     """
     if config.compiled and config.shard:
         raise InputError("compiled=true cannot go with shard=true. Choose one of them.")
+    if config.network.planning and config.shard:
+        raise InputError("network.planning=true cannot go with shard=true. Choose one of them.")
     if threads is not None:
         torch.set_num_threads(threads)
     processes = Processes.start()
@@ -141,7 +145,7 @@ def train(
     if config.compiled:
         compile_layers(network.compilable, device)
     if config.start:
-        for name in load_start(network, Path(config.start), (TRAINING_ONLY, VISION, COPYING)):
+        for name in load_start(network, Path(config.start), (TRAINING_ONLY, VISION, COPYING, PLANNING)):
             report(f"'{config.start}' is of another network in '{name}', which begins anew.")
 
     def samples_of(name: str) -> MakerSamples:
@@ -195,7 +199,7 @@ class _MakerTask:
     def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
         if self._ahead is None:
             self._ahead = self.batches.from_step(step, workers=self.loaders)
-        batch = next(self._ahead).to(self.device)
+        batch = with_plans(next(self._ahead).to(self.device), self.network)
         return compute_losses(*trained(*batch.given), batch, self.config.losses)
 
     def rate_factor(self, name: str) -> float:
@@ -273,7 +277,7 @@ def compute_losses(
 
 def _unlike_counterparts(batch: Batch, mask: Tensor) -> tuple[Tensor, Tensor]:
     """Which tokens (n,) of the answers are not their counterparts; and these with those of other numbers."""
-    own = batch.copied.flatten()[batch.answers]
+    own = torch.where(batch.planned, NONE, batch.copied).flatten()[batch.answers]
     numbers = batch.copied_numbers.flatten(0, 1)[batch.answers]
     other = (own >= 0) & (own != batch.next_tokens)
     apart = ((numbers - batch.next_numbers).abs() * mask).amax(-1) > UNCHANGED

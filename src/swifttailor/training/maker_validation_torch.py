@@ -13,7 +13,7 @@ from swifttailor.pattern_maker.foresight import BOX
 from swifttailor.pattern_maker.network_torch import PatternMakerNetwork
 from swifttailor.pattern_maker.normalization import POINT_SCALE, TRANSLATION_SCALE
 from swifttailor.pattern_maker.vocabulary import COMMANDS, MOVE, PANEL_TOKENS, SIZE
-from swifttailor.training.maker_batch_torch import Batch, assemble
+from swifttailor.training.maker_batch_torch import Batch, assemble, with_plans
 from swifttailor.training.maker_config import MakerConfig
 from swifttailor.training.maker_samples import TASKS, MakerSamples
 
@@ -54,13 +54,16 @@ class Validation:
             plans.sort(key=lambda plan: plan.length)
             made = [self.samples.make(plan, clean=True) for plan in plans]
             size = self.config.network.image_size
-            found[task] = [assemble(made[k : k + BATCH], size) for k in range(0, len(made), BATCH)]
+            planning = self.config.network.planning
+            found[task] = [
+                assemble(made[k : k + BATCH], size, planning=planning) for k in range(0, len(made), BATCH)
+            ]
         return found
 
     def _measure(self, network: PatternMakerNetwork, batches: list[Batch]) -> dict[str, float]:
         losses, right, corners, placements, foresight, boxes = [], [], [], [], [], []
         for batch in batches:
-            batch = batch.to(self.device)
+            batch = with_plans(batch.to(self.device), network)
             tokens = batch.next_tokens
             logits, numbers, foreseen = network(*batch.given)
             panels = slice(PANEL_TOKENS.start, PANEL_TOKENS.stop)

@@ -1,0 +1,81 @@
+"""What a network foresees of its answer, told to itself place by place while it writes.
+
+A prompt says most of a garment at once; token by token a small network forgets it again: of 150 validation
+texts the head of foresight knew the panels of 59 %, and of 40 % they were written; skirts that it foresaw to
+15 cm were written with errors of 23 cm. So where there is nothing to repeat, the writer is given the plan.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.pattern_maker.foresight import (
+    CORNERS,
+    EDGES,
+    FORESEEN,
+    MANY,
+    OUTLINE,
+    PANEL_NUMBERS,
+    PLACEMENT,
+)
+from swifttailor.pattern_maker.vocabulary import (
+    CLOSING_COMMANDS,
+    COMMANDS,
+    END,
+    NUMBERS,
+    PANEL_TOKENS,
+    PATTERN_END,
+    SIZE,
+)
+
+Numbers = NDArray[np.float32]
+
+
+@dataclass(frozen=True, eq=False)
+class PatternPlan:
+    """The panels of an answer that is still to be written."""
+
+    panels: tuple[int, ...]
+    """Class ids, in the order in which they are written; one at least."""
+    numbers: Numbers
+    """(75 panels, `PANEL_NUMBERS`) as in `foresight`, of those above and of all others."""
+
+    @staticmethod
+    def from_foresight(foreseen: NDArray[np.floating]) -> PatternPlan:
+        """Reads what the head of foresight has said.
+
+        Args:
+            foreseen: (`FORESEEN`,) logits of the tokens and numbers of the panels.
+        """
+        assert foreseen.shape == (FORESEEN,)
+        logits = foreseen[PANEL_TOKENS.start : PANEL_TOKENS.stop]
+        likely = np.flatnonzero(logits > 0)
+        panels = likely.tolist() or [int(np.argmax(logits))]
+        numbers = np.asarray(foreseen[SIZE:], np.float32).reshape(len(PANEL_TOKENS), PANEL_NUMBERS)
+        return PatternPlan(tuple(panels), numbers)
+
+    def after(self, name: int) -> int:
+        """Token that follows a panel (class id; -1 before the first): the next panel, or the end."""
+        later = next((panel for panel in self.panels if panel > name), None)
+        return PATTERN_END if later is None else PANEL_TOKENS[later]
+
+    def placement(self, name: int) -> Numbers:
+        """(8,) of a panel."""
+        numbers = np.zeros(NUMBERS, np.float32)
+        numbers[PLACEMENT] = self.numbers[name, PLACEMENT]
+        return numbers
+
+    def edge(self, name: int, number: int) -> tuple[int, Numbers] | None:
+        """Token and numbers (8,) of an edge, said as a line; None where no corner of it is foreseen."""
+        numbers = np.zeros(NUMBERS, np.float32)
+        own = self.numbers[name]
+        if number >= round(float(own[EDGES].sum()) * MANY) - 1:
+            return CLOSING_COMMANDS[0], numbers
+        if number >= CORNERS:
+            return None
+        start = OUTLINE.start + 2 * number
+        numbers[END] = own[start : start + 2]
+        return COMMANDS[0], numbers
