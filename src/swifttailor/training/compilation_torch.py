@@ -16,6 +16,8 @@ from torch import nn
 from swifttailor.errors import InputError
 
 _COMPILERS = ("g++", "clang++", "c++")
+_VARIANTS = 128
+"""Translations of the same line of code, of which each layer has its own; torch gives up after 8."""
 
 
 def compile_layers(layers: Iterable[nn.Module], device: torch.device) -> None:
@@ -33,6 +35,7 @@ def compile_layers(layers: Iterable[nn.Module], device: torch.device) -> None:
             f"compiled=true needs a C++ compiler, and none of {', '.join(_COMPILERS)} was found. Install "
             "one, or train with compiled=false."
         )
+    torch._dynamo.config.recompile_limit = max(torch._dynamo.config.recompile_limit, _VARIANTS)
     for layer in layers:
         object.__setattr__(layer, "forward", torch.compile(layer.forward, dynamic=True))
 

@@ -18,6 +18,7 @@ from swifttailor.pattern_maker.plan import PatternPlan
 from swifttailor.pattern_maker.prompt import PAD
 from swifttailor.pattern_maker.token_sequence import TokenSequence
 from swifttailor.pattern_maker.vocabulary import NUMBERS
+from swifttailor.training.compilation_torch import not_compiled
 from swifttailor.training.maker_samples import MakerSample, MakerSamples, Plan
 from swifttailor.training.packed_prompts import pack_prompts
 
@@ -224,7 +225,8 @@ def with_plans(batch: Batch, network: PatternMakerNetwork) -> Batch:
     places = [torch.from_numpy(a).to(device) for a in (packed.tokens, packed.positions, packed.ends)]
     was_training = network.training
     network.eval()  # as it is when it answers
-    foreseen = network.foresee(*places, batch.pictures).float().cpu().numpy()
+    with not_compiled():  # a dozen short prompts
+        foreseen = network.foresee(*places, batch.pictures).float().cpu().numpy()
     network.train(was_training)
     copied, planned = batch.copied.cpu().numpy().copy(), batch.planned.cpu().numpy().copy()
     numbers = batch.copied_numbers.cpu().numpy().copy()
