@@ -10,14 +10,16 @@ garmentcode-env/bin/python scripts/sample_garmentcode.py GarmentCode --count 100
 Every attempt has a seed of its own, from --start upwards; what GarmentCode's sampler would refuse is left
 out, in its order: combinations of parameters that slide off, garments longer than the body, self-crossing
 panels. (Its check on a random body needs body data that are not public, and is not made.) One JSON object a
-line: id ("gc_SEED"), seed, design (flat parameters), pattern (GarmentCode's format). Nothing of SwiftTailor
-is imported; give the file to ``swifttailor data build`` and ``swifttailor train``.
+line: id ("gc_SEED"), seed, design (flat parameters), pattern (GarmentCode's format). With --edits-of FILE it
+is an edited version of each pattern of such a file: id, base, edits (parameters), pattern. Nothing of
+SwiftTailor is imported; give the files to ``swifttailor data build`` and ``swifttailor train``.
 """
 
 from __future__ import annotations
 
 import argparse
 import contextlib
+import copy
 import functools
 import gzip
 import io
@@ -36,26 +38,36 @@ import numpy as np
 
 BODY = "assets/bodies/mean_all.yaml"
 DESIGNS = "assets/design_params/default.yaml"
+TRIES = 12
+"""Changes of parameters tried until a pattern changes: many parameters do nothing in most designs."""
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("garmentcode", type=Path, help="checkout of GarmentCode")
-    parser.add_argument("--count", type=int, required=True, help="patterns to write")
+    parser.add_argument("--count", type=int, help="patterns to write; all of --edits-of without it")
     parser.add_argument("--start", type=int, default=10_000_000, help="seed of the first attempt")
+    parser.add_argument(
+        "--edits-of", type=Path, metavar="FILE", help="write an edited version of each pattern of this file"
+    )
     parser.add_argument("--out", type=Path, required=True, help="a .jsonl.gz file")
     parser.add_argument("--workers", type=int, default=os.cpu_count())
     options = parser.parse_args()
     if not (options.garmentcode / DESIGNS).is_file():
         parser.error(f"{options.garmentcode} is no checkout of GarmentCode: it has no {DESIGNS}")
-    began, attempts, refused = time.perf_counter(), 0, {}
+    if options.edits_of is None and options.count is None:
+        parser.error("--count is missing: how many patterns to write")
+    make, seeds = sample, itertools.count(options.start)
+    if options.edits_of is not None:
+        with gzip.open(options.edits_of, "rt") as file:
+            make, seeds = edit, [json.loads(line)["seed"] for line in file]
+    began, attempts, refused, written = time.perf_counter(), 0, {}, 0
     part = options.out.with_name(options.out.name + ".part")
     with (
         multiprocessing.Pool(options.workers, prepare, (options.garmentcode.resolve(),)) as pool,
         gzip.GzipFile(part, "wb", mtime=0) as file,
     ):
-        written = 0
-        for outcome in pool.imap(sample, itertools.count(options.start), chunksize=4):
+        for outcome in pool.imap(make, seeds, chunksize=4):
             attempts += 1
             if isinstance(outcome, str):
                 refused[outcome] = refused.get(outcome, 0) + 1
@@ -63,7 +75,7 @@ def main() -> None:
             file.write(json.dumps(outcome, separators=(",", ":")).encode() + b"\n")
             written += 1
             if written % 100 == 0:
-                print(f"{written}/{options.count} of {attempts} attempts", file=sys.stderr, flush=True)
+                print(f"{written} of {attempts} attempts", file=sys.stderr, flush=True)
             if written == options.count:
                 pool.terminate()
                 break
@@ -117,27 +129,60 @@ def given() -> tuple[Any, Any]:
 
 def sample(seed: int) -> dict[str, Any] | str:
     """The pattern of a seed, or why there is none."""
+    random.seed(seed)
+    design, name = given()[0].randomize(), f"gc_{seed}"
+    pattern = build(name, design)
+    if isinstance(pattern, str):
+        return pattern
+    return {"id": name, "seed": seed, "design": dict(flatten(design)), "pattern": pattern}
+
+
+def edit(seed: int) -> dict[str, Any] | str:
+    """A pattern that differs from that of a seed in one to three parameters, or why there is none."""
+    random.seed(seed)
+    design, name = given()[0].randomize(), f"gc_{seed}"
+    base = build(name, design)
+    if isinstance(base, str):
+        return base
+    outcome: dict[str, Any] | str = "nothing changed"
+    random.seed(f"edit of {seed}")
+    for _ in range(TRIES):
+        other = dict(flatten(given()[0].randomize()))
+        values = dict(flatten(design))
+        changed = random.sample(
+            [path for path in values if values[path] != other[path]], random.choices((1, 2, 3), (4, 2, 1))[0]
+        )
+        edited = copy.deepcopy(design)
+        for path in changed:
+            functools.reduce(dict.__getitem__, path.split("."), edited)["v"] = other[path]
+        pattern = build(name, edited)
+        if isinstance(pattern, str):
+            outcome = pattern
+        elif pattern["pattern"]["panels"] != base["pattern"]["panels"]:
+            edits = [{"path": p, "from": values[p], "to": other[p]} for p in changed]
+            return {"id": f"{name}_edit", "base": name, "edits": edits, "pattern": pattern}
+    return outcome
+
+
+def build(name: str, design: dict[str, Any]) -> dict[str, Any] | str:
+    """A pattern in GarmentCode's format, or why its sampler would refuse it."""
     import pattern_sampler  # ty: ignore[unresolved-import]
     from assets.garment_programs.meta_garment import MetaGarment  # ty: ignore[unresolved-import]
     from pygarment.pattern.core import BasicPattern  # ty: ignore[unresolved-import]
 
-    random.seed(seed)
-    designs, body = given()
-    design, name = designs.randomize(), f"gc_{seed}"
     with contextlib.redirect_stdout(io.StringIO()), tempfile.TemporaryDirectory() as folder:
         try:
             pattern_sampler.assert_param_combinations(design)
-            garment = MetaGarment(name, body, design)
+            garment = MetaGarment(name, given()[1], design)
             garment.assert_total_length()
             if garment.is_self_intersecting():
                 return "self-crossing"
             BasicPattern.serialize(garment.assembly(), folder, to_subfolder=False)  # its own draws pictures
-            pattern = json.loads(next(Path(folder).rglob("*_specification.json")).read_text())
+            return json.loads(next(Path(folder).rglob("*_specification.json")).read_text())
         except KeyboardInterrupt:
             raise
         except BaseException as error:  # GarmentCode's own errors are BaseExceptions
             return type(error).__name__
-    return {"id": name, "seed": seed, "design": dict(flatten(design)), "pattern": pattern}
 
 
 def flatten(design: dict[str, Any], path: str = "") -> Any:
