@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import importlib.util
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -16,9 +17,19 @@ from swifttailor.pattern_maker.counterpart import counterparts
 from swifttailor.pattern_maker.encode import encode
 from swifttailor.pattern_maker.grammar import Grammar, Limits, State
 from swifttailor.pattern_maker.network_config import NetworkConfig
-from swifttailor.pattern_maker.prompt import EDIT, IMAGE, MAKE, make_prompt, pattern_part
+from swifttailor.pattern_maker.panel_tokens import SAME, TWINS, are_alike, mirrored, panels_of
+from swifttailor.pattern_maker.prompt import EDIT, IMAGE, MAKE, make_prompt, outlines_of, pattern_part
 from swifttailor.pattern_maker.runtime import GRAPHS, PLANNING_GRAPHS
-from swifttailor.pattern_maker.vocabulary import END, MOVE, NUMBERS, SIZE
+from swifttailor.pattern_maker.vocabulary import (
+    EDGE_LABEL_TOKENS,
+    END,
+    MOVE,
+    NOT_STITCHED,
+    NUMBERS,
+    PANEL_TOKENS,
+    SIZE,
+    STITCH_TOKENS,
+)
 
 HAS_TORCH = all(importlib.util.find_spec(name) for name in ("torch", "transformers"))
 needs_torch = pytest.mark.skipif(
@@ -59,10 +70,10 @@ def call(network, tokens, numbers, answers, next_tokens, copied=None, copied_num
     import torch
 
     none, pictures = torch.zeros(0, dtype=torch.long), torch.zeros(0, 3, 64, 64)
-    given = (tokens, numbers, pictures, answers, next_tokens, answers[:1], none, none, none, pictures)
-    if copied is None:
-        copied, copied_numbers = torch.full_like(tokens, -1), torch.zeros_like(numbers)
-    return network(*given, copied, copied_numbers, torch.zeros(tokens.shape, dtype=torch.bool))[:2]
+    written = (tokens, numbers, pictures, answers, next_tokens, answers[:1])
+    nothing = torch.full_like(tokens, -1), torch.zeros_like(numbers)
+    told = nothing if copied is None else (copied, copied_numbers)
+    return network(*written, none, none, none, none, pictures, *told, *nothing)[:2]
 
 
 def sequence(image=False):
@@ -79,6 +90,24 @@ def test_a_prompt_is_picture_text_pattern():
     assert np.array_equal(prompt.numbers[5:-1], edit.numbers)
     assert not prompt.numbers[:5].any()
     assert make_prompt((), TEXT).tokens.tolist() == [TEXT + MAKE]
+
+
+def test_of_a_pattern_to_edit_the_outlines_are_told_and_a_mirrored_panel_by_its_name():
+    shirt = encode(draft("t-shirt"))
+    told = outlines_of(shirt)
+    panels, brief = panels_of(shirt), panels_of(shirt)
+    assert not set(told.tokens.tolist()) & {*STITCH_TOKENS, NOT_STITCHED, *EDGE_LABEL_TOKENS}
+    names = [t - PANEL_TOKENS.start for t in told.tokens.tolist() if t in PANEL_TOKENS]
+    assert names == sorted(panels)
+    starts = [*np.flatnonzero(np.isin(told.tokens, PANEL_TOKENS)), len(told)]
+    for name, start, end in zip(names, starts[:-1], starts[1:], strict=True):
+        if end - start == 1:
+            assert are_alike(mirrored(brief[TWINS[name]], name), panels[name], SAME)
+        else:
+            expected = [panels[name].placement, *(edge.numbers for edge in panels[name].edges)]
+            assert np.array_equal(told.numbers[start + 1 : end], expected)
+    assert sum(b - a == 1 for a, b in pairwise(starts)) == len(panels) // 2
+    assert len(told) < 0.4 * len(shirt)
 
 
 @needs_torch
@@ -168,14 +197,18 @@ def test_written_step_by_step_an_answer_is_told_what_was_foreseen_of_it(network)
 
     prompts = [make_prompt(text, TEXT) for text in ((5, 250, 7), (9,), (1, 2, 3, 4, 5))]
     asked = [Asked(p, seeds=((3,),), temperature=1.0) for p in prompts]
+    old = encode(draft("tank-top"))
+    prompts.append(make_prompt((4, 2), TEXT, edit=old, brief=True))
+    asked.append(Asked(prompts[-1], seeds=((3,),), temperature=1.0, edit=old, brief=True))
     written = [one for (one,) in write_answers(TorchRuntime(network), asked, Grammar(Limits(60, 8)), TEXT)]
     samples = []
     for prompt, one in zip(prompts, written, strict=True):
         whole = prompt + pattern_part(one.sequence, TEXT)
-        samples.append(MakerSample("text", whole.tokens, whole.numbers, one.sequence, None))
-    batch = with_plans(assemble(samples, 64, planning=True), network)
-    assert not batch.unplanned and batch.planned.sum() > 10
-    assert ((batch.copied >= 0) & ~batch.planned).sum() >= 3  # the first token is always the same
+        before = old if one is written[-1] else None
+        samples.append(MakerSample("text", whole.tokens, whole.numbers, one.sequence, None, before))
+    batch = with_plans(assemble(samples, 64, network=replace(TINY, edits="outlines")), network)
+    assert not batch.unplanned and (batch.planned >= 0).sum() > 10
+    assert (batch.copied >= 0).sum() >= 3  # the first token is always the same
     with torch.no_grad():
         logits, numbers, _ = network(*batch.given)
         unaware = network(*assemble(samples, 64).given)[0]
@@ -188,7 +221,7 @@ def test_written_step_by_step_an_answer_is_told_what_was_foreseen_of_it(network)
             state = grammar.advance(state, token)
         likelihoods.append(likelihood)
         apart = np.abs(numbers[start : start + len(one.sequence)].numpy() - one.sequence.numbers)
-        assert apart.max() < 1e-3
+        assert apart.max() < (UNCHANGED if one is written[-1] else 1e-3)
         start += len(one.sequence)
     assert likelihoods == pytest.approx([one.log_likelihood for one in written], abs=1e-3)
     assert not torch.allclose(logits, unaware, atol=0.1)
@@ -267,18 +300,19 @@ def test_prompts_that_are_only_read_say_what_they_say_before_an_answer(network, 
     torch.manual_seed(2)
     pictures = torch.randn(2, 3, 64, 64)
     monkeypatch.setattr(packed_prompts, "ROW", 11)
-    assert pack_prompts(prompts, 0).tokens.shape == (2, 11)
+    numbers = [np.zeros((len(p), NUMBERS)) for p in prompts]
+    assert pack_prompts(prompts, numbers, 0).tokens.shape == (2, 11)
 
     def foreseen(tokens, pictures, read, read_pictures):
         tokens = torch.tensor(tokens)[None]
         last = torch.tensor([tokens.shape[1] - 1])
         numbers = torch.zeros(1, tokens.shape[1], NUMBERS)
         given = (tokens, numbers, pictures, last, torch.zeros(1, dtype=torch.long), last)
-        packed = pack_prompts(read, TEXT)
-        rows = (torch.from_numpy(a) for a in (packed.tokens, packed.positions, packed.ends))
+        packed = pack_prompts(read, [np.zeros((len(p), NUMBERS)) for p in read], TEXT)
+        arrays = (packed.tokens, packed.numbers, packed.positions, packed.ends)
         with torch.no_grad():
-            nothing = torch.full_like(tokens, -1), torch.zeros_like(numbers), tokens < 0
-            return network(*given, *rows, read_pictures, *nothing)[2]
+            nothing = torch.full_like(tokens, -1), torch.zeros_like(numbers)
+            return network(*given, *map(torch.from_numpy, arrays), read_pictures, *nothing, *nothing)[2]
 
     network.vlm.set_attn_implementation(attention)
     together = foreseen(prompts[0], pictures[:0], prompts, pictures)

@@ -32,36 +32,45 @@ def test_who_foresees_everything_is_told_panels_placements_and_first_corners(nam
     sequence = encode(draft(name))
     told = counterparts(None, sequence, perfect(sequence))
     alone = counterparts(None, sequence)
-    assert told[0].token == PATTERN_START and not told[0].planned
+    assert told[0].token == PATTERN_START and told[0].planned == NONE
     panel_edges = 0
     for token, numbers, own, bare in zip(
         sequence.tokens.tolist(), sequence.numbers, told, alone, strict=True
     ):
         if bare.token != NONE:  # what can be repeated is not planned
-            assert own.token == bare.token and not own.planned
+            assert own.token == bare.token and own.planned == NONE
         elif token in PANEL_TOKENS or token == PATTERN_END:
-            assert own.token == token and own.planned
+            assert own.planned == token
         elif token == MOVE:
-            assert own.token == MOVE and np.array_equal(own.numbers, numbers)
+            assert own.planned == MOVE and np.array_equal(own.planned_numbers, numbers)
         elif token in COMMANDS and panel_edges < CORNERS:
-            assert own.token == COMMANDS[0] and np.array_equal(own.numbers[END], numbers[END])
+            assert own.planned == COMMANDS[0]
+            assert np.array_equal(own.planned_numbers[END], numbers[END])
         elif token in COMMANDS:
-            assert own.token == NONE
+            assert own.planned == NONE
         elif token in CLOSING_COMMANDS:
-            assert own.token == CLOSING_COMMANDS[0]
+            assert own.planned == CLOSING_COMMANDS[0]
         else:
-            assert own.token == NONE
+            assert own.planned == NONE
         if token in PANEL_TOKENS:
             panel_edges = 0
         panel_edges += token in COMMANDS
-    assert sum(c.planned for c in told) > 2 * len(set(sequence.tokens) & set(PANEL_TOKENS))
+    assert sum(c.planned != NONE for c in told) > 2 * len(set(sequence.tokens) & set(PANEL_TOKENS))
 
 
-def test_an_edit_goes_by_its_old_pattern_before_any_plan():
+def test_of_an_edit_the_changes_are_foreseen_and_told_beside_the_old_pattern():
     old, new = encode(draft("tank-top")), encode(draft("t-shirt"))
-    told = counterparts(old, new, perfect(new))
-    for own, bare in zip(told, counterparts(old, new), strict=True):
-        assert own.planned or (own.token == bare.token and np.array_equal(own.numbers, bare.numbers))
+    changes = foresight_of(new, old)
+    foreseen = np.concatenate([20 * changes.present - 10, changes.numbers.ravel()])
+    told = counterparts(old, new, PatternPlan.from_foresight(foreseen, old))
+    absolute = counterparts(old, new, perfect(new))
+    for own, same, bare in zip(told, absolute, counterparts(old, new), strict=True):
+        assert own.token == bare.token and np.array_equal(own.numbers, bare.numbers)
+        assert own.planned == same.planned
+        assert np.abs(own.planned_numbers - same.planned_numbers).max() < 1e-5
+    assert not foresight_of(old, old).numbers.any() and foresight_of(old).numbers.any()
+    panels = [t for t in new.tokens.tolist() if t in PANEL_TOKENS]
+    assert [c.planned for c in told if c.planned in PANEL_TOKENS] == panels
 
 
 def test_a_network_that_foresees_no_panel_is_told_the_likeliest():

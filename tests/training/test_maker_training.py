@@ -23,9 +23,9 @@ from swifttailor.pattern_maker.decode import decode
 from swifttailor.pattern_maker.encode import encode
 from swifttailor.pattern_maker.fidelity import compare
 from swifttailor.pattern_maker.pictures import picture_for_network
-from swifttailor.pattern_maker.prompt import MAKE
+from swifttailor.pattern_maker.prompt import EDIT, MAKE
 from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
-from swifttailor.pattern_maker.vocabulary import PATTERN_START, SIZE, STITCH_TOKENS
+from swifttailor.pattern_maker.vocabulary import SIZE, STITCH_TOKENS
 from swifttailor.training.extra import require_training_packages
 from swifttailor.training.maker_bank import open_bank, sequences_of
 from swifttailor.training.maker_config import CONFIGS, config_from, read_config
@@ -219,7 +219,7 @@ def test_samples_are_prompts_with_their_answers(bank, config):
         assert 0.001 < noise.std() < 0.05
         assert not noise[~sample.answer.number_mask()].any()
         prompt = sample.tokens[: -len(sample.answer)]
-        assert (TEXT.size + PATTERN_START in prompt) == (sample.task == "edit")
+        assert (TEXT.size + EDIT in prompt) == (sample.task == "edit")
         assert len(TEXT.decode(t for t in prompt.tolist() if t < TEXT.size)) > 5
         again = samples_of(bank, config).make(samples_of(bank, config).plan(place))
         assert np.array_equal(again.tokens, sample.tokens)
@@ -289,15 +289,17 @@ def test_wrong_values_are_refused(wrong):
         read_config("small", [wrong])
 
 
-def test_prompts_to_read_have_no_answer_and_are_no_edits(bank, config):
+def test_prompts_to_read_have_no_answer_and_are_edits_only_where_these_are_brief(bank, config):
     samples = samples_of(bank, config)
     plans = [samples.plan_read(k) for k in range(40)]
-    assert {plan.task for plan in plans} == {"text"}  # there are no pictures
+    assert {plan.task for plan in plans} == {"text", "edit"}  # there are no pictures
+    whole = replace(config, network=replace(config.network, edits="whole"))
+    assert {samples_of(bank, whole).plan_read(k).task for k in range(40)} == {"text"}
     assert len({plan.garment for plan in plans}) == len(bank)
     made = samples.make(plans[0])
     assert made.prompt.tolist() == made.tokens[: -len(made.answer)].tolist()
     assert made.prompt[-1] == TEXT.size + MAKE
-    edits = replace(config, tasks=replace(config.tasks, text=0, image=0, text_image=0))
+    edits = replace(whole, tasks=replace(config.tasks, text=0, image=0, text_image=0))
     assert samples_of(bank, edits).plan_read(0) is None
 
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from swifttailor.pattern_maker.grammar import Stage, State, next_state
 from swifttailor.pattern_maker.panel_tokens import (
+    SAME,
     TWINS,
     EdgeTokens,
     PanelCollector,
@@ -43,8 +44,6 @@ from swifttailor.pattern_maker.vocabulary import (
 
 NONE = -1
 """In place of a token where there is no counterpart."""
-SAME = 0.02
-"""Normalised units (0.5 cm): panels that differ by less from each other's reflection are symmetric."""
 SAME_END = 0.05
 """Normalised units (1.4 cm): an edge that ends this near to where an old one ended is that edge."""
 REACH = 4
@@ -61,8 +60,9 @@ class Counterpart:
     token: int = NONE
     numbers: NDArray[np.float32] = field(default_factory=lambda: _NO_NUMBERS)
     """(8,) of that token."""
-    planned: bool = False
-    """Whether it is foreseen (`PatternPlan`), which is rough, and not repeated, which is exact."""
+    planned: int = NONE
+    """The token that is foreseen (`PatternPlan`), which is rough where what is repeated is exact."""
+    planned_numbers: NDArray[np.float32] = field(default_factory=lambda: _NO_NUMBERS)
 
 
 class Counterparts:
@@ -73,9 +73,9 @@ class Counterparts:
 
         Args:
             old: Pattern to edit, allowed by the grammar; None where there is none.
-            plan: What is foreseen; it fills the places where there is nothing to repeat.
+            plan: What is foreseen. It is told where there is nothing to repeat, and in an edit beside that.
         """
-        self._plan = plan
+        self._plan, self._is_edit = plan, old is not None
         self._old = {} if old is None else panels_of(old)
         self._names = sorted(self._old)
         self._old_sides = _sides(self._old.values())
@@ -93,18 +93,18 @@ class Counterparts:
     def next(self) -> Counterpart:
         """Of the token that is to come."""
         repeated = self._repeated()
-        if repeated.token >= 0 or self._plan is None:
+        if self._plan is None or (repeated.token >= 0 and not self._is_edit):
             return repeated
-        return self._foreseen(self._plan)
+        planned = self._foreseen(self._plan)
+        return repeated if planned is None else Counterpart(repeated.token, repeated.numbers, *planned)
 
-    def _foreseen(self, plan: PatternPlan) -> Counterpart:
+    def _foreseen(self, plan: PatternPlan) -> tuple[int, NDArray[np.float32]] | None:
         state = self._state
         if state.stage is Stage.BETWEEN_PANELS:
-            return Counterpart(plan.after(state.name), planned=True)
+            return plan.after(state.name), _NO_NUMBERS
         if state.stage in (Stage.NAME, Stage.PANEL_LABEL):
-            return Counterpart(MOVE, plan.placement(state.name), planned=True)
-        edge = plan.edge(state.name, self._edge) if state.stage is Stage.IN_PANEL else None
-        return Counterpart() if edge is None else Counterpart(*edge, planned=True)
+            return MOVE, plan.placement(state.name)
+        return plan.edge(state.name, state.edges) if state.stage is Stage.IN_PANEL else None
 
     def _repeated(self) -> Counterpart:
         state, source = self._state, self._source

@@ -54,8 +54,14 @@ class Foresight:
     """The same shape: which of them mean something; none of a panel that the pattern lacks."""
 
 
-def foresight_of(sequence: TokenSequence) -> Foresight:
-    """Reads the targets off a pattern's tokens and numbers."""
+def foresight_of(sequence: TokenSequence, old: TokenSequence | None = None) -> Foresight:
+    """Reads the targets off a pattern's tokens and numbers.
+
+    Args:
+        sequence: The pattern.
+        old: What it is an edited version of. The numbers of panels that were there are then those by which
+            they change, so that a network need not say again what it was told.
+    """
     tokens = sequence.tokens
     numbers = np.zeros((len(PANEL_TOKENS), PANEL_NUMBERS), np.float32)
     known = np.zeros(numbers.shape, bool)
@@ -63,6 +69,9 @@ def foresight_of(sequence: TokenSequence) -> Foresight:
     for start, end in zip(starts, [*starts[1:], len(tokens)], strict=True):
         panel = tokens[start] - PANEL_TOKENS.start
         _fill(tokens[start:end], sequence.numbers[start:end], numbers[panel], known[panel])
+    if old is not None:
+        before = foresight_of(old)
+        numbers = np.where(known & before.known, numbers - before.numbers, numbers)
     present = (np.bincount(tokens, minlength=SIZE) > 0).astype(np.float32)
     return Foresight(present, np.clip(numbers, -_LARGEST, _LARGEST), known)
 

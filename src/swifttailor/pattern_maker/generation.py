@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from swifttailor.errors import InputError
 from swifttailor.pattern_maker.copying import mix
-from swifttailor.pattern_maker.counterpart import NONE, Counterpart, Counterparts
+from swifttailor.pattern_maker.counterpart import Counterpart, Counterparts
 from swifttailor.pattern_maker.grammar import Grammar, Stage, State
 from swifttailor.pattern_maker.plan import PatternPlan
 from swifttailor.pattern_maker.prompt import Sequence
@@ -34,6 +34,8 @@ class Asked:
     """0 takes the most probable token always; 1 draws by probability."""
     edit: TokenSequence | None = None
     """The pattern to edit that is in the prompt."""
+    brief: bool = False
+    """Whether only its outlines are: what changes is then foreseen."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,15 +162,18 @@ def _read(
 
 
 def _plan(runtime: Runtime, asked: Several[Asked], embedded: Floats, known: Floats) -> dict[int, PatternPlan]:
-    """What is foreseen, by row, of answers that are not edits: these have an old pattern to go by."""
-    rows = np.array([row for row, one in enumerate(asked) if one.edit is None], np.int64)
+    """What is foreseen, by row; of edits only where the prompts are brief."""
+    rows = np.array([row for row, one in enumerate(asked) if one.edit is None or one.brief], np.int64)
     if not runtime.plans or not len(rows):
         return {}
     longest = int(known[rows].sum(axis=1).max())
     foreseen = runtime.foresee(embedded[rows, :longest], known[rows, :longest])
     if not np.isfinite(foreseen).all():
         raise InputError("What the network foresees are not finite numbers: its weights are damaged.")
-    return {int(row): PatternPlan.from_foresight(f) for row, f in zip(rows, foreseen, strict=True)}
+    return {
+        row: PatternPlan.from_foresight(f, asked[row].edit)
+        for row, f in zip(rows.tolist(), foreseen, strict=True)
+    }
 
 
 def _answer_all(
@@ -182,7 +187,7 @@ def _answer_all(
 ) -> None:
     own = [answer.counterpart() for answer in active]
     while True:
-        others = np.array([NONE if c.planned else c.token for c in own], np.int64)
+        others = np.array([c.token for c in own], np.int64)
         leanings = runtime.lean(states) if (others >= 0).any() else None
         if leanings is not None:
             there = np.flatnonzero(others >= 0)
@@ -218,11 +223,14 @@ def _answer_all(
 def _added(runtime: Runtime, following: Several[Counterpart], hidden: int) -> Floats:
     """(B, hidden) to add to the tokens before those that have these counterparts."""
     added = np.zeros((len(following), hidden), np.float32)
-    for planned in (False, True) if runtime.copies else ():
-        there = [k for k, c in enumerate(following) if c.token >= 0 and c.planned == planned]
+    if not runtime.copies:
+        return added
+    repeated = [(c.token, c.numbers) for c in following], runtime.embed_counterparts
+    planned = [(c.planned, c.planned_numbers) for c in following], runtime.embed_planned
+    for told, embed in (repeated, planned):
+        there = [k for k, (token, _) in enumerate(told) if token >= 0]
         if there:
-            tokens = np.array([following[k].token for k in there], np.int64)
-            numbers = np.stack([following[k].numbers for k in there])
-            embed = runtime.embed_planned if planned else runtime.embed_counterparts
-            added[there] = embed(tokens[:, None], numbers[:, None])[:, 0]
+            tokens = np.array([told[k][0] for k in there], np.int64)
+            numbers = np.stack([told[k][1] for k in there])
+            added[there] += embed(tokens[:, None], numbers[:, None])[:, 0]
     return added

@@ -223,8 +223,10 @@ class PatternMaker:
             picture = picture_for_network(pixels, model.image_size)
         edit = None if request.edit is None else encode(request.edit, limits=model.grammar.limits)
         places = 0 if picture is None else model.image_tokens
-        prompt = make_prompt(encoded.tokens, model.text.size, image_tokens=places, edit=edit)
-        return Asked(prompt, picture, edit=edit), tuple(notes)
+        prompt = make_prompt(
+            encoded.tokens, model.text.size, image_tokens=places, edit=edit, brief=model.brief_edits
+        )
+        return Asked(prompt, picture, edit=edit, brief=model.brief_edits), tuple(notes)
 
     def _confidence(self, answer: Written) -> Confidence | None:
         usual = self.model.calibration

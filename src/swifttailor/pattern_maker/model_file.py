@@ -54,6 +54,8 @@ class MakerModel:
     image_tokens: int
     card: dict[str, Any]
     """What it was trained on and how good it is."""
+    brief_edits: bool = False
+    """Whether it is told the outlines of a pattern to edit, and not all of it."""
     calibration: Calibration | None = None
     """What is usual for it; None where that was not measured."""
 
@@ -160,6 +162,7 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
         network.image_size,
         network.image_tokens,
         card,
+        network.edits == "outlines",
         calibration,
     )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from swifttailor.errors import InputError
 
@@ -39,6 +40,9 @@ class NetworkConfig:
     place that it writes, and may take that as it is (`counterpart`). AIpparel's writes it anew."""
     planning: bool = True
     """Whether it is told what it has foreseen, where there is nothing to repeat (`plan`)."""
+    edits: Literal["whole", "outlines"] = "whole"
+    """What a prompt tells of the pattern to edit: all of it, as AIpparel's, or the outlines of its panels
+    (`prompt.outlines_of`); of outlines the network foresees what becomes different."""
     pretrained: str = ""
     """Folder or name of an InternVL for transformers to begin with; empty to begin with random weights."""
     lora_rank: int = 0
@@ -84,6 +88,8 @@ class NetworkConfig:
             raise InputError(
                 "network.early_convolutions is true, and what is pretrained has none; set it to false."
             )
+        if self.edits not in ("whole", "outlines"):
+            raise InputError(f"network.edits is {self.edits!r}; whole or outlines is accepted.")
         if self.planning and not self.copying:
             raise InputError("network.planning is true without network.copying; set both or neither.")
         if self.lora_rank < 0 or (self.lora_rank and not self.pretrained):

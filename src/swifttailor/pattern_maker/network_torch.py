@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from typing import Any
 
 import torch
@@ -14,7 +14,6 @@ from torch.distributed.tensor import DTensor
 from transformers import InternVLConfig, InternVLModel, InternVLVisionConfig, Qwen2Config
 
 from swifttailor.pattern_maker.copying import LEANINGS
-from swifttailor.pattern_maker.counterpart import NONE
 from swifttailor.pattern_maker.foresight import FORESEEN
 from swifttailor.pattern_maker.initial_weights_torch import EMBEDDING, initialize
 from swifttailor.pattern_maker.network_config import NetworkConfig
@@ -98,12 +97,14 @@ class PatternMakerNetwork(nn.Module):
         next_tokens: Tensor,
         firsts: Tensor,
         read: Tensor,
+        read_numbers: Tensor,
         read_positions: Tensor,
         read_ends: Tensor,
         read_pictures: Tensor,
         copied: Tensor,
         copied_numbers: Tensor,
         planned: Tensor,
+        planned_numbers: Tensor,
     ) -> tuple[Tensor, Tensor, Tensor]:
         """Predicts the answers to some prompts, each token from those before it; reads others without answer.
 
@@ -114,13 +115,15 @@ class PatternMakerNetwork(nn.Module):
             answers: (n,) places in the flattened (B * L) from which the next token is predicted.
             next_tokens: (n,) that token, of a pattern.
             firsts: (B,) places in the flattened (B * L) of the last token of each prompt.
-            read: (M, T) ids of R prompts without numbers that are only read, several in a row.
+            read: (M, T) ids of R prompts that are only read, several in a row.
+            read_numbers: (M, T, 8) that go with them.
             read_positions: (M, T) of each in its prompt, from 0.
             read_ends: (R,) places in the flattened (M * T) of the last token of each of these prompts.
             read_pictures: (Q, 3, S, S), those of these prompts that have one, in order.
             copied: (B, L) the counterpart of the token after each place, of a pattern; negative for none.
             copied_numbers: (B, L, 8) that go with them.
-            planned: (B, L) whether the counterpart is foreseen and not repeated.
+            planned: (B, L) the token that is foreseen there; negative for none.
+            planned_numbers: (B, L, 8) that go with them.
 
         Returns:
             (n, tokens of patterns) logits, (n, 8) its numbers, and (B + R, `FORESEEN`) what is foreseen of
@@ -129,18 +132,19 @@ class PatternMakerNetwork(nn.Module):
         looks = self.look(torch.cat([pictures, read_pictures]))
         embedded = self.embed(tokens, numbers, looks[: len(pictures)])
         if self.copying:
-            embedded = self._with_counterparts(embedded, copied, copied_numbers, planned)
+            embedded = _added(embedded, copied, copied_numbers, self.embed_counterparts)
+        if self.planning:
+            embedded = _added(embedded, planned, planned_numbers, self.embed_planned)
         states, early = self._states(embedded)
         understood = early[firsts]
         if len(read):
-            others = self._understood(read, read_positions, looks[len(pictures) :])
+            others = self._understood(read, read_numbers, read_positions, looks[len(pictures) :])
             understood = torch.cat([understood, others[read_ends]])
         foreseen = self.foresight_head(understood.float())
         states = states[answers]
         logits, given = self.logits(states), self.regress(states, next_tokens)
         if self.copying:
-            own = torch.where(planned, NONE, copied).flatten()[answers]
-            own_numbers = copied_numbers.flatten(0, 1)[answers]
+            own, own_numbers = copied.flatten()[answers], copied_numbers.flatten(0, 1)[answers]
             there = torch.nonzero(own >= 0)[:, 0]
             leanings = self.lean(states[there])
             logits = logits.index_put((there, own[there]), leanings[:, 0], accumulate=True)
@@ -158,14 +162,16 @@ class PatternMakerNetwork(nn.Module):
             out = language(inputs_embeds=embedded, use_cache=False)
         return out.last_hidden_state.flatten(0, 1), early[0].flatten(0, 1)
 
-    def foresee(self, tokens: Tensor, positions: Tensor, ends: Tensor, pictures: Tensor) -> Tensor:
+    def foresee(
+        self, tokens: Tensor, numbers: Tensor, positions: Tensor, ends: Tensor, pictures: Tensor
+    ) -> Tensor:
         """(R, `FORESEEN`) of the answers to prompts that stand in rows, as `read` does in `forward`."""
-        return self.foresight_head(self._understood(tokens, positions, self.look(pictures))[ends].float())
+        states = self._understood(tokens, numbers, positions, self.look(pictures))
+        return self.foresight_head(states[ends].float())
 
-    def _understood(self, tokens: Tensor, positions: Tensor, looks: Tensor) -> Tensor:
+    def _understood(self, tokens: Tensor, numbers: Tensor, positions: Tensor, looks: Tensor) -> Tensor:
         """(B * L, hidden) after the layer of foresight; those above are not computed."""
-        plain = torch.zeros((*tokens.shape, NUMBERS), device=tokens.device)
-        embedded = self.embed(tokens, plain, looks)
+        embedded = self.embed(tokens, numbers, looks)
         language = self.vlm.language_model
         layers = language.config.num_hidden_layers
         language.config.num_hidden_layers = self.foresight_layer  # transformers runs so many of its layers
@@ -242,17 +248,6 @@ class PatternMakerNetwork(nn.Module):
         """
         return self.counterpart_head(states.float())
 
-    def _with_counterparts(
-        self, embedded: Tensor, copied: Tensor, numbers: Tensor, planned: Tensor
-    ) -> Tensor:
-        flat = embedded.flatten(0, 1)
-        for foreseen in (False, True) if self.planning else (False,):
-            there = torch.nonzero(((copied >= 0) & (planned == foreseen)).flatten())[:, 0]
-            embed = self.embed_planned if foreseen else self.embed_counterparts
-            values = embed(copied.flatten()[there], numbers.flatten(0, 1)[there])
-            flat = flat.index_add(0, there, values.to(flat.dtype))
-        return flat.view(embedded.shape)
-
     def carries_alike(self, tokens: Tensor, others: Tensor) -> Tensor:
         """Which tokens (...) of patterns carry numbers that mean the same as those of others (...)."""
         same = (self.number_mask[tokens] == self.number_mask[others]).all(-1)
@@ -310,6 +305,15 @@ def _seen_by(module: nn.Module) -> Generator[list[Tensor]]:
         yield seen
     finally:
         watch.remove()
+
+
+def _added(
+    embedded: Tensor, tokens: Tensor, numbers: Tensor, embed: Callable[[Tensor, Tensor], Tensor]
+) -> Tensor:
+    """What is embedded (B, L, hidden), and something of tokens (B, L) where these are not negative."""
+    there = torch.nonzero(tokens.flatten() >= 0)[:, 0]
+    values = embed(tokens.flatten()[there], numbers.flatten(0, 1)[there])
+    return embedded.flatten(0, 1).index_add(0, there, values.to(embedded.dtype)).view(embedded.shape)
 
 
 def _mlp(size: int, hidden: int, out: int, activation: type[nn.Module]) -> nn.Sequential:

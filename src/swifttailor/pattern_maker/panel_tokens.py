@@ -36,6 +36,8 @@ from swifttailor.pattern_maker.vocabulary import (
 )
 
 Numbers = NDArray[np.float32]
+SAME = 0.02
+"""Normalised units (0.5 cm): panels that differ by less from each other's reflection are symmetric."""
 _CUBIC = 2
 _SIDES = (("left_", "right_"), ("_l_", "_r_"), ("_l ", "_r "))
 

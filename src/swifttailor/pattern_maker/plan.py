@@ -20,7 +20,9 @@ from swifttailor.pattern_maker.foresight import (
     OUTLINE,
     PANEL_NUMBERS,
     PLACEMENT,
+    foresight_of,
 )
+from swifttailor.pattern_maker.token_sequence import TokenSequence
 from swifttailor.pattern_maker.vocabulary import (
     CLOSING_COMMANDS,
     COMMANDS,
@@ -44,17 +46,21 @@ class PatternPlan:
     """(75 panels, `PANEL_NUMBERS`) as in `foresight`, of those above and of all others."""
 
     @staticmethod
-    def from_foresight(foreseen: NDArray[np.floating]) -> PatternPlan:
+    def from_foresight(foreseen: NDArray[np.floating], old: TokenSequence | None = None) -> PatternPlan:
         """Reads what the head of foresight has said.
 
         Args:
             foreseen: (`FORESEEN`,) logits of the tokens and numbers of the panels.
+            old: The pattern that is to be edited, to which the numbers are to be added (`foresight_of`).
         """
         assert foreseen.shape == (FORESEEN,)
         logits = foreseen[PANEL_TOKENS.start : PANEL_TOKENS.stop]
         likely = np.flatnonzero(logits > 0)
         panels = likely.tolist() or [int(np.argmax(logits))]
         numbers = np.asarray(foreseen[SIZE:], np.float32).reshape(len(PANEL_TOKENS), PANEL_NUMBERS)
+        if old is not None:
+            before = foresight_of(old)
+            numbers = numbers + np.where(before.known, before.numbers, 0)
         return PatternPlan(tuple(panels), numbers)
 
     def after(self, name: int) -> int:

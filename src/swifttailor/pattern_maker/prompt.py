@@ -2,8 +2,9 @@
 
 ::
 
-    prompt := [<image> ...] [text] [<edit> pattern] <make>
+    prompt := [<image> ...] [text] [<edit> outlines] <make>
     answer := pattern
+    outlines := (panel | <panel:NAME>)+, without stitches and labels
 
 One vocabulary numbers them all: the tokens of text first, then those of patterns (`vocabulary.TOKENS`), then
 the four marks below. How many ``<image>`` there are, the network's shape says.
@@ -16,8 +17,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.pattern_maker.panel_tokens import SAME, TWINS, are_alike, mirrored, panels_of
 from swifttailor.pattern_maker.token_sequence import TokenSequence
-from swifttailor.pattern_maker.vocabulary import NUMBERS, SIZE
+from swifttailor.pattern_maker.vocabulary import (
+    CLOSING_COMMANDS,
+    COMMANDS,
+    MOVE,
+    NUMBERS,
+    PANEL_TOKENS,
+    SIZE,
+)
 
 IMAGE, EDIT, MAKE, PAD = SIZE, SIZE + 1, SIZE + 2, SIZE + 3
 """Marks, counted like tokens of patterns."""
@@ -49,7 +58,12 @@ def pattern_part(sequence: TokenSequence, text_size: int) -> Sequence:
 
 
 def make_prompt(
-    text: tuple[int, ...], text_size: int, *, image_tokens: int = 0, edit: TokenSequence | None = None
+    text: tuple[int, ...],
+    text_size: int,
+    *,
+    image_tokens: int = 0,
+    edit: TokenSequence | None = None,
+    brief: bool = False,
 ) -> Sequence:
     """The prompt, up to where the answer begins.
 
@@ -58,11 +72,33 @@ def make_prompt(
         text_size: Tokens of text that there are.
         image_tokens: Places for the picture; 0 without one.
         edit: Pattern to edit.
+        brief: Whether only the outlines of that are told, which takes a third of the tokens.
     """
     prompt = _plain([*[IMAGE + text_size] * image_tokens, *text])
     if edit is not None:
-        prompt = prompt + _plain([EDIT + text_size]) + pattern_part(edit, text_size)
+        told = outlines_of(edit) if brief else edit
+        prompt = prompt + _plain([EDIT + text_size]) + pattern_part(told, text_size)
     return prompt + _plain([MAKE + text_size])
+
+
+def outlines_of(sequence: TokenSequence) -> TokenSequence:
+    """The panels of a pattern without stitches and labels; of one that mirrors another only the name.
+
+    What an instruction is about is said by these; what else is there to be kept is told while the answer is
+    written (`counterpart`).
+    """
+    panels = panels_of(sequence)
+    tokens, numbers = [], []
+    for name, panel in sorted(panels.items()):
+        tokens.append(PANEL_TOKENS[name])
+        numbers.append(np.zeros(NUMBERS, np.float32))
+        twin = panels.get(TWINS.get(name, -1))
+        if twin is not None and are_alike(mirrored(twin, name), panel, SAME):
+            continue
+        *edges, last = panel.edges
+        tokens += [MOVE, *(COMMANDS[edge.kind] for edge in edges), CLOSING_COMMANDS[last.kind]]
+        numbers += [panel.placement, *(edge.numbers for edge in panel.edges)]
+    return TokenSequence(np.array(tokens, np.int32), np.array(numbers, np.float32).reshape(-1, NUMBERS))
 
 
 def _plain(tokens: list[int]) -> Sequence:

@@ -13,6 +13,7 @@ from torch import Tensor
 
 from swifttailor.pattern_maker.counterpart import NONE, counterparts
 from swifttailor.pattern_maker.foresight import foresight_of
+from swifttailor.pattern_maker.network_config import NetworkConfig
 from swifttailor.pattern_maker.network_torch import PatternMakerNetwork
 from swifttailor.pattern_maker.plan import PatternPlan
 from swifttailor.pattern_maker.prompt import PAD
@@ -34,6 +35,8 @@ class Unplanned:
     prompt: int
     """Tokens before it."""
     answer: TokenSequence
+    before: TokenSequence | None
+    """What is edited."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +59,8 @@ class Batch:
     """(B,) places in (B * L) of the last token of each prompt."""
     read: Tensor
     """(M, T) ids of R prompts that are only read, several in a row (`PackedPrompts`)."""
+    read_numbers: Tensor
+    """(M, T, 8) that go with them."""
     read_positions: Tensor
     """(M, T) of each in its prompt."""
     read_ends: Tensor
@@ -73,7 +78,9 @@ class Batch:
     copied_numbers: Tensor
     """(B, L, 8)."""
     planned: Tensor
-    """(B, L) whether it is foreseen and not repeated."""
+    """(B, L) what is foreseen there; negative where nothing is."""
+    planned_numbers: Tensor
+    """(B, L, 8)."""
     unplanned: tuple[Unplanned, ...]
     """Answers that `with_plans` has still to add the counterparts of."""
 
@@ -81,8 +88,9 @@ class Batch:
     def given(self) -> tuple[Tensor, ...]:
         """What the network is called with."""
         written = (self.tokens, self.numbers, self.pictures, self.answers, self.next_tokens, self.firsts)
-        read = (self.read, self.read_positions, self.read_ends, self.read_pictures)
-        return (*written, *read, self.copied, self.copied_numbers, self.planned)
+        read = (self.read, self.read_numbers, self.read_positions, self.read_ends, self.read_pictures)
+        told = (self.copied, self.copied_numbers, self.planned, self.planned_numbers)
+        return (*written, *read, *told)
 
     def to(self, device: torch.device) -> Batch:
         """The same on a device."""
@@ -110,7 +118,7 @@ class TrainingBatches:
             [self.samples.make(plan) for plan in plans],
             config.network.image_size,
             [self.samples.make(plan) for plan in reads if plan is not None],
-            planning=config.network.planning,
+            network=config.network,
         )
 
     def plans(self, step: int) -> list[Plan]:
@@ -160,7 +168,7 @@ def assemble(
     image_size: int,
     reads: Sequence[MakerSample] = (),
     *,
-    planning: bool = False,
+    network: NetworkConfig | None = None,
 ) -> Batch:
     """Puts samples side by side, padded to the longest, and the prompts of others in rows.
 
@@ -168,15 +176,16 @@ def assemble(
         samples: To write.
         image_size: Pixels along each side of a picture.
         reads: To read the prompts of.
-        planning: Whether `with_plans` is to follow.
+        network: Of one that plans, `with_plans` is to follow.
     """
     length = max(len(s.tokens) for s in samples)
     some: Any = samples[0]
     pad = int(some.tokens[-1]) - int(some.answer.tokens[-1]) + PAD  # text tokens come before
     tokens = np.full((len(samples), length), pad, np.int64)
     numbers = np.zeros((len(samples), length, NUMBERS), np.float32)
-    copied = np.full((len(samples), length), NONE, np.int64)
-    copied_numbers = np.zeros_like(numbers)
+    told = _Told.like(tokens.shape)
+    planning = network is not None and network.planning
+    changes = network is not None and network.edits == "outlines"
     answers: list[NDArray[np.int64]] = []
     unplanned: list[Unplanned] = []
     for row, sample in enumerate(samples):
@@ -185,13 +194,13 @@ def assemble(
         # Each token is predicted from the state before it.
         places = np.arange(size - len(sample.answer), size) - 1
         answers.append(row * length + places)
-        if planning and sample.before is None:
-            unplanned.append(Unplanned(row, size - len(sample.answer), sample.answer))
-            continue
-        for place, own in zip(places, counterparts(sample.before, sample.answer), strict=True):
-            copied[row, place], copied_numbers[row, place] = own.token, own.numbers
-    read = pack_prompts([s.prompt for s in reads], pad)
-    foresight = [foresight_of(s.answer) for s in (*samples, *reads)]
+        one = Unplanned(row, size - len(sample.answer), sample.answer, sample.before)
+        if planning and (changes or sample.before is None):
+            unplanned.append(one)
+        else:
+            told.add(one)
+    read = pack_prompts([s.prompt for s in reads], [s.numbers[: len(s.prompt)] for s in reads], pad)
+    foresight = [foresight_of(s.answer, s.before if changes else None) for s in (*samples, *reads)]
     return Batch(
         torch.from_numpy(tokens),
         torch.from_numpy(numbers),
@@ -201,15 +210,14 @@ def assemble(
         torch.from_numpy(np.concatenate([s.answer.numbers for s in samples])),
         torch.from_numpy(np.array([places[0] for places in answers])),
         torch.from_numpy(read.tokens),
+        torch.from_numpy(read.numbers),
         torch.from_numpy(read.positions),
         torch.from_numpy(read.ends),
         _pictures(reads, image_size),
         torch.from_numpy(np.stack([f.present for f in foresight])),
         torch.from_numpy(np.stack([f.numbers for f in foresight])),
         torch.from_numpy(np.stack([f.known for f in foresight])),
-        torch.from_numpy(copied),
-        torch.from_numpy(copied_numbers),
-        torch.zeros(copied.shape, dtype=torch.bool),
+        *map(torch.from_numpy, vars(told).values()),
         tuple(unplanned),
     )
 
@@ -219,24 +227,49 @@ def with_plans(batch: Batch, network: PatternMakerNetwork) -> Batch:
     """The same with the counterparts of answers for which the network, as it is now, foresees something."""
     if not batch.unplanned:
         return batch
-    given = batch.tokens.cpu().numpy()
-    packed = pack_prompts([given[u.row, : u.prompt] for u in batch.unplanned], network.text_size + PAD)
+    tokens, numbers = batch.tokens.cpu().numpy(), batch.numbers.cpu().numpy()
+    prompts = [(one.row, slice(one.prompt)) for one in batch.unplanned]
+    pad = network.text_size + PAD
+    packed = pack_prompts([tokens[p] for p in prompts], [numbers[p] for p in prompts], pad)
     device = batch.tokens.device
-    places = [torch.from_numpy(a).to(device) for a in (packed.tokens, packed.positions, packed.ends)]
+    rows = (packed.tokens, packed.numbers, packed.positions, packed.ends)
     was_training = network.training
     network.eval()  # as it is when it answers
     with not_compiled():  # a dozen short prompts
-        foreseen = network.foresee(*places, batch.pictures).float().cpu().numpy()
+        given = [torch.from_numpy(a).to(device) for a in rows]
+        foreseen = network.foresee(*given, batch.pictures).float().cpu().numpy()
     network.train(was_training)
-    copied, planned = batch.copied.cpu().numpy().copy(), batch.planned.cpu().numpy().copy()
-    numbers = batch.copied_numbers.cpu().numpy().copy()
+    told = _Told.like(batch.tokens.shape)
+    for row in set(range(len(tokens))) - {one.row for one in batch.unplanned}:
+        for name, array in vars(told).items():
+            array[row] = getattr(batch, name)[row].cpu().numpy()
     for one, row in zip(batch.unplanned, foreseen, strict=True):
-        for k, own in enumerate(counterparts(None, one.answer, PatternPlan.from_foresight(row))):
-            place = one.row, one.prompt + k - 1  # each token is predicted from the state before it
-            copied[place], numbers[place], planned[place] = own.token, own.numbers, own.planned
-    arrays = {"copied": copied, "copied_numbers": numbers, "planned": planned}
-    made = {name: torch.from_numpy(a).to(device) for name, a in arrays.items()}
+        told.add(one, PatternPlan.from_foresight(row, one.before))
+    made = {name: torch.from_numpy(a).to(device) for name, a in vars(told).items()}
     return replace(batch, unplanned=(), **made)
+
+
+@dataclass(frozen=True, eq=False)
+class _Told:
+    """What the network is told of the token after each place, as arrays of a batch."""
+
+    copied: NDArray[np.int64]
+    copied_numbers: NDArray[np.float32]
+    planned: NDArray[np.int64]
+    planned_numbers: NDArray[np.float32]
+
+    @staticmethod
+    def like(shape: Sequence[int]) -> _Told:
+        """Nothing, for (B, L) places."""
+        nothing, zeros = np.full(shape, NONE, np.int64), np.zeros((*shape, NUMBERS), np.float32)
+        return _Told(nothing, zeros, nothing.copy(), zeros.copy())
+
+    def add(self, one: Unplanned, plan: PatternPlan | None = None) -> None:
+        """Of an answer."""
+        for k, own in enumerate(counterparts(one.before, one.answer, plan)):
+            place = one.row, one.prompt + k - 1  # each token is predicted from the state before it
+            self.copied[place], self.copied_numbers[place] = own.token, own.numbers
+            self.planned[place], self.planned_numbers[place] = own.planned, own.planned_numbers
 
 
 def _pictures(samples: Sequence[MakerSample], image_size: int) -> Tensor:

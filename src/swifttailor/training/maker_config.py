@@ -110,7 +110,7 @@ class MakerConfig(LoopConfig):
 
 
 CONFIGS: dict[str, MakerConfig] = {
-    "small": MakerConfig(),
+    "small": MakerConfig(network=NetworkConfig(edits="outlines")),
     "paper": MakerConfig(
         network=PAPER_NETWORK,
         tasks=TaskMix(text=0.2, image=0.3, text_image=0.4, edit=0.1),

@@ -16,7 +16,6 @@ from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import SplitRenders
 from swifttailor.errors import InputError
 from swifttailor.pattern_maker.copying import UNCHANGED
-from swifttailor.pattern_maker.counterpart import NONE
 from swifttailor.pattern_maker.network_torch import (
     COPYING,
     PLANNING,
@@ -277,7 +276,7 @@ def compute_losses(
 
 def _unlike_counterparts(batch: Batch, mask: Tensor) -> tuple[Tensor, Tensor]:
     """Which tokens (n,) of the answers are not their counterparts; and these with those of other numbers."""
-    own = torch.where(batch.planned, NONE, batch.copied).flatten()[batch.answers]
+    own = batch.copied.flatten()[batch.answers]
     numbers = batch.copied_numbers.flatten(0, 1)[batch.answers]
     other = (own >= 0) & (own != batch.next_tokens)
     apart = ((numbers - batch.next_numbers).abs() * mask).amax(-1) > UNCHANGED

@@ -26,6 +26,8 @@ TaskName = Literal["text", "image", "text_image", "edit"]
 TASKS: tuple[TaskName, ...] = ("text", "image", "text_image", "edit")
 TextTokens = Callable[[str], tuple[int, ...]]
 _TYPICAL_TEXT = 20
+_BRIEF = 0.35
+"""Tokens of the outlines of a pattern, of all of them."""
 _LARGEST_SEED = 2**31
 
 
@@ -117,10 +119,14 @@ class MakerSamples:
         return self.plan_task(garment, task, chance, versions=True)
 
     def plan_read(self, place: int) -> Plan | None:
-        """Prompt number `place` of those that are only read; None where all that can be asked is editing."""
+        """Prompt number `place` of those that are only read; None where all that can be asked is editing.
+
+        Edits are read where they are told briefly; whole patterns are too long to be read by the dozen.
+        """
         chance = np.random.default_rng([self.config.seed, 7, place])
         garment = int(chance.integers(len(self.bank)))
-        tasks = [task for task in self.tasks_of(garment) if task != "edit"]
+        brief = self.config.network.edits == "outlines"
+        tasks = [task for task in self.tasks_of(garment) if brief or task != "edit"]
         weights = np.array([getattr(self.config.tasks, task) for task in tasks])
         if not weights.sum():
             return None
@@ -146,7 +152,9 @@ class MakerSamples:
             edited = one.edits[int(chance.integers(len(one.edits)))]
             version, before = (edited, one.pattern) if chance.random() < 0.5 else (one.pattern, edited)
         seed = tuple(chance.integers(_LARGEST_SEED, size=2).tolist())
-        length = len(version.sequence) + (len(before.sequence) if before else 0) + _TYPICAL_TEXT
+        share = _BRIEF if self.config.network.edits == "outlines" else 1
+        told = 0 if before is None else share * len(before.sequence)
+        length = len(version.sequence) + int(told) + _TYPICAL_TEXT
         length += self.config.network.image_tokens if "image" in task else 0
         return Plan(task, garment, version, before, seed, length)
 
@@ -183,6 +191,7 @@ class MakerSamples:
             self.text_size,
             image_tokens=0 if picture is None else self.config.network.image_tokens,
             edit=edit,
+            brief=self.config.network.edits == "outlines",
         )
         written = pattern_part(answer, self.text_size)
         numbers = written.numbers

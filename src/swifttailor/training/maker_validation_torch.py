@@ -54,10 +54,8 @@ class Validation:
             plans.sort(key=lambda plan: plan.length)
             made = [self.samples.make(plan, clean=True) for plan in plans]
             size = self.config.network.image_size
-            planning = self.config.network.planning
-            found[task] = [
-                assemble(made[k : k + BATCH], size, planning=planning) for k in range(0, len(made), BATCH)
-            ]
+            parts = [made[k : k + BATCH] for k in range(0, len(made), BATCH)]
+            found[task] = [assemble(part, size, network=self.config.network) for part in parts]
         return found
 
     def _measure(self, network: PatternMakerNetwork, batches: list[Batch]) -> dict[str, float]:

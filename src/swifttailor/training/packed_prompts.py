@@ -8,7 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.pattern_maker.vocabulary import NUMBERS
+
 Ints = NDArray[np.int64]
+Floats = NDArray[np.float32]
 
 ROW = 128
 """Tokens of a row; of the longest prompt, where that is more. Attention costs the square of it."""
@@ -20,6 +23,8 @@ class PackedPrompts:
 
     tokens: Ints
     """(rows, length) ids; rows end with padding."""
+    numbers: Floats
+    """(rows, length, 8) that go with them."""
     positions: Ints
     """(rows, length) of each token in its prompt: they begin anew with each, and with each token of padding,
     by which transformers tells the sequences of a row apart."""
@@ -27,11 +32,12 @@ class PackedPrompts:
     """(prompts,) places of their last tokens in the flattened rows."""
 
 
-def pack_prompts(prompts: Sequence[Ints], pad: int) -> PackedPrompts:
+def pack_prompts(prompts: Sequence[Ints], numbers: Sequence[Floats], pad: int) -> PackedPrompts:
     """Fills row after row.
 
     Args:
         prompts: (n,) ids of each.
+        numbers: (n, 8) that go with them.
         pad: Id to fill up with.
     """
     length = max([ROW, *(len(p) for p in prompts)])
@@ -43,8 +49,13 @@ def pack_prompts(prompts: Sequence[Ints], pad: int) -> PackedPrompts:
         used += len(prompt)
     rows = row + 1 if prompts else 0
     tokens, positions = np.full(rows * length, pad, np.int64), np.zeros(rows * length, np.int64)
-    for place, prompt in zip(places, prompts, strict=True):
+    packed = np.zeros((rows * length, NUMBERS), np.float32)
+    for place, prompt, own in zip(places, prompts, numbers, strict=True):
+        packed[place : place + len(prompt)] = own
         tokens[place : place + len(prompt)] = prompt
         positions[place : place + len(prompt)] = np.arange(len(prompt))
     ends = np.array([place + len(p) - 1 for place, p in zip(places, prompts, strict=True)], np.int64)
-    return PackedPrompts(tokens.reshape(rows, length), positions.reshape(rows, length), ends)
+    shape = rows, length
+    return PackedPrompts(
+        tokens.reshape(shape), packed.reshape(*shape, NUMBERS), positions.reshape(shape), ends
+    )
