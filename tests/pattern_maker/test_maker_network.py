@@ -59,7 +59,7 @@ def network():
 
     torch.manual_seed(1)
     network = build_network(TINY, TEXT).eval()
-    heads = (network.counterpart_in, network.counterpart_head[2], network.planned_in)
+    heads = (network.counterpart_in, network.counterpart_head[2], network.planned_in, network.planned_head[2])
     for parameter in (head.weight for head in heads):
         torch.nn.init.normal_(parameter, std=0.5)
     return network

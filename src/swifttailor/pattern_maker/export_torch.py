@@ -130,6 +130,7 @@ def make_graphs(network: PatternMakerNetwork) -> dict[str, bytes]:
     if network.planning:
         given["plan"] = (_Plan(network), (torch.zeros(2, hidden),), ({0: rows},))
         given["planned"] = (_Planned(network), *given["embed"][1:])
+        given["trust"] = (_Trust(network), (torch.zeros(2, hidden),), ({0: rows},))
     return {
         name: export_graph(module, example, shapes, *signature(name, planning=network.planning))
         for name, (module, example, shapes) in given.items()
@@ -164,6 +165,7 @@ def compare(first: Runtime, second: Runtime, text_size: int, *, image_size: int,
                 found.append(runtime.lean(states[:, 0]))
                 if first.plans and second.plans:
                     found.append(runtime.embed_planned(own, numbers[:, step : step + 1]))
+                    found.append(runtime.trust(states[:, 0]))
         results.append(found)
     return max(float(np.abs(a - b).max() / max(np.abs(a).max(), 1e-6)) for a, b in zip(*results, strict=True))
 
@@ -208,6 +210,15 @@ class _Planned(nn.Module):
 
     def forward(self, tokens: Tensor, numbers: Tensor) -> Tensor:
         return self.network.embed_planned(tokens, numbers)
+
+
+class _Trust(nn.Module):
+    def __init__(self, network: PatternMakerNetwork) -> None:
+        super().__init__()
+        self.network = network
+
+    def forward(self, states: Tensor) -> Tensor:
+        return self.network.trust(states)
 
 
 class _Plan(nn.Module):

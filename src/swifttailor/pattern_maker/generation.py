@@ -12,7 +12,7 @@ from swifttailor.errors import InputError
 from swifttailor.pattern_maker.copying import mix
 from swifttailor.pattern_maker.counterpart import Counterpart, Counterparts
 from swifttailor.pattern_maker.grammar import Grammar, Stage, State
-from swifttailor.pattern_maker.plan import PatternPlan
+from swifttailor.pattern_maker.plan import PatternPlan, approach
 from swifttailor.pattern_maker.prompt import Sequence
 from swifttailor.pattern_maker.runtime import Cache, Floats, Runtime
 from swifttailor.pattern_maker.token_sequence import LARGEST_NUMBER, NUMBER_MASK, TokenSequence
@@ -196,24 +196,28 @@ def _answer_all(
         if not np.isfinite(logits).all():
             raise InputError("The network's logits are not finite numbers: its weights are damaged.")
         tokens = np.array([a.choose(x, grammar) for a, x in zip(active, logits, strict=True)], np.int64)
-        numbers = np.zeros((len(active), NUMBERS), np.float32)
+        written = np.zeros((len(active), NUMBERS), np.float32)
         if _CARRIES[tokens].any():
             given = runtime.regress(states, tokens)
+            foretold = np.array([c.planned for c in own], np.int64)
+            if (foretold >= 0).any():
+                numbers = np.stack([c.planned_numbers for c in own])
+                given = approach(given, numbers, runtime.trust(states), tokens, foretold)
             if leanings is not None:
                 given = mix(given, np.stack([c.numbers for c in own]), leanings, tokens, others)
             if not np.isfinite(given).all():
                 raise InputError("The network's numbers are not finite: its weights are damaged.")
-            numbers = given.clip(-LARGEST_NUMBER, LARGEST_NUMBER) * NUMBER_MASK[tokens]
-        for answer, row in zip(active, numbers, strict=True):
+            written = (given.clip(-LARGEST_NUMBER, LARGEST_NUMBER) * NUMBER_MASK[tokens]).astype(np.float32)
+        for answer, row in zip(active, written, strict=True):
             answer.take_numbers(row)
         going = np.array([k for k, a in enumerate(active) if a.state.stage is not Stage.FINISHED], np.int64)
         if not len(going):
             return
         if len(going) < len(active):
             active = [active[k] for k in going]
-            tokens, numbers, cache = tokens[going], numbers[going], cache.rows(going)
+            tokens, written, cache = tokens[going], written[going], cache.rows(going)
         own = [answer.counterpart() for answer in active]
-        embedded = runtime.embed(tokens[:, None] + text_size, numbers[:, None])
+        embedded = runtime.embed(tokens[:, None] + text_size, written[:, None])
         embedded = embedded + _added(runtime, own, embedded.shape[-1])[:, None]
         known = np.ones((len(active), 1), np.float32)
         after, next_logits, cache = runtime.decode(embedded, known, cache)

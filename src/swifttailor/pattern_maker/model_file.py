@@ -149,6 +149,7 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
     if "plan" in sessions:
         facts["what it foresees"] = (made["plan"]["foreseen"][1], FORESEEN)
         facts["the plan's width"] = (made["planned"]["added"][2], hidden)
+        facts["what it trusts"] = (made["trust"]["shares"][1], NUMBERS)
     if calibration is not None:
         facts["what is usual for pictures"] = (len(calibration.space.mean), hidden)
     for what, (found, wanted) in facts.items():

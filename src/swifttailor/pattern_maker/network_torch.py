@@ -17,6 +17,7 @@ from swifttailor.pattern_maker.copying import LEANINGS
 from swifttailor.pattern_maker.foresight import FORESEEN
 from swifttailor.pattern_maker.initial_weights_torch import EMBEDDING, initialize
 from swifttailor.pattern_maker.network_config import NetworkConfig
+from swifttailor.pattern_maker.plan import FORESEEN_NUMBERS
 from swifttailor.pattern_maker.prompt import IMAGE, OWN_TOKENS
 from swifttailor.pattern_maker.stem_torch import ConvolutionalStem
 from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
@@ -39,8 +40,10 @@ VISION = ("vlm.vision_tower.", "vlm.multi_modal_projector.")
 """And of those that pictures go through."""
 COPYING = ("counterpart_",)
 """And of those of `copying`."""
-PLANNING = ("planned_in.",)
+PLANNING = ("planned_in.", "planned_head.")
 """And of those of `planning`."""
+DOUBT = -1.0
+"""And of how much rather from the plan."""
 SELDOM = -2.0
 """Before anything is learnt, the logarithm of how much rather a number is taken from its counterpart."""
 
@@ -86,7 +89,11 @@ class PatternMakerNetwork(nn.Module):
                 self.counterpart_head[2].bias.zero_()[1] = SELDOM
         if planning:
             self.planned_in = nn.Linear(hidden, hidden, bias=False)
-            nn.init.zeros_(self.planned_in.weight)
+            self.planned_head = _mlp(hidden, hidden, NUMBERS, nn.GELU)
+            self.register_buffer("foreseen_numbers", torch.tensor(FORESEEN_NUMBERS), persistent=False)
+            for weight in (self.planned_in.weight, self.planned_head[2].weight):
+                nn.init.zeros_(weight)
+            nn.init.constant_(self.planned_head[2].bias, DOUBT)
 
     def forward(
         self,
@@ -143,6 +150,10 @@ class PatternMakerNetwork(nn.Module):
         foreseen = self.foresight_head(understood.float())
         states = states[answers]
         logits, given = self.logits(states), self.regress(states, next_tokens)
+        if self.planning:
+            foretold = planned.flatten()[answers]
+            share = self.trust(states).sigmoid() * self.are_foreseen(next_tokens, foretold)
+            given = given + share * (planned_numbers.flatten(0, 1)[answers] - given)
         if self.copying:
             own, own_numbers = copied.flatten()[answers], copied_numbers.flatten(0, 1)[answers]
             there = torch.nonzero(own >= 0)[:, 0]
@@ -247,6 +258,15 @@ class PatternMakerNetwork(nn.Module):
         What the logit of the counterpart gains; the logit of taking its numbers; and what is added to these.
         """
         return self.counterpart_head(states.float())
+
+    def trust(self, states: Tensor) -> Tensor:
+        """(..., 8) logits of how much of the next numbers is taken from the plan, of states (..., hidden)."""
+        return self.planned_head(states.float())
+
+    def are_foreseen(self, tokens: Tensor, others: Tensor) -> Tensor:
+        """(..., 8) which numbers of tokens (...) may be those of foreseen ones (...), negative for none."""
+        known = self.foreseen_numbers[tokens] & self.foreseen_numbers[others.clamp(min=0)]
+        return known & (others >= 0)[..., None]
 
     def carries_alike(self, tokens: Tensor, others: Tensor) -> Tensor:
         """Which tokens (...) of patterns carry numbers that mean the same as those of others (...)."""

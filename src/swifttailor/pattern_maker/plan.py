@@ -27,13 +27,20 @@ from swifttailor.pattern_maker.vocabulary import (
     CLOSING_COMMANDS,
     COMMANDS,
     END,
+    MOVE,
     NUMBERS,
     PANEL_TOKENS,
     PATTERN_END,
     SIZE,
+    TRANSLATION,
 )
 
 Numbers = NDArray[np.float32]
+FORESEEN_NUMBERS: NDArray[np.bool_] = np.zeros((SIZE, NUMBERS), bool)
+"""Which numbers of a token may be taken from a plan: where a panel stands, and where an edge ends. A rotation
+has two quaternions, between which there is no middle."""
+FORESEEN_NUMBERS[MOVE, TRANSLATION] = True
+FORESEEN_NUMBERS[COMMANDS.start : COMMANDS.stop, END] = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,3 +92,23 @@ class PatternPlan:
         start = OUTLINE.start + 2 * number
         numbers[END] = own[start : start + 2]
         return COMMANDS[0], numbers
+
+
+def approach(
+    written: NDArray[np.floating],
+    planned: NDArray[np.floating],
+    trust: NDArray[np.floating],
+    tokens: NDArray[np.integer],
+    others: NDArray[np.integer],
+) -> NDArray[np.floating]:
+    """Numbers between those that the network would write and those of its plan.
+
+    Args:
+        written: (n, 8) what it would write.
+        planned: (n, 8) what is foreseen.
+        trust: (n, 8) logits of the share of that.
+        tokens: (n,) of patterns.
+        others: (n,) foreseen, negative for none.
+    """
+    known = FORESEEN_NUMBERS[tokens] & FORESEEN_NUMBERS[others] & (others >= 0)[:, None]
+    return np.where(known, written + (planned - written) / (1 + np.exp(-trust)), written)

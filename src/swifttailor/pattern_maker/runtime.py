@@ -29,6 +29,7 @@ COPYING_GRAPHS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 PLANNING_GRAPHS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "plan": (("early",), ("foreseen",)),
     "planned": (("tokens", "numbers"), ("added",)),
+    "trust": (("states",), ("shares",)),
 }
 """And those of one that is told what it has foreseen as well (`plan`)."""
 EARLY = "early"
@@ -108,7 +109,7 @@ class Runtime(Protocol):
 
     @property
     def plans(self) -> bool:
-        """Whether it is told what it has foreseen, by the two functions below."""
+        """Whether it is told what it has foreseen, by the functions below."""
         ...
 
     def foresee(self, embedded: Floats, known: Floats) -> Floats:
@@ -117,6 +118,10 @@ class Runtime(Protocol):
 
     def embed_planned(self, tokens: Ids, numbers: Floats) -> Floats:
         """What `embed_counterparts` is, for those that are foreseen."""
+        ...
+
+    def trust(self, states: Floats) -> Floats:
+        """(B, 8) logits of how much of the next numbers is the plan's, after the states (B, hidden)."""
         ...
 
 
@@ -181,6 +186,10 @@ class OnnxRuntime:
     def embed_planned(self, tokens: Ids, numbers: Floats) -> Floats:
         """See `Runtime`."""
         return self._run("planned", tokens, numbers)[0]
+
+    def trust(self, states: Floats) -> Floats:
+        """See `Runtime`."""
+        return self._run("trust", states)[0]
 
     def _run(self, graph: str, *given: Any) -> Any:
         inputs, _ = signature(graph, planning=self.plans)

@@ -90,6 +90,11 @@ class TorchRuntime:
         """See `Runtime`."""
         return _floats(self.network.embed_planned(self._given(tokens), self._given(numbers)))
 
+    @torch.inference_mode()
+    def trust(self, states: Floats) -> Floats:
+        """See `Runtime`."""
+        return _floats(self.network.trust(self._given(states)))
+
     def _given(self, array: Any) -> torch.Tensor:
         return torch.as_tensor(array, device=self.device)
 
