@@ -41,7 +41,7 @@ class MakerLosses:
     """Of the binary cross entropy of which tokens the answer has, foreseen at the end of the prompt. The
     answer itself tells most of each next token, so that a small network is slow to learn what the prompt
     tells."""
-    foreseen_numbers: float = 1.0
+    foreseen_numbers: float = 4.0
     """Of the error of where its panels are and how large, foreseen at the same place."""
     penalty: Literal["absolute", "squared"] = "absolute"
     """Of a number, in normalised units; absolute is squared below `number_penalty`'s beta."""
@@ -76,9 +76,10 @@ class MakerConfig(LoopConfig):
     for networks that do not fit into one GPU otherwise."""
     tags: Literal["ascending", "random"] = "ascending"
     """Whether stitch tags count up, or mean nothing (AIpparel)."""
-    reads: int = 16
+    reads: int = 12
     """Prompts beside each sample that are only read, for the losses of foresight: they are short, and what
-    they say is what is learnt last. Their tasks are as often as in `tasks`, those of editing left out."""
+    they say is what is learnt last. Their tasks are as often as in `tasks`; edits of which the prompt tells the
+    whole pattern are left out."""
     recuts: int = 1
     """Edits made of each pattern by recutting it, beside those of the file of edits."""
     typos: float = 0.03
