@@ -78,7 +78,7 @@ class MakerConfig(LoopConfig):
     """Whether stitch tags count up, or mean nothing (AIpparel)."""
     reads: int = 12
     """Prompts beside each sample that are only read, for the losses of foresight: they are short, and what
-    they say is what is learnt last. Their tasks are as often as in `tasks`; edits of which the prompt tells the
+    they say is what is learnt last. Their tasks are as often as in `tasks`; edits whose prompts tell the
     whole pattern are left out."""
     recuts: int = 1
     """Edits made of each pattern by recutting it, beside those of the file of edits."""
