@@ -87,7 +87,7 @@ def test_an_edit_changes_the_pattern_it_is_given(maker):
     assert maker.generate("make it 15 cm longer", edit=skirt).pattern != skirt
 
 
-@pytest.mark.xfail(strict=True, reason="the weights fulfil a third of the instructions")
+@pytest.mark.xfail(strict=True, reason="the weights fulfil a fifth of the instructions")
 def test_an_edit_does_what_it_is_told(maker):
     skirt = draft("fitted-skirt")
     edited = maker.generate("make it 15 cm longer", edit=skirt).pattern
