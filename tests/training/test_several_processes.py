@@ -46,6 +46,8 @@ TINY = [
     "ema=0.9",
     "recuts=0",
 ]
+UNPLANNED = "network.planning=false"
+"""A plan is foreseen with the whole network."""
 OF_NORMS = ("running_mean", "running_var", "num_batches_tracked")
 """What norms count beside their weights."""
 SCRIPT = """
@@ -92,10 +94,10 @@ def apart(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> float:
 
 
 def test_in_parts_or_in_copies_the_same_is_learnt_and_gone_on_with(folder):
-    copies = train_in_two(folder, "copies", "precision=float32")
-    parts = train_in_two(folder, "parts", "precision=float32", "shard=true")
+    copies = train_in_two(folder, "copies", "precision=float32", UNPLANNED)
+    parts = train_in_two(folder, "parts", "precision=float32", "shard=true", UNPLANNED)
     assert apart(copies, parts) < 1e-4
-    resumed = train_in_two(folder, "resumed", "precision=float32", "shard=true", stop=3)
+    resumed = train_in_two(folder, "resumed", "precision=float32", "shard=true", UNPLANNED, stop=3)
     assert apart(parts, resumed) < 1e-6
     lines = [json.loads(line) for line in (folder / "resumed/metrics.jsonl").read_text().splitlines()]
     assert [line["step"] for line in lines if "validation" in line] == [3, 6]
@@ -105,8 +107,13 @@ def test_in_parts_or_in_copies_the_same_is_learnt_and_gone_on_with(folder):
     assert card["parameters"] == sum(v.size for v in learnt.values())
 
 
+def test_copies_are_told_what_they_foresee(folder):
+    planned = train_in_two(folder, "planned", "precision=float32")
+    assert np.abs(planned["planned_in.weight"]).max() > 1e-3  # it began at 0
+
+
 def test_parts_compute_in_bfloat16_and_stay_float32(folder):
-    parts = train_in_two(folder, "low", "precision=bfloat16", "shard=true")
+    parts = train_in_two(folder, "low", "precision=bfloat16", "shard=true", UNPLANNED)
     assert {v.dtype for k, v in parts.items() if not k.endswith(OF_NORMS)} == {np.dtype(np.float32)}
     high = load_file(folder / "parts/weights.safetensors")
     assert 1e-6 < apart(parts, high) < 0.1
@@ -114,7 +121,17 @@ def test_parts_compute_in_bfloat16_and_stay_float32(folder):
 
 def test_what_needs_whole_matrices_is_not_split(folder):
     with pytest.raises(AssertionError, match="optimizer=muon needs whole matrices"):
-        train_in_two(folder, "muon", "precision=float32", "shard=true", "optimizer=muon")
+        train_in_two(folder, "muon", "precision=float32", "shard=true", UNPLANNED, "optimizer=muon")
+
+
+def test_what_needs_the_whole_network_is_not_split(folder):
+    from swifttailor.training.maker_config import read_config
+    from swifttailor.training.maker_loop_torch import train
+
+    for value in ("network.planning=true", "compiled=true"):
+        values = [*TINY, "shard=true", *([] if "planning" in value else [UNPLANNED]), value]
+        with pytest.raises(InputError, match=f"{value} cannot go with shard=true"):
+            train(read_config("small", values), [folder / "train.jsonl"], folder / "no")
 
 
 def test_one_process_has_nothing_to_split(folder):

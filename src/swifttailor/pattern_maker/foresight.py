@@ -69,11 +69,12 @@ def foresight_of(sequence: TokenSequence, old: TokenSequence | None = None) -> F
     for start, end in zip(starts, [*starts[1:], len(tokens)], strict=True):
         panel = tokens[start] - PANEL_TOKENS.start
         _fill(tokens[start:end], sequence.numbers[start:end], numbers[panel], known[panel])
+    numbers = np.clip(numbers, -_LARGEST, _LARGEST)
     if old is not None:
         before = foresight_of(old)
         numbers = np.where(known & before.known, numbers - before.numbers, numbers)
     present = (np.bincount(tokens, minlength=SIZE) > 0).astype(np.float32)
-    return Foresight(present, np.clip(numbers, -_LARGEST, _LARGEST), known)
+    return Foresight(present, numbers, known)
 
 
 def _fill(
