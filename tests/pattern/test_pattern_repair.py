@@ -20,6 +20,7 @@ from swifttailor.pattern import (
     Quadratic,
     Severity,
     check_pattern,
+    curve,
     read_specification,
     repair_pattern,
     to_specification,
@@ -226,3 +227,25 @@ def test_larger_moves_are_made_where_they_are_allowed():
     assert find_crossing(trace_outline(mended.pattern.panels[0])) is None
     before, after = (p.flatten_edge(0, 0.01)[:, 1].max() for p in (strip, mended.pattern.panels[0]))
     assert 2.0 <= before - after <= 4.0
+
+
+@pytest.mark.parametrize("inner", [0.5, 1.4, 2.6])
+def test_flounces_that_cross_themselves_get_even(inner):
+    """Part of a ring, 3 cm wide, of up to four fifths of a turn; the inner arc is 5 cm too high."""
+    around = np.array([np.pi / 2 - inner, np.pi / 2 + inner])
+    rim, neck = (r * np.stack([np.cos(around), np.sin(around)], axis=1) for r in (60.0, 57.0))
+    corners = np.concatenate([rim, neck[::-1]])
+    edges = [Edge(Arc(60.0, inner > np.pi / 2, True)), Edge(), Edge(), Edge()]
+    half = float(np.hypot(*(neck[1] - neck[0]))) / 2
+    sagitta = 57 - 57 * np.cos(inner) + 5
+    radius = (half**2 + sagitta**2) / (2 * sagitta)
+    edges[2] = Edge(Arc(radius, bool(sagitta > half), False))
+    flounce = Panel("flounce", corners, tuple(edges))
+    assert find_crossing(trace_outline(flounce)).kind == "crossing"
+    assert not repair_pattern(Pattern((flounce,))).changes
+    (mended,) = repair_pattern(Pattern((flounce,)), largest_share=0.05).pattern.panels
+    assert find_crossing(trace_outline(mended)) is None
+    assert np.array_equal(mended.vertices, flounce.vertices)
+    tops = [curve.evaluate(mended.edges[k].curve, mended.chord(k), np.array([0.5]))[0] for k in (0, 2)]
+    assert tops[0] - tops[1] == pytest.approx([0.0, 3.0], abs=1e-6)
+    assert tops[0][1] == pytest.approx(62.5, abs=1e-6)  # the arcs' middles were at 60 and 62

@@ -11,7 +11,7 @@ import shapely
 from swifttailor.pattern import curve as curves
 from swifttailor.pattern.check.crossings import Crossing, find_crossing
 from swifttailor.pattern.check.outline import trace_outline
-from swifttailor.pattern.curve import Arc, Array, Cubic, Curve, Quadratic
+from swifttailor.pattern.curve import Arc, Array, Cubic, Curve, Line, Quadratic
 from swifttailor.pattern.panel import Panel
 
 MAX_MOVE_CM = 0.5
@@ -24,25 +24,36 @@ MOST_PLACES = 64
 """An outline that meets itself more often is no slip: trying to mend it would take minutes and fail."""
 _MAX_ROUNDS = 8
 _FLATTENINGS = (0.995, 0.99, 0.98, 0.97, 0.96, 0.95, 0.93, 0.9, 0.8, 0.65, 0.5, 0.3, 0.0)
+_BULGES = (1.1, 1.5, 2.0, 3.0, 5.0)
+"""Ways that the middle of an arc is moved, of the depth of a crossing."""
 
 
-def mend_crossings(panel: Panel, largest_move: float = MAX_MOVE_CM) -> tuple[Panel, float] | None:
+def mend_crossings(
+    panel: Panel, largest_move: float = MAX_MOVE_CM, largest_share: float = 0.0
+) -> tuple[Panel, float] | None:
     """Tries to free an outline of self-intersections.
 
     A corner that pokes through another edge is put back to its side of it; where two neighbouring edges
     cross beside their common corner, the corner is moved to the crossing; where a curve bulges over another
-    edge, it is flattened. The smallest change that works is taken.
+    edge, it is flattened, or made rounder if it is an arc. The smallest change that works is taken; but a
+    flounce gets even.
 
     Args:
         panel: A panel whose outline meets itself.
         largest_move: How far a point may be moved, cm.
+        largest_share: How far of the panel's size, where that is more.
 
     Returns:
         The panel with a simple outline and the longest way a point of it was moved in cm, or None when
-        changes of up to `largest_move` do not do it.
+        changes of up to that do not do it.
     """
-    mended = panel
-    crossing = find_crossing(trace_outline(panel))
+    mended, outline = panel, trace_outline(panel)
+    crossing, largest_move = find_crossing(outline), max(largest_move, largest_share * outline.size)
+    ring = _evenly_wide(panel) if crossing is not None else None
+    if ring is not None and find_crossing(trace_outline(ring)) is None:
+        moved = _distance_moved(panel, ring)
+        if moved <= largest_move:
+            return ring, moved
     for _ in range(_MAX_ROUNDS):
         if crossing is None:
             return mended, _distance_moved(panel, mended)
@@ -64,6 +75,31 @@ def mend_crossings(panel: Panel, largest_move: float = MAX_MOVE_CM) -> tuple[Pan
             return None
         mended, crossing = best, best_crossing
     return None
+
+
+def _evenly_wide(panel: Panel) -> Panel | None:
+    """A flounce, two arcs between two lines, as wide in the middle as at its ends; None for other panels."""
+    kinds = [type(edge.curve) for edge in panel.edges]
+    if len(kinds) != 4 or kinds.count(Arc) != 2 or kinds[0] != kinds[2] or kinds.count(Line) != 2:
+        return None
+    arcs = (0, 2) if kinds[0] is Arc else (1, 3)
+    chords = {k: panel.chord(k) for k in range(4)}
+    middles = {k: curves.evaluate(panel.edges[k].curve, chords[k], np.array([0.5]))[0] for k in arcs}
+    lengths = [float(np.hypot(*(chords[k][1] - chords[k][0]))) for k in range(4)]
+    outer, inner = sorted(arcs, key=lambda k: -lengths[k])
+    bulge = middles[outer] - chords[outer].mean(axis=0)
+    if lengths[inner] == 0.0 or not bulge.any():
+        return None
+    way = bulge / np.hypot(*bulge) * sum(lengths[k] for k in range(4) if k not in arcs) / 4
+    middle = (middles[outer] + middles[inner]) / 2
+    for k, aim in ((outer, middle + way), (inner, middle - way)):
+        sagitta = float(np.hypot(*(middles[k] - chords[k].mean(axis=0))))
+        out = aim - chords[k].mean(axis=0)
+        arc = _bulged(panel.edges[k].curve, chords[k], float(out @ bulge / np.hypot(*bulge)) - sagitta)
+        if arc is None:
+            return None
+        panel = _with_curve(panel, k, arc)
+    return panel
 
 
 def _distance_moved(before: Panel, after: Panel) -> float:
@@ -92,9 +128,31 @@ def _moves(panel: Panel, crossing: Crossing, largest_move: float) -> Iterator[Pa
         for factor in _FLATTENINGS:
             flatter = _flattened(panel.edges[k].curve, panel.chord(k), factor)
             if flatter is not None:
-                edges = list(panel.edges)
-                edges[k] = replace(edges[k], curve=flatter)
-                yield replace(panel, edges=tuple(edges))
+                yield _with_curve(panel, k, flatter)
+        for share in _BULGES:
+            for way in (share * crossing.depth, -share * crossing.depth):
+                arc = _bulged(panel.edges[k].curve, panel.chord(k), way)
+                if arc is not None:
+                    yield _with_curve(panel, k, arc)
+
+
+def _with_curve(panel: Panel, edge: int, curve: Curve) -> Panel:
+    edges = list(panel.edges)
+    edges[edge] = replace(edges[edge], curve=curve)
+    return replace(panel, edges=tuple(edges))
+
+
+def _bulged(curve: Curve, chord: Array, way: float) -> Arc | None:
+    """An arc whose middle is so much further from its chord, cm; None for other curves and for none left."""
+    half = float(np.hypot(*(chord[1] - chord[0]))) / 2
+    if not isinstance(curve, Arc) or half == 0.0:
+        return None
+    radius = max(curve.radius, half)
+    rest = np.sqrt(radius**2 - half**2)
+    sagitta = radius + (rest if curve.large else -rest) + way
+    if sagitta <= 0:
+        return None
+    return replace(curve, radius=float((half**2 + sagitta**2) / (2 * sagitta)), large=bool(sagitta > half))
 
 
 def _flattened(curve: Curve, chord: Array, factor: float) -> Curve | None:

@@ -73,6 +73,7 @@ def repair_pattern(
     *,
     body: BodyProbe | SignedDistance | None = None,
     largest_move: float = MAX_MOVE_CM,
+    largest_share: float = 0.0,
 ) -> Repair:
     """Mends what is safe to mend and leaves alone what would need a guess.
 
@@ -87,11 +88,13 @@ def repair_pattern(
             as changes.
         body: As for `check_pattern`; only for `Repair.remaining`.
         largest_move: How far a point of an outline may be moved, cm: as far as it may be off.
+        largest_share: The same as a share of the panel's size; whichever is more counts.
     """
     changes = [_reader_change(f) for f in reader_findings]
+    free = partial(_free_crossings, largest_move=largest_move, largest_share=largest_share)
     for _ in range(_MAX_ROUNDS):
         made: list[Change] = []
-        for step in (*_STEPS, partial(_free_crossings, largest_move=largest_move)):
+        for step in (*_STEPS, free):
             pattern, done = step(pattern)
             made += done
         changes += made
@@ -222,14 +225,16 @@ def _turn_seams(pattern: Pattern) -> tuple[Pattern, list[Change]]:
     return (replace(pattern, stitches=tuple(stitches)), changes) if changes else (pattern, [])
 
 
-def _free_crossings(pattern: Pattern, largest_move: float) -> tuple[Pattern, list[Change]]:
+def _free_crossings(
+    pattern: Pattern, largest_move: float, largest_share: float
+) -> tuple[Pattern, list[Change]]:
     changes = []
     panels: list[Panel] = []
     for panel in pattern.panels:
         crossing = find_crossing(trace_outline(panel))
         mended = None
         if crossing is not None and crossing.kind != "touch":
-            mended = mend_crossings(panel, largest_move)
+            mended = mend_crossings(panel, largest_move, largest_share)
         if crossing is not None and mended is not None:
             panel, moved = mended
             text = f"moved corners by up to {moved:.2g} cm, so that the outline no longer overlaps itself"
