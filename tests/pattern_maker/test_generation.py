@@ -12,10 +12,17 @@ from swifttailor.errors import InputError
 from swifttailor.pattern import check_pattern
 from swifttailor.pattern_maker.decode import decode
 from swifttailor.pattern_maker.generation import Asked, write_answers
-from swifttailor.pattern_maker.grammar import Grammar, Limits, State
+from swifttailor.pattern_maker.grammar import Grammar, Limits, Stage, State
 from swifttailor.pattern_maker.prompt import make_prompt
 from swifttailor.pattern_maker.runtime import Cache
-from swifttailor.pattern_maker.vocabulary import NUMBERS, SIZE, number_slots
+from swifttailor.pattern_maker.vocabulary import (
+    NOT_STITCHED,
+    NUMBERS,
+    PATTERN_END,
+    SIZE,
+    STITCH_TOKENS,
+    number_slots,
+)
 
 TEXT_SIZE = 10
 HIDDEN = 4
@@ -88,33 +95,57 @@ def test_the_same_seed_writes_the_same_in_any_company():
     assert first[0][0].sequence != first[0][1].sequence
 
 
-def test_likelihood_is_that_of_the_allowed_tokens():
-    runtime, grammar = Chance(), Grammar()
-    ((written,),) = write_answers(runtime, [asked()], grammar, TEXT_SIZE)
-    prompt = make_prompt((1, 2, 3), TEXT_SIZE).tokens.tolist()
-    state, total = State(), 0.0
-    for place, token in enumerate(written.sequence.tokens.tolist()):
-        before = prompt + [t + TEXT_SIZE for t in written.sequence.tokens.tolist()[:place]]
-        logits = (
-            np.random.default_rng([sum(before), len(before)]).normal(scale=3.0, size=SIZE).astype(np.float32)
+def test_temperature_zero_takes_the_likeliest_and_sums_up_how_likely():
+    """Written step by step beside it, broken off where stitches are open and the end is likeliest."""
+    grammar, broken = Grammar(Limits(200, 12)), 0
+    for text in [(k,) for k in range(1, 9)]:
+        ((first, second),) = write_answers(
+            Chance(), [asked(text, seeds=((1,), (2,)), temperature=0.0)], grammar, TEXT_SIZE
         )
-        allowed = np.where(grammar.allowed(state), np.exp(logits.astype(np.float64)), 0.0)
-        total += np.log(allowed[token] / allowed.sum())
-        state = grammar.advance(state, token)
-    assert written.log_likelihood == pytest.approx(total, rel=1e-6)
+        assert first.sequence == second.sequence
+        state, prompt = State(), make_prompt(text, TEXT_SIZE).tokens.tolist()
+        tokens, total = [], 0.0
+        while state.stage is not Stage.FINISHED:
+            logits = np.random.default_rng([sum(prompt), len(prompt)]).normal(scale=3.0, size=SIZE)
+            allowed = grammar.allowed(state)
+            unfinished = state.stage is Stage.BETWEEN_PANELS and state.name >= 0
+            allowed[PATTERN_END] |= unfinished
+            scores = np.where(allowed, logits.astype(np.float32), -np.inf).astype(np.float64)
+            token = int(scores.argmax())
+            total += scores[token] - np.log(np.exp(scores).sum())
+            if token == PATTERN_END and state.open:
+                state, tokens = grammar.broken_off(state, tokens)
+                broken += 1
+            state = grammar.advance(state, token)
+            tokens.append(token)
+            prompt.append(token + TEXT_SIZE)
+        assert first.sequence.tokens.tolist() == tokens
+        assert first.log_likelihood == pytest.approx(total, rel=1e-6)
+    assert broken
 
 
-def test_temperature_zero_takes_the_likeliest():
-    ((first, second),) = write_answers(
-        Chance(), [asked(seeds=((1,), (2,)), temperature=0.0)], Grammar(), TEXT_SIZE
-    )
-    assert first.sequence == second.sequence
-    state, prompt = State(), make_prompt((1, 2, 3), TEXT_SIZE).tokens.tolist()
-    for token in first.sequence.tokens.tolist():
-        logits = np.random.default_rng([sum(prompt), len(prompt)]).normal(scale=3.0, size=SIZE)
-        assert token == np.where(Grammar().allowed(state), logits, -np.inf).argmax()
-        state = Grammar().advance(state, token)
-        prompt.append(token + TEXT_SIZE)
+@given(st.integers(0, 2**31), st.sampled_from(["ascending", "any"]))
+@settings(deadline=None, max_examples=60)
+def test_a_pattern_that_ends_early_leaves_edges_unsewn_and_nothing_else(seed, tags):
+    chance, grammar, state, tokens = np.random.default_rng(seed), Grammar(tags=tags), State(), []
+    while not (grammar.may_break_off(state) and chance.random() < 0.5):
+        allowed = grammar.allowed(state)
+        allowed[PATTERN_END] = False
+        if not allowed.any():
+            return
+        tokens.append(int(chance.choice(np.flatnonzero(allowed))))
+        state = grammar.advance(state, tokens[-1])
+    after, kept = grammar.broken_off(state, tokens)
+    assert faults([*kept, PATTERN_END], 1024, 64) == []
+    again = State()
+    for token in [*kept, PATTERN_END]:
+        again = grammar.advance(again, token)
+    assert again == grammar.advance(after, PATTERN_END)
+    pairs = [(old, new) for old, new in zip(tokens, kept, strict=True) if old != new]
+    opened = {STITCH_TOKENS[tag] for tag in state.open}
+    assert {old for old, new in pairs if new == NOT_STITCHED} == opened
+    renamed = {old: new for old, new in pairs if new != NOT_STITCHED}
+    assert len(set(renamed.values())) == len(renamed) and (tags == "ascending" or not renamed)
 
 
 def test_draws_follow_the_probabilities():

@@ -14,11 +14,12 @@ from PIL import Image
 from token_reference import faults
 
 from swifttailor.errors import InputError, PatternError
-from swifttailor.pattern import Pattern, check_pattern, repair_pattern
+from swifttailor.pattern import Pattern, check_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker.decode import decode
 from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.maker import INEXACT_CM, PatternMaker, Request
+from swifttailor.pattern_maker.maker import PatternMaker, Request
+from swifttailor.pattern_maker.mending import mend
 from swifttailor.pattern_maker.model_file import load_model
 from swifttailor.pattern_maker.pictures import picture_for_network, read_picture
 
@@ -84,7 +85,7 @@ def test_what_was_written_comes_along(maker):
     made = maker.generate("a skirt", seed=5, temperature=1.0)
     written = decode(made.sequence)
     assert made.tokens == len(made.sequence)
-    repaired = repair_pattern(written, largest_move=INEXACT_CM)
+    repaired = mend(written)
     assert (repaired.pattern, repaired.changes) == (made.pattern, made.changes)
 
 

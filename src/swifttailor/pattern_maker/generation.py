@@ -16,7 +16,7 @@ from swifttailor.pattern_maker.plan import PatternPlan, approach
 from swifttailor.pattern_maker.prompt import Sequence
 from swifttailor.pattern_maker.runtime import Cache, Floats, Runtime
 from swifttailor.pattern_maker.token_sequence import LARGEST_NUMBER, NUMBER_MASK, TokenSequence
-from swifttailor.pattern_maker.vocabulary import NUMBERS
+from swifttailor.pattern_maker.vocabulary import NUMBERS, PATTERN_END
 
 _CARRIES: NDArray[np.bool_] = np.any(NUMBER_MASK, axis=1)
 
@@ -79,7 +79,9 @@ class _Answer:
 
     def choose(self, logits: NDArray[np.floating], grammar: Grammar) -> int:
         """Takes the next token; its numbers are added by `_answer_all`."""
-        allowed = np.flatnonzero(grammar.allowed(self.state))
+        mask = grammar.allowed(self.state)
+        mask[PATTERN_END] |= grammar.may_break_off(self.state)
+        allowed = np.flatnonzero(mask)
         scores = logits[allowed].astype(np.float64)
         logs = scores - scores.max()
         logs -= np.log(np.exp(logs).sum())
@@ -91,6 +93,8 @@ class _Answer:
         token = int(allowed[best])
         self.log_likelihood += float(logs[best])
         self.likeliest += float(logs.max())
+        if token == PATTERN_END and self.state.open:
+            self.state, self.tokens = grammar.broken_off(self.state, self.tokens)
         self.state = grammar.advance(self.state, token)
         self.tokens.append(token)
         return token

@@ -14,6 +14,7 @@ that name; a panel has three edges, or two of which one is curved; every stitch 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum, auto
 from typing import Literal
@@ -148,6 +149,27 @@ class Grammar:
             f"Token {state.length} is {TOKENS[token]}, which may not come here. "
             f"Accepted: {shown or 'nothing more, the pattern is finished'}."
         )
+
+    def may_break_off(self, state: State) -> bool:
+        """Whether a pattern could end here but for stitches that are open."""
+        return state.stage is Stage.BETWEEN_PANELS and state.name != _NO_NAME and bool(state.open)
+
+    def broken_off(self, state: State, tokens: Sequence[int]) -> tuple[State, list[int]]:
+        """Leaves the edges of open stitches unsewn, so that the pattern can end.
+
+        Args:
+            state: One in which `may_break_off`.
+            tokens: That have led to it.
+
+        Returns:
+            The same without the open stitches; where tags count up, those after them count on without a gap.
+        """
+        kept = sorted(state.used - state.open)
+        new = range(len(kept)) if self.tags == "ascending" else kept
+        names = {STITCH_TOKENS[tag]: STITCH_TOKENS[name] for tag, name in zip(kept, new, strict=True)}
+        names |= {STITCH_TOKENS[tag]: NOT_STITCHED for tag in state.open}
+        used = frozenset(names[STITCH_TOKENS[tag]] - STITCH_TOKENS.start for tag in kept)
+        return replace(state, open=frozenset(), used=used), [names.get(token, token) for token in tokens]
 
     def _by_syntax(self, state: State) -> list[list[int]]:
         """What the rules let follow, limits aside, in groups that lead to states of equal cost."""

@@ -12,12 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.errors import InputError
-from swifttailor.pattern import Finding, Pattern, Severity, check_pattern, repair_pattern
+from swifttailor.pattern import Finding, Pattern, Severity, check_pattern
 from swifttailor.pattern.check.repair import Change, Repair
 from swifttailor.pattern_maker.confidence import Confidence
 from swifttailor.pattern_maker.decode import decode
 from swifttailor.pattern_maker.encode import encode
 from swifttailor.pattern_maker.generation import Asked, Written, write_answers
+from swifttailor.pattern_maker.mending import mend
 from swifttailor.pattern_maker.model_file import MakerModel, load_model
 from swifttailor.pattern_maker.pictures import picture_for_network, read_picture
 from swifttailor.pattern_maker.prompt import make_prompt
@@ -27,9 +28,6 @@ from swifttailor.pattern_maker.token_sequence import TokenSequence
 
 SHIPPED = Path(__file__).with_name("pattern_maker.zip")
 MOST_ATTEMPTS = 64
-INEXACT_CM = 4.0
-"""Corners and curves of a written pattern may be this far off: so far they are moved to free an outline of
-itself."""
 USUAL_TEMPERATURE = 0.2
 """Between always the same and anything; `confidence` is measured at it."""
 
@@ -239,7 +237,7 @@ def _best(answers: Sequence[Written]) -> tuple[Written, Repair, tuple[Attempt, .
     order = sorted(
         range(len(answers)), key=lambda k: (tried[k].errors, tried[k].warnings, -tried[k].log_likelihood)
     )
-    return answers[order[0]], repair_pattern(patterns[order[0]], largest_move=INEXACT_CM), tried
+    return answers[order[0]], mend(patterns[order[0]]), tried
 
 
 def _judge(answer: Written, pattern: Pattern) -> Attempt:
