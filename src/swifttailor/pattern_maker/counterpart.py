@@ -9,7 +9,7 @@ take it, to change its numbers, or to write something else.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,6 +49,7 @@ SAME_END = 0.05
 REACH = 4
 """Edges inserted or left out in a row that are noticed."""
 _NO_NUMBERS = np.zeros(NUMBERS, np.float32)
+_INSIDE = frozenset(Stage) - {Stage.NOTHING, Stage.BETWEEN_PANELS, Stage.FINISHED}
 Side = tuple[int, int]
 """Class id of a panel and the number of an edge of it."""
 
@@ -63,6 +64,8 @@ class Counterpart:
     planned: int = NONE
     """The token that is foreseen (`PatternPlan`), which is rough where what is repeated is exact."""
     planned_numbers: NDArray[np.float32] = field(default_factory=lambda: _NO_NUMBERS)
+    panel: int = NONE
+    """Class id of the panel that is being written, of which all that is foreseen is told as well."""
 
 
 class Counterparts:
@@ -93,10 +96,13 @@ class Counterparts:
     def next(self) -> Counterpart:
         """Of the token that is to come."""
         repeated = self._repeated()
-        if self._plan is None or (repeated.token >= 0 and not self._is_edit):
+        if self._plan is None:
             return repeated
-        planned = self._foreseen(self._plan)
-        return repeated if planned is None else Counterpart(repeated.token, repeated.numbers, *planned)
+        panel = self._state.name if self._state.stage in _INSIDE else NONE
+        if repeated.token >= 0 and not self._is_edit:
+            return replace(repeated, panel=panel)
+        planned = self._foreseen(self._plan) or (NONE, _NO_NUMBERS)
+        return Counterpart(repeated.token, repeated.numbers, *planned, panel)
 
     def _foreseen(self, plan: PatternPlan) -> tuple[int, NDArray[np.float32]] | None:
         state = self._state

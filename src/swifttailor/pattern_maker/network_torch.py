@@ -14,7 +14,7 @@ from torch.distributed.tensor import DTensor
 from transformers import InternVLConfig, InternVLModel, InternVLVisionConfig, Qwen2Config
 
 from swifttailor.pattern_maker.copying import LEANINGS
-from swifttailor.pattern_maker.foresight import FORESEEN
+from swifttailor.pattern_maker.foresight import FORESEEN, PANEL_NUMBERS
 from swifttailor.pattern_maker.initial_weights_torch import EMBEDDING, initialize
 from swifttailor.pattern_maker.network_config import NetworkConfig
 from swifttailor.pattern_maker.plan import FORESEEN_NUMBERS
@@ -42,6 +42,8 @@ COPYING = ("counterpart_",)
 """And of those of `copying`."""
 PLANNING = ("planned_in.", "planned_head.")
 """And of those of `planning`."""
+PANEL_PLANS = ("panel_in.",)
+"""And of that which is told of whole panels."""
 DOUBT = -1.0
 """And of how much rather from the plan."""
 SELDOM = -2.0
@@ -90,8 +92,10 @@ class PatternMakerNetwork(nn.Module):
         if planning:
             self.planned_in = nn.Linear(hidden, hidden, bias=False)
             self.planned_head = _mlp(hidden, hidden, NUMBERS, nn.GELU)
+            self.panel_in = _mlp(PANEL_NUMBERS, hidden, hidden, nn.GELU)
             self.register_buffer("foreseen_numbers", torch.tensor(FORESEEN_NUMBERS), persistent=False)
-            for weight in (self.planned_in.weight, self.planned_head[2].weight):
+            last = self.planned_in.weight, self.planned_head[2].weight, *self.panel_in[2].parameters()
+            for weight in last:
                 nn.init.zeros_(weight)
             nn.init.constant_(self.planned_head[2].bias, DOUBT)
 
@@ -112,6 +116,8 @@ class PatternMakerNetwork(nn.Module):
         copied_numbers: Tensor,
         planned: Tensor,
         planned_numbers: Tensor,
+        panels: Tensor,
+        plans: Tensor,
     ) -> tuple[Tensor, Tensor, Tensor]:
         """Predicts the answers to some prompts, each token from those before it; reads others without answer.
 
@@ -131,6 +137,8 @@ class PatternMakerNetwork(nn.Module):
             copied_numbers: (B, L, 8) that go with them.
             planned: (B, L) the token that is foreseen there; negative for none.
             planned_numbers: (B, L, 8) that go with them.
+            panels: (B, L) class id of the panel that is being written there; negative for none.
+            plans: (B, 75, `PANEL_NUMBERS`) all that is foreseen of the panels.
 
         Returns:
             (n, tokens of patterns) logits, (n, 8) its numbers, and (B + R, `FORESEEN`) what is foreseen of
@@ -142,6 +150,8 @@ class PatternMakerNetwork(nn.Module):
             embedded = _added(embedded, copied, copied_numbers, self.embed_counterparts)
         if self.planning:
             embedded = _added(embedded, planned, planned_numbers, self.embed_planned)
+            told = self.embed_panels(plans)[torch.arange(len(plans), device=plans.device)[:, None], panels]
+            embedded = embedded + torch.where((panels >= 0)[..., None], told, 0.0).to(embedded.dtype)
         states, early = self._states(embedded)
         understood = early[firsts]
         if len(read):
@@ -246,6 +256,10 @@ class PatternMakerNetwork(nn.Module):
     def embed_planned(self, tokens: Tensor, numbers: Tensor) -> Tensor:
         """The same for counterparts that are foreseen."""
         return self.planned_in(self._with_numbers(tokens, numbers))
+
+    def embed_panels(self, plans: Tensor) -> Tensor:
+        """(..., hidden) to add at all places of panels, for what is foreseen of them (..., `PANEL_NUMBERS`)."""
+        return self.panel_in(plans)
 
     def _with_numbers(self, tokens: Tensor, numbers: Tensor) -> Tensor:
         """(..., hidden) of tokens (...) of patterns and their numbers (..., 8)."""

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from swifttailor.pattern_maker.counterpart import NONE, counterparts
-from swifttailor.pattern_maker.foresight import foresight_of
+from swifttailor.pattern_maker.foresight import PANEL_NUMBERS, foresight_of
 from swifttailor.pattern_maker.network_config import NetworkConfig
 from swifttailor.pattern_maker.network_torch import PatternMakerNetwork
 from swifttailor.pattern_maker.plan import PatternPlan
 from swifttailor.pattern_maker.prompt import PAD
 from swifttailor.pattern_maker.token_sequence import TokenSequence
-from swifttailor.pattern_maker.vocabulary import NUMBERS
+from swifttailor.pattern_maker.vocabulary import NUMBERS, PANEL_TOKENS
 from swifttailor.training.compilation_torch import not_compiled
 from swifttailor.training.maker_samples import MakerSample, MakerSamples, Plan
 from swifttailor.training.packed_prompts import pack_prompts
@@ -81,6 +81,10 @@ class Batch:
     """(B, L) what is foreseen there; negative where nothing is."""
     planned_numbers: Tensor
     """(B, L, 8)."""
+    panels: Tensor
+    """(B, L) class id of the panel that a place is in; negative for none, or where nothing is foreseen."""
+    plans: Tensor
+    """(B, panels, numbers of `foresight`) what is foreseen of each; 0 where nothing is."""
     unplanned: tuple[Unplanned, ...]
     """Answers that `with_plans` has still to add the counterparts of."""
 
@@ -89,7 +93,7 @@ class Batch:
         """What the network is called with."""
         written = (self.tokens, self.numbers, self.pictures, self.answers, self.next_tokens, self.firsts)
         read = (self.read, self.read_numbers, self.read_positions, self.read_ends, self.read_pictures)
-        told = (self.copied, self.copied_numbers, self.planned, self.planned_numbers)
+        told = (self.copied, self.copied_numbers, self.planned, self.planned_numbers, self.panels, self.plans)
         return (*written, *read, *told)
 
     def to(self, device: torch.device) -> Batch:
@@ -257,12 +261,15 @@ class _Told:
     copied_numbers: NDArray[np.float32]
     planned: NDArray[np.int64]
     planned_numbers: NDArray[np.float32]
+    panels: NDArray[np.int64]
+    plans: NDArray[np.float32]
 
     @staticmethod
     def like(shape: Sequence[int]) -> _Told:
         """Nothing, for (B, L) places."""
         nothing, zeros = np.full(shape, NONE, np.int64), np.zeros((*shape, NUMBERS), np.float32)
-        return _Told(nothing, zeros, nothing.copy(), zeros.copy())
+        plans = np.zeros((shape[0], len(PANEL_TOKENS), PANEL_NUMBERS), np.float32)
+        return _Told(nothing, zeros, nothing.copy(), zeros.copy(), nothing.copy(), plans)
 
     def add(self, one: Unplanned, plan: PatternPlan | None = None) -> None:
         """Of an answer."""
@@ -270,6 +277,9 @@ class _Told:
             place = one.row, one.prompt + k - 1  # each token is predicted from the state before it
             self.copied[place], self.copied_numbers[place] = own.token, own.numbers
             self.planned[place], self.planned_numbers[place] = own.planned, own.planned_numbers
+            self.panels[place] = own.panel
+        if plan is not None:
+            self.plans[one.row] = plan.numbers
 
 
 def _pictures(samples: Sequence[MakerSample], image_size: int) -> Tensor:

@@ -18,6 +18,7 @@ from swifttailor.errors import InputError
 from swifttailor.pattern_maker.copying import UNCHANGED
 from swifttailor.pattern_maker.network_torch import (
     COPYING,
+    PANEL_PLANS,
     PLANNING,
     TRAINING_ONLY,
     VISION,
@@ -144,7 +145,7 @@ def train(
     if config.compiled:
         compile_layers(network.compilable, device)
     if config.start:
-        for name in load_start(network, Path(config.start), (TRAINING_ONLY, VISION, COPYING, PLANNING)):
+        for name in load_start(network, Path(config.start), (TRAINING_ONLY, VISION, COPYING, PLANNING, PANEL_PLANS)):
             report(f"'{config.start}' is of another network in '{name}', which begins anew.")
 
     def samples_of(name: str) -> MakerSamples:
