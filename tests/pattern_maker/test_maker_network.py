@@ -15,6 +15,7 @@ from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker.copying import LEANINGS, UNCHANGED
 from swifttailor.pattern_maker.counterpart import counterparts
 from swifttailor.pattern_maker.encode import encode
+from swifttailor.pattern_maker.foresight import PANEL_NUMBERS
 from swifttailor.pattern_maker.grammar import Grammar, Limits, State
 from swifttailor.pattern_maker.network_config import NetworkConfig
 from swifttailor.pattern_maker.panel_tokens import SAME, TWINS, are_alike, mirrored, panels_of
@@ -27,6 +28,7 @@ from swifttailor.pattern_maker.vocabulary import (
     NOT_STITCHED,
     NUMBERS,
     PANEL_TOKENS,
+    PATTERN_END,
     SIZE,
     STITCH_TOKENS,
 )
@@ -59,7 +61,8 @@ def network():
 
     torch.manual_seed(1)
     network = build_network(TINY, TEXT).eval()
-    heads = (network.counterpart_in, network.counterpart_head[2], network.planned_in, network.planned_head[2])
+    begun_at_nothing = (network.counterpart_in, network.counterpart_head[2], network.planned_in)
+    heads = (*begun_at_nothing, network.planned_head[2], network.panel_in[2])
     for parameter in (head.weight for head in heads):
         torch.nn.init.normal_(parameter, std=0.5)
     return network
@@ -71,9 +74,18 @@ def call(network, tokens, numbers, answers, next_tokens, copied=None, copied_num
 
     none, pictures = torch.zeros(0, dtype=torch.long), torch.zeros(0, 3, 64, 64)
     written = (tokens, numbers, pictures, answers, next_tokens, answers[:1])
-    nothing = torch.full_like(tokens, -1), torch.zeros_like(numbers)
-    told = nothing if copied is None else (copied, copied_numbers)
-    return network(*written, none, none, none, none, pictures, *told, *nothing)[:2]
+    repeated, planned = untold(tokens)
+    told = repeated if copied is None else (copied, copied_numbers)
+    return network(*written, none, none, none, none, pictures, *told, *planned)[:2]
+
+
+def untold(tokens):
+    """No counterparts, and no plans."""
+    import torch
+
+    nothing, zeros = torch.full_like(tokens, -1), torch.zeros(*tokens.shape, NUMBERS)
+    plans = torch.zeros(len(tokens), len(PANEL_TOKENS), PANEL_NUMBERS)
+    return (nothing, zeros), (nothing, zeros, nothing, plans)
 
 
 def sequence(image=False):
@@ -173,6 +185,7 @@ def test_written_step_by_step_an_edit_is_what_is_told_of_it_all_at_once(network)
     grammar, state, likelihood = Grammar(Limits(60, 8)), State(), 0.0
     for token, row in zip(answer.tokens.tolist(), logits.double(), strict=True):
         allowed = torch.tensor(grammar.allowed(state))
+        allowed[PATTERN_END] |= grammar.may_break_off(state)
         likelihood += float(row.masked_fill(~allowed, -torch.inf).log_softmax(-1)[token])
         state = grammar.advance(state, token)
     assert likelihood == pytest.approx(written.log_likelihood, abs=1e-3)
@@ -217,6 +230,7 @@ def test_written_step_by_step_an_answer_is_told_what_was_foreseen_of_it(network)
         grammar, state, likelihood = Grammar(Limits(60, 8)), State(), 0.0
         for k, token in enumerate(one.sequence.tokens.tolist(), start):
             allowed = torch.tensor(grammar.allowed(state))
+            allowed[PATTERN_END] |= grammar.may_break_off(state)
             likelihood += float(logits[k].double().masked_fill(~allowed, -torch.inf).log_softmax(-1)[token])
             state = grammar.advance(state, token)
         likelihoods.append(likelihood)
@@ -311,8 +325,8 @@ def test_prompts_that_are_only_read_say_what_they_say_before_an_answer(network, 
         packed = pack_prompts(read, [np.zeros((len(p), NUMBERS)) for p in read], TEXT)
         arrays = (packed.tokens, packed.numbers, packed.positions, packed.ends)
         with torch.no_grad():
-            nothing = torch.full_like(tokens, -1), torch.zeros_like(numbers)
-            return network(*given, *map(torch.from_numpy, arrays), read_pictures, *nothing, *nothing)[2]
+            repeated, planned = untold(tokens)
+            return network(*given, *map(torch.from_numpy, arrays), read_pictures, *repeated, *planned)[2]
 
     network.vlm.set_attn_implementation(attention)
     together = foreseen(prompts[0], pictures[:0], prompts, pictures)

@@ -17,6 +17,7 @@ from swifttailor.networks.folded_norms_torch import fold_norms
 from swifttailor.networks.half_storage import round_to_half
 from swifttailor.networks.onnx_export_torch import export_graph
 from swifttailor.pattern_maker.decoder_torch import CachedDecoder
+from swifttailor.pattern_maker.foresight import PANEL_NUMBERS
 from swifttailor.pattern_maker.model_file import network_of, write_model
 from swifttailor.pattern_maker.network_torch import PatternMakerNetwork, build_network
 from swifttailor.pattern_maker.prompt import OWN_TOKENS
@@ -131,6 +132,7 @@ def make_graphs(network: PatternMakerNetwork) -> dict[str, bytes]:
         given["plan"] = (_Plan(network), (torch.zeros(2, hidden),), ({0: rows},))
         given["planned"] = (_Planned(network), *given["embed"][1:])
         given["trust"] = (_Trust(network), (torch.zeros(2, hidden),), ({0: rows},))
+        given["panels"] = (network.panel_in, (torch.zeros(2, PANEL_NUMBERS),), ({0: rows},))
     return {
         name: export_graph(module, example, shapes, *signature(name, planning=network.planning))
         for name, (module, example, shapes) in given.items()
@@ -166,6 +168,7 @@ def compare(first: Runtime, second: Runtime, text_size: int, *, image_size: int,
                 if first.plans and second.plans:
                     found.append(runtime.embed_planned(own, numbers[:, step : step + 1]))
                     found.append(runtime.trust(states[:, 0]))
+                    found.append(runtime.embed_panels(np.resize(numbers, (2, PANEL_NUMBERS))))
         results.append(found)
     return max(float(np.abs(a - b).max() / max(np.abs(a).max(), 1e-6)) for a, b in zip(*results, strict=True))
 

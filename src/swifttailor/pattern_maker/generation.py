@@ -66,6 +66,8 @@ class _Answer:
     """What it would be, had the likeliest token been taken everywhere."""
     likely: Counterparts | None = None
     """For a network that is told what it is likely to repeat."""
+    panels: Floats | None = None
+    """(75 panels, hidden) to add at all places of each, for one that plans."""
 
     def counterpart(self) -> Counterpart:
         """Of the token that is to come."""
@@ -120,11 +122,13 @@ def write_answers(
     if not asked:
         return []
     states, logits, cache, looks, plans = _read(runtime, asked)
+    panels = {row: runtime.embed_panels(plan.numbers) for row, plan in plans.items()}
     answers, rows = [], []
     for row, one in enumerate(asked):
         for seed in one.seeds:
+            chance = np.random.default_rng(list(seed))
             likely = Counterparts(one.edit, plans.get(row)) if runtime.copies else None
-            answers.append(_Answer(one.temperature, np.random.default_rng(list(seed)), likely=likely))
+            answers.append(_Answer(one.temperature, chance, likely=likely, panels=panels.get(row)))
             rows.append(row)
     chosen = np.array(rows, np.int64)
     if len(rows) != len(asked):
@@ -222,14 +226,16 @@ def _answer_all(
             tokens, written, cache = tokens[going], written[going], cache.rows(going)
         own = [answer.counterpart() for answer in active]
         embedded = runtime.embed(tokens[:, None] + text_size, written[:, None])
-        embedded = embedded + _added(runtime, own, embedded.shape[-1])[:, None]
+        embedded = embedded + _added(runtime, own, embedded.shape[-1], active)[:, None]
         known = np.ones((len(active), 1), np.float32)
         after, next_logits, cache = runtime.decode(embedded, known, cache)
         states, logits = after[:, 0], next_logits[:, 0]
 
 
-def _added(runtime: Runtime, following: Several[Counterpart], hidden: int) -> Floats:
-    """(B, hidden) to add to the tokens before those that have these counterparts."""
+def _added(
+    runtime: Runtime, following: Several[Counterpart], hidden: int, answers: Several[_Answer] = ()
+) -> Floats:
+    """(B, hidden) to add to the tokens before those that have these counterparts, in these answers."""
     added = np.zeros((len(following), hidden), np.float32)
     if not runtime.copies:
         return added
@@ -241,4 +247,7 @@ def _added(runtime: Runtime, following: Several[Counterpart], hidden: int) -> Fl
             tokens = np.array([told[k][0] for k in there], np.int64)
             numbers = np.stack([told[k][1] for k in there])
             added[there] += embed(tokens[:, None], numbers[:, None])[:, 0]
+    for row, answer in enumerate(answers):
+        if answer.panels is not None and following[row].panel >= 0:
+            added[row] += answer.panels[following[row].panel]
     return added

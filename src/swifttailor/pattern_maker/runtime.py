@@ -30,15 +30,17 @@ PLANNING_GRAPHS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "plan": (("early",), ("foreseen",)),
     "planned": (("tokens", "numbers"), ("added",)),
     "trust": (("states",), ("shares",)),
+    "panels": (("plans",), ("added",)),
 }
 """And those of one that is told what it has foreseen as well (`plan`)."""
 EARLY = "early"
 """What the decoder of such a network makes besides: states after the layer of foresight."""
+_ALL_GRAPHS = GRAPHS | COPYING_GRAPHS | PLANNING_GRAPHS
 
 
 def signature(name: str, *, planning: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Names of the inputs and outputs of a graph."""
-    inputs, outputs = (GRAPHS | COPYING_GRAPHS | PLANNING_GRAPHS)[name]
+    inputs, outputs = _ALL_GRAPHS[name]
     return inputs, (*outputs, EARLY) if planning and name == "decoder" else outputs
 
 
@@ -120,6 +122,10 @@ class Runtime(Protocol):
         """What `embed_counterparts` is, for those that are foreseen."""
         ...
 
+    def embed_panels(self, plans: Floats) -> Floats:
+        """(n, hidden) to add to the tokens of panels, for what is foreseen of them (n, `PANEL_NUMBERS`)."""
+        ...
+
     def trust(self, states: Floats) -> Floats:
         """(B, 8) logits of how much of the next numbers is the plan's, after the states (B, hidden)."""
         ...
@@ -186,6 +192,10 @@ class OnnxRuntime:
     def embed_planned(self, tokens: Ids, numbers: Floats) -> Floats:
         """See `Runtime`."""
         return self._run("planned", tokens, numbers)[0]
+
+    def embed_panels(self, plans: Floats) -> Floats:
+        """See `Runtime`."""
+        return self._run("panels", plans)[0]
 
     def trust(self, states: Floats) -> Floats:
         """See `Runtime`."""

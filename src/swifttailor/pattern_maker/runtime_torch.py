@@ -91,6 +91,11 @@ class TorchRuntime:
         return _floats(self.network.embed_planned(self._given(tokens), self._given(numbers)))
 
     @torch.inference_mode()
+    def embed_panels(self, plans: Floats) -> Floats:
+        """See `Runtime`."""
+        return _floats(self.network.embed_panels(self._given(plans)))
+
+    @torch.inference_mode()
     def trust(self, states: Floats) -> Floats:
         """See `Runtime`."""
         return _floats(self.network.trust(self._given(states)))
