@@ -57,7 +57,7 @@ def network():
         pytest.skip("torch is not installed")
     import torch
 
-    from swifttailor.pattern_maker.network_torch import build_network
+    from swifttailor.pattern_maker.building_torch import build_network
 
     torch.manual_seed(1)
     network = build_network(TINY, TEXT).eval()
@@ -245,7 +245,7 @@ def test_written_step_by_step_an_answer_is_told_what_was_foreseen_of_it(network)
 def test_until_it_has_learnt_to_copy_the_network_is_what_it_is_without(network):
     import torch
 
-    from swifttailor.pattern_maker.network_torch import build_network
+    from swifttailor.pattern_maker.building_torch import build_network
 
     torch.manual_seed(1)
     fresh = build_network(TINY, TEXT).eval()
@@ -345,7 +345,7 @@ def test_prompts_that_are_only_read_say_what_they_say_before_an_answer(network, 
 def test_a_rotation_and_its_negative_are_embedded_alike_and_cost_nothing(network):
     import torch
 
-    from swifttailor.pattern_maker.network_torch import number_penalty
+    from swifttailor.training.maker_losses_torch import number_penalty
 
     row = torch.tensor([[0.1, 0.2, 0.3, 0.5, -0.5, 0.1, 0.7, 0.0]])
     other = row * torch.tensor([1, 1, 1, -1, -1, -1, -1, 1])
@@ -382,9 +382,9 @@ def test_numbers_that_mean_nothing_are_not_looked_at(network):
 def test_model_file_predicts_what_torch_does(network, tmp_path):
     from dataclasses import asdict
 
+    from swifttailor.pattern_maker.building_torch import build_network
     from swifttailor.pattern_maker.export_torch import compare, make_graphs
     from swifttailor.pattern_maker.model_file import load_model, write_model
-    from swifttailor.pattern_maker.network_torch import build_network
     from swifttailor.pattern_maker.runtime_torch import TorchRuntime
     from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
 
@@ -452,7 +452,7 @@ def test_a_pretrained_internvl_is_taken_as_it_is(network, tmp_path):
     from tokenizers import Tokenizer, models, pre_tokenizers
     from transformers import InternVLForConditionalGeneration, PreTrainedTokenizerFast
 
-    from swifttailor.pattern_maker.network_torch import build_network, vlm_config
+    from swifttailor.pattern_maker.building_torch import build_network, vlm_config
     from swifttailor.pattern_maker.pretrained_torch import load_text_tokens
 
     torch.manual_seed(3)

@@ -42,7 +42,7 @@ def losses_of(batch, **weights):
     import torch
 
     from swifttailor.pattern_maker.foresight import FORESEEN
-    from swifttailor.training.maker_loop_torch import compute_losses
+    from swifttailor.training.maker_losses_torch import compute_losses
 
     torch.manual_seed(0)
     logits, numbers = torch.randn(len(batch.answers), SIZE), torch.randn(len(batch.answers), 8)

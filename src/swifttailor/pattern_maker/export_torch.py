@@ -16,10 +16,11 @@ from swifttailor.errors import InputError
 from swifttailor.networks.folded_norms_torch import fold_norms
 from swifttailor.networks.half_storage import round_to_half
 from swifttailor.networks.onnx_export_torch import export_graph
+from swifttailor.pattern_maker.building_torch import build_network
 from swifttailor.pattern_maker.decoder_torch import CachedDecoder
 from swifttailor.pattern_maker.foresight import PANEL_NUMBERS
 from swifttailor.pattern_maker.model_file import network_of, write_model
-from swifttailor.pattern_maker.network_torch import PatternMakerNetwork, build_network
+from swifttailor.pattern_maker.network_torch import PatternMakerNetwork
 from swifttailor.pattern_maker.prompt import OWN_TOKENS
 from swifttailor.pattern_maker.runtime import Runtime, signature
 from swifttailor.pattern_maker.text_tokenizer import TextTokenizer

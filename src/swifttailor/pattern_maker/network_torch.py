@@ -5,26 +5,20 @@ from __future__ import annotations
 import contextlib
 import math
 from collections.abc import Callable, Generator
-from typing import Any
 
 import torch
-import torch.nn.functional as F
 from torch import Tensor, nn
 from torch.distributed.tensor import DTensor
-from transformers import InternVLConfig, InternVLModel, InternVLVisionConfig, Qwen2Config
+from transformers import InternVLModel
 
 from swifttailor.pattern_maker.copying import LEANINGS
 from swifttailor.pattern_maker.foresight import FORESEEN, PANEL_NUMBERS
-from swifttailor.pattern_maker.initial_weights_torch import EMBEDDING, initialize
-from swifttailor.pattern_maker.network_config import NetworkConfig
+from swifttailor.pattern_maker.initial_weights_torch import EMBEDDING
 from swifttailor.pattern_maker.plan import FORESEEN_NUMBERS
 from swifttailor.pattern_maker.prompt import IMAGE, OWN_TOKENS
-from swifttailor.pattern_maker.stem_torch import ConvolutionalStem
 from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
 from swifttailor.pattern_maker.vocabulary import MOVE, NUMBERS, SIZE
 
-POSITIONS = 4096
-"""Longest sequence of the small model."""
 LONGEST_WAVE, WAVES = 16.0, 7
 """Fourier features of a number: a wave of 16 units (440 cm), of half as much, ... down to 7 cm. Shorter ones
 would tell apart numbers which the network, feeding on its own predictions, cannot."""
@@ -34,16 +28,14 @@ FORESIGHT_DEPTH = 2 / 3
 """Of the layers of the language model, those that a prompt must be understood by. What it says is then there
 for the layers above to read, at every token of the answer."""
 
-TRAINING_ONLY = ("foresight_head.",)
-"""Beginnings of the names of weights that no answer needs but one that is planned."""
-VISION = ("vlm.vision_tower.", "vlm.multi_modal_projector.")
-"""And of those that pictures go through."""
-COPYING = ("counterpart_",)
-"""And of those of `copying`."""
-PLANNING = ("planned_in.", "planned_head.")
-"""And of those of `planning`."""
-PANEL_PLANS = ("panel_in.",)
-"""And of that which is told of whole panels."""
+OPTIONAL = {
+    "foresight": ("foresight_head.",),
+    "vision": ("vlm.vision_tower.", "vlm.multi_modal_projector."),
+    "copying": ("counterpart_",),
+    "planning": ("planned_in.", "planned_head."),
+    "plans of panels": ("panel_in.",),
+}
+"""Parts that weights to begin a training with may lack, as the beginnings of the names of theirs."""
 DOUBT = -1.0
 """And of how much rather from the plan."""
 SELDOM = -2.0
@@ -258,7 +250,7 @@ class PatternMakerNetwork(nn.Module):
         return self.planned_in(self._with_numbers(tokens, numbers))
 
     def embed_panels(self, plans: Tensor) -> Tensor:
-        """(..., hidden) to add at all places of panels, for what is foreseen of them (..., `PANEL_NUMBERS`)."""
+        """(..., hidden) to add at all places of panels, for the numbers foreseen of them (..., 31)."""
         return self.panel_in(plans)
 
     def _with_numbers(self, tokens: Tensor, numbers: Tensor) -> Tensor:
@@ -371,100 +363,3 @@ def mix(written: Tensor, copied: Tensor, leanings: Tensor) -> Tensor:
     """
     share = leanings[..., 1:2].sigmoid()
     return written + share * (copied + leanings[..., 2:] - written)
-
-
-def build_network(config: NetworkConfig, text_size: int) -> PatternMakerNetwork:
-    """Makes a network, from random weights or from `config.pretrained`.
-
-    Args:
-        config: Its shape.
-        text_size: Tokens of text.
-
-    Raises:
-        InputError: The pretrained weights cannot be had or do not fit.
-    """
-    if config.pretrained:
-        from swifttailor.pattern_maker.pretrained_torch import load_pretrained
-
-        vlm = load_pretrained(config, text_size)
-        embedding_std = vlm.config.text_config.initializer_range
-    else:
-        vlm = InternVLModel(vlm_config(config, text_size))
-        if config.early_convolutions:
-            patches: Any = vlm.vision_tower.embeddings.patch_embeddings
-            patches.projection = ConvolutionalStem(config.vision_hidden_size, config.patch_size)
-        use_fused_norms(vlm)
-        initialize(vlm)
-        embedding_std = EMBEDDING
-    network = PatternMakerNetwork(
-        vlm,
-        text_size,
-        command_seen=config.command_seen,
-        copying=config.copying,
-        planning=config.planning,
-        embedding_std=embedding_std,
-    )
-    if not config.vision_trained:
-        for part in (vlm.vision_tower, vlm.multi_modal_projector):
-            part.requires_grad_(False)
-    return network
-
-
-def vlm_config(config: NetworkConfig, text_size: int) -> InternVLConfig:
-    """The same shape in transformers' words."""
-    text = Qwen2Config(
-        vocab_size=text_size,
-        hidden_size=config.hidden_size,
-        num_hidden_layers=config.layers,
-        num_attention_heads=config.heads,
-        num_key_value_heads=config.key_value_heads,
-        intermediate_size=config.intermediate_size,
-        max_position_embeddings=POSITIONS,
-        bos_token_id=None,
-        eos_token_id=None,
-        pad_token_id=None,
-    )
-    vision = InternVLVisionConfig(
-        hidden_size=config.vision_hidden_size,
-        num_hidden_layers=config.vision_layers,
-        num_attention_heads=config.vision_heads,
-        intermediate_size=4 * config.vision_hidden_size,
-        image_size=config.image_size,
-        patch_size=config.patch_size,
-        attention_bias=True,
-    )
-    return InternVLConfig(
-        text_config=text,
-        vision_config=vision,
-        image_token_id=0,  # not looked at: pictures are put in place by `PatternMakerNetwork.embed`
-        image_seq_length=config.image_tokens,
-    )
-
-
-def use_fused_norms(module: nn.Module) -> None:
-    """Replaces transformers' RMSNorm by torch's, which does the same in one kernel."""
-    for name, child in module.named_children():
-        if type(child).__name__ == "Qwen2RMSNorm":
-            fused: Any = nn.RMSNorm(child.weight.shape[0], eps=child.variance_epsilon)
-            fused.weight = child.weight
-            setattr(module, name, fused)
-        else:
-            use_fused_norms(child)
-
-
-def number_penalty(predicted: Tensor, true: Tensor, tokens: Tensor, kind: str, beta: float = 0.05) -> Tensor:
-    """(n, 8) how far numbers are off; of a quaternion the nearer of both signs is taken.
-
-    Args:
-        predicted: (n, 8).
-        true: (n, 8).
-        tokens: (n,) of patterns, whose numbers they are.
-        kind: ``squared``, or ``absolute`` (squared below `beta`, normalised units).
-        beta: See there.
-    """
-    agreement = (predicted[:, 3:7] * true[:, 3:7]).sum(-1, keepdim=True).detach()
-    sign = torch.where((agreement < 0) & (tokens == MOVE)[:, None], -1.0, 1.0)
-    true = torch.cat([true[:, :3], true[:, 3:7] * sign, true[:, 7:]], dim=-1)
-    if kind == "squared":
-        return (predicted - true).square()
-    return F.smooth_l1_loss(predicted, true, beta=beta, reduction="none")

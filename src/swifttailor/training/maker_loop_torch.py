@@ -8,31 +8,20 @@ from pathlib import Path
 from typing import Any
 
 import torch
-import torch.nn.functional as F
 from torch import Tensor, nn
 
 from swifttailor.data.index import split_folders
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import SplitRenders
 from swifttailor.errors import InputError
-from swifttailor.pattern_maker.copying import UNCHANGED
-from swifttailor.pattern_maker.network_torch import (
-    COPYING,
-    PANEL_PLANS,
-    PLANNING,
-    TRAINING_ONLY,
-    VISION,
-    PatternMakerNetwork,
-    build_network,
-    number_penalty,
-)
-from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
-from swifttailor.pattern_maker.vocabulary import SIZE
+from swifttailor.pattern_maker.building_torch import build_network
+from swifttailor.pattern_maker.network_torch import OPTIONAL, PatternMakerNetwork
 from swifttailor.training.compilation_torch import compile_layers
 from swifttailor.training.loop_torch import Loop, say_nothing
 from swifttailor.training.maker_bank import PatternBank, open_bank, sequences_of
 from swifttailor.training.maker_batch_torch import Batch, TrainingBatches, with_plans
-from swifttailor.training.maker_config import MakerConfig, MakerLosses
+from swifttailor.training.maker_config import MakerConfig
+from swifttailor.training.maker_losses_torch import compute_losses
 from swifttailor.training.maker_samples import MakerSamples
 from swifttailor.training.maker_text_torch import open_text
 from swifttailor.training.maker_validation_torch import Validation
@@ -43,8 +32,6 @@ from swifttailor.training.sharding_torch import shard
 from swifttailor.training.start_torch import load_start
 
 Report = Callable[[str], None]
-FORESIGHT_BETA = 0.2
-"""Where the error of foreseen numbers turns from squared to absolute, normalised units: about 5 cm."""
 HELD_OUT = 50
 """Of so many patterns one is kept for validation where no file is given for that."""
 
@@ -145,7 +132,7 @@ def train(
     if config.compiled:
         compile_layers(network.compilable, device)
     if config.start:
-        for name in load_start(network, Path(config.start), (TRAINING_ONLY, VISION, COPYING, PLANNING, PANEL_PLANS)):
+        for name in load_start(network, Path(config.start), tuple(OPTIONAL.values())):
             report(f"'{config.start}' is of another network in '{name}', which begins anew.")
 
     def samples_of(name: str) -> MakerSamples:
@@ -223,65 +210,6 @@ class _MakerTask:
 
     def card(self) -> dict[str, Any]:
         return {"model": "PatternMaker", "data": {name: bank.numbers() for name, bank in self.banks.items()}}
-
-
-def compute_losses(
-    logits: Tensor, numbers: Tensor, foreseen: Tensor, batch: Batch, weights: MakerLosses
-) -> dict[str, Tensor]:
-    """Cross entropy of the tokens and error of their numbers (AIpparel), and what of the answer is foreseen.
-
-    Args:
-        logits: (n, tokens of patterns).
-        numbers: (n, 8) predicted.
-        foreseen: (B + R, `FORESEEN`) of the answers to all prompts, those that are only read included.
-        batch: With the truth.
-        weights: How they are added.
-
-    Returns:
-        ``tokens``, ``numbers``, ``foresight``, ``foreseen_numbers`` and ``total``.
-    """
-    tokens = batch.next_tokens
-    mask = torch.tensor(NUMBER_MASK, device=tokens.device)[tokens]
-    penalty = number_penalty(numbers, batch.next_numbers, tokens, weights.penalty)
-    other, elsewhere = _unlike_counterparts(batch, mask)
-    extra = weights.changed - 1
-    of_tokens = (F.cross_entropy(logits, tokens, reduction="none") * (1 + extra * other)).mean()
-    each = (penalty * mask).sum(-1) * (1 + extra * elsewhere)
-    if weights.by_kind:
-        kinds = tokens.new_zeros(len(NUMBER_MASK), dtype=torch.float32)
-        sums = kinds.index_add(0, tokens, each)
-        counts = kinds.index_add(0, tokens, torch.ones_like(each))
-        of_numbers = (sums / counts.clamp(min=1)).sum()
-    else:
-        of_numbers = each.sum() / mask.any(-1).sum().clamp(min=1)
-    foresight = F.binary_cross_entropy_with_logits(foreseen[:, :SIZE], batch.present)
-    apart = F.smooth_l1_loss(
-        foreseen[:, SIZE:].unflatten(1, batch.panel_numbers.shape[1:]),
-        batch.panel_numbers,
-        beta=FORESIGHT_BETA,
-        reduction="none",
-    )
-    foreseen_numbers = (apart * batch.panels_known).sum() / batch.panels_known.sum().clamp(min=1)
-    return {
-        "tokens": of_tokens,
-        "numbers": of_numbers,
-        "foresight": foresight,
-        "foreseen_numbers": foreseen_numbers,
-        # Added with weight 0 as well: several processes wait for the gradients of all weights.
-        "total": of_tokens
-        + weights.numbers * of_numbers
-        + weights.foresight * foresight
-        + weights.foreseen_numbers * foreseen_numbers,
-    }
-
-
-def _unlike_counterparts(batch: Batch, mask: Tensor) -> tuple[Tensor, Tensor]:
-    """Which tokens (n,) of the answers are not their counterparts; and these with those of other numbers."""
-    own = batch.copied.flatten()[batch.answers]
-    numbers = batch.copied_numbers.flatten(0, 1)[batch.answers]
-    other = (own >= 0) & (own != batch.next_tokens)
-    apart = ((numbers - batch.next_numbers).abs() * mask).amax(-1) > UNCHANGED
-    return other, other | ((own >= 0) & apart)
 
 
 def _held_out(id: str) -> bool:
