@@ -129,19 +129,22 @@ def given() -> tuple[Any, Any]:
 
 def sample(seed: int) -> dict[str, Any] | str:
     """The pattern of a seed, or why there is none."""
-    random.seed(seed)
-    design, name = given()[0].randomize(), f"gc_{seed}"
-    pattern = build(name, design)
+    name, design, pattern = of_seed(seed)
     if isinstance(pattern, str):
         return pattern
     return {"id": name, "seed": seed, "design": dict(flatten(design)), "pattern": pattern}
 
 
-def edit(seed: int) -> dict[str, Any] | str:
-    """A pattern that differs from that of a seed in one to three parameters, or why there is none."""
+def of_seed(seed: int) -> tuple[str, dict[str, Any], dict[str, Any] | str]:
+    """The name, design and pattern of a seed, or why there is no pattern."""
     random.seed(seed)
     design, name = given()[0].randomize(), f"gc_{seed}"
-    base = build(name, design)
+    return name, design, build(name, design)
+
+
+def edit(seed: int) -> dict[str, Any] | str:
+    """A pattern that differs from that of a seed in one to three parameters, or why there is none."""
+    name, design, base = of_seed(seed)
     if isinstance(base, str):
         return base
     outcome: dict[str, Any] | str = "nothing changed"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +17,6 @@ from swifttailor.pattern_maker import maker as maker_module
 from swifttailor.pattern_maker.maker import PatternMaker
 
 TESTS = Path(__file__).parents[1]
-sys.path.insert(0, str(TESTS / "tailor"))
 from scripted_maker import crossed, scripted_maker  # noqa: E402
 
 TINY_MAKER = str(TESTS / "pattern_maker" / "tiny_maker.zip")

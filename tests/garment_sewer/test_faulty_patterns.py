@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from pattern_faults import FAULTS
 
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment_sewer.pixels.sewn_prior import vertices_ignoring_arms
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.panel_mesh.topology import topology
-
-sys.path.append(str(Path(__file__).parents[1] / "pattern"))
-from pattern_faults import FAULTS
 
 TINY = Path(__file__).with_name("tiny_sewer.onnx")
 REFUSED = {

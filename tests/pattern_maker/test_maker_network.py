@@ -16,9 +16,10 @@ from swifttailor.pattern_maker.copying import LEANINGS, UNCHANGED
 from swifttailor.pattern_maker.counterpart import counterparts
 from swifttailor.pattern_maker.encode import encode
 from swifttailor.pattern_maker.foresight import PANEL_NUMBERS
-from swifttailor.pattern_maker.grammar import Grammar, Limits, State
+from swifttailor.pattern_maker.grammar import Grammar, Limits, Stage, State
 from swifttailor.pattern_maker.network_config import NetworkConfig
 from swifttailor.pattern_maker.panel_tokens import SAME, TWINS, are_alike, mirrored, panels_of
+from swifttailor.pattern_maker.plan import PatternPlan, normalized
 from swifttailor.pattern_maker.prompt import EDIT, IMAGE, MAKE, make_prompt, outlines_of, pattern_part
 from swifttailor.pattern_maker.runtime import GRAPHS, PLANNING_GRAPHS
 from swifttailor.pattern_maker.vocabulary import (
@@ -225,13 +226,20 @@ def test_written_step_by_step_an_answer_is_told_what_was_foreseen_of_it(network)
     with torch.no_grad():
         logits, numbers, _ = network(*batch.given)
         unaware = network(*assemble(samples, 64).given)[0]
-    likelihoods, start = [], 0
-    for one in written:
+    likelihoods, start, runtime = [], 0, TorchRuntime(network)
+    for one, prompt in zip(written, prompts, strict=True):
+        embedded = runtime.embed(prompt.tokens[None], prompt.numbers[None])
+        foreseen = runtime.foresee(embedded, np.ones((1, len(prompt)), np.float32))[0]
+        plan = PatternPlan.from_foresight(foreseen, old if one is written[-1] else None)
         grammar, state, likelihood = Grammar(Limits(60, 8)), State(), 0.0
         for k, token in enumerate(one.sequence.tokens.tolist(), start):
-            allowed = torch.tensor(grammar.allowed(state))
-            allowed[PATTERN_END] |= grammar.may_break_off(state)
-            likelihood += float(logits[k].double().masked_fill(~allowed, -torch.inf).log_softmax(-1)[token])
+            mask = grammar.allowed(state)
+            mask[PATTERN_END] |= grammar.may_break_off(state)
+            allowed = np.flatnonzero(mask)
+            logs = normalized(logits[k].double().numpy()[allowed])
+            if state.stage is Stage.BETWEEN_PANELS:
+                logs = plan.weighed(logs, state.name, allowed)
+            likelihood += logs[allowed.tolist().index(token)]
             state = grammar.advance(state, token)
         likelihoods.append(likelihood)
         apart = np.abs(numbers[start : start + len(one.sequence)].numpy() - one.sequence.numbers)

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker.counterpart import NONE, counterparts
@@ -79,3 +83,31 @@ def test_a_network_that_foresees_no_panel_is_told_the_likeliest():
     plan = PatternPlan.from_foresight(foreseen)
     assert plan.panels == (7,)
     assert plan.after(-1) == PANEL_TOKENS[7] and plan.after(7) == PATTERN_END
+
+
+@given(st.lists(st.floats(-6, 6).filter(lambda x: abs(x) > 1e-6), min_size=75, max_size=75))
+@settings(max_examples=50, deadline=None)
+def test_the_likeliest_next_panels_are_the_likeliest_panels_altogether(odds):
+    plan = replace(perfect(encode(draft("t-shirt"))), odds=np.array(odds))
+    name, taken = -1, []
+    while True:
+        logs = plan.next_panels(name)
+        token = int(np.argmax(logs))
+        assert logs[token] <= 1e-9 and np.isneginf(logs[: PANEL_TOKENS.start + name + 1][2:]).all()
+        if token == PATTERN_END:
+            break
+        name = token - PANEL_TOKENS.start
+        taken.append(name)
+    assert taken == np.flatnonzero(np.array(odds) > 0).tolist()
+
+
+def test_a_plan_weighs_more_than_the_writer_where_it_is_sure():
+    shirt = encode(draft("t-shirt"))
+    plan, tokens = perfect(shirt), np.array([PATTERN_END, *PANEL_TOKENS])
+    unsure, other = np.full(len(tokens), -np.log(len(tokens))), np.full(len(tokens), -9.0)
+    other[0] = np.log1p(-np.exp(-9.0) * 75)
+    first = next(t for t in shirt.tokens.tolist() if t in PANEL_TOKENS)
+    for logs in (unsure, other):
+        weighed = plan.weighed(logs, -1, tokens)
+        assert tokens[np.argmax(weighed)] == first
+        assert np.exp(weighed).sum() == pytest.approx(1)

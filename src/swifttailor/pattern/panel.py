@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import pairwise
 from typing import Literal
 
@@ -119,6 +120,10 @@ class Panel:
 
     def signed_area(self) -> float:
         """Area in cm^2 enclosed by the loop, positive when it runs counter-clockwise."""
+        return self._signed_area
+
+    @cached_property
+    def _signed_area(self) -> float:
         points = self.outline(0.001)
         x, y = (points - points.mean(axis=0)).T
         return float(x @ np.roll(y, -1) - np.roll(x, -1) @ y) / 2

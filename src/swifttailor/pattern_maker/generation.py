@@ -12,7 +12,7 @@ from swifttailor.errors import InputError
 from swifttailor.pattern_maker.copying import mix
 from swifttailor.pattern_maker.counterpart import Counterpart, Counterparts
 from swifttailor.pattern_maker.grammar import Grammar, Stage, State
-from swifttailor.pattern_maker.plan import PatternPlan, approach
+from swifttailor.pattern_maker.plan import PatternPlan, approach, normalized
 from swifttailor.pattern_maker.prompt import Sequence
 from swifttailor.pattern_maker.runtime import Cache, Floats, Runtime
 from swifttailor.pattern_maker.token_sequence import LARGEST_NUMBER, NUMBER_MASK, TokenSequence
@@ -44,8 +44,8 @@ class Written:
 
     sequence: TokenSequence
     log_likelihood: float
-    """Natural logarithm of the probability of its tokens among those that the grammar allows, at
-    temperature 1."""
+    """Natural logarithm of the probability of its tokens among those that the grammar allows, the plan
+    included, at temperature 1."""
     certainty: float
     """Mean over its places of that logarithm for the likeliest token, whichever was taken."""
     look: Floats | None
@@ -66,6 +66,8 @@ class _Answer:
     """What it would be, had the likeliest token been taken everywhere."""
     likely: Counterparts | None = None
     """For a network that is told what it is likely to repeat."""
+    plan: PatternPlan | None = None
+    """For one that plans."""
     panels: Floats | None = None
     """(75 panels, hidden) to add at all places of each, for one that plans."""
 
@@ -85,8 +87,9 @@ class _Answer:
         mask[PATTERN_END] |= grammar.may_break_off(self.state)
         allowed = np.flatnonzero(mask)
         scores = logits[allowed].astype(np.float64)
-        logs = scores - scores.max()
-        logs -= np.log(np.exp(logs).sum())
+        logs = normalized(scores)
+        if self.plan is not None and self.state.stage is Stage.BETWEEN_PANELS:
+            logs = self.plan.weighed(logs, self.state.name, allowed)
         best = int(np.argmax(logs))
         if self.temperature > 0 and len(allowed) > 1:
             # The largest of scores with Gumbel noise is a draw by probability.
@@ -128,7 +131,8 @@ def write_answers(
         for seed in one.seeds:
             chance = np.random.default_rng(list(seed))
             likely = Counterparts(one.edit, plans.get(row)) if runtime.copies else None
-            answers.append(_Answer(one.temperature, chance, likely=likely, panels=panels.get(row)))
+            plan = plans.get(row)
+            answers.append(_Answer(one.temperature, chance, likely=likely, plan=plan, panels=panels.get(row)))
             rows.append(row)
     chosen = np.array(rows, np.int64)
     if len(rows) != len(asked):

@@ -43,6 +43,11 @@ FORESEEN_NUMBERS[MOVE, TRANSLATION] = True
 FORESEEN_NUMBERS[COMMANDS.start : COMMANDS.stop, END] = True
 
 
+FORESEEN_SHARE = 0.9
+"""Of the plan, beside the network's own word, where the next panel is chosen: the panels of an answer are
+foreseen better than they are written."""
+
+
 @dataclass(frozen=True, eq=False)
 class PatternPlan:
     """The panels of an answer that is still to be written."""
@@ -51,6 +56,8 @@ class PatternPlan:
     """Class ids, in the order in which they are written; one at least."""
     numbers: Numbers
     """(75 panels, `PANEL_NUMBERS`) as in `foresight`, of those above and of all others."""
+    odds: NDArray[np.float64]
+    """(75 panels,) logarithms of how much likelier it is that the answer has a panel than that it has not."""
 
     @staticmethod
     def from_foresight(foreseen: NDArray[np.floating], old: TokenSequence | None = None) -> PatternPlan:
@@ -68,12 +75,46 @@ class PatternPlan:
         if old is not None:
             before = foresight_of(old)
             numbers = numbers + np.where(before.known, before.numbers, 0)
-        return PatternPlan(tuple(panels), numbers)
+        return PatternPlan(tuple(panels), numbers, logits.astype(np.float64))
 
     def after(self, name: int) -> int:
         """Token that follows a panel (class id; -1 before the first): the next panel, or the end."""
         later = next((panel for panel in self.panels if panel > name), None)
         return PATTERN_END if later is None else PANEL_TOKENS[later]
+
+    def next_panels(self, name: int) -> NDArray[np.float64]:
+        """How likely the likeliest answer is in which each panel, or none, is the next after one.
+
+        Panels are foreseen one by one, each with its own odds: a panel is the next if it is there and those
+        between are not; of those after it each is there or not, whichever is likelier. The likeliest choices
+        lead to the likeliest panels altogether.
+
+        Args:
+            name: Class id of the latest panel; -1 before the first.
+
+        Returns:
+            (tokens of patterns,) logarithms of probabilities; infinitely small for all other tokens.
+        """
+        logs = np.full(SIZE, -np.inf)
+        present, absent = -np.logaddexp(0, -self.odds), -np.logaddexp(0, self.odds)
+        skipped = np.concatenate([[0.0], np.cumsum(absent[name + 1 :])])
+        best = np.maximum(present, absent)[name + 1 :]
+        later = np.cumsum(best[::-1])[::-1] - best
+        logs[PANEL_TOKENS.start + name + 1 : PANEL_TOKENS.stop] = present[name + 1 :] + skipped[:-1] + later
+        logs[PATTERN_END] = skipped[-1]
+        return logs
+
+    def weighed(
+        self, logs: NDArray[np.float64], name: int, tokens: NDArray[np.integer]
+    ) -> NDArray[np.float64]:
+        """What the network says of the next panel, and the plan.
+
+        Args:
+            logs: (n,) logarithms of probabilities, from the network.
+            name: Class id of the latest panel; -1 before the first.
+            tokens: (n,) what they are of: later panels, or the end.
+        """
+        return normalized((1 - FORESEEN_SHARE) * logs + FORESEEN_SHARE * self.next_panels(name)[tokens])
 
     def placement(self, name: int) -> Numbers:
         """(8,) of a panel."""
@@ -92,6 +133,12 @@ class PatternPlan:
         start = OUTLINE.start + 2 * number
         numbers[END] = own[start : start + 2]
         return COMMANDS[0], numbers
+
+
+def normalized(logs: NDArray[np.floating]) -> NDArray[np.float64]:
+    """Logarithms of probabilities that are known but for a constant."""
+    logs = np.asarray(logs, np.float64) - np.max(logs)
+    return logs - np.log(np.exp(logs).sum())
 
 
 def approach(
