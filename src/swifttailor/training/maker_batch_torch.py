@@ -253,6 +253,32 @@ def with_plans(batch: Batch, network: PatternMakerNetwork) -> Batch:
     return replace(batch, unplanned=(), **made)
 
 
+@torch.no_grad()
+def with_own_numbers(batch: Batch, network: PatternMakerNetwork, rows: NDArray[np.bool_]) -> Batch:
+    """The same with the numbers that the network would write, given the true ones before, in their place.
+
+    Args:
+        batch: With plans.
+        network: As it is now.
+        rows: (B,) of which samples. What is said to be repeated stays the truth.
+    """
+    was_training = network.training
+    network.eval()  # as it is when it answers
+    _, written, _ = network(*replace(batch, **_nothing_read(batch)).given)
+    network.train(was_training)
+    places = batch.answers + 1  # where the token stands that was predicted
+    inside = places % batch.tokens.shape[1] != 0
+    chosen = torch.from_numpy(rows).to(places.device)[batch.answers // batch.tokens.shape[1]] & inside
+    numbers = batch.numbers.flatten(0, 1).index_copy(0, places[chosen], written[chosen])
+    return replace(batch, numbers=numbers.view(batch.numbers.shape))
+
+
+def _nothing_read(batch: Batch) -> dict[str, Tensor]:
+    """The fields of a batch without prompts that are only read."""
+    names = ("read", "read_numbers", "read_positions", "read_ends", "read_pictures")
+    return {name: getattr(batch, name)[:0] for name in names}
+
+
 @dataclass(frozen=True, eq=False)
 class _Told:
     """What the network is told of the token after each place, as arrays of a batch."""

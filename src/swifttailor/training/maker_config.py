@@ -90,6 +90,11 @@ class MakerConfig(LoopConfig):
     """Standard deviation, in normalised units, of what is added to the numbers that the network reads of its
     own answer, since at use these are its own predictions."""
 
+    own_numbers: float = 0.0
+    """Share of the samples of which it reads not the true numbers of what comes before, but those that it would
+    have written there itself (scheduled sampling, Bengio et al. 2015): else it learns to go by numbers that at
+    use are no better than its guess, rather than by what was asked."""
+
     log_every: int = 20
     validate_every: int = 250
     validation_samples: int = 96
@@ -102,6 +107,7 @@ class MakerConfig(LoopConfig):
             require(self, name, getattr(self, name) >= 0, "0 or more")
         require(self, "pretrained_rate", self.pretrained_rate > 0, "above 0")
         require(self, "typos", 0 <= self.typos <= 1, "0 to 1")
+        require(self, "own_numbers", 0 <= self.own_numbers <= 1, "0 to 1")
         if self.network.planning and not self.losses.foresight:
             raise InputError(
                 "network.planning is true, and losses.foresight 0: nothing would be foreseen. Set "

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import torch
 from torch import Tensor, nn
 
@@ -19,7 +20,7 @@ from swifttailor.pattern_maker.network_torch import OPTIONAL, PatternMakerNetwor
 from swifttailor.training.compilation_torch import compile_layers
 from swifttailor.training.loop_torch import Loop, say_nothing
 from swifttailor.training.maker_bank import PatternBank, open_bank, sequences_of
-from swifttailor.training.maker_batch_torch import Batch, TrainingBatches, with_plans
+from swifttailor.training.maker_batch_torch import Batch, TrainingBatches, with_own_numbers, with_plans
 from swifttailor.training.maker_config import MakerConfig
 from swifttailor.training.maker_losses_torch import compute_losses
 from swifttailor.training.maker_samples import MakerSamples
@@ -187,6 +188,11 @@ class _MakerTask:
         if self._ahead is None:
             self._ahead = self.batches.from_step(step, workers=self.loaders)
         batch = with_plans(next(self._ahead).to(self.device), self.network)
+        if self.config.own_numbers:
+            chance = np.random.default_rng([self.config.seed, 9, step, self.batches.part])
+            batch = with_own_numbers(
+                batch, self.network, chance.random(len(batch.tokens)) < self.config.own_numbers
+            )
         return compute_losses(*trained(*batch.given), batch, self.config.losses)
 
     def rate_factor(self, name: str) -> float:
