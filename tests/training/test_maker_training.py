@@ -329,11 +329,38 @@ def test_batches_hold_samples_of_like_length_and_depend_on_their_number_alone(ba
 
 
 @needs_torch
+def test_some_samples_read_the_numbers_that_the_network_would_have_written(bank, config):
+    import torch
+
+    from swifttailor.pattern_maker.building_torch import build_network
+    from swifttailor.training.maker_batch_torch import TrainingBatches, with_own_numbers, with_plans
+
+    torch.manual_seed(0)
+    network = build_network(config.network, TEXT.size)
+    batch = with_plans(TrainingBatches(samples_of(bank, config))[3], network)
+    rows = np.arange(len(batch.tokens)) % 2 == 0
+    assert rows.any() and not rows.all()
+    own = with_own_numbers(batch, network, rows)
+    assert network.training
+    with torch.no_grad():
+        written = network.eval()(*batch.given)[1]
+    expected = batch.numbers.clone()
+    for place, numbers in zip(batch.answers.tolist(), written, strict=True):
+        row, column = divmod(place, batch.tokens.shape[1])
+        if rows[row]:
+            expected[row, column + 1] = numbers
+    assert torch.allclose(own.numbers, expected, atol=1e-6)
+    assert not torch.equal(own.numbers, batch.numbers)
+    others = [n for n in vars(batch) if n not in ("numbers", "unplanned")]
+    assert all(torch.equal(getattr(own, n), getattr(batch, n)) for n in others)
+
+
+@needs_torch
 def test_interrupted_and_resumed_equals_uninterrupted_bit_for_bit(config, files, tmp_path):
     from swifttailor.training.maker_loop_torch import train
 
     # In bfloat16 too, where the weights that are optimised are not those that compute.
-    lowered = replace(config, precision="bfloat16", steps=6, validate_every=6)
+    lowered = replace(config, precision="bfloat16", steps=6, validate_every=6, own_numbers=0.5)
     whole = train(lowered, out=tmp_path / "whole", **inputs(files))
     train(lowered, out=tmp_path / "run", stop_after=2, **inputs(files))
     resumed = train(lowered, out=tmp_path / "run", resume=True, **inputs(files))

@@ -91,9 +91,9 @@ class MakerConfig(LoopConfig):
     own answer, since at use these are its own predictions."""
 
     own_numbers: float = 0.0
-    """Share of the samples of which it reads not the true numbers of what comes before, but those that it would
-    have written there itself (scheduled sampling, Bengio et al. 2015): else it learns to go by numbers that at
-    use are no better than its guess, rather than by what was asked."""
+    """Share of the samples of which it reads not the true numbers of what comes before, but those that it
+    would have written there itself (scheduled sampling, Bengio et al. 2015): else it learns to go by numbers
+    that at use are no better than its guess, rather than by what was asked."""
 
     log_every: int = 20
     validate_every: int = 250
