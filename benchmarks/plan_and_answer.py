@@ -2,9 +2,9 @@
 
 ``python benchmarks/plan_and_answer.py PATTERNS.jsonl.gz [--limit N] [--weights FILE]``
 
-Captions are written for the patterns and answered at temperature 0. Printed are how often the panels are those
-of the pattern, in the plan and as written; and for panels that there are often, how far their height is off (cm,
-mean and median): in the plan, as written, and if always the median of all these patterns were said.
+Captions are written for the patterns and answered at temperature 0. Printed are how often the panels are
+those of the pattern, in the plan and as written; and for panels that there are often, how far their height is
+off (cm, mean and median): in the plan, as written, and if always the median of these patterns were said.
 """
 
 from __future__ import annotations
