@@ -8,7 +8,8 @@
 # validation.jsonl.gz, edits.jsonl.gz). DATA may name a data set with renders of them (swifttailor data build, data
 # render); without it PICTURED (3000) of the garments are sewn by GarmentSewer and drawn, 0.5 s of a core each. Before
 # the training the patterns are measured once, 0.15 s of a core each. MORE names further files of patterns to learn from,
-# such as scripts/sample_garmentcode.py writes. On a GPU the same script uses it; without one, PROCESSES (2) processes train
+# such as scripts/sample_garmentcode.py and scripts/sample_drafts.py write, and EDITS another file of edits than that of
+# GARMENTCODE. On a GPU the same script uses it; without one, PROCESSES (2) processes train
 # together, a core each, their layers compiled where there is a C++ compiler.
 set -euo pipefail
 
@@ -37,7 +38,8 @@ if ! nvidia-smi > /dev/null 2>&1 && [ "$processes" -gt 1 ]; then
     more+=(--threads 1)
 fi
 command -v g++ > /dev/null && more+=(--set compiled=true)
-[ -f "$patterns/edits.jsonl.gz" ] && more+=(--edits "$patterns/edits.jsonl.gz")
+edits=${EDITS:-$patterns/edits.jsonl.gz}
+[ -f "$edits" ] && more+=(--edits "$edits")
 [ -f "$patterns/test.jsonl.gz" ] && more+=(--apart "$patterns/test.jsonl.gz")
 [ -f "$work/run/checkpoint.pt" ] && more+=(--resume)
 "${train[@]}" train pattern-maker --patterns "${files[@]}" --validation "$patterns/validation.jsonl.gz" --data "$DATA" \
