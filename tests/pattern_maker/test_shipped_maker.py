@@ -87,9 +87,9 @@ def test_an_edit_changes_the_pattern_it_is_given(maker):
     assert maker.generate("make it 15 cm longer", edit=skirt).pattern != skirt
 
 
-@pytest.mark.xfail(strict=True, reason="the weights fulfil a fifth of the instructions")
+@pytest.mark.xfail(strict=True, reason="the weights seldom do sums: 15 cm longer is not learnt")
 def test_an_edit_does_what_it_is_told(maker):
     skirt = draft("fitted-skirt")
     edited = maker.generate("make it 15 cm longer", edit=skirt).pattern
-    heights = [sum(np.ptp(p.vertices[:, 1]) for p in pattern.panels) for pattern in (skirt, edited)]
-    assert heights[1] > heights[0]
+    heights = [max(np.ptp(p.vertices[:, 1]) for p in pattern.panels) for pattern in (skirt, edited)]
+    assert heights[0] + 10 < heights[1] < heights[0] + 20

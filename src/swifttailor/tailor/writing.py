@@ -1,15 +1,16 @@
-"""From an order to patterns that can be sewn: written, checked, and written again where they cannot."""
+"""From an order to patterns that can be sewn: written, checked, and written again where that finds faults."""
 
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Set
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
 from swifttailor.garment_sewer.sewer import GarmentSewer
-from swifttailor.pattern import Severity
+from swifttailor.pattern import Severity, check_pattern
 from swifttailor.pattern_maker.framing import Framing, frame_figure
 from swifttailor.pattern_maker.maker import MOST_ATTEMPTS, Generated, PatternMaker, Request
 from swifttailor.pattern_maker.pictures import read_picture
@@ -80,7 +81,10 @@ def _about_framing(framing: Framing) -> list[str]:
 def write_patterns(
     maker: PatternMaker, sewer: GarmentSewer, order: Order, request: Request, clock: Clock
 ) -> list[WrittenPattern | SwiftTailorError]:
-    """Writes the patterns of an order, all samples together, until each can be sewn or had its attempts.
+    """Writes the patterns of an order, all samples together, until each is sound or had its attempts.
+
+    Sound are those that can be sewn and of which a check doubts nothing, but what it doubted of the pattern
+    to edit before.
 
     Args:
         maker: Writes them.
@@ -96,6 +100,7 @@ def write_patterns(
         raise InputError(f"attempts is {order.most_attempts}; 1 to {MOST_ATTEMPTS} is accepted.")
     options = SewingOptions(order.edge_length, finish=order.finish)
     samples = [_Sample(order.seed + k) for k in range(order.samples)]
+    tolerated = set() if request.edit is None else {f.code for f in check_pattern(request.edit)}
     for attempt in range(order.most_attempts):
         wanting = [s for s in samples if s.found is None]
         if not wanting:
@@ -108,7 +113,7 @@ def write_patterns(
         )
         clock.add(made[0].seconds)
         for sample, one in zip(wanting, made, strict=True):
-            fault = _first_error(one)
+            fault = _first_fault(one, tolerated)
             if not fault:
                 try:
                     sample.found = _ready(sewer, one, order, options, clock)
@@ -130,13 +135,15 @@ def doubts(made: Generated) -> list[str]:
     ]
 
 
-def _first_error(one: Generated) -> str:
-    errors = [f for f in one.findings if f.severity is Severity.ERROR]
-    if not errors:
+def _first_fault(one: Generated, tolerated: Set[str]) -> str:
+    """The worst that a check finds, in words: any error, or a warning of a code that is not tolerated."""
+    found = [f for f in one.findings if f.severity is Severity.ERROR]
+    found = found or [f for f in one.findings if f.severity is Severity.WARNING and f.code not in tolerated]
+    if not found:
         return ""
-    place = f" ({errors[0].where()})" if errors[0].where() else ""
-    more = f", and {len(errors) - 1} more" if len(errors) > 1 else ""
-    return f"{errors[0].code}{place}: {errors[0].message}{more}"
+    place = f" ({found[0].where()})" if found[0].where() else ""
+    more = f", and {len(found) - 1} more" if len(found) > 1 else ""
+    return f"{found[0].code}{place}: {found[0].message}{more}"
 
 
 def _ready(sewer: GarmentSewer, one: Generated, order: Order, options: SewingOptions, clock: Clock) -> Ready:
@@ -151,7 +158,7 @@ def _ready(sewer: GarmentSewer, one: Generated, order: Order, options: SewingOpt
 def _taken(
     sample: _Sample, sewer: GarmentSewer, order: Order, options: SewingOptions, clock: Clock
 ) -> WrittenPattern | SwiftTailorError:
-    """The sound pattern of a sample; where there is none the best of those that can be sewn all the same."""
+    """The sound pattern of a sample; where there is none the best of those that can be sewn."""
     taken, ready = len(sample.tried) - 1, sample.found
     if ready is None:
         severities = [Counter(f.severity for f in one.findings) for one, _ in sample.tried]
