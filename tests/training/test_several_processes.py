@@ -140,7 +140,7 @@ def test_one_process_has_nothing_to_split(folder):
 
     with pytest.raises(InputError, match="there is one"):
         train(
-            read_config("small", [*TINY, "shard=true"]),
+            read_config("small", [*TINY, UNPLANNED, "shard=true"]),
             [folder / "train.jsonl"],
             folder / "alone",
             validation=[folder / "other.jsonl"],
