@@ -79,7 +79,7 @@ def repair_pattern(
 
     Removes stitches to nowhere, of an edge with itself, and repeats; drops edges without length where the
     seam partner is as short; raises arc radii to half the chord; reverses inside-out panels and turns
-    twisted seams where all evidence agrees; moves corners by up to `largest_move` out of overlaps. A
+    twisted seams where all evidence agrees; moves corners and curves out of overlaps. A
     pattern without such findings comes back as it is.
 
     Args:
@@ -237,7 +237,7 @@ def _free_crossings(
             mended = mend_crossings(panel, largest_move, largest_share)
         if crossing is not None and mended is not None:
             panel, moved = mended
-            text = f"moved corners by up to {moved:.2g} cm, so that the outline no longer overlaps itself"
+            text = f"moved the outline by up to {moved:.2g} cm, so that it no longer overlaps itself"
             code = "self-crossing" if crossing.kind == "crossing" else "near-crossing"
             changes.append(Change(code, text, panel.name, min(crossing.edges)))
         panels.append(panel)
