@@ -120,14 +120,17 @@ def _half_left(before: GarmentFacts, after: GarmentFacts) -> Request | None:
         texts = (f"keep only the {lower}", "remove the bodice", f"take off the top, leaving just the {lower}")
         kind = gained.get("kind")
         return Request("kind", 10.0, texts, (kind,)) if kind else None
-    shorter = Step("length", -1) if before.trousers is None else gained.get("kind")
+    top = Gain(Claim("kind", "top"))
+    changes: tuple[Change, ...] = (gained["kind"],) if "kind" in gained else ()
+    if before.trousers is None:  # a short dress may be a long top: that it is a top now is not all that is meant
+        changes = (Step("length", -1), *([top] if top.holds(before, after) else []))
     texts = (
         f"remove the {lower}",
         f"take the {lower} off",
         "keep only the bodice",
         "leave just the top part",
     )
-    return Request("kind", 10.0, texts, (shorter,)) if shorter else None
+    return Request("kind", 10.0, texts, changes) if changes else None
 
 
 def _of_gains(gains: Sequence[Gain], before: GarmentFacts, after: GarmentFacts) -> list[Request]:

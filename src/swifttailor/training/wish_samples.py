@@ -1,0 +1,145 @@
+"""Texts and what they ask for, written freshly for every sample of the wish reader's training."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.data.captions import write_caption
+from swifttailor.data.edits.differences import Change, Gain, Step
+from swifttailor.data.edits.instructions import write_instruction
+from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+from swifttailor.training.maker_bank import PatternBank, Version
+from swifttailor.training.misspelling import misspell
+from swifttailor.wishes.labels import label_of, number_labels, statement_labels
+from swifttailor.wishes.mentions import Mention
+from swifttailor.wishes.text_tokens import ReadyText, text_tokens
+
+UNKNOWN = -1
+"""What a number is that could be several things."""
+_SAME_CM = 0.03
+_INSTRUCTIONS, _OF_STRANGERS, _BARE, _WITH_FILLERS = 0.5, 0.4, 0.2, 0.25
+_STRANGERS = 8
+_LARGEST_SEED = 2**31
+_GAP = re.compile(r"(?<=[a-z,]) (?=[a-z])")
+
+# What people say that is not about the cut.
+FILLERS = (
+    "red blue navy black white beige pink olive cream yellow floral striped checked plaid satin silk cotton "
+    "linen denim wool knit jersey velvet chiffon tulle lace leather soft light heavy elegant casual cosy cute "
+    "chic modern vintage romantic simple basic comfy lovely nice pretty summer winter spring autumn holiday "
+    "beach office party wedding evening everyday work wear style look fabric print please really very some "
+    "kind like something maybe just with pockets buttons zip belt for me my girlfriend going out"
+).split()
+
+
+@dataclass(frozen=True, eq=False)
+class WishSample:
+    """A text, and what is to be read of it."""
+
+    ready: ReadyText
+    said: NDArray[np.int64]
+    """Numbers of the labels of what it says."""
+    counts: tuple[int, ...]
+    """Of each mention: 0 for nothing, 1 + the number of its label, `UNKNOWN`."""
+    text: str
+    changes: tuple[Change, ...]
+    instruction: bool
+
+
+class WishSamples:
+    """Samples of the patterns of a bank, each determined by its number."""
+
+    def __init__(self, bank: PatternBank, tokenizer: TextTokenizer, *, seed: int, typos: float) -> None:
+        """Prepares to write.
+
+        Args:
+            bank: Patterns and edited versions of them, with their facts.
+            tokenizer: Of the texts.
+            seed: Of all samples.
+            typos: Share of the words with a typing error.
+        """
+        self.bank, self.tokenizer, self.seed, self.typos = bank, tokenizer, seed, typos
+        self._said = {label: k for k, label in enumerate(statement_labels())}
+        self._counts = {label: k for k, label in enumerate(number_labels())}
+
+    def make(self, number: int) -> WishSample:
+        """Sample `number` of an endless training."""
+        chance = np.random.default_rng([self.seed, number])
+        while True:
+            instruction = chance.random() < _INSTRUCTIONS
+            written = self._instruction(chance) if instruction else self._caption(chance)
+            if written is not None:
+                return self.sample(*written, instruction=instruction, chance=chance)
+
+    def sample(
+        self,
+        text: str,
+        changes: Sequence[Change],
+        *,
+        instruction: bool,
+        chance: np.random.Generator | None = None,
+    ) -> WishSample:
+        """The sample of a text.
+
+        Args:
+            text: As it was written.
+            changes: What it asks for.
+            instruction: Whether it says how to change a garment.
+            chance: Decides typing errors and words that say nothing; without any when None.
+        """
+        if chance is not None:
+            text = _as_people_write(text, chance, self.typos)
+        ready = text_tokens(text, self.tokenizer, instruction=instruction)
+        said = sorted({self._said[name] for c in changes if (name := label_of(c)) in self._said})
+        counts = tuple(self._count(m, changes) for m in ready.mentions)
+        return WishSample(ready, np.array(said, np.int64), counts, text, tuple(changes), instruction)
+
+    def _count(self, mention: Mention, changes: Sequence[Change]) -> int:
+        numbered = {label_of(c): n for c in changes if (n := _number(c)) is not None}
+        fitting = [label for label, n in numbered.items() if abs(n - mention.value) < _SAME_CM]
+        if len(fitting) > 1:
+            return UNKNOWN
+        return 1 + self._counts[fitting[0]] if fitting else 0
+
+    def _caption(self, chance: np.random.Generator) -> tuple[str, tuple[Change, ...]]:
+        caption = write_caption(self._version(chance).facts, int(chance.integers(_LARGEST_SEED)))
+        return caption.text, tuple(Gain(c) for c in caption.claims)
+
+    def _instruction(self, chance: np.random.Generator) -> tuple[str, tuple[Change, ...]] | None:
+        garment = self.bank.garments[int(chance.integers(len(self.bank)))]
+        versions = [garment.pattern, *garment.edits]
+        if len(versions) < 2 or chance.random() < _OF_STRANGERS:
+            first = self._version(chance)
+            others = [self._version(chance) for _ in range(_STRANGERS)]
+            second = next((v for v in others if v.facts.kind == first.facts.kind), others[0])
+        else:
+            first, second = (versions[k] for k in chance.permutation(len(versions))[:2])
+        written = write_instruction(first.facts, second.facts, int(chance.integers(_LARGEST_SEED)))
+        return None if written is None else (written.text, written.changes)
+
+    def _version(self, chance: np.random.Generator) -> Version:
+        garment = self.bank.garments[int(chance.integers(len(self.bank)))]
+        versions = (garment.pattern, *garment.edits)
+        return versions[int(chance.integers(len(versions)))]
+
+
+def _number(change: Change) -> float | None:
+    if isinstance(change, Step):
+        return change.amount
+    return None if isinstance(change.claim.value, str) else change.claim.value
+
+
+def _as_people_write(text: str, chance: np.random.Generator, typos: float) -> str:
+    """Now and then without hyphens and punctuation, with words between that say nothing of the cut."""
+    if chance.random() < _BARE:
+        text = text.replace("-", " ").rstrip(".?!")
+    if chance.random() < _WITH_FILLERS:
+        gaps = [found.start() for found in _GAP.finditer(text)]
+        for place in sorted(chance.permutation(gaps)[: int(chance.integers(1, 4))], reverse=True):
+            text = f"{text[:place]} {FILLERS[int(chance.integers(len(FILLERS)))]}{text[place:]}"
+    return misspell(text, chance, typos)

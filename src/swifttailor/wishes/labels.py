@@ -1,0 +1,66 @@
+"""The statements and changes that can be read from a text, and their names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+
+from swifttailor.data.captions.claims import CLAIM_TYPES, Claim
+from swifttailor.data.edits.differences import QUANTITIES, Change, Gain, Step
+from swifttailor.errors import InputError
+
+_GAIN, _STEP, _MEASURE = "gain", "step", "measure"
+_DIRECTIONS = {"up": 1, "down": -1}
+
+
+@cache
+def statement_labels() -> tuple[str, ...]:
+    """Names of all that can be said without a number: ``gain:neckline:v``, ``step:length:up``."""
+    return tuple(_statements())
+
+
+@cache
+def number_labels() -> tuple[str, ...]:
+    """Names of all that a number can be: ``measure:sleeve_cm``, ``step:length:up``."""
+    measures = [f"{_MEASURE}:{t.name}" for t in CLAIM_TYPES.values() if t.measure is not None]
+    return (*measures, *(label for label in _statements() if label.startswith(_STEP)))
+
+
+def _statements() -> Iterator[str]:
+    for kind in CLAIM_TYPES.values():
+        for word in kind.words:
+            yield f"{_GAIN}:{kind.name}:{word}"
+    for quantity in QUANTITIES:
+        for direction in _DIRECTIONS:
+            yield f"{_STEP}:{quantity}:{direction}"
+
+
+def label_of(change: Change) -> str:
+    """The name of a change, its number left out."""
+    if isinstance(change, Step):
+        direction = next(name for name, sign in _DIRECTIONS.items() if sign == change.direction)
+        return f"{_STEP}:{change.quantity}:{direction}"
+    if isinstance(change.claim.value, str):
+        return f"{_GAIN}:{change.claim.name}:{change.claim.value}"
+    return f"{_MEASURE}:{change.claim.name}"
+
+
+def change_of(label: str, number: float | None = None) -> Change:
+    """The change of a name.
+
+    Args:
+        label: One of `statement_labels` or `number_labels`.
+        number: What is said with it, cm or pieces.
+
+    Raises:
+        InputError: There is no such name.
+    """
+    kind, _, rest = label.partition(":")
+    if kind == _MEASURE and number is not None:
+        return Gain(Claim(rest, number))
+    name, _, value = rest.partition(":")
+    if kind == _GAIN:
+        return Gain(Claim(name, value))
+    if kind == _STEP and value in _DIRECTIONS:
+        return Step(name, _DIRECTIONS[value], number)
+    raise InputError(f"There is no wish '{label}'.")

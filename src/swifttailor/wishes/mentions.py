@@ -1,0 +1,69 @@
+"""Numbers in a text, and what they are in cm."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from swifttailor.data.captions.writing.numbers import CM_PER_INCH
+
+_WORDS = (
+    "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen"
+).split()
+_COUNTS = {word: float(k) for k, word in enumerate(_WORDS)}
+_CM = {"mm": 0.1, "cm": 1.0, "m": 100.0, "in": CM_PER_INCH}
+_UNIT = r"millimet(?:re|er)s?|mm|centimet(?:re|er)s?|cms?|met(?:re|er)s?|m|inch(?:es)?|ins?|[\"\u201d\u2033]"
+_FIGURE = r"\d{1,5} \d/\d|\d/\d|\d{1,5}(?:[.,]\d{1,3})?"
+# Not inside of a word or a longer number; "in" and "m" only right behind a figure, and not as in "6 in the front".
+_MENTION = re.compile(
+    rf"(?<![\w.,/])(?:(?P<figure>{_FIGURE})(?:[ -]?(?P<unit>{_UNIT})(?!\w)(?! (?:the|front|back|one)\b))?"
+    rf"|(?P<word>{'|'.join(_WORDS)}))(?![\w/])",
+    re.IGNORECASE,
+)
+_LARGEST = 99_999.0
+
+
+@dataclass(frozen=True)
+class Mention:
+    """A number in a text."""
+
+    start: int
+    end: int
+    """Behind the last character, the unit included."""
+    value: float
+    """cm where it has a unit."""
+    is_length: bool
+    """Whether it has a unit."""
+
+
+def find_mentions(text: str) -> list[Mention]:
+    """The numbers of a text in their order, in figures or words, with units or without.
+
+    Args:
+        text: Of any length; the time is in proportion to it.
+    """
+    return [_mention(found) for found in _MENTION.finditer(text)]
+
+
+def _mention(found: re.Match[str]) -> Mention:
+    if found["word"]:
+        return Mention(found.start(), found.end(), _COUNTS[found["word"].lower()], False)
+    value = min(_figure(found["figure"]), _LARGEST)
+    unit = found["unit"]
+    if unit is None:
+        return Mention(found.start(), found.end(), value, False)
+    return Mention(found.start(), found.end(), value * _CM[_unit(unit.lower())], True)
+
+
+def _unit(unit: str) -> str:
+    if unit.startswith(("c", "mm", "milli")):
+        return "cm" if unit.startswith("c") else "mm"
+    return "m" if unit.startswith("m") else "in"
+
+
+def _figure(figure: str) -> float:
+    total = 0.0
+    for part in figure.replace(",", ".").split():
+        above, _, below = part.partition("/")
+        total += float(above) / float(below) if below and float(below) else float(above)
+    return total

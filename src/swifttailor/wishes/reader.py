@@ -1,0 +1,134 @@
+"""Reading wishes from texts, with onnxruntime."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from swifttailor.data.edits.differences import Change, Step
+from swifttailor.errors import InputError
+from swifttailor.networks.onnx_session import open_session
+from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+from swifttailor.wishes.labels import change_of, label_of
+from swifttailor.wishes.text_tokens import EXTRA_TOKENS, ReadyText, text_tokens
+
+SHIPPED = Path(__file__).with_name("wish_reader.onnx")
+FORMAT = "swifttailor wish-reader 1"
+NOTE = "swifttailor"
+INPUTS, OUTPUTS = ("tokens",), ("statements", "numbers")
+LEAST_CERTAINTY = 0.5
+MAX_BYTES = 2**28
+
+
+@dataclass(frozen=True)
+class Wish:
+    """Something that a text asks for."""
+
+    change: Change
+    """A description asks for what is to be true (`Gain`), an instruction for what is to become so as well."""
+    certainty: float
+    """How sure the reader is, 0 to 1."""
+
+
+@dataclass(frozen=True, eq=False)
+class WishReader:
+    """Reads what texts ask for."""
+
+    session: Any
+    """Of onnxruntime."""
+    statements: tuple[str, ...]
+    """Labels of what a text says."""
+    numbers: tuple[str, ...]
+    """Labels of what a number is."""
+    tokenizer: TextTokenizer
+    card: dict[str, Any]
+    """What it was trained on and how good it is."""
+
+    @staticmethod
+    def load(weights: Path | str | None = None, *, threads: int = 1) -> WishReader:
+        """Opens a model file.
+
+        Args:
+            weights: File; the one that comes with the package when None.
+            threads: Processor cores for the network.
+
+        Raises:
+            InputError: There is no such file, or it is damaged or another.
+        """
+        path = SHIPPED if weights is None else Path(weights)
+        try:
+            if path.stat().st_size > MAX_BYTES:
+                raise InputError(f"'{path}' is larger than 256 MB; the file of a wish reader is smaller.")
+            data = path.read_bytes()
+        except OSError as error:
+            raise InputError(f"Cannot read the weights '{path}': {error.strerror or error}.") from error
+        session = open_session(data, str(path), "wish reader", threads=threads)
+        about = _about(session, path)
+        try:
+            statements, numbers = tuple(about["statements"]), tuple(about["numbers"])
+            for label in statements:
+                change_of(label)
+            for label in numbers:
+                change_of(label, 1.0)
+        except (KeyError, TypeError, InputError) as error:
+            raise InputError(f"'{path}' reads what this version has no words for: {error}.") from error
+        return WishReader(session, statements, numbers, TextTokenizer.shipped(), about.get("card", {}))
+
+    def read(self, text: str, *, instruction: bool = False) -> tuple[Wish, ...]:
+        """What a text asks for, surest first.
+
+        Args:
+            text: In any script; what is not understood says nothing.
+            instruction: Whether it says how to change a garment, and not what garment it is.
+        """
+        ready = text_tokens(text, self.tokenizer, instruction=instruction)
+        if len(ready.tokens) < 2:
+            return ()
+        said, numbers = self.session.run(None, {"tokens": ready.tokens[None]})
+        found = dict(_stated(said[0], self.statements))
+        for change, certainty in _measured(ready, numbers[0], self.numbers):
+            if isinstance(change, Step):
+                found.pop(change_of(label_of(change)), None)
+            found[change] = certainty
+        kept = [Wish(c, p) for c, p in found.items() if instruction or not isinstance(c, Step)]
+        return tuple(sorted(kept, key=lambda wish: -wish.certainty))
+
+
+def _stated(logits: Any, labels: tuple[str, ...]) -> list[tuple[Change, float]]:
+    certain = 1 / (1 + np.exp(-logits.astype(float)))
+    return [(change_of(labels[k]), float(certain[k])) for k in np.flatnonzero(certain >= LEAST_CERTAINTY)]
+
+
+def _measured(ready: ReadyText, logits: Any, labels: tuple[str, ...]) -> list[tuple[Change, float]]:
+    found = []
+    for mention, place in zip(ready.mentions, ready.places, strict=True):
+        odds = np.exp(logits[place] - logits[place].max())
+        best = int(odds.argmax())
+        if best and mention.value > 0:
+            found.append(
+                (change_of(labels[best - 1], round(mention.value, 2)), float(odds[best] / odds.sum()))
+            )
+    return found
+
+
+def _about(session: Any, path: Path) -> dict[str, Any]:
+    text = session.get_modelmeta().custom_metadata_map.get(NOTE, "")
+    try:
+        about = json.loads(text)
+        known = about["format"]
+    except (ValueError, KeyError, TypeError):
+        known, about = None, {}
+    if known != FORMAT:
+        raise InputError(
+            f"'{path}' is a network, but no wish reader of this version ({known or 'nothing'} instead of "
+            f"'{FORMAT}')."
+        )
+    names = tuple(i.name for i in session.get_inputs()), tuple(o.name for o in session.get_outputs())
+    size = TextTokenizer.shipped().size + EXTRA_TOKENS
+    if names != (INPUTS, OUTPUTS) or about.get("tokens") != size:
+        raise InputError(f"'{path}' contradicts itself: it reads {about.get('tokens')} tokens, not {size}.")
+    return about

@@ -1,0 +1,53 @@
+"""A text as the network reads it: tokens, with one of its own for each number."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+from swifttailor.wishes.mentions import Mention, find_mentions
+
+LONGEST = 192
+"""Tokens of a text that are read."""
+_LONGEST_TEXT = 20_000
+DESCRIPTION, INSTRUCTION, LENGTH, COUNT, PADDING = range(5)
+"""Tokens behind those of the text: what kind of text it is, numbers with a unit and without, and nothing."""
+EXTRA_TOKENS = 5
+
+
+@dataclass(frozen=True, eq=False)
+class ReadyText:
+    """A text to be read."""
+
+    tokens: NDArray[np.int64]
+    """(n,), the first says whether it is an instruction."""
+    mentions: tuple[Mention, ...]
+    places: tuple[int, ...]
+    """Where the mentions stand among the tokens."""
+
+
+def text_tokens(text: str, tokenizer: TextTokenizer, *, instruction: bool) -> ReadyText:
+    """Prepares a text to be read.
+
+    Args:
+        text: Of any length; its beginning is read.
+        tokenizer: Of the words.
+        instruction: Whether it says how to change a garment, and not what garment it is.
+    """
+    first = tokenizer.size
+    tokens = [first + (INSTRUCTION if instruction else DESCRIPTION)]
+    mentions, places, last = [], [], 0
+    text = text[:_LONGEST_TEXT]
+    for mention in find_mentions(text):
+        tokens += tokenizer.encode(text[last : mention.start], LONGEST).tokens
+        last = mention.end
+        if len(tokens) >= LONGEST:
+            break
+        mentions.append(mention)
+        places.append(len(tokens))
+        tokens.append(first + (LENGTH if mention.is_length else COUNT))
+    tokens += tokenizer.encode(text[last:], LONGEST).tokens
+    return ReadyText(np.array(tokens[:LONGEST], np.int64), tuple(mentions), tuple(places))
