@@ -1,4 +1,4 @@
-"""Trains the wish reader: src/swifttailor/wishes/wish_reader.onnx and its card, a quarter of an hour on one core.
+"""Trains the wish reader, src/swifttailor/wishes/wish_reader.onnx: a quarter of an hour on one core.
 
 .venv/bin/python scripts/train_wish_reader.py --patterns train.jsonl.gz --edits edits.jsonl.gz \
     --validation validation.jsonl.gz --cache cache
@@ -11,7 +11,6 @@ from __future__ import annotations
 import json
 from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated
 
 import tyro
 
@@ -33,7 +32,7 @@ def main(
     recuts: int = 1,
     steps: int = 6000,
     seed: int = 0,
-    threads: Annotated[int, tyro.conf.arg(help="Processor cores.")] = 1,
+    threads: int = 1,
 ) -> None:
     """Trains, judges and writes a wish reader.
 
@@ -47,6 +46,7 @@ def main(
         recuts: Versions that are made of each pattern for editing.
         steps: Of 64 texts.
         seed: Of weights and texts.
+        threads: Processor cores.
     """
     import torch
 

@@ -67,6 +67,7 @@ class Edit(Making):
             seed=self.seed,
             temperature=self.temperature,
             attempts=self.attempts,
+            alter=self.alter,
             edge_length=self.edge_length,
             finish=self.finish,
         )

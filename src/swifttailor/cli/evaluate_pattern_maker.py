@@ -19,6 +19,7 @@ from swifttailor.cli.option_checks import (
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
+    from swifttailor.evaluation.maker.ask import Maker
     from swifttailor.evaluation.maker.run import Evaluation
     from swifttailor.garment_sewer.sewer import GarmentSewer
 
@@ -57,6 +58,9 @@ class EvaluatePatternMaker:
     """Of the answers that are measured: 0 takes the likeliest token always."""
     attempts: Annotated[int, tyro.conf.arg(metavar="N")] = 1
     """Patterns written for each answer, of which the best is taken; with a temperature above 0."""
+    alter: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Alter the answers to what the texts ask for, as swifttailor generate does: what the whole is worth, and
+    not the network alone."""
     samples: Annotated[int, tyro.conf.arg(metavar="N")] = 20
     """Most attempts of #Sampling, which are drawn at temperature 1; 0 leaves it out."""
     garments: tyro.conf.FlagCreatePairsOff[bool] = False
@@ -77,11 +81,14 @@ class EvaluatePatternMaker:
             SwiftTailorError: The patterns, the weights or an option cannot be used.
         """
         self._validate()
+        from swifttailor.alterations.fitted import FittingMaker
         from swifttailor.cli.item_progress import ItemProgress
         from swifttailor.evaluation.maker.ask import Asking
         from swifttailor.evaluation.maker.run import Plan, evaluate
         from swifttailor.evaluation.provenance import code_and_machine, file_identity
         from swifttailor.pattern_maker.maker import SHIPPED, PatternMaker
+        from swifttailor.wishes.reader import SHIPPED as READER
+        from swifttailor.wishes.reader import WishReader
 
         plan = Plan(
             self.patterns,
@@ -96,8 +103,12 @@ class EvaluatePatternMaker:
         sewer = self._sewer()
         maker = PatternMaker.load(self.weights, threads=self.threads)
         weights = file_identity(SHIPPED if self.weights is None else self.weights)
+        asked: Maker = maker
+        if self.alter:
+            reader = WishReader.load(threads=self.threads)
+            asked, weights = FittingMaker(maker, reader), weights | {"altered_by": file_identity(READER)}
         try:
-            found = evaluate(maker, plan, self.out, weights, ItemProgress, sewer)
+            found = evaluate(asked, plan, self.out, weights, ItemProgress, sewer)
         except KeyboardInterrupt:
             sys.stderr.write(f"What was answered is kept in {self.out}; the same command goes on with it.\n")
             raise

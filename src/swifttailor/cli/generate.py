@@ -58,6 +58,7 @@ class Generate(Making):
             seed=self.seed,
             temperature=self.temperature,
             attempts=self.attempts,
+            alter=self.alter,
             edge_length=self.edge_length,
             finish=self.finish,
         )

@@ -45,6 +45,8 @@ class Making:
     """0: the likeliest pattern always; higher: more various, and odder."""
     attempts: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Patterns to write at most until one can be sewn; 4 without it, or 1 at temperature 0."""
+    alter: bool = True
+    """Recut the pattern until what the text asks for holds, as far as that can be cut."""
     finish: tyro.conf.FlagCreatePairsOff[bool] = False
     """Let the garment hang to rest by physics in the end: wrinkles, and a report of its quality."""
     edge_length: float = 2.0

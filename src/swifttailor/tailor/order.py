@@ -41,6 +41,8 @@ class Order:
     attempts: int | None = None
     """Patterns that are written at most until one can be sewn (the paper's sampling attempts); 4, or 1 at
     temperature 0, when None."""
+    alter: bool = True
+    """Whether patterns are recut until what the text asks for holds, as far as that can be cut."""
     edge_length: float = 2.0
     """Of the mesh, cm."""
     finish: bool = False
@@ -79,6 +81,7 @@ class Order:
             "crop": self.crop,
             "temperature": self.temperature,
             "attempts": self.most_attempts,
+            "alter": self.alter,
         }
 
 

@@ -9,6 +9,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
+from swifttailor.alterations.fitted import FittingMaker
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer
 from swifttailor.pattern import Pattern
@@ -27,6 +28,8 @@ from swifttailor.tailor.sewing import (
 )
 from swifttailor.tailor.tailored import Tailored, change_line, finding_entry
 from swifttailor.tailor.writing import WrittenPattern, ask, doubts, write_patterns
+from swifttailor.wishes.reader import WishReader
+from swifttailor.wishes.wording import wish_line
 
 Outcome = Tailored | SwiftTailorError
 """A garment, or why there is none."""
@@ -40,6 +43,7 @@ class Tailor:
         pattern_maker: PatternMaker | Path | str | None = None,
         garment_sewer: GarmentSewer | Path | str | None = None,
         *,
+        wish_reader: WishReader | Path | str | None = None,
         threads: int = 1,
     ) -> None:
         """Prepares to work; a network is opened when it is first needed.
@@ -47,9 +51,11 @@ class Tailor:
         Args:
             pattern_maker: A network, or its model file; the one that comes with the package when None.
             garment_sewer: The same.
+            wish_reader: The same, for what texts ask for.
             threads: Processor cores for the networks.
         """
-        self._maker, self._sewer, self._threads = pattern_maker, garment_sewer, threads
+        self._maker, self._sewer, self._reader = pattern_maker, garment_sewer, wish_reader
+        self._threads = threads
 
     @classmethod
     def load(
@@ -57,10 +63,11 @@ class Tailor:
         pattern_maker: PatternMaker | Path | str | None = None,
         garment_sewer: GarmentSewer | Path | str | None = None,
         *,
+        wish_reader: WishReader | Path | str | None = None,
         threads: int = 1,
     ) -> Tailor:
         """The same as the constructor, under the name that networks have for it."""
-        return cls(pattern_maker, garment_sewer, threads=threads)
+        return cls(pattern_maker, garment_sewer, wish_reader=wish_reader, threads=threads)
 
     @cached_property
     def pattern_maker(self) -> PatternMaker:
@@ -83,6 +90,17 @@ class Tailor:
         if isinstance(self._sewer, GarmentSewer):
             return self._sewer
         return GarmentSewer.load(self._sewer, threads=self._threads)
+
+    @cached_property
+    def wish_reader(self) -> WishReader:
+        """The network that reads what texts ask for.
+
+        Raises:
+            InputError: There are no such weights, or they are damaged.
+        """
+        if isinstance(self._reader, WishReader):
+            return self._reader
+        return WishReader.load(self._reader, threads=self._threads)
 
     def compile_notes(self, *, finish: bool) -> list[str]:
         """What the first garment waits for on a machine where it is not compiled yet, in words.
@@ -109,6 +127,7 @@ class Tailor:
         seed: int = 0,
         temperature: float = USUAL_TEMPERATURE,
         attempts: int | None = None,
+        alter: bool = True,
         edge_length: float = 2.0,
         finish: bool = False,
         progress: Progress | None = None,
@@ -121,6 +140,7 @@ class Tailor:
             seed: Decides what is drawn.
             temperature: See `Order`.
             attempts: See `Order`.
+            alter: See `Order`.
             edge_length: Of the mesh, cm.
             finish: Whether it hangs to rest by physics in the end.
             progress: Called with the name of a stage and the share of it that is done.
@@ -135,6 +155,7 @@ class Tailor:
             seed=seed,
             temperature=temperature,
             attempts=attempts,
+            alter=alter,
             edge_length=edge_length,
             finish=finish,
         )
@@ -148,6 +169,7 @@ class Tailor:
         seed: int = 0,
         temperature: float = USUAL_TEMPERATURE,
         attempts: int | None = None,
+        alter: bool = True,
         edge_length: float = 2.0,
         finish: bool = False,
         progress: Progress | None = None,
@@ -160,6 +182,7 @@ class Tailor:
             seed: See `generate`.
             temperature: See `Order`.
             attempts: See `Order`.
+            alter: See `Order`.
             edge_length: Of the mesh, cm.
             finish: See `generate`.
             progress: See `generate`.
@@ -174,6 +197,7 @@ class Tailor:
             seed=seed,
             temperature=temperature,
             attempts=attempts,
+            alter=alter,
             edge_length=edge_length,
             finish=finish,
         )
@@ -193,11 +217,12 @@ class Tailor:
         clock = Clock()
         say("loading", 0.0)
         maker, sewer = self.pattern_maker, self.garment_sewer
+        fitting = FittingMaker(maker, self.wish_reader if order.alter else None)
         clock.stop("loading")
         say("writing", 0.0)
         asked = ask(order)
         clock.stop("reading")
-        written = write_patterns(maker, sewer, order, asked.request, clock)
+        written = write_patterns(fitting, sewer, order, asked.request, clock)
         say("sewing", 0.0)
         ready = [w.ready for w in written if isinstance(w, WrittenPattern)]
         sewn = sew_ready(sewer, ready, SewingOptions(order.edge_length, finish=order.finish), progress)
@@ -206,7 +231,7 @@ class Tailor:
             if isinstance(one, WrittenPattern):
                 made = next(sewn)
                 facts = self._about(order, order.seed + number, one, clock)
-                warnings = (*doubts(one.generated), *one.generated.notes)
+                warnings = (*doubts(one.fitted), *one.fitted.generated.notes)
                 notes = (*asked.notes, *_remarks(order, one))
                 outcomes.append(self._hand_over(made, facts, one, notes, warnings))
             else:
@@ -295,12 +320,12 @@ class Tailor:
             checked.changes,
             notes,
             warnings,
-            written.generated.confidence if written is not None else None,
+            written.fitted.confidence if written is not None else None,
         )
 
     def _about(self, order: Order, seed: int, one: WrittenPattern, clock: Clock) -> dict[str, Any]:
         """What a report says of an order and how it was answered."""
-        made = one.generated
+        made, fitted = one.fitted.generated, one.fitted
         return {
             "seconds": clock.seconds,
             "order": order.to_json() | {"seed": seed},
@@ -311,6 +336,15 @@ class Tailor:
                 "attempt": one.attempt + 1,
                 "failed_attempts": list(one.failures),
             },
+            "wishes": [
+                {
+                    "wish": wish_line(w.change),
+                    "certainty": round(w.certainty, 3),
+                    "holds": w.change not in fitted.open,
+                }
+                for w in fitted.wishes
+            ],
+            "alterations": {"of_the_pattern_to_edit": fitted.recut, "cuts": list(fitted.cuts)},
             "confidence": made.confidence.to_json() if made.confidence is not None else None,
         }
 
@@ -320,10 +354,14 @@ def _remarks(order: Order, one: WrittenPattern) -> list[str]:
     if one.failures:
         count = len(one.failures) + 1
         found.append(f"{count} patterns were written, of which number {one.attempt + 1} was taken.")
-    if order.image is not None and one.generated.confidence is None:
+    if order.image is not None and one.fitted.confidence is None:
         found.append(
             "Whether the picture shows a garment was not judged: these weights have no measure of that."
         )
+    if one.fitted.cuts:
+        found.append(f"Altered: {'; '.join(one.fitted.cuts)}.")
+    if one.fitted.open:
+        found.append(f"Asked for, and not so: {'; '.join(map(wish_line, one.fitted.open))}.")
     return found
 
 

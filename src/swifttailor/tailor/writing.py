@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Set
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from swifttailor.alterations.fitted import Fitted, FittingMaker
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Severity, check_pattern
 from swifttailor.pattern_maker.framing import Framing, frame_figure
-from swifttailor.pattern_maker.maker import MOST_ATTEMPTS, Generated, PatternMaker, Request
+from swifttailor.pattern_maker.maker import MOST_ATTEMPTS, Request
 from swifttailor.pattern_maker.pictures import read_picture
 from swifttailor.tailor.clock import Clock
 from swifttailor.tailor.order import Order
@@ -24,7 +24,7 @@ class WrittenPattern:
     """A pattern that can be sewn."""
 
     ready: Ready
-    generated: Generated
+    fitted: Fitted
     attempt: int
     """Which of the attempts it is, from 0."""
     failures: tuple[str, ...]
@@ -45,7 +45,7 @@ class _Sample:
     """One of the garments of an order, on its way."""
 
     seed: int
-    tried: list[tuple[Generated, str]] = field(default_factory=list)
+    tried: list[tuple[Fitted, str]] = field(default_factory=list)
     """With what is wrong with each."""
     found: Ready | None = None
     """The last one that was tried, once nothing is wrong with it."""
@@ -79,7 +79,7 @@ def _about_framing(framing: Framing) -> list[str]:
 
 
 def write_patterns(
-    maker: PatternMaker, sewer: GarmentSewer, order: Order, request: Request, clock: Clock
+    maker: FittingMaker, sewer: GarmentSewer, order: Order, request: Request, clock: Clock
 ) -> list[WrittenPattern | SwiftTailorError]:
     """Writes the patterns of an order, all samples together, until each is sound or had its attempts.
 
@@ -87,7 +87,7 @@ def write_patterns(
     to edit before.
 
     Args:
-        maker: Writes them.
+        maker: Writes and alters them.
         sewer: Says whether one can be sewn.
         order: What is wanted.
         request: The same as the network is asked (`ask`).
@@ -111,7 +111,8 @@ def write_patterns(
             temperature=order.temperature,
             first_attempt=attempt,
         )
-        clock.add(made[0].seconds)
+        clock.add(made[0].generated.seconds)
+        clock.add({"altering": sum(one.altering_seconds for one in made)})
         for sample, one in zip(wanting, made, strict=True):
             fault = _first_fault(one, tolerated)
             if not fault:
@@ -123,7 +124,7 @@ def write_patterns(
     return [_taken(sample, sewer, order, options, clock) for sample in samples]
 
 
-def doubts(made: Generated) -> list[str]:
+def doubts(made: Fitted) -> list[str]:
     """What to tell a person of whose picture the network is not sure."""
     confidence = made.confidence
     if confidence is None or not confidence.doubtful:
@@ -135,7 +136,7 @@ def doubts(made: Generated) -> list[str]:
     ]
 
 
-def _first_fault(one: Generated, tolerated: Set[str]) -> str:
+def _first_fault(one: Fitted, tolerated: Set[str]) -> str:
     """The worst that a check finds, in words: any error, or a warning of a code that is not tolerated."""
     found = [f for f in one.findings if f.severity is Severity.ERROR]
     found = found or [f for f in one.findings if f.severity is Severity.WARNING and f.code not in tolerated]
@@ -146,7 +147,7 @@ def _first_fault(one: Generated, tolerated: Set[str]) -> str:
     return f"{found[0].code}{place}: {found[0].message}{more}"
 
 
-def _ready(sewer: GarmentSewer, one: Generated, order: Order, options: SewingOptions, clock: Clock) -> Ready:
+def _ready(sewer: GarmentSewer, one: Fitted, order: Order, options: SewingOptions, clock: Clock) -> Ready:
     clock.restart()
     try:
         pattern = replace(one.pattern, name=order.title)
@@ -161,15 +162,7 @@ def _taken(
     """The sound pattern of a sample; where there is none the best of those that can be sewn."""
     taken, ready = len(sample.tried) - 1, sample.found
     if ready is None:
-        severities = [Counter(f.severity for f in one.findings) for one, _ in sample.tried]
-        best_first = sorted(
-            range(len(sample.tried)),
-            key=lambda k: (
-                severities[k][Severity.ERROR],
-                severities[k][Severity.WARNING],
-                -sample.tried[k][0].log_likelihood,
-            ),
-        )
+        best_first = sorted(range(len(sample.tried)), key=lambda k: sample.tried[k][0].rank)
         for taken in best_first:
             try:
                 ready = _ready(sewer, sample.tried[taken][0], order, options, clock)
@@ -182,7 +175,7 @@ def _taken(
     return WrittenPattern(ready, sample.tried[taken][0], taken, failures)
 
 
-def _refusal(sample: _Sample, best: Generated, fault: str) -> PatternError:
+def _refusal(sample: _Sample, best: Fitted, fault: str) -> PatternError:
     count, fault = len(sample.tried), fault.rstrip(".")
     said = f"None of the {count} patterns that were written can be sewn; the best has {fault}"
     if count == 1:

@@ -30,10 +30,10 @@ _GAP = re.compile(r"(?<=[a-z,]) (?=[a-z])")
 # What people say that is not about the cut.
 FILLERS = (
     "red blue navy black white beige pink olive cream yellow floral striped checked plaid satin silk cotton "
-    "linen denim wool knit jersey velvet chiffon tulle lace leather soft light heavy elegant casual cosy cute "
-    "chic modern vintage romantic simple basic comfy lovely nice pretty summer winter spring autumn holiday "
-    "beach office party wedding evening everyday work wear style look fabric print please really very some "
-    "kind like something maybe just with pockets buttons zip belt for me my girlfriend going out"
+    "linen denim wool knit jersey velvet chiffon tulle lace leather soft light heavy elegant casual cosy "
+    "cute chic modern vintage romantic simple basic comfy lovely nice pretty summer winter spring autumn "
+    "holiday beach office party wedding evening everyday work wear style look fabric print please really "
+    "very some kind like something maybe just with pockets buttons zip belt for me my girlfriend going out"
 ).split()
 
 

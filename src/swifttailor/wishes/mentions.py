@@ -14,7 +14,7 @@ _COUNTS = {word: float(k) for k, word in enumerate(_WORDS)}
 _CM = {"mm": 0.1, "cm": 1.0, "m": 100.0, "in": CM_PER_INCH}
 _UNIT = r"millimet(?:re|er)s?|mm|centimet(?:re|er)s?|cms?|met(?:re|er)s?|m|inch(?:es)?|ins?|[\"\u201d\u2033]"
 _FIGURE = r"\d{1,5} \d/\d|\d/\d|\d{1,5}(?:[.,]\d{1,3})?"
-# Not inside of a word or a longer number; "in" and "m" only right behind a figure, and not as in "6 in the front".
+# Not inside of a word or a longer number; "in" is no unit in "6 in the front".
 _MENTION = re.compile(
     rf"(?<![\w.,/])(?:(?P<figure>{_FIGURE})(?:[ -]?(?P<unit>{_UNIT})(?!\w)(?! (?:the|front|back|one)\b))?"
     rf"|(?P<word>{'|'.join(_WORDS)}))(?![\w/])",

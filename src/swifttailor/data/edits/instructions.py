@@ -122,7 +122,9 @@ def _half_left(before: GarmentFacts, after: GarmentFacts) -> Request | None:
         return Request("kind", 10.0, texts, (kind,)) if kind else None
     top = Gain(Claim("kind", "top"))
     changes: tuple[Change, ...] = (gained["kind"],) if "kind" in gained else ()
-    if before.trousers is None:  # a short dress may be a long top: that it is a top now is not all that is meant
+    if (
+        before.trousers is None
+    ):  # a short dress may be a long top: that it is a top now is not all that is meant
         changes = (Step("length", -1), *([top] if top.holds(before, after) else []))
     texts = (
         f"remove the {lower}",

@@ -1,0 +1,177 @@
+"""A pattern maker whose patterns are altered until what the text asks for holds, as far as can be cut."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from swifttailor.alterations.alter import Alteration, alter
+
+from swifttailor.data.captions.facts import GarmentFacts
+from swifttailor.data.captions.measure import measure_facts
+from swifttailor.data.edits.differences import Change
+from swifttailor.errors import SwiftTailorError
+from swifttailor.pattern import Finding, Pattern, Severity, check_pattern
+from swifttailor.pattern.check.repair import Change as Mended
+from swifttailor.pattern_maker.confidence import Confidence
+from swifttailor.pattern_maker.maker import Generated, PatternMaker, Request
+from swifttailor.pattern_maker.token_sequence import TokenSequence
+from swifttailor.wishes.reader import Wish, WishReader
+
+LEAST_CERTAINTY = 0.7
+"""What the reader is less sure of is not cut: what the network wrote may be as right."""
+
+
+@dataclass(frozen=True, eq=False)
+class Fitted:
+    """A pattern, and what was done so that it is what was asked for."""
+
+    generated: Generated
+    """What the network wrote."""
+    pattern: Pattern
+    findings: tuple[Finding, ...]
+    """What a check finds in it."""
+    wishes: tuple[Wish, ...] = ()
+    """What the text asks for, as far as it was understood."""
+    open: tuple[Change, ...] = ()
+    """Those that do not hold, or cannot be measured."""
+    cuts: tuple[str, ...] = ()
+    """What was altered, in words."""
+    recut: bool = False
+    """Whether it is the pattern to edit that was altered, and what the network wrote was left aside."""
+    altering_seconds: float = 0.0
+
+    @property
+    def changes(self) -> tuple[Mended, ...]:
+        """What was mended of what the network wrote."""
+        return () if self.recut else self.generated.changes
+
+    @property
+    def sequence(self) -> TokenSequence:
+        """What the network wrote."""
+        return self.generated.sequence
+
+    @property
+    def log_likelihood(self) -> float:
+        """Of what the network wrote."""
+        return self.generated.log_likelihood
+
+    @property
+    def confidence(self) -> Confidence | None:
+        """See `Generated`."""
+        return self.generated.confidence
+
+    @property
+    def seconds(self) -> dict[str, float]:
+        """By stage; requests that are answered together share theirs, but for altering."""
+        return self.generated.seconds | {"altering": round(self.altering_seconds, 4)}
+
+    @property
+    def rank(self) -> tuple[float, ...]:
+        """Smaller is better: errors that a check finds, warnings, wishes that are open, likelihood."""
+        severities = [f.severity for f in self.findings]
+        errors, warnings = (severities.count(s) for s in (Severity.ERROR, Severity.WARNING))
+        return errors, warnings, len(self.open), -self.log_likelihood
+
+
+@dataclass(frozen=True, eq=False)
+class FittingMaker:
+    """Writes patterns as its pattern maker does, and alters them to what the texts ask for.
+
+    Of an edit, the pattern to edit is altered first, since that leaves everything else exactly as it is. What
+    the network writes is taken where more of the wishes hold of it, or none was understood.
+    """
+
+    maker: PatternMaker
+    reader: WishReader | None
+    """None where nothing is to be altered."""
+
+    def generate_all(
+        self,
+        requests: Sequence[Request],
+        *,
+        seed: int | Sequence[int] = 0,
+        temperature: float = 0.0,
+        attempts: int = 1,
+        first_attempt: int = 0,
+    ) -> list[Fitted]:
+        """Writes and alters a pattern for each request.
+
+        Args:
+            requests: See `PatternMaker.generate_all`.
+            seed: See there.
+            temperature: See there.
+            attempts: Of each at most, until a check doubts nothing and all wishes hold; the best is taken.
+            first_attempt: See there.
+
+        Raises:
+            SwiftTailorError: See there.
+        """
+        seeds = [seed] * len(requests) if isinstance(seed, int) else list(seed)
+        wishes = [self.wishes(request) for request in requests]
+        best: list[Fitted | None] = [None] * len(requests)
+        for attempt in range(first_attempt, first_attempt + attempts):
+            wanting = [k for k, one in enumerate(best) if one is None or any(one.rank[:3])]
+            made = self.maker.generate_all(
+                [requests[k] for k in wanting],
+                seed=[seeds[k] for k in wanting],
+                temperature=temperature,
+                first_attempt=attempt,
+            )
+            for k, one in zip(wanting, made, strict=True):
+                fitted, before = fit(one, wishes[k], requests[k].edit), best[k]
+                best[k] = fitted if before is None or fitted.rank < before.rank else before
+        return [one for one in best if one is not None]
+
+    def wishes(self, request: Request) -> tuple[Wish, ...]:
+        """What the text of a request asks for, as far as it is understood."""
+        if self.reader is None:
+            return ()
+        found = self.reader.read(request.text, instruction=request.edit is not None)
+        return tuple(wish for wish in found if wish.certainty >= LEAST_CERTAINTY)
+
+
+def fit(generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = None) -> Fitted:
+    """Alters a pattern to what was asked for.
+
+    Args:
+        generated: What the network wrote.
+        wishes: What the text asks for.
+        edit: The pattern to edit, if there is one.
+    """
+    started = time.perf_counter()
+    changes = tuple(wish.change for wish in wishes)
+    if not changes:
+        return Fitted(generated, generated.pattern, generated.findings)
+    original = None if edit is None else _facts(edit)
+    recut = None if edit is None or original is None else _altered(edit, changes, original)
+    written = None
+    if recut is None or recut.open:
+        written = _altered(generated.pattern, changes, original)
+    taken, of_edit = written, False
+    if recut is not None and len(recut.open) < len(changes):
+        if written is None or len(recut.open) <= len(written.open):
+            taken, of_edit = recut, True
+    seconds = time.perf_counter() - started
+    if taken is None or not (taken.cuts or of_edit):
+        unmet = changes if taken is None else taken.open
+        found = tuple(generated.findings)
+        return Fitted(generated, generated.pattern, found, tuple(wishes), unmet, altering_seconds=seconds)
+    findings = tuple(check_pattern(taken.pattern))
+    return Fitted(generated, taken.pattern, findings, tuple(wishes), taken.open, taken.cuts, of_edit, seconds)
+
+
+def _facts(pattern: Pattern) -> GarmentFacts | None:
+    try:
+        return measure_facts(pattern)
+    except SwiftTailorError:
+        return None
+
+
+def _altered(pattern: Pattern, changes: Sequence[Change], original: GarmentFacts | None) -> Alteration | None:
+    """The pattern altered; None where it cannot be measured."""
+    try:
+        return alter(pattern, changes, original=original)
+    except SwiftTailorError:
+        return None
