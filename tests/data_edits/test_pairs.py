@@ -7,8 +7,10 @@ import random
 import pytest
 
 from swifttailor.data.captions import measure_facts
-from swifttailor.data.edits.operations import OPERATIONS, Cutter
-from swifttailor.data.edits.pairs import geometric_pairs, pairs_of, recut, seams_kept
+from swifttailor.data.edits.checking import seams_kept
+from swifttailor.data.edits.cutter import Cutter
+from swifttailor.data.edits.operations import OPERATIONS
+from swifttailor.data.edits.pairs import geometric_pairs, pairs_of, recut
 from swifttailor.pattern import Severity, check_pattern
 from swifttailor.pattern.drafts import draft
 

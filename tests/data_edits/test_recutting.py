@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from swifttailor.data.captions import measure_facts
 from swifttailor.data.captions.measure.anatomy import Border
 from swifttailor.data.captions.measure.parts import Part
-from swifttailor.data.edits.operations import Cutter, cuff_name
+from swifttailor.data.edits.cuts import cuff_name
+from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.recutting.bands import BandPlan, add_band
 from swifttailor.data.edits.recutting.ends import move_ends, swing_sides
 from swifttailor.data.edits.recutting.fullness import widen_panels

@@ -20,9 +20,10 @@ import numpy as np
 from swifttailor.data.array_cache import name_with_code
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.captions.facts_file import facts_values
+from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.edit_file import EditedVersion
 from swifttailor.data.edits.instructions import write_instruction
-from swifttailor.data.edits.operations import Cutter, Operation
+from swifttailor.data.edits.operations import Operation
 from swifttailor.data.edits.pairs import recut_variously
 from swifttailor.data.shard_file import write_durably
 from swifttailor.errors import SwiftTailorError

@@ -11,22 +11,19 @@ from typing import TypeVar
 from swifttailor.body import BodyMeasurements
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.captions.measure import measure_facts
+from swifttailor.data.edits.checking import accepted
+from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.instructions import Instruction, write_instruction
-from swifttailor.data.edits.operations import OPERATIONS, Cutter, Operation
+from swifttailor.data.edits.operations import OPERATIONS, Operation
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
-from swifttailor.pattern.check.stitch_checks import judge_lengths
 
 T = TypeVar("T")
 
-SEAM_TOLERANCE = 0.02
-"""How far a recut seam's ratio of lengths may move; gathers that are meant to change excepted."""
 TRIES = 3
 """Of each operation, with other amounts."""
 _REVERSED = "reversed"
 _GATHERING = frozenset({"gather skirt"})
-LOWEST_HEM_CM = -3.0
-"""An edit that lengthens does not go below the floor."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,33 +144,4 @@ def recut(cutter: Cutter, operation: Operation, rng: random.Random) -> Cutter | 
         edited = operation.apply(cutter, rng)
     except SwiftTailorError:
         return None
-    if edited is None or edited == cutter.pattern:
-        return None
-    after = Cutter(edited, cutter.anatomy.body)
-    if after.faults - cutter.faults or not _plausible(cutter.facts, after.facts):
-        return None
-    return after if operation.name in _GATHERING or seams_kept(cutter, after) else None
-
-
-def seams_kept(before: Cutter, after: Cutter) -> bool:
-    """Whether every two panels are sewn with the same ratio of lengths as before, new panels left out."""
-    known = before.seam_ratios
-    return all(
-        abs(ratio / known[pair] - 1.0) <= SEAM_TOLERANCE or judge_lengths(ratio, 1.0) == "equal"
-        for pair, ratio in after.seam_ratios.items()
-        if pair in known
-    )
-
-
-def _plausible(before: GarmentFacts, after: GarmentFacts) -> bool:
-    """Whether an edit keeps to what is worn: no hem drags, no sleeve hides the hands entirely."""
-    if after.kind == "other":
-        return False
-    lowest = min(LOWEST_HEM_CM, before.hem.level) if before.hem else LOWEST_HEM_CM
-    if after.hem is not None and after.hem.level < lowest:
-        return False
-    longest = 1.2 * after.body.arm_length
-    sleeves = [s.length for s in (after.left_sleeve, after.right_sleeve) if s]
-    if any(length > longest for length in sleeves) or any(length < 6.0 for length in sleeves):
-        return False
-    return not (after.hem and after.torso and after.hem.level > after.body.bust)
+    return accepted(cutter, edited, gathers=operation.name in _GATHERING)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 import shapely
@@ -164,7 +164,7 @@ def _ways(local: list[Floats], spans: list[tuple[int, int]], node: Ints) -> csr_
     """The straight ways within panels; of several between two nodes the shortest."""
     starts, ends, lengths = [], [], []
     for points, (first, _) in zip(local, spans, strict=True):
-        i, j = mutually_visible(points)
+        i, j = _remembered_ways(points.tobytes())
         starts.append(node[first + i])
         ends.append(node[first + j])
         lengths.append(np.hypot(*(points[i] - points[j]).T))
@@ -177,6 +177,12 @@ def _ways(local: list[Floats], spans: list[tuple[int, int]], node: Ints) -> csr_
     key, first = np.unique(key[order], return_index=True)
     shape = (count, count)
     return coo_array((length[order][first], (key // count, key % count)), shape=shape).tocsr()
+
+
+@lru_cache(maxsize=256)
+def _remembered_ways(points: bytes) -> tuple[Ints, Ints]:
+    """`mutually_visible`; most panels stay as they are while a pattern is altered."""
+    return mutually_visible(np.frombuffer(points, np.float64).reshape(-1, 2))
 
 
 def mutually_visible(points: Floats) -> tuple[Ints, Ints]:

@@ -12,7 +12,7 @@ from swifttailor.data.captions.measure.parts import Part
 from swifttailor.data.captions.measure.skirts import measure_skirt
 from swifttailor.data.captions.measure.sleeves import measure_sleeve
 from swifttailor.data.captions.measure.torso import measure_band, measure_collar, measure_hood, measure_torso
-from swifttailor.data.captions.measure.wear import wear
+from swifttailor.data.captions.measure.wear import Worn, wear
 from swifttailor.errors import PatternError
 from swifttailor.pattern import Pattern
 
@@ -38,9 +38,9 @@ def measure_facts(pattern: Pattern, body: BodyMeasurements | None = None) -> Gar
     return measure_anatomy(Anatomy.of(pattern.canonical(), body))
 
 
-def measure_anatomy(anatomy: Anatomy) -> GarmentFacts:
+def measure_anatomy(anatomy: Anatomy, worn: Worn | None = None) -> GarmentFacts:
     """Measures a garment that has been looked at already."""
-    worn = wear(anatomy)
+    worn = wear(anatomy) if worn is None else worn
     line = find_hem(anatomy, worn)
     hem = measure_hem(anatomy, worn, line)
     covered = (worn.shoulders[0] is not None, worn.shoulders[1] is not None)

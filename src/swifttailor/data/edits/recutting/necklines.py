@@ -15,7 +15,7 @@ from swifttailor.pattern import Arc, Cubic, EdgeRef, Line, Pattern
 from swifttailor.pattern.curve import to_relative
 
 Floats = NDArray[np.float64]
-NewShape = Literal["round", "v", "square"]
+NewShape = Literal["round", "v", "square", "trapezoid"]
 
 SHALLOWEST_CM = 3.0
 
@@ -39,25 +39,58 @@ def reshape_neckline(pattern: Pattern, edges: Sequence[EdgeRef], shape: NewShape
     return _recut(pattern, edges, 0.0, shape)
 
 
-def _recut(
-    pattern: Pattern, edges: Sequence[EdgeRef], distance: float, shape: NewShape | None
+def recut_neckline(
+    pattern: Pattern,
+    edges: Sequence[EdgeRef],
+    distance: float,
+    shape: NewShape | None,
+    side: Literal["left", "right"] | None = None,
 ) -> Pattern | None:
-    bench = Workbench(pattern)
+    """Cuts a neckline deeper and to another shape at once.
+
+    Args:
+        pattern: Any pattern.
+        edges: The free edges of the neckline of one face.
+        distance: How much lower its middle lies afterwards, cm; negative raises it.
+        shape: Of the cut; as it is when None.
+        side: The wearer's, where only that half gets another shape.
+    """
+    return _recut(pattern, edges, distance, shape, side)
+
+
+def neckline_halves(bench: Workbench, pattern: Pattern, edges: Sequence[EdgeRef]) -> list[tuple[End, int]]:
+    """Two halves of a neckline, each with its side of the straight centre seam; none where it has no such."""
     ends = find_ends(bench, pattern, edges)
     if len(ends) != 2 or len({e.panel for e in ends}) != 2:
-        return None
+        return []
     if any(bench.partner(s) is not None for e in ends for s in e.run):
-        return None
+        return []
     middles = {_middle(bench, e) for e in ends}
     centre = [
         e.before if which == "before" else e.after for e, which in ((e, _middle(bench, e)) for e in ends)
     ]
     if middles != {"before", "after"} or bench.partner(centre[0]) != centre[1]:
-        return None
+        return []
     if not all(isinstance(bench.side(c).edge.curve, Line) for c in centre):
+        return []
+    return list(zip(ends, centre, strict=True))
+
+
+def _recut(
+    pattern: Pattern,
+    edges: Sequence[EdgeRef],
+    distance: float,
+    shape: NewShape | None,
+    side: Literal["left", "right"] | None = None,
+) -> Pattern | None:
+    bench = Workbench(pattern)
+    halves = neckline_halves(bench, pattern, edges)
+    if not halves:
         return None
-    for end, seam in zip(ends, centre, strict=True):
-        if not _recut_half(bench, end, seam, distance, shape):
+    for end, seam in halves:
+        x = float(bench.pieces[end.panel].panel.to_world(bench.run_chord(end.run))[:, 0].mean())
+        own = shape if side is None or (x > 0) == (side == "left") else None
+        if not _recut_half(bench, end, seam, distance, own):
             return None
     return bench.pattern()
 
@@ -81,6 +114,8 @@ def _recut_half(bench: Workbench, end: End, seam: int, distance: float, shape: N
     if depth + distance < SHALLOWEST_CM or distance > float(np.hypot(*(far - middle))) - 4.0:
         return False
     new_middle = middle + distance * down
+    if shape is None and distance == 0.0:
+        return True
     if shape is None:
         return _stretch(bench, end, shoulder, down, (depth + distance) / depth)
     for id in end.run[1:]:
@@ -89,7 +124,7 @@ def _recut_half(bench: Workbench, end: End, seam: int, distance: float, shape: N
     side = bench.side(end.run[0])
     start, finish = (new_middle, shoulder) if at_start else (shoulder, new_middle)
     across = (shoulder - middle) - ((shoulder - middle) @ down) * down
-    corner = new_middle + across
+    corner = new_middle + (0.6 if shape == "trapezoid" else 1.0) * across
     if shape == "v":
         side.edge = replace(side.edge, curve=Line())
     elif shape == "round":

@@ -1,15 +1,22 @@
-"""Opening a side seam from the hem up, or sewing it shut."""
+"""Slits: opening seams from the hem up, cutting into a hem, and closing what is open."""
 
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 
+import numpy as np
+
+from swifttailor.data.captions.measure.parts import Face
 from swifttailor.data.edits.recutting.ends import find_ends
 from swifttailor.data.edits.recutting.workbench import Workbench
-from swifttailor.pattern import EdgeRef, Pattern
+from swifttailor.pattern import EdgeRef, Line, Pattern
+from swifttailor.pattern import curve as curves
 
 LEFT_SEWN_CM = 5.0
 """What stays sewn above a slit at least."""
+MIDDLE_CM = 4.0
+"""How far from the middle of the body a slit in front or behind may be."""
 
 
 def open_side(pattern: Pattern, hem: Collection[EdgeRef], height: float, side: str) -> Pattern | None:
@@ -40,6 +47,95 @@ def open_side(pattern: Pattern, hem: Collection[EdgeRef], height: float, side: s
             _open(bench, seam, height, at_end)
             return bench.pattern()
     return None
+
+
+def open_middle(
+    pattern: Pattern, hem: Collection[EdgeRef], height: float, face: Face, width: float = 2.0
+) -> Pattern | None:
+    """Opens a slit in the middle of the front or back: the centre seam, or a cut into the one panel there.
+
+    Args:
+        pattern: Any pattern.
+        hem: Edges of the hem.
+        height: Of the slit, cm.
+        face: Front or back.
+        width: At the hem where the panel is cut, cm.
+
+    Returns:
+        The pattern with the slit; None where there is no place for it.
+    """
+    bench = Workbench(pattern)
+    ends = [e for e in find_ends(bench, pattern, hem) if _on_face(bench, e.panel, face)]
+    for end in ends:
+        piece = bench.pieces[end.panel]
+        for seam, at_end in ((end.before, True), (end.after, False)):
+            partner = bench.partner(seam)
+            x = float(piece.panel.to_world(piece.chord(seam)[[1 if at_end else 0]])[0, 0])
+            if (
+                partner is None
+                or abs(x) > MIDDLE_CM
+                or not _on_face(bench, bench.piece_of(partner).panel.name, face)
+            ):
+                continue
+            if piece.length(seam) < height + LEFT_SEWN_CM:
+                return None
+            _open(bench, seam, height, at_end)
+            return bench.pattern()
+    for end in ends:
+        for side in end.run:
+            if _cut_in(bench, side, height, width):
+                return bench.pattern()
+    return None
+
+
+def close_slits(pattern: Pattern, pairs: Collection[tuple[EdgeRef, EdgeRef]]) -> Pattern:
+    """Closes slits: sews the sides of open seams together, fills what is cut into a panel.
+
+    Args:
+        pattern: Any pattern.
+        pairs: The two sides of each slit; they meet at their upper ends.
+    """
+    bench = Workbench(pattern)
+    for first, second in pairs:
+        a, b = bench.at[first], bench.at[second]
+        if first.panel != second.panel:
+            bench.sew(a, b)
+            continue
+        if bench.neighbour(b, 1) == a:
+            a, b = b, a
+        bench.drop(a)
+        bench.drop(b)
+    return bench.pattern()
+
+
+def _on_face(bench: Workbench, name: str, face: Face) -> bool:
+    return (bench.pieces[name].panel.normal()[2] < 0) == (face == "back")
+
+
+def _cut_in(bench: Workbench, side: int, height: float, width: float) -> bool:
+    """Cuts a narrow wedge into a side where it crosses the middle of the body; False where it does not."""
+    piece = bench.piece_of(side)
+    name = piece.panel.name
+    chord = piece.chord(side)
+    length = piece.length(side)
+    if length < width + 4.0:
+        return False
+    shares = np.linspace(0.0, 1.0, 401)
+    curve = bench.side(side).edge.curve
+    points = curves.evaluate(curve, chord, curves.parameters_by_length(curve, chord, shares))
+    x = piece.panel.to_world(points)[:, 0]
+    at = float(shares[np.abs(x).argmin()]) * length
+    if np.abs(x).min() > MIDDLE_CM or not width / 2 + 1.0 < at < length - width / 2 - 1.0:
+        return False
+    right = bench.split(side, (at + width / 2) / length)
+    wedge = bench.split(side, (at - width / 2) / (at + width / 2))
+    start, end = piece.chord(wedge)
+    along = (end - start) / np.hypot(*(end - start))
+    turn = 1.0 if bench.pieces[name].panel.signed_area() >= 0 else -1.0
+    apex = (start + end) / 2 + height * turn * np.array([-along[1], along[0]])
+    bench.side(wedge).edge = replace(bench.side(wedge).edge, curve=Line())
+    bench.insert_line(right, apex)
+    return True
 
 
 def _open(bench: Workbench, seam: int, height: float, at_end: bool) -> None:

@@ -1,0 +1,93 @@
+"""Levers of slits: opened, closed, made higher or lower."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from swifttailor.alterations.lever import Lever, Trick
+from swifttailor.data.captions.facts import GarmentFacts, Place, Slit
+from swifttailor.data.captions.measure.hems import place_of
+from swifttailor.data.captions.measure.parts import SKIRT_PARTS
+from swifttailor.data.edits.cutter import Cutter
+from swifttailor.data.edits.recutting.slits import close_slits, open_middle, open_side
+from swifttailor.pattern import EdgeRef, Pattern
+
+_PLACES: tuple[Place, ...] = ("left", "right", "back", "front")
+_WORDS: dict[Place, str] = {"left": "left", "right": "right", "back": "behind", "front": "in front"}
+_WEDGE_CM = 12.0
+
+
+def slit_sides(cutter: Cutter, place: Place | None = None) -> list[tuple[EdgeRef, EdgeRef]]:
+    """The two sides of every slit, or of those in one place."""
+    anatomy = cutter.anatomy
+    cloth, hem = anatomy.cloth, set(cutter.hem)
+    tops: dict[int, list[EdgeRef]] = {}
+    for ref in anatomy.hem.edges if anatomy.hem else ():
+        if ref in hem:
+            continue
+        ends = cloth.samples[ref][[0, -1]]
+        top = ends[np.argmax(cutter.worn.level[cloth.node[ends]])]
+        if place is None or place_of(cloth.world[top]) == place:
+            tops.setdefault(int(cloth.node[top]), []).append(ref)
+    return [(refs[0], refs[1]) for refs in tops.values() if len(refs) == 2]
+
+
+def closed(cutter: Cutter, place: Place | None = None) -> Pattern | None:
+    """The pattern with its slits closed; None where there are none."""
+    sides = slit_sides(cutter, place)
+    return close_slits(cutter.pattern, sides) if sides else None
+
+
+def _slits(facts: GarmentFacts) -> tuple[Slit, ...]:
+    return facts.skirt.slits if facts.skirt else ()
+
+
+def _with_slits(facts: GarmentFacts, slits: tuple[Slit, ...]) -> GarmentFacts:
+    return replace(facts, skirt=replace(facts.skirt, slits=slits)) if facts.skirt else facts
+
+
+def _lever(place: Place, wedge: bool = False) -> Lever:
+    def of(facts: GarmentFacts) -> float | None:
+        return max((s.height for s in _slits(facts) if s.place == place), default=None)
+
+    def imagine(facts: GarmentFacts, height: float) -> GarmentFacts:
+        others = tuple(s for s in _slits(facts) if s.place != place)
+        width = _WEDGE_CM if wedge else 0.0
+        return _with_slits(facts, (*others, Slit(place, height, width)))
+
+    def cut(cutter: Cutter, amount: float) -> Pattern | None:
+        height = amount + (of(cutter.facts) or 0.0)
+        shut = closed(cutter, place) if of(cutter.facts) else None
+        now = cutter if shut is None else Cutter(shut, cutter.anatomy.body)
+        hem = now.hem_of(*SKIRT_PARTS)
+        if not hem:
+            return None
+        if place in ("left", "right"):
+            return open_side(now.pattern, hem, height, place)
+        face = "front" if place == "front" else "back"
+        return open_middle(now.pattern, hem, height, face, _WEDGE_CM if wedge else 2.0)
+
+    def span(facts: GarmentFacts) -> tuple[float, float]:
+        return 6.0, 0.8 * facts.skirt.length if facts.skirt else 0.0
+
+    name = f"slit {_WORDS[place]}"
+    return Lever(name, 7, of, imagine, cut, span, words=("higher", "lower"), makes=True, natural=24.0)
+
+
+def _closing(place: Place | None) -> Trick:
+    def imagine(facts: GarmentFacts) -> GarmentFacts | None:
+        left = tuple(s for s in _slits(facts) if place is not None and s.place != place)
+        return _with_slits(facts, left) if len(left) < len(_slits(facts)) else None
+
+    name = "slits closed" if place is None else f"slit {_WORDS[place]} closed"
+    return Trick(name, 1, imagine, lambda cutter: closed(cutter, place))
+
+
+SLIT_LEVERS: tuple[Lever, ...] = (
+    *(_lever(place) for place in _PLACES),
+    _lever("back", wedge=True),
+    _lever("front", wedge=True),
+)
+SLIT_TRICKS: tuple[Trick, ...] = tuple(_closing(place) for place in (None, *_PLACES))
