@@ -78,9 +78,7 @@ def main() -> None:
     for name, found in sorted(shares.items(), key=lambda item: -len(item[1])):
         print(f"  {name:<32} {sum(found):>4} of {len(found)}")
     every = [ok for found in shares.values() for ok in found]
-    print(
-        f"{len(chosen)} patterns: {sum(every)} of {len(every)} wishes fulfilled; {milliseconds(seconds)} a wish"
-    )
+    print(f"{len(chosen)} patterns: {sum(every)} of {len(every)} wishes; {milliseconds(seconds)} a wish")
     print(f"of three at once {np.mean(many):.0%}; {milliseconds(many_seconds)}")
     print(f"{new_faults} new findings of the checker")
 
