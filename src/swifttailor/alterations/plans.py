@@ -13,20 +13,29 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.alterations.fit import FIT_LEVERS
 from swifttailor.alterations.lengths import LENGTH_LEVERS
 from swifttailor.alterations.lever import Lever, Trick
 from swifttailor.alterations.necks import NECK_LEVERS, NECK_TRICKS
 from swifttailor.alterations.parts import ADDED_PARTS, PART_TRICKS
 from swifttailor.alterations.slits import SLIT_LEVERS, SLIT_TRICKS
+from swifttailor.alterations.tiers import TIER_TRICKS
 from swifttailor.alterations.widths import WIDTH_LEVERS
 from swifttailor.data.captions.claims.claim import CLAIM_TYPES
 from swifttailor.data.captions.claims.judgement import CLAIMING
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.edits.differences import QUANTITIES, Change, Gain, Step
 
-LEVERS: tuple[Lever, ...] = (*LENGTH_LEVERS, *NECK_LEVERS, *WIDTH_LEVERS, *SLIT_LEVERS, *ADDED_PARTS)
+LEVERS: tuple[Lever, ...] = (
+    *LENGTH_LEVERS,
+    *NECK_LEVERS,
+    *WIDTH_LEVERS,
+    *SLIT_LEVERS,
+    *ADDED_PARTS,
+    *FIT_LEVERS,
+)
 """In order of preference."""
-TRICKS: tuple[Trick, ...] = (*NECK_TRICKS, *SLIT_TRICKS, *PART_TRICKS)
+TRICKS: tuple[Trick, ...] = (*NECK_TRICKS, *SLIT_TRICKS, *TIER_TRICKS, *PART_TRICKS)
 OPENING_TRICKS: tuple[Trick, ...] = tuple(t for t in TRICKS if t.opens)
 """What may be done so that another lever can be used."""
 
@@ -112,7 +121,8 @@ def find_plans(
 
 
 def _meant_for(trick: Trick, wish: Change) -> bool:
-    return not trick.only_for or (isinstance(wish, Gain) and wish.claim.name == trick.only_for)
+    about = wish.claim.name if isinstance(wish, Gain) else wish.quantity
+    return not trick.only_for or about == trick.only_for
 
 
 class _Reader:
