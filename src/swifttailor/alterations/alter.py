@@ -98,7 +98,7 @@ class _Work:
     original: GarmentFacts
     wishes: tuple[Change, ...]
     tries_left: int
-    tried: dict[tuple[int, str, float], Cutter | None] = field(default_factory=dict)
+    tried: dict[tuple[Cutter, str, float], Cutter | None] = field(default_factory=dict)
 
     def holding(self, facts: GarmentFacts) -> tuple[Change, ...]:
         return tuple(w for w in self.wishes if w.holds(self.original, facts))
@@ -189,7 +189,7 @@ class _Work:
 
     def _cut(self, now: Cutter, way: Lever | Trick, amount: float) -> Cutter | None:
         """Cuts and checks; remembers what it has tried on the same pattern."""
-        key = (id(now), f"{way.name} {way.stage}", round(amount, 3))
+        key = (now, f"{way.name} {way.stage}", round(amount, 3))
         if key not in self.tried:
             if self.tries_left <= 0:
                 return None

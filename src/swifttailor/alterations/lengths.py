@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Literal
 
 from swifttailor.alterations.lever import LOWEST_CM, Lever, fixed, with_hem
+from swifttailor.alterations.tiers import lengthen_tiered
 from swifttailor.data.captions.facts import Cuff, GarmentFacts, Sleeve
 from swifttailor.data.captions.measure.parts import Part, Side
 from swifttailor.data.edits import cuts
@@ -173,7 +174,7 @@ HEM = Lever(
     5,
     _hem_level,
     _set_hem,
-    cuts.lengthen_hem,
+    lengthen_tiered,
     _hem_span,
     rate=-1.0,
     words=("longer", "shorter"),

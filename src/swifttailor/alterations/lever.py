@@ -71,6 +71,10 @@ class Trick:
     """What a garment would show afterwards; None where it cannot be done."""
     cut: Callable[[Cutter], Pattern | None]
     gathers: bool = False
+    only_for: str = ""
+    """The one claim it may be done for; any when empty."""
+    opens: bool = False
+    """Whether it may be done so that another lever can be used."""
 
 
 def with_hem(facts: GarmentFacts, fall: float) -> GarmentFacts:

@@ -18,10 +18,8 @@ _BAND_SHARE = 0.7
 """Length of a new cuff over the sleeve end that is gathered into it."""
 
 
-def _taken(
-    name: str, part: Part, change: Callable[[GarmentFacts], GarmentFacts | None], *more: Part
-) -> Trick:
-    return Trick(f"{name} taken off", 0, change, lambda cutter: cuts.remove_parts(cutter, part, *more))
+def _taken(name: str, part: Part, imagine: Callable[[GarmentFacts], GarmentFacts | None]) -> Trick:
+    return Trick(f"{name} taken off", 0, imagine, lambda cutter: cuts.remove_parts(cutter, part), opens=True)
 
 
 def _no_sleeves(facts: GarmentFacts) -> GarmentFacts | None:
@@ -177,12 +175,12 @@ PART_TRICKS: tuple[Trick, ...] = (
     _taken("collar", Part.COLLAR, lambda f: replace(f, collar=None) if f.collar else None),
     _taken("cuffs", Part.CUFF, _no_cuffs),
     _taken("leg cuffs", Part.LEG_CUFF, _no_leg_cuffs),
-    _taken("sleeves", Part.SLEEVE, _no_sleeves, Part.CUFF),
+    Trick("band taken off", 0, _no_band, cuts.remove_band, opens=True),
+    Trick("sleeves taken off", 0, _no_sleeves, lambda c: cuts.remove_parts(c, Part.SLEEVE, Part.CUFF)),
     _one_sleeve("left"),
     _one_sleeve("right"),
-    Trick("band taken off", 0, _no_band, cuts.remove_band),
-    Trick("lower part taken off", 0, _no_lower, cuts.remove_lower),
-    Trick("upper part taken off", 0, _no_upper, cuts.remove_upper),
+    Trick("lower part taken off", 0, _no_lower, cuts.remove_lower, only_for="kind"),
+    Trick("upper part taken off", 0, _no_upper, cuts.remove_upper, only_for="kind"),
 )
 ADDED_PARTS: tuple[Lever, ...] = (
     _cuffs_added("band", Part.SLEEVE, gathered=False),

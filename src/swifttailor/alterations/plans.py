@@ -8,25 +8,35 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.alterations.fit import FIT_LEVERS
 from swifttailor.alterations.lengths import LENGTH_LEVERS
 from swifttailor.alterations.lever import Lever, Trick
 from swifttailor.alterations.necks import NECK_LEVERS, NECK_TRICKS
 from swifttailor.alterations.parts import ADDED_PARTS, PART_TRICKS
 from swifttailor.alterations.slits import SLIT_LEVERS, SLIT_TRICKS
+from swifttailor.alterations.tiers import TIER_TRICKS
 from swifttailor.alterations.widths import WIDTH_LEVERS
 from swifttailor.data.captions.claims.claim import CLAIM_TYPES
 from swifttailor.data.captions.claims.judgement import CLAIMING
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.edits.differences import QUANTITIES, Change, Gain, Step
 
-LEVERS: tuple[Lever, ...] = (*LENGTH_LEVERS, *NECK_LEVERS, *WIDTH_LEVERS, *SLIT_LEVERS, *ADDED_PARTS)
+LEVERS: tuple[Lever, ...] = (
+    *LENGTH_LEVERS,
+    *NECK_LEVERS,
+    *WIDTH_LEVERS,
+    *SLIT_LEVERS,
+    *ADDED_PARTS,
+    *FIT_LEVERS,
+)
 """In order of preference."""
-TRICKS: tuple[Trick, ...] = (*NECK_TRICKS, *SLIT_TRICKS, *PART_TRICKS)
-OPENING_TRICKS: tuple[Trick, ...] = (*SLIT_TRICKS, *PART_TRICKS)
+TRICKS: tuple[Trick, ...] = (*NECK_TRICKS, *SLIT_TRICKS, *TIER_TRICKS, *PART_TRICKS)
+OPENING_TRICKS: tuple[Trick, ...] = tuple(t for t in TRICKS if t.opens)
 """What may be done so that another lever can be used."""
 
 NATURAL_SHARE = 0.13
@@ -72,16 +82,17 @@ def find_plans(
         imagined = trick.imagine(facts)
         if imagined is None:
             continue
-        good = [w for w in open_wishes if w.holds(original, imagined)]
+        good = [w for w in open_wishes if _meant_for(trick, w) and w.holds(original, imagined)]
         if good and all(w.holds(original, imagined) for w in held):
             for wish in good:
                 plans[wish].append(Plan(wish, trick, (), len(good) - 1, rank))
+    needed = frozenset[str]().union(*(_fields_read(w, original, facts) for w in open_wishes))
     for rank, lever in enumerate(LEVERS, start=len(TRICKS)):
         now = lever.of(facts)
         if not (lever.makes if now is None else lever.moves):
             continue
         values = _values(lever, facts, now)
-        if not len(values):
+        if not len(values) or not _moves_any(lever, facts, values, needed):
             continue
         imagined = [lever.imagine(facts, float(v)) for v in values]
         holding = {w: np.array([w.holds(original, i) for i in imagined]) for w in open_wishes}
@@ -107,6 +118,35 @@ def find_plans(
             targets = _targets(lever, wish, facts, original, (values, imagined, possible), start)
             plans[wish].append(Plan(wish, lever, targets, most - 1, rank))
     return {w: sorted(found, key=lambda p: p.order) for w, found in plans.items()}
+
+
+def _meant_for(trick: Trick, wish: Change) -> bool:
+    about = wish.claim.name if isinstance(wish, Gain) else wish.quantity
+    return not trick.only_for or about == trick.only_for
+
+
+class _Reader:
+    """Facts that note which of them are read."""
+
+    def __init__(self, facts: GarmentFacts) -> None:
+        self.facts, self.read = facts, set[str]()
+
+    def __getattr__(self, name: str) -> object:
+        self.read.add(name)
+        return getattr(self.facts, name)
+
+
+def _fields_read(wish: Change, original: GarmentFacts, facts: GarmentFacts) -> frozenset[str]:
+    """Facts that decide whether a wish holds: unless one of them changes, neither does the answer."""
+    reader = _Reader(facts)
+    wish.holds(original, cast(GarmentFacts, reader))
+    return frozenset(reader.read)
+
+
+def _moves_any(lever: Lever, facts: GarmentFacts, values: NDArray[np.float64], names: frozenset[str]) -> bool:
+    """Whether a lever changes any of some facts."""
+    ends = [lever.imagine(facts, float(v)) for v in values[[0, -1]]]
+    return any(getattr(facts, n) != getattr(end, n) for n in names for end in ends)
 
 
 def _values(lever: Lever, facts: GarmentFacts, now: float | None) -> NDArray[np.float64]:

@@ -82,7 +82,7 @@ def _closing(place: Place | None) -> Trick:
         return _with_slits(facts, left) if len(left) < len(_slits(facts)) else None
 
     name = "slits closed" if place is None else f"slit {_WORDS[place]} closed"
-    return Trick(name, 1, imagine, lambda cutter: closed(cutter, place))
+    return Trick(name, 1, imagine, lambda cutter: closed(cutter, place), opens=True)
 
 
 SLIT_LEVERS: tuple[Lever, ...] = (

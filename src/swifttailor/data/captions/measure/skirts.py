@@ -99,6 +99,12 @@ def _rows(anatomy: Anatomy, fall: Floats, top: Sequence[EdgeRef]) -> dict[str, i
     return rows
 
 
+def skirt_rows(anatomy: Anatomy) -> dict[str, int]:
+    """Row of every skirt panel, counted from 0 at the waist; empty without a skirt."""
+    top, _ = upper_edges(anatomy, Part.SKIRT)
+    return _rows(anatomy, _fall(anatomy, top), top) if top else {}
+
+
 def _edges(anatomy: Anatomy, name: str) -> list[EdgeRef]:
     return [EdgeRef(name, k) for k in range(len(anatomy.pattern.panel(name).edges))]
 

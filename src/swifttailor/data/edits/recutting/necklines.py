@@ -121,6 +121,8 @@ def _recut_half(bench: Workbench, end: End, seam: int, distance: float, shape: N
     for id in end.run[1:]:
         bench.drop(id)
     bench.side(end.run[0]).start = new_middle if at_start else shoulder
+    if not at_start:
+        bench.side(bench.neighbour(end.run[0], 1)).start = new_middle
     side = bench.side(end.run[0])
     start, finish = (new_middle, shoulder) if at_start else (shoulder, new_middle)
     across = (shoulder - middle) - ((shoulder - middle) @ down) * down

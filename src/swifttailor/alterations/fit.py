@@ -1,0 +1,88 @@
+"""The lever of the chest: the bodice wider or narrower, with what hangs from it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from swifttailor.alterations.lever import Lever
+from swifttailor.data.captions.facts import GarmentFacts
+from swifttailor.data.captions.measure.parts import ARM_PARTS, LEG_PARTS, Part
+from swifttailor.data.edits.cutter import Cutter
+from swifttailor.data.edits.recutting.grading import Spread, spread_panels
+from swifttailor.pattern import Pattern
+
+_PANELS = 4.0
+"""Side edges of front and back, left and right."""
+_STRAPLESS = (0.35, 0.85)
+"""Where a panel without shoulder is spread, parts of its reach from the middle."""
+
+
+def _chest(facts: GarmentFacts) -> float | None:
+    return facts.torso.chest if facts.torso else None
+
+
+def _set_chest(facts: GarmentFacts, chest: float) -> GarmentFacts:
+    torso = facts.torso
+    if torso is None:
+        return facts
+    by = chest - torso.chest
+    factor = 1.0 + by / max(torso.lower_edge, 1.0)
+    left, right = (s if s is None else s + by / _PANELS for s in (torso.left_shoulder, torso.right_shoulder))
+    wider = replace(
+        torso,
+        chest=chest,
+        chest_ease=torso.chest_ease + by,
+        waist=None if torso.waist is None else torso.waist + by,
+        lower_edge=torso.lower_edge + by,
+        left_shoulder=left,
+        right_shoulder=right,
+    )
+    skirt, band = facts.skirt, facts.waistband
+    if skirt is not None:
+        skirt = replace(skirt, upper=skirt.upper * factor, hips=skirt.hips * factor, hem=skirt.hem * factor)
+    if band is not None:
+        band = replace(band, upper=band.upper * factor, lower=band.lower * factor)
+    return replace(facts, torso=wider, skirt=skirt, waistband=band)
+
+
+def _span(facts: GarmentFacts) -> tuple[float, float]:
+    if facts.torso is None or facts.trousers is not None:
+        return 0.0, 0.0
+    bust = facts.torso.chest - facts.torso.chest_ease
+    return 0.95 * bust, 1.6 * bust
+
+
+def _cut(cutter: Cutter, amount: float) -> Pattern | None:
+    anatomy = cutter.anatomy
+    if any(anatomy.has(p) for p in LEG_PARTS):
+        return None
+    distance = amount / _PANELS
+    spreads = {p.name: _spread(cutter, p.name) for p in anatomy.panels(Part.TORSO)}
+    below = cutter.names(Part.WAISTBAND, Part.SKIRT, Part.GODET)
+    length = anatomy.seam(Part.TORSO, {Part.WAISTBAND, Part.SKIRT}).length
+    factor = (length + amount) / length if length > 1.0 else 1.0
+    return spread_panels(
+        cutter.pattern, spreads, distance, beside=cutter.names(*ARM_PARTS), below=below, factor=factor
+    )
+
+
+def _spread(cutter: Cutter, name: str) -> Spread:
+    """Along the shoulder seam of a panel; by its reach where it has none."""
+    cloth = cutter.anatomy.cloth
+    for seam in cutter.worn.shoulders:
+        for pair in seam.pairs if seam else ():
+            for ref in pair:
+                if ref.panel == name:
+                    x = np.abs(cloth.world[cloth.samples[ref]][:, 0])
+                    return Spread(float(x.min()), float(x.max()))
+    reach = float(
+        np.abs(cutter.pattern.panel(name).to_world(cutter.pattern.panel(name).vertices)[:, 0]).max()
+    )
+    return Spread(_STRAPLESS[0] * reach, _STRAPLESS[1] * reach)
+
+
+FIT_LEVERS: tuple[Lever, ...] = (
+    Lever("chest", 1, _chest, _set_chest, _cut, _span, words=("wider", "narrower")),
+)
