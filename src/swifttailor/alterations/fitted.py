@@ -113,6 +113,8 @@ class FittingMaker:
         best: list[Fitted | None] = [None] * len(requests)
         for attempt in range(first_attempt, first_attempt + attempts):
             wanting = [k for k, one in enumerate(best) if one is None or any(one.rank[:3])]
+            if not wanting:
+                break
             made = self.maker.generate_all(
                 [requests[k] for k in wanting],
                 seed=[seeds[k] for k in wanting],

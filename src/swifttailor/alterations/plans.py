@@ -44,6 +44,8 @@ NATURAL_SHARE = 0.13
 _MIDDLE_STEPS = 16
 """What lies between closer bounds is cut to their middle; else a little inside the nearer one."""
 _INSIDE_STEPS = 4
+MOST_VALUES = 1000
+"""Of a lever; measures of patterns that make no sense have no bounds either."""
 
 Bools = NDArray[np.bool_]
 
@@ -151,9 +153,10 @@ def _moves_any(lever: Lever, facts: GarmentFacts, values: NDArray[np.float64], n
 
 def _values(lever: Lever, facts: GarmentFacts, now: float | None) -> NDArray[np.float64]:
     low, high = lever.span(facts)
-    if high <= low:
+    if not high > low:
         return np.zeros(0)
-    values = np.arange(low, high + 1e-6, lever.step)
+    count = min((high - low + 1e-6) / lever.step, MOST_VALUES)
+    values = low + lever.step * np.arange(int(count) + 1)
     return values if now is None else np.sort(np.append(values, now))
 
 
