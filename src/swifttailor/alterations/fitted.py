@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from swifttailor.alterations.alter import Alteration, alter
-
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.captions.measure import measure_facts
 from swifttailor.data.edits.differences import Change
