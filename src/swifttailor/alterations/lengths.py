@@ -22,9 +22,8 @@ def hem_falls(facts: GarmentFacts, fall: float) -> GarmentFacts:
     facts = with_hem(facts, fall)
     if facts.skirt is not None:
         skirt = facts.skirt
-        grown = max(skirt.circle, 0.0) * 6.28 * fall
         base = {"base_length": skirt.base_length + fall} if skirt.tiers == 1 else {}
-        return replace(facts, skirt=replace(skirt, length=skirt.length + fall, hem=skirt.hem + grown, **base))
+        return replace(facts, skirt=replace(skirt, length=skirt.length + fall, **base))
     if facts.torso is not None:
         return replace(facts, torso=replace(facts.torso, lower_level=facts.torso.lower_level - fall))
     return facts
