@@ -264,11 +264,8 @@ def _shifted(chord: Floats, function: Callable[[Floats], Floats]) -> bool:
     return bool(np.abs(np.diff(function(chord) - chord, axis=0)).max() < 1e-6)
 
 
-def _bent(piece: Piece, k: int) -> Cubic | None:
-    """A Bezier curve close to an arc, to a thousandth of its radius; None where it sweeps too far."""
-    side = piece.sides[k]
-    chord, arc = piece.chord(side.id), side.edge.curve
-    assert isinstance(arc, Arc)
+def bent_arc(arc: Arc, chord: Floats) -> Cubic | None:
+    """A Bezier curve close to an arc, to a hundredth of its radius; None where it sweeps too far."""
     sweep = curves.length(arc, chord) / arc.radius
     if sweep > MOST_SWEEP:
         return None
@@ -277,3 +274,9 @@ def _bent(piece: Piece, k: int) -> Cubic | None:
     reach = 4.0 / 3.0 * np.tan(sweep / 4.0) * arc.radius
     controls = chord[0] + reach * tangents[0], chord[1] - reach * tangents[1]
     return Cubic(curves.to_relative(controls[0], chord), curves.to_relative(controls[1], chord))
+
+
+def _bent(piece: Piece, k: int) -> Cubic | None:
+    side = piece.sides[k]
+    assert isinstance(side.edge.curve, Arc)
+    return bent_arc(side.edge.curve, piece.chord(side.id))
