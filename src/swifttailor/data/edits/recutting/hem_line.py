@@ -51,9 +51,7 @@ def _bend(bench: Workbench, run: list[int], by: Floats) -> bool:
         return False
     lengths = np.array([piece.length(id) for id in run])
     bounds = np.concatenate([[0.0], np.cumsum(lengths)]) / lengths.sum()
-    moved = [
-        np.outer(_wave(bounds[k] + np.diff(bounds)[k] * np.array([1, 2]) / 3), by) for k in range(len(run))
-    ]
+    moved = [np.outer(_control_shares(bounds[k], bounds[k + 1]), by) for k in range(len(run))]
     for k, id in enumerate(run[1:], start=1):
         bench.side(id).start = bench.side(id).start + _wave(bounds[k : k + 1])[0] * by
     for id, old, shift in zip(run, controls, moved, strict=True):
@@ -66,6 +64,12 @@ def _bend(bench: Workbench, run: list[int], by: Floats) -> bool:
 
 def _wave(shares: Floats) -> Floats:
     return np.sin(np.pi * shares) ** 2
+
+
+def _control_shares(start: float, end: float) -> Floats:
+    """How far the two controls of a piece move so that the piece keeps to the wave, its slope included."""
+    slope = np.pi * np.sin(2 * np.pi * np.array([start, end])) * (end - start) / 3
+    return _wave(np.array([start, end])) + slope * np.array([1.0, -1.0])
 
 
 def _controls(bench: Workbench, id: int) -> Floats | None:
