@@ -15,6 +15,7 @@ from swifttailor.pattern import Pattern
 
 _PANELS = 4.0
 """Side edges of front and back, left and right."""
+_LEAST_SPREAD_CM = 3.0
 _STRAPLESS = (0.35, 0.85)
 """Where a panel without shoulder is spread, parts of its reach from the middle."""
 
@@ -59,7 +60,7 @@ def _cut(cutter: Cutter, amount: float) -> Pattern | None:
     if any(anatomy.has(p) for p in LEG_PARTS):
         return None
     distance = amount / _PANELS
-    spreads = {p.name: _spread(cutter, p.name) for p in anatomy.panels(Part.TORSO)}
+    spreads = {p.name: _spread(cutter, p.name, distance) for p in anatomy.panels(Part.TORSO)}
     below = cutter.names(Part.WAISTBAND, Part.SKIRT, Part.GODET)
     length = anatomy.seam(Part.TORSO, {Part.WAISTBAND, Part.SKIRT}).length
     factor = (length + amount) / length if length > 1.0 else 1.0
@@ -68,18 +69,17 @@ def _cut(cutter: Cutter, amount: float) -> Pattern | None:
     )
 
 
-def _spread(cutter: Cutter, name: str) -> Spread:
+def _spread(cutter: Cutter, name: str, distance: float) -> Spread:
     """Along the shoulder seam of a panel; by its reach where it has none."""
     cloth = cutter.anatomy.cloth
     for seam in cutter.worn.shoulders:
-        for pair in seam.pairs if seam else ():
-            for ref in pair:
-                if ref.panel == name:
-                    x = np.abs(cloth.world[cloth.samples[ref]][:, 0])
-                    return Spread(float(x.min()), float(x.max()))
-    reach = float(
-        np.abs(cutter.pattern.panel(name).to_world(cutter.pattern.panel(name).vertices)[:, 0]).max()
-    )
+        refs = [ref for pair in seam.pairs for ref in pair] if seam else []
+        if any(ref.panel == name for ref in refs):
+            x = np.abs(np.concatenate([cloth.world[cloth.samples[ref]][:, 0] for ref in refs]))
+            inner, outer = float(x.min()), float(x.max())
+            return Spread(inner, max(outer, inner + _LEAST_SPREAD_CM - 2.0 * min(distance, 0.0)))
+    panel = cutter.pattern.panel(name)
+    reach = float(np.abs(panel.to_world(panel.vertices)[:, 0]).max())
     return Spread(_STRAPLESS[0] * reach, _STRAPLESS[1] * reach)
 
 

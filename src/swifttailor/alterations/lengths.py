@@ -22,9 +22,8 @@ def hem_falls(facts: GarmentFacts, fall: float) -> GarmentFacts:
     facts = with_hem(facts, fall)
     if facts.skirt is not None:
         skirt = facts.skirt
-        grown = max(skirt.circle, 0.0) * 6.28 * fall
         base = {"base_length": skirt.base_length + fall} if skirt.tiers == 1 else {}
-        return replace(facts, skirt=replace(skirt, length=skirt.length + fall, hem=skirt.hem + grown, **base))
+        return replace(facts, skirt=replace(skirt, length=skirt.length + fall, **base))
     if facts.torso is not None:
         return replace(facts, torso=replace(facts.torso, lower_level=facts.torso.lower_level - fall))
     return facts
@@ -138,7 +137,8 @@ def _cuff_lever(part: Part) -> Lever:
         return cuts.lengthen_cuffs(cutter, amount, part)
 
     name = "cuffs" if part is Part.CUFF else "leg cuffs"
-    return Lever(name, 2, of, imagine, cut, fixed(2.0, 35.0), step=0.5)
+    only_for = ("cuffs", "cuff_cm", "cuff length", "leg_cuffs", "leg_cuff_cm", "leg cuff length")
+    return Lever(name, 2, of, imagine, cut, fixed(2.0, 35.0), step=0.5, only_for=only_for)
 
 
 def _set_band(facts: GarmentFacts, height: float) -> GarmentFacts:
@@ -204,6 +204,7 @@ LENGTH_LEVERS: tuple[Lever, ...] = (
         fixed(2.0, 25.0),
         step=0.5,
         words=("higher", "lower"),
+        only_for=("waistband", "waistband_cm", "waistband height"),
     ),
     Lever(
         "collar",
@@ -224,5 +225,6 @@ LENGTH_LEVERS: tuple[Lever, ...] = (
         lambda f: (f.body.hips - 10.0, f.body.bust - 4.0),
         rate=-1.0,
         sign=-1.0,
+        only_for=("bodice length", "waist_seam", "length", "length_cm", "top_hem"),
     ),
 )

@@ -47,6 +47,8 @@ class Lever:
     """Whether it moves the measure of what is there."""
     natural: float | None = None
     """The measure that is made where nothing else is asked for."""
+    only_for: tuple[str, ...] = ()
+    """Claims and quantities it may be used for; all when empty."""
     gathers: bool = False
     """Whether seams are meant to join other lengths afterwards."""
 
@@ -71,10 +73,10 @@ class Trick:
     """What a garment would show afterwards; None where it cannot be done."""
     cut: Callable[[Cutter], Pattern | None]
     gathers: bool = False
-    only_for: str = ""
-    """The one claim it may be done for; any when empty."""
-    opens: bool = False
-    """Whether it may be done so that another lever can be used."""
+    only_for: tuple[str, ...] = ()
+    """Claims and quantities it may be done for; all when empty."""
+    opens: tuple[str, ...] = ()
+    """Claims it may be done for so that another lever can be used."""
 
 
 def with_hem(facts: GarmentFacts, fall: float) -> GarmentFacts:

@@ -16,6 +16,7 @@ from swifttailor.pattern import Pattern
 
 Half = Literal["left", "right"]
 
+_SHAPED = ("neckline", "left_neckline", "right_neckline")
 _SLOPE = 0.93
 """Way across for 1 cm along a shoulder seam, about."""
 _CUT: dict[NewShape, str] = {
@@ -76,7 +77,7 @@ def _half_shape(side: Half, shape: NewShape) -> Trick:
         edges = cutter.neckline("front")
         return recut_neckline(cutter.pattern, edges, 0.0, shape, side) if edges else None
 
-    return Trick(f"{side} half of the front neckline cut {_CUT[shape]}", 4, imagine, cut)
+    return Trick(f"{side} half of the front neckline cut {_CUT[shape]}", 4, imagine, cut, only_for=_SHAPED)
 
 
 def _width(facts: GarmentFacts) -> float | None:

@@ -18,8 +18,17 @@ _BAND_SHARE = 0.7
 """Length of a new cuff over the sleeve end that is gathered into it."""
 
 
-def _taken(name: str, part: Part, imagine: Callable[[GarmentFacts], GarmentFacts | None]) -> Trick:
-    return Trick(f"{name} taken off", 0, imagine, lambda cutter: cuts.remove_parts(cutter, part), opens=True)
+def _taken(
+    name: str,
+    part: Part,
+    imagine: Callable[[GarmentFacts], GarmentFacts | None],
+    only_for: tuple[str, ...],
+    opens: tuple[str, ...],
+) -> Trick:
+    def cut(cutter: Cutter) -> Pattern | None:
+        return cuts.remove_parts(cutter, part)
+
+    return Trick(f"{name} taken off", 0, imagine, cut, only_for=only_for, opens=opens)
 
 
 def _no_sleeves(facts: GarmentFacts) -> GarmentFacts | None:
@@ -39,7 +48,7 @@ def _one_sleeve(side: str) -> Trick:
     def cut(cutter: Cutter) -> Pattern | None:
         return cuts.remove_sleeve(cutter, "left" if side == "left" else "right")
 
-    return Trick(f"{side} sleeve taken off", 0, imagine, cut)
+    return Trick(f"{side} sleeve taken off", 0, imagine, cut, only_for=("sleeves",))
 
 
 def _no_cuffs(facts: GarmentFacts) -> GarmentFacts | None:
@@ -133,9 +142,12 @@ def _cuffs_added(kind: CuffKind, upper: Part, gathered: bool) -> Lever:
     def cut(cutter: Cutter, amount: float) -> Pattern | None:
         return cuts.add_cuffs(cutter, amount, share, flare, upper=upper)
 
+    only_for = ("cuffs", "cuff_cm", "sleeve_shape") if upper is Part.SLEEVE else ("leg_cuffs", "leg_cuff_cm")
     what = "flounces" if kind == "flounce" else "cuffs"
     name = f"{'sleeve' if upper is Part.SLEEVE else 'leg'} {what} sewn on"
-    return Lever(name, 0, of, imagine, cut, fixed(4.0, 25.0), makes=True, moves=False, natural=6.0)
+    return Lever(
+        name, 0, of, imagine, cut, fixed(4.0, 25.0), makes=True, moves=False, natural=6.0, only_for=only_for
+    )
 
 
 def _band_added(at_hem: bool) -> Lever:
@@ -167,20 +179,37 @@ def _band_added(at_hem: bool) -> Lever:
         makes=True,
         moves=False,
         natural=5.0,
+        only_for=("waistband", "waistband_cm"),
     )
 
 
+_NECKLINES = ("neckline", "left_neckline", "right_neckline", "back_neckline")
+_KINDS = ("kind",)
 PART_TRICKS: tuple[Trick, ...] = (
-    _taken("hood", Part.HOOD, lambda f: replace(f, hood=None) if f.hood else None),
-    _taken("collar", Part.COLLAR, lambda f: replace(f, collar=None) if f.collar else None),
-    _taken("cuffs", Part.CUFF, _no_cuffs),
-    _taken("leg cuffs", Part.LEG_CUFF, _no_leg_cuffs),
-    Trick("band taken off", 0, _no_band, cuts.remove_band, opens=True),
-    Trick("sleeves taken off", 0, _no_sleeves, lambda c: cuts.remove_parts(c, Part.SLEEVE, Part.CUFF)),
+    _taken(
+        "hood", Part.HOOD, lambda f: replace(f, hood=None) if f.hood else None, ("hood", "collar"), _NECKLINES
+    ),
+    _taken(
+        "collar",
+        Part.COLLAR,
+        lambda f: replace(f, collar=None) if f.collar else None,
+        ("collar",),
+        _NECKLINES,
+    ),
+    _taken("cuffs", Part.CUFF, _no_cuffs, ("cuffs",), ("cuffs", "sleeve_shape")),
+    _taken("leg cuffs", Part.LEG_CUFF, _no_leg_cuffs, ("leg_cuffs",), ("leg_cuffs",)),
+    Trick("band taken off", 0, _no_band, cuts.remove_band, only_for=("waistband",), opens=("waistband",)),
+    Trick(
+        "sleeves taken off",
+        0,
+        _no_sleeves,
+        lambda c: cuts.remove_parts(c, Part.SLEEVE, Part.CUFF),
+        only_for=("sleeves",),
+    ),
     _one_sleeve("left"),
     _one_sleeve("right"),
-    Trick("lower part taken off", 0, _no_lower, cuts.remove_lower, only_for="kind"),
-    Trick("upper part taken off", 0, _no_upper, cuts.remove_upper, only_for="kind"),
+    Trick("lower part taken off", 0, _no_lower, cuts.remove_lower, only_for=_KINDS),
+    Trick("upper part taken off", 0, _no_upper, cuts.remove_upper, only_for=_KINDS),
 )
 ADDED_PARTS: tuple[Lever, ...] = (
     _cuffs_added("band", Part.SLEEVE, gathered=False),

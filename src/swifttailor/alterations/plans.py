@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.alterations.fit import FIT_LEVERS
+from swifttailor.alterations.hem_shapes import HEM_SHAPE_LEVERS
 from swifttailor.alterations.lengths import LENGTH_LEVERS
 from swifttailor.alterations.lever import Lever, Trick
 from swifttailor.alterations.necks import NECK_LEVERS, NECK_TRICKS
@@ -29,6 +30,7 @@ from swifttailor.data.edits.differences import QUANTITIES, Change, Gain, Step
 LEVERS: tuple[Lever, ...] = (
     *LENGTH_LEVERS,
     *NECK_LEVERS,
+    *HEM_SHAPE_LEVERS,
     *WIDTH_LEVERS,
     *SLIT_LEVERS,
     *ADDED_PARTS,
@@ -36,8 +38,6 @@ LEVERS: tuple[Lever, ...] = (
 )
 """In order of preference."""
 TRICKS: tuple[Trick, ...] = (*NECK_TRICKS, *SLIT_TRICKS, *TIER_TRICKS, *PART_TRICKS)
-OPENING_TRICKS: tuple[Trick, ...] = tuple(t for t in TRICKS if t.opens)
-"""What may be done so that another lever can be used."""
 
 NATURAL_SHARE = 0.13
 """How much of a measure a step without an amount is, at least twice what is seen."""
@@ -94,10 +94,13 @@ def find_plans(
         if not (lever.makes if now is None else lever.moves):
             continue
         values = _values(lever, facts, now)
+        if not any(_meant_for(lever, w) for w in open_wishes):
+            continue
         if not len(values) or not _moves_any(lever, facts, values, needed):
             continue
         imagined = [lever.imagine(facts, float(v)) for v in values]
-        holding = {w: np.array([w.holds(original, i) for i in imagined]) for w in open_wishes}
+        meant = [w for w in open_wishes if _meant_for(lever, w)]
+        holding = {w: np.array([w.holds(original, i) for i in imagined]) for w in meant}
         useful = {w: mask for w, mask in holding.items() if mask.any()}
         if not useful:
             continue
@@ -122,9 +125,13 @@ def find_plans(
     return {w: sorted(found, key=lambda p: p.order) for w, found in plans.items()}
 
 
-def _meant_for(trick: Trick, wish: Change) -> bool:
-    about = wish.claim.name if isinstance(wish, Gain) else wish.quantity
-    return not trick.only_for or about == trick.only_for
+def about(wish: Change) -> str:
+    """The claim or quantity of a wish."""
+    return wish.claim.name if isinstance(wish, Gain) else wish.quantity
+
+
+def _meant_for(way: Lever | Trick, wish: Change) -> bool:
+    return not way.only_for or about(wish) in way.only_for
 
 
 class _Reader:

@@ -11,12 +11,13 @@ from swifttailor.data.captions.facts import GarmentFacts, Place, Slit
 from swifttailor.data.captions.measure.hems import place_of
 from swifttailor.data.captions.measure.parts import SKIRT_PARTS
 from swifttailor.data.edits.cutter import Cutter
-from swifttailor.data.edits.recutting.slits import close_slits, open_middle, open_side
+from swifttailor.data.edits.recutting.slits import close_slits, open_middle, open_side, reach_slit
 from swifttailor.pattern import EdgeRef, Pattern
 
 _PLACES: tuple[Place, ...] = ("left", "right", "back", "front")
 _WORDS: dict[Place, str] = {"left": "left", "right": "right", "back": "behind", "front": "in front"}
 _WEDGE_CM = 12.0
+_CLAIMS = ("slit", "slit_cm", "slit_size", *(f"{p} slit" for p in _PLACES))
 
 
 def slit_sides(cutter: Cutter, place: Place | None = None) -> list[tuple[EdgeRef, EdgeRef]]:
@@ -59,6 +60,11 @@ def _lever(place: Place, wedge: bool = False) -> Lever:
 
     def cut(cutter: Cutter, amount: float) -> Pattern | None:
         height = amount + (of(cutter.facts) or 0.0)
+        sides = slit_sides(cutter, place)
+        if len(sides) == 1 and not wedge:
+            reached = reach_slit(cutter.pattern, sides[0], height)
+            if reached is not None:
+                return reached
         shut = closed(cutter, place) if of(cutter.facts) else None
         now = cutter if shut is None else Cutter(shut, cutter.anatomy.body)
         hem = now.hem_of(*SKIRT_PARTS)
@@ -73,7 +79,9 @@ def _lever(place: Place, wedge: bool = False) -> Lever:
         return 6.0, 0.8 * facts.skirt.length if facts.skirt else 0.0
 
     name = f"slit {_WORDS[place]}"
-    return Lever(name, 7, of, imagine, cut, span, words=("higher", "lower"), makes=True, natural=24.0)
+    return Lever(
+        name, 7, of, imagine, cut, span, words=("higher", "lower"), makes=True, natural=24.0, only_for=_CLAIMS
+    )
 
 
 def _closing(place: Place | None) -> Trick:
@@ -82,7 +90,7 @@ def _closing(place: Place | None) -> Trick:
         return _with_slits(facts, left) if len(left) < len(_slits(facts)) else None
 
     name = "slits closed" if place is None else f"slit {_WORDS[place]} closed"
-    return Trick(name, 1, imagine, lambda cutter: closed(cutter, place), opens=True)
+    return Trick(name, 1, imagine, lambda cutter: closed(cutter, place), only_for=("slit",))
 
 
 SLIT_LEVERS: tuple[Lever, ...] = (

@@ -62,4 +62,4 @@ def _cut(cutter: Cutter) -> Pattern | None:
     return remove_panels(cutter.pattern, tier) if tier else None
 
 
-TIER_TRICKS: tuple[Trick, ...] = (Trick("lowest tier taken off", 1, _fewer, _cut, only_for="tiers"),)
+TIER_TRICKS: tuple[Trick, ...] = (Trick("lowest tier taken off", 1, _fewer, _cut, only_for=("tiers",)),)

@@ -141,12 +141,12 @@ def skirt_gather(cutter: Cutter) -> float | None:
     return seam.gather
 
 
-def gather_skirt(cutter: Cutter, factor: float) -> Pattern | None:
+def gather_skirt(cutter: Cutter, factor: float, *, bend_arcs: bool = False) -> Pattern | None:
     """Makes a skirt that hangs from a seam wider by a factor, so that more of it is gathered in."""
     gather = skirt_gather(cutter)
     if gather is None or not 0.99 <= gather * factor <= 2.8:
         return None
-    return widen_panels(cutter.pattern, cutter.names(Part.SKIRT), factor)
+    return widen_panels(cutter.pattern, cutter.names(Part.SKIRT), factor, bend_arcs=bend_arcs)
 
 
 def remove_parts(cutter: Cutter, *parts: Part) -> Pattern | None:

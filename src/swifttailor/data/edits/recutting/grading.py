@@ -60,7 +60,7 @@ def spread_panels(
             share = np.clip((np.abs(x) - spread.inner) / (spread.outer - spread.inner), 0.0, 1.0)
             return points + (distance * np.sign(x) * share)[:, None] * across
 
-        if not bench.map_points(name, move, {s.id for s in bench.pieces[name].sides}):
+        if not bench.map_points(name, move, {s.id for s in bench.pieces[name].sides}, bend_arcs=True):
             return None
     for name in beside:
         piece = bench.pieces[name]
@@ -72,6 +72,6 @@ def spread_panels(
         def stretch(points: Floats, middle: float = middle) -> Floats:
             return np.stack([middle + factor * (points[:, 0] - middle), points[:, 1]], axis=1)
 
-        if not bench.map_points(name, stretch, {s.id for s in bench.pieces[name].sides}):
+        if not bench.map_points(name, stretch, {s.id for s in bench.pieces[name].sides}, bend_arcs=True):
             return None
     return bench.pattern()

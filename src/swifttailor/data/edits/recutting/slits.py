@@ -108,6 +108,21 @@ def close_slits(pattern: Pattern, pairs: Collection[tuple[EdgeRef, EdgeRef]]) ->
     return bench.pattern()
 
 
+def reach_slit(pattern: Pattern, sides: tuple[EdgeRef, EdgeRef], height: float) -> Pattern | None:
+    """Makes a slit cut into one panel higher or lower; None for another, or where it is not straight."""
+    bench = Workbench(pattern)
+    a, b = (bench.at[s] for s in sides)
+    if bench.neighbour(b, 1) == a:
+        a, b = b, a
+    if bench.neighbour(a, 1) != b or not all(isinstance(bench.side(s).edge.curve, Line) for s in (a, b)):
+        return None
+    piece = bench.piece_of(a)
+    middle = (piece.chord(a)[0] + piece.chord(b)[1]) / 2
+    up = piece.chord(a)[1] - middle
+    bench.side(b).start = middle + height * up / np.hypot(*up)
+    return bench.pattern()
+
+
 def _on_face(bench: Workbench, name: str, face: Face) -> bool:
     return (bench.pieces[name].panel.normal()[2] < 0) == (face == "back")
 

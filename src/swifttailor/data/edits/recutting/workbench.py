@@ -15,6 +15,9 @@ from swifttailor.pattern.panel import Edge
 
 Floats = NDArray[np.float64]
 
+MOST_SWEEP = 2.1
+"""Radians of an arc that one Bezier curve can take the place of."""
+
 
 @dataclass
 class Side:
@@ -184,8 +187,21 @@ class Workbench:
         piece = self.piece_of(id)
         return piece.sides[(piece.index(id) + step) % len(piece.sides)].id
 
-    def map_points(self, name: str, function: Callable[[Floats], Floats], ids: Collection[int]) -> bool:
+    def map_points(
+        self,
+        name: str,
+        function: Callable[[Floats], Floats],
+        ids: Collection[int],
+        *,
+        bend_arcs: bool = False,
+    ) -> bool:
         """Moves the starts of some sides by a function of local points, curves of sides between them too.
+
+        Args:
+            name: Of the panel.
+            function: New points (n, 2) of old ones.
+            ids: Sides whose starts move.
+            bend_arcs: Whether arcs that do not move as they are become Bezier curves, as far as they can.
 
         Returns:
             False, with nothing changed, where an arc would have to become an ellipse.
@@ -194,8 +210,20 @@ class Workbench:
         count = len(piece.sides)
         moved = [s.id in ids for s in piece.sides]
         between = [k for k in range(count) if moved[k] and moved[(k + 1) % count]]
-        if any(isinstance(piece.sides[k].edge.curve, Arc) for k in between):
+        arcs = [k for k in between if isinstance(piece.sides[k].edge.curve, Arc)]
+        if arcs and not bend_arcs:
             return False
+        bent = {
+            k: c
+            for k in arcs
+            if not _shifted(piece.chord(piece.sides[k].id), function)
+            for c in [_bent(piece, k)]
+        }
+        if None in bent.values():
+            return False
+        for k, curve in bent.items():
+            if curve is not None:
+                piece.sides[k].edge = replace(piece.sides[k].edge, curve=curve)
         polygons = {}
         for k in between:
             side = piece.sides[k]
@@ -229,3 +257,26 @@ class Workbench:
         sides = [Side(next(self._ids), panel.vertices[k].copy(), edge) for k, edge in enumerate(panel.edges)]
         self.pieces[panel.name] = Piece(panel, sides)
         self._of_side.update({s.id: panel.name for s in sides})
+
+
+def _shifted(chord: Floats, function: Callable[[Floats], Floats]) -> bool:
+    """Whether a function moves both ends of a chord alike."""
+    return bool(np.abs(np.diff(function(chord) - chord, axis=0)).max() < 1e-6)
+
+
+def bent_arc(arc: Arc, chord: Floats) -> Cubic | None:
+    """A Bezier curve close to an arc, to a hundredth of its radius; None where it sweeps too far."""
+    sweep = curves.length(arc, chord) / arc.radius
+    if sweep > MOST_SWEEP:
+        return None
+    tangents = curves.derivative(arc, chord, [0.0, 1.0])
+    tangents = tangents / np.hypot(*tangents.T)[:, None]
+    reach = 4.0 / 3.0 * np.tan(sweep / 4.0) * arc.radius
+    controls = chord[0] + reach * tangents[0], chord[1] - reach * tangents[1]
+    return Cubic(curves.to_relative(controls[0], chord), curves.to_relative(controls[1], chord))
+
+
+def _bent(piece: Piece, k: int) -> Cubic | None:
+    side = piece.sides[k]
+    assert isinstance(side.edge.curve, Arc)
+    return bent_arc(side.edge.curve, piece.chord(side.id))
