@@ -15,6 +15,7 @@ from swifttailor.data.edits.instructions import write_instruction
 from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
 from swifttailor.training.maker_bank import PatternBank, Version
 from swifttailor.training.misspelling import misspell
+from swifttailor.training.wish_words import FILLERS, say_nothing, say_otherwise
 from swifttailor.wishes.labels import label_of, number_labels, statement_labels
 from swifttailor.wishes.mentions import Mention
 from swifttailor.wishes.text_tokens import ReadyText, text_tokens
@@ -22,19 +23,10 @@ from swifttailor.wishes.text_tokens import ReadyText, text_tokens
 UNKNOWN = -1
 """What a number is that could be several things."""
 _SAME_CM = 0.03
-_INSTRUCTIONS, _OF_STRANGERS, _BARE, _WITH_FILLERS = 0.5, 0.4, 0.2, 0.25
+_NOTHING, _INSTRUCTIONS, _OF_STRANGERS, _BARE, _WITH_FILLERS, _OTHERWISE = 0.05, 0.5, 0.4, 0.2, 0.25, 0.4
 _STRANGERS = 8
 _LARGEST_SEED = 2**31
 _GAP = re.compile(r"(?<=[a-z,]) (?=[a-z])")
-
-# What people say that is not about the cut.
-FILLERS = (
-    "red blue navy black white beige pink olive cream yellow floral striped checked plaid satin silk cotton "
-    "linen denim wool knit jersey velvet chiffon tulle lace leather soft light heavy elegant casual cosy "
-    "cute chic modern vintage romantic simple basic comfy lovely nice pretty summer winter spring autumn "
-    "holiday beach office party wedding evening everyday work wear style look fabric print please really "
-    "very some kind like something maybe just with pockets buttons zip belt for me my girlfriend going out"
-).split()
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +63,9 @@ class WishSamples:
         """Sample `number` of an endless training."""
         chance = np.random.default_rng([self.seed, number])
         while True:
-            instruction = chance.random() < _INSTRUCTIONS
+            instruction = bool(chance.random() < _INSTRUCTIONS)
+            if chance.random() < _NOTHING:
+                return self.sample(say_nothing(chance), (), instruction=instruction)
             written = self._instruction(chance) if instruction else self._caption(chance)
             if written is not None:
                 return self.sample(*written, instruction=instruction, chance=chance)
@@ -93,6 +87,8 @@ class WishSamples:
             chance: Decides typing errors and words that say nothing; without any when None.
         """
         if chance is not None:
+            if instruction and chance.random() < _OTHERWISE:
+                text = say_otherwise(text, chance)
             text = _as_people_write(text, chance, self.typos)
         ready = text_tokens(text, self.tokenizer, instruction=instruction)
         said = sorted({self._said[name] for c in changes if (name := label_of(c)) in self._said})
