@@ -78,9 +78,12 @@ def main() -> None:
             many_seconds.append(time.process_time() - started)
             many.append(len(done.done) / 3)
             new_faults += len(Cutter(done.pattern).faults - before.faults)
-    for name, found in sorted(shares.items(), key=lambda item: -len(item[1])):
-        known, ok = (sum(column) for column in zip(*found, strict=True))
-        print(f"  {name:<32} {ok:>4} of {known:>4} of {len(found):>4}")
+    if options.verbose:
+        table(shares)
+    grouped: dict[str, list[tuple[bool, bool]]] = defaultdict(list)
+    for name, found in shares.items():
+        grouped[name.split(":")[0].rstrip(" +-")] += found
+    table(grouped)
     every = [ok for found in shares.values() for _, ok in found]
     known = sum(k for found in shares.values() for k, _ in found)
     print(
@@ -89,6 +92,13 @@ def main() -> None:
     print(f"{milliseconds(seconds)} a wish")
     print(f"of three at once {np.mean(many):.0%}; {milliseconds(many_seconds)}")
     print(f"{new_faults} new findings of the checker")
+
+
+def table(shares: dict[str, list[tuple[bool, bool]]]) -> None:
+    """Prints fulfilled, of those that there is a lever for, of all."""
+    for name, found in sorted(shares.items(), key=lambda item: -len(item[1])):
+        known, ok = (sum(column) for column in zip(*found, strict=True))
+        print(f"  {name:<32} {ok:>4} of {known:>4} of {len(found):>4}")
 
 
 def wishes_for(facts: GarmentFacts, other: GarmentFacts, rng: random.Random, count: int) -> list[Change]:

@@ -223,3 +223,32 @@ def test_halves_are_mirrored():
     for point in world:
         mirrored = point * np.array([-1.0, 1.0, 1.0])
         assert np.abs(world - mirrored).max(axis=1).min() < 0.05
+
+
+def test_a_part_comes_off_only_where_it_is_spoken_of():
+    hooded = alter(draft("hoodie"), [Step("neck depth", 1), Step("sleeve end", 1), Step("length", 1, 12.0)])
+    assert hooded.facts.hood is not None and hooded.facts.waistband is not None
+    assert all(s and s.cuff for s in (hooded.facts.left_sleeve, hooded.facts.right_sleeve))
+    assert alter(draft("hoodie"), [gain("neckline", "v")]).facts.hood is None
+
+
+def test_slits_open_move_and_close():
+    pattern = draft("fitted-skirt")
+    opened = alter(pattern, [gain("slit", "back"), gain("slit", "left")])
+    assert opened.open == () and opened.facts.skirt is not None
+    assert {s.place for s in opened.facts.skirt.slits} == {"back", "left"}
+    higher = alter(opened.pattern, [Step("back slit", 1, 8.0)])
+    assert higher.done
+    closed = alter(higher.pattern, [gain("slit", "none")])
+    assert closed.facts.skirt is not None and closed.facts.skirt.slits == ()
+    assert faults(closed.pattern) <= faults(pattern)
+    assert closed.facts.skirt.hem == pytest.approx(measure_facts(pattern).skirt.hem, abs=1.5)
+
+
+def test_a_bent_hem_can_be_made_level_again():
+    pattern = draft("circle-skirt")
+    bent = alter(pattern, [gain("hem_shape", "high-low")])
+    assert bent.facts.hem is not None and bent.facts.hem.front - bent.facts.hem.back > 8.0
+    level = alter(bent.pattern, [gain("hem_shape", "level")])
+    assert level.facts.hem is not None and abs(level.facts.hem.front - level.facts.hem.back) < 8.0
+    assert abs(bent.facts.hem.left - measure_facts(pattern).hem.left) < 3.0

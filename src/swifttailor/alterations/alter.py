@@ -198,7 +198,7 @@ class _Work:
             try:
                 edited = way.cut(now) if isinstance(way, Trick) else way.cut(now, amount)
                 self.tries_left -= edited is not None
-                self.tried[key] = accepted(now, edited, gathers=way.gathers)
+                self.tried[key] = accepted(now, edited, gathers=way.gathers, as_before=True)
             except SwiftTailorError:
                 self.tried[key] = None
         return self.tried[key]

@@ -182,6 +182,7 @@ HEM = Lever(
 )
 LENGTH_LEVERS: tuple[Lever, ...] = (
     HEM,
+    replace(HEM, name="hem, flared over the hips,", cut=cuts.lengthen_over_hips),
     Lever(
         "legs",
         5,

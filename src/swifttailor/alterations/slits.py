@@ -76,7 +76,11 @@ def _lever(place: Place, wedge: bool = False) -> Lever:
         return open_middle(now.pattern, hem, height, face, _WEDGE_CM if wedge else 2.0)
 
     def span(facts: GarmentFacts) -> tuple[float, float]:
-        return 6.0, 0.8 * facts.skirt.length if facts.skirt else 0.0
+        skirt = facts.skirt
+        if skirt is None:
+            return 0.0, 0.0
+        last = (skirt.length - skirt.base_length) / (skirt.tiers - 1) if skirt.tiers > 1 else skirt.length
+        return 6.0, 0.8 * last
 
     name = f"slit {_WORDS[place]}"
     return Lever(

@@ -21,6 +21,8 @@ from swifttailor.data.edits.recutting.fullness import widen_panels
 from swifttailor.data.edits.recutting.removal import WAIST_LABEL, remove_panels
 from swifttailor.pattern import EdgeRef, Pattern
 
+OVER_HIPS = 1.05
+"""Girth over that of the hips that slides over them."""
 _FACES: tuple[Face, Face] = ("front", "back")
 _SIDES: tuple[Side, Side] = ("left", "right")
 
@@ -34,6 +36,19 @@ def lengthen_hem(cutter: Cutter, distance: float) -> Pattern | None:
     """Moves the hem of a skirt, dress or top down, cm."""
     hem = free_hem(cutter)
     return move_ends(cutter.pattern, hem, distance) if hem else None
+
+
+def lengthen_over_hips(cutter: Cutter, distance: float) -> Pattern | None:
+    """Moves the hem of a top down, cm, and flares it where it would be too tight to pass the hips."""
+    longer = lengthen_hem(cutter, distance) if cutter.hem_of(Part.TORSO) and distance > 0 else None
+    if longer is None:
+        return None
+    after = Cutter(longer, cutter.anatomy.body)
+    hem = free_hem(after)
+    missing = OVER_HIPS * after.anatomy.figure.hips.girth - sum(map(longer.edge_length, hem))
+    if not hem or missing <= 0:
+        return None
+    return swing_sides(longer, hem, missing / 4, steepest=0.4)
 
 
 def leg_ends(cutter: Cutter) -> tuple[tuple[EdgeRef, ...], tuple[str, ...]]:

@@ -82,7 +82,12 @@ def move_ends(
 
 
 def swing_sides(
-    pattern: Pattern, refs: Collection[EdgeRef], width: float, *, all_seams: bool = False
+    pattern: Pattern,
+    refs: Collection[EdgeRef],
+    width: float,
+    *,
+    all_seams: bool = False,
+    steepest: float = 0.25,
 ) -> Pattern | None:
     """Widens (or narrows) the end of a part by turning its side seams about their upper ends.
 
@@ -91,6 +96,7 @@ def swing_sides(
         refs: The edges at the end, of all panels that meet there.
         width: How far each end of each side seam moves outward, cm; negative narrows.
         all_seams: Whether seams between two front or two back panels are turned as well.
+        steepest: How far a side seam may be turned, cm at its end for 1 cm of its length.
 
     Returns:
         The recut pattern; its seams keep their lengths exactly. None where the sides do not allow it.
@@ -110,7 +116,7 @@ def swing_sides(
             pivot = bench.piece_of(side).chord(side)[k]
             arm = old[k] - pivot
             length = float(np.hypot(*arm))
-            if length < 4.0 * abs(width):
+            if steepest * length < abs(width):
                 return None
             sign = np.sign(np.array([-arm[1], arm[0]]) @ direction)
             c, s = np.cos(sign * width / length), np.sin(sign * width / length)

@@ -9,12 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.data.captions.measure.parts import Face
-from swifttailor.data.edits.recutting.ends import find_ends
+from swifttailor.data.edits.recutting.ends import End, find_ends
 from swifttailor.data.edits.recutting.workbench import Workbench, bent_arc
 from swifttailor.pattern import Arc, Cubic, EdgeRef, Line, Pattern, Quadratic
 from swifttailor.pattern import curve as curves
 
 Floats = NDArray[np.float64]
+
+MIDDLE_CM = 4.0
+"""How far from the middle of the body a centre seam may end."""
 
 
 def bend_hem(pattern: Pattern, hem: Collection[EdgeRef], falls: Mapping[Face, float]) -> Pattern | None:
@@ -26,33 +29,54 @@ def bend_hem(pattern: Pattern, hem: Collection[EdgeRef], falls: Mapping[Face, fl
         falls: How much lower the middle is afterwards on each face, cm.
 
     Returns:
-        The recut pattern, all seams as they were; None where the hem does not go from side to side in one
-        front and one back panel.
+        The recut pattern, side seams as they were; None where the hem does not go from side to side in one
+        panel or two halves in front and behind.
     """
     bench = Workbench(pattern)
     ends = find_ends(bench, pattern, hem)
-    faces = ["back" if bench.pieces[e.panel].panel.normal()[2] < 0 else "front" for e in ends]
-    if sorted(faces) != ["back", "front"] or len({e.panel for e in ends}) != 2:
+    phases = [_phase(bench, end) for end in ends]
+    if len({e.panel for e in ends}) != len(ends) or None in phases:
         return None
-    for end, face in zip(ends, faces, strict=True):
-        fall = falls["back" if face == "back" else "front"]
+    for end, phase in zip(ends, phases, strict=True):
+        fall = falls["back" if _is_back(bench, end.before) else "front"]
         run = end.run if len(end.run) > 1 else [end.run[0], bench.split(end.run[0], 0.5)]
         down = -bench.pieces[end.panel].panel.placement.matrix()[1, :2]
-        if fall and not _bend(bench, run, fall * down):
+        if fall and phase is not None and not _bend(bench, run, phase, fall * down):
             return None
     return bench.pattern()
 
 
-def _bend(bench: Workbench, run: list[int], by: Floats) -> bool:
-    """Moves a run of sides by a smooth wave: not at all at its ends, by all of `by` in its middle."""
+def _is_back(bench: Workbench, side: int) -> bool:
+    return bool(bench.piece_of(side).panel.normal()[2] < 0)
+
+
+def _phase(bench: Workbench, end: End) -> tuple[float, float] | None:
+    """The part of the wave from side seam to side seam that an end takes: all, or half up to the middle."""
+    centre = []
+    for side in (end.before, end.after):
+        partner = bench.partner(side)
+        if partner is None:
+            return None
+        centre.append(_is_back(bench, side) == _is_back(bench, partner))
+        if centre[-1] and not isinstance(bench.side(side).edge.curve, Line):
+            return None
+    x = np.abs(bench.pieces[end.panel].panel.to_world(bench.run_chord(end.run))[:, 0])
+    if any(c and x[k] > MIDDLE_CM for k, c in enumerate(centre)) or all(centre):
+        return None
+    return (0.5 if centre[0] else 0.0), (0.5 if centre[1] else 1.0)
+
+
+def _bend(bench: Workbench, run: list[int], phase: tuple[float, float], by: Floats) -> bool:
+    """Moves a run of sides by a smooth wave: not at all at the side seams, by all of `by` in the middle."""
     piece = bench.piece_of(run[0])
     controls = [_controls(bench, id) for id in run]
     if any(c is None for c in controls):
         return False
     lengths = np.array([piece.length(id) for id in run])
-    bounds = np.concatenate([[0.0], np.cumsum(lengths)]) / lengths.sum()
+    bounds = phase[0] + (phase[1] - phase[0]) * np.concatenate([[0.0], np.cumsum(lengths)]) / lengths.sum()
+    following = bench.neighbour(run[-1], 1)
     moved = [np.outer(_control_shares(bounds[k], bounds[k + 1]), by) for k in range(len(run))]
-    for k, id in enumerate(run[1:], start=1):
+    for k, id in enumerate([*run, following]):
         bench.side(id).start = bench.side(id).start + _wave(bounds[k : k + 1])[0] * by
     for id, old, shift in zip(run, controls, moved, strict=True):
         assert old is not None
