@@ -77,6 +77,16 @@ def test_what_cannot_be_cut_is_left_to_the_network(dress):
     assert fitted.open == ()
 
 
+def test_another_kind_of_garment_is_the_networks(dress, shirt):
+    wish = Gain(Claim("kind", "dress"))
+    fitted = fit(written(dress), [Wish(wish, 0.9)], shirt)
+    assert not fitted.recut
+    assert fitted.pattern is dress
+    less = fit(written(shirt), [Wish(Gain(Claim("kind", "skirt")), 0.9)], swifttailor.draft("fitted-dress"))
+    assert less.recut  # taking the upper part off leaves the skirt as it was
+    assert less.open == ()
+
+
 def test_what_holds_of_neither_stays_open(dress, shirt):
     wish = Gain(Claim("godets", 5.0))
     fitted = fit(written(shirt), [Wish(wish, 0.9)], dress)

@@ -14,6 +14,7 @@ from PIL import Image
 from scripted_maker import crossed, scripted_maker, sure_of
 
 import swifttailor
+from swifttailor.data.captions import measure_facts
 from swifttailor.errors import InputError, PatternError
 from swifttailor.garment import Garment
 from swifttailor.garment_sewer import sewer as sewer_module
@@ -27,7 +28,7 @@ from swifttailor.tailor import Order, Tailor, Tailored
 
 TINY_MAKER = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
 SHIRT, SKIRT, DRESS = draft("t-shirt"), draft("fitted-skirt"), draft("fitted-dress")
-STAGES = ["loading", "reading", "writing", "checking", "drawing", "network", "decoding"]
+STAGES = ["loading", "reading", "writing", "checking", "altering", "drawing", "network", "decoding"]
 FILES = {
     "pattern.json",
     "pattern.svg",
@@ -220,7 +221,7 @@ def test_of_faulty_patterns_that_can_be_sewn_all_the_same_the_best_is_taken(sewe
 
 def test_samples_are_written_together_and_each_is_known_by_its_seed(sewer):
     maker = scripted_maker([SHIRT, crossed(SKIRT), DRESS], [SKIRT])
-    outcomes = Tailor.load(maker, sewer).make(Order("some", samples=3, seed=7))
+    outcomes = Tailor.load(maker, sewer).make(Order("some", samples=3, seed=7, alter=False))
     assert all(isinstance(one, Tailored) for one in outcomes)
     assert [like(o.pattern, p) for o, p in zip(outcomes, (SHIRT, SKIRT, DRESS), strict=True)] == [True] * 3
     assert [o.report["order"]["seed"] for o in outcomes] == [7, 8, 9]
@@ -229,7 +230,7 @@ def test_samples_are_written_together_and_each_is_known_by_its_seed(sewer):
 
 def test_a_sample_that_fails_stops_no_other(sewer):
     maker = scripted_maker([SHIRT, crossed(SKIRT), DRESS], [crossed(SKIRT)])
-    first, second, third = Tailor.load(maker, sewer).make(Order("some", samples=3, seed=7))
+    first, second, third = Tailor.load(maker, sewer).make(Order("some", samples=3, seed=7, alter=False))
     assert like(first.pattern, SHIRT) and like(third.pattern, DRESS)
     assert isinstance(second, PatternError) and "seed than 8" in str(second)
 
@@ -322,6 +323,26 @@ def test_a_pattern_is_edited(sewer):
     assert before == draft("t-shirt")
 
 
+def test_an_edit_recuts_the_pattern_that_was_given(sewer):
+    before = draft("fitted-dress")
+    made = Tailor.load(scripted_maker([SHIRT]), sewer).edit(before, "make it 6 cm longer")
+    (wish,) = made.report["wishes"]
+    assert wish["holds"] and wish["wish"].endswith("more by 6 cm")
+    assert made.report["alterations"]["of_the_pattern_to_edit"]
+    assert [p.name for p in made.pattern.panels] == [p.name for p in before.canonical().panels]
+    assert measure_facts(made.pattern).length == pytest.approx(measure_facts(before).length + 6, abs=1.5)
+    assert made.notes == (f"Altered: {made.report['alterations']['cuts'][0]}.",)
+
+
+def test_what_cannot_be_cut_is_told(sewer):
+    made = Tailor.load(scripted_maker([SHIRT]), sewer).generate("a hooded top", attempts=1)
+    assert like(made.pattern, SHIRT)
+    assert made.notes == ("Asked for, and not so: hoods: hood.",)
+    assert {w["wish"]: w["holds"] for w in made.report["wishes"]}["hoods: hood"] is False
+    left = Tailor.load(scripted_maker([DRESS]), sewer).generate("a midi dress", attempts=1, alter=False)
+    assert like(left.pattern, DRESS) and left.report["wishes"] == []
+
+
 def test_a_pattern_that_does_not_fit_the_network_is_refused(sewer):
     odd = replace(SHIRT, panels=(replace(SHIRT.panels[0], name="pocket"), *SHIRT.panels[1:]), stitches=())
     with pytest.raises(PatternError, match="pocket"):
@@ -407,6 +428,6 @@ def test_what_was_doubtful_before_an_edit_does_not_make_it_be_written_again(sewe
     small = shrunk(SHIRT, "right_sleeve_f")
     for edit, asked in ((small, [1]), (SHIRT, [1, 1, 1])):
         maker = scripted_maker([small])
-        made = Tailor.load(maker, sewer).edit(edit, "make the right sleeve small", attempts=3)
+        made = Tailor.load(maker, sewer).edit(edit, "make the right sleeve small", attempts=3, alter=False)
         assert maker.model.runtime.asked == asked
         assert like(made.pattern, small) and made.needs_a_look

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from swifttailor.alterations.alter import Alteration, alter
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.captions.measure import measure_facts
-from swifttailor.data.edits.differences import Change
+from swifttailor.data.edits.differences import Change, Gain
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Finding, Pattern, Severity, check_pattern
 from swifttailor.pattern.check.repair import Change as Mended
@@ -148,11 +148,13 @@ def fit(generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = Non
     original = None if edit is None else _facts(edit)
     recut = None if edit is None or original is None else _altered(edit, changes, original)
     written = None
-    if recut is None or recut.open:
+    remade = edit is not None and recut is not None and _is_remade(edit, recut)
+    if recut is None or recut.open or remade:
         written = _altered(generated.pattern, changes, original)
     taken, of_edit = written, False
     if recut is not None and len(recut.open) < len(changes):
-        if written is None or len(recut.open) <= len(written.open):
+        # Of two that do as much, the one that leaves the rest as it was; but for another kind of garment.
+        if written is None or len(recut.open) + remade <= len(written.open):
             taken, of_edit = recut, True
     seconds = time.perf_counter() - started
     if taken is None or not (taken.cuts or of_edit):
@@ -161,6 +163,12 @@ def fit(generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = Non
         return Fitted(generated, generated.pattern, found, tuple(wishes), unmet, altering_seconds=seconds)
     findings = tuple(check_pattern(taken.pattern))
     return Fitted(generated, taken.pattern, findings, tuple(wishes), taken.open, taken.cuts, of_edit, seconds)
+
+
+def _is_remade(edit: Pattern, recut: Alteration) -> bool:
+    """Whether it has become another kind of garment, and not by what was taken off."""
+    is_other = any(isinstance(c, Gain) and c.claim.name == "kind" for c in recut.done)
+    return is_other and len(recut.pattern.panels) >= len(edit.panels)
 
 
 def _facts(pattern: Pattern) -> GarmentFacts | None:
