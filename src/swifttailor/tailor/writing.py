@@ -17,6 +17,7 @@ from swifttailor.pattern_maker.pictures import read_picture
 from swifttailor.tailor.clock import Clock
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.sewing import Checked, Ready, SewingOptions, make_ready
+from swifttailor.wishes.wording import wish_line
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,15 +41,28 @@ class Asked:
     """What was done to it."""
 
 
+@dataclass(frozen=True, eq=False)
+class _Try:
+    """One attempt."""
+
+    fitted: Fitted
+    fault: str
+    """What is wrong with it."""
+    ready: Ready | None = None
+    """Where nothing is wrong but that it may not be all that was asked for."""
+
+
 @dataclass(eq=False)
 class _Sample:
     """One of the garments of an order, on its way."""
 
     seed: int
-    tried: list[tuple[Fitted, str]] = field(default_factory=list)
-    """With what is wrong with each."""
-    found: Ready | None = None
-    """The last one that was tried, once nothing is wrong with it."""
+    tried: list[_Try] = field(default_factory=list)
+
+    @property
+    def found(self) -> bool:
+        """Whether nothing is wrong with the last attempt."""
+        return bool(self.tried) and not self.tried[-1].fault
 
 
 def ask(order: Order) -> Asked:
@@ -83,8 +97,8 @@ def write_patterns(
 ) -> list[WrittenPattern | SwiftTailorError]:
     """Writes the patterns of an order, all samples together, until each is sound or had its attempts.
 
-    Sound are those that can be sewn and of which a check doubts nothing, but what it doubted of the pattern
-    to edit before.
+    Sound are those that can be sewn, of which a check doubts nothing but what it doubted of the pattern to
+    edit before, and of which everything holds that was asked for.
 
     Args:
         maker: Writes and alters them.
@@ -102,7 +116,7 @@ def write_patterns(
     samples = [_Sample(order.seed + k) for k in range(order.samples)]
     tolerated = set() if request.edit is None else {f.code for f in check_pattern(request.edit)}
     for attempt in range(order.most_attempts):
-        wanting = [s for s in samples if s.found is None]
+        wanting = [s for s in samples if not s.found]
         if not wanting:
             break
         made = maker.generate_all(
@@ -114,13 +128,14 @@ def write_patterns(
         clock.add(made[0].generated.seconds)
         clock.add({"altering": sum(one.altering_seconds for one in made)})
         for sample, one in zip(wanting, made, strict=True):
-            fault = _first_fault(one, tolerated)
+            fault, ready = _first_fault(one, tolerated), None
             if not fault:
                 try:
-                    sample.found = _ready(sewer, one, order, options, clock)
+                    ready = _ready(sewer, one, order, options, clock)
+                    fault = _not_so(one)
                 except SwiftTailorError as error:
                     fault = str(error)
-            sample.tried.append((one, fault))
+            sample.tried.append(_Try(one, fault, ready))
     return [_taken(sample, sewer, order, options, clock) for sample in samples]
 
 
@@ -147,6 +162,11 @@ def _first_fault(one: Fitted, tolerated: Set[str]) -> str:
     return f"{found[0].code}{place}: {found[0].message}{more}"
 
 
+def _not_so(one: Fitted) -> str:
+    """What was asked for and does not hold, in words."""
+    return f"asked for, and not so: {'; '.join(map(wish_line, one.open))}" if one.open else ""
+
+
 def _ready(sewer: GarmentSewer, one: Fitted, order: Order, options: SewingOptions, clock: Clock) -> Ready:
     clock.restart()
     try:
@@ -160,19 +180,18 @@ def _taken(
     sample: _Sample, sewer: GarmentSewer, order: Order, options: SewingOptions, clock: Clock
 ) -> WrittenPattern | SwiftTailorError:
     """The sound pattern of a sample; where there is none the best of those that can be sewn."""
-    taken, ready = len(sample.tried) - 1, sample.found
-    if ready is None:
-        best_first = sorted(range(len(sample.tried)), key=lambda k: sample.tried[k][0].rank)
-        for taken in best_first:
-            try:
-                ready = _ready(sewer, sample.tried[taken][0], order, options, clock)
-                break
-            except SwiftTailorError:
-                continue
-        else:
-            return _refusal(sample, *sample.tried[best_first[0]])
-    failures = tuple(fault for k, (_, fault) in enumerate(sample.tried) if k != taken)
-    return WrittenPattern(ready, sample.tried[taken][0], taken, failures)
+    places = range(len(sample.tried))
+    best_first = sorted(places, key=lambda k: (sample.tried[k].ready is None, *sample.tried[k].fitted.rank))
+    for taken in [places[-1]] if sample.found else best_first:
+        ready = sample.tried[taken].ready
+        try:
+            ready = ready or _ready(sewer, sample.tried[taken].fitted, order, options, clock)
+        except SwiftTailorError:
+            continue
+        failures = tuple(one.fault for k, one in enumerate(sample.tried) if k != taken)
+        return WrittenPattern(ready, sample.tried[taken].fitted, taken, failures)
+    best = sample.tried[best_first[0]]
+    return _refusal(sample, best.fitted, best.fault)
 
 
 def _refusal(sample: _Sample, best: Fitted, fault: str) -> PatternError:
