@@ -163,7 +163,7 @@ def _values(lever: Lever, facts: GarmentFacts, now: float | None) -> NDArray[np.
     if not high > low:
         return np.zeros(0)
     count = min((high - low + 1e-6) / lever.step, MOST_VALUES)
-    values = low + lever.step * np.arange(int(count) + 1)
+    values = low + lever.step * np.arange(int(count) + 1, dtype=np.float64)
     return values if now is None else np.sort(np.append(values, now))
 
 

@@ -10,6 +10,7 @@ from typing import Any
 from swifttailor import __version__
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern_maker.maker import PatternMaker
+from swifttailor.wishes.reader import WishReader
 
 _PACKAGES = ("numpy", "scipy", "onnxruntime")
 _FACTS = ("model", "parameters", "data", "training", "validation")
@@ -28,9 +29,13 @@ def versions() -> dict[str, str]:
     return found
 
 
-def weights(maker: PatternMaker | None, sewer: GarmentSewer) -> dict[str, Any]:
+def weights(
+    maker: PatternMaker | None, sewer: GarmentSewer, reader: WishReader | None = None
+) -> dict[str, Any]:
     """What the cards of the networks say of them."""
     cards = {"garment_sewer": sewer.model.card}
+    if reader is not None:
+        cards = {"wish_reader": reader.card} | cards
     if maker is not None:
         cards = {"pattern_maker": maker.model.card} | cards
     return {name: {fact: card[fact] for fact in _FACTS if fact in card} for name, card in cards.items()}

@@ -300,13 +300,14 @@ class Tailor:
         if isinstance(sewn, SwiftTailorError):
             return sewn
         checked, garment = sewn.ready.checked, sewn.garment
+        reader = self.wish_reader if written is not None and written.fitted.wishes else None
         seconds = facts.pop("seconds", {}) | garment.report["seconds"]
         report = garment.report | {
             "seconds": {name: round(value, 4) for name, value in seconds.items()},
             **facts,
             "findings": [finding_entry(f) for f in checked.findings],
             "versions": versions(),
-            "weights": weights(self.pattern_maker if written else None, self.garment_sewer),
+            "weights": weights(self.pattern_maker if written else None, self.garment_sewer, reader),
         }
         if checked.changes:
             report["mended"] = [change_line(c) for c in checked.changes]

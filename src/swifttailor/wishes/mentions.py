@@ -10,7 +10,7 @@ from swifttailor.data.captions.writing.numbers import CM_PER_INCH
 _WORDS = (
     "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen"
 ).split()
-_COUNTS = {word: float(k) for k, word in enumerate(_WORDS)}
+_COUNTS: dict[str, float] = {word: float(k) for k, word in enumerate(_WORDS)}
 _CM = {"mm": 0.1, "cm": 1.0, "m": 100.0, "in": CM_PER_INCH}
 _UNIT = r"millimet(?:re|er)s?|mm|centimet(?:re|er)s?|cms?|met(?:re|er)s?|m|inch(?:es)?|ins?|[\"\u201d\u2033]"
 _FIGURE = r"\d{1,5} \d/\d|\d/\d|\d{1,5}(?:[.,]\d{1,3})?"
