@@ -60,9 +60,11 @@ def _sleeves(facts: GarmentFacts, sides: Sequence[Side]) -> list[Sleeve]:
     return [s for s in found if s] if all(found) else []
 
 
-def _mean(
+def mean_of_sleeves(
     sides: Sequence[Side], of: Callable[[Sleeve], float | None]
 ) -> Callable[[GarmentFacts], float | None]:
+    """A measure of the sleeves of some sides; of None where one is missing."""
+
     def measure(facts: GarmentFacts) -> float | None:
         values = [of(s) for s in _sleeves(facts, sides)]
         known = [v for v in values if v is not None]
@@ -85,7 +87,7 @@ def with_sleeves(
 
 def sleeve_lever(sides: tuple[ArmSide, ...]) -> Lever:
     """Moves the ends of one or both sleeves."""
-    of = _mean(sides, lambda s: s.length)
+    of = mean_of_sleeves(sides, lambda s: s.length)
 
     def imagine(facts: GarmentFacts, length: float) -> GarmentFacts:
         by = length - (of(facts) or 0.0)
@@ -101,7 +103,7 @@ def sleeve_lever(sides: tuple[ArmSide, ...]) -> Lever:
 def _cuff_of(part: Part) -> Callable[[GarmentFacts], float | None]:
     if part is Part.LEG_CUFF:
         return lambda f: f.trousers.cuff.length if f.trousers and f.trousers.cuff else None
-    return lambda f: _mean(_arms(f), lambda s: s.cuff.length if s.cuff else None)(f)
+    return lambda f: mean_of_sleeves(_arms(f), lambda s: s.cuff.length if s.cuff else None)(f)
 
 
 def _arms(facts: GarmentFacts) -> tuple[Side, ...]:

@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from swifttailor.alterations.lengths import with_sleeves
+from swifttailor.alterations.lengths import ArmSide, mean_of_sleeves, with_sleeves
 from swifttailor.alterations.lever import Lever, Trick, fixed, with_hem
 from swifttailor.data.captions.facts import Band, Cuff, CuffKind, GarmentFacts, Sleeve
 from swifttailor.data.captions.measure.parts import Part
 from swifttailor.data.edits import cuts
 from swifttailor.data.edits.cutter import Cutter
+from swifttailor.data.edits.recutting.sleeves import ARM_EASE_CM
 from swifttailor.pattern import Pattern
 
 _FLOUNCE_FLARE = 1.7
+_THINNER_WRIST = 0.45
+"""By how much the wrist is thinner than the upper arm, as a part of it."""
 _BAND_SHARE = 0.7
 """Length of a new cuff over the sleeve end that is gathered into it."""
 
@@ -183,6 +186,56 @@ def _band_added(at_hem: bool) -> Lever:
     )
 
 
+def _second_sleeve(facts: GarmentFacts) -> GarmentFacts | None:
+    torso = facts.torso
+    if torso is None or facts.one_shoulder or (facts.left_sleeve is None) == (facts.right_sleeve is None):
+        return None
+    sleeve = facts.left_sleeve or facts.right_sleeve
+    torso = replace(torso, left_armhole=None, right_armhole=None)
+    return replace(facts, left_sleeve=sleeve, right_sleeve=sleeve, torso=torso)
+
+
+def _sleeves_added(sides: tuple[ArmSide, ...]) -> Lever:
+    of = mean_of_sleeves(sides, lambda s: s.length)
+
+    def imagine(facts: GarmentFacts, length: float) -> GarmentFacts:
+        torso = facts.torso
+        if torso is None:
+            return facts
+        arm = facts.body.upper_arm_girth
+        width = arm + ARM_EASE_CM
+        end = width - _THINNER_WRIST * arm * min(length / facts.body.arm_length, 1.0)
+        new = Sleeve(length, width, end, end, 1.0, 1.0, None)
+        left, right = facts.left_sleeve, facts.right_sleeve
+        if "left" in sides and left is None:
+            if torso.left_shoulder is None:
+                return facts
+            left, torso = new, replace(torso, left_armhole=None)
+        if "right" in sides and right is None:
+            if torso.right_shoulder is None:
+                return facts
+            right, torso = new, replace(torso, right_armhole=None)
+        return replace(facts, left_sleeve=left, right_sleeve=right, torso=torso)
+
+    def cut(cutter: Cutter, amount: float) -> Pattern | None:
+        return cuts.add_sleeves(cutter, amount, sides)
+
+    return Lever(
+        "sleeves sewn on" if len(sides) == 2 else f"{sides[0]} sleeve sewn on",
+        0,
+        of,
+        imagine,
+        cut,
+        lambda f: (8.0, 1.19 * f.body.arm_length),
+        makes=True,
+        moves=False,
+        natural=22.0,
+        only_for=("sleeves", "sleeve_cm", "sleeve_shape")
+        if len(sides) == 2
+        else ("sleeves", f"{sides[0]}_sleeve"),
+    )
+
+
 _NECKLINES = ("neckline", "left_neckline", "right_neckline", "back_neckline")
 _KINDS = ("kind",)
 PART_TRICKS: tuple[Trick, ...] = (
@@ -208,10 +261,20 @@ PART_TRICKS: tuple[Trick, ...] = (
     ),
     _one_sleeve("left"),
     _one_sleeve("right"),
+    Trick(
+        "second sleeve sewn on",
+        0,
+        _second_sleeve,
+        cuts.mirror_sleeve,
+        only_for=("sleeves", "sleeve_cm", "left_sleeve", "right_sleeve", "sleeve_shape"),
+    ),
     Trick("lower part taken off", 0, _no_lower, cuts.remove_lower, only_for=_KINDS),
     Trick("upper part taken off", 0, _no_upper, cuts.remove_upper, only_for=_KINDS),
 )
 ADDED_PARTS: tuple[Lever, ...] = (
+    _sleeves_added(("left", "right")),
+    _sleeves_added(("left",)),
+    _sleeves_added(("right",)),
     _cuffs_added("band", Part.SLEEVE, gathered=False),
     _cuffs_added("band", Part.SLEEVE, gathered=True),
     _cuffs_added("flounce", Part.SLEEVE, gathered=False),

@@ -19,6 +19,9 @@ from swifttailor.data.edits.recutting.bands import BandPlan, add_band
 from swifttailor.data.edits.recutting.ends import move_ends, swing_sides
 from swifttailor.data.edits.recutting.fullness import widen_panels
 from swifttailor.data.edits.recutting.removal import WAIST_LABEL, remove_panels
+from swifttailor.data.edits.recutting.sleeves import add_sleeves as sew_in_sleeves
+from swifttailor.data.edits.recutting.sleeves import find_hole
+from swifttailor.data.edits.recutting.sleeves import mirror_sleeve as mirrored
 from swifttailor.pattern import EdgeRef, Pattern
 
 OVER_HIPS = 1.05
@@ -228,6 +231,31 @@ def add_cuffs(
     least = 2 * (1.25 * body.wrist if upper is Part.SLEEVE else 0.5 * body.leg_circ)
     share = max(share, min(1.0, least / length))
     return add_band(cutter.pattern, plans, height, share=share, flare=flare)
+
+
+def add_sleeves(cutter: Cutter, length: float, sides: Sequence[Side] = _SIDES) -> Pattern | None:
+    """Sews sleeves into the free armholes of some sides, cm from the shoulder tip to the end.
+
+    None where there is nothing to do, or an armhole is not free or not of a shape that a sleeve fits.
+    """
+    holes = []
+    for side in sides:
+        if side == "middle" or cutter.anatomy.panels(Part.SLEEVE, side):
+            continue
+        hole = find_hole(cutter.anatomy, side) if cutter.worn.shoulders[side == "right"] else None
+        if hole is None:
+            return None
+        holes.append(hole)
+    return sew_in_sleeves(cutter.pattern, cutter.anatomy, holes, length) if holes else None
+
+
+def mirror_sleeve(cutter: Cutter) -> Pattern | None:
+    """Sews on the second of two sleeves, like the one that there is."""
+    bare = [s for s in _SIDES if not cutter.anatomy.panels(Part.SLEEVE, s)]
+    if len(bare) != 1 or not cutter.worn.shoulders[bare[0] == "right"]:
+        return None
+    hole = find_hole(cutter.anatomy, "left" if bare[0] == "left" else "right")
+    return mirrored(cutter.pattern, cutter.anatomy, hole) if hole else None
 
 
 def can_add_hem_band(cutter: Cutter) -> bool:

@@ -61,16 +61,31 @@ def lay_sleeve(table: CuttingTable, figure: Figure, shape: Sleeve) -> None:
     cap = fit_cap(holes[0], holes[1], figure.upper_arm + shape.arm_ease, min(HIGHEST_CAP, length - 3.0))
     narrowing = max((cap.front + cap.back - shape.end_width) / 2, 0.0)
     narrowing = min(narrowing, min(cap.front, cap.back) - 3.0)
-    for side, half in (("f", cap.front), ("b", cap.back)):
-        front = side == "f"
-        outline = Outline(cap.height, -half)
-        outline.line("under", length, -half + narrowing)
-        outline.line("hem", length, 0.0).line("top", 0.0, 0.0)
-        _cap_curve(outline, cap.height, half, front)
-        place_on_arm(table, figure, f"left_sleeve_{side}", outline.closed())
+    for side in "fb":
+        outline = sleeve_outline(cap, length, narrowing, front=side == "f")
+        place_on_arm(table, figure, f"left_sleeve_{side}", outline)
         table.seam(f"left_{side}torso.armhole", f"left_sleeve_{side}.cap", gathered=True)
     table.seam("left_sleeve_f.top", "left_sleeve_b.top")
     table.seam("left_sleeve_f.under", "left_sleeve_b.under")
+
+
+def sleeve_outline(cap: Cap, length: float, narrowing: float, *, front: bool) -> Outline:
+    """Draws one half of a sleeve, x along the arm from the shoulder tip and y across it.
+
+    Edges: under, hem, top, cap.
+
+    Args:
+        cap: The fitted cap.
+        length: From the shoulder tip to the end, cm; more than the height of the cap.
+        narrowing: From the underarm to the end, cm.
+        front: Which half.
+    """
+    half = cap.front if front else cap.back
+    outline = Outline(cap.height, -half)
+    outline.line("under", length, -half + narrowing)
+    outline.line("hem", length, 0.0).line("top", 0.0, 0.0)
+    _cap_curve(outline, cap.height, half, front)
+    return outline.closed()
 
 
 def place_on_arm(
