@@ -124,7 +124,7 @@ UNTOUCHED = [
     ("t-shirt", gain("neck_depth_cm", 16.0), {"neck depth"}),
     ("t-shirt", Step("chest", 1, 10.0), {"chest", "shoulders", "top width", "sleeve length"}),
     ("shirt-dress", gain("skirt_hem", "maxi"), {"length", "skirt hem", "base width", "dip"}),
-    ("trousers", gain("legs", "flared"), {"leg end"}),
+    ("trousers", gain("legs", "flared"), {"leg end", "thigh"}),
     ("fitted-skirt", gain("slit", "left"), {"left slit"}),
     ("hoodie", Step("waistband height", 1, 4.0), {"waistband height", "length"}),
 ]

@@ -18,8 +18,11 @@ from swifttailor.pattern_maker.maker import Generated, PatternMaker, Request
 from swifttailor.pattern_maker.token_sequence import TokenSequence
 from swifttailor.wishes.reader import Wish, WishReader
 
-LEAST_CERTAINTY = 0.7
+LEAST_CERTAINTY = 0.9
 """What the reader is less sure of is not cut: what the network wrote may be as right."""
+NONE = "none"
+_SENSELESS = 3
+"""What a garment of no kind counts for, where another open wish or warning counts one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +42,8 @@ class Fitted:
     """What was altered, in words."""
     recut: bool = False
     """Whether it is the pattern to edit that was altered, and what the network wrote was left aside."""
+    senseless: bool = False
+    """Whether it is measured to be no kind of garment."""
     altering_seconds: float = 0.0
 
     @property
@@ -68,10 +73,10 @@ class Fitted:
 
     @property
     def rank(self) -> tuple[float, ...]:
-        """Smaller is better: errors that a check finds, warnings, wishes that are open, likelihood."""
+        """Smaller is better: errors that a check finds; warnings and open wishes together; likelihood."""
         severities = [f.severity for f in self.findings]
         errors, warnings = (severities.count(s) for s in (Severity.ERROR, Severity.WARNING))
-        return errors, warnings, len(self.open), -self.log_likelihood
+        return errors, warnings + len(self.open) + _SENSELESS * self.senseless, -self.log_likelihood
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +116,7 @@ class FittingMaker:
         wishes = [self.wishes(request) for request in requests]
         best: list[Fitted | None] = [None] * len(requests)
         for attempt in range(first_attempt, first_attempt + attempts):
-            wanting = [k for k, one in enumerate(best) if one is None or any(one.rank[:3])]
+            wanting = [k for k, one in enumerate(best) if one is None or any(one.rank[:2])]
             if not wanting:
                 break
             made = self.maker.generate_all(
@@ -129,8 +134,25 @@ class FittingMaker:
         """What the text of a request asks for, as far as it is understood."""
         if self.reader is None:
             return ()
-        found = self.reader.read(request.text, instruction=request.edit is not None)
-        return tuple(wish for wish in found if wish.certainty >= LEAST_CERTAINTY)
+        return sure_wishes(self.reader.read(request.text, instruction=request.edit is not None))
+
+
+def sure_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
+    """Wishes that are certain enough to cut for, without those that contradict themselves.
+
+    Who reads both that there is to be none of something and how it is to be has misunderstood.
+    """
+    values: dict[str, set[object]] = {}
+    for wish in found:
+        if isinstance(wish.change, Gain):
+            values.setdefault(wish.change.claim.name, set()).add(wish.change.claim.value)
+    confused = {name for name, said in values.items() if NONE in said and len(said) > 1}
+    return tuple(
+        wish
+        for wish in found
+        if wish.certainty >= LEAST_CERTAINTY
+        and not (isinstance(wish.change, Gain) and wish.change.claim.name in confused)
+    )
 
 
 def fit(generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = None) -> Fitted:

@@ -19,6 +19,9 @@ from swifttailor.tailor.order import Order
 from swifttailor.tailor.sewing import Checked, Ready, SewingOptions, make_ready
 from swifttailor.wishes.wording import wish_line
 
+WARMER = 0.2
+"""How much higher the temperature of each attempt is than that of the one before: the likely has failed."""
+
 
 @dataclass(frozen=True, eq=False)
 class WrittenPattern:
@@ -122,7 +125,7 @@ def write_patterns(
         made = maker.generate_all(
             [request] * len(wanting),
             seed=[s.seed for s in wanting],
-            temperature=order.temperature,
+            temperature=order.temperature + WARMER * attempt,
             first_attempt=attempt,
         )
         clock.add(made[0].generated.seconds)

@@ -113,14 +113,19 @@ def swing_sides(
         for k, (side, direction) in enumerate(((end.before, outward), (end.after, -outward))):
             if not all_seams and not _joins_front_to_back(bench, side):
                 continue
-            pivot = bench.piece_of(side).chord(side)[k]
+            upper = _drawn_on_from(bench, side, -1 if k == 0 else 1)
+            pivot = bench.piece_of(side).chord(side if upper is None else upper)[k]
             arm = old[k] - pivot
             length = float(np.hypot(*arm))
             if steepest * length < abs(width):
                 return None
             sign = np.sign(np.array([-arm[1], arm[0]]) @ direction)
             c, s = np.cos(sign * width / length), np.sin(sign * width / length)
-            new[k] = pivot + np.array([c * arm[0] - s * arm[1], s * arm[0] + c * arm[1]])
+            turn = np.array([[c, -s], [s, c]])
+            new[k] = pivot + turn @ arm
+            if upper is not None:
+                between = bench.side(side if k == 0 else upper)
+                between.start = pivot + turn @ (between.start - pivot)
             turned += 1
         if (new[1] - new[0]) @ (old[1] - old[0]) <= SHORTEST_CM**2:
             return None
@@ -158,6 +163,19 @@ def _joins_front_to_back(bench: Workbench, side: int) -> bool:
         return False
     faces = [bench.piece_of(s).panel.normal()[2] < 0 for s in (side, partner)]
     return faces[0] != faces[1]
+
+
+def _drawn_on_from(bench: Workbench, side: int, step: int) -> int | None:
+    """The curved side that a straight one draws on, next to it away from the end; None where there is none.
+
+    Both turn together: a seam that was lengthened would else bend where it was.
+    """
+    upper, partner = bench.neighbour(side, step), bench.partner(side)
+    if partner is None or bench.partner(upper) != bench.neighbour(partner, -step):
+        return None
+    straight, above = (isinstance(bench.side(s).edge.curve, Line) for s in (side, upper))
+    # A short curve above a long straight line is a hip or an underarm, which stays.
+    return upper if straight and not above and _length(bench, upper) > 0.5 * _length(bench, side) else None
 
 
 def _lengthened(bench: Workbench, end: End, distance: float) -> Floats:
