@@ -19,6 +19,7 @@ from swifttailor.alterations.lengths import LENGTH_LEVERS
 from swifttailor.alterations.lever import Lever, Trick
 from swifttailor.alterations.necks import NECK_LEVERS, NECK_TRICKS
 from swifttailor.alterations.parts import ADDED_PARTS, PART_TRICKS
+from swifttailor.alterations.sleeve_widths import SLEEVE_WIDTH_LEVERS
 from swifttailor.alterations.slits import SLIT_LEVERS, SLIT_TRICKS
 from swifttailor.alterations.tiers import TIER_TRICKS
 from swifttailor.alterations.widths import WIDTH_LEVERS
@@ -32,6 +33,7 @@ LEVERS: tuple[Lever, ...] = (
     *NECK_LEVERS,
     *HEM_SHAPE_LEVERS,
     *WIDTH_LEVERS,
+    *SLEEVE_WIDTH_LEVERS,
     *SLIT_LEVERS,
     *ADDED_PARTS,
     *FIT_LEVERS,

@@ -19,6 +19,13 @@ from swifttailor.data.edits.recutting.bands import BandPlan, add_band
 from swifttailor.data.edits.recutting.ends import move_ends, swing_sides
 from swifttailor.data.edits.recutting.fullness import widen_panels
 from swifttailor.data.edits.recutting.removal import WAIST_LABEL, remove_panels
+from swifttailor.data.edits.recutting.sleeve_width import (
+    Half,
+    gather_heads,
+    keep_heads,
+    sleeve_halves,
+    stretch_sleeves,
+)
 from swifttailor.data.edits.recutting.sleeves import add_sleeves as sew_in_sleeves
 from swifttailor.data.edits.recutting.sleeves import find_hole
 from swifttailor.data.edits.recutting.sleeves import mirror_sleeve as mirrored
@@ -149,6 +156,44 @@ def flare_sleeves(cutter: Cutter, width: float) -> Pattern | None:
     """Turns the seams of the sleeves: their lower ends move out, cm."""
     ends = cutter.ends_of(Part.SLEEVE, Border.ARM)
     return swing_sides(cutter.pattern, ends, width) if ends else None
+
+
+def _sleeve_halves(cutter: Cutter) -> list[Half]:
+    """Halves of all sleeves; none where one is not cut in two halves."""
+    found: list[Half] = []
+    for side in _SIDES:
+        if cutter.anatomy.panels(Part.SLEEVE, side):
+            halves = sleeve_halves(cutter.anatomy, side)
+            if halves is None:
+                return []
+            found += halves
+    return found
+
+
+def widen_sleeves(cutter: Cutter, factor: float, end: float) -> Pattern | None:
+    """Makes the sleeves wider at the underarm and at the end by factors, their heads staying as long."""
+    halves = _sleeve_halves(cutter)
+    return keep_heads(cutter.pattern, halves, factor, end) if halves else None
+
+
+def gather_sleeve_heads(cutter: Cutter, factor: float, least_end: float) -> Pattern | None:
+    """Makes the heads of the sleeves longer by a factor, the sleeves as much wider as that asks for.
+
+    Ends of cuffed sleeves stay, at most narrowing to `least_end` of their width; other ends go along.
+    """
+    halves = _sleeve_halves(cutter)
+    cuffed = cutter.anatomy.has(Part.CUFF)
+
+    def end(wide: float) -> float:
+        return max(min(wide, 1.0), least_end) if cuffed else wide
+
+    return gather_heads(cutter.pattern, halves, factor, end) if halves else None
+
+
+def gather_sleeve_ends(cutter: Cutter, factor: float) -> Pattern | None:
+    """Makes the ends of the sleeves wider by a factor, cuffs staying as they are."""
+    halves = _sleeve_halves(cutter)
+    return stretch_sleeves(cutter.pattern, halves, 1.0, factor) if halves else None
 
 
 def skirt_gather(cutter: Cutter) -> float | None:
