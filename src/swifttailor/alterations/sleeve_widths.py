@@ -73,7 +73,9 @@ def _width_lever(*, whole: bool) -> Lever:
 
 
 def _least_end(facts: GarmentFacts) -> float:
-    """How far cuffed ends may be narrowed: until nothing is gathered."""
+    """How far ends may be narrowed: cuffed ones until nothing is gathered."""
+    if not _cuffed(facts):
+        return 0.0
     return 1.0 / max(min((s.end_gather for s in _sleeves(facts)), default=1.0), 1.0)
 
 
@@ -83,7 +85,7 @@ def _head(facts: GarmentFacts) -> float | None:
 
 def _with_heads(facts: GarmentFacts, factor: float) -> GarmentFacts:
     wide = factor**_WIDER_A_HEAD
-    end = max(min(wide, 1.0), _least_end(facts)) if _cuffed(facts) else wide
+    end = max(min(wide, 1.0), _least_end(facts))
     return with_sleeves(
         facts, _BOTH, lambda s: replace(_widened(s, wide, end), head_gather=s.head_gather * factor)
     )
