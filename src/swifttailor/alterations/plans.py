@@ -13,6 +13,7 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.alterations.armholes import ARMHOLE_LEVERS
 from swifttailor.alterations.fit import FIT_LEVERS
 from swifttailor.alterations.hem_shapes import HEM_SHAPE_LEVERS
 from swifttailor.alterations.lengths import LENGTH_LEVERS
@@ -30,6 +31,7 @@ from swifttailor.data.edits.differences import QUANTITIES, Change, Gain, Step
 
 LEVERS: tuple[Lever, ...] = (
     *LENGTH_LEVERS,
+    *ARMHOLE_LEVERS,
     *NECK_LEVERS,
     *HEM_SHAPE_LEVERS,
     *WIDTH_LEVERS,

@@ -15,6 +15,7 @@ from swifttailor.data.captions.measure.parts import (
 )
 from swifttailor.data.captions.measure.skirts import upper_edges
 from swifttailor.data.edits.cutter import Cutter
+from swifttailor.data.edits.recutting.armholes import lengthen_shoulders, lower_underarms
 from swifttailor.data.edits.recutting.bands import BandPlan, add_band
 from swifttailor.data.edits.recutting.ends import move_ends, swing_sides
 from swifttailor.data.edits.recutting.fullness import widen_panels
@@ -26,8 +27,8 @@ from swifttailor.data.edits.recutting.sleeve_width import (
     sleeve_halves,
     stretch_sleeves,
 )
+from swifttailor.data.edits.recutting.sleeves import Hole, find_hole
 from swifttailor.data.edits.recutting.sleeves import add_sleeves as sew_in_sleeves
-from swifttailor.data.edits.recutting.sleeves import find_hole
 from swifttailor.data.edits.recutting.sleeves import mirror_sleeve as mirrored
 from swifttailor.pattern import EdgeRef, Pattern
 
@@ -179,21 +180,43 @@ def widen_sleeves(cutter: Cutter, factor: float, end: float) -> Pattern | None:
 def gather_sleeve_heads(cutter: Cutter, factor: float, least_end: float) -> Pattern | None:
     """Makes the heads of the sleeves longer by a factor, the sleeves as much wider as that asks for.
 
-    Ends of cuffed sleeves stay, at most narrowing to `least_end` of their width; other ends go along.
+    Their ends stay where they get wider and go along where they get narrower, to `least_end` of their width.
     """
     halves = _sleeve_halves(cutter)
-    cuffed = cutter.anatomy.has(Part.CUFF)
-
-    def end(wide: float) -> float:
-        return max(min(wide, 1.0), least_end) if cuffed else wide
-
-    return gather_heads(cutter.pattern, halves, factor, end) if halves else None
+    if not halves:
+        return None
+    return gather_heads(cutter.pattern, halves, factor, lambda wide: max(min(wide, 1.0), least_end))
 
 
 def gather_sleeve_ends(cutter: Cutter, factor: float) -> Pattern | None:
     """Makes the ends of the sleeves wider by a factor, cuffs staying as they are."""
     halves = _sleeve_halves(cutter)
     return stretch_sleeves(cutter.pattern, halves, 1.0, factor) if halves else None
+
+
+def _free_armholes(cutter: Cutter) -> list[Hole]:
+    """Those of a garment without sleeves; none where one is of another shape."""
+    if cutter.anatomy.has(Part.SLEEVE):
+        return []
+    holes = [
+        find_hole(cutter.anatomy, "left" if k == 0 else "right")
+        for k, shoulder in enumerate(cutter.worn.shoulders)
+        if shoulder
+    ]
+    found = [h for h in holes if h is not None]
+    return found if len(found) == len(holes) else []
+
+
+def deepen_armholes(cutter: Cutter, distance: float) -> Pattern | None:
+    """Moves the lower ends of free armholes down the side seams, cm."""
+    holes = _free_armholes(cutter)
+    return lower_underarms(cutter.pattern, holes, distance) if holes else None
+
+
+def widen_shoulders(cutter: Cutter, distance: float) -> Pattern | None:
+    """Makes the shoulder seams of a garment without sleeves longer at the armholes, cm."""
+    holes = _free_armholes(cutter)
+    return lengthen_shoulders(cutter.pattern, holes, distance) if holes else None
 
 
 def skirt_gather(cutter: Cutter) -> float | None:
