@@ -8,8 +8,8 @@ from swifttailor.alterations.lever import Lever, fixed
 from swifttailor.data.captions.facts import Armhole, GarmentFacts
 from swifttailor.data.edits import cuts
 
-_BEYOND_CM = 3.0
-"""How far past the tip of the body's shoulder a seam may be lengthened."""
+_FURTHEST_CM = 20.0
+"""From the middle of the body to the ends of lengthened shoulder seams."""
 
 
 def _sleeveless(facts: GarmentFacts) -> bool:
@@ -49,7 +49,8 @@ def _set_shoulder(facts: GarmentFacts, length: float) -> GarmentFacts:
 
 
 def _shoulder_span(facts: GarmentFacts) -> tuple[float, float]:
-    return 3.0, max(16.0, (_shoulder(facts) or 0.0) + _BEYOND_CM)
+    neck = facts.front_neck.width if facts.front_neck else 0.0
+    return 3.0, max(_FURTHEST_CM - neck, (_shoulder(facts) or 0.0) + 0.1)
 
 
 ARMHOLE_LEVERS: tuple[Lever, ...] = (

@@ -6,7 +6,7 @@ it holds. That costs microseconds, and only what works there is cut and measured
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from typing import cast
 
@@ -23,7 +23,7 @@ from swifttailor.alterations.parts import ADDED_PARTS, PART_TRICKS
 from swifttailor.alterations.sleeve_widths import SLEEVE_WIDTH_LEVERS
 from swifttailor.alterations.slits import SLIT_LEVERS, SLIT_TRICKS
 from swifttailor.alterations.tiers import TIER_TRICKS
-from swifttailor.alterations.widths import WIDTH_LEVERS
+from swifttailor.alterations.widths import WIDTH_LEVERS, WIDTH_TRICKS
 from swifttailor.data.captions.claims.claim import CLAIM_TYPES
 from swifttailor.data.captions.claims.judgement import CLAIMING
 from swifttailor.data.captions.facts import GarmentFacts
@@ -41,7 +41,7 @@ LEVERS: tuple[Lever, ...] = (
     *FIT_LEVERS,
 )
 """In order of preference."""
-TRICKS: tuple[Trick, ...] = (*NECK_TRICKS, *SLIT_TRICKS, *TIER_TRICKS, *PART_TRICKS)
+TRICKS: tuple[Trick, ...] = (*NECK_TRICKS, *SLIT_TRICKS, *TIER_TRICKS, *WIDTH_TRICKS, *PART_TRICKS)
 
 NATURAL_SHARE = 0.13
 """How much of a measure a step without an amount is, at least twice what is seen."""
@@ -132,8 +132,15 @@ def about(wish: Change) -> str:
     return wish.claim.name if isinstance(wish, Gain) else wish.quantity
 
 
+def names_it(wish: Change, names: Collection[str]) -> bool:
+    """Whether a wish is among some claims and quantities, such as ``skirt`` or ``skirt: gathered``."""
+    if about(wish) in names:
+        return True
+    return isinstance(wish, Gain) and f"{wish.claim.name}: {wish.claim.value}" in names
+
+
 def _meant_for(way: Lever | Trick, wish: Change) -> bool:
-    return not way.only_for or about(wish) in way.only_for
+    return not way.only_for or names_it(wish, way.only_for)
 
 
 class _Reader:

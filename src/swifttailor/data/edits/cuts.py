@@ -13,12 +13,13 @@ from swifttailor.data.captions.measure.parts import (
     Part,
     Side,
 )
-from swifttailor.data.captions.measure.skirts import upper_edges
+from swifttailor.data.captions.measure.skirts import skirt_rows, upper_edges
+from swifttailor.data.edits.checking import SEAM_TOLERANCE
 from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.recutting.armholes import lengthen_shoulders, lower_underarms
 from swifttailor.data.edits.recutting.bands import BandPlan, add_band
 from swifttailor.data.edits.recutting.ends import move_ends, swing_sides
-from swifttailor.data.edits.recutting.fullness import widen_panels
+from swifttailor.data.edits.recutting.fullness import let_out_darts, widen_panels
 from swifttailor.data.edits.recutting.removal import WAIST_LABEL, remove_panels
 from swifttailor.data.edits.recutting.sleeve_width import (
     Half,
@@ -232,7 +233,32 @@ def gather_skirt(cutter: Cutter, factor: float, *, bend_arcs: bool = False) -> P
     gather = skirt_gather(cutter)
     if gather is None or not 0.99 <= gather * factor <= 2.8:
         return None
-    return widen_panels(cutter.pattern, cutter.names(Part.SKIRT), factor, bend_arcs=bend_arcs)
+    names = cutter.names(Part.SKIRT)
+    rows = skirt_rows(cutter.anatomy)
+    whole = widen_panels(cutter.pattern, names, factor, bend_arcs=bend_arcs)
+    if whole is not None or max(rows.values(), default=0) == 0:
+        return whole
+    first = [n for n in names if rows.get(n) == 0]
+    edited = widen_panels(cutter.pattern, first, factor, bend_arcs=bend_arcs, keep_lower=True)
+    return edited if edited is not None and _tiers_fit(cutter, edited) else None
+
+
+def _tiers_fit(cutter: Cutter, edited: Pattern) -> bool:
+    """Whether the rows of a skirt are sewn to each other as before."""
+    names = set(cutter.names(Part.SKIRT))
+    now = Cutter(edited, cutter.anatomy.body).seam_ratios
+    return all(
+        abs(now[pair] / ratio - 1.0) <= SEAM_TOLERANCE
+        for pair, ratio in cutter.seam_ratios.items()
+        if set(pair) <= names
+    )
+
+
+def let_out_skirt(cutter: Cutter) -> Pattern | None:
+    """Takes the darts out of a skirt that hangs from a seam; their cloth is gathered into it."""
+    if not upper_edges(cutter.anatomy, Part.SKIRT)[1].pairs:
+        return None
+    return let_out_darts(cutter.pattern, cutter.names(Part.SKIRT))
 
 
 def remove_parts(cutter: Cutter, *parts: Part) -> Pattern | None:
