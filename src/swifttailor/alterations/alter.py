@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from swifttailor.alterations.lever import Lever, Trick
-from swifttailor.alterations.plans import TRICKS, Plan, about, find_plans
+from swifttailor.alterations.plans import TRICKS, Plan, find_plans, names_it
 from swifttailor.body import BodyMeasurements
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.edits.checking import accepted
@@ -140,7 +140,7 @@ class _Work:
         """Takes something off first, where that opens a way."""
         held = self.holding(now.facts)
         for trick in TRICKS:
-            if about(wish) not in trick.opens:
+            if not names_it(wish, trick.opens):
                 continue
             imagined = trick.imagine(now.facts)
             if imagined is None or not all(w.holds(self.original, imagined) for w in held):

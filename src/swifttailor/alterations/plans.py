@@ -6,22 +6,24 @@ it holds. That costs microseconds, and only what works there is cut and measured
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.alterations.armholes import ARMHOLE_LEVERS
 from swifttailor.alterations.fit import FIT_LEVERS
 from swifttailor.alterations.hem_shapes import HEM_SHAPE_LEVERS
 from swifttailor.alterations.lengths import LENGTH_LEVERS
 from swifttailor.alterations.lever import Lever, Trick
 from swifttailor.alterations.necks import NECK_LEVERS, NECK_TRICKS
 from swifttailor.alterations.parts import ADDED_PARTS, PART_TRICKS
+from swifttailor.alterations.sleeve_widths import SLEEVE_WIDTH_LEVERS
 from swifttailor.alterations.slits import SLIT_LEVERS, SLIT_TRICKS
 from swifttailor.alterations.tiers import TIER_TRICKS
-from swifttailor.alterations.widths import WIDTH_LEVERS
+from swifttailor.alterations.widths import WIDTH_LEVERS, WIDTH_TRICKS
 from swifttailor.data.captions.claims.claim import CLAIM_TYPES
 from swifttailor.data.captions.claims.judgement import CLAIMING
 from swifttailor.data.captions.facts import GarmentFacts
@@ -29,15 +31,17 @@ from swifttailor.data.edits.differences import QUANTITIES, Change, Gain, Step
 
 LEVERS: tuple[Lever, ...] = (
     *LENGTH_LEVERS,
+    *ARMHOLE_LEVERS,
     *NECK_LEVERS,
     *HEM_SHAPE_LEVERS,
     *WIDTH_LEVERS,
+    *SLEEVE_WIDTH_LEVERS,
     *SLIT_LEVERS,
     *ADDED_PARTS,
     *FIT_LEVERS,
 )
 """In order of preference."""
-TRICKS: tuple[Trick, ...] = (*NECK_TRICKS, *SLIT_TRICKS, *TIER_TRICKS, *PART_TRICKS)
+TRICKS: tuple[Trick, ...] = (*NECK_TRICKS, *SLIT_TRICKS, *TIER_TRICKS, *WIDTH_TRICKS, *PART_TRICKS)
 
 NATURAL_SHARE = 0.13
 """How much of a measure a step without an amount is, at least twice what is seen."""
@@ -130,8 +134,15 @@ def about(wish: Change) -> str:
     return wish.claim.name if isinstance(wish, Gain) else wish.quantity
 
 
+def names_it(wish: Change, names: Collection[str]) -> bool:
+    """Whether a wish is among some claims and quantities, such as ``skirt`` or ``skirt: gathered``."""
+    if about(wish) in names:
+        return True
+    return isinstance(wish, Gain) and f"{wish.claim.name}: {wish.claim.value}" in names
+
+
 def _meant_for(way: Lever | Trick, wish: Change) -> bool:
-    return not way.only_for or about(wish) in way.only_for
+    return not way.only_for or names_it(wish, way.only_for)
 
 
 class _Reader:

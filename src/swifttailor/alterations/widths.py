@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from swifttailor.alterations.lengths import with_cuffs, with_sleeves
-from swifttailor.alterations.lever import Lever, fixed
+from swifttailor.alterations.lever import Lever, Trick, fixed
 from swifttailor.data.captions.facts import Cuff, GarmentFacts
 from swifttailor.data.captions.measure.parts import Part
 from swifttailor.data.captions.measure.sleeves import FLOUNCE_FLARE
@@ -17,6 +17,8 @@ from swifttailor.pattern import Pattern
 
 SIDE_EDGES = 4.0
 """Ends of side seams around a hem: so much wider does it get for 1 cm at each."""
+DART_CM = 2.5
+"""What a dart of a skirt takes in, about."""
 _WIDER = ("wider", "narrower")
 
 
@@ -165,5 +167,26 @@ WIDTH_LEVERS: tuple[Lever, ...] = (
         words=("times more gathered", "times less gathered"),
         unit="",
         gathers=True,
+    ),
+)
+
+
+def _without_darts(facts: GarmentFacts) -> GarmentFacts | None:
+    skirt = facts.skirt
+    if skirt is None or not skirt.darts or not (facts.torso or facts.waistband):
+        return None
+    gather = skirt.gather * (1.0 + DART_CM * skirt.darts / max(skirt.upper, 1.0))
+    return replace(facts, skirt=replace(skirt, darts=0, gather=gather))
+
+
+WIDTH_TRICKS: tuple[Trick, ...] = (
+    Trick(
+        "skirt darts let out",
+        4,
+        _without_darts,
+        cuts.let_out_skirt,
+        gathers=True,
+        only_for=("skirt gathers", "skirt: gathered"),
+        opens=("skirt gathers", "skirt: gathered"),
     ),
 )

@@ -13,14 +13,23 @@ from swifttailor.data.captions.measure.parts import (
     Part,
     Side,
 )
-from swifttailor.data.captions.measure.skirts import upper_edges
+from swifttailor.data.captions.measure.skirts import skirt_rows, upper_edges
+from swifttailor.data.edits.checking import SEAM_TOLERANCE
 from swifttailor.data.edits.cutter import Cutter
+from swifttailor.data.edits.recutting.armholes import lengthen_shoulders, lower_underarms
 from swifttailor.data.edits.recutting.bands import BandPlan, add_band
 from swifttailor.data.edits.recutting.ends import move_ends, swing_sides
-from swifttailor.data.edits.recutting.fullness import widen_panels
+from swifttailor.data.edits.recutting.fullness import let_out_darts, widen_panels
 from swifttailor.data.edits.recutting.removal import WAIST_LABEL, remove_panels
+from swifttailor.data.edits.recutting.sleeve_width import (
+    Half,
+    gather_heads,
+    keep_heads,
+    sleeve_halves,
+    stretch_sleeves,
+)
+from swifttailor.data.edits.recutting.sleeves import Hole, find_hole
 from swifttailor.data.edits.recutting.sleeves import add_sleeves as sew_in_sleeves
-from swifttailor.data.edits.recutting.sleeves import find_hole
 from swifttailor.data.edits.recutting.sleeves import mirror_sleeve as mirrored
 from swifttailor.pattern import EdgeRef, Pattern
 
@@ -151,6 +160,66 @@ def flare_sleeves(cutter: Cutter, width: float) -> Pattern | None:
     return swing_sides(cutter.pattern, ends, width) if ends else None
 
 
+def _sleeve_halves(cutter: Cutter) -> list[Half]:
+    """Halves of all sleeves; none where one is not cut in two halves."""
+    found: list[Half] = []
+    for side in _SIDES:
+        if cutter.anatomy.panels(Part.SLEEVE, side):
+            halves = sleeve_halves(cutter.anatomy, side)
+            if halves is None:
+                return []
+            found += halves
+    return found
+
+
+def widen_sleeves(cutter: Cutter, factor: float, end: float) -> Pattern | None:
+    """Makes the sleeves wider at the underarm and at the end by factors, their heads staying as long."""
+    halves = _sleeve_halves(cutter)
+    return keep_heads(cutter.pattern, halves, factor, end) if halves else None
+
+
+def gather_sleeve_heads(cutter: Cutter, factor: float, least_end: float) -> Pattern | None:
+    """Makes the heads of the sleeves longer by a factor, the sleeves as much wider as that asks for.
+
+    Their ends stay where they get wider and go along where they get narrower, to `least_end` of their width.
+    """
+    halves = _sleeve_halves(cutter)
+    if not halves:
+        return None
+    return gather_heads(cutter.pattern, halves, factor, lambda wide: max(min(wide, 1.0), least_end))
+
+
+def gather_sleeve_ends(cutter: Cutter, factor: float) -> Pattern | None:
+    """Makes the ends of the sleeves wider by a factor, cuffs staying as they are."""
+    halves = _sleeve_halves(cutter)
+    return stretch_sleeves(cutter.pattern, halves, 1.0, factor) if halves else None
+
+
+def _free_armholes(cutter: Cutter) -> list[Hole]:
+    """Those of a garment without sleeves; none where one is of another shape."""
+    if cutter.anatomy.has(Part.SLEEVE):
+        return []
+    holes = [
+        find_hole(cutter.anatomy, "left" if k == 0 else "right")
+        for k, shoulder in enumerate(cutter.worn.shoulders)
+        if shoulder
+    ]
+    found = [h for h in holes if h is not None]
+    return found if len(found) == len(holes) else []
+
+
+def deepen_armholes(cutter: Cutter, distance: float) -> Pattern | None:
+    """Moves the lower ends of free armholes down the side seams, cm."""
+    holes = _free_armholes(cutter)
+    return lower_underarms(cutter.pattern, holes, distance) if holes else None
+
+
+def widen_shoulders(cutter: Cutter, distance: float) -> Pattern | None:
+    """Makes the shoulder seams of a garment without sleeves longer at the armholes, cm."""
+    holes = _free_armholes(cutter)
+    return lengthen_shoulders(cutter.pattern, holes, distance) if holes else None
+
+
 def skirt_gather(cutter: Cutter) -> float | None:
     """How much a skirt is gathered into what it hangs from; None where that cannot change."""
     _, seam = upper_edges(cutter.anatomy, Part.SKIRT)
@@ -164,7 +233,32 @@ def gather_skirt(cutter: Cutter, factor: float, *, bend_arcs: bool = False) -> P
     gather = skirt_gather(cutter)
     if gather is None or not 0.99 <= gather * factor <= 2.8:
         return None
-    return widen_panels(cutter.pattern, cutter.names(Part.SKIRT), factor, bend_arcs=bend_arcs)
+    names = cutter.names(Part.SKIRT)
+    rows = skirt_rows(cutter.anatomy)
+    whole = widen_panels(cutter.pattern, names, factor, bend_arcs=bend_arcs)
+    if whole is not None or max(rows.values(), default=0) == 0:
+        return whole
+    first = [n for n in names if rows.get(n) == 0]
+    edited = widen_panels(cutter.pattern, first, factor, bend_arcs=bend_arcs, keep_lower=True)
+    return edited if edited is not None and _tiers_fit(cutter, edited) else None
+
+
+def _tiers_fit(cutter: Cutter, edited: Pattern) -> bool:
+    """Whether the rows of a skirt are sewn to each other as before."""
+    names = set(cutter.names(Part.SKIRT))
+    now = Cutter(edited, cutter.anatomy.body).seam_ratios
+    return all(
+        abs(now[pair] / ratio - 1.0) <= SEAM_TOLERANCE
+        for pair, ratio in cutter.seam_ratios.items()
+        if set(pair) <= names
+    )
+
+
+def let_out_skirt(cutter: Cutter) -> Pattern | None:
+    """Takes the darts out of a skirt that hangs from a seam; their cloth is gathered into it."""
+    if not upper_edges(cutter.anatomy, Part.SKIRT)[1].pairs:
+        return None
+    return let_out_darts(cutter.pattern, cutter.names(Part.SKIRT))
 
 
 def remove_parts(cutter: Cutter, *parts: Part) -> Pattern | None:
