@@ -27,6 +27,7 @@ def written(pattern: Pattern, likelihood: float = -1.0) -> SimpleNamespace:
         changes=("mended",),
         log_likelihood=likelihood,
         sequence=(1, 2),
+        unsewn=0,
         confidence=None,
         seconds={"writing": 0.1},
     )

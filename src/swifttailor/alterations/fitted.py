@@ -21,8 +21,9 @@ from swifttailor.wishes.reader import Wish, WishReader
 LEAST_CERTAINTY = 0.9
 """What the reader is less sure of is not cut: what the network wrote may be as right."""
 NONE = "none"
-_SENSELESS = 3
-"""What a garment of no kind counts for, where another open wish or warning counts one."""
+_SENSELESS, _UNSEWN = 3, 2
+"""What a garment of no kind, or with edges that lack what they are sewn to, counts for, where another open
+wish or warning counts one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +53,11 @@ class Fitted:
         return () if self.recut else self.generated.changes
 
     @property
+    def unsewn(self) -> int:
+        """Edges that the network left without what they are sewn to."""
+        return 0 if self.recut else self.generated.unsewn
+
+    @property
     def sequence(self) -> TokenSequence:
         """What the network wrote."""
         return self.generated.sequence
@@ -73,10 +79,11 @@ class Fitted:
 
     @property
     def rank(self) -> tuple[float, ...]:
-        """Smaller is better: errors that a check finds; warnings and open wishes together; likelihood."""
+        """Smaller is better: errors that a check finds; warnings, open wishes and the like; likelihood."""
         severities = [f.severity for f in self.findings]
         errors, warnings = (severities.count(s) for s in (Severity.ERROR, Severity.WARNING))
-        return errors, warnings + len(self.open) + _SENSELESS * self.senseless, -self.log_likelihood
+        doubts = warnings + len(self.open) + _SENSELESS * self.senseless + _UNSEWN * (self.unsewn > 0)
+        return errors, doubts, -self.log_likelihood
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,12 +186,20 @@ def fit(generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = Non
         if written is None or len(recut.open) + remade <= len(written.open):
             taken, of_edit = recut, True
     seconds = time.perf_counter() - started
-    if taken is None or not (taken.cuts or of_edit):
-        unmet = changes if taken is None else taken.open
-        found = tuple(generated.findings)
-        return Fitted(generated, generated.pattern, found, tuple(wishes), unmet, altering_seconds=seconds)
-    findings = tuple(check_pattern(taken.pattern))
-    return Fitted(generated, taken.pattern, findings, tuple(wishes), taken.open, taken.cuts, of_edit, seconds)
+    pattern, findings = generated.pattern, tuple(generated.findings)
+    if taken is not None and (taken.cuts or of_edit):
+        pattern, findings = taken.pattern, tuple(check_pattern(taken.pattern))
+    return Fitted(
+        generated,
+        pattern,
+        findings,
+        tuple(wishes),
+        changes if taken is None else taken.open,
+        () if taken is None else taken.cuts,
+        of_edit,
+        senseless=taken is not None and taken.facts.kind == "other",
+        altering_seconds=seconds,
+    )
 
 
 def _is_remade(edit: Pattern, recut: Alteration) -> bool:

@@ -25,6 +25,7 @@ from swifttailor.pattern_maker.prompt import make_prompt
 from swifttailor.pattern_maker.runtime import Floats
 from swifttailor.pattern_maker.scripts import about_scripts, says_something
 from swifttailor.pattern_maker.token_sequence import TokenSequence
+from swifttailor.pattern_maker.vocabulary import STITCH_TOKENS
 
 SHIPPED = Path(__file__).with_name("pattern_maker.zip")
 MOST_ATTEMPTS = 64
@@ -83,6 +84,13 @@ class Generated:
     def tokens(self) -> int:
         """How many were written."""
         return len(self.sequence)
+
+    @property
+    def unsewn(self) -> int:
+        """Edges that were to be sewn to others which were never written (`Grammar.may_break_off`)."""
+        tokens = self.sequence.tokens
+        tags = tokens[(tokens >= STITCH_TOKENS.start) & (tokens < STITCH_TOKENS.stop)]
+        return int((np.bincount(tags) == 1).sum())
 
 
 @dataclass(frozen=True, eq=False)

@@ -37,8 +37,7 @@ class Order:
     seed: int = 0
     """Of the first; each has one more than the one before."""
     temperature: float = USUAL_TEMPERATURE
-    """0 takes the likeliest token always, 1 draws tokens by their probability. Each attempt is
-    drawn at 0.2 more than the one before."""
+    """0 takes the likeliest token always, 1 draws tokens by their probability."""
     attempts: int | None = None
     """Patterns that are written at most until one can be sewn (the paper's sampling attempts); 4, or 1 at
     temperature 0, when None."""

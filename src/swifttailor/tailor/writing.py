@@ -19,9 +19,6 @@ from swifttailor.tailor.order import Order
 from swifttailor.tailor.sewing import Checked, Ready, SewingOptions, make_ready
 from swifttailor.wishes.wording import wish_line
 
-WARMER = 0.2
-"""How much higher the temperature of each attempt is than that of the one before: the likely has failed."""
-
 
 @dataclass(frozen=True, eq=False)
 class WrittenPattern:
@@ -125,7 +122,7 @@ def write_patterns(
         made = maker.generate_all(
             [request] * len(wanting),
             seed=[s.seed for s in wanting],
-            temperature=order.temperature + WARMER * attempt,
+            temperature=order.temperature,
             first_attempt=attempt,
         )
         clock.add(made[0].generated.seconds)
@@ -159,10 +156,16 @@ def _first_fault(one: Fitted, tolerated: Set[str]) -> str:
     found = [f for f in one.findings if f.severity is Severity.ERROR]
     found = found or [f for f in one.findings if f.severity is Severity.WARNING and f.code not in tolerated]
     if not found:
-        return ""
+        return unsewn_line(one) if one.unsewn else ""
     place = f" ({found[0].where()})" if found[0].where() else ""
     more = f", and {len(found) - 1} more" if len(found) > 1 else ""
     return f"{found[0].code}{place}: {found[0].message}{more}"
+
+
+def unsewn_line(one: Fitted) -> str:
+    """What the network has left open, in words."""
+    edges = "an edge was" if one.unsewn == 1 else f"{one.unsewn} edges were"
+    return f"{edges} to be sewn to others that were never written"
 
 
 def _not_so(one: Fitted) -> str:
