@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import swifttailor
 from swifttailor.pattern import Edge, EdgeRef, Panel, Pattern, Placement, Severity, Stitch, check_pattern
 from swifttailor.pattern_maker.mending import mend
@@ -27,3 +29,26 @@ def test_what_is_sound_stays():
     sound = swifttailor.draft("shirt-dress")
     assert mend(sound).pattern == sound
     assert mend(sound).changes == ()
+
+
+def test_what_is_sewn_to_nothing_of_the_garment_is_left_out():
+    whole = swifttailor.draft("hoodie")
+    hood = {p.name for p in whole.panels if "hood" in p.name}
+    loose = tuple(s for s in whole.stitches if len({side.panel in hood for side in s.sides}) == 1)
+    repair = mend(replace(whole, stitches=loose))
+    assert {p.name for p in repair.pattern.panels} == {p.name for p in whole.panels} - hood
+    assert {c.panel for c in repair.changes} == hood
+    assert {c.code for c in repair.changes} == {"disconnected"}
+    assert len(repair.pattern.components()) == 1
+    assert not [f for f in repair.remaining if f.code == "disconnected"]
+
+
+def test_two_halves_of_a_garment_both_stay():
+    whole = swifttailor.draft("t-shirt")
+    across = {("left", "right"), ("right", "left")}
+    halves = tuple(
+        s for s in whole.stitches if tuple(side.panel.split("_")[0] for side in s.sides) not in across
+    )
+    apart = replace(whole, stitches=halves)
+    assert len(apart.components()) == 2
+    assert mend(apart).pattern.panels == apart.panels

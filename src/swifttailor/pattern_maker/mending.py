@@ -12,12 +12,15 @@ INEXACT_CM = 4.0
 itself."""
 INEXACT_SHARE = 0.05
 """Or so much of a panel's size: flounces are metres wide."""
+WHOLE_SHARE = 0.6
+"""Panels that hold together are the garment if they have so much of all the cloth."""
 
 
 def mend(pattern: Pattern) -> Repair:
     """Mends what can be, as `repair_pattern` does, with the exactness of a network in mind.
 
-    A seam of a few millimetres with half a metre is not gathered but a slip: it is left open.
+    A seam of a few millimetres with half a metre is not gathered but a slip: it is left open. A hood that is
+    sewn to itself alone would lie on the floor: it is left out.
     """
     wrong = {
         f.stitch
@@ -30,5 +33,24 @@ def mend(pattern: Pattern) -> Repair:
     )
     kept = tuple(s for k, s in enumerate(pattern.stitches) if k not in wrong)
     pattern = replace(pattern, stitches=kept) if wrong else pattern
+    pattern, left_out = _held_together(pattern)
     repair = repair_pattern(pattern, largest_move=INEXACT_CM, largest_share=INEXACT_SHARE)
-    return replace(repair, changes=(*changes, *repair.changes))
+    return replace(repair, changes=(*changes, *left_out, *repair.changes))
+
+
+def _held_together(pattern: Pattern) -> tuple[Pattern, tuple[Change, ...]]:
+    """The pattern without what is sewn to nothing of the garment, and what that was."""
+    groups = pattern.components()
+    if len(groups) < 2:
+        return pattern, ()
+    cloth = {p.name: abs(p.signed_area()) for p in pattern.panels}
+    garment = max(groups, key=lambda group: sum(cloth[name] for name in group))
+    if sum(cloth[name] for name in garment) < WHOLE_SHARE * sum(cloth.values()):
+        return pattern, ()
+    kept = replace(
+        pattern,
+        panels=tuple(p for p in pattern.panels if p.name in garment),
+        stitches=tuple(s for s in pattern.stitches if all(side.panel in garment for side in s.sides)),
+    )
+    why = "left this panel out: it is sewn to nothing of the garment"
+    return kept, tuple(Change("disconnected", why, p.name) for p in pattern.panels if p.name not in garment)
