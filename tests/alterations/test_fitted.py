@@ -148,3 +148,17 @@ def test_what_is_read_without_certainty_is_no_wish(dress):
     assert fitted.pattern is dress
     (plain,) = FittingMaker(Scripted(dress), None).generate_all([Request("a midi dress")])
     assert plain.pattern is dress
+
+
+def test_one_leg_is_a_fault_unless_it_was_asked_for():
+    trousers = swifttailor.draft("trousers")
+    gone = {"pant_f_l", "pant_b_l"}
+    kept = tuple(s for s in trousers.stitches if not gone & {side.panel for side in s.sides})
+    one_leg = replace(trousers, panels=tuple(p for p in trousers.panels if p.name not in gone), stitches=kept)
+    fitted = fit(written(one_leg), ())
+    assert set(fitted.one_sided) == {"pant_f_r", "pant_b_r"}
+    assert fitted.rank > fit(written(trousers), ()).rank
+    asked = Wish(Gain(Claim("sides", "different")), 0.95)
+    assert fit(written(one_leg), [asked]).one_sided == ()
+    assert fit(written(one_leg), (), one_leg).one_sided == ()
+    assert fit(written(trousers), ()).one_sided == ()

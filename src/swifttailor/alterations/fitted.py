@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from swifttailor.alterations.alter import Alteration, alter
+from swifttailor.alterations.one_sided import asks_for_one_side, one_sided_panels
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.captions.measure import measure_facts
 from swifttailor.data.edits.differences import Change, Gain
@@ -21,9 +22,9 @@ from swifttailor.wishes.reader import Wish, WishReader
 LEAST_CERTAINTY = 0.9
 """What the reader is less sure of is not cut: what the network wrote may be as right."""
 NONE = "none"
-_SENSELESS, _UNSEWN = 3, 2
-"""What a garment of no kind, or with edges that lack what they are sewn to, counts for, where another open
-wish or warning counts one."""
+_SENSELESS, _UNSEWN, _ONE_SIDED = 3, 2, 2
+"""What a garment of no kind, edges that lack what they are sewn to, and panels that lack their counterpart
+count for, where an open wish or warning counts one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +46,8 @@ class Fitted:
     """Whether it is the pattern to edit that was altered, and what the network wrote was left aside."""
     senseless: bool = False
     """Whether it is measured to be no kind of garment."""
+    one_sided: tuple[str, ...] = ()
+    """Panels without their counterpart on the other side, which nobody asked for."""
     altering_seconds: float = 0.0
 
     @property
@@ -74,7 +77,7 @@ class Fitted:
 
     @property
     def seconds(self) -> dict[str, float]:
-        """By stage; requests that are answered together share theirs, but for altering."""
+        """By stage; requests that are answered together share theirs."""
         return self.generated.seconds | {"altering": round(self.altering_seconds, 4)}
 
     @property
@@ -83,6 +86,7 @@ class Fitted:
         severities = [f.severity for f in self.findings]
         errors, warnings = (severities.count(s) for s in (Severity.ERROR, Severity.WARNING))
         doubts = warnings + len(self.open) + _SENSELESS * self.senseless + _UNSEWN * (self.unsewn > 0)
+        doubts += _ONE_SIDED * bool(self.one_sided)
         return errors, doubts, -self.log_likelihood
 
 
@@ -135,7 +139,9 @@ class FittingMaker:
             for k, one in zip(wanting, made, strict=True):
                 fitted, before = fit(one, wishes[k], requests[k].edit), best[k]
                 best[k] = fitted if before is None or fitted.rank < before.rank else before
-        return [one for one in best if one is not None]
+        fitted = [one for one in best if one is not None]
+        altering = sum(one.altering_seconds for one in fitted)
+        return [replace(one, altering_seconds=altering) for one in fitted]
 
     def wishes(self, request: Request) -> tuple[Wish, ...]:
         """What the text of a request asks for, as far as it is understood."""
@@ -173,7 +179,8 @@ def fit(generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = Non
     started = time.perf_counter()
     changes = tuple(wish.change for wish in wishes)
     if not changes:
-        return Fitted(generated, generated.pattern, generated.findings)
+        lonely = _unasked(generated.pattern, changes, edit)
+        return Fitted(generated, generated.pattern, generated.findings, one_sided=lonely)
     original = None if edit is None else _facts(edit)
     recut = None if edit is None or original is None else _altered(edit, changes, original)
     written = None
@@ -198,8 +205,16 @@ def fit(generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = Non
         () if taken is None else taken.cuts,
         of_edit,
         senseless=taken is not None and taken.facts.kind == "other",
+        one_sided=() if of_edit else _unasked(pattern, changes, edit),
         altering_seconds=seconds,
     )
+
+
+def _unasked(pattern: Pattern, changes: Sequence[Change], edit: Pattern | None) -> tuple[str, ...]:
+    """Panels without their counterpart, where no wish and no pattern to edit has sides that differ."""
+    if asks_for_one_side(changes) or (edit is not None and one_sided_panels(edit)):
+        return ()
+    return one_sided_panels(pattern)
 
 
 def _is_remade(edit: Pattern, recut: Alteration) -> bool:

@@ -27,7 +27,7 @@ from swifttailor.tailor.sewing import (
     sew_ready,
 )
 from swifttailor.tailor.tailored import Tailored, change_line, finding_entry
-from swifttailor.tailor.writing import WrittenPattern, ask, doubts, unsewn_line, write_patterns
+from swifttailor.tailor.writing import WrittenPattern, ask, doubts, oddities, write_patterns
 from swifttailor.wishes.reader import WishReader
 from swifttailor.wishes.wording import wish_line
 
@@ -359,8 +359,7 @@ def _remarks(order: Order, one: WrittenPattern) -> list[str]:
         found.append(
             "Whether the picture shows a garment was not judged: these weights have no measure of that."
         )
-    if one.fitted.unsewn:
-        found.append(f"Look at the seams: {unsewn_line(one.fitted)}.")
+    found += [f"Look at the pattern: {oddity}." for oddity in oddities(one.fitted)]
     if one.fitted.cuts:
         found.append(f"Altered: {'; '.join(one.fitted.cuts)}.")
     if one.fitted.open:

@@ -125,8 +125,7 @@ def write_patterns(
             temperature=order.temperature,
             first_attempt=attempt,
         )
-        clock.add(made[0].generated.seconds)
-        clock.add({"altering": sum(one.altering_seconds for one in made)})
+        clock.add(made[0].seconds)
         for sample, one in zip(wanting, made, strict=True):
             fault, ready = _first_fault(one, tolerated), None
             if not fault:
@@ -156,16 +155,21 @@ def _first_fault(one: Fitted, tolerated: Set[str]) -> str:
     found = [f for f in one.findings if f.severity is Severity.ERROR]
     found = found or [f for f in one.findings if f.severity is Severity.WARNING and f.code not in tolerated]
     if not found:
-        return unsewn_line(one) if one.unsewn else ""
+        return "; ".join(oddities(one))
     place = f" ({found[0].where()})" if found[0].where() else ""
     more = f", and {len(found) - 1} more" if len(found) > 1 else ""
     return f"{found[0].code}{place}: {found[0].message}{more}"
 
 
-def unsewn_line(one: Fitted) -> str:
-    """What the network has left open, in words."""
-    edges = "an edge was" if one.unsewn == 1 else f"{one.unsewn} edges were"
-    return f"{edges} to be sewn to others that were never written"
+def oddities(one: Fitted) -> list[str]:
+    """What a check does not see, in words: what was never written."""
+    found = []
+    if one.unsewn:
+        edges = "an edge was" if one.unsewn == 1 else f"{one.unsewn} edges were"
+        found.append(f"{edges} to be sewn to others that were never written")
+    if one.one_sided:
+        found.append(f"{', '.join(one.one_sided)}: nothing like it on the other side")
+    return found
 
 
 def _not_so(one: Fitted) -> str:
