@@ -191,6 +191,12 @@ def test_the_demo_is_of_what_there_are_weights_for_and_says_so(there, does, says
     assert found == [does] and says in done.stdout
 
 
+def test_the_guide_to_wishes(capsys):
+    for block in blocks("docs/wishes.md", "python"):
+        exec(compile(block, "wishes.md", "exec"), {})
+    assert "Step(quantity='length', direction=1, amount=15.0)" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize("page", ["captions", "edits"])
 def test_the_guides_to_captions_and_edits(page, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
