@@ -163,7 +163,10 @@ def test_heavy_packages_are_imported_when_used():
         ("swifttailor.draping", {"trimesh", "torch", "PIL", "newton", "warp"}),
         ("swifttailor.garment_sewer.conditioning", {"trimesh", "torch", "PIL", "rich", "tyro"}),
         ("swifttailor.pattern_maker.encode", {"trimesh", "numba", "torch", "PIL", "rich", "tyro"}),
-        ("swifttailor.tailor", {"trimesh", "torch", "PIL", "rich", "tyro", "onnxruntime"}),
+        (
+            "swifttailor.tailor",
+            {"trimesh", "torch", "PIL", "rich", "tyro", "onnxruntime", "swifttailor.data.captions"},
+        ),
         ("swifttailor.training.sewer_config", {"trimesh", "torch", "PIL", "rich", "tyro"}),
     ],
 )

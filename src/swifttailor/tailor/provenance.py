@@ -5,12 +5,14 @@ from __future__ import annotations
 import platform
 from functools import cache
 from importlib import import_module, metadata
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from swifttailor import __version__
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern_maker.maker import PatternMaker
-from swifttailor.wishes.reader import WishReader
+
+if TYPE_CHECKING:
+    from swifttailor.wishes.reader import WishReader
 
 _PACKAGES = ("numpy", "scipy", "onnxruntime")
 _FACTS = ("model", "parameters", "data", "training", "validation")

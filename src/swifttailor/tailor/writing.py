@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Set
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from swifttailor.alterations.fitted import Fitted, FittingMaker
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Severity, check_pattern
@@ -17,7 +17,9 @@ from swifttailor.pattern_maker.pictures import read_picture
 from swifttailor.tailor.clock import Clock
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.sewing import Checked, Ready, SewingOptions, make_ready
-from swifttailor.wishes.wording import wish_line
+
+if TYPE_CHECKING:
+    from swifttailor.alterations.fitted import Fitted, FittingMaker
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,6 +176,8 @@ def oddities(one: Fitted) -> list[str]:
 
 def _not_so(one: Fitted) -> str:
     """What was asked for and does not hold, in words."""
+    from swifttailor.wishes.wording import wish_line
+
     return f"asked for, and not so: {'; '.join(map(wish_line, one.open))}" if one.open else ""
 
 
