@@ -130,7 +130,11 @@ UNTOUCHED = [
 ]
 
 
-@pytest.mark.parametrize(("name", "wish", "may_change"), UNTOUCHED, ids=lambda v: str(v).replace(" ", ""))
+@pytest.mark.parametrize(
+    ("name", "wish", "may_change"),
+    UNTOUCHED,
+    ids=lambda v: "-".join(sorted(v)) if isinstance(v, set) else str(v).replace(" ", ""),
+)
 def test_what_was_not_asked_for_stays(name, wish, may_change):
     before = measure_facts(draft(name))
     after = alter(draft(name), [wish]).facts
