@@ -204,7 +204,7 @@ def fit(generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = Non
         changes if taken is None else taken.open,
         () if taken is None else taken.cuts,
         of_edit,
-        senseless=taken is not None and taken.facts.kind == "other",
+        senseless=taken is not None and _is_senseless(taken.facts),
         one_sided=() if of_edit else _unasked(pattern, changes, edit),
         altering_seconds=seconds,
     )
@@ -215,6 +215,11 @@ def _unasked(pattern: Pattern, changes: Sequence[Change], edit: Pattern | None) 
     if asks_for_one_side(changes) or (edit is not None and one_sided_panels(edit)):
         return ()
     return one_sided_panels(pattern)
+
+
+def _is_senseless(facts: GarmentFacts) -> bool:
+    """Whether it is no kind of garment, or a waistband alone."""
+    return facts.kind == "other" or not (facts.torso or facts.skirt or facts.trousers)
 
 
 def _is_remade(edit: Pattern, recut: Alteration) -> bool:

@@ -29,6 +29,7 @@ from swifttailor.pattern_maker.vocabulary import STITCH_TOKENS
 
 SHIPPED = Path(__file__).with_name("pattern_maker.zip")
 MOST_ATTEMPTS = 64
+HIGHEST_TEMPERATURE = 10.0
 USUAL_TEMPERATURE = 0.2
 """Between always the same and anything; `confidence` is measured at it."""
 
@@ -170,7 +171,7 @@ class PatternMaker:
         seeds = [seed] * len(requests) if isinstance(seed, int) else list(seed)
         if len(seeds) != len(requests):
             raise InputError(f"There are {len(seeds)} seeds for {len(requests)} requests; give one for each.")
-        if not (math.isfinite(temperature) and 0 <= temperature <= 10):
+        if not (math.isfinite(temperature) and 0 <= temperature <= HIGHEST_TEMPERATURE):
             raise InputError(f"The temperature is {temperature}; 0 to 10 is accepted.")
         if not 1 <= attempts <= MOST_ATTEMPTS:
             raise InputError(f"attempts is {attempts}; 1 to {MOST_ATTEMPTS} is accepted.")

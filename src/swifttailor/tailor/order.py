@@ -37,7 +37,8 @@ class Order:
     seed: int = 0
     """Of the first; each has one more than the one before."""
     temperature: float = USUAL_TEMPERATURE
-    """0 takes the likeliest token always, 1 draws tokens by their probability."""
+    """0 takes the likeliest token always, 1 draws tokens by their probability. Each attempt is
+    drawn at 0.15 more than the one before."""
     attempts: int | None = None
     """Patterns that are written at most until one can be sewn (the paper's sampling attempts); 4, or 1 at
     temperature 0, when None."""

@@ -12,7 +12,7 @@ from swifttailor.errors import InputError, PatternError, SwiftTailorError
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Severity, check_pattern
 from swifttailor.pattern_maker.framing import Framing, frame_figure
-from swifttailor.pattern_maker.maker import MOST_ATTEMPTS, Request
+from swifttailor.pattern_maker.maker import HIGHEST_TEMPERATURE, MOST_ATTEMPTS, Request
 from swifttailor.pattern_maker.pictures import read_picture
 from swifttailor.tailor.clock import Clock
 from swifttailor.tailor.order import Order
@@ -20,6 +20,10 @@ from swifttailor.tailor.sewing import Checked, Ready, SewingOptions, make_ready
 
 if TYPE_CHECKING:
     from swifttailor.alterations.fitted import Fitted, FittingMaker
+
+
+WARMER = 0.15
+"""How much higher the temperature of each attempt is than that of the one before: the likely has failed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,7 +128,7 @@ def write_patterns(
         made = maker.generate_all(
             [request] * len(wanting),
             seed=[s.seed for s in wanting],
-            temperature=order.temperature,
+            temperature=min(order.temperature + WARMER * attempt, HIGHEST_TEMPERATURE),
             first_attempt=attempt,
         )
         clock.add(made[0].seconds)
