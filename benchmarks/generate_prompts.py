@@ -26,6 +26,7 @@ from machine import describe
 from swifttailor.atomic_files import write_atomically, write_text
 from swifttailor.body import Body
 from swifttailor.data.stats.sheets import wrapped
+from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
 from swifttailor.render import render_preview
 from swifttailor.render.pattern_picture import pattern_picture
 
@@ -75,7 +76,7 @@ def main() -> None:
     parser.add_argument("--prompts", type=Path, default=PROMPTS)
     parser.add_argument("--limit", type=int, help="only so many, evenly from all styles")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--temperature", type=float, default=0.5)
+    parser.add_argument("--temperature", type=float, default=USUAL_TEMPERATURE)
     parser.add_argument("--save", action="store_true", help="also write a folder for each garment")
     options = parser.parse_args()
     prompts = read_prompts(options.prompts)
