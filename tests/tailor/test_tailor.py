@@ -25,6 +25,7 @@ from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker import maker as maker_module
 from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
 from swifttailor.tailor import Order, Tailor, Tailored
+from swifttailor.tailor.tailor import NOTHING_UNDERSTOOD
 
 TINY_MAKER = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
 SHIRT, SKIRT, DRESS = draft("t-shirt"), draft("fitted-skirt"), draft("fitted-dress")
@@ -63,13 +64,13 @@ def test_words_become_the_pattern_that_was_written_and_its_garment(shirt, sewer)
     assert list(shirt.seconds) == STAGES
     assert min(shirt.seconds.values()) >= 0
     assert not shirt.needs_a_look
-    assert (shirt.findings, shirt.changes, shirt.notes, shirt.warnings, shirt.confidence) == (
-        (),
+    assert (shirt.findings, shirt.changes, shirt.warnings, shirt.confidence) == (
         (),
         (),
         (),
         None,
     )
+    assert shirt.notes == (NOTHING_UNDERSTOOD,)  # of a word between brackets
 
 
 def test_the_report_tells_what_made_it(shirt):
@@ -339,6 +340,8 @@ def test_what_cannot_be_cut_is_told(sewer):
     assert like(made.pattern, SHIRT)
     assert made.notes == ("Asked for, and not so: hoods: hood.",)
     assert {w["wish"]: w["holds"] for w in made.report["wishes"]}["hoods: hood"] is False
+    unread = Tailor.load(scripted_maker([SHIRT]), sewer).generate("asdf qwer zxcv", attempts=1)
+    assert unread.notes[0] == NOTHING_UNDERSTOOD and unread.report["wishes"] == []
     left = Tailor.load(scripted_maker([DRESS]), sewer).generate("a midi dress", attempts=1, alter=False)
     assert like(left.pattern, DRESS) and left.report["wishes"] == []
 

@@ -21,7 +21,7 @@ from swifttailor.wishes.reader import Wish, WishReader
 
 LEAST_CERTAINTY = 0.9
 """What the reader is less sure of is not cut: what the network wrote may be as right."""
-NONE = "none"
+_NONE = "none"
 _SENSELESS, _UNSEWN, _ONE_SIDED = 3, 2, 2
 """What a garment of no kind, edges that lack what they are sewn to, and panels that lack their counterpart
 count for, where an open wish or warning counts one."""
@@ -159,7 +159,7 @@ def sure_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
     for wish in found:
         if isinstance(wish.change, Gain):
             values.setdefault(wish.change.claim.name, set()).add(wish.change.claim.value)
-    confused = {name for name, said in values.items() if NONE in said and len(said) > 1}
+    confused = {name for name, said in values.items() if _NONE in said and len(said) > 1}
     return tuple(
         wish
         for wish in found
@@ -169,7 +169,7 @@ def sure_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
 
 
 def fit(generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = None) -> Fitted:
-    """Alters a pattern to what was asked for.
+    """Alters a pattern to what was asked for; one that cannot be measured is left as it is, its wishes open.
 
     Args:
         generated: What the network wrote.

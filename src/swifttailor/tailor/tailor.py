@@ -33,6 +33,9 @@ if TYPE_CHECKING:
 
 Outcome = Tailored | SwiftTailorError
 """A garment, or why there is none."""
+NOTHING_UNDERSTOOD = (
+    "Nothing that can be measured was understood of the text for certain, so nothing was altered."
+)
 
 
 class Tailor:
@@ -369,6 +372,8 @@ def _remarks(order: Order, one: WrittenPattern) -> list[str]:
             "Whether the picture shows a garment was not judged: these weights have no measure of that."
         )
     found += [f"Look at the pattern: {oddity}." for oddity in oddities(one.fitted)]
+    if order.alter and order.text.strip() and not one.fitted.wishes:
+        found.append(NOTHING_UNDERSTOOD)
     if one.fitted.cuts:
         found.append(f"Altered: {'; '.join(one.fitted.cuts)}.")
     if one.fitted.open:
