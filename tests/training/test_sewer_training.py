@@ -118,6 +118,18 @@ def test_begins_with_the_weights_of_another_run(run, config, data, cache, tmp_pa
 
 
 @needs_torch
+def test_begins_with_a_model_file(run, config, data, cache, tmp_path):
+    from swifttailor.garment_sewer.export_torch import export
+    from swifttailor.training.sewer_loop_torch import train
+
+    out, card = run
+    model = export(out / "weights.safetensors", card, tmp_path / "model.onnx")
+    started = replace(config, start=str(model), steps=1, learning_rate=1e-9)
+    again = train(started, data, tmp_path / "run", cache=cache, threads=1)
+    assert again["validation"]["mean"] == pytest.approx(card["validation"]["mean"], abs=0.1)
+
+
+@needs_torch
 def test_learns(config, data, cache, tmp_path):
     from swifttailor.training.sewer_loop_torch import train
 

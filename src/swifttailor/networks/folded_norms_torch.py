@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from torch import nn
 from torch.nn.utils.fusion import fuse_conv_bn_eval
 
@@ -15,14 +17,20 @@ def fold_norms(network: nn.Module) -> int:
     Returns:
         How many norms are gone.
     """
-    folded = 0
-    for part in network.modules():
+    pairs = [(network.get_submodule(c), network.get_submodule(n), c, n) for c, n, _, _ in foldable(network)]
+    for convolution, norm, at_convolution, at_norm in pairs:
+        network.set_submodule(at_convolution, fuse_conv_bn_eval(convolution.eval(), norm.eval()))
+        network.set_submodule(at_norm, nn.Identity())
+    return len(pairs)
+
+
+def foldable(network: nn.Module) -> Iterator[tuple[str, str, int, float]]:
+    """What `fold_norms` makes one: names of a convolution and the norm after it, with width and epsilon."""
+    for name, part in network.named_modules():
         if not isinstance(part, nn.Sequential):
             continue
         for k in range(len(part) - 1):
-            convolution, norm = part[k], part[k + 1]
-            if isinstance(convolution, nn.Conv2d) and isinstance(norm, nn.BatchNorm2d):
-                part[k] = fuse_conv_bn_eval(convolution.eval(), norm.eval())
-                part[k + 1] = nn.Identity()
-                folded += 1
-    return folded
+            norm = part[k + 1]
+            if isinstance(part[k], nn.Conv2d) and isinstance(norm, nn.BatchNorm2d):
+                prefix = f"{name}." if name else ""
+                yield f"{prefix}{k}", f"{prefix}{k + 1}", norm.num_features, norm.eps

@@ -20,6 +20,7 @@ from swifttailor.garment_sewer.body_field_torch import BodyField
 from swifttailor.garment_sewer.losses_torch import compute_losses
 from swifttailor.garment_sewer.network_torch import SewerNetwork, build_network
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
+from swifttailor.networks.settled_norms_torch import settle_norms
 from swifttailor.training.loop_torch import Loop, say_nothing
 from swifttailor.training.master_weights_torch import MasterWeights, choose_precision
 from swifttailor.training.processes_torch import Processes
@@ -28,9 +29,11 @@ from swifttailor.training.sewer_batch_torch import TrainingBatches
 from swifttailor.training.sewer_config import SewerConfig, config_values
 from swifttailor.training.sewer_samples import SewerSamples
 from swifttailor.training.sewer_validation_torch import Validation
-from swifttailor.training.start_torch import load_start
+from swifttailor.training.start_torch import GRAPH, load_start
 
 Report = Callable[[str], None]
+_SETTLING_BATCHES = 32
+"""What tells mean and variance of the features of a network that was read from a graph."""
 
 
 def train(
@@ -104,6 +107,8 @@ def train(
     batches = TrainingBatches(
         samples["train"], readers["train"], config, device, part=processes.rank, parts=processes.count
     )
+    if config.start.endswith(GRAPH) and not resume:
+        settle_norms(network, lambda: _show(network, batches))
     task = _SewerTask(network, config, readers, samples["validation"], batches, out, device)
     report(
         f"{sum(p.numel() for p in network.parameters()) / 1e6:.1f} M parameters; "
@@ -172,6 +177,13 @@ class _SewerTask:
         if not self.config.losses.penetration:
             return None
         return BodyField(BodyDistance.of(Body.default()), self.device)
+
+
+def _show(network: SewerNetwork, batches: TrainingBatches) -> None:
+    for step in range(_SETTLING_BATCHES):
+        batch = batches[step]
+        given = batch.conditioning.contiguous(memory_format=torch.channels_last)
+        network(given, batch.truth.occupancy, batch.prior)
 
 
 def _open_splits(data: Path) -> dict[str, SplitReader]:

@@ -8,6 +8,9 @@ from pathlib import Path
 from torch import nn
 
 from swifttailor.errors import InputError
+from swifttailor.networks.graph_weights_torch import graph_weights
+
+GRAPH = ".onnx"
 
 
 def load_start(network: nn.Module, path: Path, optional: Sequence[tuple[str, ...]] = ()) -> list[str]:
@@ -15,7 +18,7 @@ def load_start(network: nn.Module, path: Path, optional: Sequence[tuple[str, ...
 
     Args:
         network: Changed in place.
-        path: Of the weights.
+        path: Of the weights: weights.safetensors of a run, or the model file (.onnx) made of one.
         optional: Parts, each as the beginnings of the names of its weights. One of which the file lacks
             weights, or has others, stays as it is.
 
@@ -24,7 +27,11 @@ def load_start(network: nn.Module, path: Path, optional: Sequence[tuple[str, ...
 
     Raises:
         InputError: The file is missing, damaged, or of another shape.
+        MissingExtraError: The file is a graph, and onnx is not installed.
     """
+    if path.suffix == GRAPH:
+        network.load_state_dict(graph_weights(path, network))
+        return []
     from safetensors import SafetensorError
     from safetensors.torch import load_file
 
