@@ -125,7 +125,11 @@ def _say(path: Path, folder: Path, made: Tailored) -> None:
         print(f"{path}: mended {change}")  # noqa: T201
     for finding in made.findings:
         print(f"{path}: {finding_line(finding)}")  # noqa: T201
+    for note in made.notes:
+        print(f"{path}: {note}")  # noqa: T201
     report = made.report
+    if "quality" in report and not report["quality"]["accepted"]:
+        print(f"{path}: not accepted: {'; '.join(report['quality']['reasons'])}")  # noqa: T201
     print(  # noqa: T201
         f"{path}: {report['panels']} panels, {report['vertices']} vertices; seams were "
         f"{report['sewing']['seam_gap_before_median_cm']:.2f} cm apart and are closed; "

@@ -125,9 +125,9 @@ def _complete(
     report = garment.report | {"seconds": {name: round(value, 4) for name, value in seconds.items()}}
     garment = replace(garment, report=report)
     if options.finish:
-        from swifttailor.draping.finish import finish
+        from swifttailor.draping.finish_or_drape import finish_or_drape
 
-        garment = finish(garment, progress=progress)
+        garment = finish_or_drape(garment, edge_length=ready.prepared.edge_length, progress=progress)
     return Sewn(ready, garment, values)
 
 

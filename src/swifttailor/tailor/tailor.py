@@ -25,7 +25,7 @@ from swifttailor.tailor.sewing import (
     read_and_make_ready,
     sew_ready,
 )
-from swifttailor.tailor.tailored import Tailored, change_line, finding_entry
+from swifttailor.tailor.tailored import Tailored, change_line, finding_entry, finishing_notes
 from swifttailor.tailor.writing import WrittenPattern, ask, doubts, oddities, write_patterns
 
 if TYPE_CHECKING:
@@ -308,6 +308,7 @@ class Tailor:
         if isinstance(sewn, SwiftTailorError):
             return sewn
         checked, garment = sewn.ready.checked, sewn.garment
+        notes = (*notes, *finishing_notes(garment))
         reader = self.wish_reader if written is not None and written.fitted.wishes else None
         seconds = facts.pop("seconds", {}) | garment.report["seconds"]
         report = garment.report | {
@@ -320,7 +321,9 @@ class Tailor:
         if checked.changes:
             report["mended"] = [change_line(c) for c in checked.changes]
         if written is not None:
-            report |= {"notes": list(notes), "warnings": list(warnings)}
+            report["warnings"] = list(warnings)
+        if written is not None or notes:
+            report["notes"] = list(notes)
         return Tailored(
             replace(garment, report=report),
             sewn.ready.prepared.layout,

@@ -111,6 +111,14 @@ class Tailored:
         return save_folder(self.garment, folder, preview=preview, preview_size=PREVIEW_SIZE)
 
 
+def finishing_notes(garment: Garment) -> list[str]:
+    """What a person should know of how a garment was finished; nothing where it hung from where it was."""
+    about = garment.report.get("finishing", {"from": "garment"})
+    if about["from"] == "garment":
+        return []
+    return [f"Draped from the pattern: what was sewn did not come to rest well ({about['reasons'][0]})."]
+
+
 def finding_entry(finding: Finding) -> dict[str, Any]:
     """A finding for a report."""
     return {

@@ -1,0 +1,61 @@
+"""Hangs a garment to rest, and drapes its pattern from the start where that ends badly."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from swifttailor.draping.drape import drape
+from swifttailor.draping.finish import finish
+from swifttailor.errors import SimulationError
+from swifttailor.garment import Garment
+
+Progress = Callable[[str, float], None]
+
+
+def finish_or_drape(garment: Garment, *, edge_length: float, progress: Progress | None = None) -> Garment:
+    """A garment at rest within the limits of quality, if physics finds one.
+
+    Where a garment was sewn too far from its place, layers that pass through each other or a neckline that is
+    past the shoulders stay so, however long it hangs. Sewn together by physics from flat panels it may yet
+    come out well; that takes some seconds more.
+
+    Args:
+        garment: Near where it will come to rest.
+        edge_length: Of its mesh, cm.
+        progress: Called with the stage's name and the share of it that is done.
+
+    Returns:
+        The garment at rest: the one that hung from where it was, unless that is beyond the limits and the
+        drape of its pattern is beyond fewer. Under ``finishing`` its report says which it is (``from``:
+        ``garment`` or ``pattern``) and what was wrong with the first (``reasons``).
+
+    Raises:
+        SimulationError: The cloth went to infinity both times.
+    """
+    started = time.perf_counter()
+    found: dict[str, Garment] = {}
+    first_reasons = ["the cloth moved to infinity"]
+    try:
+        found["garment"] = finish(garment, progress=progress)
+        first_reasons = _reasons(found["garment"])
+    except SimulationError:
+        pass
+    if first_reasons:
+        try:
+            found["pattern"] = drape(garment.mesh.pattern, edge_length=edge_length, progress=progress)
+        except SimulationError:
+            if not found:
+                raise
+    origin = min(found, key=lambda name: len(_reasons(found[name])))  # the first where both are as good
+    chosen = found[origin]
+    report = garment.report | {name: chosen.report[name] for name in ("quality", "fabric")}
+    report["finishing"] = {"from": origin, "reasons": first_reasons}
+    report["seconds"] = garment.report.get("seconds", {}) | {
+        "finishing": round(time.perf_counter() - started, 4)
+    }
+    return Garment(chosen.mesh, chosen.vertices, report)
+
+
+def _reasons(garment: Garment) -> list[str]:
+    return garment.report["quality"]["reasons"]
