@@ -142,8 +142,8 @@ def test_who_reads_both_none_and_some_has_misunderstood():
 
 
 def test_what_is_read_without_certainty_is_no_wish(dress):
-    fitting = FittingMaker(Scripted(dress), Reading(Wish(MIDI, 0.6)))
-    (fitted,) = fitting.generate_all([Request("a midi dress, perhaps")])
+    fitting = FittingMaker(Scripted(dress), Reading(Wish(MIDI, 0.4)))
+    (fitted,) = fitting.generate_all([Request("a midi dress, perhaps", image="dress.png")])
     assert fitted.wishes == ()
     assert fitted.pattern is dress
     (plain,) = FittingMaker(Scripted(dress), None).generate_all([Request("a midi dress")])

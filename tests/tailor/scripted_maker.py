@@ -14,6 +14,7 @@ from swifttailor.pattern_maker.grammar import Grammar
 from swifttailor.pattern_maker.maker import PatternMaker
 from swifttailor.pattern_maker.model_file import MakerModel
 from swifttailor.pattern_maker.runtime import Cache
+from swifttailor.pattern_maker.symmetry import OTHER_SIDE
 from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
 from swifttailor.pattern_maker.token_sequence import TokenSequence
 from swifttailor.pattern_maker.vocabulary import SIZE
@@ -95,9 +96,16 @@ def sure_of(color: tuple[float, float, float]) -> Calibration:
 
 
 def crossed(pattern: Pattern) -> Pattern:
-    """The pattern with far corners of its first panel exchanged: it crosses itself by more than is mended."""
-    panel = pattern.panels[0]
-    vertices = panel.vertices.copy()
-    far = 1 + len(vertices) // 2
-    vertices[[1, far]] = vertices[[far, 1]]
-    return replace(pattern, panels=(replace(panel, vertices=vertices), *pattern.panels[1:]))
+    """The pattern with far corners of its first panel exchanged, and of that on the other side.
+
+    So it crosses itself by more than is mended, and neither side can be made of the other.
+    """
+    names = {pattern.panels[0].name, OTHER_SIDE.get(pattern.panels[0].name)}
+    panels = []
+    for panel in pattern.panels:
+        vertices = panel.vertices.copy()
+        far = 1 + len(vertices) // 2
+        if panel.name in names:
+            vertices[[1, far]] = vertices[[far, 1]]
+        panels.append(replace(panel, vertices=vertices))
+    return replace(pattern, panels=tuple(panels))

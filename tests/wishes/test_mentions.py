@@ -26,6 +26,11 @@ from swifttailor.wishes.mentions import find_mentions
         ("12 in the front", [("12", 12.0, False)]),
         ("A4 paper, a 2in1, v2.0x and 1/0 of it", [("1/0", 1.0, False)]),
         ("someone, threesome", []),
+        ("half a metre long", [("half a metre", 50.0, True)]),
+        ("a quarter of an inch", [("a quarter of an inch", 0.635, True)]),
+        ("about one foot, or 2 ft", [("one foot", 30.48, True), ("2 ft", 60.96, True)]),
+        ("a five-inch band", [("five-inch", 12.7, True)]),
+        ("half a dress, the left foot", []),
         ("", []),
     ],
 )

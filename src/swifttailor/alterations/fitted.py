@@ -7,7 +7,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from swifttailor.alterations.alter import Alteration, alter
-from swifttailor.alterations.one_sided import asks_for_one_side, one_sided_panels
+from swifttailor.alterations.holes import has_holes
+from swifttailor.alterations.level_hems import level_hem
+from swifttailor.alterations.one_sided import (
+    asks_for_one_side,
+    is_of_one_side,
+    made_of_one_side,
+    one_sided_panels,
+)
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.captions.measure import measure_facts
 from swifttailor.data.edits.differences import Change, Gain
@@ -17,14 +24,22 @@ from swifttailor.pattern.check.repair import Change as Mended
 from swifttailor.pattern_maker.confidence import Confidence
 from swifttailor.pattern_maker.maker import Generated, PatternMaker, Request
 from swifttailor.pattern_maker.token_sequence import TokenSequence
+from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.spelling import put_right
+from swifttailor.wishes.unsaid import leaves_hem_unsaid, unsaid_wishes
 
 LEAST_CERTAINTY = 0.9
-"""What the reader is less sure of is not cut: what the network wrote may be as right."""
+"""What the reader is less sure of is not asked for: what the network wrote may be as right."""
 _NONE = "none"
-_SENSELESS, _UNSEWN, _ONE_SIDED = 3, 2, 2
-"""What a garment of no kind, edges that lack what they are sewn to, and panels that lack their counterpart
-count for, where an open wish or warning counts one."""
+_SENSELESS, _HOLES, _ONE_SIDED = 4, 3, 2
+"""What a garment of no kind, open seams, and panels that lack their counterpart count for, where an open wish
+or warning counts one."""
+NARROWEST_SLEEVE_CM, NARROWEST_HEM_CM = 14.0, 60.0
+"""No hand goes through less, and nobody walks in less; 16.6 cm around sleeves and 69.8 around skirts are the
+least of GarmentCode's validation patterns."""
+BARE_CM = 4.0
+"""No skirt ends so far above the crotch; 0.5 cm is the highest of those."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,17 +63,14 @@ class Fitted:
     """Whether it is measured to be no kind of garment."""
     one_sided: tuple[str, ...] = ()
     """Panels without their counterpart on the other side, which nobody asked for."""
+    holes: bool = False
+    """Whether seams are open that no garment leaves open."""
     altering_seconds: float = 0.0
 
     @property
     def changes(self) -> tuple[Mended, ...]:
         """What was mended of what the network wrote."""
         return () if self.recut else self.generated.changes
-
-    @property
-    def unsewn(self) -> int:
-        """Edges that the network left without what they are sewn to."""
-        return 0 if self.recut else self.generated.unsewn
 
     @property
     def sequence(self) -> TokenSequence:
@@ -85,7 +97,7 @@ class Fitted:
         """Smaller is better: errors that a check finds; warnings, open wishes and the like; likelihood."""
         severities = [f.severity for f in self.findings]
         errors, warnings = (severities.count(s) for s in (Severity.ERROR, Severity.WARNING))
-        doubts = warnings + len(self.open) + _SENSELESS * self.senseless + _UNSEWN * (self.unsewn > 0)
+        doubts = warnings + len(self.open) + _SENSELESS * self.senseless + _HOLES * self.holes
         doubts += _ONE_SIDED * bool(self.one_sided)
         return errors, doubts, -self.log_likelihood
 
@@ -124,20 +136,27 @@ class FittingMaker:
             SwiftTailorError: See there.
         """
         seeds = [seed] * len(requests) if isinstance(seed, int) else list(seed)
-        wishes = [self.wishes(request) for request in requests]
+        if self.reader is not None:
+            requests = [replace(request, text=put_right(request.text)) for request in requests]
+        read = [self._read(request) for request in requests]
         best: list[Fitted | None] = [None] * len(requests)
         for attempt in range(first_attempt, first_attempt + attempts):
             wanting = [k for k, one in enumerate(best) if one is None or any(one.rank[:2])]
             if not wanting:
                 break
             made = self.maker.generate_all(
-                [requests[k] for k in wanting],
+                [_worded(requests[k], read[k], attempt) for k in wanting],
                 seed=[seeds[k] for k in wanting],
                 temperature=temperature,
                 first_attempt=attempt,
             )
             for k, one in zip(wanting, made, strict=True):
-                fitted, before = fit(one, wishes[k], requests[k].edit), best[k]
+                said, edit = read[k], requests[k].edit
+                unsaid = edit is None and requests[k].image is None and self.reader is not None
+                fitted, before = (
+                    fit(one, sure_wishes(said), edit, likely_wishes(said), unsaid=unsaid),
+                    best[k],
+                )
                 best[k] = fitted if before is None or fitted.rank < before.rank else before
         fitted = [one for one in best if one is not None]
         altering = sum(one.altering_seconds for one in fitted)
@@ -145,9 +164,38 @@ class FittingMaker:
 
     def wishes(self, request: Request) -> tuple[Wish, ...]:
         """What the text of a request asks for, as far as it is understood."""
+        return sure_wishes(self._read(replace(request, text=put_right(request.text))))
+
+    def _read(self, request: Request) -> tuple[Wish, ...]:
         if self.reader is None:
             return ()
-        return sure_wishes(self.reader.read(request.text, instruction=request.edit is not None))
+        return self.reader.read(request.text, instruction=request.edit is not None)
+
+
+def _worded(request: Request, read: Sequence[Wish], attempt: int) -> Request:
+    """The request as it is, and every second time in words that the network was taught."""
+    if request.edit is not None or request.image is not None or attempt % 2 == 0:
+        return request
+    changes = [wish.change for wish in (*sure_wishes(read), *likely_wishes(read))]
+    if asks_for_one_side(changes):
+        return request  # easily mistaken for each other
+    return replace(request, text=in_own_words(changes, attempt) or request.text)
+
+
+def likely_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
+    """Wishes that are not sure, only likelier than not, where nothing else is read of the same thing.
+
+    They are cut last, where that costs nothing that is asked for; left undone they are no fault.
+    """
+    spoken = [w.change.claim.name for w in found if isinstance(w.change, Gain)]
+    likely = [
+        w
+        for w in found
+        if w.certainty < LEAST_CERTAINTY
+        and isinstance(w.change, Gain)
+        and isinstance(w.change.claim.value, str)
+    ]
+    return tuple(w for w in likely if isinstance(w.change, Gain) and spoken.count(w.change.claim.name) == 1)
 
 
 def sure_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
@@ -168,32 +216,53 @@ def sure_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
     )
 
 
-def fit(generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = None) -> Fitted:
+def fit(
+    generated: Generated,
+    wishes: Sequence[Wish],
+    edit: Pattern | None = None,
+    likely: Sequence[Wish] = (),
+    *,
+    unsaid: bool = False,
+) -> Fitted:
     """Alters a pattern to what was asked for; one that cannot be measured is left as it is, its wishes open.
 
     Args:
         generated: What the network wrote.
         wishes: What the text asks for.
         edit: The pattern to edit, if there is one.
+        likely: What it may ask for, to be done last, where that costs nothing else.
+        unsaid: Whether the text is all that there is to go by, so that what it does not speak of is to be as
+            usual: both sides alike, no hood, a level hem (`unsaid_wishes`).
     """
     started = time.perf_counter()
     changes = tuple(wish.change for wish in wishes)
-    if not changes:
-        lonely = _unasked(generated.pattern, changes, edit)
-        return Fitted(generated, generated.pattern, generated.findings, one_sided=lonely)
+    maybe = tuple(wish.change for wish in likely)
+    pattern, findings = generated.pattern, tuple(generated.findings)
+    if unsaid and not asks_for_one_side((*changes, *maybe)):
+        pattern = made_of_one_side(pattern, generated.unsewn > 0)
+        if pattern is not generated.pattern:
+            findings = tuple(check_pattern(pattern))
+    level = ""
+    if unsaid and leaves_hem_unsaid((*changes, *maybe)):
+        pattern, level = level_hem(pattern)  # what is lengthened next stays level
+    if not changes and not unsaid:
+        lonely, torn = _unasked(pattern, changes, edit), _is_torn(pattern, edit)
+        return Fitted(generated, pattern, findings, one_sided=lonely, holes=torn)
     original = None if edit is None else _facts(edit)
     recut = None if edit is None or original is None else _altered(edit, changes, original)
     written = None
     remade = edit is not None and recut is not None and _is_remade(edit, recut)
     if recut is None or recut.open or remade:
-        written = _altered(generated.pattern, changes, original)
+        written = _altered(pattern, changes, original)
+        if written is not None and unsaid:
+            written = replace(written, cuts=(*filter(None, [level]), *written.cuts))
+            written = _finished(written, changes, maybe)
     taken, of_edit = written, False
     if recut is not None and len(recut.open) < len(changes):
         # Of two that do as much, the one that leaves the rest as it was; but for another kind of garment.
         if written is None or len(recut.open) + remade <= len(written.open):
             taken, of_edit = recut, True
     seconds = time.perf_counter() - started
-    pattern, findings = generated.pattern, tuple(generated.findings)
     if taken is not None and (taken.cuts or of_edit):
         pattern, findings = taken.pattern, tuple(check_pattern(taken.pattern))
     return Fitted(
@@ -205,8 +274,26 @@ def fit(generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = Non
         () if taken is None else taken.cuts,
         of_edit,
         senseless=taken is not None and _is_senseless(taken.facts),
-        one_sided=() if of_edit else _unasked(pattern, changes, edit),
+        one_sided=() if of_edit else _unasked(pattern, (*changes, *maybe), edit),
+        holes=not of_edit and _is_torn(pattern, edit),
         altering_seconds=seconds,
+    )
+
+
+def _finished(altered: Alteration, changes: tuple[Change, ...], maybe: tuple[Change, ...]) -> Alteration:
+    """Does what is likely meant and what goes without saying, where that costs nothing asked for."""
+    said = (*changes, *maybe)
+    maybe = tuple(wish for wish in maybe if not is_of_one_side(wish))  # easily mistaken for each other
+    pattern, level = level_hem(altered.pattern) if leaves_hem_unsaid(said) else (altered.pattern, "")
+    more = (*maybe, *unsaid_wishes(said, altered.facts))
+    after = _altered(pattern, (*changes, *more), None)
+    if after is None or not (after.cuts or level) or set(after.open) & set(changes) - set(altered.open):
+        return altered
+    if _is_senseless(after.facts) and not _is_senseless(altered.facts):
+        return altered
+    missing = tuple(wish for wish in after.open if wish in changes)
+    return replace(
+        after, open=missing, done=altered.done, cuts=(*altered.cuts, *filter(None, [level]), *after.cuts)
     )
 
 
@@ -217,8 +304,20 @@ def _unasked(pattern: Pattern, changes: Sequence[Change], edit: Pattern | None) 
     return one_sided_panels(pattern)
 
 
+def _is_torn(pattern: Pattern, edit: Pattern | None) -> bool:
+    """Whether it has holes that the pattern to edit had not."""
+    return has_holes(pattern) and (edit is None or not has_holes(edit))
+
+
 def _is_senseless(facts: GarmentFacts) -> bool:
-    """Whether it is no kind of garment, or a waistband alone."""
+    """Whether it is no kind of garment, a waistband alone, or has sleeves that no arm goes through."""
+    sleeves = [sleeve for sleeve in (facts.left_sleeve, facts.right_sleeve) if sleeve]
+    if any(sleeve.length <= 0 or sleeve.opening < NARROWEST_SLEEVE_CM for sleeve in sleeves):
+        return True  # without length: sewn to something else than an armhole all around
+    if facts.kind in ("skirt", "dress") and facts.hem and facts.hem.length < NARROWEST_HEM_CM:
+        return True
+    if facts.kind == "skirt" and facts.hem and facts.hem.level > facts.body.crotch + BARE_CM:
+        return True
     return facts.kind == "other" or not (facts.torso or facts.skirt or facts.trousers)
 
 

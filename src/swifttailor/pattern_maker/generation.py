@@ -50,6 +50,8 @@ class Written:
     """Mean over its places of that logarithm for the likeliest token, whichever was taken."""
     look: Floats | None
     """(hidden,) what the network made of the picture, its places averaged; None without one."""
+    unsewn: int = 0
+    """Edges that were to be sewn to others which were never written (`Grammar.broken_off`)."""
 
 
 @dataclass(eq=False)
@@ -70,6 +72,8 @@ class _Answer:
     """For one that plans."""
     panels: Floats | None = None
     """(75 panels, hidden) to add at all places of each, for one that plans."""
+    unsewn: int = 0
+    """Edges whose stitches were open at the end."""
 
     def counterpart(self) -> Counterpart:
         """Of the token that is to come."""
@@ -99,6 +103,7 @@ class _Answer:
         self.log_likelihood += float(logs[best])
         self.likeliest += float(logs.max())
         if token == PATTERN_END and self.state.open:
+            self.unsewn = len(self.state.open)
             self.state, self.tokens = grammar.broken_off(self.state, self.tokens)
         self.state = grammar.advance(self.state, token)
         self.tokens.append(token)
@@ -142,7 +147,8 @@ def write_answers(
     for answer, row in zip(answers, rows, strict=True):
         sequence = TokenSequence(np.array(answer.tokens), np.array(answer.numbers))
         certainty = answer.likeliest / len(answer.tokens)
-        written[row].append(Written(sequence, answer.log_likelihood, certainty, looks.get(row)))
+        look = looks.get(row)
+        written[row].append(Written(sequence, answer.log_likelihood, certainty, look, answer.unsewn))
     return written
 
 

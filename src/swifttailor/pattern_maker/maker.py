@@ -25,7 +25,6 @@ from swifttailor.pattern_maker.prompt import make_prompt
 from swifttailor.pattern_maker.runtime import Floats
 from swifttailor.pattern_maker.scripts import about_scripts, says_something
 from swifttailor.pattern_maker.token_sequence import TokenSequence
-from swifttailor.pattern_maker.vocabulary import STITCH_TOKENS
 
 SHIPPED = Path(__file__).with_name("pattern_maker.zip")
 MOST_ATTEMPTS = 64
@@ -68,6 +67,8 @@ class Generated:
     """See `generation.Written`."""
     sequence: TokenSequence
     """What was written, before anything was mended."""
+    unsewn: int
+    """Edges that were to be sewn to others which were never written (`Grammar.may_break_off`)."""
     attempts: tuple[Attempt, ...]
     """All of them; the one with the fewest errors, then warnings, then the likeliest was taken."""
     changes: tuple[Change, ...]
@@ -85,13 +86,6 @@ class Generated:
     def tokens(self) -> int:
         """How many were written."""
         return len(self.sequence)
-
-    @property
-    def unsewn(self) -> int:
-        """Edges that were to be sewn to others which were never written (`Grammar.may_break_off`)."""
-        tokens = self.sequence.tokens
-        tags = tokens[(tokens >= STITCH_TOKENS.start) & (tokens < STITCH_TOKENS.stop)]
-        return int((np.bincount(tags) == 1).sum())
 
 
 @dataclass(frozen=True, eq=False)
@@ -192,7 +186,10 @@ class PatternMaker:
         model = self.model
         written = write_answers(model.runtime, asked, model.grammar, model.text.size)
         clock.stop("writing")
-        chosen = [_best(answers) for answers in written]
+        chosen = [
+            _best(answers, alike=request.edit is None)
+            for answers, request in zip(written, requests, strict=True)
+        ]
         clock.stop("checking")
         return [
             Generated(
@@ -201,6 +198,7 @@ class PatternMaker:
                 answer.certainty,
                 answer.look,
                 answer.sequence,
+                answer.unsewn,
                 tried,
                 repair.changes,
                 repair.remaining,
@@ -240,13 +238,13 @@ class PatternMaker:
         return usual.confidence(answer.look, answer.certainty) if usual and answer.look is not None else None
 
 
-def _best(answers: Sequence[Written]) -> tuple[Written, Repair, tuple[Attempt, ...]]:
+def _best(answers: Sequence[Written], *, alike: bool) -> tuple[Written, Repair, tuple[Attempt, ...]]:
     patterns = [decode(answer.sequence) for answer in answers]
     tried = tuple(_judge(a, p) for a, p in zip(answers, patterns, strict=True))
     order = sorted(
         range(len(answers)), key=lambda k: (tried[k].errors, tried[k].warnings, -tried[k].log_likelihood)
     )
-    return answers[order[0]], mend(patterns[order[0]]), tried
+    return answers[order[0]], mend(patterns[order[0]], alike=alike), tried
 
 
 def _judge(answer: Written, pattern: Pattern) -> Attempt:

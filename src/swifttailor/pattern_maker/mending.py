@@ -6,6 +6,10 @@ from dataclasses import replace
 
 from swifttailor.pattern import Pattern, Severity, check_pattern, repair_pattern
 from swifttailor.pattern.check.repair import Change, Repair
+from swifttailor.pattern_maker.closed_slits import open_slits
+from swifttailor.pattern_maker.corner_slivers import without_corner_slivers
+from swifttailor.pattern_maker.even_seams import even_seams
+from swifttailor.pattern_maker.even_sides import even_sides
 
 INEXACT_CM = 4.0
 """Corners and curves of a written pattern may be this far off: so far they are moved to free an outline of
@@ -15,13 +19,25 @@ INEXACT_SHARE = 0.05
 WHOLE_SHARE = 0.6
 """Panels that hold together are the garment if they have so much of all the cloth."""
 
+_EVENING = (even_sides, without_corner_slivers, even_sides, open_slits, even_seams)
+"""Sides come first, so that slivers go on both; and again, for what had one on one side only."""
 
-def mend(pattern: Pattern) -> Repair:
+
+def mend(pattern: Pattern, *, alike: bool = False) -> Repair:
     """Mends what can be, as `repair_pattern` does, with the exactness of a network in mind.
 
     A seam of a few millimetres with half a metre is not gathered but a slip: it is left open. A hood that is
     sewn to itself alone would lie on the floor: it is left out.
+
+    Args:
+        pattern: As it was written.
+        alike: Whether what is nearly even is made exactly so: left and right, slits, side seams; not in an
+            edit, where what was uneven before is to stay.
     """
+    evened: tuple[Change, ...] = ()
+    for step in _EVENING if alike else ():
+        pattern, done = step(pattern)
+        evened += done
     wrong = {
         f.stitch
         for f in check_pattern(pattern)
@@ -35,7 +51,7 @@ def mend(pattern: Pattern) -> Repair:
     pattern = replace(pattern, stitches=kept) if wrong else pattern
     pattern, left_out = _held_together(pattern)
     repair = repair_pattern(pattern, largest_move=INEXACT_CM, largest_share=INEXACT_SHARE)
-    return replace(repair, changes=(*changes, *left_out, *repair.changes))
+    return replace(repair, changes=(*evened, *changes, *left_out, *repair.changes))
 
 
 def _held_together(pattern: Pattern) -> tuple[Pattern, tuple[Change, ...]]:

@@ -15,7 +15,7 @@ from swifttailor.pattern import Pattern
 from swifttailor.pattern.panel import RotationReading
 from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE, PatternMaker
 from swifttailor.tailor.clock import Clock
-from swifttailor.tailor.order import Image, Order
+from swifttailor.tailor.order import Image, Order, one_line
 from swifttailor.tailor.provenance import versions, weights
 from swifttailor.tailor.sewing import (
     Progress,
@@ -31,6 +31,8 @@ from swifttailor.tailor.writing import WrittenPattern, ask, doubts, oddities, wr
 if TYPE_CHECKING:
     from swifttailor.wishes.reader import WishReader
 
+LONGEST_NOTE = 200
+"""Letters of a text that a note says again."""
 Outcome = Tailored | SwiftTailorError
 """A garment, or why there is none."""
 NOTHING_UNDERSTOOD = (
@@ -364,6 +366,7 @@ class Tailor:
 
 
 def _remarks(order: Order, one: WrittenPattern) -> list[str]:
+    from swifttailor.wishes.spelling import put_right
     from swifttailor.wishes.wording import wish_line
 
     found = []
@@ -375,6 +378,8 @@ def _remarks(order: Order, one: WrittenPattern) -> list[str]:
             "Whether the picture shows a garment was not judged: these weights have no measure of that."
         )
     found += [f"Look at the pattern: {oddity}." for oddity in oddities(one.fitted)]
+    if order.alter and (meant := put_right(order.text)) != order.text:
+        found.append(f"Read as: {one_line(meant, LONGEST_NOTE)}")
     if order.alter and order.text.strip() and not one.fitted.wishes:
         found.append(NOTHING_UNDERSTOOD)
     if one.fitted.cuts:

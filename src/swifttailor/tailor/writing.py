@@ -169,10 +169,9 @@ def _first_fault(one: Fitted, tolerated: Set[str]) -> str:
 
 def oddities(one: Fitted) -> list[str]:
     """What a check does not see, in words: what was never written."""
-    found = []
-    if one.unsewn:
-        edges = "an edge was" if one.unsewn == 1 else f"{one.unsewn} edges were"
-        found.append(f"{edges} to be sewn to others that were never written")
+    found = ["it is not a garment that can be worn"] if one.senseless else []
+    if one.holes:
+        found.append("seams are open that ought to be sewn")
     if one.one_sided:
         found.append(f"{', '.join(one.one_sided)}: nothing like it on the other side")
     return found

@@ -11,13 +11,16 @@ _WORDS = (
     "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen"
 ).split()
 _COUNTS: dict[str, float] = {word: float(k) for k, word in enumerate(_WORDS)}
-_CM = {"mm": 0.1, "cm": 1.0, "m": 100.0, "in": CM_PER_INCH}
-_UNIT = r"millimet(?:re|er)s?|mm|centimet(?:re|er)s?|cms?|met(?:re|er)s?|m|inch(?:es)?|ins?|[\"\u201d\u2033]"
+_CM = {"mm": 0.1, "cm": 1.0, "m": 100.0, "in": CM_PER_INCH, "ft": 12 * CM_PER_INCH}
+_SPOKEN = r"millimet(?:re|er)s?|centimet(?:re|er)s?|met(?:re|er)s?|inch(?:es)?|foot|feet"
+_UNIT = rf"{_SPOKEN}|mm|cms?|m|ins?|ft|[\"\u201d\u2033]"
+_PARTS = {"half": 0.5, "third": 1 / 3, "quarter": 0.25}
 _FIGURE = r"\d{1,5} \d/\d|\d/\d|\d{1,5}(?:[.,]\d{1,3})?"
 # Not inside of a word or a longer number; "in" is no unit in "6 in the front".
 _MENTION = re.compile(
     rf"(?<![\w.,/])(?:(?P<figure>{_FIGURE})(?:[ -]?(?P<unit>{_UNIT})(?!\w)(?! (?:the|front|back|one)\b))?"
-    rf"|(?P<word>{'|'.join(_WORDS)}))(?![\w/])",
+    rf"|(?P<part>half|(?:a )?third|(?:a )?quarter)(?: of)? an? (?P<whole>{_SPOKEN})"
+    rf"|(?P<word>{'|'.join(_WORDS)})(?:[ -](?P<words_unit>{_SPOKEN}))?)(?![\w/])",
     re.IGNORECASE,
 )
 _LARGEST = 99_999.0
@@ -46,8 +49,13 @@ def find_mentions(text: str) -> list[Mention]:
 
 
 def _mention(found: re.Match[str]) -> Mention:
+    if found["part"]:
+        value = _PARTS[found["part"].lower().split()[-1]] * _CM[_unit(found["whole"].lower())]
+        return Mention(found.start(), found.end(), value, True)
     if found["word"]:
-        return Mention(found.start(), found.end(), _COUNTS[found["word"].lower()], False)
+        value, unit = _COUNTS[found["word"].lower()], found["words_unit"]
+        factor = _CM[_unit(unit.lower())] if unit else 1.0
+        return Mention(found.start(), found.end(), value * factor, unit is not None)
     value = min(_figure(found["figure"]), _LARGEST)
     unit = found["unit"]
     if unit is None:
@@ -58,6 +66,8 @@ def _mention(found: re.Match[str]) -> Mention:
 def _unit(unit: str) -> str:
     if unit.startswith(("c", "mm", "milli")):
         return "cm" if unit.startswith("c") else "mm"
+    if unit.startswith("f"):
+        return "ft"
     return "m" if unit.startswith("m") else "in"
 
 

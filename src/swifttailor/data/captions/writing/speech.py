@@ -41,6 +41,11 @@ class Phrase:
     plural: bool = False
 
 
+def all_wordings() -> tuple[Wording, ...]:
+    """Everything that captions are written of."""
+    return _WORDINGS
+
+
 @dataclass
 class Speech:
     """One speaker on one garment."""

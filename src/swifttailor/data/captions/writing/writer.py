@@ -62,6 +62,25 @@ def write_captions(
     return [_write(claims, seed, None) for seed in seeds]
 
 
+def write_claims(claims: Iterable[Claim], seed: int = 0, *, tries: int = 24) -> Caption:
+    """Writes a caption that says as many of some statements as one text of the usual styles can.
+
+    Args:
+        claims: What is to be said.
+        seed: Decides the words; the same seed gives the same text.
+        tries: Texts that are written, of which that is taken which says most, of several the first.
+    """
+    wanted = tuple(dict.fromkeys(claims))
+    if tries < 1:
+        raise InputError(f"tries is {tries}; at least 1 is needed.")
+    written = (
+        _write(wanted, seed * tries + k, style)
+        for k in range(tries)
+        for style in ("terse", "phrase", "command")
+    )
+    return max(written, key=lambda caption: len(caption.claims))
+
+
 def _write(claims: tuple[Claim, ...], seed: int, style: str | None) -> Caption:
     rng = random.Random(f"caption {seed}")
     if style is None:

@@ -1,0 +1,43 @@
+"""What a text asks for in the words that the pattern maker was taught.
+
+People misspell, name colours and use words that it has never read; one such word can be enough for it to
+leave out half of a garment. The wish reader is less easily led astray, so what it has read is said again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from swifttailor.data.captions.claims import Claim
+from swifttailor.data.captions.writing import write_claims
+from swifttailor.data.edits.differences import Change, Gain
+
+_OF_LEGS = frozenset({"legs", "leg_hem", "leg_cuffs", "inseam_cm", "leg_cuff_cm"})
+_OF_SKIRTS = frozenset({"skirt", "skirt_hem", "skirt_length_cm", "slit", "slit_size", "tiers", "hem_cm"})
+_OF_WAISTS = frozenset({"rise", "waistband", "waistband_cm", "hips", "hem_shape", "sides", "length_cm"})
+
+
+def in_own_words(wishes: Sequence[Change], seed: int = 0) -> str:
+    """A text that asks for the same; empty where there is nothing to say.
+
+    Args:
+        wishes: Of a description.
+        seed: Decides the words.
+    """
+    claims = [wish.claim for wish in wishes if isinstance(wish, Gain)]
+    if not claims:
+        return ""
+    if all(claim.name != "kind" for claim in claims):
+        claims += [Claim("kind", kind) for kind in implied_kind(claims)]
+    return write_claims(claims, seed).text
+
+
+def implied_kind(claims: Iterable[Claim]) -> tuple[str, ...]:
+    """What a garment must be of which all this is said, at most one: legs and sleeves make a jumpsuit."""
+    names = {claim.name for claim in claims}
+    upper = bool(names - _OF_LEGS - _OF_SKIRTS - _OF_WAISTS)
+    if names & _OF_LEGS:
+        return ("jumpsuit",) if upper else ("trousers",)
+    if names & _OF_SKIRTS:
+        return ("dress",) if upper else ("skirt",)
+    return ("top",) if upper else ()

@@ -1,0 +1,51 @@
+"""Slips in words of cut."""
+
+from __future__ import annotations
+
+import pytest
+
+from swifttailor.data.captions.writing.speech import all_wordings
+from swifttailor.wishes.spelling import cut_words, neighbours, put_right
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("sleevless dres with v nekc", "sleeveless dress with v neck"),
+        ("a lnog flaerd skrit", "a long flared skirt"),
+        ("TROSERS, ankle lenght!", "trousers, ankle length!"),
+        ("slevees, sleeeves", "sleeves, sleeves"),
+    ],
+)
+def test_letters_left_out_doubled_or_exchanged_are_put_right(said, meant):
+    assert put_right(said) == meant
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "black sports wear in linen for the beach",
+        "a symmetric dress, form fitting, of shot silk",
+        "wait for the pool, then come here and bring the tape",
+        "no pockets, wider thighs, 60 cm",
+        "una falda larga, eine weite Hose",
+        "Ärmel",
+        "",
+    ],
+)
+def test_other_words_stay(text):
+    assert put_right(text) == text
+
+
+def test_all_that_captions_say_stays():
+    said = [t.partition("@")[0] for w in all_wordings() for t in w.texts]
+    assert len(said) > 500
+    assert [text for text in said if put_right(text) != text] == []
+
+
+def test_neighbours_are_one_slip_away():
+    near = neighbours("neck")
+    assert {"necks", "enck", "nceck", "nck"} & near == {"necks", "enck", "nceck"}
+    assert "beck" not in near
+    assert "neck" not in near
+    assert "trousers" in cut_words()
