@@ -237,17 +237,18 @@ def _sleeves_added(sides: tuple[ArmSide, ...]) -> Lever:
 
 
 _NECKLINES = ("neckline", "left_neckline", "right_neckline", "back_neckline")
+_COLLARS = (*_NECKLINES, "collar", "hood")
 _KINDS = ("kind",)
 PART_TRICKS: tuple[Trick, ...] = (
     _taken(
-        "hood", Part.HOOD, lambda f: replace(f, hood=None) if f.hood else None, ("hood", "collar"), _NECKLINES
+        "hood", Part.HOOD, lambda f: replace(f, hood=None) if f.hood else None, ("hood", "collar"), _COLLARS
     ),
     _taken(
         "collar",
         Part.COLLAR,
         lambda f: replace(f, collar=None) if f.collar else None,
         ("collar",),
-        _NECKLINES,
+        _COLLARS,
     ),
     _taken("cuffs", Part.CUFF, _no_cuffs, ("cuffs",), ("cuffs", "sleeve_shape")),
     _taken("leg cuffs", Part.LEG_CUFF, _no_leg_cuffs, ("leg_cuffs",), ("leg_cuffs",)),

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.alterations.armholes import ARMHOLE_LEVERS
+from swifttailor.alterations.collars import COLLAR_LEVERS
 from swifttailor.alterations.fit import FIT_LEVERS
 from swifttailor.alterations.hem_shapes import HEM_SHAPE_LEVERS
 from swifttailor.alterations.lengths import LENGTH_LEVERS
@@ -39,6 +40,7 @@ LEVERS: tuple[Lever, ...] = (
     *SLIT_LEVERS,
     *ADDED_PARTS,
     *FIT_LEVERS,
+    *COLLAR_LEVERS,
 )
 """In order of preference."""
 TRICKS: tuple[Trick, ...] = (*NECK_TRICKS, *SLIT_TRICKS, *TIER_TRICKS, *WIDTH_TRICKS, *PART_TRICKS)
