@@ -16,6 +16,8 @@ from swifttailor.pattern import Pattern
 _PANELS = 4.0
 """Side edges of front and back, left and right."""
 _LEAST_SPREAD_CM = 3.0
+_LEAST_GATHER, _MOST_GATHER = 0.99, 1.9
+"""Of the lower edge of a bodice over what holds it."""
 _STRAPLESS = (0.35, 0.85)
 """Where a panel without shoulder is spread, parts of its reach from the middle."""
 
@@ -83,6 +85,51 @@ def _spread(cutter: Cutter, name: str, distance: float) -> Spread:
     return Spread(_STRAPLESS[0] * reach, _STRAPLESS[1] * reach)
 
 
+def _holding(facts: GarmentFacts) -> float | None:
+    """Length of what holds the lower edge of a bodice without darts, cm; None where that is free."""
+    torso = facts.torso
+    if torso is None or torso.darts or not (facts.waistband or facts.skirt or facts.trousers):
+        return None
+    return torso.lower_edge / max(torso.gather, 0.1)
+
+
+def _set_gathered_chest(facts: GarmentFacts, chest: float) -> GarmentFacts:
+    held, torso = _holding(facts), facts.torso
+    if held is None or torso is None:
+        return facts
+    wider = _set_chest(facts, chest).torso
+    assert wider is not None
+    return replace(facts, torso=replace(wider, gather=wider.lower_edge / held))
+
+
+def _gathered_span(facts: GarmentFacts) -> tuple[float, float]:
+    held, torso = _holding(facts), facts.torso
+    if held is None or torso is None:
+        return 0.0, 0.0
+    bust = torso.chest - torso.chest_ease
+    least = torso.chest + min(_LEAST_GATHER, torso.gather) * held - torso.lower_edge
+    most = torso.chest + _MOST_GATHER * held - torso.lower_edge
+    return max(0.95 * bust, least), min(1.6 * bust, most)
+
+
+def _cut_gathered(cutter: Cutter, amount: float) -> Pattern | None:
+    distance = amount / _PANELS
+    spreads = {p.name: _spread(cutter, p.name, distance) for p in cutter.anatomy.panels(Part.TORSO)}
+    return spread_panels(
+        cutter.pattern, spreads, distance, beside=cutter.names(*ARM_PARTS), below=(), factor=1.0
+    )
+
+
 FIT_LEVERS: tuple[Lever, ...] = (
     Lever("chest", 1, _chest, _set_chest, _cut, _span, words=("wider", "narrower")),
+    Lever(
+        "chest, gathered into what holds it,",
+        1,
+        _chest,
+        _set_gathered_chest,
+        _cut_gathered,
+        _gathered_span,
+        words=("wider", "narrower"),
+        gathers=True,
+    ),
 )

@@ -25,6 +25,8 @@ _CUT: dict[NewShape, str] = {
     "v": "to a V",
     "square": "square",
     "trapezoid": "to a trapezoid",
+    "s-curve": "in an S-curve",
+    "pointed": "to a leaf's point",
 }
 
 
@@ -114,7 +116,7 @@ def _width_span(facts: GarmentFacts) -> tuple[float, float]:
     return 6.0, (_width(facts) or 0.0) + _SLOPE * (min(shoulders, default=0.0) - 2.5)
 
 
-_SHAPES: tuple[NewShape, ...] = ("round", "v", "square", "trapezoid")
+_SHAPES: tuple[NewShape, ...] = ("round", "v", "square", "trapezoid", "s-curve", "pointed")
 NECK_LEVERS: tuple[Lever, ...] = (
     *(_depth_lever(face, shape) for face in ("front", "back") for shape in (None, *_SHAPES)),
     Lever(

@@ -237,7 +237,7 @@ def _sleeves_added(sides: tuple[ArmSide, ...]) -> Lever:
 
 
 _NECKLINES = ("neckline", "left_neckline", "right_neckline", "back_neckline")
-_COLLARS = (*_NECKLINES, "collar", "hood")
+_COLLARS = (*_NECKLINES, "collar", "hood", "shoulders: strapless")
 _KINDS = ("kind",)
 PART_TRICKS: tuple[Trick, ...] = (
     _taken(
@@ -259,6 +259,7 @@ PART_TRICKS: tuple[Trick, ...] = (
         _no_sleeves,
         lambda c: cuts.remove_parts(c, Part.SLEEVE, Part.CUFF),
         only_for=("sleeves",),
+        opens=("shoulders: strapless",),
     ),
     _one_sleeve("left"),
     _one_sleeve("right"),

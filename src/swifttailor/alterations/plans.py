@@ -13,7 +13,7 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.alterations.armholes import ARMHOLE_LEVERS
+from swifttailor.alterations.armholes import ARMHOLE_LEVERS, ARMHOLE_TRICKS
 from swifttailor.alterations.collars import COLLAR_LEVERS
 from swifttailor.alterations.fit import FIT_LEVERS
 from swifttailor.alterations.hem_shapes import HEM_SHAPE_LEVERS
@@ -43,7 +43,14 @@ LEVERS: tuple[Lever, ...] = (
     *COLLAR_LEVERS,
 )
 """In order of preference."""
-TRICKS: tuple[Trick, ...] = (*NECK_TRICKS, *SLIT_TRICKS, *TIER_TRICKS, *WIDTH_TRICKS, *PART_TRICKS)
+TRICKS: tuple[Trick, ...] = (
+    *NECK_TRICKS,
+    *ARMHOLE_TRICKS,
+    *SLIT_TRICKS,
+    *TIER_TRICKS,
+    *WIDTH_TRICKS,
+    *PART_TRICKS,
+)
 
 NATURAL_SHARE = 0.13
 """How much of a measure a step without an amount is, at least twice what is seen."""

@@ -33,6 +33,8 @@ from swifttailor.data.edits.recutting.sleeves import add_sleeves as sew_in_sleev
 from swifttailor.data.edits.recutting.sleeves import mirror_sleeve as mirrored
 from swifttailor.pattern import EdgeRef, Pattern
 
+STEEPEST_SIDE, STEEPEST_GORE = 0.25, 0.6
+"""How far a side seam of a skirt, or every seam of a gored one, is turned: cm at the hem for 1 of length."""
 OVER_HIPS = 1.05
 """Girth over that of the hips that slides over them."""
 _FACES: tuple[Face, Face] = ("front", "back")
@@ -144,8 +146,9 @@ def is_gored(cutter: Cutter) -> bool:
 
 def flare_hem(cutter: Cutter, width: float) -> Pattern | None:
     """Turns the side seams of a skirt or top, all seams of a gored one: their ends move out, cm."""
-    hem = free_hem(cutter)
-    return swing_sides(cutter.pattern, hem, width, all_seams=is_gored(cutter)) if hem else None
+    hem, gored = free_hem(cutter), is_gored(cutter)
+    steepest = STEEPEST_GORE if gored else STEEPEST_SIDE
+    return swing_sides(cutter.pattern, hem, width, all_seams=gored, steepest=steepest) if hem else None
 
 
 def flare_legs(cutter: Cutter, width: float) -> Pattern | None:
@@ -195,7 +198,7 @@ def gather_sleeve_ends(cutter: Cutter, factor: float) -> Pattern | None:
     return stretch_sleeves(cutter.pattern, halves, 1.0, factor) if halves else None
 
 
-def _free_armholes(cutter: Cutter) -> list[Hole]:
+def free_armholes(cutter: Cutter) -> list[Hole]:
     """Those of a garment without sleeves; none where one is of another shape."""
     if cutter.anatomy.has(Part.SLEEVE):
         return []
@@ -210,13 +213,13 @@ def _free_armholes(cutter: Cutter) -> list[Hole]:
 
 def deepen_armholes(cutter: Cutter, distance: float) -> Pattern | None:
     """Moves the lower ends of free armholes down the side seams, cm."""
-    holes = _free_armholes(cutter)
+    holes = free_armholes(cutter)
     return lower_underarms(cutter.pattern, holes, distance) if holes else None
 
 
 def widen_shoulders(cutter: Cutter, distance: float) -> Pattern | None:
     """Makes the shoulder seams of a garment without sleeves longer at the armholes, cm."""
-    holes = _free_armholes(cutter)
+    holes = free_armholes(cutter)
     return lengthen_shoulders(cutter.pattern, holes, distance) if holes else None
 
 

@@ -42,9 +42,7 @@ def lay_hood(table: CuttingTable, figure: Figure, shape: Hood) -> None:
     table.seam("left_btorso.neck", "left_hood.neck_back")
 
 
-def hood_outline(
-    front: float, back: float, height: float, depth: float, *, folded: bool = False
-) -> Outline:
+def hood_outline(front: float, back: float, height: float, depth: float, *, folded: bool = False) -> Outline:
     """Draws half a hood in profile, the face toward -x, the nape at the origin.
 
     Edges: neck_front, neck_back, centre, face.

@@ -230,7 +230,10 @@ def _fitted_hood(front: float, back: float, height: float, depth: float) -> Outl
         outline = hood_outline(front, back, up, deep, folded=True)
         points = np.concatenate([curves.flatten(e.curve, e.chord, 0.1) for e in outline.sides])
         missing = np.array([depth, height]) - np.ptp(points, axis=0)
-        fits = all(abs(_length(outline, n) - l) < 0.05 for n, l in (("neck_front", front), ("neck_back", back)))
+        fits = all(
+            abs(_length(outline, name) - own) < 0.05
+            for name, own in (("neck_front", front), ("neck_back", back))
+        )
         if np.abs(missing).max() < 0.1:
             return outline if fits else None
         deep, up = deep + float(missing[0]), up + float(missing[1])
