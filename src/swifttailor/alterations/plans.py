@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from swifttailor.alterations.armholes import ARMHOLE_LEVERS, ARMHOLE_TRICKS
 from swifttailor.alterations.collars import COLLAR_LEVERS
 from swifttailor.alterations.fit import FIT_LEVERS
+from swifttailor.alterations.godets import GODET_LEVERS, GODET_TRICKS
 from swifttailor.alterations.hem_shapes import HEM_SHAPE_LEVERS
 from swifttailor.alterations.lengths import LENGTH_LEVERS
 from swifttailor.alterations.lever import Lever, Trick
@@ -41,6 +42,7 @@ LEVERS: tuple[Lever, ...] = (
     *ADDED_PARTS,
     *FIT_LEVERS,
     *COLLAR_LEVERS,
+    *GODET_LEVERS,
 )
 """In order of preference."""
 TRICKS: tuple[Trick, ...] = (
@@ -48,6 +50,7 @@ TRICKS: tuple[Trick, ...] = (
     *ARMHOLE_TRICKS,
     *SLIT_TRICKS,
     *TIER_TRICKS,
+    *GODET_TRICKS,
     *WIDTH_TRICKS,
     *PART_TRICKS,
 )
