@@ -138,7 +138,7 @@ def _bared(sides: tuple[ArmSide, ...]) -> Trick:
         return bare_shoulders(cutter.pattern, cutter.anatomy, sides, other_bare=other_bare)
 
     name = "shoulders bared" if len(sides) == 2 else f"{sides[0]} shoulder bared"
-    return Trick(name, 4, imagine, cut, only_for=("shoulders", "sides"))
+    return Trick(name, 4, imagine, cut, only_for=("shoulders",))
 
 
 ARMHOLE_TRICKS: tuple[Trick, ...] = (
