@@ -140,7 +140,7 @@ def _cuff_lever(part: Part) -> Lever:
 
     name = "cuffs" if part is Part.CUFF else "leg cuffs"
     only_for = ("cuffs", "cuff_cm", "cuff length", "leg_cuffs", "leg_cuff_cm", "leg cuff length")
-    return Lever(name, 2, of, imagine, cut, fixed(2.0, 35.0), step=0.5, only_for=only_for)
+    return Lever(name, 2, of, imagine, cut, fixed(2.0, 60.0), step=0.5, only_for=only_for)
 
 
 def _set_band(facts: GarmentFacts, height: float) -> GarmentFacts:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from swifttailor.alterations.armholes import ARMHOLE_LEVERS, ARMHOLE_TRICKS
 from swifttailor.alterations.collars import COLLAR_LEVERS
+from swifttailor.alterations.exchanges import EXCHANGE_LEVERS, EXCHANGE_TRICKS
 from swifttailor.alterations.fit import FIT_LEVERS
 from swifttailor.alterations.godets import GODET_LEVERS, GODET_TRICKS
 from swifttailor.alterations.hem_shapes import HEM_SHAPE_LEVERS
@@ -43,6 +44,7 @@ LEVERS: tuple[Lever, ...] = (
     *FIT_LEVERS,
     *COLLAR_LEVERS,
     *GODET_LEVERS,
+    *EXCHANGE_LEVERS,
 )
 """In order of preference."""
 TRICKS: tuple[Trick, ...] = (
@@ -53,6 +55,7 @@ TRICKS: tuple[Trick, ...] = (
     *GODET_TRICKS,
     *WIDTH_TRICKS,
     *PART_TRICKS,
+    *EXCHANGE_TRICKS,
 )
 
 NATURAL_SHARE = 0.13

@@ -44,7 +44,7 @@ def _set_hem(facts: GarmentFacts, width: float) -> GarmentFacts:
 
 
 def _hem_span(facts: GarmentFacts) -> tuple[float, float]:
-    return 60.0, max(260.0, 1.3 * (_hem(facts) or 0.0))
+    return 60.0, max(260.0, 2.0 * (_hem(facts) or 0.0))
 
 
 def _flare_hem(cutter: Cutter, amount: float) -> Pattern | None:
