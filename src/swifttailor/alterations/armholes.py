@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from swifttailor.alterations.lever import Lever, Trick, fixed
 from swifttailor.data.captions.facts import Armhole, ArmholeShape, GarmentFacts, Neckline
-from swifttailor.data.edits import cuts
+from swifttailor.data.edits import sleeve_cuts
 from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.recutting.armhole_shapes import HoleShape, reshape_armholes
 from swifttailor.data.edits.recutting.bare_shoulders import bare_shoulders
@@ -68,7 +68,7 @@ ARMHOLE_LEVERS: tuple[Lever, ...] = (
         4,
         _depth,
         _set_depth,
-        cuts.deepen_armholes,
+        sleeve_cuts.deepen_armholes,
         fixed(12.0, 38.0),
         step=0.5,
         words=("deeper", "shallower"),
@@ -79,7 +79,7 @@ ARMHOLE_LEVERS: tuple[Lever, ...] = (
         4,
         _shoulder,
         _set_shoulder,
-        cuts.widen_shoulders,
+        sleeve_cuts.widen_shoulders,
         _shoulder_span,
         step=0.5,
         only_for=("shoulders", "straps"),
@@ -101,7 +101,7 @@ def _cut_to(shape: HoleShape) -> Trick:
         return _with_holes(facts, lambda hole: replace(hole, shape=seen)) if _sleeveless(facts) else None
 
     def cut(cutter: Cutter) -> Pattern | None:
-        holes = cuts.free_armholes(cutter)
+        holes = sleeve_cuts.free_armholes(cutter)
         return reshape_armholes(cutter.pattern, holes, shape) if holes else None
 
     name = "armholes cut " + {"round": "round", "square": "square", "angled": "at an angle"}[shape]

@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 
 from swifttailor.alterations.lever import Lever, Trick, fixed, kind_of, with_hem
+from swifttailor.alterations.slits import recut_closed
 from swifttailor.data.captions.facts import Band, GarmentFacts, HemFacts, Skirt, Torso, Trousers
 from swifttailor.data.edits import part_swaps
 from swifttailor.data.edits.cutter import Cutter
@@ -45,7 +46,22 @@ def _new_skirt(facts: GarmentFacts, length: float, hem: float, *, straight: bool
     drop = max(top - facts.body.hips, 0.0)
     hips = facts.body.hip_girth + 5.0 if straight else upper + min(drop / length, 1.0) * (hem - upper)
     skirt = Skirt(
-        length, upper, 1.0, hips, hem, circle, 2, 1, 1.0, length, hem, 0, 0.0, 0.0, 4 if straight else 0, ()
+        length,
+        upper,
+        1.0,
+        hips,
+        hem,
+        circle,
+        2,
+        1,
+        1.0,
+        length,
+        hem,
+        0,
+        0.0,
+        0.0,
+        4 if straight else 0,
+        facts.skirt.slits if facts.skirt else (),
     )
     level = top - length
     kind = "dress" if facts.torso else "skirt"
@@ -59,7 +75,7 @@ def _flat_skirt(facts: GarmentFacts) -> Skirt | None:
     skirt, hem = facts.skirt, facts.hem
     if skirt is None or hem is None or _top_of_lower(facts) is None:
         return None
-    if skirt.tiers > 1 or skirt.godets or skirt.slits or skirt.gores > 2 or skirt.length < 10.0:
+    if skirt.tiers > 1 or skirt.godets or skirt.gores > 2 or skirt.length < 10.0:
         return None
     return skirt if max(abs(hem.front - hem.back), abs(hem.left - hem.right)) < _FLAT_CM else None
 
@@ -90,7 +106,9 @@ def _cut_flared(cutter: Cutter, amount: float) -> Pattern | None:
     fraction = (skirt.hem + amount - skirt.upper) / (2 * math.pi * skirt.length)
     if not 0.9 * _LEAST_FRACTION <= fraction <= 1.05 * _MOST_FRACTION:
         return None
-    return part_swaps.exchange_lower(cutter, FlaredCut(fraction, skirt.length))
+    return recut_closed(
+        cutter, lambda shut: part_swaps.exchange_lower(shut, FlaredCut(fraction, skirt.length)), first=False
+    )
 
 
 def _straight(facts: GarmentFacts, hem: float) -> GarmentFacts:
@@ -115,7 +133,9 @@ def _cut_straight(cutter: Cutter, amount: float) -> Pattern | None:
     if below < 10.0 or abs(spread) > 0.5 * below:
         return None
     flare = math.degrees(math.asin(spread / below))
-    return part_swaps.exchange_lower(cutter, StraightCut(skirt.length, flare))
+    return recut_closed(
+        cutter, lambda shut: part_swaps.exchange_lower(shut, StraightCut(skirt.length, flare)), first=False
+    )
 
 
 def _for_skirt(straight: bool) -> Trick:

@@ -25,7 +25,7 @@ from swifttailor.alterations.necks import NECK_LEVERS, NECK_TRICKS
 from swifttailor.alterations.parts import ADDED_PARTS, PART_TRICKS
 from swifttailor.alterations.sleeve_widths import SLEEVE_WIDTH_LEVERS
 from swifttailor.alterations.slits import SLIT_LEVERS, SLIT_TRICKS
-from swifttailor.alterations.tiers import TIER_TRICKS
+from swifttailor.alterations.tiers import TIER_LEVERS, TIER_TRICKS
 from swifttailor.alterations.widths import WIDTH_LEVERS, WIDTH_TRICKS
 from swifttailor.data.captions.claims.claim import CLAIM_TYPES
 from swifttailor.data.captions.claims.judgement import CLAIMING
@@ -44,6 +44,7 @@ LEVERS: tuple[Lever, ...] = (
     *FIT_LEVERS,
     *COLLAR_LEVERS,
     *GODET_LEVERS,
+    *TIER_LEVERS,
     *EXCHANGE_LEVERS,
 )
 """In order of preference."""

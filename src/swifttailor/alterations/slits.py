@@ -44,9 +44,17 @@ def closed(cutter: Cutter, place: Place | None = None) -> Pattern | None:
     return close_slits(cutter.pattern, sides) if sides else None
 
 
-def recut_closed(cutter: Cutter, recut: Callable[[Cutter], Pattern | None]) -> Pattern | None:
-    """Recuts a hem; where its slits are in the way, with them closed, and opens them again."""
-    edited = recut(cutter)
+def recut_closed(
+    cutter: Cutter, recut: Callable[[Cutter], Pattern | None], *, first: bool = True
+) -> Pattern | None:
+    """Recuts a skirt; where its slits are in the way, with them closed, and opens them again.
+
+    Args:
+        cutter: The pattern.
+        recut: What is done.
+        first: Whether to try it with open slits first.
+    """
+    edited = recut(cutter) if first or not _slits(cutter.facts) else None
     shut = closed(cutter) if edited is None else None
     edited = edited if shut is None else recut(Cutter(shut, cutter.anatomy.body))
     if edited is None or shut is None:
