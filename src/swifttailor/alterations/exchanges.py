@@ -13,8 +13,11 @@ from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.part_swaps import FlaredCut, LegsCut, StraightCut
 from swifttailor.pattern import Pattern
 
-_LEAST_FRACTION, _MOST_FRACTION = 0.3, 1.8
-"""Of a circle: what flares less would be too tight at the hips, what flares more does not lie flat."""
+_LEAST_FRACTION, _MOST_FRACTION = 0.1, 1.8
+"""Of a circle: what flares less is cut straight, what flares more does not lie flat."""
+_HIP_EASE_CM = 2.0
+_HIPS_BELOW_CM = 5.0
+"""A skirt that begins less far above the hips is as wide there as above."""
 _FLAT_CM = 4.0
 """A hem whose front and back, or left and right, differ by more is bent on purpose."""
 
@@ -22,9 +25,11 @@ _UPPER_KINDS = ("kind",)
 
 
 def _top_of_lower(facts: GarmentFacts) -> float | None:
-    """Height of the upper edge of skirt or trousers where something holds it, cm."""
-    if facts.hem is None or not (facts.torso or facts.waistband):
+    """Height of the upper edge of skirt or trousers, cm."""
+    if facts.hem is None:
         return None
+    if not facts.torso and not facts.waistband:
+        return facts.top_level
     if facts.skirt is not None:
         return facts.hem.level + facts.skirt.length
     if facts.waistband is not None:
@@ -40,7 +45,8 @@ def _new_skirt(facts: GarmentFacts, length: float, hem: float, *, straight: bool
     top = _top_of_lower(facts)
     if top is None:
         return None
-    upper = facts.waistband.lower if facts.waistband else facts.torso.lower_edge if facts.torso else hem
+    own = facts.torso.lower_edge if facts.torso else facts.body.waist_girth
+    upper = facts.waistband.lower if facts.waistband else own
     upper = facts.skirt.upper if facts.skirt else upper
     circle = (hem - upper) / (2 * math.pi * length)
     drop = max(top - facts.body.hips, 0.0)
@@ -71,7 +77,7 @@ def _new_skirt(facts: GarmentFacts, length: float, hem: float, *, straight: bool
 
 
 def _flat_skirt(facts: GarmentFacts) -> Skirt | None:
-    """A skirt of one row with nothing but its flare, hanging from something, its hem level."""
+    """A skirt of one row with nothing but its flare and slits, its hem level."""
     skirt, hem = facts.skirt, facts.hem
     if skirt is None or hem is None or _top_of_lower(facts) is None:
         return None
@@ -91,12 +97,22 @@ def _flared(facts: GarmentFacts, hem: float) -> GarmentFacts:
     return new or facts
 
 
+def _least_fraction(facts: GarmentFacts) -> float:
+    """Of a circle that a skirt must be to pass the hips."""
+    top, skirt = _top_of_lower(facts), facts.skirt
+    drop = 0.0 if top is None else top - facts.body.hips
+    if skirt is None or drop < _HIPS_BELOW_CM or skirt.length < drop:
+        return _LEAST_FRACTION
+    passing = (facts.body.hip_girth + _HIP_EASE_CM - skirt.upper) / (2 * math.pi * drop)
+    return max(_LEAST_FRACTION, passing)
+
+
 def _flared_span(facts: GarmentFacts) -> tuple[float, float]:
     skirt = _flat_skirt(facts)
     if skirt is None:
         return 0.0, 0.0
     around = 2 * math.pi * skirt.length
-    return skirt.upper + _LEAST_FRACTION * around, skirt.upper + _MOST_FRACTION * around
+    return skirt.upper + _least_fraction(facts) * around, skirt.upper + _MOST_FRACTION * around
 
 
 def _cut_flared(cutter: Cutter, amount: float) -> Pattern | None:
@@ -104,7 +120,7 @@ def _cut_flared(cutter: Cutter, amount: float) -> Pattern | None:
     if skirt is None:
         return None
     fraction = (skirt.hem + amount - skirt.upper) / (2 * math.pi * skirt.length)
-    if not 0.9 * _LEAST_FRACTION <= fraction <= 1.05 * _MOST_FRACTION:
+    if not 0.9 * _least_fraction(cutter.facts) <= fraction <= 1.05 * _MOST_FRACTION:
         return None
     return recut_closed(
         cutter, lambda shut: part_swaps.exchange_lower(shut, FlaredCut(fraction, skirt.length)), first=False

@@ -6,10 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from swifttailor.alterations.lever import Lever
+from swifttailor.alterations.lever import Lever, fixed
 from swifttailor.data.captions.facts import GarmentFacts
-from swifttailor.data.captions.measure.parts import ARM_PARTS, LEG_PARTS, Part
+from swifttailor.data.captions.measure.parts import ARM_PARTS, LEG_PARTS, LOWER_PARTS, Part
 from swifttailor.data.edits.cutter import Cutter
+from swifttailor.data.edits.recutting.ends import swing_sides
 from swifttailor.data.edits.recutting.grading import Spread, spread_panels
 from swifttailor.pattern import Pattern
 
@@ -18,6 +19,7 @@ _PANELS = 4.0
 _LEAST_SPREAD_CM = 3.0
 _LEAST_GATHER, _MOST_GATHER = 0.99, 1.9
 """Of the lower edge of a bodice over what holds it."""
+_STEEPEST_SIDE = 0.6
 _STRAPLESS = (0.35, 0.85)
 """Where a panel without shoulder is spread, parts of its reach from the middle."""
 
@@ -120,6 +122,23 @@ def _cut_gathered(cutter: Cutter, amount: float) -> Pattern | None:
     )
 
 
+def _set_gather(facts: GarmentFacts, gather: float) -> GarmentFacts:
+    torso = facts.torso
+    if torso is None:
+        return facts
+    lower = torso.lower_edge * gather / max(torso.gather, 0.1)
+    return replace(facts, torso=replace(torso, gather=gather, lower_edge=lower))
+
+
+def _cut_lower_edge(cutter: Cutter, amount: float) -> Pattern | None:
+    """Turns the side seams of the bodice: its chest stays, more or less of it is gathered below."""
+    held = _holding(cutter.facts)
+    seam = cutter.anatomy.seam(Part.TORSO, {Part.WAISTBAND} | LOWER_PARTS).own
+    if held is None or not seam:
+        return None
+    return swing_sides(cutter.pattern, seam, amount * held / _PANELS, steepest=_STEEPEST_SIDE)
+
+
 FIT_LEVERS: tuple[Lever, ...] = (
     Lever("chest", 1, _chest, _set_chest, _cut, _span, words=("wider", "narrower")),
     Lever(
@@ -130,6 +149,19 @@ FIT_LEVERS: tuple[Lever, ...] = (
         _cut_gathered,
         _gathered_span,
         words=("wider", "narrower"),
+        gathers=True,
+    ),
+    Lever(
+        "bodice, its lower edge",
+        2,
+        lambda f: f.torso.gather if _holding(f) is not None and f.torso else None,
+        _set_gather,
+        _cut_lower_edge,
+        fixed(1.0, 2.4),
+        step=0.03,
+        words=("times more gathered", "times less gathered"),
+        unit="",
+        only_for=("bodice gathers", "bodice: gathered", "bodice"),
         gathers=True,
     ),
 )

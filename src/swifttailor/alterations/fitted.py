@@ -126,6 +126,7 @@ class FittingMaker:
         seeds = [seed] * len(requests) if isinstance(seed, int) else list(seed)
         wishes = [self.wishes(request) for request in requests]
         best: list[Fitted | None] = [None] * len(requests)
+        recuts: list[Recut | None] = [None] * len(requests)
         for attempt in range(first_attempt, first_attempt + attempts):
             wanting = [k for k, one in enumerate(best) if one is None or any(one.rank[:2])]
             if not wanting:
@@ -137,7 +138,11 @@ class FittingMaker:
                 first_attempt=attempt,
             )
             for k, one in zip(wanting, made, strict=True):
-                fitted, before = fit(one, wishes[k], requests[k].edit), best[k]
+                started = time.perf_counter()
+                recuts[k] = recuts[k] or recut_edit(requests[k].edit, wishes[k])
+                seconds = time.perf_counter() - started
+                fitted, before = fit(one, wishes[k], requests[k].edit, recuts[k]), best[k]
+                fitted = replace(fitted, altering_seconds=fitted.altering_seconds + seconds)
                 best[k] = fitted if before is None or fitted.rank < before.rank else before
         fitted = [one for one in best if one is not None]
         altering = sum(one.altering_seconds for one in fitted)
@@ -168,21 +173,42 @@ def sure_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
     )
 
 
-def fit(generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = None) -> Fitted:
+@dataclass(frozen=True, eq=False)
+class Recut:
+    """A pattern to edit, altered to what was asked for; the same whatever the network writes."""
+
+    original: GarmentFacts | None
+    """What it showed; None where it cannot be measured, or there is none."""
+    altered: Alteration | None
+
+
+def recut_edit(edit: Pattern | None, wishes: Sequence[Wish]) -> Recut:
+    """Alters the pattern to edit, if there is one."""
+    if edit is None or not wishes:
+        return Recut(None, None)
+    original = _facts(edit)
+    changes = tuple(wish.change for wish in wishes)
+    return Recut(original, None if original is None else _altered(edit, changes, original))
+
+
+def fit(
+    generated: Generated, wishes: Sequence[Wish], edit: Pattern | None = None, edited: Recut | None = None
+) -> Fitted:
     """Alters a pattern to what was asked for; one that cannot be measured is left as it is, its wishes open.
 
     Args:
         generated: What the network wrote.
         wishes: What the text asks for.
         edit: The pattern to edit, if there is one.
+        edited: What has come of altering that; it is altered when None.
     """
     started = time.perf_counter()
     changes = tuple(wish.change for wish in wishes)
     if not changes:
         lonely = _unasked(generated.pattern, changes, edit)
         return Fitted(generated, generated.pattern, generated.findings, one_sided=lonely)
-    original = None if edit is None else _facts(edit)
-    recut = None if edit is None or original is None else _altered(edit, changes, original)
+    edited = edited or recut_edit(edit, wishes)
+    original, recut = edited.original, edited.altered
     written = None
     remade = edit is not None and recut is not None and _is_remade(edit, recut)
     if recut is None or recut.open or remade:

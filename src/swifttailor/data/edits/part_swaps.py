@@ -65,33 +65,40 @@ class LegsCut:
 def exchange_lower(cutter: Cutter, new: FlaredCut | StraightCut | LegsCut) -> Pattern | None:
     """Takes skirt or trousers off and sews new ones to what held them, as wide above as that is.
 
-    None where what holds them is not a bodice or band that goes all the way around, or nothing does.
+    What nothing holds is cut anew as wide as its own upper edge. None where what holds it does not go all the
+    way around.
     """
-    holder = _holder(cutter, LOWER_PARTS)
     names = cutter.names(*LOWER_PARTS)
+    alone = len(names) == len(cutter.pattern.panels)
+    holder = _tops(cutter) if alone else _holder(cutter, LOWER_PARTS)
     if not holder or not names:
         return None
     bench = Workbench(cutter.pattern)
     held = {face: [bench.at[r] for r in refs] for face, refs in holder.items()}
     lengths = {face: sum(bench.piece_of(s).length(s) for s in sides) for face, sides in held.items()}
     waist = Halves(lengths["front"] / 2, lengths["back"] / 2)
-    drafted = _draft(cutter, new, waist, _level(bench, held) - _BELOW_CM)
+    drafted = _draft(cutter, new, waist, _level(bench, held) - (0.0 if alone else _BELOW_CM))
     bench.remove(names)
     laid = lay_pattern(bench, drafted)
     if laid is None:
         return None
-    part = Part.TROUSER if isinstance(new, LegsCut) else Part.SKIRT
     own = Cutter(drafted, cutter.anatomy.body)
-    tops = upper_edges(own.anatomy, part)[0]
-    waist_label = not cutter.anatomy.has(Part.WAISTBAND)
-    for face in _FACES:
-        sides = [laid[r] for r in tops if own.anatomy.parts[r.panel].face == face]
-        if waist_label:
+    for face, refs in _tops(own).items():
+        sides = [laid[r] for r in refs]
+        if not cutter.anatomy.has(Part.WAISTBAND):
             for side in sides:
                 bench.relabel(side, WAIST_LABEL)
-        if not sew_across(bench, held[face], sides):
+        if not alone and not sew_across(bench, held[face], sides):
             return None
     return bench.pattern()
+
+
+def _tops(cutter: Cutter) -> dict[Face, list[EdgeRef]]:
+    """Upper edges of a skirt or of trousers by face; nothing where a face has none."""
+    part = Part.TROUSER if cutter.anatomy.has(Part.TROUSER) else Part.SKIRT
+    refs = upper_edges(cutter.anatomy, part)[0]
+    found = {f: [r for r in refs if cutter.anatomy.parts[r.panel].face == f] for f in _FACES}
+    return found if all(found.values()) else {}
 
 
 def _draft(cutter: Cutter, new: FlaredCut | StraightCut | LegsCut, waist: Halves, top_y: float) -> Pattern:
