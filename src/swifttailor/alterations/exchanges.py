@@ -8,6 +8,7 @@ from dataclasses import replace
 from swifttailor.alterations.lever import Lever, Trick, fixed, kind_of, with_hem
 from swifttailor.alterations.slits import recut_closed
 from swifttailor.data.captions.facts import Band, GarmentFacts, HemFacts, Skirt, Torso, Trousers
+from swifttailor.data.captions.measure.skirts import CURVED_CIRCLE
 from swifttailor.data.edits import part_swaps
 from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.part_swaps import FlaredCut, LegsCut, StraightCut
@@ -15,6 +16,7 @@ from swifttailor.pattern import Pattern
 
 _LEAST_FRACTION, _MOST_FRACTION = 0.1, 1.8
 """Of a circle: what flares less is cut straight, what flares more does not lie flat."""
+_GATHERED = 1.1
 _HIP_EASE_CM = 2.0
 _HIPS_BELOW_CM = 5.0
 """A skirt that begins less far above the hips is as wide there as above."""
@@ -89,6 +91,11 @@ def _flat_skirt(facts: GarmentFacts) -> Skirt | None:
 def _hem(facts: GarmentFacts) -> float | None:
     skirt = _flat_skirt(facts)
     return skirt.hem if skirt else None
+
+
+def _curved_hem(facts: GarmentFacts) -> float | None:
+    skirt = _flat_skirt(facts)
+    return skirt.hem if skirt and skirt.circle > CURVED_CIRCLE and skirt.gather < _GATHERED else None
 
 
 def _flared(facts: GarmentFacts, hem: float) -> GarmentFacts:
@@ -240,18 +247,21 @@ def _band_in(facts: GarmentFacts, height: float) -> GarmentFacts:
 
 
 _SKIRT_WISHES = ("skirt", "skirt hem", "hem_cm", "hips")
+_ANEW = Lever(
+    "skirt cut anew from a circle, its hem",
+    4,
+    _hem,
+    _flared,
+    _cut_flared,
+    _flared_span,
+    step=5.0,
+    words=("wider", "narrower"),
+    only_for=_SKIRT_WISHES,
+)
+CURVED_LEVERS: tuple[Lever, ...] = (replace(_ANEW, of=_curved_hem),)
+"""Before seams are turned or cloth is gathered in, which bends the hem of what is cut from a circle."""
 EXCHANGE_LEVERS: tuple[Lever, ...] = (
-    Lever(
-        "skirt cut anew from a circle, its hem",
-        4,
-        _hem,
-        _flared,
-        _cut_flared,
-        _flared_span,
-        step=5.0,
-        words=("wider", "narrower"),
-        only_for=_SKIRT_WISHES,
-    ),
+    _ANEW,
     Lever(
         "skirt cut anew with darts, its hem",
         4,

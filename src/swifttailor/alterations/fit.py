@@ -140,17 +140,6 @@ def _cut_lower_edge(cutter: Cutter, amount: float) -> Pattern | None:
 
 
 FIT_LEVERS: tuple[Lever, ...] = (
-    Lever("chest", 1, _chest, _set_chest, _cut, _span, words=("wider", "narrower")),
-    Lever(
-        "chest, gathered into what holds it,",
-        1,
-        _chest,
-        _set_gathered_chest,
-        _cut_gathered,
-        _gathered_span,
-        words=("wider", "narrower"),
-        gathers=True,
-    ),
     Lever(
         "bodice, its lower edge",
         2,
@@ -162,6 +151,18 @@ FIT_LEVERS: tuple[Lever, ...] = (
         words=("times more gathered", "times less gathered"),
         unit="",
         only_for=("bodice gathers", "bodice: gathered", "bodice"),
+        gathers=True,
+    ),
+    Lever("chest", 1, _chest, _set_chest, _cut, _span, words=("wider", "narrower")),
+    Lever(
+        "chest, gathered into what holds it,",
+        1,
+        _chest,
+        _set_gathered_chest,
+        _cut_gathered,
+        _gathered_span,
+        words=("wider", "narrower"),
+        only_for=("chest", "chest_cm", "fit"),
         gathers=True,
     ),
 )

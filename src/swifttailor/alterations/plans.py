@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from swifttailor.alterations.armholes import ARMHOLE_LEVERS, ARMHOLE_TRICKS
 from swifttailor.alterations.collars import COLLAR_LEVERS
-from swifttailor.alterations.exchanges import EXCHANGE_LEVERS, EXCHANGE_TRICKS
+from swifttailor.alterations.exchanges import CURVED_LEVERS, EXCHANGE_LEVERS, EXCHANGE_TRICKS
 from swifttailor.alterations.fit import FIT_LEVERS
 from swifttailor.alterations.godets import GODET_LEVERS, GODET_TRICKS
 from swifttailor.alterations.hem_shapes import HEM_SHAPE_LEVERS
@@ -37,6 +37,7 @@ LEVERS: tuple[Lever, ...] = (
     *ARMHOLE_LEVERS,
     *NECK_LEVERS,
     *HEM_SHAPE_LEVERS,
+    *CURVED_LEVERS,
     *WIDTH_LEVERS,
     *SLEEVE_WIDTH_LEVERS,
     *SLIT_LEVERS,

@@ -53,7 +53,9 @@ def remove_godets(pattern: Pattern, names: Collection[str]) -> Pattern | None:
         # The line that closes the notch is hem, until it is made one with what is beside it.
         bench.side(a).edge = replace(bench.side(a).edge, curve=Line())
         bench.drop(b)
-        _join(bench, bench.neighbour(a, -1), a)
+        before = bench.neighbour(a, -1)
+        kept = before if _join(bench, before, a) else a
+        _join(bench, kept, bench.neighbour(kept, 1))
     return bench.pattern()
 
 
