@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.alterations.armholes import ARMHOLE_LEVERS, ARMHOLE_TRICKS
+from swifttailor.alterations.bodice_darts import BODICE_DART_TRICKS
 from swifttailor.alterations.collars import COLLAR_LEVERS
 from swifttailor.alterations.exchanges import CURVED_LEVERS, EXCHANGE_LEVERS, EXCHANGE_TRICKS
 from swifttailor.alterations.fit import FIT_LEVERS
@@ -52,6 +53,7 @@ LEVERS: tuple[Lever, ...] = (
 TRICKS: tuple[Trick, ...] = (
     *NECK_TRICKS,
     *ARMHOLE_TRICKS,
+    *BODICE_DART_TRICKS,
     *SLIT_TRICKS,
     *TIER_TRICKS,
     *GODET_TRICKS,
