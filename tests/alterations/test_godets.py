@@ -48,6 +48,12 @@ def test_godets_of_another_number_and_size(step, sound):
     assert now.godets % 2 == 0
 
 
+def test_a_narrower_hem_keeps_the_godets(sound):
+    before = alter(draft("gathered-skirt"), [gain("skirt", "godets")]).pattern
+    after = sound(before, alter(before, [Step("skirt hem", -1)]))
+    assert after.facts.skirt.godets == Cutter(before).facts.skirt.godets
+
+
 @pytest.mark.parametrize("count", [1, 3, 5])
 def test_taken_out_the_skirt_is_as_it_was(count):
     before = Cutter(draft("gathered-skirt"))

@@ -146,7 +146,7 @@ GODET_TRICKS: tuple[Trick, ...] = (
         1,
         _none,
         _take_out,
-        only_for=("skirt", "skirt hem"),
-        opens=("skirt", "slit", "skirt hem", "length", "length_cm", "skirt_hem", "hem_shape"),
+        only_for=("skirt",),
+        opens=("skirt", "slit", "length", "length_cm", "skirt_hem", "hem_shape"),
     ),
 )
