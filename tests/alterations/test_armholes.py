@@ -6,9 +6,9 @@ import pytest
 from swifttailor import draft
 from swifttailor.alterations import alter
 from swifttailor.data.captions.claims import Claim
-from swifttailor.data.edits.cuts import deepen_armholes, widen_shoulders
 from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.differences import Gain, Step
+from swifttailor.data.edits.sleeve_cuts import deepen_armholes, widen_shoulders
 from swifttailor.pattern.garmentcode_writer import to_specification
 
 

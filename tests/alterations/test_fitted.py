@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 import swifttailor
+from swifttailor.alterations import alter as alter_it
 from swifttailor.alterations.fitted import FittingMaker, fit, sure_wishes
 from swifttailor.data.captions import Claim, measure_facts
 from swifttailor.data.edits.differences import Gain, Step
@@ -69,12 +70,12 @@ def test_an_edit_alters_the_pattern_that_was_given(dress, shirt):
     assert fitted.changes == ()  # what was mended in what the network wrote is not in it
 
 
-def test_what_cannot_be_cut_is_left_to_the_network(dress):
-    hooded = swifttailor.draft("hoodie")
-    wish = Gain(Claim("hood", "hood"))
-    fitted = fit(written(hooded), [Wish(wish, 0.9)], dress)
+def test_what_cannot_be_cut_is_left_to_the_network(shirt):
+    darted = swifttailor.draft("fitted-dress")
+    wish = Gain(Claim("bodice", "darted"))
+    fitted = fit(written(darted), [Wish(wish, 0.9)], shirt)
     assert not fitted.recut
-    assert fitted.pattern is hooded
+    assert fitted.pattern is darted
     assert fitted.open == ()
 
 
@@ -125,12 +126,27 @@ class Reading:
 
 
 def test_attempts_end_when_everything_holds(dress, shirt):
-    hooded = swifttailor.draft("hoodie")
-    maker = Scripted(shirt, hooded, shirt)
-    fitting = FittingMaker(maker, Reading(Wish(Gain(Claim("hood", "hood")), 0.9)))
-    (fitted,) = fitting.generate_all([Request("a hoodie")], attempts=3, temperature=0.5)
-    assert fitted.pattern is hooded
+    darted = swifttailor.draft("fitted-dress")
+    maker = Scripted(shirt, darted, shirt)
+    fitting = FittingMaker(maker, Reading(Wish(Gain(Claim("bodice", "darted")), 0.9)))
+    (fitted,) = fitting.generate_all([Request("a darted one")], attempts=3, temperature=0.5)
+    assert fitted.pattern is darted
     assert maker.asked == [(1, 0), (1, 1)]
+
+
+def test_a_pattern_to_edit_is_altered_once_for_all_attempts(shirt, monkeypatch):
+    altered = []
+
+    def counted(pattern, wishes, **options):
+        altered.append(pattern)
+        return alter_it(pattern, wishes, **options)
+
+    monkeypatch.setattr("swifttailor.alterations.fitted.alter", counted)
+    wish, maker = Wish(Gain(Claim("bodice", "darted")), 0.9), Scripted(shirt, shirt, shirt)
+    request = Request("with darts", edit=shirt)
+    (fitted,) = FittingMaker(maker, Reading(wish)).generate_all([request], attempts=3, temperature=0.5)
+    assert fitted.open == (wish.change,) and len(maker.asked) == 3
+    assert len(altered) == 4  # once the pattern to edit, and what was written each time
 
 
 def test_who_reads_both_none_and_some_has_misunderstood():

@@ -7,10 +7,10 @@ from swifttailor import draft
 from swifttailor.alterations import alter
 from swifttailor.data.captions.claims import Claim
 from swifttailor.data.captions.measure.parts import Part
-from swifttailor.data.edits.cuts import gather_sleeve_ends, gather_sleeve_heads, widen_sleeves
 from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.differences import Gain, Step
 from swifttailor.data.edits.recutting.sleeve_width import sleeve_halves
+from swifttailor.data.edits.sleeve_cuts import gather_sleeve_ends, gather_sleeve_heads, widen_sleeves
 from swifttailor.pattern.garmentcode_writer import to_specification
 
 

@@ -7,10 +7,10 @@ from swifttailor import draft
 from swifttailor.alterations import alter
 from swifttailor.data.captions.claims import Claim
 from swifttailor.data.captions.measure import measure_facts
-from swifttailor.data.edits.cuts import add_sleeves
 from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.differences import Gain
 from swifttailor.data.edits.recutting.sleeves import find_hole
+from swifttailor.data.edits.sleeve_cuts import add_sleeves
 from swifttailor.pattern.garmentcode_writer import to_specification
 
 NEW = {"left_sleeve_f", "left_sleeve_b", "right_sleeve_f", "right_sleeve_b"}

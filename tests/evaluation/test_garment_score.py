@@ -147,7 +147,8 @@ def test_summary_by_kind(some):
     assert {kind: count for kind, (count, _) in summary.kinds.items()} == {"upper": 1, "skirt": 2}
     assert summary.kinds["skirt"][1]["vertex_mean_cm"].mean == pytest.approx(4)
     assert "seconds" not in summary.means and summary.means["sound"].mean == 1
-    assert summary.sets.mmd <= summary.means["chamfer_cm2"].mean and summary.sets.coverage == 1
+    # The nearest garment of each drape is its own; the two means are rounded differently.
+    assert summary.sets.mmd <= summary.means["chamfer_cm2"].mean * (1 + 1e-12) and summary.sets.coverage == 1
     assert summary.sets_floor.mmd < summary.sets.mmd and summary.sets_floor.coverage == 1
     boxed = [
         [c.first(FEW_POINTS).in_unit_box() for c in (s.clouds.reference_again, s.clouds.reference)]

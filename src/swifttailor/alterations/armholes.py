@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
-from swifttailor.alterations.lever import Lever, fixed
-from swifttailor.data.captions.facts import Armhole, GarmentFacts
-from swifttailor.data.edits import cuts
+from swifttailor.alterations.lever import Lever, Trick, fixed
+from swifttailor.data.captions.facts import Armhole, ArmholeShape, GarmentFacts, Neckline
+from swifttailor.data.edits import sleeve_cuts
+from swifttailor.data.edits.cutter import Cutter
+from swifttailor.data.edits.recutting.armhole_shapes import HoleShape, reshape_armholes
+from swifttailor.data.edits.recutting.bare_shoulders import bare_shoulders
+from swifttailor.data.edits.recutting.sleeves import ArmSide
+from swifttailor.pattern import Pattern
 
 _FURTHEST_CM = 20.0
 """From the middle of the body to the ends of lengthened shoulder seams."""
+
+_SLIPS_CM = 9.0
+"""A bodice that is wider than the chest by more does not stay up without shoulders."""
 
 
 def _sleeveless(facts: GarmentFacts) -> bool:
@@ -59,7 +68,7 @@ ARMHOLE_LEVERS: tuple[Lever, ...] = (
         4,
         _depth,
         _set_depth,
-        cuts.deepen_armholes,
+        sleeve_cuts.deepen_armholes,
         fixed(12.0, 38.0),
         step=0.5,
         words=("deeper", "shallower"),
@@ -70,9 +79,71 @@ ARMHOLE_LEVERS: tuple[Lever, ...] = (
         4,
         _shoulder,
         _set_shoulder,
-        cuts.widen_shoulders,
+        sleeve_cuts.widen_shoulders,
         _shoulder_span,
         step=0.5,
         only_for=("shoulders", "straps"),
     ),
+)
+
+
+def _with_holes(facts: GarmentFacts, change: Callable[[Armhole], Armhole]) -> GarmentFacts | None:
+    torso = facts.torso
+    if torso is None or not (torso.left_armhole or torso.right_armhole):
+        return None
+    left, right = (h and change(h) for h in (torso.left_armhole, torso.right_armhole))
+    return replace(facts, torso=replace(torso, left_armhole=left, right_armhole=right))
+
+
+def _cut_to(shape: HoleShape) -> Trick:
+    def imagine(facts: GarmentFacts) -> GarmentFacts | None:
+        seen: ArmholeShape = shape
+        return _with_holes(facts, lambda hole: replace(hole, shape=seen)) if _sleeveless(facts) else None
+
+    def cut(cutter: Cutter) -> Pattern | None:
+        holes = sleeve_cuts.free_armholes(cutter)
+        return reshape_armholes(cutter.pattern, holes, shape) if holes else None
+
+    name = "armholes cut " + {"round": "round", "square": "square", "angled": "at an angle"}[shape]
+    return Trick(name, 4, imagine, cut, only_for=("armholes",))
+
+
+def _bared(sides: tuple[ArmSide, ...]) -> Trick:
+    """Shoulders cut off: of both sides, or of one of two."""
+
+    def imagine(facts: GarmentFacts) -> GarmentFacts | None:
+        torso = facts.torso
+        if torso is None or facts.collar or facts.hood or torso.chest_ease > _SLIPS_CM:
+            return None
+        sleeves = {"left": facts.left_sleeve, "right": facts.right_sleeve}
+        shoulders = {"left": torso.left_shoulder, "right": torso.right_shoulder}
+        if any(sleeves[s] is not None or shoulders[s] is None for s in sides):
+            return None
+        if "left" in sides:
+            torso = replace(torso, left_shoulder=None, left_armhole=None)
+        if "right" in sides:
+            torso = replace(torso, right_shoulder=None, right_armhole=None)
+
+        def halved(neck: Neckline | None) -> Neckline | None:
+            left = neck.left if neck and "left" not in sides else None
+            right = neck.right if neck and "right" not in sides else None
+            return Neckline(left, right) if left or right else None
+
+        necks = halved(facts.front_neck), halved(facts.back_neck)
+        return replace(facts, torso=torso, front_neck=necks[0], back_neck=necks[1])
+
+    def cut(cutter: Cutter) -> Pattern | None:
+        both = len(sides) == 2
+        other_bare = not both and cutter.worn.shoulders[1 if sides == ("left",) else 0] is None
+        return bare_shoulders(cutter.pattern, cutter.anatomy, sides, other_bare=other_bare)
+
+    name = "shoulders bared" if len(sides) == 2 else f"{sides[0]} shoulder bared"
+    return Trick(name, 4, imagine, cut, only_for=("shoulders",))
+
+
+ARMHOLE_TRICKS: tuple[Trick, ...] = (
+    *(_cut_to(shape) for shape in ("round", "square", "angled")),
+    _bared(("left", "right")),
+    _bared(("left",)),
+    _bared(("right",)),
 )

@@ -6,16 +6,20 @@ from dataclasses import replace
 
 import numpy as np
 
-from swifttailor.alterations.lever import Lever
+from swifttailor.alterations.lever import Lever, fixed
 from swifttailor.data.captions.facts import GarmentFacts
-from swifttailor.data.captions.measure.parts import ARM_PARTS, LEG_PARTS, Part
+from swifttailor.data.captions.measure.parts import ARM_PARTS, LEG_PARTS, LOWER_PARTS, Part
 from swifttailor.data.edits.cutter import Cutter
+from swifttailor.data.edits.recutting.ends import swing_sides
 from swifttailor.data.edits.recutting.grading import Spread, spread_panels
 from swifttailor.pattern import Pattern
 
 _PANELS = 4.0
 """Side edges of front and back, left and right."""
 _LEAST_SPREAD_CM = 3.0
+_LEAST_GATHER, _MOST_GATHER = 0.99, 1.9
+"""Of the lower edge of a bodice over what holds it."""
+_STEEPEST_SIDE = 0.6
 _STRAPLESS = (0.35, 0.85)
 """Where a panel without shoulder is spread, parts of its reach from the middle."""
 
@@ -83,6 +87,82 @@ def _spread(cutter: Cutter, name: str, distance: float) -> Spread:
     return Spread(_STRAPLESS[0] * reach, _STRAPLESS[1] * reach)
 
 
+def _holding(facts: GarmentFacts) -> float | None:
+    """Length of what holds the lower edge of a bodice without darts, cm; None where that is free."""
+    torso = facts.torso
+    if torso is None or torso.darts or not (facts.waistband or facts.skirt or facts.trousers):
+        return None
+    return torso.lower_edge / max(torso.gather, 0.1)
+
+
+def _set_gathered_chest(facts: GarmentFacts, chest: float) -> GarmentFacts:
+    held, torso = _holding(facts), facts.torso
+    if held is None or torso is None:
+        return facts
+    wider = _set_chest(facts, chest).torso
+    assert wider is not None
+    return replace(facts, torso=replace(wider, gather=wider.lower_edge / held))
+
+
+def _gathered_span(facts: GarmentFacts) -> tuple[float, float]:
+    held, torso = _holding(facts), facts.torso
+    if held is None or torso is None:
+        return 0.0, 0.0
+    bust = torso.chest - torso.chest_ease
+    least = torso.chest + min(_LEAST_GATHER, torso.gather) * held - torso.lower_edge
+    most = torso.chest + _MOST_GATHER * held - torso.lower_edge
+    return max(0.95 * bust, least), min(1.6 * bust, most)
+
+
+def _cut_gathered(cutter: Cutter, amount: float) -> Pattern | None:
+    distance = amount / _PANELS
+    spreads = {p.name: _spread(cutter, p.name, distance) for p in cutter.anatomy.panels(Part.TORSO)}
+    return spread_panels(
+        cutter.pattern, spreads, distance, beside=cutter.names(*ARM_PARTS), below=(), factor=1.0
+    )
+
+
+def _set_gather(facts: GarmentFacts, gather: float) -> GarmentFacts:
+    torso = facts.torso
+    if torso is None:
+        return facts
+    lower = torso.lower_edge * gather / max(torso.gather, 0.1)
+    return replace(facts, torso=replace(torso, gather=gather, lower_edge=lower))
+
+
+def _cut_lower_edge(cutter: Cutter, amount: float) -> Pattern | None:
+    """Turns the side seams of the bodice: its chest stays, more or less of it is gathered below."""
+    held = _holding(cutter.facts)
+    seam = cutter.anatomy.seam(Part.TORSO, {Part.WAISTBAND} | LOWER_PARTS).own
+    if held is None or not seam:
+        return None
+    return swing_sides(cutter.pattern, seam, amount * held / _PANELS, steepest=_STEEPEST_SIDE)
+
+
 FIT_LEVERS: tuple[Lever, ...] = (
+    Lever(
+        "bodice, its lower edge",
+        2,
+        lambda f: f.torso.gather if _holding(f) is not None and f.torso else None,
+        _set_gather,
+        _cut_lower_edge,
+        fixed(1.0, 2.4),
+        step=0.03,
+        words=("times more gathered", "times less gathered"),
+        unit="",
+        only_for=("bodice gathers", "bodice: gathered", "bodice"),
+        gathers=True,
+    ),
     Lever("chest", 1, _chest, _set_chest, _cut, _span, words=("wider", "narrower")),
+    Lever(
+        "chest, gathered into what holds it,",
+        1,
+        _chest,
+        _set_gathered_chest,
+        _cut_gathered,
+        _gathered_span,
+        words=("wider", "narrower"),
+        only_for=("chest", "chest_cm", "fit"),
+        gathers=True,
+    ),
 )

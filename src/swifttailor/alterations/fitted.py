@@ -140,6 +140,7 @@ class FittingMaker:
             requests = [replace(request, text=put_right(request.text)) for request in requests]
         read = [self._read(request) for request in requests]
         best: list[Fitted | None] = [None] * len(requests)
+        recuts: list[Recut | None] = [None] * len(requests)
         for attempt in range(first_attempt, first_attempt + attempts):
             wanting = [k for k, one in enumerate(best) if one is None or any(one.rank[:2])]
             if not wanting:
@@ -152,11 +153,20 @@ class FittingMaker:
             )
             for k, one in zip(wanting, made, strict=True):
                 said, edit = read[k], requests[k].edit
-                unsaid = edit is None and requests[k].image is None and self.reader is not None
-                fitted, before = (
-                    fit(one, sure_wishes(said), edit, likely_wishes(said), unsaid=unsaid),
-                    best[k],
+                wishes, unsaid = sure_wishes(said), edit is None and requests[k].image is None
+                started = time.perf_counter()
+                recuts[k] = recuts[k] or recut_edit(edit, wishes)
+                seconds = time.perf_counter() - started
+                fitted = fit(
+                    one,
+                    wishes,
+                    edit,
+                    likely_wishes(said),
+                    edited=recuts[k],
+                    unsaid=unsaid and self.reader is not None,
                 )
+                fitted = replace(fitted, altering_seconds=fitted.altering_seconds + seconds)
+                before = best[k]
                 best[k] = fitted if before is None or fitted.rank < before.rank else before
         fitted = [one for one in best if one is not None]
         altering = sum(one.altering_seconds for one in fitted)
@@ -216,12 +226,31 @@ def sure_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
     )
 
 
+@dataclass(frozen=True, eq=False)
+class Recut:
+    """A pattern to edit, altered to what was asked for; the same whatever the network writes."""
+
+    original: GarmentFacts | None
+    """What it showed; None where it cannot be measured, or there is none."""
+    altered: Alteration | None
+
+
+def recut_edit(edit: Pattern | None, wishes: Sequence[Wish]) -> Recut:
+    """Alters the pattern to edit, if there is one."""
+    if edit is None or not wishes:
+        return Recut(None, None)
+    original = _facts(edit)
+    changes = tuple(wish.change for wish in wishes)
+    return Recut(original, None if original is None else _altered(edit, changes, original))
+
+
 def fit(
     generated: Generated,
     wishes: Sequence[Wish],
     edit: Pattern | None = None,
     likely: Sequence[Wish] = (),
     *,
+    edited: Recut | None = None,
     unsaid: bool = False,
 ) -> Fitted:
     """Alters a pattern to what was asked for; one that cannot be measured is left as it is, its wishes open.
@@ -231,6 +260,7 @@ def fit(
         wishes: What the text asks for.
         edit: The pattern to edit, if there is one.
         likely: What it may ask for, to be done last, where that costs nothing else.
+        edited: What has come of altering the pattern to edit; it is altered when None.
         unsaid: Whether the text is all that there is to go by, so that what it does not speak of is to be as
             usual: both sides alike, no hood, a level hem (`unsaid_wishes`).
     """
@@ -248,8 +278,8 @@ def fit(
     if not changes and not unsaid:
         lonely, torn = _unasked(pattern, changes, edit), _is_torn(pattern, edit)
         return Fitted(generated, pattern, findings, one_sided=lonely, holes=torn)
-    original = None if edit is None else _facts(edit)
-    recut = None if edit is None or original is None else _altered(edit, changes, original)
+    edited = edited or recut_edit(edit, wishes)
+    original, recut = edited.original, edited.altered
     written = None
     remade = edit is not None and recut is not None and _is_remade(edit, recut)
     if recut is None or recut.open or remade:

@@ -2,67 +2,65 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Literal
 
 from swifttailor.alterations.lever import Lever, fixed
 from swifttailor.data.captions.facts import GarmentFacts
 from swifttailor.data.edits import cuts
 from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.recutting.hem_line import bend_hem, slant_hem
-from swifttailor.pattern import Pattern
+from swifttailor.pattern import EdgeRef, Pattern
+
+Place = Literal["front", "back", "left", "right"]
 
 
-def _rise(facts: GarmentFacts) -> float | None:
-    return facts.hem.front - facts.hem.back if facts.hem and facts.trousers is None else None
+def _tilt(
+    name: str,
+    high: Place,
+    low: Place,
+    recut: Callable[[Pattern, tuple[EdgeRef, ...], float], Pattern | None],
+    words: tuple[str, str],
+    only_for: tuple[str, ...],
+) -> Lever:
+    """Moves a hem up in one place by as much as it moves down in the opposite one."""
 
+    def of(facts: GarmentFacts) -> float | None:
+        if facts.hem is None or facts.trousers is not None:
+            return None
+        return getattr(facts.hem, high) - getattr(facts.hem, low)
 
-def _set_rise(facts: GarmentFacts, rise: float) -> GarmentFacts:
-    if facts.hem is None:
-        return facts
-    by = (rise - facts.hem.front + facts.hem.back) / 2
-    return replace(facts, hem=replace(facts.hem, front=facts.hem.front + by, back=facts.hem.back - by))
+    def imagine(facts: GarmentFacts, tilt: float) -> GarmentFacts:
+        hem = facts.hem
+        if hem is None:
+            return facts
+        up, down = getattr(hem, high), getattr(hem, low)
+        by = (tilt - up + down) / 2
+        return replace(facts, hem=replace(hem, **{high: up + by, low: down - by}))
 
+    def cut(cutter: Cutter, amount: float) -> Pattern | None:
+        hem = cuts.free_hem(cutter)
+        return recut(cutter.pattern, hem, amount / 2) if hem else None
 
-def _cut(cutter: Cutter, amount: float) -> Pattern | None:
-    hem = cuts.free_hem(cutter)
-    return bend_hem(cutter.pattern, hem, {"front": -amount / 2, "back": amount / 2}) if hem else None
-
-
-def _slant(facts: GarmentFacts) -> float | None:
-    return facts.hem.right - facts.hem.left if facts.hem and facts.trousers is None else None
-
-
-def _set_slant(facts: GarmentFacts, slant: float) -> GarmentFacts:
-    if facts.hem is None:
-        return facts
-    by = (slant - facts.hem.right + facts.hem.left) / 2
-    return replace(facts, hem=replace(facts.hem, right=facts.hem.right + by, left=facts.hem.left - by))
-
-
-def _cut_slant(cutter: Cutter, amount: float) -> Pattern | None:
-    hem = cuts.free_hem(cutter)
-    return slant_hem(cutter.pattern, hem, amount / 2) if hem else None
+    return Lever(name, 6, of, imagine, cut, fixed(-45.0, 45.0), words=words, only_for=only_for)
 
 
 HEM_SHAPE_LEVERS: tuple[Lever, ...] = (
-    Lever(
+    _tilt(
         "hem bent, its front",
-        6,
-        _rise,
-        _set_rise,
-        _cut,
-        fixed(-45.0, 45.0),
-        words=("higher against its back", "lower against its back"),
-        only_for=("hem_shape", "dip"),
+        "front",
+        "back",
+        lambda pattern, hem, by: bend_hem(pattern, hem, {"front": -by, "back": by}),
+        ("higher against its back", "lower against its back"),
+        ("hem_shape", "dip"),
     ),
-    Lever(
+    _tilt(
         "hem slanted, its left side",
-        6,
-        _slant,
-        _set_slant,
-        _cut_slant,
-        fixed(-45.0, 45.0),
-        words=("lower against its right", "higher against its right"),
-        only_for=("hem_shape",),
+        "right",
+        "left",
+        slant_hem,
+        ("lower against its right", "higher against its right"),
+        ("hem_shape",),
     ),
 )

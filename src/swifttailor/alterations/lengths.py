@@ -14,6 +14,7 @@ from swifttailor.data.edits import cuts
 from swifttailor.data.edits.cutter import Cutter
 from swifttailor.pattern import Pattern
 
+_SEEN_BLOUSON_CM = 1.0
 ArmSide = Literal["left", "right"]
 
 
@@ -140,7 +141,7 @@ def _cuff_lever(part: Part) -> Lever:
 
     name = "cuffs" if part is Part.CUFF else "leg cuffs"
     only_for = ("cuffs", "cuff_cm", "cuff length", "leg_cuffs", "leg_cuff_cm", "leg cuff length")
-    return Lever(name, 2, of, imagine, cut, fixed(2.0, 35.0), step=0.5, only_for=only_for)
+    return Lever(name, 2, of, imagine, cut, fixed(2.0, 60.0), step=0.5, only_for=only_for)
 
 
 def _set_band(facts: GarmentFacts, height: float) -> GarmentFacts:
@@ -169,6 +170,19 @@ def _set_bodice(facts: GarmentFacts, level: float) -> GarmentFacts:
 
 def _set_collar(facts: GarmentFacts, height: float) -> GarmentFacts:
     return replace(facts, collar=replace(facts.collar, height=height)) if facts.collar else facts
+
+
+def _shorten_bloused(cutter: Cutter, distance: float) -> Pattern | None:
+    """What blouses over the seam goes first: only what is cut off beyond it raises the seam."""
+    torso = cutter.facts.torso
+    if torso is None or torso.blouson < _SEEN_BLOUSON_CM or distance >= 0:
+        return None
+    return cuts.lengthen_bodice(cutter, distance - torso.blouson)
+
+
+def _banded_top(facts: GarmentFacts) -> float | None:
+    plain = facts.torso and facts.waistband and not facts.skirt and not facts.trousers
+    return _bodice_level(facts) if plain else None
 
 
 HEM = Lever(
@@ -229,5 +243,28 @@ LENGTH_LEVERS: tuple[Lever, ...] = (
         rate=-1.0,
         sign=-1.0,
         only_for=("bodice length", "waist_seam", "length", "length_cm", "top_hem"),
+    ),
+    Lever(
+        "bodice, its blousing taken in,",
+        1,
+        _bodice_level,
+        _set_bodice,
+        _shorten_bloused,
+        lambda f: (f.body.hips - 10.0, f.body.bust - 4.0),
+        rate=-1.0,
+        sign=-1.0,
+        only_for=("bodice length", "waist_seam", "length", "length_cm", "top_hem"),
+    ),
+    Lever(
+        "bodice, its band let out,",
+        1,
+        _banded_top,
+        _set_bodice,
+        cuts.lengthen_with_band,
+        lambda f: (f.body.hips - 20.0, f.body.bust - 4.0),
+        rate=-1.0,
+        sign=-1.0,
+        only_for=("bodice length", "length", "length_cm", "top_hem"),
+        gathers=True,
     ),
 )

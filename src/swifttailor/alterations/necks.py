@@ -10,6 +10,7 @@ from swifttailor.alterations.lever import Lever, Trick, fixed
 from swifttailor.data.captions.facts import GarmentFacts, NeckHalf, Neckline
 from swifttailor.data.captions.measure.parts import Face
 from swifttailor.data.edits.cutter import Cutter
+from swifttailor.data.edits.neck_cuts import recut_under
 from swifttailor.data.edits.recutting.neck_width import widen_neckline
 from swifttailor.data.edits.recutting.necklines import NewShape, recut_neckline
 from swifttailor.pattern import Pattern
@@ -24,15 +25,15 @@ _CUT: dict[NewShape, str] = {
     "v": "to a V",
     "square": "square",
     "trapezoid": "to a trapezoid",
+    "s-curve": "in an S-curve",
+    "pointed": "to a leaf's point",
 }
 
 
 def _plain_neck(facts: GarmentFacts, face: Face) -> Neckline | None:
-    """A neckline with two shoulders that nothing is sewn to."""
+    """A neckline with two shoulders."""
     neck = facts.front_neck if face == "front" else facts.back_neck
-    if neck is None or neck.left is None or neck.right is None or facts.collar or facts.hood:
-        return None
-    return neck
+    return None if neck is None or neck.left is None or neck.right is None else neck
 
 
 def _with_neck(facts: GarmentFacts, face: Face, change: Callable[[NeckHalf], NeckHalf]) -> GarmentFacts:
@@ -57,11 +58,14 @@ def _depth_lever(face: Face, shape: NewShape | None) -> Lever:
         return _with_neck(facts, face, recut) if _plain_neck(facts, face) else facts
 
     def cut(cutter: Cutter, amount: float) -> Pattern | None:
-        edges = cutter.neckline(face)
-        return recut_neckline(cutter.pattern, edges, amount, shape) if edges else None
+        def recut(bare: Cutter) -> Pattern | None:
+            edges = bare.neckline(face)
+            return recut_neckline(bare.pattern, edges, amount, shape) if edges else None
+
+        return recut_under(cutter, recut)
 
     name = f"{face} neckline" if shape is None else f"{face} neckline cut {_CUT[shape]},"
-    return Lever(name, 4, of, imagine, cut, fixed(3.5, 40.0), step=0.5, words=("deeper", "shallower"))
+    return Lever(name, 4, of, imagine, cut, fixed(3.5, 50.0), step=0.5, words=("deeper", "shallower"))
 
 
 def _half_shape(side: Half, shape: NewShape) -> Trick:
@@ -99,8 +103,11 @@ def _set_width(facts: GarmentFacts, width: float) -> GarmentFacts:
 
 
 def _cut_width(cutter: Cutter, amount: float) -> Pattern | None:
-    front, back = cutter.neckline("front"), cutter.neckline("back")
-    return widen_neckline(cutter.pattern, front, back, amount) if front and back else None
+    def recut(bare: Cutter) -> Pattern | None:
+        front, back = bare.neckline("front"), bare.neckline("back")
+        return widen_neckline(bare.pattern, front, back, amount) if front and back else None
+
+    return recut_under(cutter, recut)
 
 
 def _width_span(facts: GarmentFacts) -> tuple[float, float]:
@@ -109,7 +116,7 @@ def _width_span(facts: GarmentFacts) -> tuple[float, float]:
     return 6.0, (_width(facts) or 0.0) + _SLOPE * (min(shoulders, default=0.0) - 2.5)
 
 
-_SHAPES: tuple[NewShape, ...] = ("round", "v", "square", "trapezoid")
+_SHAPES: tuple[NewShape, ...] = ("round", "v", "square", "trapezoid", "s-curve", "pointed")
 NECK_LEVERS: tuple[Lever, ...] = (
     *(_depth_lever(face, shape) for face in ("front", "back") for shape in (None, *_SHAPES)),
     Lever(

@@ -9,7 +9,7 @@ from swifttailor.alterations.lengths import ArmSide, mean_of_sleeves, with_sleev
 from swifttailor.alterations.lever import Lever, Trick, fixed, with_hem
 from swifttailor.data.captions.facts import Band, Cuff, CuffKind, GarmentFacts, Sleeve
 from swifttailor.data.captions.measure.parts import Part
-from swifttailor.data.edits import cuts
+from swifttailor.data.edits import cuts, sleeve_cuts
 from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.recutting.sleeves import ARM_EASE_CM
 from swifttailor.pattern import Pattern
@@ -218,7 +218,7 @@ def _sleeves_added(sides: tuple[ArmSide, ...]) -> Lever:
         return replace(facts, left_sleeve=left, right_sleeve=right, torso=torso)
 
     def cut(cutter: Cutter, amount: float) -> Pattern | None:
-        return cuts.add_sleeves(cutter, amount, sides)
+        return sleeve_cuts.add_sleeves(cutter, amount, sides)
 
     return Lever(
         "sleeves sewn on" if len(sides) == 2 else f"{sides[0]} sleeve sewn on",
@@ -237,17 +237,18 @@ def _sleeves_added(sides: tuple[ArmSide, ...]) -> Lever:
 
 
 _NECKLINES = ("neckline", "left_neckline", "right_neckline", "back_neckline")
+_COLLARS = (*_NECKLINES, "collar", "hood", "shoulders: strapless")
 _KINDS = ("kind",)
 PART_TRICKS: tuple[Trick, ...] = (
     _taken(
-        "hood", Part.HOOD, lambda f: replace(f, hood=None) if f.hood else None, ("hood", "collar"), _NECKLINES
+        "hood", Part.HOOD, lambda f: replace(f, hood=None) if f.hood else None, ("hood", "collar"), _COLLARS
     ),
     _taken(
         "collar",
         Part.COLLAR,
         lambda f: replace(f, collar=None) if f.collar else None,
         ("collar",),
-        _NECKLINES,
+        _COLLARS,
     ),
     _taken("cuffs", Part.CUFF, _no_cuffs, ("cuffs",), ("cuffs", "sleeve_shape")),
     _taken("leg cuffs", Part.LEG_CUFF, _no_leg_cuffs, ("leg_cuffs",), ("leg_cuffs",)),
@@ -258,6 +259,7 @@ PART_TRICKS: tuple[Trick, ...] = (
         _no_sleeves,
         lambda c: cuts.remove_parts(c, Part.SLEEVE, Part.CUFF),
         only_for=("sleeves",),
+        opens=("shoulders: strapless",),
     ),
     _one_sleeve("left"),
     _one_sleeve("right"),
@@ -265,7 +267,7 @@ PART_TRICKS: tuple[Trick, ...] = (
         "second sleeve sewn on",
         0,
         _second_sleeve,
-        cuts.mirror_sleeve,
+        sleeve_cuts.mirror_sleeve,
         only_for=("sleeves", "sleeve_cm", "left_sleeve", "right_sleeve", "sleeve_shape"),
     ),
     Trick("lower part taken off", 0, _no_lower, cuts.remove_lower, only_for=_KINDS),

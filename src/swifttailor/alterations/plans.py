@@ -13,8 +13,12 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.alterations.armholes import ARMHOLE_LEVERS
+from swifttailor.alterations.armholes import ARMHOLE_LEVERS, ARMHOLE_TRICKS
+from swifttailor.alterations.bodice_darts import BODICE_DART_TRICKS
+from swifttailor.alterations.collars import COLLAR_LEVERS
+from swifttailor.alterations.exchanges import CURVED_LEVERS, EXCHANGE_LEVERS, EXCHANGE_TRICKS
 from swifttailor.alterations.fit import FIT_LEVERS
+from swifttailor.alterations.godets import GODET_LEVERS, GODET_TRICKS
 from swifttailor.alterations.hem_shapes import HEM_SHAPE_LEVERS
 from swifttailor.alterations.lengths import LENGTH_LEVERS
 from swifttailor.alterations.lever import Lever, Trick
@@ -22,7 +26,7 @@ from swifttailor.alterations.necks import NECK_LEVERS, NECK_TRICKS
 from swifttailor.alterations.parts import ADDED_PARTS, PART_TRICKS
 from swifttailor.alterations.sleeve_widths import SLEEVE_WIDTH_LEVERS
 from swifttailor.alterations.slits import SLIT_LEVERS, SLIT_TRICKS
-from swifttailor.alterations.tiers import TIER_TRICKS
+from swifttailor.alterations.tiers import TIER_LEVERS, TIER_TRICKS
 from swifttailor.alterations.widths import WIDTH_LEVERS, WIDTH_TRICKS
 from swifttailor.data.captions.claims.claim import CLAIM_TYPES
 from swifttailor.data.captions.claims.judgement import CLAIMING
@@ -34,14 +38,29 @@ LEVERS: tuple[Lever, ...] = (
     *ARMHOLE_LEVERS,
     *NECK_LEVERS,
     *HEM_SHAPE_LEVERS,
+    *CURVED_LEVERS,
     *WIDTH_LEVERS,
     *SLEEVE_WIDTH_LEVERS,
     *SLIT_LEVERS,
     *ADDED_PARTS,
     *FIT_LEVERS,
+    *COLLAR_LEVERS,
+    *GODET_LEVERS,
+    *TIER_LEVERS,
+    *EXCHANGE_LEVERS,
 )
 """In order of preference."""
-TRICKS: tuple[Trick, ...] = (*NECK_TRICKS, *SLIT_TRICKS, *TIER_TRICKS, *WIDTH_TRICKS, *PART_TRICKS)
+TRICKS: tuple[Trick, ...] = (
+    *NECK_TRICKS,
+    *ARMHOLE_TRICKS,
+    *BODICE_DART_TRICKS,
+    *SLIT_TRICKS,
+    *TIER_TRICKS,
+    *GODET_TRICKS,
+    *WIDTH_TRICKS,
+    *PART_TRICKS,
+    *EXCHANGE_TRICKS,
+)
 
 NATURAL_SHARE = 0.13
 """How much of a measure a step without an amount is, at least twice what is seen."""

@@ -7,7 +7,7 @@ from dataclasses import replace
 from swifttailor.alterations.lengths import with_sleeves
 from swifttailor.alterations.lever import Lever
 from swifttailor.data.captions.facts import GarmentFacts, Sleeve
-from swifttailor.data.edits import cuts
+from swifttailor.data.edits import sleeve_cuts
 from swifttailor.data.edits.cutter import Cutter
 from swifttailor.pattern import Pattern
 
@@ -66,7 +66,7 @@ def _width_lever(*, whole: bool) -> Lever:
     def cut(cutter: Cutter, amount: float) -> Pattern | None:
         was = of(cutter.facts)
         factor = (was + amount) / was if was else 0.0
-        return cuts.widen_sleeves(cutter, factor, factor if whole else 1.0) if factor > 0 else None
+        return sleeve_cuts.widen_sleeves(cutter, factor, factor if whole else 1.0) if factor > 0 else None
 
     name = "sleeves" if whole else "sleeves above their ends"
     return Lever(name, 3, of, imagine, cut, _upper_span, words=_WIDER, only_for=_SHAPES)
@@ -98,7 +98,7 @@ def _set_head(facts: GarmentFacts, gather: float) -> GarmentFacts:
 def _cut_head(cutter: Cutter, amount: float) -> Pattern | None:
     was = _head(cutter.facts)
     factor = (was + amount) / was if was else 0.0
-    return cuts.gather_sleeve_heads(cutter, factor, _least_end(cutter.facts)) if factor > 0 else None
+    return sleeve_cuts.gather_sleeve_heads(cutter, factor, _least_end(cutter.facts)) if factor > 0 else None
 
 
 def _set_upper_gathering(facts: GarmentFacts, width: float) -> GarmentFacts:
@@ -112,7 +112,7 @@ def _cut_upper_gathering(cutter: Cutter, amount: float) -> Pattern | None:
     factor = ((was + amount) / was) ** (1.0 / _WIDER_A_HEAD)
     if not 0.97 <= head * factor <= 2.4:
         return None
-    return cuts.gather_sleeve_heads(cutter, factor, _least_end(cutter.facts))
+    return sleeve_cuts.gather_sleeve_heads(cutter, factor, _least_end(cutter.facts))
 
 
 def _end_gather(facts: GarmentFacts) -> float | None:
@@ -127,7 +127,9 @@ def _set_end_gather(facts: GarmentFacts, gather: float) -> GarmentFacts:
 
 def _cut_end_gather(cutter: Cutter, amount: float) -> Pattern | None:
     was = _end_gather(cutter.facts)
-    return cuts.gather_sleeve_ends(cutter, (was + amount) / was) if was and was + amount > 0.9 else None
+    return (
+        sleeve_cuts.gather_sleeve_ends(cutter, (was + amount) / was) if was and was + amount > 0.9 else None
+    )
 
 
 SLEEVE_WIDTH_LEVERS: tuple[Lever, ...] = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -17,6 +18,8 @@ from swifttailor.pattern import EdgeRef, Pattern
 _PLACES: tuple[Place, ...] = ("left", "right", "back", "front")
 _WORDS: dict[Place, str] = {"left": "left", "right": "right", "back": "behind", "front": "in front"}
 _WEDGE_CM = 12.0
+LEAST_SLIT_CM = 3.0
+"""Shorter ones are not opened again."""
 _CLAIMS = ("slit", "slit_cm", "slit_size", *(f"{p} slit" for p in _PLACES))
 
 
@@ -39,6 +42,41 @@ def closed(cutter: Cutter, place: Place | None = None) -> Pattern | None:
     """The pattern with its slits closed; None where there are none."""
     sides = slit_sides(cutter, place)
     return close_slits(cutter.pattern, sides) if sides else None
+
+
+def recut_closed(
+    cutter: Cutter, recut: Callable[[Cutter], Pattern | None], *, first: bool = True
+) -> Pattern | None:
+    """Recuts a skirt; where its slits are in the way, with them closed, and opens them again.
+
+    Args:
+        cutter: The pattern.
+        recut: What is done.
+        first: Whether to try it with open slits first.
+    """
+    edited = recut(cutter) if first or not _slits(cutter.facts) else None
+    shut = closed(cutter) if edited is None else None
+    edited = edited if shut is None else recut(Cutter(shut, cutter.anatomy.body))
+    if edited is None or shut is None:
+        return edited
+    for slit in _slits(cutter.facts):
+        if slit.height < LEAST_SLIT_CM:
+            continue
+        after = Cutter(edited, cutter.anatomy.body)
+        edited = open_slit(after, slit.place, slit.height, max(slit.width, 2.0))
+        if edited is None:
+            return None
+    return edited
+
+
+def open_slit(cutter: Cutter, place: Place, height: float, width: float) -> Pattern | None:
+    """Opens a slit of some height and width at the hem, cm."""
+    hem = cutter.hem_of(*SKIRT_PARTS)
+    if not hem:
+        return None
+    if place in ("left", "right"):
+        return open_side(cutter.pattern, hem, height, place)
+    return open_middle(cutter.pattern, hem, height, "front" if place == "front" else "back", width)
 
 
 def _slits(facts: GarmentFacts) -> tuple[Slit, ...]:
@@ -67,13 +105,7 @@ def _lever(place: Place, wedge: bool = False) -> Lever:
                 return reached
         shut = closed(cutter, place) if of(cutter.facts) else None
         now = cutter if shut is None else Cutter(shut, cutter.anatomy.body)
-        hem = now.hem_of(*SKIRT_PARTS)
-        if not hem:
-            return None
-        if place in ("left", "right"):
-            return open_side(now.pattern, hem, height, place)
-        face = "front" if place == "front" else "back"
-        return open_middle(now.pattern, hem, height, face, _WEDGE_CM if wedge else 2.0)
+        return open_slit(now, place, height, _WEDGE_CM if wedge else 2.0)
 
     def span(facts: GarmentFacts) -> tuple[float, float]:
         skirt = facts.skirt

@@ -4,24 +4,34 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from swifttailor.alterations.lever import Trick, with_hem
-from swifttailor.alterations.slits import slit_sides
+from swifttailor.alterations.lever import Lever, Trick, with_hem
+from swifttailor.alterations.slits import recut_closed, slit_sides
 from swifttailor.data.captions.facts import GarmentFacts
+from swifttailor.data.captions.measure.parts import Part
 from swifttailor.data.captions.measure.skirts import skirt_rows
 from swifttailor.data.edits import cuts
 from swifttailor.data.edits.cutter import Cutter
+from swifttailor.data.edits.recutting.bands import BandPlan, add_band
 from swifttailor.data.edits.recutting.removal import remove_panels
 from swifttailor.data.edits.recutting.slits import close_slits
 from swifttailor.pattern import Pattern
 
 _LEAST_LEFT_CM = 4.0
 """A tier that would be shorter than this is taken off."""
+_LEAST_TIER_CM = 6.0
+"""Of a new one."""
+_GATHERED = 1.35
+"""Length of a new tier over that of what it hangs from."""
+_MOST_GORES = 2
+_MOST_TIERS = 6.0
 
 
 def lengthen_tiered(cutter: Cutter, distance: float) -> Pattern | None:
     """Moves the hem down, cm; where it moves up past low slits or tiers, they go with what is cut off."""
     whole = cuts.lengthen_hem(cutter, distance)
-    if whole is not None or distance >= 0:
+    if whole is None and distance >= 0:
+        return recut_closed(cutter, lambda shut: cuts.lengthen_hem(shut, distance))
+    if whole is not None:
         return whole
     cutter = _without_low_slits(cutter, -distance)
     while (tier := _lowest_tier(cutter)) and (shorter := remove_panels(cutter.pattern, tier)) is not None:
@@ -57,9 +67,73 @@ def _fewer(facts: GarmentFacts) -> GarmentFacts | None:
     return replace(with_hem(facts, -length), skirt=skirt)
 
 
+def _tiers(facts: GarmentFacts) -> float | None:
+    skirt = facts.skirt
+    return float(skirt.tiers) if skirt and not skirt.godets and skirt.gores <= _MOST_GORES else None
+
+
+def _more(facts: GarmentFacts, tiers: float) -> GarmentFacts:
+    """The lowest row cut into rows of the same length, each gathered to the one above."""
+    skirt, new = facts.skirt, round(tiers) - (facts.skirt.tiers if facts.skirt else 0)
+    if skirt is None or new < 1:
+        return facts
+    hem = skirt.hem * _GATHERED**new
+    base = skirt.base_length if skirt.tiers > 1 else skirt.length / (new + 1)
+    skirt = replace(
+        skirt, tiers=skirt.tiers + new, tier_gather=_GATHERED, hem=hem, base_length=base, slits=()
+    )
+    return replace(facts, skirt=replace(skirt, base_hem=skirt.base_hem if facts.skirt else hem))
+
+
+def _sew_on(cutter: Cutter, amount: float) -> Pattern | None:
+    """Cuts the lowest row shorter and sews as many rows to it as are to be new."""
+    new, skirt = round(amount), cutter.facts.skirt
+    if new < 1 or skirt is None or skirt.slits:
+        return None
+    last = skirt.length
+    if skirt.tiers > 1:
+        last = (skirt.length - skirt.base_length) / (skirt.tiers - 1)
+    height = last / (new + 1)
+    if height < _LEAST_TIER_CM:
+        return None
+    pattern = cuts.lengthen_hem(cutter, -new * height)
+    for _ in range(new):
+        if pattern is None:
+            return None
+        now = Cutter(pattern, cutter.anatomy.body)
+        pattern = _with_row(now, height)
+    return pattern
+
+
+def _with_row(cutter: Cutter, height: float) -> Pattern | None:
+    hem = cutter.hem_of(Part.SKIRT)
+    taken = {p.name for p in cutter.pattern.panels}
+    plans = []
+    for face in ("front", "back"):
+        edges = tuple(r for r in hem if cutter.anatomy.parts[r.panel].face == face)
+        if not edges:
+            return None
+        name = next(n for k in range(len(taken) + 1) if (n := f"skirt_{face}_{k}") not in taken)
+        plans.append(BandPlan(name, edges))
+    return add_band(cutter.pattern, plans, height, share=_GATHERED)
+
+
 def _cut(cutter: Cutter) -> Pattern | None:
     tier = _lowest_tier(cutter)
     return remove_panels(cutter.pattern, tier) if tier else None
 
 
 TIER_TRICKS: tuple[Trick, ...] = (Trick("lowest tier taken off", 1, _fewer, _cut, only_for=("tiers",)),)
+TIER_LEVERS: tuple[Lever, ...] = (
+    Lever(
+        "tiers",
+        5,
+        _tiers,
+        _more,
+        _sew_on,
+        lambda f: (_tiers(f) or 1.0, _MOST_TIERS),
+        words=("more", "fewer"),
+        unit="",
+        only_for=("tiers", "skirt: tiered", "tiers_count"),
+    ),
+)

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from swifttailor.alterations.lengths import with_cuffs, with_sleeves
 from swifttailor.alterations.lever import Lever, Trick, fixed
+from swifttailor.alterations.slits import recut_closed
 from swifttailor.data.captions.facts import Cuff, GarmentFacts
 from swifttailor.data.captions.measure.parts import Part
 from swifttailor.data.captions.measure.sleeves import FLOUNCE_FLARE
@@ -43,10 +44,14 @@ def _set_hem(facts: GarmentFacts, width: float) -> GarmentFacts:
 
 
 def _hem_span(facts: GarmentFacts) -> tuple[float, float]:
-    return 60.0, max(260.0, 1.3 * (_hem(facts) or 0.0))
+    return 60.0, max(260.0, 2.0 * (_hem(facts) or 0.0))
 
 
 def _flare_hem(cutter: Cutter, amount: float) -> Pattern | None:
+    return recut_closed(cutter, lambda shut: _flare(shut, amount))
+
+
+def _flare(cutter: Cutter, amount: float) -> Pattern | None:
     if not cuts.is_gored(cutter):
         return cuts.flare_hem(cutter, amount / SIDE_EDGES)
     return cuts.flare_hem(cutter, amount / (2.0 * len(cutter.names(Part.SKIRT))))

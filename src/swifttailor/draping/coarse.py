@@ -43,7 +43,7 @@ class CoarseSettings:
     most_vertices: int = 1100
     """Large garments get longer edges, so as not to take much longer."""
     substeps: int = 10
-    """More of them for shorter edges: with as many as before cloth stretches, with too many it hangs short."""
+    """More of them for shorter edges: with too few cloth stretches, with too many it hangs short."""
     closing_frames: int = 20
     calming_frames: int = 4
     hanging_frames: int = 60

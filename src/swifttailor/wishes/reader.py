@@ -14,13 +14,17 @@ from swifttailor.errors import InputError
 from swifttailor.networks.onnx_session import open_session
 from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
 from swifttailor.wishes.labels import change_of, label_of
-from swifttailor.wishes.text_tokens import EXTRA_TOKENS, ReadyText, text_tokens
+from swifttailor.wishes.mentions import Mention, find_mentions
+from swifttailor.wishes.phrase_book import find_phrases
+from swifttailor.wishes.text_tokens import EXTRA_TOKENS, LONGEST_TEXT, ReadyText, text_tokens
 
 SHIPPED = Path(__file__).with_name("wish_reader.onnx")
 FORMAT = "swifttailor wish-reader 1"
 NOTE = "swifttailor"
 INPUTS, OUTPUTS = ("tokens",), ("statements", "numbers")
 LEAST_CERTAINTY = 0.5
+KNOWN_CERTAINTY = 0.99
+"""Of a phrase that stands in the text as it is known."""
 MAX_BYTES = 2**28
 
 
@@ -89,11 +93,18 @@ class WishReader:
         if len(ready.tokens) < 2:
             return ()
         said, numbers = self.session.run(None, {"tokens": ready.tokens[None]})
+        phrases = find_phrases(text[:LONGEST_TEXT], find_mentions(text[:LONGEST_TEXT])) if instruction else []
         found = dict(_stated(said[0], self.statements))
-        for change, certainty in _measured(ready, numbers[0], self.numbers):
+        for mention, change, certainty in _measured(ready, numbers[0], self.numbers):
+            if any(p.start <= mention.start < p.end for p in phrases):
+                continue
             if isinstance(change, Step):
                 found.pop(change_of(label_of(change)), None)
             found[change] = certainty
+        for change in (change for phrase in phrases for change in phrase.changes):
+            if isinstance(change, Step) and change.amount is not None:
+                found.pop(change_of(label_of(change)), None)
+            found[change] = KNOWN_CERTAINTY
         kept = [Wish(c, p) for c, p in found.items() if instruction or not isinstance(c, Step)]
         return tuple(sorted(kept, key=lambda wish: -wish.certainty))
 
@@ -103,15 +114,14 @@ def _stated(logits: Any, labels: tuple[str, ...]) -> list[tuple[Change, float]]:
     return [(change_of(labels[k]), float(certain[k])) for k in np.flatnonzero(certain >= LEAST_CERTAINTY)]
 
 
-def _measured(ready: ReadyText, logits: Any, labels: tuple[str, ...]) -> list[tuple[Change, float]]:
+def _measured(ready: ReadyText, logits: Any, labels: tuple[str, ...]) -> list[tuple[Mention, Change, float]]:
     found = []
     for mention, place in zip(ready.mentions, ready.places, strict=True):
         odds = np.exp(logits[place] - logits[place].max())
         best = int(odds.argmax())
         if best and mention.value > 0:
-            found.append(
-                (change_of(labels[best - 1], round(mention.value, 2)), float(odds[best] / odds.sum()))
-            )
+            change = change_of(labels[best - 1], round(mention.value, 2))
+            found.append((mention, change, float(odds[best] / odds.sum())))
     return found
 
 

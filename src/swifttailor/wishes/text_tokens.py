@@ -12,7 +12,7 @@ from swifttailor.wishes.mentions import Mention, find_mentions
 
 LONGEST = 192
 """Tokens of a text that are read."""
-_LONGEST_TEXT = 20_000
+LONGEST_TEXT = 20_000
 DESCRIPTION, INSTRUCTION, LENGTH, COUNT, PADDING = range(5)
 """Tokens behind those of the text: what kind of text it is, numbers with a unit and without, and nothing."""
 EXTRA_TOKENS = 5
@@ -40,7 +40,7 @@ def text_tokens(text: str, tokenizer: TextTokenizer, *, instruction: bool) -> Re
     first = tokenizer.size
     tokens = [first + (INSTRUCTION if instruction else DESCRIPTION)]
     mentions, places, last = [], [], 0
-    text = text[:_LONGEST_TEXT]
+    text = text[:LONGEST_TEXT]
     for mention in find_mentions(text):
         tokens += tokenizer.encode(text[last : mention.start], LONGEST).tokens
         last = mention.end

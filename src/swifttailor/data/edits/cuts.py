@@ -16,25 +16,18 @@ from swifttailor.data.captions.measure.parts import (
 from swifttailor.data.captions.measure.skirts import skirt_rows, upper_edges
 from swifttailor.data.edits.checking import SEAM_TOLERANCE
 from swifttailor.data.edits.cutter import Cutter
-from swifttailor.data.edits.recutting.armholes import lengthen_shoulders, lower_underarms
 from swifttailor.data.edits.recutting.bands import BandPlan, add_band
 from swifttailor.data.edits.recutting.ends import move_ends, swing_sides
 from swifttailor.data.edits.recutting.fullness import let_out_darts, widen_panels
 from swifttailor.data.edits.recutting.removal import WAIST_LABEL, remove_panels
-from swifttailor.data.edits.recutting.sleeve_width import (
-    Half,
-    gather_heads,
-    keep_heads,
-    sleeve_halves,
-    stretch_sleeves,
-)
-from swifttailor.data.edits.recutting.sleeves import Hole, find_hole
-from swifttailor.data.edits.recutting.sleeves import add_sleeves as sew_in_sleeves
-from swifttailor.data.edits.recutting.sleeves import mirror_sleeve as mirrored
 from swifttailor.pattern import EdgeRef, Pattern
 
+STEEPEST_SIDE, STEEPEST_GORE = 0.25, 0.6
+"""How far a side seam of a skirt, or every seam of a gored one, is turned: cm at the hem for 1 of length."""
 OVER_HIPS = 1.05
 """Girth over that of the hips that slides over them."""
+MOST_LET_OUT = 1.6
+"""Of a band."""
 _FACES: tuple[Face, Face] = ("front", "back")
 _SIDES: tuple[Side, Side] = ("left", "right")
 
@@ -131,6 +124,28 @@ def lengthen_bodice(cutter: Cutter, distance: float) -> Pattern | None:
     return move_ends(cutter.pattern, lower.own, distance, carried)
 
 
+def lengthen_with_band(cutter: Cutter, distance: float) -> Pattern | None:
+    """Moves the band of a top down, cm; where it would be too tight to lie there, it is let out."""
+    band, torso = cutter.facts.waistband, cutter.facts.torso
+    longer = lengthen_bodice(cutter, distance) if distance > 0 else None
+    if longer is None or band is None or torso is None:
+        return None
+    figure = cutter.anatomy.figure
+    low = torso.lower_level - distance - band.height
+    needed = OVER_HIPS * figure.girth_below_waist(max(figure.waist_y - low, 0.0)).girth
+    factor = needed / max(min(band.upper, band.lower), 1.0)
+    if not 1.0 < factor <= MOST_LET_OUT:
+        return None
+    after = Cutter(longer, cutter.anatomy.body)
+    wider = widen_panels(longer, after.names(Part.WAISTBAND), factor, bend_arcs=True)
+    short = needed - torso.lower_edge
+    if wider is None or short <= 0.0:
+        return wider
+    final = Cutter(wider, cutter.anatomy.body)
+    seam = final.anatomy.seam(Part.TORSO, Part.WAISTBAND).own
+    return swing_sides(wider, seam, short / 4, steepest=0.4) if seam else None
+
+
 def raise_collar(cutter: Cutter, distance: float) -> Pattern | None:
     """Makes a collar wider, cm."""
     ends = cutter.anatomy.free_edges(Part.COLLAR)
@@ -144,8 +159,9 @@ def is_gored(cutter: Cutter) -> bool:
 
 def flare_hem(cutter: Cutter, width: float) -> Pattern | None:
     """Turns the side seams of a skirt or top, all seams of a gored one: their ends move out, cm."""
-    hem = free_hem(cutter)
-    return swing_sides(cutter.pattern, hem, width, all_seams=is_gored(cutter)) if hem else None
+    hem, gored = free_hem(cutter), is_gored(cutter)
+    steepest = STEEPEST_GORE if gored else STEEPEST_SIDE
+    return swing_sides(cutter.pattern, hem, width, all_seams=gored, steepest=steepest) if hem else None
 
 
 def flare_legs(cutter: Cutter, width: float) -> Pattern | None:
@@ -158,66 +174,6 @@ def flare_sleeves(cutter: Cutter, width: float) -> Pattern | None:
     """Turns the seams of the sleeves: their lower ends move out, cm."""
     ends = cutter.ends_of(Part.SLEEVE, Border.ARM)
     return swing_sides(cutter.pattern, ends, width) if ends else None
-
-
-def _sleeve_halves(cutter: Cutter) -> list[Half]:
-    """Halves of all sleeves; none where one is not cut in two halves."""
-    found: list[Half] = []
-    for side in _SIDES:
-        if cutter.anatomy.panels(Part.SLEEVE, side):
-            halves = sleeve_halves(cutter.anatomy, side)
-            if halves is None:
-                return []
-            found += halves
-    return found
-
-
-def widen_sleeves(cutter: Cutter, factor: float, end: float) -> Pattern | None:
-    """Makes the sleeves wider at the underarm and at the end by factors, their heads staying as long."""
-    halves = _sleeve_halves(cutter)
-    return keep_heads(cutter.pattern, halves, factor, end) if halves else None
-
-
-def gather_sleeve_heads(cutter: Cutter, factor: float, least_end: float) -> Pattern | None:
-    """Makes the heads of the sleeves longer by a factor, the sleeves as much wider as that asks for.
-
-    Their ends stay where they get wider and go along where they get narrower, to `least_end` of their width.
-    """
-    halves = _sleeve_halves(cutter)
-    if not halves:
-        return None
-    return gather_heads(cutter.pattern, halves, factor, lambda wide: max(min(wide, 1.0), least_end))
-
-
-def gather_sleeve_ends(cutter: Cutter, factor: float) -> Pattern | None:
-    """Makes the ends of the sleeves wider by a factor, cuffs staying as they are."""
-    halves = _sleeve_halves(cutter)
-    return stretch_sleeves(cutter.pattern, halves, 1.0, factor) if halves else None
-
-
-def _free_armholes(cutter: Cutter) -> list[Hole]:
-    """Those of a garment without sleeves; none where one is of another shape."""
-    if cutter.anatomy.has(Part.SLEEVE):
-        return []
-    holes = [
-        find_hole(cutter.anatomy, "left" if k == 0 else "right")
-        for k, shoulder in enumerate(cutter.worn.shoulders)
-        if shoulder
-    ]
-    found = [h for h in holes if h is not None]
-    return found if len(found) == len(holes) else []
-
-
-def deepen_armholes(cutter: Cutter, distance: float) -> Pattern | None:
-    """Moves the lower ends of free armholes down the side seams, cm."""
-    holes = _free_armholes(cutter)
-    return lower_underarms(cutter.pattern, holes, distance) if holes else None
-
-
-def widen_shoulders(cutter: Cutter, distance: float) -> Pattern | None:
-    """Makes the shoulder seams of a garment without sleeves longer at the armholes, cm."""
-    holes = _free_armholes(cutter)
-    return lengthen_shoulders(cutter.pattern, holes, distance) if holes else None
 
 
 def skirt_gather(cutter: Cutter) -> float | None:
@@ -325,31 +281,6 @@ def add_cuffs(
     least = 2 * (1.25 * body.wrist if upper is Part.SLEEVE else 0.5 * body.leg_circ)
     share = max(share, min(1.0, least / length))
     return add_band(cutter.pattern, plans, height, share=share, flare=flare)
-
-
-def add_sleeves(cutter: Cutter, length: float, sides: Sequence[Side] = _SIDES) -> Pattern | None:
-    """Sews sleeves into the free armholes of some sides, cm from the shoulder tip to the end.
-
-    None where there is nothing to do, or an armhole is not free or not of a shape that a sleeve fits.
-    """
-    holes = []
-    for side in sides:
-        if side == "middle" or cutter.anatomy.panels(Part.SLEEVE, side):
-            continue
-        hole = find_hole(cutter.anatomy, side) if cutter.worn.shoulders[side == "right"] else None
-        if hole is None:
-            return None
-        holes.append(hole)
-    return sew_in_sleeves(cutter.pattern, cutter.anatomy, holes, length) if holes else None
-
-
-def mirror_sleeve(cutter: Cutter) -> Pattern | None:
-    """Sews on the second of two sleeves, like the one that there is."""
-    bare = [s for s in _SIDES if not cutter.anatomy.panels(Part.SLEEVE, s)]
-    if len(bare) != 1 or not cutter.worn.shoulders[bare[0] == "right"]:
-        return None
-    hole = find_hole(cutter.anatomy, "left" if bare[0] == "left" else "right")
-    return mirrored(cutter.pattern, cutter.anatomy, hole) if hole else None
 
 
 def can_add_hem_band(cutter: Cutter) -> bool:

@@ -15,9 +15,16 @@ from swifttailor.pattern import Arc, Cubic, EdgeRef, Line, Pattern
 from swifttailor.pattern.curve import to_relative
 
 Floats = NDArray[np.float64]
-NewShape = Literal["round", "v", "square", "trapezoid"]
+NewShape = Literal["round", "v", "square", "trapezoid", "s-curve", "pointed"]
 
 SHALLOWEST_CM = 3.0
+_CURVES: dict[NewShape, tuple[tuple[float, float], tuple[float, float]]] = {
+    # Two thirds of the way to the corner from either end is close to a quarter of an ellipse.
+    "round": ((0.6, 0.0), (1.0, 0.4)),
+    "s-curve": ((0.8, 0.05), (0.4, 0.95)),
+    "pointed": ((0.6, 0.35), (1.0, 0.6)),
+}
+"""Control points from the middle to the shoulder, as parts of the way across and of the way up."""
 
 
 def deepen_neckline(pattern: Pattern, edges: Sequence[EdgeRef], distance: float) -> Pattern | None:
@@ -129,13 +136,12 @@ def _recut_half(bench: Workbench, end: End, seam: int, distance: float, shape: N
     corner = new_middle + (0.6 if shape == "trapezoid" else 1.0) * across
     if shape == "v":
         side.edge = replace(side.edge, curve=Line())
-    elif shape == "round":
-        # Two thirds of the way to the corner from either end is close to a quarter of an ellipse.
-        towards = [start + 0.6 * (corner - start), finish + 0.6 * (corner - finish)]
+    elif shape in _CURVES:
+        up = shoulder - corner
+        towards = [new_middle + a * across + b * up for a, b in _CURVES[shape]]
         ends = np.array([start, finish])
-        side.edge = replace(
-            side.edge, curve=Cubic(to_relative(towards[0], ends), to_relative(towards[1], ends))
-        )
+        controls = [to_relative(t, ends) for t in (towards if at_start else towards[::-1])]
+        side.edge = replace(side.edge, curve=Cubic(controls[0], controls[1]))
     else:
         side.edge = replace(side.edge, curve=Line())
         upright = bench.insert_line(bench.neighbour(end.run[0], 1), corner)

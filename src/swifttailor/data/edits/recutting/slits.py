@@ -15,6 +15,8 @@ from swifttailor.pattern import curve as curves
 
 LEFT_SEWN_CM = 5.0
 """What stays sewn above a slit at least."""
+_STRAIGHT_ON = 0.9
+"""Cosine of the angle of a joint in a seam."""
 MIDDLE_CM = 4.0
 """How far from the middle of the body a slit in front or behind may be."""
 
@@ -42,10 +44,7 @@ def open_side(pattern: Pattern, hem: Collection[EdgeRef], height: float, side: s
             other = bench.piece_of(partner).panel
             if (other.normal()[2] < 0) == (piece.panel.normal()[2] < 0):
                 continue
-            if piece.length(seam) < height + LEFT_SEWN_CM:
-                return None
-            _open(bench, seam, height, at_end)
-            return bench.pattern()
+            return bench.pattern() if _open(bench, seam, height, at_end) else None
     return None
 
 
@@ -77,10 +76,7 @@ def open_middle(
                 or not _on_face(bench, bench.piece_of(partner).panel.name, face)
             ):
                 continue
-            if piece.length(seam) < height + LEFT_SEWN_CM:
-                return None
-            _open(bench, seam, height, at_end)
-            return bench.pattern()
+            return bench.pattern() if _open(bench, seam, height, at_end) else None
     for end in ends:
         for side in end.run:
             if _cut_in(bench, side, height, width):
@@ -153,8 +149,29 @@ def _cut_in(bench: Workbench, side: int, height: float, width: float) -> bool:
     return True
 
 
-def _open(bench: Workbench, seam: int, height: float, at_end: bool) -> None:
-    """Cuts both sides of a seam and unpicks the parts next to the hem."""
+def _open(bench: Workbench, seam: int, height: float, at_end: bool) -> bool:
+    """Unpicks a seam from the hem up, over joints in it; False where too little would stay sewn."""
+    step = -1 if at_end else 1
+    open_sides: list[tuple[int, int]] = []
+    while True:
+        partner = bench.partner(seam)
+        if partner is None:
+            return False
+        rest = bench.piece_of(seam).length(seam) - height
+        above, beyond = bench.neighbour(seam, step), bench.neighbour(partner, -step)
+        goes_on = bench.partner(above) == beyond and _smooth(bench, seam, above, step)
+        if rest > (1.0 if goes_on else LEFT_SEWN_CM):
+            break
+        if not goes_on:
+            return False
+        open_sides.append((seam, partner))
+        seam, height = above, height - bench.piece_of(seam).length(seam)
+        if height < 1.0:
+            break
+    for side, _ in open_sides:
+        bench.unpick(side)
+    if height < 1.0:
+        return True
     partner = bench.partner(seam)
     assert partner is not None
     for id, last in ((seam, at_end), (partner, not at_end)):
@@ -162,3 +179,14 @@ def _open(bench: Workbench, seam: int, height: float, at_end: bool) -> None:
         second = bench.split(id, 1 - height / length if last else height / length)
         if not last:
             bench.resew(id, second)
+    return True
+
+
+def _smooth(bench: Workbench, seam: int, above: int, step: int) -> bool:
+    """Whether a side goes on where another ends: a joint in a seam, and not the corner of a panel."""
+    piece = bench.piece_of(seam)
+    first, second = (above, seam) if step < 0 else (seam, above)
+    arriving = curves.derivative(bench.side(first).edge.curve, piece.chord(first), [1.0])[0]
+    leaving = curves.derivative(bench.side(second).edge.curve, piece.chord(second), [0.0])[0]
+    cosine = float(arriving @ leaving) / max(float(np.hypot(*arriving) * np.hypot(*leaving)), 1e-9)
+    return cosine > _STRAIGHT_ON

@@ -110,9 +110,9 @@ class Workbench:
             del self.pieces[name]
         self.seams = [s for s in self.seams if s[0] not in gone and s[1] not in gone]
 
-    def sew(self, a: int, b: int) -> None:
-        """Sews two sides, start to end."""
-        self.seams.append((a, b, False))
+    def sew(self, a: int, b: int, *, right_wrong: bool = False) -> None:
+        """Sews two sides, start to end; start to start where a right side lies on a wrong one."""
+        self.seams.append((a, b, right_wrong))
 
     def resew(self, old: int, new: int) -> None:
         """Lets another side take the place of one in its seam."""
