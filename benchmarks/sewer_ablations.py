@@ -54,6 +54,7 @@ ROWS: dict[str, tuple[str, ...]] = {
     "dpt-no-masks": (*_DPT, "network.masked=false"),
     "no-augmentation": ("mirror=0", "repack=0"),
     "pixels-256": ("network.resolution=256", "losses.edge_band=10"),
+    "garments-250": ("training_garments=250",),
     "garments-500": ("training_garments=500",),
     "garments-1000": ("training_garments=1000",),
     "garments-2000": ("training_garments=2000",),
