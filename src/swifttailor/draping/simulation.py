@@ -213,8 +213,8 @@ def settle(simulation: Simulation, progress: Progress) -> tuple[int, bool]:
     for k in range(s.max_frames):
         if k == _LET_GO_AFTER:
             simulation.let_go()
-        # Damping grows with time: a garment that will not rest within two seconds only chatters. What still does
-        # after five, a few vertices of a coarse mesh that fold to and fro, is held.
+        # Damping grows with time: a garment that will not rest within two seconds only chatters.
+        # What still does after five, a few vertices of a coarse mesh that fold to and fro, is held.
         damping = 2.0 + 8.0 * min(max(k - 90, 0) / 200, 1.0) + 40.0 * min(max(k - 300, 0) / 200, 1.0)
         simulation.frame(
             gravity=GRAVITY,
