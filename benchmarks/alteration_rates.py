@@ -21,14 +21,14 @@ from pathlib import Path
 import numpy as np
 
 from machine import describe
-from swifttailor.alterations import alter
-from swifttailor.alterations.plans import find_plans
-from swifttailor.data.captions.claims import claims_of
-from swifttailor.data.captions.facts import GarmentFacts
-from swifttailor.data.edits.cutter import Cutter
-from swifttailor.data.edits.differences import Change, Gain, Step, find_differences
 from swifttailor.data.pattern_source import patterns_of
+from swifttailor.describing.claims import claims_of
+from swifttailor.describing.differences import Change, Gain, Step, find_differences
+from swifttailor.describing.facts import GarmentFacts
 from swifttailor.errors import SwiftTailorError
+from swifttailor.recutting import alter
+from swifttailor.recutting.plans import find_plans
+from swifttailor.recutting.table.cutter import Cutter
 
 PATTERNS = Path("../shared/garmentcode/validation.jsonl.gz")
 COUNTS = {"gores", "tiers", "godets", "godet_cm"}

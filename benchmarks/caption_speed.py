@@ -17,9 +17,10 @@ from pathlib import Path
 import numpy as np
 
 from machine import describe
-from swifttailor.data.captions import GarmentFacts, measure_facts, write_caption
 from swifttailor.data.pattern_source import patterns_of
+from swifttailor.describing import GarmentFacts, measure_facts
 from swifttailor.errors import SwiftTailorError
+from swifttailor.wording.captions import write_caption
 from timing import least
 
 PATTERNS = Path("../shared/garmentcode/validation.jsonl.gz")

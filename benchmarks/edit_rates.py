@@ -21,11 +21,11 @@ import numpy as np
 
 from machine import describe
 from swifttailor.data.edits.edit_file import read_edits
-from swifttailor.data.edits.operations import OPERATIONS
 from swifttailor.data.edits.pairs import geometric_pairs, is_reversed, pairs_of
 from swifttailor.data.pattern_source import parsed_pattern, patterns_of
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
+from swifttailor.recutting.random_cuts import OPERATIONS
 
 PATTERNS = Path("../shared/garmentcode/validation.jsonl.gz")
 EDITS = Path("../shared/garmentcode/edits.jsonl.gz")

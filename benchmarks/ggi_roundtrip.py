@@ -29,7 +29,7 @@ import numpy as np
 from ggi_error_plot import plot_errors
 from machine import describe
 from swifttailor.body.surface_distance import SurfaceTree
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.ggi import encode
 from swifttailor.ggi.decode import decode
 from swifttailor.ggi.file import dequantize, quantize

@@ -17,18 +17,19 @@ from pathlib import Path
 import numpy as np
 
 from machine import describe
-from swifttailor.data.captions import measure_facts, write_caption
 from swifttailor.data.pattern_source import patterns_of
+from swifttailor.describing import measure_facts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern.names import PANEL_NAMES
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.foresight import BOX, Foresight, foresight_of
-from swifttailor.pattern_maker.generation import Asked, write_answers
+from swifttailor.pattern_maker.asking.foresight import BOX, Foresight, foresight_of
+from swifttailor.pattern_maker.asking.generation import Asked, write_answers
+from swifttailor.pattern_maker.asking.plan import PatternPlan
+from swifttailor.pattern_maker.asking.prompt import make_prompt
 from swifttailor.pattern_maker.maker import PatternMaker
-from swifttailor.pattern_maker.normalization import POINT_SCALE
-from swifttailor.pattern_maker.plan import PatternPlan
-from swifttailor.pattern_maker.prompt import make_prompt
-from swifttailor.pattern_maker.vocabulary import PANEL_TOKENS
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.normalization import POINT_SCALE
+from swifttailor.pattern_maker.tokens.vocabulary import PANEL_TOKENS
+from swifttailor.wording.captions import write_caption
 
 BATCH = 16
 SHOWN = 12

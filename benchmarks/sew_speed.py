@@ -31,9 +31,9 @@ import numpy as np
 
 import swifttailor
 from machine import describe
-from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Pattern, to_specification
+from swifttailor.pattern.pattern_list import read_patterns
 
 
 def main() -> None:

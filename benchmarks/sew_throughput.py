@@ -18,10 +18,10 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from machine import describe
-from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Pattern
+from swifttailor.pattern.pattern_list import read_patterns
 
 _SHARED: dict[str, object] = {}
 

@@ -23,11 +23,11 @@ import numpy as np
 from machine import describe
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern, read_specification
-from swifttailor.pattern_maker.decode import decode
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.fidelity import Fidelity, compare
-from swifttailor.pattern_maker.grammar import Grammar, Stage, State
-from swifttailor.pattern_maker.token_sequence import TokenSequence
+from swifttailor.pattern_maker.tokens.decode import decode
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.fidelity import Fidelity, compare
+from swifttailor.pattern_maker.tokens.grammar import Grammar, Stage, State
+from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 import swifttailor
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.ggi import encode
 from swifttailor.ggi.decode import decode
 from swifttailor.panel_mesh.topology import edge_faces

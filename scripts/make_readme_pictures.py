@@ -12,8 +12,8 @@ from pathlib import Path
 from PIL import Image
 
 import swifttailor
+from swifttailor.garment.preview import render_preview
 from swifttailor.pattern.svg import write_svg
-from swifttailor.render import render_preview
 
 FOLDER = Path("docs/images")
 SIZE = 1280, 768

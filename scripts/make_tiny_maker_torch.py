@@ -9,10 +9,10 @@ from pathlib import Path
 
 import torch
 
-from swifttailor.pattern_maker.building_torch import build_network
-from swifttailor.pattern_maker.export_torch import make_graphs
-from swifttailor.pattern_maker.model_file import write_model
-from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+from swifttailor.networks.text_tokenizer import TextTokenizer
+from swifttailor.pattern_maker.network.building_torch import build_network
+from swifttailor.pattern_maker.network.export_torch import make_graphs
+from swifttailor.pattern_maker.network.model_file import write_model
 from swifttailor.training.config_file import config_values
 from swifttailor.training.maker_config import read_config
 

@@ -15,15 +15,15 @@ from collections.abc import Iterator
 import numpy as np
 
 from swifttailor.pattern import Pattern, read_specification
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.grammar import Limits
-from swifttailor.pattern_maker.normalization import (
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.grammar import Limits
+from swifttailor.pattern_maker.tokens.normalization import (
     WIDEST_MEASURED,
     points_in_cm,
     translation_in_cm,
 )
-from swifttailor.pattern_maker.token_sequence import TokenSequence
-from swifttailor.pattern_maker.vocabulary import COMMANDS, END, MOVE, TRANSLATION
+from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
+from swifttailor.pattern_maker.tokens.vocabulary import COMMANDS, END, MOVE, TRANSLATION
 
 UNLIMITED = Limits(tokens=100_000, edges=10_000)
 

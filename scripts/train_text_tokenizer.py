@@ -16,11 +16,12 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from swifttailor.atomic_files import write_text
-from swifttailor.data.captions import measure_facts, write_captions
-from swifttailor.data.edits.instructions import write_instruction
 from swifttailor.data.edits.pairs import geometric_pairs
+from swifttailor.describing import measure_facts
+from swifttailor.networks.text_tokenizer import BYTES, SHIPPED, TextTokenizer, words_of
 from swifttailor.pattern import Pattern, read_specification
-from swifttailor.pattern_maker.text_tokenizer import BYTES, SHIPPED, TextTokenizer, words_of
+from swifttailor.wording.captions import write_captions
+from swifttailor.wording.instructions.writer import write_instruction
 
 TOKENS = 1024
 EVERY, CAPTIONS = 10, 50

@@ -16,7 +16,7 @@ import tyro
 
 from swifttailor.atomic_files import write_atomically, write_text
 from swifttailor.data.builder.code_version import code_version
-from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.training.maker_bank import open_bank, sequences_of
 from swifttailor.training.wish_samples import WishSamples
 from swifttailor.wishes.reader import SHIPPED

@@ -2,14 +2,28 @@
 
 from __future__ import annotations
 
+import gzip
+import json
 import os
+from collections.abc import Callable, Iterator
+from itertools import islice
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
 
-from swifttailor.pattern import EdgeRef, Pattern, Placement, Stitch
+from swifttailor.data.edits.edit_file import read_edits
+from swifttailor.data.pattern_source import parsed_pattern
+from swifttailor.describing import GarmentFacts, measure_facts
+from swifttailor.pattern import EdgeRef, Pattern, Placement, Stitch, read_specification
+from swifttailor.pattern.drafts import draft, list_drafts
 from swifttailor.pattern.panel import Edge, Panel
+from swifttailor.pattern.pattern_list import read_patterns
+
+EVERY_REAL = 4
+"""Of the validation patterns; the others are looked at when captions are worked on (docs/captions.md)."""
+FEW_REAL = 15
+"""Every so many of them, where each is recut."""
 
 # No test is timed: on a busy machine an example may take any time.
 settings.register_profile("untimed", deadline=None)
@@ -35,3 +49,50 @@ def square_pattern() -> Pattern:
     back = Panel("back", corners[::-1], (Edge(),) * 4, Placement((0.0, 80.0, -25.0)))
     sides = (Stitch(EdgeRef("front", 1), EdgeRef("back", 1)), Stitch(EdgeRef("front", 3), EdgeRef("back", 3)))
     return Pattern((front, back), sides, "tube")
+
+
+@pytest.fixture(scope="session")
+def drafts() -> dict[str, Pattern]:
+    """All drafts with their usual options."""
+    return {d.name: draft(d.name) for d in list_drafts()}
+
+
+@pytest.fixture(scope="session")
+def draft_facts(drafts) -> dict[str, GarmentFacts]:
+    return {name: measure_facts(pattern) for name, pattern in drafts.items()}
+
+
+@pytest.fixture(scope="session")
+def real_patterns(garmentcode_folder) -> dict[str, Pattern]:
+    return _validation_patterns(garmentcode_folder, EVERY_REAL)
+
+
+@pytest.fixture(scope="session")
+def real_facts(real_patterns) -> dict[str, GarmentFacts]:
+    return {name: measure_facts(pattern) for name, pattern in real_patterns.items()}
+
+
+@pytest.fixture(scope="session")
+def few_real_patterns(garmentcode_folder) -> dict[str, Pattern]:
+    return _validation_patterns(garmentcode_folder, FEW_REAL)
+
+
+@pytest.fixture(scope="session")
+def garmentcode_edits(garmentcode_folder) -> Callable[..., Iterator[tuple[Pattern, Pattern]]]:
+    """Goes through GarmentCode's edits of validation patterns, each after its base."""
+    if not (garmentcode_folder / "edits.jsonl.gz").exists():
+        pytest.skip(f"no edits.jsonl.gz in {garmentcode_folder}")
+    bases = {p.id: p for p in read_patterns(garmentcode_folder / "validation.jsonl.gz")}
+    edits = [v for v in read_edits(garmentcode_folder / "edits.jsonl.gz") if v.base in bases]
+
+    def read(every: int = 1):
+        for version in edits[::every]:
+            yield parsed_pattern(bases[version.base]), parsed_pattern(version.pattern)
+
+    return read
+
+
+def _validation_patterns(folder: Path, every: int) -> dict[str, Pattern]:
+    with gzip.open(folder / "validation.jsonl.gz", "rt") as lines:
+        samples = [json.loads(line) for line in islice(lines, 0, None, every)]
+    return {s["id"]: read_specification(s["pattern"], name=s["id"]).pattern for s in samples}

@@ -209,8 +209,8 @@ def test_the_guides_to_captions_and_edits(page, tmp_path, monkeypatch, capsys):
 
 
 def test_the_tables_of_claims_and_operations_are_whole():
-    from swifttailor.data.captions import CLAIM_TYPES
-    from swifttailor.data.edits.operations import OPERATIONS
+    from swifttailor.describing import CLAIM_TYPES
+    from swifttailor.recutting.random_cuts import OPERATIONS
 
     claims = (ROOT / "docs/captions.md").read_text()
     for kind in CLAIM_TYPES.values():

@@ -10,7 +10,7 @@ import pytest
 from PIL import Image
 
 from swifttailor.cli.main import run
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.pattern import load_pattern, write_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker import maker as maker_module

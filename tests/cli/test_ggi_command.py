@@ -5,7 +5,7 @@ import pytest
 from PIL import Image
 
 from swifttailor.cli.main import run
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.ggi.file import read_ggi
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from swifttailor.cli.main import run
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.pattern import write_pattern
 from swifttailor.pattern.drafts import draft
 

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from swifttailor.cli.main import run
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh.topology import topology
 from swifttailor.pattern import to_specification
 from swifttailor.pattern.drafts import draft

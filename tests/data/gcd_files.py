@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern, to_specification
 
 BODY_SAMPLE = "00042"

@@ -20,7 +20,7 @@ from swifttailor.draping.batch import BatchSettings
 from swifttailor.draping.batch.make_garment import read_sewable
 from swifttailor.draping.placement import place_vertices
 from swifttailor.errors import SwiftTailorError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.workers import Outcome
 

@@ -23,11 +23,11 @@ from swifttailor.data.builder import BuildSettings, build_split
 from swifttailor.data.index import SplitIndex, read_index
 from swifttailor.data.reader import SplitReader
 from swifttailor.draping.batch import BatchSettings
-from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
+from swifttailor.pattern.pattern_list import read_patterns
 from swifttailor.workers import Outcome, run_tasks
 
 
@@ -241,7 +241,7 @@ def start_slow_build(source: Path, out: Path, folder: Path) -> subprocess.Popen:
         "import sys; from functools import partial; from pathlib import Path\n"
         "from sample_makers import COARSE, make_slowly\n"
         "from swifttailor.data.builder import build_split; from swifttailor.workers import run_tasks\n"
-        "from swifttailor.draping.batch.patterns import read_patterns\n"
+        "from swifttailor.pattern.pattern_list import read_patterns\n"
         "if __name__ == '__main__':\n"
         "    runner = partial(run_tasks, workers=2, time_limit=60)\n"
         "    patterns, out = read_patterns(Path(sys.argv[1])), Path(sys.argv[2])\n"

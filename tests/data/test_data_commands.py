@@ -10,14 +10,14 @@ from sample_makers import make_placed, run_here
 from swifttailor.cli.data import DATA
 from swifttailor.cli.main import run
 from swifttailor.data.builder import BuildSettings, build_split
-from swifttailor.data.captions import Claim, measure_facts
 from swifttailor.data.edits.edit_file import read_edits
 from swifttailor.data.pattern_source import patterns_of
+from swifttailor.describing import Claim, measure_facts
 from swifttailor.draping.batch import BatchSettings
-from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.pattern import read_specification
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
+from swifttailor.pattern.pattern_list import read_patterns
 
 
 @pytest.fixture

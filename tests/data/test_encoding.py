@@ -19,7 +19,7 @@ from swifttailor.data.encoding import (
 )
 from swifttailor.data.sample import Sample, load_sample, store_sample
 from swifttailor.errors import InputError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern import Arc, Edge, EdgeRef, Panel, Pattern, Placement, Quadratic, Stitch
 from swifttailor.pattern.drafts import draft

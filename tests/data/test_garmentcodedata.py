@@ -22,8 +22,8 @@ from swifttailor.data.reader import SplitReader
 from swifttailor.data.verify import verify_dataset
 from swifttailor.draping.placement import place_vertices
 from swifttailor.errors import InputError, SwiftTailorError
-from swifttailor.garment import PatternMesh
 from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import EdgeRef, Panel, Pattern, Placement, Stitch
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.panel import Edge

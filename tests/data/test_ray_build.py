@@ -13,7 +13,7 @@ import pytest
 from sample_makers import COARSE, make_quickly, split_content
 
 from swifttailor.data.builder import build_split
-from swifttailor.draping.batch.patterns import read_patterns
+from swifttailor.pattern.pattern_list import read_patterns
 from swifttailor.workers import Outcome
 
 needs_ray = pytest.mark.skipif(
@@ -32,7 +32,7 @@ from ray.cluster_utils import Cluster
 
 from sample_makers import COARSE, make_slowly
 from swifttailor.data.builder import build_split
-from swifttailor.draping.batch.patterns import read_patterns
+from swifttailor.pattern.pattern_list import read_patterns
 from swifttailor.workers.ray_pool import run_tasks_on_ray
 
 source, out, address = Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3]

@@ -15,9 +15,9 @@ from swifttailor.data.builder import build_split
 from swifttailor.data.geometry_images import GeometryImages, draw
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.shard_file import ShardFile
-from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError
 from swifttailor.ggi import encode
+from swifttailor.pattern.pattern_list import read_patterns
 
 IDS = ("a", "bad-b", "c", "d", "e", "f", "g", "h", "i")
 

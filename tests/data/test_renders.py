@@ -17,10 +17,10 @@ from swifttailor.data.renders.files import RenderSettings, SplitRenders
 from swifttailor.data.renders.look import VIEWS, View
 from swifttailor.data.renders.plain_look import plain_camera
 from swifttailor.draping import drape
-from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.pattern.drafts import draft
+from swifttailor.pattern.pattern_list import read_patterns
 from swifttailor.render import Plain
 
 SMALL = RenderSettings(size=32, random=3)

@@ -18,8 +18,8 @@ from swifttailor.data.stats import choose, count_split, show_sample, write_page,
 from swifttailor.data.stats.numbers import MEASURES, SplitNumbers
 from swifttailor.data.stats.page import histogram
 from swifttailor.data.stats.sheets import wrapped
-from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError
+from swifttailor.pattern.pattern_list import read_patterns
 
 
 @pytest.fixture

@@ -16,10 +16,10 @@ from swifttailor.data.sample import Sample, store_sample
 from swifttailor.data.shard_file import write_shard
 from swifttailor.data.verify import Fault, sample_faults, verify_dataset
 from swifttailor.draping.batch import BatchSettings
-from swifttailor.draping.batch.patterns import read_patterns
 from swifttailor.errors import InputError
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
+from swifttailor.pattern.pattern_list import read_patterns
 
 COARSE = BuildSettings(BatchSettings(edge_length=5.0, preview=False), shard_size=2)
 

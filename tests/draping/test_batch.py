@@ -15,11 +15,11 @@ import pytest
 from batch_makers import DiesWhenLoaded, make_quickly
 
 from swifttailor.draping.batch import BatchSettings, run_batch
-from swifttailor.draping.batch.patterns import count_patterns, folder_name, read_patterns
 from swifttailor.draping.batch.summary import kind_of_reason
 from swifttailor.errors import InputError, SimulationError
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
+from swifttailor.pattern.pattern_list import count_patterns, folder_name, read_patterns
 from swifttailor.workers import Outcome
 
 COARSE = BatchSettings(edge_length=8.0, preview=False)
@@ -201,7 +201,7 @@ def test_workers_that_cannot_start_end_the_batch(tmp_path):
 
 
 def test_broken_lines_are_recorded_and_do_not_stop_the_batch(tmp_path, monkeypatch):
-    monkeypatch.setattr("swifttailor.draping.batch.patterns.MAX_FILE_BYTES", 1000)
+    monkeypatch.setattr("swifttailor.pattern.pattern_list.MAX_FILE_BYTES", 1000)
     lines = [
         line("good"), b"\n", b"{not json\n", b'{"id": "no-pattern"}\n', b"[1]\n", line(7), line(True),
         line(""), line("#1"), line("a\tb"), line("x" * 300), b"\xff\xfe\n", b"[" * 900 + b"\n",

@@ -7,7 +7,7 @@ import pytest
 
 from swifttailor.draping import drape
 from swifttailor.draping.finish_or_drape import finish_or_drape
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.pattern import Edge, EdgeRef, Panel, Pattern, Placement, Stitch
 from swifttailor.pattern.drafts import draft
 from swifttailor.tailor.tailored import finishing_notes

@@ -16,7 +16,7 @@ from swifttailor.draping.fabric import get_fabric
 from swifttailor.draping.newton_engine import require_newton
 from swifttailor.draping.newton_stage import rest_triangles
 from swifttailor.errors import MissingExtraError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
 

@@ -14,9 +14,9 @@ from swifttailor.evaluation.maker.questions import Question
 from swifttailor.pattern import Finding, Pattern, repair_pattern, to_specification
 from swifttailor.pattern.check.repair import Change
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern_maker.encode import encode
 from swifttailor.pattern_maker.maker import Request
-from swifttailor.pattern_maker.token_sequence import TokenSequence
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
 
 DRAFTS = {
     "shirt": ("t-shirt", {}),

@@ -26,7 +26,7 @@ from swifttailor.evaluation.garments.score import (
 from swifttailor.evaluation.garments.sheet import spread, write_sheets
 from swifttailor.evaluation.garments.summary import means_of, summarize_scores, work
 from swifttailor.evaluation.paper_rows import ABLATION
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
 

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from maker_standins import DRAFTS, EDITS, write_edits, write_patterns
 
-from swifttailor.data.pattern_digest import pattern_digest
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import RenderSettings, SplitRenders, draw_render
 from swifttailor.errors import InputError
@@ -25,6 +24,7 @@ from swifttailor.evaluation.maker.questions import (
     seed_of,
 )
 from swifttailor.pattern import to_specification
+from swifttailor.pattern.digest import pattern_digest
 from swifttailor.pattern.drafts import draft
 
 

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from swifttailor.errors import SwiftTailorError
 from swifttailor.evaluation.patterns.validity import Validity, validity
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern_maker.decode import decode
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.token_sequence import TokenSequence
-from swifttailor.pattern_maker.vocabulary import (
+from swifttailor.pattern_maker.tokens.decode import decode
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
+from swifttailor.pattern_maker.tokens.vocabulary import (
     CLOSING_COMMANDS,
     COMMANDS,
     NOT_STITCHED,

@@ -10,7 +10,7 @@ import pytest
 from needs_torch import needs_torch
 
 from swifttailor.errors import InputError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.model_file import load_model
 from swifttailor.garment_sewer.pixels.sewn_prior import vertices_ignoring_arms
 from swifttailor.garment_sewer.sewer import GarmentSewer

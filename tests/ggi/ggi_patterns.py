@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from hypothesis import strategies as st
 
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern import Arc, Cubic, Edge, EdgeRef, Line, Panel, Pattern, Quadratic, Stitch
 

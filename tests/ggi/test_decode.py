@@ -7,8 +7,8 @@ from ggi_patterns import HARD_CASES, any_garment
 
 from swifttailor.cli.ggi import Ggi
 from swifttailor.errors import InputError
-from swifttailor.garment import Garment
-from swifttailor.garment_files.formats import read_garment_mesh
+from swifttailor.garment.formats import read_garment_mesh
+from swifttailor.garment.garment import Garment
 from swifttailor.ggi import encode
 from swifttailor.ggi.decode import decode
 from swifttailor.ggi.file import GGI_FILE, read_ggi, write_ggi

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from swifttailor.errors import GeometryError, InputError, PatternError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.ggi import encode, geometry, lay_out
 from swifttailor.ggi.geometry import geometry_raster, rasterize_geometry
 from swifttailor.panel_mesh import mesh_pattern

@@ -14,17 +14,17 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 from swifttailor.errors import InputError
-from swifttailor.pattern_maker.calibration import calibrate, roc_area
-from swifttailor.pattern_maker.confidence import (
+from swifttailor.pattern_maker.asking.calibration import calibrate, roc_area
+from swifttailor.pattern_maker.asking.confidence import (
     DOUBT,
     MEASURES,
     Calibration,
     PictureSpace,
     rank,
 )
-from swifttailor.pattern_maker.grammar import Grammar, Limits
 from swifttailor.pattern_maker.maker import PatternMaker, Request
-from swifttailor.pattern_maker.model_file import add_calibration, load_model
+from swifttailor.pattern_maker.network.model_file import add_calibration, load_model
+from swifttailor.pattern_maker.tokens.grammar import Grammar, Limits
 
 TINY = Path(__file__).with_name("tiny_maker.zip")
 

@@ -9,12 +9,12 @@ import pytest
 
 from swifttailor.pattern.drafts import draft, list_drafts
 from swifttailor.pattern.names import PANEL_NAMES
-from swifttailor.pattern_maker.counterpart import NONE, Counterparts, counterparts
-from swifttailor.pattern_maker.decode import decode
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.panel_tokens import TWINS, are_alike, mirrored, panels_of
-from swifttailor.pattern_maker.token_sequence import NUMBER_MASK, TokenSequence
-from swifttailor.pattern_maker.vocabulary import (
+from swifttailor.pattern_maker.asking.counterpart import NONE, Counterparts, counterparts
+from swifttailor.pattern_maker.tokens.decode import decode
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.panel_tokens import TWINS, are_alike, mirrored, panels_of
+from swifttailor.pattern_maker.tokens.token_sequence import NUMBER_MASK, TokenSequence
+from swifttailor.pattern_maker.tokens.vocabulary import (
     CLOSING_COMMANDS,
     COMMANDS,
     NOT_STITCHED,

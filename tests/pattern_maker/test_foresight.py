@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from swifttailor.pattern.drafts import draft, list_drafts
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.foresight import BOX, EDGES, OUTLINE, PLACEMENT, foresight_of
-from swifttailor.pattern_maker.normalization import points_in_cm
-from swifttailor.pattern_maker.placement_numbers import placement_numbers
-from swifttailor.pattern_maker.vocabulary import PANEL_TOKENS, TOKENS
+from swifttailor.pattern_maker.asking.foresight import BOX, EDGES, OUTLINE, PLACEMENT, foresight_of
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.normalization import points_in_cm
+from swifttailor.pattern_maker.tokens.placement_numbers import placement_numbers
+from swifttailor.pattern_maker.tokens.vocabulary import PANEL_TOKENS, TOKENS
 
 
 @pytest.mark.parametrize("name", [info.name for info in list_drafts()])

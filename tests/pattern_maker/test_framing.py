@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from swifttailor.errors import InputError
-from swifttailor.pattern_maker.framing import MARGIN, Framing, frame_figure
+from swifttailor.pattern_maker.asking.framing import MARGIN, Framing, frame_figure
 
 
 def backdrop(height, width, color=(230, 225, 220), slope=(0.0, 0.0), bulge=0.0, noise=0.0, seed=0):

@@ -10,12 +10,12 @@ from token_reference import faults
 
 from swifttailor.errors import InputError
 from swifttailor.pattern import check_pattern
-from swifttailor.pattern_maker.decode import decode
-from swifttailor.pattern_maker.generation import Asked, write_answers
-from swifttailor.pattern_maker.grammar import Grammar, Limits, Stage, State
-from swifttailor.pattern_maker.prompt import make_prompt
-from swifttailor.pattern_maker.runtime import Cache
-from swifttailor.pattern_maker.vocabulary import (
+from swifttailor.pattern_maker.asking.generation import Asked, write_answers
+from swifttailor.pattern_maker.asking.prompt import make_prompt
+from swifttailor.pattern_maker.network.runtime import Cache
+from swifttailor.pattern_maker.tokens.decode import decode
+from swifttailor.pattern_maker.tokens.grammar import Grammar, Limits, Stage, State
+from swifttailor.pattern_maker.tokens.vocabulary import (
     NOT_STITCHED,
     NUMBERS,
     PATTERN_END,

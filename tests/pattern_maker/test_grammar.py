@@ -12,11 +12,11 @@ from token_reference import faults
 
 from swifttailor.errors import InputError, PatternError
 from swifttailor.pattern import Severity, read_specification, to_specification
-from swifttailor.pattern_maker.decode import decode
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.grammar import Grammar, Limits, Stage, State
-from swifttailor.pattern_maker.token_sequence import LARGEST_NUMBER, TokenSequence
-from swifttailor.pattern_maker.vocabulary import (
+from swifttailor.pattern_maker.tokens.decode import decode
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.grammar import Grammar, Limits, Stage, State
+from swifttailor.pattern_maker.tokens.token_sequence import LARGEST_NUMBER, TokenSequence
+from swifttailor.pattern_maker.tokens.vocabulary import (
     CLOSING_COMMANDS,
     COMMANDS,
     NUMBERS,

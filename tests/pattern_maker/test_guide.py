@@ -11,7 +11,7 @@ import pytest
 
 from swifttailor.pattern import Pattern
 from swifttailor.pattern_maker import normalization
-from swifttailor.pattern_maker.vocabulary import TOKENS
+from swifttailor.pattern_maker.tokens.vocabulary import TOKENS
 
 GUIDE = Path(__file__).parents[2] / "docs" / "pattern-maker.md"
 

@@ -12,17 +12,17 @@ import pytest
 
 from swifttailor.errors import InputError
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern_maker.copying import LEANINGS, UNCHANGED
-from swifttailor.pattern_maker.counterpart import counterparts
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.foresight import PANEL_NUMBERS
-from swifttailor.pattern_maker.grammar import Grammar, Limits, Stage, State
-from swifttailor.pattern_maker.network_config import NetworkConfig
-from swifttailor.pattern_maker.panel_tokens import SAME, TWINS, are_alike, mirrored, panels_of
-from swifttailor.pattern_maker.plan import PatternPlan, normalized
-from swifttailor.pattern_maker.prompt import EDIT, IMAGE, MAKE, make_prompt, outlines_of, pattern_part
-from swifttailor.pattern_maker.runtime import GRAPHS, PLANNING_GRAPHS
-from swifttailor.pattern_maker.vocabulary import (
+from swifttailor.pattern_maker.asking.copying import LEANINGS, UNCHANGED
+from swifttailor.pattern_maker.asking.counterpart import counterparts
+from swifttailor.pattern_maker.asking.foresight import PANEL_NUMBERS
+from swifttailor.pattern_maker.asking.plan import PatternPlan, normalized
+from swifttailor.pattern_maker.asking.prompt import EDIT, IMAGE, MAKE, make_prompt, outlines_of, pattern_part
+from swifttailor.pattern_maker.network.network_config import NetworkConfig
+from swifttailor.pattern_maker.network.runtime import GRAPHS, PLANNING_GRAPHS
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.grammar import Grammar, Limits, Stage, State
+from swifttailor.pattern_maker.tokens.panel_tokens import SAME, TWINS, are_alike, mirrored, panels_of
+from swifttailor.pattern_maker.tokens.vocabulary import (
     EDGE_LABEL_TOKENS,
     END,
     MOVE,
@@ -58,7 +58,7 @@ def network():
         pytest.skip("torch is not installed")
     import torch
 
-    from swifttailor.pattern_maker.building_torch import build_network
+    from swifttailor.pattern_maker.network.building_torch import build_network
 
     torch.manual_seed(1)
     network = build_network(TINY, TEXT).eval()
@@ -128,7 +128,7 @@ def test_step_by_step_equals_all_at_once(network):
     """Teacher-forced: two rows of different lengths, a padded prompt, then token by token."""
     import torch
 
-    from swifttailor.pattern_maker.runtime_torch import TorchRuntime
+    from swifttailor.pattern_maker.network.runtime_torch import TorchRuntime
 
     whole = [sequence(), sequence() + make_prompt((1, 2), TEXT)]
     runtime = TorchRuntime(network)
@@ -165,8 +165,8 @@ def test_written_step_by_step_an_edit_is_what_is_told_of_it_all_at_once(network)
     """Likelihood and numbers of an answer that takes and changes counterparts, by both ways."""
     import torch
 
-    from swifttailor.pattern_maker.generation import Asked, write_answers
-    from swifttailor.pattern_maker.runtime_torch import TorchRuntime
+    from swifttailor.pattern_maker.asking.generation import Asked, write_answers
+    from swifttailor.pattern_maker.network.runtime_torch import TorchRuntime
     from swifttailor.training.maker_batch_torch import assemble
     from swifttailor.training.maker_samples import MakerSample
 
@@ -204,8 +204,8 @@ def test_written_step_by_step_an_answer_is_told_what_was_foreseen_of_it(network)
     """The plan that a training adds to an answer is the one that it was written with."""
     import torch
 
-    from swifttailor.pattern_maker.generation import Asked, write_answers
-    from swifttailor.pattern_maker.runtime_torch import TorchRuntime
+    from swifttailor.pattern_maker.asking.generation import Asked, write_answers
+    from swifttailor.pattern_maker.network.runtime_torch import TorchRuntime
     from swifttailor.training.maker_batch_torch import assemble, with_plans
     from swifttailor.training.maker_samples import MakerSample
 
@@ -253,7 +253,7 @@ def test_written_step_by_step_an_answer_is_told_what_was_foreseen_of_it(network)
 def test_until_it_has_learnt_to_copy_the_network_is_what_it_is_without(network):
     import torch
 
-    from swifttailor.pattern_maker.building_torch import build_network
+    from swifttailor.pattern_maker.network.building_torch import build_network
 
     torch.manual_seed(1)
     fresh = build_network(TINY, TEXT).eval()
@@ -274,7 +274,7 @@ def test_numbers_are_mixed_alike_with_and_without_torch():
     import torch
 
     from swifttailor.pattern_maker import network_torch
-    from swifttailor.pattern_maker.copying import mix
+    from swifttailor.pattern_maker.asking.copying import mix
 
     chance = np.random.default_rng(0)
     written, copied = chance.normal(size=(2, 40, NUMBERS)).astype(np.float32)
@@ -372,7 +372,7 @@ def test_numbers_that_mean_nothing_are_not_looked_at(network):
 
     one = sequence()
     noise = np.random.default_rng(0).normal(size=one.numbers.shape).astype(np.float32)
-    from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
+    from swifttailor.pattern_maker.tokens.token_sequence import NUMBER_MASK
 
     own = one.tokens - TEXT
     means = NUMBER_MASK[own.clip(0, SIZE - 1)] & ((own >= 0) & (own < SIZE))[:, None]
@@ -390,11 +390,11 @@ def test_numbers_that_mean_nothing_are_not_looked_at(network):
 def test_model_file_predicts_what_torch_does(network, tmp_path):
     from dataclasses import asdict
 
-    from swifttailor.pattern_maker.building_torch import build_network
-    from swifttailor.pattern_maker.export_torch import compare, make_graphs
-    from swifttailor.pattern_maker.model_file import load_model, write_model
-    from swifttailor.pattern_maker.runtime_torch import TorchRuntime
-    from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+    from swifttailor.networks.text_tokenizer import TextTokenizer
+    from swifttailor.pattern_maker.network.building_torch import build_network
+    from swifttailor.pattern_maker.network.export_torch import compare, make_graphs
+    from swifttailor.pattern_maker.network.model_file import load_model, write_model
+    from swifttailor.pattern_maker.network.runtime_torch import TorchRuntime
 
     text = TextTokenizer(tuple((k, k) for k in range(TEXT - 256)))
     card = {"config": {"network": asdict(TINY), "tags": "random"}}
@@ -422,8 +422,8 @@ def test_model_file_predicts_what_torch_does(network, tmp_path):
 def test_low_rank_changes_begin_at_nothing_and_are_what_is_trained(network):
     import torch
 
-    from swifttailor.pattern_maker.decoder_torch import CachedDecoder
-    from swifttailor.pattern_maker.lora_torch import add_lora
+    from swifttailor.pattern_maker.network.decoder_torch import CachedDecoder
+    from swifttailor.pattern_maker.network.lora_torch import add_lora
 
     changed = copy.deepcopy(network)
     changed.vlm.language_model.requires_grad_(False)
@@ -460,8 +460,8 @@ def test_a_pretrained_internvl_is_taken_as_it_is(network, tmp_path):
     from tokenizers import Tokenizer, models, pre_tokenizers
     from transformers import InternVLForConditionalGeneration, PreTrainedTokenizerFast
 
-    from swifttailor.pattern_maker.building_torch import build_network, vlm_config
-    from swifttailor.pattern_maker.pretrained_torch import load_text_tokens
+    from swifttailor.pattern_maker.network.building_torch import build_network, vlm_config
+    from swifttailor.pattern_maker.network.pretrained_torch import load_text_tokens
 
     torch.manual_seed(3)
     whole = InternVLForConditionalGeneration(vlm_config(TINY, 40))
@@ -507,7 +507,7 @@ def test_shapes_that_do_not_fit_are_refused(wrong):
 def test_convolutions_cut_a_picture_into_patches(patch, widths):
     import torch
 
-    from swifttailor.pattern_maker.stem_torch import ConvolutionalStem
+    from swifttailor.pattern_maker.network.stem_torch import ConvolutionalStem
 
     stem = ConvolutionalStem(32, patch).eval()
     pictures = torch.randn(2, 3, 64, 64)

@@ -7,9 +7,9 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from swifttailor.pattern import Placement
-from swifttailor.pattern_maker.normalization import normalize_translation, translation_in_cm
-from swifttailor.pattern_maker.placement_numbers import placement_numbers, placement_of
-from swifttailor.pattern_maker.vocabulary import NUMBERS, QUATERNION, TRANSLATION
+from swifttailor.pattern_maker.tokens.normalization import normalize_translation, translation_in_cm
+from swifttailor.pattern_maker.tokens.placement_numbers import placement_numbers, placement_of
+from swifttailor.pattern_maker.tokens.vocabulary import NUMBERS, QUATERNION, TRANSLATION
 
 SQUARE = np.array([[0.0, 0.0], [40.0, 0.0], [40.0, 30.0], [0.0, 30.0]])
 ORIGIN = np.zeros(2)

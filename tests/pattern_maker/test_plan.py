@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern_maker.counterpart import NONE, counterparts
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.foresight import CORNERS, FORESEEN, foresight_of
-from swifttailor.pattern_maker.plan import PatternPlan
-from swifttailor.pattern_maker.vocabulary import (
+from swifttailor.pattern_maker.asking.counterpart import NONE, counterparts
+from swifttailor.pattern_maker.asking.foresight import CORNERS, FORESEEN, foresight_of
+from swifttailor.pattern_maker.asking.plan import PatternPlan
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.vocabulary import (
     CLOSING_COMMANDS,
     COMMANDS,
     END,

@@ -14,11 +14,11 @@ from swifttailor.errors import InputError, PatternError
 from swifttailor.pattern import Arc, Cubic, EdgeRef, Line, Pattern, Placement, Quadratic, Stitch
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.panel import Edge, Panel
-from swifttailor.pattern_maker.decode import decode
-from swifttailor.pattern_maker.encode import encode, follow
-from swifttailor.pattern_maker.fidelity import compare
-from swifttailor.pattern_maker.grammar import Grammar, Limits, Stage
-from swifttailor.pattern_maker.vocabulary import STITCH_TAGS, TOKENS, usual_label
+from swifttailor.pattern_maker.tokens.decode import decode
+from swifttailor.pattern_maker.tokens.encode import encode, follow
+from swifttailor.pattern_maker.tokens.fidelity import compare
+from swifttailor.pattern_maker.tokens.grammar import Grammar, Limits, Stage
+from swifttailor.pattern_maker.tokens.vocabulary import STITCH_TAGS, TOKENS, usual_label
 
 OUTLINE_CM, PLACEMENT_CM = 0.05, 0.1
 

@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from swifttailor.pattern_maker.asking.scripts import about_scripts, says_something
 from swifttailor.pattern_maker.maker import PatternMaker
-from swifttailor.pattern_maker.scripts import about_scripts, says_something
 
 
 @pytest.mark.parametrize(

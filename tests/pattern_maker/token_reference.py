@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from swifttailor.pattern import PANEL_NAMES, body_region
-from swifttailor.pattern_maker.vocabulary import TOKENS
+from swifttailor.pattern_maker.tokens.vocabulary import TOKENS
 
 CURVED = ("quadratic", "cubic", "arc")
 

@@ -7,17 +7,17 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.pattern import Pattern
-from swifttailor.pattern_maker.confidence import Calibration, PictureSpace
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.grammar import Grammar
+from swifttailor.pattern.tidying.symmetry import OTHER_SIDE
+from swifttailor.pattern_maker.asking.confidence import Calibration, PictureSpace
 from swifttailor.pattern_maker.maker import PatternMaker
-from swifttailor.pattern_maker.model_file import MakerModel
-from swifttailor.pattern_maker.runtime import Cache
-from swifttailor.pattern_maker.symmetry import OTHER_SIDE
-from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
-from swifttailor.pattern_maker.token_sequence import TokenSequence
-from swifttailor.pattern_maker.vocabulary import SIZE
+from swifttailor.pattern_maker.network.model_file import MakerModel
+from swifttailor.pattern_maker.network.runtime import Cache
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.grammar import Grammar
+from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
+from swifttailor.pattern_maker.tokens.vocabulary import SIZE
 
 HIDDEN = 3
 CARD = {

@@ -14,9 +14,9 @@ from PIL import Image
 from scripted_maker import crossed, scripted_maker, sure_of
 
 import swifttailor
-from swifttailor.data.captions import measure_facts
+from swifttailor.describing import measure_facts
 from swifttailor.errors import InputError, PatternError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer import sewer as sewer_module
 from swifttailor.ggi.decode import decode
 from swifttailor.ggi.file import read_ggi

@@ -10,7 +10,7 @@ from swifttailor.body import Body
 from swifttailor.data.index import Shard, SplitIndex
 from swifttailor.data.sample import Sample, store_sample
 from swifttailor.data.shard_file import write_shard
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pixels.sewn_prior import sew_around_body
 from swifttailor.panel_mesh import mesh_pattern

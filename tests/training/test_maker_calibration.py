@@ -15,9 +15,9 @@ from sewer_data import make_data
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import RenderSettings, SplitRenders
 from swifttailor.errors import InputError
-from swifttailor.pattern_maker.grammar import Grammar, Limits
 from swifttailor.pattern_maker.maker import PatternMaker
-from swifttailor.pattern_maker.model_file import add_calibration, load_model
+from swifttailor.pattern_maker.network.model_file import add_calibration, load_model
+from swifttailor.pattern_maker.tokens.grammar import Grammar, Limits
 from swifttailor.training.maker_calibration import (
     TILES,
     _some,

@@ -9,10 +9,10 @@ import pytest
 
 from swifttailor.errors import MissingExtraError
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern_maker.counterpart import counterparts
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.prompt import make_prompt, pattern_part
-from swifttailor.pattern_maker.vocabulary import SIZE
+from swifttailor.pattern_maker.asking.counterpart import counterparts
+from swifttailor.pattern_maker.asking.prompt import make_prompt, pattern_part
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.vocabulary import SIZE
 from swifttailor.training.extra import require_training_packages
 from swifttailor.training.maker_config import CONFIGS, MakerLosses
 
@@ -41,7 +41,7 @@ def edit():
 def losses_of(batch, **weights):
     import torch
 
-    from swifttailor.pattern_maker.foresight import FORESEEN
+    from swifttailor.pattern_maker.asking.foresight import FORESEEN
     from swifttailor.training.maker_losses_torch import compute_losses
 
     torch.manual_seed(0)

@@ -17,15 +17,15 @@ from swifttailor.cli.main import run
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import RenderSettings, SplitRenders
 from swifttailor.errors import InputError, MissingExtraError
+from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.pattern import to_specification
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern_maker.decode import decode
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.fidelity import compare
-from swifttailor.pattern_maker.pictures import picture_for_network
-from swifttailor.pattern_maker.prompt import EDIT, MAKE
-from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
-from swifttailor.pattern_maker.vocabulary import SIZE, STITCH_TOKENS
+from swifttailor.pattern_maker.asking.pictures import picture_for_network
+from swifttailor.pattern_maker.asking.prompt import EDIT, MAKE
+from swifttailor.pattern_maker.tokens.decode import decode
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.fidelity import compare
+from swifttailor.pattern_maker.tokens.vocabulary import SIZE, STITCH_TOKENS
 from swifttailor.training.extra import require_training_packages
 from swifttailor.training.maker_bank import open_bank, sequences_of
 from swifttailor.training.maker_config import CONFIGS, config_from, read_config
@@ -113,7 +113,7 @@ def inputs(files):
 
 
 def test_a_bank_holds_patterns_their_facts_and_their_edits(bank, files):
-    from swifttailor.data.captions import measure_facts
+    from swifttailor.describing import measure_facts
 
     skirt = bank.garments[0]
     pattern = draft("fitted-skirt", length=45.0)
@@ -332,7 +332,7 @@ def test_batches_hold_samples_of_like_length_and_depend_on_their_number_alone(ba
 def test_some_samples_read_the_numbers_that_the_network_would_have_written(bank, config):
     import torch
 
-    from swifttailor.pattern_maker.building_torch import build_network
+    from swifttailor.pattern_maker.network.building_torch import build_network
     from swifttailor.training.maker_batch_torch import TrainingBatches, with_own_numbers, with_plans
 
     torch.manual_seed(0)
@@ -387,11 +387,11 @@ def test_training_and_validation_must_not_share_patterns(config, files, tmp_path
 def test_a_pattern_learnt_by_heart_is_written_under_the_grammar(config, files, tmp_path):
     import torch
 
-    from swifttailor.pattern_maker.export_torch import load_weights
-    from swifttailor.pattern_maker.generation import Asked, write_answers
-    from swifttailor.pattern_maker.grammar import Grammar
-    from swifttailor.pattern_maker.prompt import make_prompt
-    from swifttailor.pattern_maker.runtime_torch import TorchRuntime
+    from swifttailor.pattern_maker.asking.generation import Asked, write_answers
+    from swifttailor.pattern_maker.asking.prompt import make_prompt
+    from swifttailor.pattern_maker.network.export_torch import load_weights
+    from swifttailor.pattern_maker.network.runtime_torch import TorchRuntime
+    from swifttailor.pattern_maker.tokens.grammar import Grammar
     from swifttailor.training.maker_batch_torch import assemble
     from swifttailor.training.maker_loop_torch import train
 

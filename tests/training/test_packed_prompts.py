@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from swifttailor.pattern_maker.vocabulary import NUMBERS
+from swifttailor.pattern_maker.tokens.vocabulary import NUMBERS
 from swifttailor.training.packed_prompts import ROW, pack_prompts
 
 PAD = -7

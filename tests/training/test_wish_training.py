@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from swifttailor.data.captions import Claim
-from swifttailor.data.edits.differences import Gain, Step
-from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+from swifttailor.describing import Claim
+from swifttailor.describing.differences import Gain, Step
+from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.training.wish_samples import UNKNOWN, WishSamples
 from swifttailor.wishes.labels import number_labels, statement_labels
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.data.captions import CLAIM_TYPES, Claim
-from swifttailor.data.edits.differences import QUANTITIES, Gain, Step
+from swifttailor.describing import CLAIM_TYPES, Claim
+from swifttailor.describing.differences import QUANTITIES, Gain, Step
 from swifttailor.errors import InputError
 from swifttailor.wishes.labels import change_of, label_of, number_labels, statement_labels
-from swifttailor.wishes.wording import wish_line
+from swifttailor.wording.wish_lines import wish_line
 
 
 def test_every_label_names_one_change():

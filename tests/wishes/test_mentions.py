@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from swifttailor.data.captions.writing.numbers import say_measure
 from swifttailor.wishes.mentions import find_mentions
+from swifttailor.wording.numbers import say_measure
 
 
 @pytest.mark.parametrize(

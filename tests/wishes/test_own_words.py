@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.data.captions import Claim
-from swifttailor.data.captions.writing import write_claims
-from swifttailor.data.edits.differences import Gain, Step
+from swifttailor.describing import Claim
+from swifttailor.describing.differences import Gain, Step
 from swifttailor.wishes.own_words import implied_kind, in_own_words
 from swifttailor.wishes.reader import WishReader
+from swifttailor.wording.captions import write_claims
 
 DRESS = [
     Gain(Claim("kind", "dress")),

@@ -6,12 +6,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from swifttailor.data.captions import Claim
-from swifttailor.data.edits.differences import Gain, Step
-from swifttailor.data.edits.step_words import STEP_WORDS
+from swifttailor.describing import Claim
+from swifttailor.describing.differences import Gain, Step
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.phrase_book import find_phrases
 from swifttailor.wishes.reader import WishReader
+from swifttailor.wording.instructions.step_words import STEP_WORDS
 
 
 def asked(text: str) -> list:

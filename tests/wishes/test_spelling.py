@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.data.captions.writing.speech import all_wordings
 from swifttailor.wishes.spelling import cut_words, neighbours, put_right
+from swifttailor.wording.speech import all_wordings
 
 
 @pytest.mark.parametrize(

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 import swifttailor
-from swifttailor.alterations import alter
-from swifttailor.data.captions import Claim, measure_facts
-from swifttailor.data.edits.differences import Gain
+from swifttailor.describing import Claim, measure_facts
+from swifttailor.describing.differences import Gain
 from swifttailor.pattern.drafts import list_drafts
+from swifttailor.recutting import alter
 from swifttailor.wishes.unsaid import leaves_hem_unsaid, unsaid_wishes
 
 

@@ -6,8 +6,8 @@ import time
 
 import pytest
 
-from swifttailor.data.captions import Claim
-from swifttailor.data.edits.differences import Gain, Step
+from swifttailor.describing import Claim
+from swifttailor.describing.differences import Gain, Step
 from swifttailor.errors import InputError
 from swifttailor.wishes.reader import SHIPPED, WishReader
 

@@ -1,6 +1,7 @@
 """The body a garment is sewn around: a mesh, its measurements, and the distance to its surface.
 
-The names below are loaded on first use, so ``import swifttailor.body`` costs next to nothing.
+May import the lowest floors (errors, files). The names below are loaded on first use, so importing this room
+costs next to nothing.
 """
 
 from __future__ import annotations

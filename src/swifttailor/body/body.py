@@ -95,7 +95,8 @@ class Body:
         """
         from swifttailor.body.mesh_files import read_body
 
-        return read_body(path, measurements_path)
+        read = read_body(path, measurements_path, _default_body())
+        return Body(read.name, read.vertices, read.faces, read.vertex_part, read.measurements)
 
     def distance_field(
         self,

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import warnings
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from swifttailor.body.body import Body
 from swifttailor.body.measurements import BodyMeasurements, read_measurements
 from swifttailor.body.measuring import measure_body
 from swifttailor.body.orientation import oriented_outward
 from swifttailor.body.parts import transfer_parts
 from swifttailor.errors import InputError
+
+if TYPE_CHECKING:
+    from swifttailor.body.body import Body
 
 Array = np.ndarray[Any, np.dtype[Any]]
 
@@ -26,8 +29,25 @@ _OFF_AXIS = 0.02  # of the height: a body closer to the axis than this stays whe
 _HEIGHT_TOLERANCE = 0.05  # between the mesh and a measured height given with it
 
 
-def read_body(path: Path | str, measurements_path: Path | str | None = None) -> Body:
-    """Reads a body; see `Body.load`."""
+@dataclass(frozen=True, eq=False)
+class ReadBody:
+    """What `Body` is made of."""
+
+    name: str
+    vertices: Array
+    faces: Array
+    vertex_part: Array
+    measurements: BodyMeasurements
+
+
+def read_body(path: Path | str, measurements_path: Path | str | None, default: Body) -> ReadBody:
+    """Reads a body; see `Body.load`.
+
+    Args:
+        path: Mesh.
+        measurements_path: Of this body.
+        default: The body whose parts are carried over.
+    """
     path = Path(path)
     given = read_measurements(measurements_path) if measurements_path is not None else {}
     vertices, faces = _read_mesh(path)
@@ -36,7 +56,6 @@ def read_body(path: Path | str, measurements_path: Path | str | None = None) -> 
     vertices, faces = _merged(vertices, faces, path)
     vertices = _placed(vertices)
     _check_facing(vertices, path)
-    default = Body.default()
     parts = transfer_parts(vertices, default.vertices, default.vertex_part)
     height = float(vertices[:, 1].max())
     if "height" in given:
@@ -48,7 +67,7 @@ def read_body(path: Path | str, measurements_path: Path | str | None = None) -> 
             )
     BodyMeasurements.from_mapping(given, default.measurements)
     measurements = measure_body(vertices, faces, parts, given)
-    return Body(path.stem, vertices, faces, parts, measurements)
+    return ReadBody(path.stem, vertices, faces, parts, measurements)
 
 
 def _read_mesh(path: Path) -> tuple[Array, Array]:

@@ -1,1 +1,4 @@
-"""The command line: one module per command, each a frozen dataclass of its options with a `run` method."""
+"""The command line: one module per command, each a frozen dataclass of its options with a `run` method.
+
+May import every room.
+"""

@@ -50,7 +50,7 @@ class Convert:
 
     def _file_in_folder(self) -> Path:
         """The file of a garment's folder that serves the target."""
-        from swifttailor.garment_files.folder import OBJ, PATTERN
+        from swifttailor.garment.folder import OBJ, PATTERN
 
         return self.source / (PATTERN if self.target.suffix.lower() in PATTERN_ENDINGS else OBJ)
 
@@ -72,7 +72,7 @@ class Convert:
             pattern.save(self.target)
 
     def _convert_garment(self, source: Path) -> None:
-        from swifttailor.garment_files.formats import MESH_ENDINGS, read_garment_mesh, write_garment_mesh
+        from swifttailor.garment.formats import MESH_ENDINGS, read_garment_mesh, write_garment_mesh
 
         if source.suffix.lower() not in MESH_ENDINGS:
             raise InputError(

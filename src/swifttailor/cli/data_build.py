@@ -87,7 +87,7 @@ class DataBuild:
         from swifttailor.data.builder.make_sample import make_sample
         from swifttailor.data.builder.sew_sample import network_of, sew_sample
         from swifttailor.draping.batch import BatchSettings
-        from swifttailor.draping.batch.patterns import count_patterns, read_patterns
+        from swifttailor.pattern.pattern_list import count_patterns, read_patterns
 
         drape = BatchSettings(
             fabric=self.fabric,

@@ -88,9 +88,10 @@ class DataCaptions:
 
     def _lines(self, source: Path) -> Iterator[tuple[str, str]]:
         """What to write for each pattern, and what to complain of."""
-        from swifttailor.data.captions import measure_facts, write_caption
         from swifttailor.data.pattern_source import patterns_of
+        from swifttailor.describing import measure_facts
         from swifttailor.errors import SwiftTailorError
+        from swifttailor.wording.captions import write_caption
 
         for number, (id, pattern) in enumerate(patterns_of(source)):
             if isinstance(pattern, SwiftTailorError):

@@ -22,7 +22,7 @@ from swifttailor.cli.option_checks import (
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
-    from swifttailor.garment import Garment
+    from swifttailor.garment.garment import Garment
 
 NOT_ACCEPTED = 1
 UNUSABLE = 2
@@ -191,6 +191,6 @@ class Drape:
 
 
 def _print_json(value: dict[str, Any]) -> None:
-    from swifttailor.garment_files.folder import plain
+    from swifttailor.garment.folder import plain
 
     sys.stdout.write(json.dumps(plain(value), indent=2, allow_nan=False) + "\n")

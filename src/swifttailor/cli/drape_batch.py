@@ -20,8 +20,8 @@ NOT_ALL_ACCEPTED = 1
 def run_drape_batch(options: Drape, source: Path) -> int:
     """Drapes all patterns of `source` with the options of the command; returns the exit code."""
     from swifttailor.draping.batch import BatchSettings, run_batch
-    from swifttailor.draping.batch.patterns import count_patterns
     from swifttailor.draping.batch.run import TIME_LIMIT
+    from swifttailor.pattern.pattern_list import count_patterns
 
     settings = BatchSettings(
         fabric=options.fabric,

@@ -38,7 +38,7 @@ class Edit(Making):
         Raises:
             SwiftTailorError: Nothing could be made.
         """
-        from swifttailor.garment_files.folder import PATTERN
+        from swifttailor.garment.folder import PATTERN
 
         if not self.instruction.strip():
             raise InputError(
@@ -74,7 +74,7 @@ class Edit(Making):
         return self.make(order)
 
     def _rotation(self, source: Path) -> Literal["intrinsic", "extrinsic"]:
-        from swifttailor.garment_files.folder import REPORT
+        from swifttailor.garment.folder import REPORT
 
         if self.rotation is not None:
             return self.rotation

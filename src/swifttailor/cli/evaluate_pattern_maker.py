@@ -81,12 +81,12 @@ class EvaluatePatternMaker:
             SwiftTailorError: The patterns, the weights or an option cannot be used.
         """
         self._validate()
-        from swifttailor.alterations.fitted import FittingMaker
         from swifttailor.cli.item_progress import ItemProgress
         from swifttailor.evaluation.maker.ask import Asking
         from swifttailor.evaluation.maker.run import Plan, evaluate
         from swifttailor.evaluation.provenance import code_and_machine, file_identity
         from swifttailor.pattern_maker.maker import SHIPPED, PatternMaker
+        from swifttailor.tailor.fitted import FittingMaker
         from swifttailor.wishes.reader import SHIPPED as READER
         from swifttailor.wishes.reader import WishReader
 

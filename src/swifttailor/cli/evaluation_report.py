@@ -89,7 +89,7 @@ class GarmentReport:
     def draw(self, reader: SplitReader, out: Path, pictures: int) -> list[Path]:
         """Writes sheet-01.png and so on: garments from the nearest to their drapes to the farthest."""
         from swifttailor.evaluation.garments.sheet import Shown, caption, spread, write_sheets
-        from swifttailor.garment import Garment
+        from swifttailor.garment.garment import Garment
 
         numbers = {reader.ids[k]: k for k in self.made.vertices}
         shown = []

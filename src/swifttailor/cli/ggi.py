@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 import tyro
 
 from swifttailor.errors import InputError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.pattern import Pattern
 
 

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from swifttailor.errors import InputError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 
 if TYPE_CHECKING:
     from swifttailor.cli.ggi import Ggi
-    from swifttailor.garment_files.triangle_mesh import TriangleMesh
+    from swifttailor.garment.triangle_mesh import TriangleMesh
     from swifttailor.ggi import GarmentGeometryImage
     from swifttailor.ggi.stitch import SewnGrid
 
@@ -94,7 +94,7 @@ def mesh_of_grid(grid: SewnGrid, images: GarmentGeometryImage) -> TriangleMesh:
     """The decoded grid as every writer takes it: a group per panel, texture coordinates of the image."""
     import numpy as np
 
-    from swifttailor.garment_files.triangle_mesh import TriangleMesh
+    from swifttailor.garment.triangle_mesh import TriangleMesh
     from swifttailor.ggi.semantic import PANEL_TYPES
 
     if images.layout is not None:
@@ -112,9 +112,9 @@ def mesh_of_grid(grid: SewnGrid, images: GarmentGeometryImage) -> TriangleMesh:
 
 def _save_grid(mesh: TriangleMesh, folder: Path, report: dict[str, Any]) -> None:
     from swifttailor.atomic_files import write_text
-    from swifttailor.garment_files.folder import GLB, OBJ, REPORT
-    from swifttailor.garment_files.glb import write_glb
-    from swifttailor.garment_files.obj import write_obj
+    from swifttailor.garment.folder import GLB, OBJ, REPORT
+    from swifttailor.garment.glb import write_glb
+    from swifttailor.garment.obj import write_obj
 
     write_glb(mesh, folder / GLB)
     write_obj(mesh, folder / OBJ)

@@ -68,7 +68,7 @@ class Making:
         Raises:
             InputError: An option is out of range, or DIR must not be written.
         """
-        from swifttailor.garment_files.folder import DRAWING, GLB, OBJ, PATTERN, PREVIEW
+        from swifttailor.garment.folder import DRAWING, GLB, OBJ, PATTERN, PREVIEW
 
         in_range("--samples", self.samples, 1, MOST_SAMPLES)
         require_seed(self.seed)
@@ -96,7 +96,7 @@ class Making:
             SwiftTailorError: Nothing could be made.
         """
         from swifttailor.cli.progress import StageProgress
-        from swifttailor.garment_files.folder import PREVIEW
+        from swifttailor.garment.folder import PREVIEW
         from swifttailor.tailor import Tailor, Tailored
 
         started = time.perf_counter()
@@ -165,7 +165,7 @@ def _say(folder: Path, outcome: Tailored | SwiftTailorError, said: list[str], *,
 
 
 def _print_json(outcomes: dict[Path, Tailored | SwiftTailorError]) -> None:
-    from swifttailor.garment_files.folder import plain
+    from swifttailor.garment.folder import plain
 
     reports = [
         {"error": str(one)} | {"folder": str(folder)}
@@ -178,7 +178,7 @@ def _print_json(outcomes: dict[Path, Tailored | SwiftTailorError]) -> None:
 
 def _write_sheet(path: Path, made: dict[Path, Tailored]) -> None:
     from swifttailor.atomic_files import write_atomically
-    from swifttailor.garment_files.folder import PREVIEW
+    from swifttailor.garment.folder import PREVIEW
     from swifttailor.render.contact_sheet import Tile, draw_contact_sheet
 
     tiles = []

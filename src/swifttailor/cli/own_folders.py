@@ -22,7 +22,7 @@ def require_own_files(folder: Path, names: Iterable[str]) -> None:
     Raises:
         InputError: There is such a file, and no report of a garment beside it.
     """
-    from swifttailor.garment_files.folder import REPORT
+    from swifttailor.garment.folder import REPORT
 
     foreign = [name for name in names if (folder / name).exists()]
     if foreign and read_report(folder / REPORT) is None:

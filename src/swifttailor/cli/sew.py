@@ -74,7 +74,7 @@ class Sew:
             self._keep(path, folder, one) for (path, folder), one in zip(folders, outcomes, strict=True)
         ]
         if self.json:
-            from swifttailor.garment_files.folder import plain
+            from swifttailor.garment.folder import plain
 
             sys.stdout.write(json.dumps(plain(reports), indent=2, allow_nan=False) + "\n")
         made = [r for r in reports if "error" not in r]

@@ -102,9 +102,9 @@ def _export_sewer(run: Path, out: Path, half: bool, int8: bool) -> str:
 
 
 def _export_maker(run: Path, out: Path, half: bool) -> str:
-    from swifttailor.pattern_maker.export_torch import compare, export, load_weights
-    from swifttailor.pattern_maker.model_file import load_model
-    from swifttailor.pattern_maker.runtime_torch import TorchRuntime
+    from swifttailor.pattern_maker.network.export_torch import compare, export, load_weights
+    from swifttailor.pattern_maker.network.model_file import load_model
+    from swifttailor.pattern_maker.network.runtime_torch import TorchRuntime
     from swifttailor.training.run_record import CARD, WEIGHTS
 
     card = json.loads((run / CARD).read_text(encoding="utf-8"))
@@ -127,9 +127,9 @@ def _calibrate(path: Path, data: Path | None) -> str:
         return "how sure it is of pictures was not measured (--data)"
     from swifttailor.cli.progress import print_line
     from swifttailor.errors import SwiftTailorError
-    from swifttailor.pattern_maker.confidence import DOUBT
+    from swifttailor.pattern_maker.asking.confidence import DOUBT
     from swifttailor.pattern_maker.maker import PatternMaker
-    from swifttailor.pattern_maker.model_file import add_calibration
+    from swifttailor.pattern_maker.network.model_file import add_calibration
     from swifttailor.training.maker_calibration import calibrate_by_renders
 
     try:

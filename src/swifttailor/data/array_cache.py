@@ -135,6 +135,8 @@ def name_with_code(name: str, *rooms: str, without: Sequence[str] = ()) -> str:
     left_out = [root / room for room in without]
     for room in rooms:
         place = root / room
+        if not place.exists():
+            raise FileNotFoundError(f"{place}: a cache is named after code that is not there.")
         for path in [place] if place.is_file() else sorted(place.rglob("*.py")):
             if any(path.is_relative_to(other) for other in left_out):
                 continue

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.errors import InputError
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 
 Floats = NDArray[np.float64]
 

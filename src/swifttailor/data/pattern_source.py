@@ -7,9 +7,9 @@ from pathlib import Path
 
 from swifttailor.data.index import INDEX, split_folders
 from swifttailor.data.reader import SplitReader
-from swifttailor.draping.batch.patterns import LINE_ENDINGS, BatchPattern, count_patterns, read_patterns
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern, read_pattern_file
+from swifttailor.pattern.pattern_list import LINE_ENDINGS, BatchPattern, count_patterns, read_patterns
 
 PatternOrError = Pattern | SwiftTailorError
 

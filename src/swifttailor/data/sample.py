@@ -18,8 +18,9 @@ from swifttailor.data.encoding import (
     mesh_checksum,
 )
 from swifttailor.errors import InputError
-from swifttailor.garment import Garment, PatternMesh
+from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern, read_specification, to_specification
 
 Floats = NDArray[np.float64]

@@ -12,7 +12,6 @@ import numpy as np
 
 from swifttailor.data.builder.settings import body_identity
 from swifttailor.data.index import Shard, SplitIndex, split_folders
-from swifttailor.data.pattern_digest import pattern_digest
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import FOLDER as RENDERS
 from swifttailor.data.renders.files import SplitRenders
@@ -21,6 +20,7 @@ from swifttailor.data.shard_file import ShardFile
 from swifttailor.draping.quality import seam_gap
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Severity, check_pattern
+from swifttailor.pattern.digest import pattern_digest
 
 REACH_CM = 400.0
 """No vertex of a garment on a body is farther from the origin than this."""

@@ -1,4 +1,7 @@
-"""Physics: flat panels are sewn together on a body and hang to rest (the paper's ground truth, Sec. 5.1)."""
+"""Physics: flat panels are sewn together on a body and hang to rest (the paper's ground truth, Sec. 5.1).
+
+May import garment, panel_mesh, body and what lies below them.
+"""
 
 from __future__ import annotations
 

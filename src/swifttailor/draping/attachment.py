@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from swifttailor.body import BodyMeasurements
 from swifttailor.draping.placement import place_vertices
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern, body_region
 
 Ints = NDArray[np.int32]

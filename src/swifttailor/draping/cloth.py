@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.draping.fabric import Fabric
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]

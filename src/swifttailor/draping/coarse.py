@@ -24,7 +24,7 @@ from swifttailor.draping.placement import place_vertices
 from swifttailor.draping.simulation import FRAME_RATE, GRAVITY
 from swifttailor.draping.xpbd_kernels import HeldArrays, StepSettings
 from swifttailor.errors import SimulationError
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
 
 Floats = NDArray[np.float64]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-from swifttailor.draping.compiled_code import FAST
+from swifttailor.draping.compile_options import FAST
 from swifttailor.draping.xpbd_kernels import (
     hinge_pulls,
     hold_up,

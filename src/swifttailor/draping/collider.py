@@ -6,7 +6,7 @@ import numpy as np
 
 from swifttailor.body import Body, BodyPart, DistanceField
 from swifttailor.draping.field_kernels import FieldArrays
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import body_region
 
 FIELD_SPACING_CM = 1.0

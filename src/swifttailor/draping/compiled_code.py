@@ -1,15 +1,8 @@
-"""How the loops are compiled by numba, and whether that still has to be done on this machine."""
+"""Whether the loops still have to be compiled on this machine."""
 
 from __future__ import annotations
 
 from typing import Any
-
-FAST: dict[str, Any] = {
-    "cache": True,
-    "fastmath": {"reassoc", "contract", "arcp", "nsz"},
-    "error_model": "numpy",
-}
-"""Options of `numba.njit`: rounding may differ, what is not finite stays so."""
 
 COMPILE_NOTE = "compiling the solver (first time only, about 20 s)"
 COARSE_COMPILE_NOTE = "compiling the coarse drape (first time only, about 8 s)"

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numba import njit
 
-from swifttailor.draping.compiled_code import FAST
+from swifttailor.draping.compile_options import FAST
 from swifttailor.draping.neighbor_lists import MARGIN
 
 CLOTH_FRICTION = 0.3

@@ -19,8 +19,9 @@ from swifttailor.draping.quality import measure_quality
 from swifttailor.draping.simulation import DRESSINGS, Simulation, SimulationSettings, sew
 from swifttailor.draping.untangle import FEW_CROSSINGS, settle_untangled, untangle
 from swifttailor.errors import InputError, SimulationError
-from swifttailor.garment import Garment, PatternMesh
+from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
 
 Progress = Callable[[str, float], None]

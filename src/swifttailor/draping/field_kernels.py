@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from swifttailor.draping.compiled_code import FAST
+from swifttailor.draping.compile_options import FAST
 
 
 class FieldArrays(NamedTuple):

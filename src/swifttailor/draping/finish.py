@@ -15,7 +15,7 @@ from swifttailor.draping.quality import measure_quality
 from swifttailor.draping.simulation import Simulation, SimulationSettings
 from swifttailor.draping.untangle import settle_untangled
 from swifttailor.errors import SimulationError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 
 Progress = Callable[[str, float], None]
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from swifttailor.draping.drape import drape
 from swifttailor.draping.finish import finish
 from swifttailor.errors import SimulationError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 
 Progress = Callable[[str, float], None]
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from swifttailor.draping.compiled_code import FAST
+from swifttailor.draping.compile_options import FAST
 from swifttailor.draping.spatial_grid import clamped_cell, sort_into_cells
 
 CELL = 1.0

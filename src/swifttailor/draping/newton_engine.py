@@ -19,7 +19,7 @@ from swifttailor.draping.cloth import ClothModel
 from swifttailor.draping.newton_stage import advance_frame, build_stage, widen_clearance
 from swifttailor.draping.simulation import Simulation, settle
 from swifttailor.errors import MissingExtraError
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 
 Progress = Callable[[str, float], None]
 

@@ -21,7 +21,7 @@ from swifttailor.draping.cloth import ClothModel
 from swifttailor.draping.collider import ARMS, FIELD_SPACING_CM
 from swifttailor.draping.simulation import FRAME_RATE, GRAVITY, Simulation
 from swifttailor.draping.xpbd_kernels import EDGE_DISTANCE
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]

@@ -8,7 +8,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Panel, Pattern, body_region
 
 Floats = NDArray[np.float64]

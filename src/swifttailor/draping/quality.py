@@ -12,7 +12,7 @@ from swifttailor.body import Body
 from swifttailor.draping.attachment import lowest_top
 from swifttailor.draping.cloth import ClothModel
 from swifttailor.draping.intersections import mesh_intersections, self_intersections
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.panel_mesh.topology import component_count
 
 Floats = NDArray[np.float64]

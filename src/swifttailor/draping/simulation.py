@@ -21,7 +21,7 @@ from swifttailor.draping.xpbd_kernels import (
     StepSettings,
     advance_frame,
 )
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import body_region
 
 Floats = NDArray[np.float64]

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from swifttailor.draping.compiled_code import FAST
+from swifttailor.draping.compile_options import FAST
 from swifttailor.draping.contact_kernels import (
     find_contacts,
     find_crossings,

@@ -1,3 +1,6 @@
-"""How good a prediction is: distances to the drape, gaps, penetration."""
+"""How good a prediction is: distances to the drape, gaps, penetration.
+
+May import data, tailor and everything below them.
+"""
 
 from __future__ import annotations

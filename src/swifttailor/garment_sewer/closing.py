@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csc_array, diags_array
 
-from swifttailor.garment import PatternMesh
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pixels.rest_shape import flat_gradients, limit_stretch, rest_shape
 from swifttailor.garment_sewer.pixels.sewn_prior import factorized, vertices_ignoring_arms
 from swifttailor.panel_mesh.edge_sampling import stitched_pairs
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 
 Floats = NDArray[np.float64]
 

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import torch
 import torch.nn.functional as F
 from torch import Tensor
 
 from swifttailor.errors import InputError
-from swifttailor.garment_sewer.network_torch import GarmentSewerNetwork
+
+if TYPE_CHECKING:
+    from swifttailor.garment_sewer.network_torch import GarmentSewerNetwork
 
 _PATCHES = "dpt.embeddings.patch_embeddings.projection.weight"
 _POSITIONS = "dpt.embeddings.position_embeddings"

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from swifttailor.body import Body
 from swifttailor.errors import InputError
-from swifttailor.garment import Garment, PatternMesh
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.closing import ClosingSettings, close_seams, seam_gaps
 from swifttailor.garment_sewer.conditioning import conditioning_image
 from swifttailor.garment_sewer.model_file import SewerModel, load_model
@@ -23,6 +23,7 @@ from swifttailor.garment_sewer.pixels.sewn_prior import vertices_ignoring_arms
 from swifttailor.ggi import Layout, lay_out
 from swifttailor.ggi.outline_decode import outline_sampler
 from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
 
 Floats = NDArray[np.float64]

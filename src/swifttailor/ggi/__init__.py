@@ -1,4 +1,7 @@
-"""The Garment Geometry Image (paper, Sec. 4.2 and Appendix B): patterns and drapes as images, and back."""
+"""The Garment Geometry Image (paper, Sec. 4.2 and Appendix B): patterns and drapes as images, and back.
+
+May import garment, panel_mesh, pattern and what lies below them.
+"""
 
 from __future__ import annotations
 

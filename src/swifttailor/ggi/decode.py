@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from swifttailor.errors import InputError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.ggi.grid_decode import decode_grid
 from swifttailor.ggi.images import GarmentGeometryImage
 from swifttailor.ggi.outline_decode import decode_outline

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
 from swifttailor.errors import GeometryError, InputError
-from swifttailor.garment import PatternMesh
 from swifttailor.ggi.layout import Layout
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]

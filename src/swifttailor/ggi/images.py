@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.ggi.geometry import rasterize_geometry
 from swifttailor.ggi.layout import Layout, lay_out
 from swifttailor.ggi.semantic import semantic_image

@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
 from swifttailor.errors import GeometryError, InputError
-from swifttailor.garment import Garment, PatternMesh
+from swifttailor.garment.garment import Garment
 from swifttailor.ggi.layout import Layout
 from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]

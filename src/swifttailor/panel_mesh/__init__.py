@@ -1,4 +1,7 @@
-"""Flat triangle meshes of a pattern's panels, with seam edges sampled in matching pairs and welded."""
+"""Flat triangle meshes of a pattern's panels, with seam edges sampled in matching pairs and welded.
+
+May import pattern and what lies below it.
+"""
 
 from __future__ import annotations
 

@@ -10,8 +10,8 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from swifttailor.errors import GeometryError, InputError, PatternError
-from swifttailor.garment import PatternMesh, Seam
 from swifttailor.panel_mesh.edge_sampling import edge_segments, measured_edges, stitched_pairs
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh, Seam
 from swifttailor.panel_mesh.triangulate import signed_area, triangulate_polygons
 from swifttailor.pattern import EdgeRef, Pattern
 

@@ -1,4 +1,7 @@
-"""What a sewing pattern is (paper, Sec. 3.1): panels, edges, placements, stitches; reading and writing."""
+"""What a sewing pattern is (paper, Sec. 3.1): panels, edges, placements, stitches; reading and writing.
+
+May import the lowest floors (errors, files) only, and of other packages numpy, scipy and shapely.
+"""
 
 from __future__ import annotations
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from swifttailor.atomic_files import write_text
 from swifttailor.pattern.curve import Arc, Curve, Line, Quadratic
 from swifttailor.pattern.panel import Panel
-from swifttailor.pattern.pattern import EdgeRef, Pattern
+
+if TYPE_CHECKING:
+    from swifttailor.pattern.pattern import EdgeRef, Pattern
 
 
 def to_specification(pattern: Pattern) -> dict[str, Any]:

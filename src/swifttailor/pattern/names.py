@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from functools import lru_cache
 from typing import Literal
 
@@ -41,6 +42,7 @@ EDGE_LABELS: tuple[str, ...] = (
 )
 """Attachment labels that GarmentCode puts on edges."""
 
+_SIDES = (("left_", "right_"), ("_l_", "_r_"), ("_l ", "_r "))
 _CLASS_ID = {name: k for k, name in enumerate(PANEL_NAMES)}
 _ARM = re.compile(r"(^|_)(sl|sleeve|sleeves|arm|hand)(_|\d|$)|sleeve", re.IGNORECASE)
 _LEG = re.compile(r"pant|skirt|trouser|leg|short|godet|(^|_)ins_", re.IGNORECASE)
@@ -64,3 +66,16 @@ def canonical_key(name: str) -> tuple[int, tuple[tuple[int, str], ...]]:
     """Sort key: known names by class id, unknown ones after them in natural order (``p2`` before ``p10``)."""
     natural = tuple((int(s), "") if s.isdigit() else (-1, s) for s in _NUMBER.split(name))
     return _CLASS_ID.get(name, len(PANEL_NAMES)), natural
+
+
+def _twins() -> Iterator[tuple[int, int]]:
+    for number, name in enumerate(PANEL_NAMES):
+        padded = f"{name} "
+        for left, right in _SIDES:
+            other = padded.replace(left, right).strip()
+            if other != name and other in PANEL_NAMES:
+                yield number, PANEL_NAMES.index(other)
+
+
+TWINS: dict[int, int] = {max(pair): min(pair) for pair in _twins()}
+"""Class ids of panels and of those on the other side of the body, which are written before them."""

@@ -14,17 +14,17 @@ from numpy.typing import NDArray
 from swifttailor.errors import InputError
 from swifttailor.pattern import Finding, Pattern, Severity, check_pattern
 from swifttailor.pattern.check.repair import Change, Repair
-from swifttailor.pattern_maker.confidence import Confidence
-from swifttailor.pattern_maker.decode import decode
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.generation import Asked, Written, write_answers
-from swifttailor.pattern_maker.mending import mend
-from swifttailor.pattern_maker.model_file import MakerModel, load_model
-from swifttailor.pattern_maker.pictures import picture_for_network, read_picture
-from swifttailor.pattern_maker.prompt import make_prompt
-from swifttailor.pattern_maker.runtime import Floats
-from swifttailor.pattern_maker.scripts import about_scripts, says_something
-from swifttailor.pattern_maker.token_sequence import TokenSequence
+from swifttailor.pattern.tidying.mending import mend
+from swifttailor.pattern_maker.asking.confidence import Confidence
+from swifttailor.pattern_maker.asking.generation import Asked, Written, write_answers
+from swifttailor.pattern_maker.asking.pictures import picture_for_network, read_picture
+from swifttailor.pattern_maker.asking.prompt import make_prompt
+from swifttailor.pattern_maker.asking.scripts import about_scripts, says_something
+from swifttailor.pattern_maker.network.model_file import MakerModel, load_model
+from swifttailor.pattern_maker.network.runtime import Floats
+from swifttailor.pattern_maker.tokens.decode import decode
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
 
 SHIPPED = Path(__file__).with_name("pattern_maker.zip")
 MOST_ATTEMPTS = 64

@@ -1,11 +1,13 @@
-"""Pictures of garments on a body, drawn on one CPU core in plain numpy."""
+"""Pictures of garments on a body, drawn on one CPU core in plain numpy.
+
+May import pattern, body, panel_mesh and what lies below them; it knows surfaces, not garments.
+"""
 
 from __future__ import annotations
 
 from swifttailor.render.camera import Camera
 from swifttailor.render.color import to_linear
 from swifttailor.render.lighting import STUDIO, Light, Lighting
-from swifttailor.render.preview import body_surface, cloth_surface, render_preview
 from swifttailor.render.prints import Checks, Dots, Plain, Stripes
 from swifttailor.render.surface import LineSet, Print, Surface
 from swifttailor.render.view import render_view
@@ -22,9 +24,6 @@ __all__ = [
     "Print",
     "Stripes",
     "Surface",
-    "body_surface",
-    "cloth_surface",
-    "render_preview",
     "render_view",
     "to_linear",
 ]

@@ -1,4 +1,7 @@
-"""The pipeline (paper, Fig. 3): words, a picture or a pattern in, a pattern and its garment out."""
+"""The pipeline (paper, Fig. 3): words, a picture or a pattern in, a pattern and its garment out.
+
+May import both networks' rooms, wishes, recutting and what lies below them.
+"""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from swifttailor.errors import SwiftTailorError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.sewer import BATCH, Floats, GarmentSewer, Prepared
 from swifttailor.pattern import Finding, Pattern, Reading, check_pattern, read_pattern_file, repair_pattern
 from swifttailor.pattern.check import Change

@@ -221,7 +221,7 @@ class Tailor:
             SwiftTailorError: The order cannot be answered at all.
         """
         # Sewing alone does without them, and starts a fifth of a second earlier.
-        from swifttailor.alterations.fitted import FittingMaker
+        from swifttailor.tailor.fitted import FittingMaker
 
         say = progress or (lambda stage, share: None)
         clock = Clock()
@@ -339,7 +339,7 @@ class Tailor:
 
     def _about(self, order: Order, seed: int, one: WrittenPattern, clock: Clock) -> dict[str, Any]:
         """What a report says of an order and how it was answered."""
-        from swifttailor.wishes.wording import wish_line
+        from swifttailor.wording.wish_lines import wish_line
 
         made, fitted = one.fitted.generated, one.fitted
         return {
@@ -367,7 +367,7 @@ class Tailor:
 
 def _remarks(order: Order, one: WrittenPattern) -> list[str]:
     from swifttailor.wishes.spelling import put_right
-    from swifttailor.wishes.wording import wish_line
+    from swifttailor.wording.wish_lines import wish_line
 
     found = []
     if one.failures:

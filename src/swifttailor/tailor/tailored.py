@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.sewer import Floats
 from swifttailor.ggi import GarmentGeometryImage, Layout
 from swifttailor.ggi.geometry import rasterize_geometry
@@ -17,7 +17,7 @@ from swifttailor.ggi.semantic import semantic_image
 from swifttailor.ggi.stitching import stitching_image
 from swifttailor.pattern import Finding, Pattern, Severity
 from swifttailor.pattern.check import Change
-from swifttailor.pattern_maker.confidence import Confidence
+from swifttailor.pattern_maker.asking.confidence import Confidence
 
 PREVIEW_SIZE = 1000, 600
 """Pixels; drawing twice as many takes longer than everything else together."""
@@ -100,7 +100,7 @@ class Tailored:
         Raises:
             InputError: The folder cannot be written.
         """
-        from swifttailor.garment_files.folder import REPORT, save_folder
+        from swifttailor.garment.folder import REPORT, save_folder
         from swifttailor.ggi.file import GGI_FILE, write_ggi
 
         folder = Path(folder)

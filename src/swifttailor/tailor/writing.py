@@ -11,15 +11,15 @@ import numpy as np
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Severity, check_pattern
-from swifttailor.pattern_maker.framing import Framing, frame_figure
+from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
+from swifttailor.pattern_maker.asking.pictures import read_picture
 from swifttailor.pattern_maker.maker import HIGHEST_TEMPERATURE, MOST_ATTEMPTS, Request
-from swifttailor.pattern_maker.pictures import read_picture
 from swifttailor.tailor.clock import Clock
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.sewing import Checked, Ready, SewingOptions, make_ready
 
 if TYPE_CHECKING:
-    from swifttailor.alterations.fitted import Fitted, FittingMaker
+    from swifttailor.tailor.fitted import Fitted, FittingMaker
 
 
 WARMER = 0.15
@@ -179,7 +179,7 @@ def oddities(one: Fitted) -> list[str]:
 
 def _not_so(one: Fitted) -> str:
     """What was asked for and does not hold, in words."""
-    from swifttailor.wishes.wording import wish_line
+    from swifttailor.wording.wish_lines import wish_line
 
     return f"asked for, and not so: {'; '.join(map(wish_line, one.open))}" if one.open else ""
 

@@ -11,14 +11,14 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from swifttailor.data.captions.facts import GarmentFacts
-from swifttailor.data.captions.facts_file import facts_from
 from swifttailor.data.edits.edit_file import EditedVersion, read_edits
 from swifttailor.data.pattern_source import patterns_of
-from swifttailor.draping.batch.patterns import read_patterns
+from swifttailor.describing.facts import GarmentFacts
+from swifttailor.describing.facts_file import facts_from
 from swifttailor.errors import InputError, SimulationError, SwiftTailorError
-from swifttailor.pattern_maker.encode import encode
-from swifttailor.pattern_maker.token_sequence import TokenSequence
+from swifttailor.pattern.pattern_list import read_patterns
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
 from swifttailor.training.maker_measure import MeasureTask, measure, task_name
 
 PATTERNS_A_FILE = 32

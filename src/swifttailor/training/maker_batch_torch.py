@@ -11,14 +11,14 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from swifttailor.pattern_maker.counterpart import NONE, counterparts
-from swifttailor.pattern_maker.foresight import PANEL_NUMBERS, foresight_of
-from swifttailor.pattern_maker.network_config import NetworkConfig
-from swifttailor.pattern_maker.network_torch import PatternMakerNetwork
-from swifttailor.pattern_maker.plan import PatternPlan
-from swifttailor.pattern_maker.prompt import PAD
-from swifttailor.pattern_maker.token_sequence import TokenSequence
-from swifttailor.pattern_maker.vocabulary import NUMBERS, PANEL_TOKENS
+from swifttailor.pattern_maker.asking.counterpart import NONE, counterparts
+from swifttailor.pattern_maker.asking.foresight import PANEL_NUMBERS, foresight_of
+from swifttailor.pattern_maker.asking.plan import PatternPlan
+from swifttailor.pattern_maker.asking.prompt import PAD
+from swifttailor.pattern_maker.network.network_config import NetworkConfig
+from swifttailor.pattern_maker.network.network_torch import PatternMakerNetwork
+from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
+from swifttailor.pattern_maker.tokens.vocabulary import NUMBERS, PANEL_TOKENS
 from swifttailor.training.compilation_torch import not_compiled
 from swifttailor.training.maker_samples import MakerSample, MakerSamples, Plan
 from swifttailor.training.packed_prompts import pack_prompts

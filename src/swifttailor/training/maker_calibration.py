@@ -15,10 +15,10 @@ from swifttailor.data.renders.draw import draw_body
 from swifttailor.data.renders.files import SplitRenders
 from swifttailor.data.renders.look import VIEWS, random_look
 from swifttailor.errors import InputError
-from swifttailor.pattern_maker.calibration import calibrate
-from swifttailor.pattern_maker.confidence import Calibration
+from swifttailor.pattern_maker.asking.calibration import calibrate
+from swifttailor.pattern_maker.asking.confidence import Calibration
+from swifttailor.pattern_maker.asking.pictures import Pixels
 from swifttailor.pattern_maker.maker import PatternMaker
-from swifttailor.pattern_maker.pictures import Pixels
 
 LEARNT, KNOWN, STRANGERS = 2000, 400, 64
 """Pictures of the training split, of the validation split, and of each kind that shows no garment."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from swifttailor.errors import InputError
-from swifttailor.pattern_maker.network_config import PAPER_NETWORK, NetworkConfig
+from swifttailor.pattern_maker.network.network_config import PAPER_NETWORK, NetworkConfig
 from swifttailor.training.config_file import changed_config, read_config_of, require
 from swifttailor.training.loop_config import LoopConfig
 

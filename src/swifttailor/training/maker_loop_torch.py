@@ -15,8 +15,8 @@ from swifttailor.data.index import split_folders
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import SplitRenders
 from swifttailor.errors import InputError
-from swifttailor.pattern_maker.building_torch import build_network
-from swifttailor.pattern_maker.network_torch import OPTIONAL, PatternMakerNetwork
+from swifttailor.pattern_maker.network.building_torch import build_network
+from swifttailor.pattern_maker.network.network_torch import OPTIONAL, PatternMakerNetwork
 from swifttailor.training.compilation_torch import compile_layers
 from swifttailor.training.loop_torch import Loop, say_nothing
 from swifttailor.training.maker_bank import PatternBank, open_bank, sequences_of

@@ -6,9 +6,9 @@ import torch
 import torch.nn.functional as F
 from torch import Tensor
 
-from swifttailor.pattern_maker.copying import UNCHANGED
-from swifttailor.pattern_maker.token_sequence import NUMBER_MASK
-from swifttailor.pattern_maker.vocabulary import MOVE, SIZE
+from swifttailor.pattern_maker.asking.copying import UNCHANGED
+from swifttailor.pattern_maker.tokens.token_sequence import NUMBER_MASK
+from swifttailor.pattern_maker.tokens.vocabulary import MOVE, SIZE
 from swifttailor.training.maker_batch_torch import Batch
 from swifttailor.training.maker_config import MakerLosses
 

@@ -18,21 +18,21 @@ from typing import Any
 import numpy as np
 
 from swifttailor.data.array_cache import name_with_code
-from swifttailor.data.captions.facts import GarmentFacts
-from swifttailor.data.captions.facts_file import facts_values
-from swifttailor.data.edits.cutter import Cutter
 from swifttailor.data.edits.edit_file import EditedVersion
-from swifttailor.data.edits.instructions import write_instruction
-from swifttailor.data.edits.operations import Operation
 from swifttailor.data.edits.pairs import recut_variously
 from swifttailor.data.shard_file import write_durably
+from swifttailor.describing.facts import GarmentFacts
+from swifttailor.describing.facts_file import facts_values
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
-from swifttailor.pattern_maker.encode import encode
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.recutting.random_cuts import Operation
+from swifttailor.recutting.table.cutter import Cutter
+from swifttailor.wording.instructions.writer import write_instruction
 
 FORMAT = 1
 _TOKENS = ("decode", "edge_numbers", "encode", "grammar", "normalization", "placement_numbers", "vocabulary")
-_NO_PART = ("pattern/check/crossing_repair.py", "pattern/check/repair.py", "pattern/svg")
+_NO_PART = ("pattern/check/crossing_repair.py", "pattern/check/repair.py", "pattern/svg", "pattern/tidying")
 """Of the room of patterns: patterns are not mended before they are measured."""
 
 
@@ -57,9 +57,9 @@ def task_name(patterns: tuple[EditedVersion, ...], recuts: int) -> str:
         if pattern.path is not None:
             data = pattern.path.read_bytes()
         digest.update(json.dumps([pattern.id, version.base]).encode() + b"\0" + data + b"\0")
-    modules = [f"pattern_maker/{name}.py" for name in _TOKENS]
-    rooms = ("pattern", "body", "data/captions/measure", "data/edits/recutting", "data/edits/operations.py")
-    rooms = (*rooms, "data/captions/facts.py", *modules, "training/maker_measure.py")
+    modules = [f"pattern_maker/tokens/{name}.py" for name in _TOKENS]
+    rooms = ("pattern", "body", "describing/measuring", "recutting/ways", "recutting/random_cuts.py")
+    rooms = (*rooms, "describing/facts.py", *modules, "training/maker_measure.py")
     code = name_with_code("maker", *rooms, without=_NO_PART)
     return f"{code}-{digest.hexdigest()[:20]}.safetensors"
 

@@ -10,17 +10,17 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.data.captions import write_caption
-from swifttailor.data.edits.instructions import write_instruction
 from swifttailor.data.renders.files import SplitRenders
-from swifttailor.pattern_maker.pictures import picture_for_network
-from swifttailor.pattern_maker.prompt import make_prompt, pattern_part
-from swifttailor.pattern_maker.token_sequence import NUMBER_MASK, TokenSequence
-from swifttailor.pattern_maker.vocabulary import STITCH_TAGS, STITCH_TOKENS
+from swifttailor.pattern_maker.asking.pictures import picture_for_network
+from swifttailor.pattern_maker.asking.prompt import make_prompt, pattern_part
+from swifttailor.pattern_maker.tokens.token_sequence import NUMBER_MASK, TokenSequence
+from swifttailor.pattern_maker.tokens.vocabulary import STITCH_TAGS, STITCH_TOKENS
 from swifttailor.training.maker_bank import PatternBank, Version
 from swifttailor.training.maker_config import MakerConfig
 from swifttailor.training.misspelling import misspell
 from swifttailor.training.picture_variation import vary_picture
+from swifttailor.wording.captions import write_caption
+from swifttailor.wording.instructions.writer import write_instruction
 
 TaskName = Literal["text", "image", "text_image", "edit"]
 TASKS: tuple[TaskName, ...] = ("text", "image", "text_image", "edit")

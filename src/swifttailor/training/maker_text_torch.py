@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from swifttailor.pattern_maker.network_config import NetworkConfig
-from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+from swifttailor.networks.text_tokenizer import TextTokenizer
+from swifttailor.pattern_maker.network.network_config import NetworkConfig
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ def open_text(config: NetworkConfig) -> Text:
         InputError: The pretrained tokenizer cannot be had.
     """
     if config.pretrained:
-        from swifttailor.pattern_maker.pretrained_torch import load_text_tokens
+        from swifttailor.pattern_maker.network.pretrained_torch import load_text_tokens
 
         return Text(*load_text_tokens(config))
     tokenizer, limit = TextTokenizer.shipped(), config.longest_text

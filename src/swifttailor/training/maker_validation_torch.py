@@ -9,10 +9,10 @@ import numpy as np
 import torch
 import torch.nn.functional as F
 
-from swifttailor.pattern_maker.foresight import BOX
-from swifttailor.pattern_maker.network_torch import PatternMakerNetwork
-from swifttailor.pattern_maker.normalization import POINT_SCALE, TRANSLATION_SCALE
-from swifttailor.pattern_maker.vocabulary import COMMANDS, MOVE, PANEL_TOKENS, SIZE
+from swifttailor.pattern_maker.asking.foresight import BOX
+from swifttailor.pattern_maker.network.network_torch import PatternMakerNetwork
+from swifttailor.pattern_maker.tokens.normalization import POINT_SCALE, TRANSLATION_SCALE
+from swifttailor.pattern_maker.tokens.vocabulary import COMMANDS, MOVE, PANEL_TOKENS, SIZE
 from swifttailor.training.maker_batch_torch import Batch, assemble, with_plans
 from swifttailor.training.maker_config import MakerConfig
 from swifttailor.training.maker_samples import TASKS, MakerSamples

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.pattern_maker.vocabulary import NUMBERS
+from swifttailor.pattern_maker.tokens.vocabulary import NUMBERS
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float32]

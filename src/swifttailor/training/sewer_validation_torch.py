@@ -14,7 +14,7 @@ from swifttailor.body import Body
 from swifttailor.data.reader import SplitReader
 from swifttailor.errors import InputError
 from swifttailor.evaluation.garment_error import GarmentError, measure_error, summarize
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.closing import close_seams
 from swifttailor.garment_sewer.network_torch import SewerNetwork
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
@@ -67,7 +67,7 @@ class Validation:
         except ImportError as error:
             raise InputError("Pictures need the package 'pillow'; install it or set pictures=0.") from error
         from swifttailor.atomic_files import write_atomically
-        from swifttailor.render import render_preview
+        from swifttailor.garment.preview import render_preview
 
         chosen = self.numbers[:: max(1, len(self.numbers) // self.config.pictures)][: self.config.pictures]
         sheet = Image.new("RGB", (_PICTURE[0] * 2, _PICTURE[1] * len(chosen)))

@@ -14,7 +14,7 @@ from torch.nn import functional as F
 
 from swifttailor.networks.half_storage import round_to_half
 from swifttailor.networks.onnx_export_torch import export_graph
-from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.training.wish_samples import UNKNOWN, WishSample, WishSamples
 from swifttailor.wishes.labels import number_labels, statement_labels
 from swifttailor.wishes.network_torch import ReaderConfig, WishNetwork

@@ -9,16 +9,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.data.captions import write_caption
-from swifttailor.data.edits.differences import Change, Gain, Step
-from swifttailor.data.edits.instructions import write_instruction
-from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+from swifttailor.describing.differences import Change, Gain, Step
+from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.training.maker_bank import PatternBank, Version
 from swifttailor.training.misspelling import misspell
 from swifttailor.training.wish_words import FILLERS, say_nothing, say_otherwise
 from swifttailor.wishes.labels import label_of, number_labels, statement_labels
 from swifttailor.wishes.mentions import Mention
 from swifttailor.wishes.text_tokens import ReadyText, text_tokens
+from swifttailor.wording.captions import write_caption
+from swifttailor.wording.instructions.writer import write_instruction
 
 UNKNOWN = -1
 """What a number is that could be several things."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
-from swifttailor.data.captions.claims import CLAIM_TYPES, Claim
-from swifttailor.data.edits.differences import QUANTITIES, Change, Gain, Step
+from swifttailor.describing.claims import CLAIM_TYPES, Claim
+from swifttailor.describing.differences import QUANTITIES, Change, Gain, Step
 from swifttailor.errors import InputError
 
 _GAIN, _STEP, _MEASURE = "gain", "step", "measure"

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from swifttailor.data.captions.claims import Claim
-from swifttailor.data.captions.writing import write_claims
-from swifttailor.data.edits.differences import Change, Gain
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain
+from swifttailor.wording.captions import write_claims
 
 _OF_LEGS = frozenset({"legs", "leg_hem", "leg_cuffs", "inseam_cm", "leg_cuff_cm"})
 _OF_SKIRTS = frozenset({"skirt", "skirt_hem", "skirt_length_cm", "slit", "slit_size", "tiers", "hem_cm"})

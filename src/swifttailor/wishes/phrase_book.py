@@ -11,11 +11,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 
-from swifttailor.data.captions.writing.speech import with_articles
-from swifttailor.data.edits.differences import Change, Gain, Step
-from swifttailor.data.edits.gain_words import GAIN_WORDS
-from swifttailor.data.edits.step_words import STEP_WORDS
+from swifttailor.describing.differences import Change, Gain, Step
 from swifttailor.wishes.mentions import Mention
+from swifttailor.wording.instructions.gain_words import GAIN_WORDS
+from swifttailor.wording.instructions.step_words import STEP_WORDS
+from swifttailor.wording.speech import with_articles
 
 _NUMBER = "\0"
 """Stands for a length in a text."""

@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from swifttailor.data.edits.differences import Change, Step
+from swifttailor.describing.differences import Change, Step
 from swifttailor.errors import InputError
 from swifttailor.networks.onnx_session import open_session
-from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.wishes.labels import change_of, label_of
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.phrase_book import find_phrases

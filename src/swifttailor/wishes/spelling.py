@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from swifttailor.data.captions.writing.speech import all_wordings
-from swifttailor.data.captions.writing.wording import Wording
+from swifttailor.wording.phrases.phrase import Wording
+from swifttailor.wording.speech import all_wordings
 
 SHORTEST = 4
 """Letters: shorter words have too many neighbours."""

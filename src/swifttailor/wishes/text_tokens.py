@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.pattern_maker.text_tokenizer import TextTokenizer
+from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.wishes.mentions import Mention, find_mentions
 
 LONGEST = 192

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from swifttailor.data.captions.claims import Claim
-from swifttailor.data.captions.facts import GarmentFacts
-from swifttailor.data.edits.differences import Change, Gain
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain
+from swifttailor.describing.facts import GarmentFacts
 
 COVERED_BELOW_CROTCH_CM = 9.0
 """A skirt is to reach so far below the crotch however short it is asked for."""

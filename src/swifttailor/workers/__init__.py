@@ -1,4 +1,7 @@
-"""Work spread over processes of this machine or over a Ray cluster, and folders it can be resumed in."""
+"""Work spread over processes of this machine or over a Ray cluster, and folders it can be resumed in.
+
+May import errors and files of the lowest floor.
+"""
 
 from __future__ import annotations
 

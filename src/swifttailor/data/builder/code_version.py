@@ -8,7 +8,7 @@ from pathlib import Path
 
 import swifttailor
 
-ROOMS = ("pattern", "body", "garment.py", "panel_mesh", "draping")
+ROOMS = ("pattern", "body", "garment/garment.py", "panel_mesh", "draping")
 """What a drape depends on; the folder draping/batch only runs it."""
 _RUNS_ONLY = ("draping", "batch")
 

@@ -12,11 +12,11 @@ from swifttailor.data.sample import Sample, store_sample
 from swifttailor.data.shard_file import pack_sample
 from swifttailor.draping.batch import BatchSettings
 from swifttailor.draping.batch.make_garment import drape_pattern, read_sewable
-from swifttailor.draping.batch.patterns import BatchPattern
 from swifttailor.errors import MissingExtraError, SwiftTailorError
-from swifttailor.garment import Garment
-from swifttailor.garment_files.folder import plain
+from swifttailor.garment.folder import plain
+from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.pattern.pattern_list import BatchPattern
 
 ACCEPTED, REJECTED, FAILED = "accepted", "rejected", "failed"
 

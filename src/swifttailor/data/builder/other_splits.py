@@ -6,11 +6,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from swifttailor.data.index import INDEX, SplitIndex, read_index
-from swifttailor.data.pattern_digest import pattern_digest
 from swifttailor.data.sample import load_sample
 from swifttailor.data.shard_file import ShardFile
-from swifttailor.draping.batch.patterns import BatchPattern
 from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.pattern.digest import pattern_digest
+from swifttailor.pattern.pattern_list import BatchPattern
 
 
 @dataclass

@@ -21,8 +21,8 @@ from swifttailor.data.builder.other_splits import OtherSplits
 from swifttailor.data.builder.settings import BuildSettings
 from swifttailor.data.builder.split_folder import SplitFolder, input_checksum
 from swifttailor.data.index import SplitIndex
-from swifttailor.draping.batch.patterns import BatchPattern
 from swifttailor.errors import InputError
+from swifttailor.pattern.pattern_list import BatchPattern
 from swifttailor.workers import Outcome, sigterm_as_interrupt
 
 Runner = Callable[[Callable[[Any], Any], Iterable[Any]], Generator[Outcome]]

@@ -16,7 +16,7 @@ from swifttailor.draping.cloth import build_cloth
 from swifttailor.draping.collider import vertices_ignoring_arms
 from swifttailor.draping.fabric import get_fabric
 from swifttailor.draping.quality import measure_quality
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.sewer import SHIPPED, GarmentSewer
 
 MOST_INSIDE = 0.02

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from swifttailor.data.edits.pairs import EditPair, is_reversed
-from swifttailor.draping.batch.patterns import LINE_ENDINGS, BatchPattern, read_patterns
 from swifttailor.errors import InputError
 from swifttailor.pattern import Pattern, to_specification
 from swifttailor.pattern.json_values import parse_json
+from swifttailor.pattern.pattern_list import LINE_ENDINGS, BatchPattern, read_patterns
 
 
 @dataclass(frozen=True)

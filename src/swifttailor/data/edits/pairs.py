@@ -9,14 +9,14 @@ from itertools import islice
 from typing import TypeVar
 
 from swifttailor.body import BodyMeasurements
-from swifttailor.data.captions.facts import GarmentFacts
-from swifttailor.data.captions.measure import measure_facts
-from swifttailor.data.edits.checking import accepted
-from swifttailor.data.edits.cutter import Cutter
-from swifttailor.data.edits.instructions import Instruction, write_instruction
-from swifttailor.data.edits.operations import OPERATIONS, Operation
+from swifttailor.describing.facts import GarmentFacts
+from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
+from swifttailor.recutting.random_cuts import OPERATIONS, Operation
+from swifttailor.recutting.table.checking import accepted
+from swifttailor.recutting.table.cutter import Cutter
+from swifttailor.wording.instructions.writer import Instruction, write_instruction
 
 T = TypeVar("T")
 

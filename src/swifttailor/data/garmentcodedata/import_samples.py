@@ -19,8 +19,8 @@ from swifttailor.data.garmentcodedata.multimodal import read_captions
 from swifttailor.data.garmentcodedata.sample_folder import read_sample_folder
 from swifttailor.data.sample import store_sample
 from swifttailor.data.shard_file import pack_sample
-from swifttailor.draping.batch.patterns import BatchPattern, refuse_repeats
 from swifttailor.errors import SwiftTailorError
+from swifttailor.pattern.pattern_list import BatchPattern, refuse_repeats
 
 ORIGIN = "GarmentCodeData"
 

@@ -9,7 +9,7 @@ from scipy.spatial import KDTree
 from swifttailor.data.garmentcodedata.panels import PanelCoordinates
 from swifttailor.data.garmentcodedata.split_mesh import SplitMesh
 from swifttailor.errors import InputError
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 
 Floats = NDArray[np.float64]
 

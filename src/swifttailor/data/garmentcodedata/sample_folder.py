@@ -11,7 +11,7 @@ from swifttailor.data.garmentcodedata.panels import locate
 from swifttailor.data.garmentcodedata.resample import resample
 from swifttailor.data.garmentcodedata.split_mesh import read_segmentation, read_split_mesh
 from swifttailor.data.sample import Sample
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern import read_specification
 from swifttailor.pattern.json_values import read_json_file

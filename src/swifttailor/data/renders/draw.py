@@ -9,9 +9,9 @@ from scipy.ndimage import zoom
 
 from swifttailor.body import Body
 from swifttailor.data.renders.look import Backdrop, Look, Rgb
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
+from swifttailor.garment.preview import border_edges
 from swifttailor.render import Camera, LineSet, Surface, render_view
-from swifttailor.render.preview import border_edges
 
 Picture = np.ndarray[Any, np.dtype[np.uint8]]
 Floats = np.ndarray[Any, np.dtype[np.float64]]

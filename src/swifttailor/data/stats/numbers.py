@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 
 from swifttailor.data.builder.split_folder import RESULTS
-from swifttailor.data.captions import claims_of, measure_facts
 from swifttailor.data.index import SplitIndex, read_index
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.sample import Sample
+from swifttailor.describing import claims_of, measure_facts
 from swifttailor.draping.batch.summary import kind_of_reason
 from swifttailor.errors import InputError, SwiftTailorError
 

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from swifttailor.body import Body
-from swifttailor.data.captions import write_caption
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders import draw_look, random_look
 from swifttailor.data.renders.draw import Picture
@@ -18,6 +17,7 @@ from swifttailor.data.renders.files import SplitRenders
 from swifttailor.data.renders.look import Backdrop, Look, View
 from swifttailor.render import Plain
 from swifttailor.render.numbered_sheets import write_numbered_sheets
+from swifttailor.wording.captions import write_caption
 
 if TYPE_CHECKING:
     from PIL.Image import Image

@@ -11,7 +11,7 @@ from swifttailor.atomic_files import write_text
 from swifttailor.draping.batch.make_garment import UNFINISHED_PREFIX
 from swifttailor.draping.batch.settings import BatchSettings
 from swifttailor.errors import InputError
-from swifttailor.garment_files.folder import plain
+from swifttailor.garment.folder import plain
 from swifttailor.workers.work_folder import FolderLock, RecordFile, WorkFolder, differences
 
 SETTINGS, RESULTS = "batch.json", "results.jsonl"

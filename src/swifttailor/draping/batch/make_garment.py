@@ -12,12 +12,12 @@ from pathlib import Path
 from typing import Any
 
 from swifttailor.body import Body
-from swifttailor.draping.batch.patterns import BatchPattern
 from swifttailor.draping.batch.settings import BatchSettings
 from swifttailor.draping.drape import drape
 from swifttailor.draping.sewable import Sewable, require_sewable
 from swifttailor.errors import SwiftTailorError
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
+from swifttailor.pattern.pattern_list import BatchPattern
 
 UNFINISHED_PREFIX = ".making-"
 

@@ -11,13 +11,13 @@ from typing import Any
 from swifttailor.atomic_files import write_text
 from swifttailor.draping.batch.ledger import Ledger
 from swifttailor.draping.batch.make_garment import GarmentTask, failure, make_garment
-from swifttailor.draping.batch.patterns import BatchPattern, read_patterns
 from swifttailor.draping.batch.settings import BatchSettings
 from swifttailor.draping.batch.sheets import write_sheets
 from swifttailor.draping.batch.summary import summarize
 from swifttailor.draping.compiled_code import solver_is_compiled
 from swifttailor.errors import InputError
-from swifttailor.garment_files.folder import plain
+from swifttailor.garment.folder import plain
+from swifttailor.pattern.pattern_list import BatchPattern, read_patterns
 from swifttailor.workers import run_tasks, sigterm_as_interrupt
 
 SUMMARY = "summary.json"

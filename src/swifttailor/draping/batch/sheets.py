@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from swifttailor.garment_files.folder import PREVIEW
+from swifttailor.garment.folder import PREVIEW
 from swifttailor.render.contact_sheet import COLUMNS, Tile, draw_contact_sheet
 from swifttailor.render.numbered_sheets import write_numbered_sheets
 

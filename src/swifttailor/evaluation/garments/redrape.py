@@ -23,7 +23,7 @@ from swifttailor.draping import drape
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.evaluation.garments.score import Scored, draw_clouds, score_garment, score_of_json
 from swifttailor.evaluation.garments.sew_split import Made
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 
 Progress = Callable[[int], None]

@@ -14,7 +14,7 @@ from swifttailor.errors import GeometryError, InputError
 from swifttailor.evaluation.garment_kind import KINDS, GarmentKind, garment_kind
 from swifttailor.evaluation.garments.cloud_distances import chamfer, earth_mover, surface_distance
 from swifttailor.evaluation.garments.point_cloud import PointCloud, sample_surface
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pixels.sewn_prior import vertices_ignoring_arms
 from swifttailor.panel_mesh.topology import Topology, topology

@@ -12,7 +12,7 @@ from swifttailor.draping.finish import finish as hang_to_rest
 from swifttailor.errors import SwiftTailorError
 from swifttailor.evaluation.garments.point_cloud import PointCloud
 from swifttailor.evaluation.garments.score import Floats, Scored, draw_clouds, score_garment
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer, Prepared
 
 Progress = Callable[[int], None]

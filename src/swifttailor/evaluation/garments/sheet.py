@@ -12,7 +12,7 @@ import numpy as np
 from swifttailor.body import Body
 from swifttailor.errors import InputError
 from swifttailor.evaluation.garments.score import GarmentScore
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.render.numbered_sheets import write_numbered_sheets
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def _draw(shown: Sequence[Shown]) -> Image:
         from PIL import Image, ImageDraw, ImageFont
     except ImportError as error:
         raise InputError("Pictures need the package 'pillow'; install it or give --pictures 0.") from error
-    from swifttailor.render import render_preview
+    from swifttailor.garment.preview import render_preview
 
     width, height = 2 * TILE[0] + 3 * _MARGIN, TILE[1] + _CAPTION + _MARGIN
     sheet = Image.new("RGB", (width, height * len(shown) + _MARGIN), _PAPER)

@@ -13,7 +13,7 @@ from swifttailor.evaluation.maker.questions import PICTURED, Question, seed_of
 from swifttailor.pattern import Finding, Pattern, Severity, read_specification, to_specification
 from swifttailor.pattern.check.repair import Change
 from swifttailor.pattern_maker.maker import Request
-from swifttailor.pattern_maker.token_sequence import TokenSequence
+from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
 
 BATCH = 16
 """Questions that are answered together."""

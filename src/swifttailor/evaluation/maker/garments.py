@@ -19,7 +19,7 @@ from swifttailor.evaluation.garments.score import POINTS
 from swifttailor.evaluation.garments.set_distances import SetDistances, set_distances
 from swifttailor.evaluation.maker.questions import seed_of
 from swifttailor.evaluation.maker.scores import Scored
-from swifttailor.garment import Garment
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Pattern
 

@@ -12,15 +12,16 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from swifttailor.data.captions import Claim, GarmentFacts, measure_facts, write_caption
 from swifttailor.data.edits.edit_file import read_edits
-from swifttailor.data.edits.instructions import Instruction
 from swifttailor.data.edits.pairs import is_reversed, pairs_of
-from swifttailor.data.pattern_digest import pattern_digest
 from swifttailor.data.pattern_source import parsed_pattern, patterns_of
+from swifttailor.describing import Claim, GarmentFacts, measure_facts
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.pattern import Pattern
-from swifttailor.pattern_maker.encode import encode
+from swifttailor.pattern.digest import pattern_digest
+from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.wording.captions import write_caption
+from swifttailor.wording.instructions.writer import Instruction
 
 Task = Literal["text", "image", "text+image", "edit"]
 TASKS: tuple[Task, ...] = get_args(Task)

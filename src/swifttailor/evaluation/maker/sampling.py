@@ -19,7 +19,7 @@ from swifttailor.evaluation.patterns.attempts import (
 )
 from swifttailor.evaluation.patterns.validity import validity
 from swifttailor.pattern import to_specification
-from swifttailor.pattern_maker.decode import decode
+from swifttailor.pattern_maker.tokens.decode import decode
 
 TEMPERATURE = 1.0
 

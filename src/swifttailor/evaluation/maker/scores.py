@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from swifttailor.data.captions import GarmentFacts
+from swifttailor.describing import GarmentFacts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.evaluation.maker.ask import Answer, Progress
 from swifttailor.evaluation.maker.questions import Question, Task
@@ -25,8 +25,8 @@ from swifttailor.evaluation.patterns.pattern_table import (
     summarize_scores,
 )
 from swifttailor.pattern import Pattern
-from swifttailor.pattern_maker.decode import decode
-from swifttailor.pattern_maker.encode import encode
+from swifttailor.pattern_maker.tokens.decode import decode
+from swifttailor.pattern_maker.tokens.encode import encode
 
 AdherenceRows = list[tuple[str, Adherence]]
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from swifttailor.data.captions import CLAIM_TYPES, Claim, GarmentFacts, measure_facts
-from swifttailor.data.edits.differences import Gain
-from swifttailor.data.edits.instructions import Instruction
+from swifttailor.describing import CLAIM_TYPES, Claim, GarmentFacts, measure_facts
+from swifttailor.describing.differences import Gain
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.check.crossings import find_crossing
 from swifttailor.pattern.check.outline import trace_outline
+from swifttailor.wording.instructions.writer import Instruction
 
 MOST_CROSSINGS = 300
 """Of a panel that is measured."""

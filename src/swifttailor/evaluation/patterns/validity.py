@@ -5,8 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 
-from swifttailor.pattern_maker.token_sequence import TokenSequence
-from swifttailor.pattern_maker.vocabulary import CLOSING_COMMANDS, COMMANDS, PANEL_TOKENS, STITCH_TOKENS
+from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
+from swifttailor.pattern_maker.tokens.vocabulary import (
+    CLOSING_COMMANDS,
+    COMMANDS,
+    PANEL_TOKENS,
+    STITCH_TOKENS,
+)
 
 
 @dataclass(frozen=True)

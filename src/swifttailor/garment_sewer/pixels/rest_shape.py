@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
 from swifttailor.errors import GeometryError
-from swifttailor.garment import PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 
 Floats = NDArray[np.float64]
 

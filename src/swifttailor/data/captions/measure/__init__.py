@@ -1,7 +1,0 @@
-"""Measuring a pattern: from panels and stitches to `GarmentFacts`."""
-
-from __future__ import annotations
-
-from swifttailor.data.captions.measure.measuring import measure_facts
-
-__all__ = ["measure_facts"]

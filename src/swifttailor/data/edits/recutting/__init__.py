@@ -1,1 +1,0 @@
-"""Recutting patterns: longer, shorter, wider, with parts added or removed, all seams still fitting."""

@@ -1,0 +1,116 @@
+"""A stitched garment: one mesh, its panels, its seams and its flat pattern."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from swifttailor.errors import GeometryError
+from swifttailor.panel_mesh.pattern_mesh import Floats, Ints, PatternMesh, Seam
+from swifttailor.pattern import Pattern
+
+if TYPE_CHECKING:
+    from swifttailor.body import Body
+
+
+@dataclass(frozen=True, eq=False)
+class Garment:
+    """A garment in space: welded vertices over a `PatternMesh`. Frame: docs/conventions.md."""
+
+    mesh: PatternMesh
+    vertices: Floats
+    """(v, 3) welded vertex positions, cm."""
+    report: dict[str, Any] = field(default_factory=dict)
+    """What made it and how well: JSON values, written as report.json."""
+
+    def __post_init__(self) -> None:
+        vertices = np.array(self.vertices, dtype=np.float64)
+        if vertices.shape != (self.mesh.vertex_count, 3):
+            raise GeometryError(
+                f"A garment over this pattern has vertices of shape ({self.mesh.vertex_count}, 3), "
+                f"got {vertices.shape}."
+            )
+        if not np.isfinite(vertices).all():
+            raise GeometryError("Garment vertices must be finite numbers.")
+        vertices.flags.writeable = False
+        object.__setattr__(self, "vertices", vertices)
+
+    @classmethod
+    def load(cls, folder: Path | str) -> Garment:
+        """Reads back what `save` has written.
+
+        Raises:
+            InputError: The folder's files are missing, unreadable, or do not belong together.
+        """
+        from swifttailor.garment.folder_reader import read_folder
+
+        mesh, vertices, report = read_folder(folder)
+        return cls(mesh, vertices, report)
+
+    @property
+    def pattern(self) -> Pattern:
+        """The pattern it was sewn from."""
+        return self.mesh.pattern
+
+    @property
+    def faces(self) -> Ints:
+        """(f, 3) vertex indices; the right side of the cloth is outward."""
+        return self.mesh.faces
+
+    @property
+    def seams(self) -> tuple[Seam, ...]:
+        """One polyline of vertices per stitch."""
+        return self.mesh.seams
+
+    @cached_property
+    def flat_positions(self) -> Floats:
+        """(m, 3) position of every flat vertex, cm: the mesh cut open along its seams, as UVs need it."""
+        return self.vertices[self.mesh.weld]
+
+    @cached_property
+    def uv(self) -> Floats:
+        """(m, 2) texture coordinates of the flat vertices.
+
+        All panels are laid out side by side at one scale in the unit square, row 0 at the bottom;
+        `uv_scale` gives the cm per unit.
+        """
+        from swifttailor.panel_mesh.uv_layout import lay_out_uv
+
+        return lay_out_uv(self.mesh)[0]
+
+    @cached_property
+    def uv_scale(self) -> float:
+        """Centimetres of cloth per unit of `uv`."""
+        from swifttailor.panel_mesh.uv_layout import lay_out_uv
+
+        return lay_out_uv(self.mesh)[1]
+
+    @cached_property
+    def vertex_normals(self) -> Floats:
+        """(v, 3) unit normals, area-weighted over the faces around each welded vertex."""
+        corners = self.vertices[self.faces]
+        face_normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        normals = np.zeros_like(self.vertices)
+        for k in range(3):
+            np.add.at(normals, self.faces[:, k], face_normals)
+        norm = np.linalg.norm(normals, axis=1, keepdims=True)
+        return np.divide(normals, norm, out=np.tile([0.0, 1.0, 0.0], (len(normals), 1)), where=norm > 1e-12)
+
+    def save(self, folder: Path | str, *, body: Body | None = None, preview: bool = True) -> Path:
+        """Writes pattern.json, pattern.svg, garment.glb, garment.obj, report.json and preview.png.
+
+        Args:
+            folder: Created when missing; files of these names in it are replaced, others left alone.
+            body: Drawn in the preview; the default body when None.
+            preview: Whether to render preview.png.
+
+        Returns:
+            The folder.
+        """
+        from swifttailor.garment.folder import save_folder
+
+        return save_folder(self, folder, body=body, preview=preview)

@@ -1,0 +1,146 @@
+"""Binary glTF (.glb): one node per panel, smooth across seams, in metres."""
+
+from __future__ import annotations
+
+import json
+import struct
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from swifttailor.garment.binary_file import write_bytes
+from swifttailor.garment.triangle_mesh import Array, TriangleMesh
+from swifttailor.garment.units import to_metres
+
+_FLOAT, _UINT = 5126, 5125
+_VERTICES, _INDICES = 34962, 34963
+_LINES, _TRIANGLES = 1, 4
+CLOTH_COLOR = (0.07, 0.19, 0.43, 1.0)
+"""Linear base colour of the cloth."""
+_SEAM_COLOR = (0.02, 0.05, 0.12, 1.0)
+
+
+def write_glb(mesh: TriangleMesh, path: Path | str) -> Path:
+    """Writes a mesh as binary glTF.
+
+    Panels become nodes of their names under one root. Vertices on seams are repeated in every panel, with
+    the same position and normal, so that no seam shows as a crease; the attribute ``_WELD`` numbers the
+    vertices of the stitched mesh, so that readers can join them again. Seams are line segments in the node
+    ``seams``.
+    """
+    return write_bytes(path, glb_bytes(mesh))
+
+
+def glb_bytes(mesh: TriangleMesh) -> bytes:
+    """The content of the file that `write_glb` writes."""
+    buffer = _Buffer()
+    flat = mesh.flat
+    positions = to_metres(mesh.vertices).astype(np.float32)
+    normals = mesh.vertex_normals.astype(np.float32)
+    names = mesh.groups or ("mesh",)
+    face_group = np.zeros(len(mesh.faces), np.int32) if mesh.face_group is None else mesh.face_group
+    nodes: list[dict[str, Any]] = []
+    meshes: list[dict[str, Any]] = []
+    for k, name in enumerate(names):
+        of_panel = flat.group == k
+        faces = flat.faces[face_group == k]
+        if not len(faces):
+            nodes.append({"name": name})
+            continue
+        weld = flat.weld[of_panel]
+        attributes = {
+            "POSITION": buffer.add(positions[weld], bounds=True),
+            "NORMAL": buffer.add(normals[weld]),
+        }
+        if flat.uv is not None:
+            # glTF counts v from the top of the texture.
+            attributes["TEXCOORD_0"] = buffer.add(flat.uv[of_panel] * (1.0, -1.0) + (0.0, 1.0))
+        attributes["_WELD"] = buffer.add(weld.astype(np.float32))
+        primitive = {
+            "attributes": attributes,
+            "indices": buffer.add_indices(faces - np.flatnonzero(of_panel)[0]),
+            "material": 0,
+            "mode": _TRIANGLES,
+        }
+        nodes.append({"name": name, "mesh": len(meshes)})
+        meshes.append({"name": name, "primitives": [primitive]})
+    segments = [np.stack([line[:-1], line[1:]], axis=1) for line in mesh.lines if len(line) > 1]
+    if segments:
+        used, index = np.unique(np.concatenate(segments).astype(np.int32), return_inverse=True)
+        primitive = {
+            "attributes": {"POSITION": buffer.add(positions[used], bounds=True)},
+            "indices": buffer.add_indices(index),
+            "material": 1,
+            "mode": _LINES,
+        }
+        nodes.append({"name": "seams", "mesh": len(meshes)})
+        meshes.append({"name": "seams", "primitives": [primitive]})
+    root = {"name": "garment", "children": list(range(1, len(nodes) + 1))}
+    document = {
+        "asset": {"version": "2.0", "generator": "swifttailor"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [root, *nodes],
+        "meshes": meshes,
+        "materials": [_material("cloth", CLOTH_COLOR), _material("seam", _SEAM_COLOR)],
+        "accessors": buffer.accessors,
+        "bufferViews": buffer.views,
+        "buffers": [{"byteLength": len(buffer.data)}] if buffer.data else [],
+    }
+    # Empty arrays are not allowed in glTF.
+    return _container({key: value for key, value in document.items() if value != []}, bytes(buffer.data))
+
+
+class _Buffer:
+    """Collects arrays and describes where they lie."""
+
+    def __init__(self) -> None:
+        self.data = bytearray()
+        self.views: list[dict[str, Any]] = []
+        self.accessors: list[dict[str, Any]] = []
+
+    def add(self, values: Array, *, bounds: bool = False) -> int:
+        """Adds float32 vertex data (n,) or (n, c) and returns its accessor."""
+        values = np.ascontiguousarray(values, np.float32)
+        kind = "SCALAR" if values.ndim == 1 else f"VEC{values.shape[1]}"
+        accessor = self._add(values, _FLOAT, kind, _VERTICES)
+        if bounds:
+            self.accessors[accessor]["min"] = values.min(axis=0).tolist()
+            self.accessors[accessor]["max"] = values.max(axis=0).tolist()
+        return accessor
+
+    def add_indices(self, values: Array) -> int:
+        """Adds vertex indices of any shape and returns their accessor."""
+        return self._add(np.ascontiguousarray(values.ravel(), np.uint32), _UINT, "SCALAR", _INDICES)
+
+    def _add(self, values: Array, component: int, kind: str, target: int) -> int:
+        content = values.tobytes()
+        self.views.append(
+            {"buffer": 0, "byteOffset": len(self.data), "byteLength": len(content), "target": target}
+        )
+        self.data += content
+        self.accessors.append(
+            {
+                "bufferView": len(self.views) - 1,
+                "componentType": component,
+                "count": len(values),
+                "type": kind,
+            }
+        )
+        return len(self.accessors) - 1
+
+
+def _material(name: str, color: tuple[float, ...]) -> dict[str, Any]:
+    surface = {"baseColorFactor": list(color), "metallicFactor": 0.0, "roughnessFactor": 0.85}
+    return {"name": name, "pbrMetallicRoughness": surface, "doubleSided": True}
+
+
+def _container(document: dict[str, Any], binary: bytes) -> bytes:
+    text = json.dumps(document, separators=(",", ":"), allow_nan=False).encode()
+    text += b" " * (-len(text) % 4)
+    binary += b"\0" * (-len(binary) % 4)
+    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text
+    if binary:
+        chunks += struct.pack("<II", len(binary), 0x004E4942) + binary
+    return struct.pack("<III", 0x46546C67, 2, 12 + len(chunks)) + chunks

@@ -1,0 +1,116 @@
+"""The preview picture of a garment: front, back and side on the body."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from swifttailor.render.backdrop import wall
+from swifttailor.render.color import BACKGROUND, BODY, CLOTH, Color, encode_srgb, to_linear
+from swifttailor.render.framing import frame_views
+from swifttailor.render.scene import Scene
+from swifttailor.render.surface import Array, LineSet, Surface
+from swifttailor.render.view import draw_figure
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+    from swifttailor.body import Body
+    from swifttailor.garment.garment import Garment
+
+
+def cloth_surface(
+    garment: Garment, color: Color = CLOTH, *, tint_panels: bool = True, lines: bool = True
+) -> Surface:
+    """The garment as the renderer draws it.
+
+    Args:
+        garment: Any garment.
+        color: Right side of the cloth; the inside is darker and greyer.
+        tint_panels: Whether neighbouring panels differ a little in lightness.
+        lines: Whether seams and hems are drawn.
+    """
+    base = to_linear(color)
+    right = np.broadcast_to(base, (len(garment.faces), 3))
+    if tint_panels:
+        # Golden-ratio steps keep consecutive panels apart whatever their number.
+        step = (np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0
+        right = base * (0.90 + 0.20 * step)[garment.mesh.face_panel][:, None]
+    grey = float(base @ (0.2126, 0.7152, 0.0722))
+    inside = 0.70 * (0.5 * base + 0.5 * grey) + np.array([0.065, 0.055, 0.045])
+    drawn = ()
+    if lines:
+        drawn = (
+            LineSet(_seam_edges(garment), strength=0.42, width=1.1),
+            LineSet(border_edges(garment.faces), strength=0.30, width=1.2),
+        )
+    return Surface(
+        garment.vertices, garment.faces, np.clip(right, 0, 1), inside, lines=drawn, lift=0.35, sheen=0.10
+    )
+
+
+def body_surface(body: Body, color: Color = BODY) -> Surface:
+    """The body as a mannequin."""
+    return Surface(body.vertices, body.faces, to_linear(color), gloss=0.05)
+
+
+def render_preview(
+    garment: Garment,
+    body: Body | None,
+    *,
+    size: tuple[int, int] = (1500, 900),
+    color: Color = CLOTH,
+    background: Color = BACKGROUND,
+) -> Image:
+    """Draws a garment from the front, the back and the wearer's left side by side.
+
+    Args:
+        garment: What to show.
+        body: Who wears it; None draws the garment alone.
+        size: Width and height of the whole picture in pixels.
+        color: Right side of the cloth.
+        background: Backdrop.
+
+    Returns:
+        An RGB picture.
+    """
+    from PIL import Image
+
+    surfaces = [cloth_surface(garment, color)]
+    if body is not None:
+        surfaces.insert(0, body_surface(body))
+    scene = Scene(surfaces)
+    picture = wall(size, to_linear(background))
+    for view in frame_views(garment.vertices, None if body is None else body.vertices, size):
+        part = view.width, size[1]
+        column = picture[:, view.first : view.first + view.width]
+        light, coverage = draw_figure(scene, view.camera, part)
+        fade = _fade(view.width)
+        if scene.floor_shadow is not None:
+            column *= 1.0 - fade * (1.0 - scene.floor_shadow.light(view.camera, part))
+        column *= 1.0 - coverage * fade
+        column += light * fade
+    return Image.fromarray(encode_srgb(picture))
+
+
+def _fade(width: int) -> Array:
+    """(width, 1) share of the figure drawn in each column of a view: what a frame cuts off ends softly."""
+    from_border = np.minimum(np.arange(width), np.arange(width)[::-1]) + 0.5
+    t = np.clip(from_border / min(28.0, width / 8), 0.0, 1.0)
+    return (t * t * (3 - 2 * t)).astype(np.float32)[:, None]
+
+
+def _seam_edges(garment: Garment) -> Array:
+    parts = [
+        np.stack([s.vertices[:-1], s.vertices[1:]], axis=1) for s in garment.seams if len(s.vertices) > 1
+    ]
+    return np.concatenate(parts) if parts else np.zeros((0, 2), np.int32)
+
+
+def border_edges(faces: Array) -> Array:
+    """(n, 2) vertex indices of the edges that only one of the faces (m, 3) has."""
+    edges = np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1).astype(np.int64)
+    key = edges[:, 0] * (int(faces.max(initial=0)) + 1) + edges[:, 1]
+    _, first, count = np.unique(key, return_index=True, return_counts=True)
+    return edges[first[count == 1]].astype(np.int32)

@@ -1,0 +1,152 @@
+"""What every mesh file holds: triangles over shared vertices, with texture coordinates, groups and lines."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from swifttailor.errors import InputError
+
+if TYPE_CHECKING:
+    from swifttailor.garment.garment import Garment
+
+Array = np.ndarray[Any, np.dtype[Any]]
+
+
+@dataclass(frozen=True, eq=False)
+class TriangleMesh:
+    """A mesh between a file and a garment; checked on construction.
+
+    Texture coordinates have vertices of their own, because a stitched garment has one vertex where several
+    panels meet and each panel has its own place in the texture.
+    """
+
+    vertices: Array
+    """(n, 3) cm; shared by all groups."""
+    faces: Array
+    """(m, 3) vertex indices."""
+    uv: Array | None = None
+    """(k, 2) texture coordinates, origin at the lower left; None without any."""
+    uv_faces: Array | None = None
+    """(m, 3) indices into `uv`; None without any."""
+    groups: tuple[str, ...] = ()
+    """Names of the groups of faces: the panels."""
+    face_group: Array | None = None
+    """(m,) index into `groups`; None when there are no groups."""
+    lines: tuple[Array, ...] = ()
+    """Polylines of vertex indices: the seams."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "vertices", _floats("vertices", self.vertices, 3))
+        object.__setattr__(self, "faces", _indices("faces", self.faces, len(self.vertices)))
+        if (self.uv is None) != (self.uv_faces is None):
+            raise InputError("A mesh has uv and uv_faces, or neither.")
+        if self.uv is not None:
+            object.__setattr__(self, "uv", _floats("uv", self.uv, 2))
+            object.__setattr__(self, "uv_faces", _indices("uv_faces", self.uv_faces, len(self.uv)))
+            self._require_length("uv_faces")
+        if (self.face_group is None) != (not self.groups):
+            raise InputError("A mesh has groups and face_group, or neither.")
+        if self.face_group is not None:
+            group = np.array(self.face_group, np.int32)
+            object.__setattr__(self, "face_group", group)
+            self._require_length("face_group")
+            if len(group) and (group.min() < 0 or group.max() >= len(self.groups)):
+                raise InputError(
+                    f"face_group refers to groups {group.min()} to {group.max()}, "
+                    f"but there are {len(self.groups)}."
+                )
+        object.__setattr__(
+            self, "lines", tuple(_indices("lines", line, len(self.vertices), 1) for line in self.lines)
+        )
+
+    def _require_length(self, name: str) -> None:
+        if len(getattr(self, name)) != len(self.faces):
+            raise InputError(
+                f"{name} has {len(getattr(self, name))} rows, but there are {len(self.faces)} faces."
+            )
+
+    @cached_property
+    def vertex_normals(self) -> Array:
+        """(n, 3) unit normals, area-weighted; +Y where a vertex has no face of any area."""
+        a, b, c = (self.vertices[self.faces[:, k]] for k in range(3))
+        normals = np.zeros_like(self.vertices)
+        across = np.cross(b - a, c - a)
+        for k in range(3):
+            np.add.at(normals, self.faces[:, k], across)
+        norm = np.linalg.norm(normals, axis=1, keepdims=True)
+        return np.divide(normals, norm, out=np.tile([0.0, 1.0, 0.0], (len(normals), 1)), where=norm > 1e-12)
+
+    @cached_property
+    def flat(self) -> FlatMesh:
+        """The mesh cut open wherever texture coordinates or groups part, for formats with one index."""
+        group = np.zeros(len(self.faces), np.int32) if self.face_group is None else self.face_group
+        uv_index = np.zeros_like(self.faces) if self.uv_faces is None else self.uv_faces
+        corners = np.stack([np.repeat(group, 3), uv_index.ravel(), self.faces.ravel()], axis=1)
+        unique, inverse = np.unique(corners, axis=0, return_inverse=True)
+        return FlatMesh(
+            weld=unique[:, 2].astype(np.int32),
+            uv=None if self.uv is None else self.uv[unique[:, 1]],
+            faces=inverse.reshape(-1, 3).astype(np.int32),
+            group=unique[:, 0].astype(np.int32),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class FlatMesh:
+    """A mesh in which each vertex has one place in the texture and belongs to one group."""
+
+    weld: Array
+    """(k,) vertex of the `TriangleMesh`; sorted by group, so that every group is one run."""
+    uv: Array | None
+    """(k, 2) texture coordinates or None."""
+    faces: Array
+    """(m, 3) indices from 0 to k - 1, faces in the order of the `TriangleMesh`."""
+    group: Array
+    """(k,) group of each vertex."""
+
+
+def mesh_of_garment(garment: Garment) -> TriangleMesh:
+    """The garment as every writer takes it: welded vertices, a group per panel, a line per seam."""
+    mesh = garment.mesh
+    return TriangleMesh(
+        garment.vertices,
+        mesh.faces,
+        garment.uv,
+        mesh.flat_faces,
+        tuple(p.name for p in garment.pattern.panels),
+        mesh.face_panel if len(garment.pattern.panels) else None,
+        tuple(seam.vertices for seam in garment.seams),
+    )
+
+
+def _floats(name: str, values: Any, columns: int) -> Array:
+    array = np.array(values, np.float64)
+    if array.ndim != 2 or array.shape[1] != columns:
+        raise InputError(f"A mesh's {name} have the shape (n, {columns}), got {array.shape}.")
+    if not np.isfinite(array).all():
+        raise InputError(f"A mesh's {name} must be finite numbers; at least one is NaN or infinite.")
+    array.flags.writeable = False
+    return array
+
+
+def _indices(name: str, values: Any, count: int, dimensions: int = 2) -> Array:
+    array = np.array(values)
+    if array.size == 0:
+        array = np.zeros((0, 3) if dimensions == 2 else 0, np.int32)
+    if array.ndim != dimensions or (dimensions == 2 and array.shape[1] != 3):
+        raise InputError(
+            f"A mesh's {name} must be triangles, rows of 3 indices; got the shape {array.shape}."
+        )
+    if not np.issubdtype(array.dtype, np.integer):
+        raise InputError(f"A mesh's {name} must be whole numbers, got {array.dtype}.")
+    if array.size and (array.min() < 0 or array.max() >= count):
+        raise InputError(
+            f"A mesh's {name} must refer to 0 to {count - 1}, got {int(array.min())} to {int(array.max())}."
+        )
+    array = array.astype(np.int32)
+    array.flags.writeable = False
+    return array

@@ -1,0 +1,101 @@
+"""Places all panels side by side in the unit square, at one scale, as texture coordinates."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from swifttailor.panel_mesh.pattern_mesh import PatternMesh
+
+Array = np.ndarray[Any, np.dtype[Any]]
+
+GUTTER = 0.008
+"""Free space around each panel, as a share of the square's side."""
+_STRIPS = 48
+"""Strip widths that are tried."""
+
+
+def lay_out_uv(mesh: PatternMesh) -> tuple[Array, float]:
+    """Lays the panels out on shelves in the unit square; (0, 0) is the lower left corner.
+
+    Every panel keeps its upright direction (the cloth's grain) and is seen from the right side of the cloth:
+    panels whose loop runs clockwise in their own coordinates, and which are thus described from the wrong
+    side, are mirrored in x. A texture therefore reads correctly on the outside of the garment everywhere.
+
+    Args:
+        mesh: Any pattern mesh.
+
+    Returns:
+        UV (m, 2) of the flat vertices, and the centimetres of cloth per unit, the same in u and v.
+    """
+    count = len(mesh.pattern.panels)
+    flat, panel = np.asarray(mesh.flat_vertices, np.float64), mesh.flat_panel
+    if not len(flat):
+        return np.zeros((0, 2)), 1.0
+    points = flat.copy()
+    points[_wound_clockwise(mesh)[panel], 0] *= -1.0
+    low = np.full((count, 2), np.inf)
+    high = np.full((count, 2), -np.inf)
+    np.minimum.at(low, panel, points)
+    np.maximum.at(high, panel, points)
+    empty = ~np.isfinite(low).all(axis=1)
+    low[empty] = high[empty] = 0.0
+    corner, side = pack_square(high - low)
+    return (points - low[panel] + corner[panel]) / side, side
+
+
+def pack_square(sizes: Array) -> tuple[Array, float]:
+    """Packs boxes on shelves, tallest first, into a square that is as small as a few trials can make it.
+
+    Args:
+        sizes: (n, 2) widths and heights, not negative.
+
+    Returns:
+        Lower left corners (n, 2) of the boxes and the side of the square. Around every box at least
+        ``GUTTER`` of the side stays free.
+    """
+    widest = float(sizes.max(initial=0.0)) or 1.0
+    area_side = float(np.sqrt(sizes.prod(axis=1).sum()))
+    best: tuple[Array, float] | None = None
+    for strip in np.geomspace(max(widest, area_side), max(widest, 2.0 * area_side) * 1.25, _STRIPS):
+        gutter = GUTTER * float(strip) * 1.05
+        corners, height = pack_shelves(sizes, float(strip) + 2 * gutter, gutter)
+        width = float((corners[:, 0] + sizes[:, 0]).max()) + gutter
+        side = max(width, height)
+        gutter_kept = gutter >= GUTTER * side
+        if gutter_kept and (best is None or side < best[1] * (1 - 1e-9)):
+            best = corners, side
+    if best is None:  # one shelf above the other is higher than any strip tried is wide
+        gutter = GUTTER * 2 * float(sizes[:, 1].sum() + widest)
+        corners, height = pack_shelves(sizes, widest + 2 * gutter, gutter)
+        best = corners, max(float((corners[:, 0] + sizes[:, 0]).max()) + gutter, height)
+    return best
+
+
+def pack_shelves(sizes: Array, strip: float, gutter: float) -> tuple[Array, float]:
+    """Packs boxes (n, 2) into a strip, tallest first, shelf upon shelf, `gutter` apart.
+
+    Returns:
+        Lower left corners (n, 2) and the height used, gutters included.
+    """
+    order = np.lexsort((np.arange(len(sizes)), -sizes[:, 0], -sizes[:, 1]))
+    corners = np.zeros((len(sizes), 2))
+    x, y, shelf = gutter, gutter, 0.0
+    for k in order:
+        width, height = sizes[k]
+        if x > gutter and x + width + gutter > strip * (1 + 1e-12):
+            x, y, shelf = gutter, y + shelf + gutter, 0.0
+        corners[k] = x, y
+        x += width + gutter
+        shelf = max(shelf, height)
+    return corners, y + shelf + gutter
+
+
+def _wound_clockwise(mesh: PatternMesh) -> Array:
+    """(n,) whether each panel's faces run clockwise in its own coordinates."""
+    corners = np.asarray(mesh.flat_vertices, np.float64)[mesh.flat_faces]
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
+    return np.bincount(mesh.face_panel, area, len(mesh.pattern.panels)) < 0.0

@@ -1,0 +1,1 @@
+"""Cuts by given amounts; each returns None where the pattern does not allow it."""

@@ -1,0 +1,175 @@
+"""Levers that make sleeves wider or narrower: at the underarm, at their heads, at their cuffs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from swifttailor.describing.facts import GarmentFacts, Sleeve
+from swifttailor.pattern import Pattern
+from swifttailor.recutting.amounts import sleeve_cuts
+from swifttailor.recutting.levers.lengths import with_sleeves
+from swifttailor.recutting.levers.lever import Lever
+from swifttailor.recutting.table.cutter import Cutter
+
+_BOTH = ("left", "right")
+_SHAPES = ("sleeve_shape", "sleeve_width_cm", "sleeve width", "sleeve end")
+_WIDER = ("wider", "narrower")
+_WIDER_A_HEAD = 1.3
+"""Exponent: how much wider a sleeve gets for a longer head, its cap staying as high."""
+_LEAST_EASE_CM = 2.0
+_WIDEST = 3.2
+"""Over the girth of the upper arm."""
+
+
+def _sleeves(facts: GarmentFacts) -> list[Sleeve]:
+    return [s for s in (facts.left_sleeve, facts.right_sleeve) if s]
+
+
+def _mean(values: list[float]) -> float | None:
+    return sum(values) / len(values) if values else None
+
+
+def _cuffed(facts: GarmentFacts) -> bool:
+    return any(s.cuff for s in _sleeves(facts))
+
+
+def _upper(facts: GarmentFacts) -> float | None:
+    return _mean([s.upper_width for s in _sleeves(facts)])
+
+
+def _upper_span(facts: GarmentFacts) -> tuple[float, float]:
+    arm = facts.body.upper_arm_girth
+    return arm + _LEAST_EASE_CM, _WIDEST * arm
+
+
+def _widened(sleeve: Sleeve, upper: float, end: float) -> Sleeve:
+    free = 1.0 if sleeve.cuff else end
+    return replace(
+        sleeve,
+        upper_width=sleeve.upper_width * upper,
+        end_width=sleeve.end_width * end,
+        opening=sleeve.opening * free,
+        end_gather=sleeve.end_gather * end if sleeve.cuff else 1.0,
+    )
+
+
+def _width_lever(*, whole: bool) -> Lever:
+    """At the underarm; the whole sleeve down to a free end, or its end staying as it is."""
+
+    def of(facts: GarmentFacts) -> float | None:
+        return None if whole and _cuffed(facts) else _upper(facts)
+
+    def imagine(facts: GarmentFacts, width: float) -> GarmentFacts:
+        factor = width / max(of(facts) or width, 1.0)
+        return with_sleeves(facts, _BOTH, lambda s: _widened(s, factor, factor if whole else 1.0))
+
+    def cut(cutter: Cutter, amount: float) -> Pattern | None:
+        was = of(cutter.facts)
+        factor = (was + amount) / was if was else 0.0
+        return sleeve_cuts.widen_sleeves(cutter, factor, factor if whole else 1.0) if factor > 0 else None
+
+    name = "sleeves" if whole else "sleeves above their ends"
+    return Lever(name, 3, of, imagine, cut, _upper_span, words=_WIDER, only_for=_SHAPES)
+
+
+def _least_end(facts: GarmentFacts) -> float:
+    """How far ends may be narrowed: cuffed ones until nothing is gathered."""
+    if not _cuffed(facts):
+        return 0.0
+    return 1.0 / max(min((s.end_gather for s in _sleeves(facts)), default=1.0), 1.0)
+
+
+def _head(facts: GarmentFacts) -> float | None:
+    return _mean([s.head_gather for s in _sleeves(facts)])
+
+
+def _with_heads(facts: GarmentFacts, factor: float) -> GarmentFacts:
+    wide = factor**_WIDER_A_HEAD
+    end = max(min(wide, 1.0), _least_end(facts))
+    return with_sleeves(
+        facts, _BOTH, lambda s: replace(_widened(s, wide, end), head_gather=s.head_gather * factor)
+    )
+
+
+def _set_head(facts: GarmentFacts, gather: float) -> GarmentFacts:
+    return _with_heads(facts, gather / max(_head(facts) or gather, 0.1))
+
+
+def _cut_head(cutter: Cutter, amount: float) -> Pattern | None:
+    was = _head(cutter.facts)
+    factor = (was + amount) / was if was else 0.0
+    return sleeve_cuts.gather_sleeve_heads(cutter, factor, _least_end(cutter.facts)) if factor > 0 else None
+
+
+def _set_upper_gathering(facts: GarmentFacts, width: float) -> GarmentFacts:
+    return _with_heads(facts, (width / max(_upper(facts) or width, 1.0)) ** (1.0 / _WIDER_A_HEAD))
+
+
+def _cut_upper_gathering(cutter: Cutter, amount: float) -> Pattern | None:
+    was, head = _upper(cutter.facts), _head(cutter.facts)
+    if not was or not head or was + amount <= 0:
+        return None
+    factor = ((was + amount) / was) ** (1.0 / _WIDER_A_HEAD)
+    if not 0.97 <= head * factor <= 2.4:
+        return None
+    return sleeve_cuts.gather_sleeve_heads(cutter, factor, _least_end(cutter.facts))
+
+
+def _end_gather(facts: GarmentFacts) -> float | None:
+    cuffed = [s.end_gather for s in _sleeves(facts) if s.cuff]
+    return _mean(cuffed) if len(cuffed) == len(_sleeves(facts)) else None
+
+
+def _set_end_gather(facts: GarmentFacts, gather: float) -> GarmentFacts:
+    factor = gather / max(_end_gather(facts) or gather, 0.1)
+    return with_sleeves(facts, _BOTH, lambda s: _widened(s, 1.0, factor))
+
+
+def _cut_end_gather(cutter: Cutter, amount: float) -> Pattern | None:
+    was = _end_gather(cutter.facts)
+    return (
+        sleeve_cuts.gather_sleeve_ends(cutter, (was + amount) / was) if was and was + amount > 0.9 else None
+    )
+
+
+SLEEVE_WIDTH_LEVERS: tuple[Lever, ...] = (
+    _width_lever(whole=True),
+    _width_lever(whole=False),
+    Lever(
+        "sleeve heads",
+        3,
+        _head,
+        _set_head,
+        _cut_head,
+        lambda f: (0.99, 2.3),
+        step=0.03,
+        words=("times more gathered", "times less gathered"),
+        unit="",
+        only_for=("sleeve_shape", "sleeve head"),
+        gathers=True,
+    ),
+    Lever(
+        "sleeves, their heads gathered,",
+        3,
+        _upper,
+        _set_upper_gathering,
+        _cut_upper_gathering,
+        _upper_span,
+        words=_WIDER,
+        only_for=_SHAPES,
+        gathers=True,
+    ),
+    Lever(
+        "sleeves at their cuffs",
+        4,
+        _end_gather,
+        _set_end_gather,
+        _cut_end_gather,
+        lambda f: (1.0, 3.0),
+        step=0.04,
+        words=("times more gathered", "times less gathered"),
+        unit="",
+        only_for=("sleeve_shape", "sleeve gathers"),
+        gathers=True,
+    ),
+)

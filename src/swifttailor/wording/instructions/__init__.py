@@ -1,0 +1,1 @@
+"""Instructions: words for what becomes true, grows or shrinks by an edit."""

@@ -1,0 +1,1 @@
+"""Phrases: bits of language, each with the claims that it makes."""
