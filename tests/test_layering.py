@@ -19,7 +19,7 @@ ROOT = Path(swifttailor.__file__).parent
 # A room may import those in lower rows, and itself; rooms in one row know nothing of each other.
 ROWS = (
     {"errors", "__init__"},
-    {"atomic_files", "numba_cache", "workers"},
+    {"arrays", "atomic_files", "clock", "numba_cache", "progress", "workers"},
     {"networks"},
     {"pattern"},
     {"body"},

@@ -10,12 +10,11 @@ from typing import Any
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.body.distance_field import DistanceField
 from swifttailor.body.measurements import BodyMeasurements
 from swifttailor.body.parts import BodyPart
 from swifttailor.errors import InputError
-
-Array = np.ndarray[Any, np.dtype[Any]]
 
 DEFAULT_FILE = Path(__file__).with_name("default_body.npz")
 

@@ -8,14 +8,12 @@ import zipfile
 import zlib
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import GeometryError, InputError, SwiftTailorError
-
-Array = np.ndarray[Any, np.dtype[Any]]
 
 MAX_NODES = 100_000_000
 EXACT_BAND = 5.0

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.body.measurements import BodyMeasurements
 from swifttailor.body.parts import BodyPart, face_parts
-
-Array = np.ndarray[Any, np.dtype[Any]]
 
 # Heights as fractions of the body's own, between which the fullest or narrowest slice is looked for.
 _BUST_WINDOW = (0.695, 0.76)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.body.measurements import BodyMeasurements, read_measurements
 from swifttailor.body.measuring import measure_body
 from swifttailor.body.orientation import oriented_outward
@@ -18,7 +19,6 @@ from swifttailor.errors import InputError
 if TYPE_CHECKING:
     from swifttailor.body.body import Body
 
-Array = np.ndarray[Any, np.dtype[Any]]
 
 FORMATS = (".obj", ".ply", ".glb", ".stl")
 MAX_FILE_BYTES = 200_000_000

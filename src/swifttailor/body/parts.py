@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from enum import IntEnum
-from typing import Any
 
 import numpy as np
 
-Array = np.ndarray[Any, np.dtype[Any]]
+from swifttailor.arrays import Array
 
 
 class BodyPart(IntEnum):

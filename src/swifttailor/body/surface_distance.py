@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.errors import GeometryError
-
-Array = np.ndarray[Any, np.dtype[Any]]
 
 TRIANGLES_PER_LEAF = 4
 

@@ -9,12 +9,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.errors import InputError
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-
-Floats = NDArray[np.float64]
 
 STEP_CM = 0.01
 """Positions are whole multiples of this above the garment's own corner: at most 0.005 cm off per axis."""

@@ -6,9 +6,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from swifttailor.arrays import Floats
 from swifttailor.data.encoding import (
     EncodedPositions,
     decode_document,
@@ -22,8 +20,6 @@ from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern, read_specification, to_specification
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

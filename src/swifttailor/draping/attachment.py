@@ -7,12 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Ints
 from swifttailor.body import BodyMeasurements
 from swifttailor.draping.placement import place_vertices
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern, body_region
-
-Ints = NDArray[np.int32]
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,11 +8,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats, Ints
 from swifttailor.draping.fabric import Fabric
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
 
 _SPRING_FACTOR = (
     1.5  # an equilateral spring lattice of this stiffness has the membrane stiffness of the cloth

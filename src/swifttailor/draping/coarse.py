@@ -12,8 +12,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.body import BodyMeasurements, DistanceField
 from swifttailor.draping.attachment import find_attachment
 from swifttailor.draping.cloth import build_cloth
@@ -26,8 +26,6 @@ from swifttailor.draping.xpbd_kernels import HeldArrays, StepSettings
 from swifttailor.errors import SimulationError
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
-
-Floats = NDArray[np.float64]
 
 _SEWING_BENDING = 20.0
 _VERTEX_CM2 = math.sqrt(3) / 2

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import platform
-import time
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -23,8 +21,7 @@ from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
-
-Progress = Callable[[str, float], None]
+from swifttailor.progress import StageProgress
 
 ENGINES = ("xpbd", "newton")
 
@@ -38,7 +35,7 @@ def drape(
     engine: str = "xpbd",
     seed: int = 0,
     settings: SimulationSettings | None = None,
-    progress: Progress | None = None,
+    progress: StageProgress | None = None,
 ) -> Garment:
     """Sews a pattern together on a body and lets it hang to rest.
 
@@ -76,8 +73,7 @@ def drape(
 
         require_newton()
 
-    seconds: dict[str, float] = {}
-    clock = _Clock(seconds)
+    clock = Clock()
     report_progress("meshing", 0.0)
     pattern = pattern.canonical()
     mesh = mesh_pattern(pattern, edge_length)
@@ -106,7 +102,7 @@ def drape(
     clock.stop("measuring")
     report: dict[str, Any] = {
         "quality": quality.to_json(),
-        "seconds": seconds,
+        "seconds": clock.seconds,
         "engine": engine,
         "fabric": fabric.name,
         "edge_length_cm": edge_length,
@@ -134,7 +130,7 @@ def _dress(
     fabric: Fabric,
     settings: SimulationSettings,
     seed: int,
-    progress: Progress,
+    progress: StageProgress,
 ) -> Simulation:
     """Sews the panels on in the first way of `DRESSINGS` that leaves them untangled, else in the best."""
     attachment = find_attachment(mesh, body.measurements)
@@ -153,17 +149,6 @@ def _dress(
             break
     assert best is not None
     return best
-
-
-class _Clock:
-    def __init__(self, seconds: dict[str, float]) -> None:
-        self._seconds = seconds
-        self._last = time.perf_counter()
-
-    def stop(self, stage: str) -> None:
-        now = time.perf_counter()
-        self._seconds[stage] = round(now - self._last, 4)
-        self._last = now
 
 
 def _require_finite(simulation: Simulation) -> None:

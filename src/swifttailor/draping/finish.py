@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 
 import numpy as np
 
@@ -16,8 +15,7 @@ from swifttailor.draping.simulation import Simulation, SimulationSettings
 from swifttailor.draping.untangle import settle_untangled
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
-
-Progress = Callable[[str, float], None]
+from swifttailor.progress import StageProgress
 
 
 def finish(
@@ -26,7 +24,7 @@ def finish(
     body: Body | None = None,
     fabric: Fabric | str = "cotton",
     settings: SimulationSettings | None = None,
-    progress: Progress | None = None,
+    progress: StageProgress | None = None,
 ) -> Garment:
     """Drapes a garment from where it is, without sewing it first.
 

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 
 from swifttailor.draping.drape import drape
 from swifttailor.draping.finish import finish
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
+from swifttailor.progress import StageProgress
 
-Progress = Callable[[str, float], None]
 
-
-def finish_or_drape(garment: Garment, *, edge_length: float, progress: Progress | None = None) -> Garment:
+def finish_or_drape(
+    garment: Garment, *, edge_length: float, progress: StageProgress | None = None
+) -> Garment:
     """A garment at rest within the limits of quality, if physics finds one.
 
     Where a garment was sewn too far from its place, layers that pass through each other or a neckline that is

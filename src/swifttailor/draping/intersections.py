@@ -6,13 +6,10 @@ import math
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats, Ints
 from swifttailor.draping.contact_kernels import edge_hits_face
 from swifttailor.draping.spatial_hash import hash_cell
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
 
 
 def self_intersections(vertices: Floats, edges: Ints, faces: Ints) -> int:

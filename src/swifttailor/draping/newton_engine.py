@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import importlib
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from dataclasses import replace
 from typing import Any
 
@@ -20,8 +20,7 @@ from swifttailor.draping.newton_stage import advance_frame, build_stage, widen_c
 from swifttailor.draping.simulation import Simulation, settle
 from swifttailor.errors import MissingExtraError
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-
-Progress = Callable[[str, float], None]
+from swifttailor.progress import StageProgress
 
 HANDOVER_FRAMES = 60
 """Frames of 1/60 s for which XPBD lets the sewn garment fall before Newton takes over."""
@@ -42,7 +41,7 @@ def require_newton() -> None:
 
 
 def settle_with_newton(
-    simulation: Simulation, cloth: ClothModel, mesh: PatternMesh, body: Body, progress: Progress
+    simulation: Simulation, cloth: ClothModel, mesh: PatternMesh, body: Body, progress: StageProgress
 ) -> tuple[int, bool]:
     """Lets a sewn garment hang to rest, in the end on Newton's Style3D solver.
 
@@ -104,7 +103,7 @@ def settle_with_newton(
     return settings.max_frames, False
 
 
-def _fall(simulation: Simulation, progress: Progress) -> int:
+def _fall(simulation: Simulation, progress: StageProgress) -> int:
     """Lets the garment fall on our own solver. Returns the frames that took."""
     settings = simulation.settings
     simulation.settings = replace(settings, max_frames=min(HANDOVER_FRAMES, settings.max_frames))

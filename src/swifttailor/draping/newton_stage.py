@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats, Ints
 from swifttailor.body import Body
 from swifttailor.body.parts import surface_without
 from swifttailor.draping.cloth import ClothModel
@@ -22,9 +23,6 @@ from swifttailor.draping.collider import ARMS, FIELD_SPACING_CM
 from swifttailor.draping.simulation import FRAME_RATE, GRAVITY, Simulation
 from swifttailor.draping.xpbd_kernels import EDGE_DISTANCE
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
 
 SUBSTEPS = 2
 ITERATIONS = 10

@@ -6,12 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Panel, Pattern, body_region
-
-Floats = NDArray[np.float64]
 
 _CLEAR_CM = 1.0
 _MAX_SHIFT_CM = 20.0

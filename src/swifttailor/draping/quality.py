@@ -8,14 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.body import Body
 from swifttailor.draping.attachment import lowest_top
 from swifttailor.draping.cloth import ClothModel
 from swifttailor.draping.intersections import mesh_intersections, self_intersections
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.panel_mesh.topology import component_count
-
-Floats = NDArray[np.float64]
 
 MAX_BODY_INTERSECTIONS = 35
 MAX_SELF_INTERSECTIONS = 300

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.body import Body
 from swifttailor.draping.attachment import Attachment, lowest_top
 from swifttailor.draping.cloth import ClothArrays, ClothModel
@@ -23,9 +23,7 @@ from swifttailor.draping.xpbd_kernels import (
 )
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import body_region
-
-Floats = NDArray[np.float64]
-Progress = Callable[[str, float], None]
+from swifttailor.progress import StageProgress
 
 FRAME_RATE = 60.0
 GRAVITY = 981.0
@@ -172,7 +170,7 @@ class Simulation:
         return np.linalg.norm(a - b, axis=1)
 
 
-def sew(simulation: Simulation, dressing: Dressing, progress: Progress) -> None:
+def sew(simulation: Simulation, dressing: Dressing, progress: StageProgress) -> None:
     """Closes the seams: rest lengths shrink from those of the placed panels to the true ones.
 
     No gravity, no friction and strong damping, so that panels slide around the body instead of sticking
@@ -200,7 +198,7 @@ def sew(simulation: Simulation, dressing: Dressing, progress: Progress) -> None:
         progress("sewing", (k + 1) / total)
 
 
-def settle(simulation: Simulation, progress: Progress) -> tuple[int, bool]:
+def settle(simulation: Simulation, progress: StageProgress) -> tuple[int, bool]:
     """Lets the garment hang until it rests, or slides down.
 
     Returns:

@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
 from swifttailor.draping.intersections import crossing_pairs
-from swifttailor.draping.simulation import Progress, Simulation, settle
+from swifttailor.draping.simulation import Simulation, settle
+from swifttailor.progress import StageProgress
 
 _SHRINK_FRAMES = 12
 _GROW_FRAMES = 18
@@ -53,7 +54,7 @@ def untangle(simulation: Simulation) -> int:
     return remaining
 
 
-def settle_untangled(simulation: Simulation, progress: Progress) -> tuple[int, bool]:
+def settle_untangled(simulation: Simulation, progress: StageProgress) -> tuple[int, bool]:
     """Lets the garment hang to rest; if it crosses itself there, untangles it and lets it hang again.
 
     Returns:

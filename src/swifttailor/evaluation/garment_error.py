@@ -7,16 +7,14 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.errors import GeometryError
 from swifttailor.evaluation.garment_kind import KINDS, GarmentKind, garment_kind
 from swifttailor.garment_sewer.closing import merge, seam_gaps
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pixels.sewn_prior import vertices_ignoring_arms
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -8,12 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from swifttailor.arrays import Floats
 from swifttailor.errors import InputError
 from swifttailor.garment.folder import GLB, OBJ, PATTERN, REPORT
 from swifttailor.garment.formats import read_garment_mesh
 from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.panel_mesh import mesh_pattern
-from swifttailor.panel_mesh.pattern_mesh import Floats, PatternMesh
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.panel_mesh.uv_layout import lay_out_uv
 from swifttailor.pattern import load_pattern
 

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from swifttailor.arrays import Floats, Ints
 from swifttailor.errors import GeometryError
-from swifttailor.panel_mesh.pattern_mesh import Floats, Ints, PatternMesh, Seam
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh, Seam
 from swifttailor.pattern import Pattern
 
 if TYPE_CHECKING:

@@ -9,8 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.garment.binary_file import write_bytes
-from swifttailor.garment.triangle_mesh import Array, TriangleMesh
+from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.garment.units import to_metres
 
 _FLOAT, _UINT = 5126, 5125

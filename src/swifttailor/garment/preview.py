@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.render.backdrop import wall
 from swifttailor.render.color import BACKGROUND, BODY, CLOTH, Color, encode_srgb, to_linear
 from swifttailor.render.framing import frame_views
 from swifttailor.render.scene import Scene
-from swifttailor.render.surface import Array, LineSet, Surface
+from swifttailor.render.surface import LineSet, Surface
 from swifttailor.render.view import draw_figure
 
 if TYPE_CHECKING:

@@ -10,8 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.garment.ply import PANEL_COMMENT
-from swifttailor.garment.triangle_mesh import Array, TriangleMesh
+from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.garment.units import from_metres
 
 

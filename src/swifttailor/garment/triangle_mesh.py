@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
-
-Array = np.ndarray[Any, np.dtype[Any]]
 
 
 @dataclass(frozen=True, eq=False)

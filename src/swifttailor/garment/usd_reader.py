@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from swifttailor.garment.triangle_mesh import Array, TriangleMesh
+from swifttailor.arrays import Array
+from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.garment.units import CM_PER_METRE
 from swifttailor.garment.usd_library import load_usd
 

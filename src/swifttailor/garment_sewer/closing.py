@@ -12,16 +12,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csc_array, diags_array
 
+from swifttailor.arrays import Floats
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pixels.rest_shape import flat_gradients, limit_stretch, rest_shape
 from swifttailor.garment_sewer.pixels.sewn_prior import factorized, vertices_ignoring_arms
 from swifttailor.panel_mesh.edge_sampling import stitched_pairs
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 import torch
 
+from swifttailor.arrays import Singles
 from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.conditioning import Conditioning
-from swifttailor.garment_sewer.model_file import CARD_KEY, INPUTS, Images, SewerModel, model_card
+from swifttailor.garment_sewer.model_file import CARD_KEY, INPUTS, SewerModel, model_card
 from swifttailor.garment_sewer.network_config import NetworkConfig
 from swifttailor.garment_sewer.network_torch import SewerNetwork, build_network
 from swifttailor.networks.folded_norms_torch import fold_norms
@@ -70,7 +71,7 @@ def torch_model(
     network = load_weights(weights, card, half=half).to(device)
 
     @torch.inference_mode()
-    def predict(conditioning: Images, occupancy: Images, prior: Images) -> Images:
+    def predict(conditioning: Singles, occupancy: Singles, prior: Singles) -> Singles:
         given = (torch.as_tensor(a, device=device) for a in (conditioning, occupancy, prior))
         with torch.autocast(device.type, precision, enabled=precision != torch.float32):
             return network(*given).cpu().numpy()

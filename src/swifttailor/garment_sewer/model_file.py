@@ -8,13 +8,11 @@ from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Singles
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.conditioning import Conditioning
 from swifttailor.networks.onnx_session import open_session
-
-Images = NDArray[np.float32]
 
 FORMAT = "swifttailor garment-sewer 1"
 CARD_KEY = "swifttailor"
@@ -25,7 +23,7 @@ MAX_BYTES = 2**31
 class Network(Protocol):
     """What predicts, whichever library runs it."""
 
-    def __call__(self, conditioning: Images, occupancy: Images, prior: Images) -> Images:
+    def __call__(self, conditioning: Singles, occupancy: Singles, prior: Singles) -> Singles:
         """Positions (B, 3, H, W) in cm, of (B, C, H, W), (B, 1, H, W) and (B, 3, H, W)."""
         ...
 
@@ -97,7 +95,7 @@ def load_model(path: Path | str, *, threads: int = 1) -> SewerModel:
     # With 8 bits a garment must not be rounded by the range of others; one by one takes no longer on a CPU.
     together = 1 if about.get("products") == "int8" else None
 
-    def predict(conditioning: Images, occupancy: Images, prior: Images) -> Images:
+    def predict(conditioning: Singles, occupancy: Singles, prior: Singles) -> Singles:
         given = dict(zip(INPUTS, (conditioning, occupancy, prior), strict=True))
         count = len(conditioning)
         parts = [

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.body import Body
+from swifttailor.clock import Clock
 from swifttailor.errors import InputError
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.closing import ClosingSettings, close_seams, seam_gaps
@@ -25,8 +25,6 @@ from swifttailor.ggi.outline_decode import outline_sampler
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
-
-Floats = NDArray[np.float64]
 
 SHIPPED = Path(__file__).with_name("garment_sewer.onnx")
 BATCH = 8
@@ -94,7 +92,7 @@ class GarmentSewer:
             PatternError: The pattern cannot be meshed.
             GeometryError: A panel crosses itself.
         """
-        clock = _Clock()
+        clock = Clock()
         prepared = self.prepare(pattern, edge_length=edge_length, resolution=resolution)
         clock.stop("drawing")
         (values,) = self.predict([prepared])
@@ -167,14 +165,3 @@ class GarmentSewer:
             },
         }
         return Garment(mesh, vertices, report)
-
-
-class _Clock:
-    def __init__(self) -> None:
-        self.seconds: dict[str, float] = {}
-        self._last = time.perf_counter()
-
-    def stop(self, stage: str) -> None:
-        now = time.perf_counter()
-        self.seconds[stage] = round(now - self._last, 4)
-        self._last = now

@@ -9,12 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
+from swifttailor.arrays import Floats, Ints
 from swifttailor.errors import GeometryError, InputError
 from swifttailor.ggi.layout import Layout
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
 
 _CANDIDATES = 2_000_000
 """Pairs of face and pixel that are looked at together, to bound the memory."""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from swifttailor.arrays import Floats, Longs
 from swifttailor.errors import InputError
 from swifttailor.ggi.outlines import Outlines, trace_outlines
 from swifttailor.ggi.packing import Packing, pack_rows, pack_skyline
@@ -18,8 +19,6 @@ from swifttailor.pattern import Pattern
 if TYPE_CHECKING:
     from swifttailor.ggi.raster import LayoutRaster
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 MIN_RESOLUTION, MAX_RESOLUTION = 16, 4096
 MIN_GUTTER, MAX_GUTTER = 1, 64
@@ -68,12 +67,12 @@ class Layout:
         object.__setattr__(self, "origins", origins)
         object.__setattr__(self, "mirrored", mirrored)
 
-    def to_pixels(self, panel_index: int | Ints, local_points: ArrayLike) -> Floats:
+    def to_pixels(self, panel_index: int | Longs, local_points: ArrayLike) -> Floats:
         """Pixel coordinates (n, 2) of points (n, 2) in panel-local cm; one panel index, or one per point."""
         points = np.asarray(local_points, np.float64)
         return self.origins[panel_index] + points * self._signs[panel_index] / self.cm_per_pixel
 
-    def to_local(self, panel_index: int | Ints, pixels: ArrayLike) -> Floats:
+    def to_local(self, panel_index: int | Longs, pixels: ArrayLike) -> Floats:
         """Panel-local cm (n, 2) of pixel coordinates (n, 2): the inverse of `to_pixels`."""
         points = np.asarray(pixels, np.float64)
         return (points - self.origins[panel_index]) * self._signs[panel_index] * self.cm_per_pixel
@@ -93,7 +92,7 @@ class Layout:
         return self
 
     @cached_property
-    def boxes(self) -> Ints:
+    def boxes(self) -> Longs:
         """(p, 4) first column, first row, last column, last row (inclusive) of the pixels of each panel."""
         low, high = self.outlines.bounds
         index = np.arange(len(low))
@@ -172,7 +171,7 @@ class _Boxes:
         self.order = np.lexsort((np.arange(len(extent)), -extent[:, 0], -extent[:, 1]))
         self.resolution, self.gutter = resolution, gutter
 
-    def place(self, packing: Packing, scale: float) -> Ints | None:
+    def place(self, packing: Packing, scale: float) -> Longs | None:
         """Lower left corners (p, 2) in pixels at a scale in cm per pixel, or None when they do not fit."""
         # Rounding must not make a box one pixel larger than it is reckoned here, hence the tiny excess.
         sizes = np.floor(self.extent[self.order] / scale + (0.5 + 1e-6)).astype(np.int64) + 1
@@ -184,7 +183,7 @@ class _Boxes:
         corners[self.order] = placed
         return corners
 
-    def place_finest(self, packings: tuple[Packing, ...]) -> tuple[float, Ints]:
+    def place_finest(self, packings: tuple[Packing, ...]) -> tuple[float, Longs]:
         """The finest scale of the ladder that is found, and the corners there."""
         area = float(self.extent.prod(axis=1).sum())
         start = max(max(math.sqrt(area), float(self.extent.max())) / self.resolution, MIN_CM_PER_PIXEL)

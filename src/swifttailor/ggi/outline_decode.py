@@ -14,14 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
+from swifttailor.arrays import Floats, Longs
 from swifttailor.errors import GeometryError, InputError
 from swifttailor.garment.garment import Garment
 from swifttailor.ggi.layout import Layout
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
 
 _REACH = 2.5
 """Radius in pixels from which a vertex near the outline gathers its position."""

@@ -9,16 +9,15 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import maximum_filter1d
 
-Ints = NDArray[np.int64]
+from swifttailor.arrays import Longs
 
-Packing = Callable[[Ints, int], "Ints | None"]
+Packing = Callable[[Longs, int], "Longs | None"]
 """Sizes (n, 2) of boxes and the side of the square, all in pixels, to lower left corners (n, 2) or None."""
 
 
-def pack_rows(sizes: Ints, side: int) -> Ints | None:
+def pack_rows(sizes: Longs, side: int) -> Longs | None:
     """Places boxes from left to right in rows, and rows from bottom to top, in the order given.
 
     With boxes in order of decreasing height this is the paper's heuristic. It is monotone: what fits into a
@@ -45,7 +44,7 @@ def pack_rows(sizes: Ints, side: int) -> Ints | None:
     return np.array(corners, np.int64).reshape(-1, 2)
 
 
-def pack_skyline(sizes: Ints, side: int) -> Ints | None:
+def pack_skyline(sizes: Longs, side: int) -> Longs | None:
     """Places each box where it comes to lie lowest, leftmost of equals, in the order given.
 
     The skyline is the upper rim of what has been placed. Space below it is lost, as in rows, but a low box

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Pixels
 from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import InputError
 from swifttailor.ggi.images import GarmentGeometryImage
@@ -16,7 +17,6 @@ from swifttailor.ggi.stitching import StitchingImage
 
 SEMANTIC, STITCHING, GEOMETRY = "semantic.png", "stitching.png", "geometry.png"
 
-Picture = NDArray[np.uint8]
 
 _GOLDEN_RATIO = 0.6180339887498949
 _CLOTH = 40
@@ -37,7 +37,7 @@ def write_pictures(images: GarmentGeometryImage, folder: Path | str) -> list[Pat
     return [_write_png(picture, folder / name) for name, picture in pictures.items()]
 
 
-def stitching_picture(stitching: StitchingImage, occupancy: NDArray[np.bool_]) -> Picture:
+def stitching_picture(stitching: StitchingImage, occupancy: NDArray[np.bool_]) -> Pixels:
     """(N, N, 3) sRGB: a hue for each stitch, darker where its seam begins; row 0 as in the image.
 
     The two sides of a stitch thus have equal colours where they meet. Cloth that is not sewn is grey.
@@ -51,7 +51,7 @@ def stitching_picture(stitching: StitchingImage, occupancy: NDArray[np.bool_]) -
     return picture.reshape(*occupancy.shape, 3)
 
 
-def geometry_picture(geometry: NDArray[np.float32], occupancy: NDArray[np.bool_]) -> Picture:
+def geometry_picture(geometry: NDArray[np.float32], occupancy: NDArray[np.bool_]) -> Pixels:
     """(N, N, 3) sRGB: x, y and z as red, green and blue, each from its least (40) to its greatest (255)."""
     picture = np.zeros((*occupancy.shape, 3), np.uint8)
     values = geometry[occupancy].astype(np.float64)
@@ -70,7 +70,7 @@ def _hues(hue: NDArray[np.float64]) -> NDArray[np.float64]:
     return 0.2 + 0.8 * np.clip(ramp, 0.0, 1.0)
 
 
-def _write_png(picture: Picture, path: Path) -> Path:
+def _write_png(picture: Pixels, path: Path) -> Path:
     from PIL import Image
 
     encoded = io.BytesIO()

@@ -17,13 +17,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats, Ints
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
     from swifttailor.ggi.layout import Layout
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
 
 MAX_CROSSINGS = 20_000_000
 """Rows and columns that all outlines together may cross: a hundred times what GarmentCode's patterns do at

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
+from swifttailor.arrays import Floats, Longs
 
 
 @dataclass(frozen=True, eq=False)

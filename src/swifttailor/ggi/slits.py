@@ -15,11 +15,9 @@ from scipy import ndimage
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from swifttailor.arrays import Bools, Longs
 from swifttailor.ggi.remesh import PixelGrid
 from swifttailor.ggi.stitching import StitchingImage
-
-Longs = NDArray[np.int64]
-Bools = NDArray[np.bool_]
 
 _MOST = 0.5
 _CRUMB = 0.05

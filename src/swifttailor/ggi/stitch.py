@@ -9,13 +9,11 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from swifttailor.arrays import Floats, Longs
 from swifttailor.ggi.remesh import PixelGrid
 from swifttailor.ggi.slits import OpenGrid, SeamSides
 from swifttailor.ggi.stitching import StitchingImage
 from swifttailor.ggi.warping import warp
-
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
 
 _BORROWED = 1e-9
 """Weight of a position that belongs to the other side of a slit: it counts where there is no other."""

@@ -13,9 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Ints
 from swifttailor.ggi.layout import Layout
-
-Ints = NDArray[np.int32]
 
 
 @dataclass(frozen=True, eq=False)

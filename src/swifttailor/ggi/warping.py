@@ -12,8 +12,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
+from swifttailor.arrays import Floats, Longs
 
 _MARGIN = 2
 """Places that the band reaches beyond the nearest ones."""

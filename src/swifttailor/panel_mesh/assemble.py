@@ -5,19 +5,15 @@ from __future__ import annotations
 from itertools import accumulate, pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from swifttailor.arrays import Floats, Ints, Longs
 from swifttailor.errors import GeometryError, InputError, PatternError
 from swifttailor.panel_mesh.edge_sampling import edge_segments, measured_edges, stitched_pairs
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh, Seam
 from swifttailor.panel_mesh.triangulate import signed_area, triangulate_polygons
 from swifttailor.pattern import EdgeRef, Pattern
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
-Longs = NDArray[np.int64]
 
 MAX_VERTICES = 400_000
 _MAX_ROUNDS = 8

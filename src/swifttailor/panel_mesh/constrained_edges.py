@@ -9,10 +9,8 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from swifttailor.arrays import Floats, Longs
 from swifttailor.errors import GeometryError
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 _NO_AREA = 1e-12
 """Share of the whole below which an area is rounding."""
@@ -20,7 +18,7 @@ _FLIPS = 20
 """Flips for each pair of edges in the way after which there is no way to make an edge."""
 
 
-def recover_edges(points: Floats, faces: Ints, neighbors: Ints, following: Ints) -> tuple[Ints, Ints]:
+def recover_edges(points: Floats, faces: Longs, neighbors: Longs, following: Longs) -> tuple[Longs, Longs]:
     """Flips edges until every boundary edge is in the triangulation.
 
     S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993. Only the few
@@ -57,7 +55,7 @@ def recover_edges(points: Floats, faces: Ints, neighbors: Ints, following: Ints)
     return recovered, np.array(across, dtype=np.int64)
 
 
-def interior_triangles(points: Floats, faces: Ints, neighbors: Ints, following: Ints) -> NDArray[np.bool_]:
+def interior_triangles(points: Floats, faces: Longs, neighbors: Longs, following: Longs) -> NDArray[np.bool_]:
     """Which triangles (f,) can be reached from the left side of the boundary edges without crossing one.
 
     Triangles between corners that lie on one line have no area, and their winding is chance. So every part

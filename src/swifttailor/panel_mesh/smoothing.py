@@ -6,8 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
+from swifttailor.arrays import Floats, Longs
 
 _ROUNDS = 3
 _POOR = 0.35

@@ -7,16 +7,12 @@ from collections.abc import Sequence
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 from scipy.spatial import Delaunay, QhullError
 
+from swifttailor.arrays import Floats, Ints, Longs
 from swifttailor.errors import GeometryError
 from swifttailor.panel_mesh.constrained_edges import interior_triangles, recover_edges
 from swifttailor.panel_mesh.smoothing import smooth
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
-Longs = NDArray[np.int64]
 
 _CLEARANCE = 0.62
 """Inner points start this share of the edge length or more from the outline: no sliver fits between."""

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+from swifttailor.arrays import Array
 
 if TYPE_CHECKING:
     from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 
-Array = np.ndarray[Any, np.dtype[Any]]
 
 GUTTER = 0.008
 """Free space around each panel, as a share of the square's side."""

@@ -14,9 +14,9 @@ from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from swifttailor.arrays import Floats
 
 _GAUSS_POINTS = 8
 _LENGTH_TOLERANCE = 1e-13
@@ -69,7 +69,7 @@ def to_relative(point: ArrayLike, chord: ArrayLike) -> tuple[float, float]:
     return float(v @ d) / squared, float(d[0] * v[1] - d[1] * v[0]) / squared
 
 
-def to_absolute(relative: ArrayLike, chord: ArrayLike) -> Array:
+def to_absolute(relative: ArrayLike, chord: ArrayLike) -> Floats:
     """Turns chord-relative coordinates (2,) back into cm (2,)."""
     start, end = np.asarray(chord, float)
     x, y = np.asarray(relative, float)
@@ -77,7 +77,7 @@ def to_absolute(relative: ArrayLike, chord: ArrayLike) -> Array:
     return start + x * d + y * np.array([-d[1], d[0]])
 
 
-def control_polygon(curve: Quadratic | Cubic, chord: ArrayLike) -> Array:
+def control_polygon(curve: Quadratic | Cubic, chord: ArrayLike) -> Floats:
     """Gives the Bezier control points in cm, (3, 2) or (4, 2), end points included."""
     start, end = np.asarray(chord, float)
     if isinstance(curve, Quadratic):
@@ -89,7 +89,7 @@ def control_polygon(curve: Quadratic | Cubic, chord: ArrayLike) -> Array:
 class ArcGeometry:
     """Centre (2,) in cm, radius in cm, start angle and signed sweep in radians of an arc over its chord."""
 
-    center: Array
+    center: Floats
     radius: float
     start_angle: float
     sweep: float
@@ -117,7 +117,7 @@ def arc_geometry(arc: Arc, chord: ArrayLike) -> ArcGeometry:
     return ArcGeometry(center, radius, math.atan2(offset[1], offset[0]), sweep if arc.right else -sweep)
 
 
-def evaluate(curve: Curve, chord: ArrayLike, parameters: ArrayLike) -> Array:
+def evaluate(curve: Curve, chord: ArrayLike, parameters: ArrayLike) -> Floats:
     """Points (n, 2) in cm at curve parameters (n,); parameters 0 and 1 give the chord's ends exactly."""
     t = np.atleast_1d(np.asarray(parameters, float))[:, None]
     start, end = np.asarray(chord, float)
@@ -134,7 +134,7 @@ def evaluate(curve: Curve, chord: ArrayLike, parameters: ArrayLike) -> Array:
     return points
 
 
-def derivative(curve: Curve, chord: ArrayLike, parameters: ArrayLike) -> Array:
+def derivative(curve: Curve, chord: ArrayLike, parameters: ArrayLike) -> Floats:
     """First derivative (n, 2) with respect to the curve parameter, in cm."""
     t = np.atleast_1d(np.asarray(parameters, float))[:, None]
     start, end = np.asarray(chord, float)
@@ -159,7 +159,7 @@ def length(curve: Curve, chord: ArrayLike) -> float:
     return float(_length_table(curve, chord)[1][-1])
 
 
-def parameters_by_length(curve: Curve, chord: ArrayLike, fractions: ArrayLike) -> Array:
+def parameters_by_length(curve: Curve, chord: ArrayLike, fractions: ArrayLike) -> Floats:
     """Curve parameters (n,) at which the given fractions (n,) of the arc length have been travelled."""
     fractions = np.atleast_1d(np.asarray(fractions, float))
     if isinstance(curve, Line | Arc):
@@ -185,7 +185,7 @@ def parameters_by_length(curve: Curve, chord: ArrayLike, fractions: ArrayLike) -
     return t
 
 
-def sample_by_length(curve: Curve, chord: ArrayLike, count: int) -> Array:
+def sample_by_length(curve: Curve, chord: ArrayLike, count: int) -> Floats:
     """Points (count, 2) in cm, equally spaced by arc length, both ends included."""
     return evaluate(curve, chord, parameters_by_length(curve, chord, np.linspace(0.0, 1.0, count)))
 
@@ -214,7 +214,7 @@ def scale(curve: Curve, factor: float) -> Curve:
     return replace(curve, radius=curve.radius * factor) if isinstance(curve, Arc) else curve
 
 
-def split(curve: Curve, chord: ArrayLike, parameter: float) -> tuple[Curve, Curve, Array]:
+def split(curve: Curve, chord: ArrayLike, parameter: float) -> tuple[Curve, Curve, Floats]:
     """Cuts a curve at a parameter in (0, 1) into two curves that trace exactly the same points.
 
     Returns:
@@ -238,7 +238,7 @@ def split(curve: Curve, chord: ArrayLike, parameter: float) -> tuple[Curve, Curv
     return _from_polygon(left, first), _from_polygon(right, second), point
 
 
-def bounding_box(curve: Curve, chord: ArrayLike) -> Array:
+def bounding_box(curve: Curve, chord: ArrayLike) -> Floats:
     """Tight axis-aligned box [[min x, min y], [max x, max y]] in cm, from the exact extrema."""
     chord = np.asarray(chord, float)
     parameters = [0.0, 1.0]
@@ -256,7 +256,7 @@ def bounding_box(curve: Curve, chord: ArrayLike) -> Array:
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 
-def flatten(curve: Curve, chord: ArrayLike, tolerance: float) -> Array:
+def flatten(curve: Curve, chord: ArrayLike, tolerance: float) -> Floats:
     """Polyline (n, 2) in cm that stays within `tolerance` cm of the curve, both ends included."""
     chord = np.asarray(chord, float)
     if isinstance(curve, Line):
@@ -278,7 +278,7 @@ def _turn(point: tuple[float, float]) -> tuple[float, float]:
     return 1.0 - point[0], -point[1]
 
 
-def _bezier(control: Array, t: Array) -> Array:
+def _bezier(control: Floats, t: Floats) -> Floats:
     """De Casteljau on a stack of parameters (n, 1); returns (n, 2)."""
     layers = [np.broadcast_to(p, (len(t), 2)) for p in control]
     while len(layers) > 1:
@@ -286,7 +286,7 @@ def _bezier(control: Array, t: Array) -> Array:
     return np.array(layers[0])
 
 
-def _de_casteljau(control: Array, t: float) -> tuple[Array, Array]:
+def _de_casteljau(control: Floats, t: float) -> tuple[Floats, Floats]:
     left, right = [control[0]], [control[-1]]
     while len(control) > 1:
         control = (1 - t) * control[:-1] + t * control[1:]
@@ -295,12 +295,12 @@ def _de_casteljau(control: Array, t: float) -> tuple[Array, Array]:
     return np.array(left), np.array(right[::-1])
 
 
-def _from_polygon(control: Array, chord: Array) -> Curve:
+def _from_polygon(control: Floats, chord: Floats) -> Curve:
     inner = [to_relative(p, chord) for p in control[1:-1]]
     return Quadratic(inner[0]) if len(inner) == 1 else Cubic(inner[0], inner[1])
 
 
-def _bezier_roots(coefficients: Array) -> list[float]:
+def _bezier_roots(coefficients: Floats) -> list[float]:
     """Roots in (0, 1) of a Bezier polynomial of degree one or two given by its coefficients."""
     if len(coefficients) == 2:
         start, end = (float(c) for c in coefficients)
@@ -318,23 +318,23 @@ def _bezier_roots(coefficients: Array) -> list[float]:
 
 
 @lru_cache(maxsize=1)
-def gauss_rule() -> tuple[Array, Array]:
+def gauss_rule() -> tuple[Floats, Floats]:
     """Nodes in [0, 1] and weights of the quadrature along a curve."""
     nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
     return (nodes + 1) / 2, weights / 2
 
 
-def _speed(control: Array, t: Array) -> Array:
+def _speed(control: Floats, t: Floats) -> Floats:
     return np.hypot(*_bezier(np.diff(control, axis=0) * (len(control) - 1), t[:, None]).T)
 
 
-def _interval_lengths(control: Array, low: Array, high: Array) -> Array:
+def _interval_lengths(control: Floats, low: Floats, high: Floats) -> Floats:
     nodes, weights = gauss_rule()
     t = low[:, None] + (high - low)[:, None] * nodes
     return (_speed(control, t.ravel()).reshape(t.shape) @ weights) * (high - low)
 
 
-def _length_table(curve: Quadratic | Cubic, chord: ArrayLike) -> tuple[Array, Array]:
+def _length_table(curve: Quadratic | Cubic, chord: ArrayLike) -> tuple[Floats, Floats]:
     """Parameters and the arc length up to each, refined until the total no longer changes.
 
     The parameters of least speed are among them: at a cusp the speed has a kink, which quadrature across it
@@ -352,7 +352,7 @@ def _length_table(curve: Quadratic | Cubic, chord: ArrayLike) -> tuple[Array, Ar
         count, previous = count * 2, total
 
 
-def _slowest_parameters(control: Array) -> Array:
+def _slowest_parameters(control: Floats) -> Floats:
     """Parameters in (0, 1) where the speed of a Bezier curve that may have a cusp is stationary."""
     steps = np.diff(control, axis=0)
     size = np.abs(steps).max(initial=0.0)

@@ -6,12 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from swifttailor.arrays import Floats, Longs
 from swifttailor.pattern import curve as curves
-from swifttailor.pattern.curve import Arc, Array, Cubic, Curve, Line, Quadratic
-
-Ints = NDArray[np.int64]
+from swifttailor.pattern.curve import Arc, Cubic, Curve, Line, Quadratic
 
 _INTERVALS = 32
 _TOLERANCE = 1e-11
@@ -27,15 +26,15 @@ class EdgeSampler:
     """
 
     curves: tuple[Curve, ...]
-    chords: Array
+    chords: Floats
     """(n, 2, 2) start and end of each edge, cm."""
-    lengths: Array
+    lengths: Floats
     """(n,) arc lengths, cm."""
-    control: Array
+    control: Floats
     """(b, 4, 2) control points of the Bezier edges as cubics, cm."""
-    bezier: Ints
+    bezier: Longs
     """(n,) row in `control`, or -1."""
-    table: Array
+    table: Floats
     """(b, k + 1) length up to each of k + 1 equally spaced parameters, cm."""
 
     @classmethod
@@ -58,7 +57,7 @@ class EdgeSampler:
             lengths[k] = curves.length(edges[k], chords[k])
         return cls(tuple(edges), chords, lengths, control[settled], bezier, table[settled])
 
-    def sample(self, counts: ArrayLike) -> Array:
+    def sample(self, counts: ArrayLike) -> Floats:
         """Points on every edge, equally spaced by length, from its start to before its end.
 
         Args:
@@ -85,7 +84,7 @@ class EdgeSampler:
                 points[own] = curves.sample_by_length(shape, self.chords[k], int(counts[k]) + 1)[:-1]
         return points
 
-    def _parameters(self, row: Ints, fraction: Array) -> Array:
+    def _parameters(self, row: Longs, fraction: Floats) -> Floats:
         """Curve parameters (m,) at which a fraction of the length of Bezier `row` has been travelled."""
         total = self.table[row, -1]
         target = fraction * total
@@ -114,7 +113,7 @@ class EdgeSampler:
         return t
 
 
-def _cubic_control(edges: Sequence[Curve], chords: Array) -> Array:
+def _cubic_control(edges: Sequence[Curve], chords: Floats) -> Floats:
     """Control points (b, 4, 2) in cm of Bezier edges over their chords, quadratic ones raised to cubic."""
     relative = np.zeros((len(edges), 2, 2))
     for k, edge in enumerate(edges):
@@ -129,7 +128,7 @@ def _cubic_control(edges: Sequence[Curve], chords: Array) -> Array:
     return np.concatenate([start, inner, chords[:, 1:]], axis=1)
 
 
-def _bezier(control: Array, t: Array) -> Array:
+def _bezier(control: Floats, t: Floats) -> Floats:
     """Points (b, m, d) of cubics (b, 4, d) at parameters that broadcast to (b, m)."""
     t = t[..., None]
     s = 1 - t
@@ -142,7 +141,7 @@ def _bezier(control: Array, t: Array) -> Array:
     )
 
 
-def _speed(control: Array, t: Array) -> Array:
+def _speed(control: Floats, t: Floats) -> Floats:
     """Length of the derivative (b, m) of cubics (b, 4, 2) at parameters that broadcast to (b, m)."""
     step = 3 * np.diff(control, axis=1)[:, None]
     s = 1 - t
@@ -152,7 +151,7 @@ def _speed(control: Array, t: Array) -> Array:
     return np.sqrt(dx * dx + dy * dy)
 
 
-def _interval_lengths(control: Array, low: Array, high: Array) -> Array:
+def _interval_lengths(control: Floats, low: Floats, high: Floats) -> Floats:
     """Lengths (b, m) of cubics between parameters that broadcast to (b, m), by Gauss quadrature."""
     nodes, weights = curves.gauss_rule()
     low, high = np.broadcast_arrays(np.atleast_2d(low), np.atleast_2d(high))

@@ -6,8 +6,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from swifttailor.arrays import Floats
 from swifttailor.errors import PatternError
-from swifttailor.pattern.curve import Array, Curve, Line, reverse
+from swifttailor.pattern.curve import Curve, Line, reverse
 from swifttailor.pattern.finding import Finding, Severity
 
 COINCIDENT_CM = 1e-3
@@ -28,13 +29,13 @@ class RawEdge:
 class Loop:
     """A closed loop: vertices (n, 2) cm, edge k from vertex k to k + 1, and where each listed edge went."""
 
-    vertices: Array
+    vertices: Floats
     edges: tuple[RawEdge, ...]
     edge_ids: dict[int, int]
     findings: tuple[Finding, ...] = ()
 
 
-def order_loop(panel: str, vertices: Array, edges: list[RawEdge]) -> Loop:
+def order_loop(panel: str, vertices: Floats, edges: list[RawEdge]) -> Loop:
     """Orders edges head to tail.
 
     Files of GarmentCode list them in order; the older formats do not promise it. The loop runs the way most

@@ -14,9 +14,10 @@ from typing import Any
 
 import numpy as np
 
+from swifttailor.arrays import Floats
 from swifttailor.errors import PatternError
 from swifttailor.pattern import json_values as values
-from swifttailor.pattern.curve import Arc, Array, Cubic, Curve, Line, Quadratic, to_relative
+from swifttailor.pattern.curve import Arc, Cubic, Curve, Line, Quadratic, to_relative
 from swifttailor.pattern.edge_loop import Loop, RawEdge, order_loop
 from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.panel import Edge, Panel, Placement, RotationReading
@@ -202,7 +203,7 @@ def _panel_of(name: str, loop: Loop, placement: Placement, label: str) -> Panel:
     return Panel(name, loop.vertices, tuple(Edge(e.curve, e.label) for e in loop.edges), placement, label)
 
 
-def _read_edge(raw: Any, where: str, points: Array, context: _Context, panel: str) -> RawEdge:
+def _read_edge(raw: Any, where: str, points: Floats, context: _Context, panel: str) -> RawEdge:
     edge = values.as_object(raw, where)
     if "endpoints" not in edge:
         raise PatternError(f"{where} has no 'endpoints'.")
@@ -221,7 +222,7 @@ def _read_edge(raw: Any, where: str, points: Array, context: _Context, panel: st
     return RawEdge(start, end, curve, label)
 
 
-def _read_curvature(raw: Any, where: str, chord: Array, context: _Context) -> Curve:
+def _read_curvature(raw: Any, where: str, chord: Floats, context: _Context) -> Curve:
     if raw is None:
         return Line()
     if isinstance(raw, list):  # the older formats: one quadratic control point

@@ -11,9 +11,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from swifttailor.arrays import Floats
 from swifttailor.errors import PatternError
 from swifttailor.pattern import curve as curves
-from swifttailor.pattern.curve import Array, Curve, Line
+from swifttailor.pattern.curve import Curve, Line
 
 RotationReading = Literal["intrinsic", "extrinsic"]
 
@@ -30,12 +31,12 @@ class Placement:
     """``intrinsic``: R = Rx Ry Rz, as GarmentCode's generator writes them. ``extrinsic``: R = Rz Ry Rx, as
     GarmentCode's simulator and the older formats read the same numbers."""
 
-    def matrix(self) -> Array:
+    def matrix(self) -> Floats:
         """Rotation matrix (3, 3)."""
         rx, ry, rz = (_rotation(axis, np.deg2rad(a)) for axis, a in enumerate(self.rotation))
         return rx @ ry @ rz if self.reading == "intrinsic" else rz @ ry @ rx
 
-    def apply(self, points: ArrayLike) -> Array:
+    def apply(self, points: ArrayLike) -> Floats:
         """Carries panel-local points (n, 2) cm into the world (n, 3) cm."""
         points = np.asarray(points, float)
         return points @ self.matrix()[:, :2].T + np.asarray(self.translation)
@@ -58,7 +59,7 @@ class Panel:
     """
 
     name: str
-    vertices: Array
+    vertices: Floats
     """Corners (n, 2) in panel-local cm; edge k joins vertex k to vertex k + 1 modulo n."""
     edges: tuple[Edge, ...]
     placement: Placement = field(default_factory=Placement)
@@ -97,7 +98,7 @@ class Panel:
     def __hash__(self) -> int:
         return hash((self.name, self.edges, (self.vertices + 0.0).tobytes()))  # -0.0 equals 0.0
 
-    def chord(self, edge: int) -> Array:
+    def chord(self, edge: int) -> Floats:
         """Start and end (2, 2) of an edge, cm."""
         n = len(self.vertices)
         return self.vertices[[edge % n, (edge + 1) % n]]
@@ -106,15 +107,15 @@ class Panel:
         """Arc length of an edge, cm."""
         return curves.length(self.edges[edge].curve, self.chord(edge))
 
-    def sample_edge(self, edge: int, count: int) -> Array:
+    def sample_edge(self, edge: int, count: int) -> Floats:
         """Points (count, 2) on an edge, equally spaced by arc length, both ends included, cm."""
         return curves.sample_by_length(self.edges[edge].curve, self.chord(edge), count)
 
-    def flatten_edge(self, edge: int, tolerance: float = 0.01) -> Array:
+    def flatten_edge(self, edge: int, tolerance: float = 0.01) -> Floats:
         """Polyline (n, 2) within `tolerance` cm of an edge, both ends included."""
         return curves.flatten(self.edges[edge].curve, self.chord(edge), tolerance)
 
-    def outline(self, tolerance: float = 0.01) -> Array:
+    def outline(self, tolerance: float = 0.01) -> Floats:
         """Closed polyline (n, 2) within `tolerance` cm of the loop; the first point is not repeated."""
         return np.concatenate([self.flatten_edge(k, tolerance)[:-1] for k in range(len(self.edges))])
 
@@ -132,16 +133,16 @@ class Panel:
         """Length of the whole loop, cm."""
         return sum(self.edge_length(k) for k in range(len(self.edges)))
 
-    def bounding_box(self) -> Array:
+    def bounding_box(self) -> Floats:
         """Tight local box [[min x, min y], [max x, max y]], cm."""
         boxes = np.array([curves.bounding_box(e.curve, self.chord(k)) for k, e in enumerate(self.edges)])
         return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
 
-    def normal(self) -> Array:
+    def normal(self) -> Floats:
         """Unit vector (3,) out of the right side of the placed panel."""
         return self.placement.matrix()[:, 2] * (1.0 if self.signed_area() >= 0 else -1.0)
 
-    def to_world(self, points: ArrayLike) -> Array:
+    def to_world(self, points: ArrayLike) -> Floats:
         """Carries local points (n, 2) cm to where the panel is placed (n, 3) cm."""
         return self.placement.apply(points)
 
@@ -159,7 +160,7 @@ class Panel:
         chord, curve = self.chord(edge), self.edges[edge].curve
         cuts = curves.parameters_by_length(curve, chord, list(fractions))
         pieces: list[Edge] = []
-        points: list[Array] = []
+        points: list[Floats] = []
         done, rest, rest_chord = 0.0, curve, chord
         for t in cuts:
             first, rest, point = curves.split(rest, rest_chord, (float(t) - done) / (1 - done))
@@ -194,7 +195,7 @@ class Panel:
         )
 
 
-def _rotation(axis: int, angle: float) -> Array:
+def _rotation(axis: int, angle: float) -> Floats:
     c, s = np.cos(angle), np.sin(angle)
     i, j = [(1, 2), (2, 0), (0, 1)][axis]
     matrix = np.eye(3)

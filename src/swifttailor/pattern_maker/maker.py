@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -11,6 +10,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Singles
+from swifttailor.clock import Clock
 from swifttailor.errors import InputError
 from swifttailor.pattern import Finding, Pattern, Severity, check_pattern
 from swifttailor.pattern.check.repair import Change, Repair
@@ -21,7 +22,6 @@ from swifttailor.pattern_maker.asking.pictures import picture_for_network, read_
 from swifttailor.pattern_maker.asking.prompt import make_prompt
 from swifttailor.pattern_maker.asking.scripts import about_scripts, says_something
 from swifttailor.pattern_maker.network.model_file import MakerModel, load_model
-from swifttailor.pattern_maker.network.runtime import Floats
 from swifttailor.pattern_maker.tokens.decode import decode
 from swifttailor.pattern_maker.tokens.encode import encode
 from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
@@ -63,7 +63,7 @@ class Generated:
     log_likelihood: float
     certainty: float
     """See `generation.Written`."""
-    look: Floats | None
+    look: Singles | None
     """See `generation.Written`."""
     sequence: TokenSequence
     """What was written, before anything was mended."""
@@ -175,7 +175,7 @@ class PatternMaker:
             )
         if min(seeds, default=0) < 0:
             raise InputError(f"The seed is {min(seeds)}; 0 or more is accepted.")
-        clock = _Clock()
+        clock = Clock()
         asked, notes = [], []
         for request, own in zip(requests, seeds, strict=True):
             one, about = self._ask(request)
@@ -222,7 +222,7 @@ class PatternMaker:
                 f"The text is longer than the {model.longest_text} tokens that are read: what comes after "
                 f"its first {read} characters was not used."
             )
-        picture: Floats | None = None
+        picture: Singles | None = None
         if request.image is not None:
             pixels = request.image if isinstance(request.image, np.ndarray) else read_picture(request.image)
             picture = picture_for_network(pixels, model.image_size)
@@ -252,14 +252,3 @@ def _judge(answer: Written, pattern: Pattern) -> Attempt:
     return Attempt(
         answer.log_likelihood, severities.count(Severity.ERROR), severities.count(Severity.WARNING)
     )
-
-
-class _Clock:
-    def __init__(self) -> None:
-        self.seconds: dict[str, float] = {}
-        self._last = time.perf_counter()
-
-    def stop(self, stage: str) -> None:
-        now = time.perf_counter()
-        self.seconds[stage] = round(now - self._last, 4)
-        self._last = now

@@ -13,6 +13,7 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Bools
 from swifttailor.describing.claims.claim import CLAIM_TYPES
 from swifttailor.describing.claims.judgement import CLAIMING
 from swifttailor.describing.differences import QUANTITIES, Change, Gain, Step
@@ -69,8 +70,6 @@ _MIDDLE_STEPS = 16
 _INSIDE_STEPS = 4
 MOST_VALUES = 1000
 """Of a lever; measures of patterns that make no sense have no bounds either."""
-
-Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)

@@ -9,15 +9,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.describing.measuring.parts import Part
 from swifttailor.pattern import Arc, Line, Panel, Pattern
 from swifttailor.pattern.curve import to_relative
 from swifttailor.recutting.amounts import cuts
 from swifttailor.recutting.table.cutter import Cutter
-
-Floats = NDArray[np.float64]
 
 FLATTEST = 1e-4
 """Height of an arc over its chord, below which it is a line."""

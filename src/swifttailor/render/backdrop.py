@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from scipy.ndimage import gaussian_filter
 
+from swifttailor.arrays import Array
 from swifttailor.render.camera import Camera
 from swifttailor.render.rasterize import depth_at, rasterize
-from swifttailor.render.surface import Array
 
 
 def wall(size: tuple[int, int], color: Array) -> Array:

@@ -7,8 +7,8 @@ from functools import cached_property
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.errors import InputError
-from swifttailor.render.surface import Array
 
 NEAR = 1.0
 """Nothing closer to a perspective camera than this is drawn, cm."""

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.errors import InputError
-from swifttailor.render.surface import Array
 
 CLOTH = "#47788f"
 """Default colour of the right side of the cloth."""

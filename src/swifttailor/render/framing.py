@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.render.camera import Camera
-from swifttailor.render.surface import Array
 
 _ELEVATION = 5.0
 _FIELD_OF_VIEW = 16.0

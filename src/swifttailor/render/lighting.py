@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from swifttailor.render.surface import Array
+from swifttailor.arrays import Array
 
 
 @dataclass(frozen=True)

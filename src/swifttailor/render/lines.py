@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from swifttailor.render.surface import Array, LineSet
+from swifttailor.arrays import Array
+from swifttailor.render.surface import LineSet
 
 _STEP = 0.6
 """Distance between the points that make a line, pixels."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.ndimage import gaussian_filter, zoom
 
-from swifttailor.render.surface import Array
+from swifttailor.arrays import Array
 
 _SCALES = ((1.1, 1.4, 0.50), (4.5, 6.0, 0.45))
 """Neighbourhood cm, depth in cm at which it is darkest, and how dark: for folds; for arms, hems and chin."""

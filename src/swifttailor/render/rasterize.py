@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from swifttailor.render.surface import Array
+from swifttailor.arrays import Array
 
 CHUNK = 1 << 20
 """Fragments worked on at once: what fits the caches, and bounds the memory."""

@@ -7,9 +7,10 @@ from functools import cached_property
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.render.backdrop import FloorShadow
 from swifttailor.render.camera import NEAR, Camera
-from swifttailor.render.surface import Array, Surface
+from swifttailor.render.surface import Surface
 
 
 class Scene:

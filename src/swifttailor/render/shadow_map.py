@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.render.rasterize import depth_at, rasterize
-from swifttailor.render.surface import Array
 
 _CELL = 0.6
 """Size of a cell, cm; grown for wide scenes."""

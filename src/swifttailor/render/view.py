@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from swifttailor.arrays import Array
 from swifttailor.errors import InputError
 from swifttailor.render.backdrop import wall
 from swifttailor.render.camera import Camera
@@ -17,7 +18,7 @@ from swifttailor.render.open_sky import box_mean, open_sky
 from swifttailor.render.rasterize import barycentric, rasterize
 from swifttailor.render.scene import Projection, Scene
 from swifttailor.render.shadow_map import ShadowMap
-from swifttailor.render.surface import Array, Surface
+from swifttailor.render.surface import Surface
 
 MAX_SAMPLES = 64_000_000
 """Most samples in one picture."""

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from swifttailor.arrays import Floats
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer.sewer import BATCH, Floats, GarmentSewer, Prepared
+from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer, Prepared
 from swifttailor.pattern import Finding, Pattern, Reading, check_pattern, read_pattern_file, repair_pattern
 from swifttailor.pattern.check import Change
 from swifttailor.pattern.panel import RotationReading
-
-Progress = Callable[[str, float], None]
+from swifttailor.progress import StageProgress
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ def make_ready(sewer: GarmentSewer, checked: Checked, options: SewingOptions) ->
 
 
 def sew_ready(
-    sewer: GarmentSewer, ready: Sequence[Ready], options: SewingOptions, progress: Progress | None = None
+    sewer: GarmentSewer, ready: Sequence[Ready], options: SewingOptions, progress: StageProgress | None = None
 ) -> Iterator[Sewn | SwiftTailorError]:
     """Makes the garments, a few through the network at a time; the reports have the seconds of each stage."""
     for first in range(0, len(ready), BATCH):
@@ -117,7 +117,7 @@ def _complete(
     values: Floats,
     network_seconds: float,
     options: SewingOptions,
-    progress: Progress | None,
+    progress: StageProgress | None,
 ) -> Sewn:
     started = time.perf_counter()
     garment = sewer.decode(ready.prepared, values)

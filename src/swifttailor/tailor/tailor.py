@@ -9,16 +9,16 @@ from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from swifttailor.clock import Clock
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.panel import RotationReading
 from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE, PatternMaker
-from swifttailor.tailor.clock import Clock
+from swifttailor.progress import StageProgress
 from swifttailor.tailor.order import Image, Order, one_line
 from swifttailor.tailor.provenance import versions, weights
 from swifttailor.tailor.sewing import (
-    Progress,
     Ready,
     SewingOptions,
     Sewn,
@@ -137,7 +137,7 @@ class Tailor:
         alter: bool = True,
         edge_length: float = 2.0,
         finish: bool = False,
-        progress: Progress | None = None,
+        progress: StageProgress | None = None,
     ) -> Tailored:
         """Makes a garment of a description, a picture, or both.
 
@@ -179,7 +179,7 @@ class Tailor:
         alter: bool = True,
         edge_length: float = 2.0,
         finish: bool = False,
-        progress: Progress | None = None,
+        progress: StageProgress | None = None,
     ) -> Tailored:
         """Makes a garment of a pattern, changed as the instruction says.
 
@@ -210,7 +210,7 @@ class Tailor:
         )
         return _only(self.make(order, progress=progress))
 
-    def make(self, order: Order, *, progress: Progress | None = None) -> list[Outcome]:
+    def make(self, order: Order, *, progress: StageProgress | None = None) -> list[Outcome]:
         """Carries out an order: as many garments as it wants, or why one could not be made.
 
         Args:
@@ -255,7 +255,7 @@ class Tailor:
         edge_length: float = 2.0,
         finish: bool = False,
         repair: bool = False,
-        progress: Progress | None = None,
+        progress: StageProgress | None = None,
     ) -> Tailored:
         """Makes the garment of a pattern.
 
@@ -279,7 +279,7 @@ class Tailor:
         options: SewingOptions | None = None,
         *,
         rotation: RotationReading = "intrinsic",
-        progress: Progress | None = None,
+        progress: StageProgress | None = None,
     ) -> Iterator[Outcome]:
         """Makes the garments of many patterns, a few at a time; one that cannot be sewn stops no other.
 

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from swifttailor.arrays import Floats
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer.sewer import Floats
 from swifttailor.ggi import GarmentGeometryImage, Layout
 from swifttailor.ggi.geometry import rasterize_geometry
 from swifttailor.ggi.semantic import semantic_image

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from swifttailor.clock import Clock
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Severity, check_pattern
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
 from swifttailor.pattern_maker.asking.pictures import read_picture
 from swifttailor.pattern_maker.maker import HIGHEST_TEMPERATURE, MOST_ATTEMPTS, Request
-from swifttailor.tailor.clock import Clock
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.sewing import Checked, Ready, SewingOptions, make_ready
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from scipy.ndimage import zoom
 
+from swifttailor.arrays import Pixels
 from swifttailor.body import Body
 from swifttailor.data.index import split_folders
 from swifttailor.data.reader import SplitReader
@@ -17,7 +18,6 @@ from swifttailor.data.renders.look import VIEWS, random_look
 from swifttailor.errors import InputError
 from swifttailor.pattern_maker.asking.calibration import calibrate
 from swifttailor.pattern_maker.asking.confidence import Calibration
-from swifttailor.pattern_maker.asking.pictures import Pixels
 from swifttailor.pattern_maker.maker import PatternMaker
 
 LEARNT, KNOWN, STRANGERS = 2000, 400, 64

@@ -6,12 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Longs, Singles
 from swifttailor.pattern_maker.tokens.vocabulary import NUMBERS
-
-Ints = NDArray[np.int64]
-Floats = NDArray[np.float32]
 
 ROW = 128
 """Tokens of a row; of the longest prompt, where that is more. Attention costs the square of it."""
@@ -21,18 +18,18 @@ ROW = 128
 class PackedPrompts:
     """Prompts one after the other in rows, in order."""
 
-    tokens: Ints
+    tokens: Longs
     """(rows, length) ids; rows end with padding."""
-    numbers: Floats
+    numbers: Singles
     """(rows, length, 8) that go with them."""
-    positions: Ints
+    positions: Longs
     """(rows, length) of each token in its prompt: they begin anew with each, and with each token of padding,
     by which transformers tells the sequences of a row apart."""
-    ends: Ints
+    ends: Longs
     """(prompts,) places of their last tokens in the flattened rows."""
 
 
-def pack_prompts(prompts: Sequence[Ints], numbers: Sequence[Floats], pad: int) -> PackedPrompts:
+def pack_prompts(prompts: Sequence[Longs], numbers: Sequence[Singles], pad: int) -> PackedPrompts:
     """Fills row after row.
 
     Args:

@@ -6,7 +6,8 @@ From thousands of garments a vision transformer learns the pictures by heart; th
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
+
+from swifttailor.arrays import Pixels
 
 SHIFT = 0.05
 """Share of the side that the picture is moved by at most, to all sides."""
@@ -16,8 +17,6 @@ LIGHT = 0.1
 """By how much each colour, and all together, become stronger or weaker, and lighter or darker, of white."""
 NOISE = 0.02
 """Standard deviation at most, of white."""
-
-Pixels = NDArray[np.uint8]
 
 
 def vary_picture(pixels: Pixels, chance: np.random.Generator, strength: float = 1.0) -> Pixels:

@@ -11,15 +11,12 @@ from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
+from swifttailor.arrays import Floats, Ints
 from swifttailor.data.garmentcodedata.split_mesh import SplitMesh
 from swifttailor.errors import InputError
 from swifttailor.pattern import Panel, Pattern
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
 
 _OUTLINE_POINTS = 65
 """Of each edge, for the extent of a panel."""

@@ -6,12 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
+from swifttailor.arrays import Floats
 from swifttailor.data.garmentcodedata.panels import PanelCoordinates
 from swifttailor.data.garmentcodedata.split_mesh import SplitMesh
 from swifttailor.errors import InputError
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-
-Floats = NDArray[np.float64]
 
 _NEAR = 24
 """Triangles that are looked at for each point."""

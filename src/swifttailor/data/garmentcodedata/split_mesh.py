@@ -14,14 +14,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from swifttailor.arrays import Floats, Ints
 from swifttailor.errors import InputError
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
 
 MAX_FILE_BYTES = 200_000_000
 _SEAM = "stitch_"

@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from scipy.ndimage import zoom
 
+from swifttailor.arrays import Floats, Pixels
 from swifttailor.body import Body
 from swifttailor.data.renders.look import Backdrop, Look, Rgb
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.preview import border_edges
 from swifttailor.render import Camera, LineSet, Surface, render_view
 
-Picture = np.ndarray[Any, np.dtype[np.uint8]]
-Floats = np.ndarray[Any, np.dtype[np.float64]]
-
 _GREY: Rgb = (0.58, 0.52, 0.47)
 
 
-def draw_look(garment: Garment, body: Body, look: Look, size: int = 256) -> Picture:
+def draw_look(garment: Garment, body: Body, look: Look, size: int = 256) -> Pixels:
     """Draws a garment as a look wants it.
 
     Args:
@@ -37,7 +33,7 @@ def draw_look(garment: Garment, body: Body, look: Look, size: int = 256) -> Pict
     return _draw(surfaces, _camera(garment.vertices, body, look), look, size)
 
 
-def draw_body(body: Body, look: Look, size: int = 256) -> Picture:
+def draw_body(body: Body, look: Look, size: int = 256) -> Pixels:
     """Draws a body without a garment, seen whole, as a look wants it; grey where the look has nobody.
 
     Args:
@@ -56,7 +52,7 @@ def _figure(body: Body, color: Rgb) -> Surface:
     return Surface(body.vertices, body.faces, np.asarray(color), gloss=0.05)
 
 
-def _draw(surfaces: list[Surface], camera: Camera, look: Look, size: int) -> Picture:
+def _draw(surfaces: list[Surface], camera: Camera, look: Look, size: int) -> Pixels:
     return render_view(
         surfaces,
         camera,

@@ -14,11 +14,12 @@ from typing import Any
 
 import numpy as np
 
+from swifttailor.arrays import Pixels
 from swifttailor.atomic_files import write_text
 from swifttailor.body import Body
 from swifttailor.data.array_cache import ArrayCache, Arrays
 from swifttailor.data.reader import SplitReader
-from swifttailor.data.renders.draw import Picture, draw_look
+from swifttailor.data.renders.draw import draw_look
 from swifttailor.data.renders.look import VIEWS, random_look
 from swifttailor.data.renders.plain_look import plain_look
 from swifttailor.data.sample import Sample
@@ -66,7 +67,7 @@ class Render:
     """See `RenderSettings.names`."""
     webp: bytes
 
-    def pixels(self) -> Picture:
+    def pixels(self) -> Pixels:
         """(size, size, 3) uint8 sRGB, row 0 at the top."""
         from PIL import Image
 

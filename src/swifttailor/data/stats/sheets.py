@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from swifttailor.arrays import Pixels
 from swifttailor.body import Body
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders import draw_look, random_look
-from swifttailor.data.renders.draw import Picture
 from swifttailor.data.renders.files import SplitRenders
 from swifttailor.data.renders.look import Backdrop, Look, View
 from swifttailor.render import Plain
@@ -35,10 +35,10 @@ class Shown:
 
     id: str
     caption: str
-    front: Picture
+    front: Pixels
     """The drape on a grey body."""
-    back: Picture
-    render: Picture
+    back: Pixels
+    render: Pixels
     """One of its renders, or a random look where it has none."""
     facts: dict[str, Any]
     """Numbers for the page."""
@@ -90,7 +90,7 @@ def _grey_look(azimuth: float) -> Look:
     )
 
 
-def _fit(picture: Picture) -> Picture:
+def _fit(picture: Pixels) -> Pixels:
     from PIL import Image
 
     if picture.shape[0] == TILE:

@@ -6,11 +6,10 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern import Panel
 
-Floats = NDArray[np.float64]
 _FLATTEN_CM = 0.02
 _CORNER_DEGREES = 25.0
 

@@ -18,11 +18,9 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components, dijkstra
 
+from swifttailor.arrays import Floats, Longs
 from swifttailor.pattern import EdgeRef, Pattern, Stitch
 from swifttailor.pattern.check.stitch_checks import single_stitches, usable_stitches
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 SPACING_CM = 3.0
 """Distance between samples; a tape laid between them is at most a few millimetres too long."""
@@ -49,11 +47,11 @@ class Cloth:
     pattern: Pattern
     stitches: tuple[Stitch, ...]
     """Those that can be sewn: both edges exist, neither is in another stitch."""
-    samples: dict[EdgeRef, Ints]
+    samples: dict[EdgeRef, Longs]
     """Samples along every edge, both ends included."""
     world: Floats
     """(n, 3) placed samples, cm."""
-    node: Ints
+    node: Longs
     """(n,) node of every sample."""
     ways: csr_array
     """(nodes, nodes) lengths of the straight ways, cm."""
@@ -67,7 +65,7 @@ class Cloth:
         edges = [EdgeRef(p.name, k) for p in pattern.panels for k in range(len(p.edges))]
         lengths = {ref: pattern.edge_length(ref) for ref in edges}
         counts = _counts(pattern, stitches, lengths)
-        samples: dict[EdgeRef, Ints] = {}
+        samples: dict[EdgeRef, Longs] = {}
         local, world, spans = [], [], []
         first = 0
         for panel in pattern.panels:
@@ -108,7 +106,7 @@ class Cloth:
             loops.append(FreeLoop(tuple(refs), length, self.placed(refs).mean(axis=0)))
         return tuple(sorted(loops, key=lambda loop: (-loop.length, loop.edges)))
 
-    def nodes(self, refs: Sequence[EdgeRef]) -> Ints:
+    def nodes(self, refs: Sequence[EdgeRef]) -> Longs:
         """Nodes on some edges, each once."""
         return np.unique(np.concatenate([self.node[self.samples[ref]] for ref in refs]))
 
@@ -116,7 +114,7 @@ class Cloth:
         """Placed samples (k, 3) of some edges, cm."""
         return np.concatenate([self.world[self.samples[ref]] for ref in refs])
 
-    def distances(self, sources: Ints, offsets: Floats | float = 0.0) -> Floats:
+    def distances(self, sources: Longs, offsets: Floats | float = 0.0) -> Floats:
         """Shortest ways (nodes,) in cm along the cloth; infinite where no way leads.
 
         Args:
@@ -149,7 +147,7 @@ def _counts(
     return counts
 
 
-def _sew(samples: dict[EdgeRef, Ints], stitches: Sequence[Stitch], count: int) -> Ints:
+def _sew(samples: dict[EdgeRef, Longs], stitches: Sequence[Stitch], count: int) -> Longs:
     """Node (count,) of every sample: stitched samples share one."""
     pairs = [np.zeros((0, 2), np.int64)]
     for s in stitches:
@@ -160,7 +158,7 @@ def _sew(samples: dict[EdgeRef, Ints], stitches: Sequence[Stitch], count: int) -
     return connected_components(graph, directed=False)[1].astype(np.int64)
 
 
-def _ways(local: list[Floats], spans: list[tuple[int, int]], node: Ints) -> csr_array:
+def _ways(local: list[Floats], spans: list[tuple[int, int]], node: Longs) -> csr_array:
     """The straight ways within panels; of several between two nodes the shortest."""
     starts, ends, lengths = [], [], []
     for points, (first, _) in zip(local, spans, strict=True):
@@ -180,12 +178,12 @@ def _ways(local: list[Floats], spans: list[tuple[int, int]], node: Ints) -> csr_
 
 
 @lru_cache(maxsize=256)
-def _remembered_ways(points: bytes) -> tuple[Ints, Ints]:
+def _remembered_ways(points: bytes) -> tuple[Longs, Longs]:
     """`mutually_visible`; most panels stay as they are while a pattern is altered."""
     return mutually_visible(np.frombuffer(points, np.float64).reshape(-1, 2))
 
 
-def mutually_visible(points: Floats) -> tuple[Ints, Ints]:
+def mutually_visible(points: Floats) -> tuple[Longs, Longs]:
     """Pairs (i, j), i < j, of a closed polygon's corners (n, 2) joined by a straight line inside it.
 
     Neighbours always count as visible. Lines along the border count as inside, also where they pass the
@@ -211,7 +209,7 @@ def mutually_visible(points: Floats) -> tuple[Ints, Ints]:
     return i[visible], j[visible]
 
 
-def _hollow_sides(points: Floats) -> Ints:
+def _hollow_sides(points: Floats) -> Longs:
     """Sides of a polygon (n, 2) that are not on its convex hull: only these can be crossed from within."""
     along = np.roll(points, -1, axis=0) - points
     to_others = points[None] - points[:, None]

@@ -8,13 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.describing.facts import HemFacts, Place, Slit
 from swifttailor.describing.measuring.anatomy import Anatomy, Border
 from swifttailor.describing.measuring.chain import edge_runs
 from swifttailor.describing.measuring.wear import Worn
 from swifttailor.pattern import EdgeRef
-
-Floats = NDArray[np.float64]
 
 _STEEP = 0.8
 """A border edge that rises by more of its own length is the side of a slit, not hem."""

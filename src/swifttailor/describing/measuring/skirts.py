@@ -7,9 +7,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from swifttailor.arrays import Floats
 from swifttailor.describing.facts import Skirt
 from swifttailor.describing.measuring.anatomy import Anatomy, Border, Seam
-from swifttailor.describing.measuring.cloth import Floats
 from swifttailor.describing.measuring.hems import HemLine
 from swifttailor.describing.measuring.parts import SKIRT_PARTS, Part
 from swifttailor.describing.measuring.slices import girth_at

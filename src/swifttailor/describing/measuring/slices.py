@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern import Panel
 
-Floats = NDArray[np.float64]
 _OUTLINE_CM = 0.05
 
 

@@ -13,12 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.describing.measuring.anatomy import Anatomy, Seam
 from swifttailor.describing.measuring.parts import LOWER_PARTS, Part
 from swifttailor.pattern import EdgeRef
 from swifttailor.pattern.drafts.figure import Figure
-
-Floats = NDArray[np.float64]
 
 CONTOUR_CM = 1.3
 """What cloth loses on its way over shoulder blades and seat, on top of the way over the bust."""

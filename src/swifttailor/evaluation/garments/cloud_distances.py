@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from swifttailor.arrays import Floats
 from swifttailor.errors import GeometryError
 from swifttailor.evaluation.garments.point_cloud import PointCloud
-
-Floats = NDArray[np.float64]
 
 _FIRST_PART = 250
 _GROWTH = 3

@@ -7,7 +7,7 @@ seconds a garment, so every drape is kept in a folder, and the work goes on wher
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,8 +25,7 @@ from swifttailor.evaluation.garments.score import Scored, draw_clouds, score_gar
 from swifttailor.evaluation.garments.sew_split import Made
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
-
-Progress = Callable[[int], None]
+from swifttailor.progress import CountProgress
 
 SETTINGS, RECORDS = "redrapes.json", "redrapes"
 _SETTINGS = ("fabric", "engine")
@@ -67,7 +66,7 @@ class Redraper:
         self._settings = {name: settings[name] for name in _SETTINGS}
         self._require_same()
 
-    def run(self, numbers: Sequence[int], progress: Progress | None = None) -> tuple[Made, int]:
+    def run(self, numbers: Sequence[int], progress: CountProgress | None = None) -> tuple[Made, int]:
         """Drapes what is missing and measures all.
 
         Args:

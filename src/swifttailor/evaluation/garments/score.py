@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.draping.cloth import ClothModel, build_cloth
 from swifttailor.draping.fabric import FABRICS
 from swifttailor.errors import GeometryError, InputError
@@ -18,8 +19,6 @@ from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pixels.sewn_prior import vertices_ignoring_arms
 from swifttailor.panel_mesh.topology import Topology, topology
-
-Floats = NDArray[np.float64]
 
 POINTS = 10_000
 """For Chamfer distances in cm^2: with fewer, those of good garments drown in chance (docs/evaluation.md)."""

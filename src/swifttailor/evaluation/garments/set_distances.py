@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from swifttailor.errors import GeometryError
 from swifttailor.evaluation.garments.cloud_distances import chamfer_below
 from swifttailor.evaluation.garments.point_cloud import PointCloud
-
-Progress = Callable[[int], None]
+from swifttailor.progress import CountProgress
 
 
 @dataclass(frozen=True)
@@ -32,7 +31,7 @@ class SetDistances:
 def set_distances(
     generated: Sequence[PointCloud | None],
     references: Sequence[PointCloud],
-    progress: Progress | None = None,
+    progress: CountProgress | None = None,
 ) -> SetDistances:
     """Compares two sets.
 

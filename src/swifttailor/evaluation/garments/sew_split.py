@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+from swifttailor.arrays import Floats
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.sample import Sample
 from swifttailor.draping.finish import finish as hang_to_rest
 from swifttailor.errors import SwiftTailorError
 from swifttailor.evaluation.garments.point_cloud import PointCloud
-from swifttailor.evaluation.garments.score import Floats, Scored, draw_clouds, score_garment
+from swifttailor.evaluation.garments.score import Scored, draw_clouds, score_garment
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer, Prepared
-
-Progress = Callable[[int], None]
+from swifttailor.progress import CountProgress
 
 
 @dataclass
@@ -45,7 +45,7 @@ def sew_split(
     resolution: int | None = None,
     finish: bool = False,
     seed: int = 0,
-    progress: Progress | None = None,
+    progress: CountProgress | None = None,
 ) -> Made:
     """Sews and measures.
 

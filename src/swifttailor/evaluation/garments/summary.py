@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -12,8 +12,7 @@ from swifttailor.evaluation.garments.point_cloud import PointCloud
 from swifttailor.evaluation.garments.score import BOX_SCALE, FEW_POINTS, GarmentScore, Scored
 from swifttailor.evaluation.garments.set_distances import SetDistances, set_distances
 from swifttailor.evaluation.mean import Means, mean_of
-
-Progress = Callable[[int], None]
+from swifttailor.progress import CountProgress
 
 _NOT_MEASURED = ("id", "kind", "vertices", "rejected_for")
 
@@ -47,7 +46,7 @@ class Summary:
 
 
 def summarize_scores(
-    scored: Sequence[Scored], lost: Sequence[PointCloud] = (), progress: Progress | None = None
+    scored: Sequence[Scored], lost: Sequence[PointCloud] = (), progress: CountProgress | None = None
 ) -> Summary:
     """Means and distances between sets.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -14,11 +14,10 @@ from swifttailor.pattern import Finding, Pattern, Severity, read_specification, 
 from swifttailor.pattern.check.repair import Change
 from swifttailor.pattern_maker.maker import Request
 from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
+from swifttailor.progress import CountProgress
 
 BATCH = 16
 """Questions that are answered together."""
-
-Progress = Callable[[int], None]
 
 
 class Given(Protocol):
@@ -75,7 +74,7 @@ def ask_all(
     book: Book,
     asking: Asking,
     pictures: GarmentPictures | None = None,
-    progress: Progress | None = None,
+    progress: CountProgress | None = None,
 ) -> list[Answer]:
     """Asks what has not been answered yet.
 

@@ -22,8 +22,8 @@ from swifttailor.evaluation.maker.scores import Scored
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Pattern
+from swifttailor.progress import CountProgress
 
-Progress = Callable[[int], None]
 FindDrape = Callable[[str], Sample | None]
 
 
@@ -57,7 +57,7 @@ class Garments:
     """Of the points that are drawn."""
     _known: dict[str, tuple[PointCloud, PointCloud, PointCloud | None]] = field(default_factory=dict)
 
-    def compare(self, scored: Sequence[Scored], progress: Progress) -> GarmentSets | None:
+    def compare(self, scored: Sequence[Scored], progress: CountProgress) -> GarmentSets | None:
         """Compares the answers of a task, those alone whose true pattern has a drape.
 
         Args:

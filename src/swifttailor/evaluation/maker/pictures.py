@@ -6,9 +6,9 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from swifttailor.arrays import Pixels
 from swifttailor.data.index import split_folders
 from swifttailor.data.reader import SplitReader
-from swifttailor.data.renders.draw import Picture
 from swifttailor.data.renders.files import FOLDER, INDEX, RenderSettings, SplitRenders, draw_render
 from swifttailor.data.sample import Sample
 from swifttailor.evaluation.maker.questions import seed_of
@@ -53,7 +53,7 @@ class GarmentPictures:
         split, number = self._places[id]
         return self._readers[split][number]
 
-    def picture(self, id: str) -> tuple[str, Picture]:
+    def picture(self, id: str) -> tuple[str, Pixels]:
         """The look and the pixels of the picture of a garment.
 
         Raises:

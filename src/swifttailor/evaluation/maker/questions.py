@@ -20,6 +20,7 @@ from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.digest import pattern_digest
 from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.progress import CountProgress
 from swifttailor.wording.captions import write_caption
 from swifttailor.wording.instructions.writer import Instruction
 
@@ -29,8 +30,6 @@ PICTURED: tuple[Task, ...] = ("image", "text+image")
 BACK = ", back"
 """At the end of the id of an edit that leads back to the pattern that was edited."""
 _SEEDS = 2**31
-
-Progress = Callable[[int], None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,7 +119,7 @@ def generation_questions(
     tasks: Sequence[Task],
     pictured: Callable[[str], bool],
     seed: int,
-    progress: Progress | None = None,
+    progress: CountProgress | None = None,
 ) -> list[Question]:
     """Asks for patterns by text, by picture and by both.
 
@@ -194,7 +193,7 @@ class EditSet:
 
 
 def edit_questions(
-    edits: EditSet, ids: Sequence[str], patterns: PatternSet, seed: int, progress: Progress | None = None
+    edits: EditSet, ids: Sequence[str], patterns: PatternSet, seed: int, progress: CountProgress | None = None
 ) -> list[Question]:
     """Asks for edits, there and back.
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from swifttailor.evaluation.maker.ask import Asking, Given, Maker, Progress, ask, batches
+from swifttailor.evaluation.maker.ask import Asking, Given, Maker, ask, batches
 from swifttailor.evaluation.maker.book import Book
 from swifttailor.evaluation.maker.pictures import GarmentPictures
 from swifttailor.evaluation.maker.questions import Question
@@ -20,6 +20,7 @@ from swifttailor.evaluation.patterns.attempts import (
 from swifttailor.evaluation.patterns.validity import validity
 from swifttailor.pattern import to_specification
 from swifttailor.pattern_maker.tokens.decode import decode
+from swifttailor.progress import CountProgress
 
 TEMPERATURE = 1.0
 
@@ -68,7 +69,7 @@ def sample_all(
     limit: int,
     seed: int,
     pictures: GarmentPictures | None = None,
-    progress: Progress | None = None,
+    progress: CountProgress | None = None,
 ) -> list[Sampled]:
     """Draws what was not drawn yet, of each question until a pattern is sound, as written and mended.
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from swifttailor.describing import GarmentFacts
 from swifttailor.errors import SwiftTailorError
-from swifttailor.evaluation.maker.ask import Answer, Progress
+from swifttailor.evaluation.maker.ask import Answer
 from swifttailor.evaluation.maker.questions import Question, Task
 from swifttailor.evaluation.patterns.adherence import (
     Adherence,
@@ -27,6 +27,7 @@ from swifttailor.evaluation.patterns.pattern_table import (
 from swifttailor.pattern import Pattern
 from swifttailor.pattern_maker.tokens.decode import decode
 from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.progress import CountProgress
 
 AdherenceRows = list[tuple[str, Adherence]]
 
@@ -102,7 +103,7 @@ OURS, TOKENS, OTHER, INPUT, TRUTH, CHANCE = (
 )
 
 
-def score_answers(answers: Sequence[Answer], progress: Progress | None = None) -> list[Scored]:
+def score_answers(answers: Sequence[Answer], progress: CountProgress | None = None) -> list[Scored]:
     """Compares each answer with the truth and measures it; calls `progress` with 1 after each."""
     scored = []
     for answer in answers:

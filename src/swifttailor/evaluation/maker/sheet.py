@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from swifttailor.data.renders.draw import Picture
+from swifttailor.arrays import Pixels
 from swifttailor.data.stats.sheets import wrapped
 from swifttailor.errors import InputError
 from swifttailor.evaluation.maker.scores import Scored
@@ -31,7 +31,7 @@ class Shown:
     """A row of a sheet."""
 
     scored: Scored
-    picture: Picture | None
+    picture: Pixels | None
     """What the network was shown."""
 
 

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern import Cubic, Line, Panel, Quadratic
 from swifttailor.pattern.curve import Curve, evaluate, to_relative
-
-Floats = NDArray[np.float64]
 
 
 def edge_vectors(panel: Panel) -> Floats:

@@ -5,14 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Bools, Floats
 from swifttailor.body import Body, BodyMeasurements, DistanceField
 from swifttailor.body.parts import ARMS
 from swifttailor.pattern import Pattern, body_region
-
-Floats = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 FIELD_SPACING_CM = 1.0
 
@@ -37,7 +34,7 @@ class BodyDistance:
             body.measurements,
         )
 
-    def sample(self, points: Floats, ignores_arms: Flags) -> tuple[Floats, Floats]:
+    def sample(self, points: Floats, ignores_arms: Bools) -> tuple[Floats, Floats]:
         """Distance (n,) and direction away from the body (n, 3) at points (n, 3)."""
         if not ignores_arms.any():
             return self.full.sample(points)
@@ -47,7 +44,7 @@ class BodyDistance:
             distance[rest], direction[rest] = self.full.sample(points[rest])
         return distance, direction
 
-    def push_out(self, points: Floats, ignores_arms: Flags, clearance: float, rounds: int = 1) -> Floats:
+    def push_out(self, points: Floats, ignores_arms: Bools, clearance: float, rounds: int = 1) -> Floats:
         """Points (n, 3) moved along the direction away from the body until `clearance` cm from it."""
         points = points.copy()
         for _ in range(rounds):
@@ -59,6 +56,6 @@ class BodyDistance:
         return points
 
 
-def panels_ignoring_arms(pattern: Pattern) -> Flags:
+def panels_ignoring_arms(pattern: Pattern) -> Bools:
     """(p,) whether each panel covers the legs, and hence passes through the arms."""
     return np.array([body_region(p.name, p.label) == "leg" for p in pattern.panels], np.bool_)

@@ -8,10 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
+from swifttailor.arrays import Floats
 from swifttailor.errors import GeometryError
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-
-Floats = NDArray[np.float64]
 
 _MIN_AREA = 1e-4
 """Square centimetres; smaller faces have no usable directions and are left out."""

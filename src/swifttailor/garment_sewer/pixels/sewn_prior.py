@@ -16,11 +16,10 @@ from numpy.typing import NDArray
 from scipy.sparse import csc_array, diags_array
 from scipy.sparse.linalg import splu
 
+from swifttailor.arrays import Floats
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance, panels_ignoring_arms
 from swifttailor.garment_sewer.pixels.rest_shape import nearest_unstretched, rest_shape
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,11 @@ from dataclasses import replace
 import numpy as np
 import shapely
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern import curve as curves
 from swifttailor.pattern.check.crossings import Crossing, find_crossing
 from swifttailor.pattern.check.outline import trace_outline
-from swifttailor.pattern.curve import Arc, Array, Cubic, Curve, Line, Quadratic
+from swifttailor.pattern.curve import Arc, Cubic, Curve, Line, Quadratic
 from swifttailor.pattern.panel import Panel
 
 MAX_MOVE_CM = 0.5
@@ -142,7 +143,7 @@ def _with_curve(panel: Panel, edge: int, curve: Curve) -> Panel:
     return replace(panel, edges=tuple(edges))
 
 
-def _bulged(curve: Curve, chord: Array, way: float) -> Arc | None:
+def _bulged(curve: Curve, chord: Floats, way: float) -> Arc | None:
     """An arc whose middle is so much further from its chord, cm; None for other curves and for none left."""
     half = float(np.hypot(*(chord[1] - chord[0]))) / 2
     if not isinstance(curve, Arc) or half == 0.0:
@@ -155,7 +156,7 @@ def _bulged(curve: Curve, chord: Array, way: float) -> Arc | None:
     return replace(curve, radius=float((half**2 + sagitta**2) / (2 * sagitta)), large=bool(sagitta > half))
 
 
-def _flattened(curve: Curve, chord: Array, factor: float) -> Curve | None:
+def _flattened(curve: Curve, chord: Floats, factor: float) -> Curve | None:
     """The curve with its bulge times `factor`; None for lines, arcs beyond a semicircle and bare points."""
     if isinstance(curve, Quadratic):
         return Quadratic((curve.control[0], curve.control[1] * factor))
@@ -170,7 +171,7 @@ def _flattened(curve: Curve, chord: Array, factor: float) -> Curve | None:
     return replace(curve, radius=float((half**2 + sagitta**2) / (2 * sagitta))) if sagitta > 0 else None
 
 
-def _corner_moves(panel: Panel, crossing: Crossing, largest_move: float) -> Iterator[tuple[int, Array]]:
+def _corner_moves(panel: Panel, crossing: Crossing, largest_move: float) -> Iterator[tuple[int, Floats]]:
     """Corners and where to try putting them."""
     count = len(panel.edges)
     first, second = crossing.edges
@@ -194,7 +195,7 @@ def _corner_moves(panel: Panel, crossing: Crossing, largest_move: float) -> Iter
                     yield corner, here + sign * direction * ((distance if sign > 0 else 0.0) + clearance)
 
 
-def _across(panel: Panel, edge: int, point: Array) -> Array:
+def _across(panel: Panel, edge: int, point: Floats) -> Floats:
     """Unit normal (2,) of an edge's polyline at the segment nearest to a point."""
     line = panel.flatten_edge(edge, 0.001)
     middle = (line[1:] + line[:-1]) / 2

@@ -9,8 +9,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern.check.outline import Outline
-from swifttailor.pattern.curve import Array
 
 NOISE_CM = 0.05
 """Overlaps shallower than this are numerical noise of whoever made the pattern, not a shape that is wrong."""
@@ -74,19 +74,19 @@ def find_crossing(outline: Outline) -> Crossing | None:
     return Crossing(kind, depth, (a, b), place, len(meetings))
 
 
-def face_depths(faces: NDArray[np.object_]) -> Array:
+def face_depths(faces: NDArray[np.object_]) -> Floats:
     """Width (k,) in cm of each face: exact for thin ones, within a factor of two for round ones."""
     return 2 * shapely.area(faces) / np.maximum(shapely.length(faces) / 2, 1e-300)
 
 
-def _without_repeats(points: Array, owner: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
+def _without_repeats(points: Floats, owner: NDArray[np.int64]) -> tuple[Floats, NDArray[np.int64]]:
     """Drops points that repeat their predecessor, so that no segment has length zero."""
     keep = np.any(points != np.roll(points, -1, axis=0), axis=1)
     return points[keep], owner[keep]
 
 
 def _meetings(
-    points: Array, owner: NDArray[np.int64]
+    points: Floats, owner: NDArray[np.int64]
 ) -> tuple[list[tuple[int, int, tuple[float, float]]], NDArray[np.object_]]:
     """Pairs of edges whose segments meet away from a common corner, with the place (at most a thousand)."""
     count = len(points)
@@ -116,8 +116,8 @@ def _meetings(
 
 
 def _fold_back(
-    points: Array,
-    following: Array,
+    points: Floats,
+    following: Floats,
     first: NDArray[np.int64],
     other: NDArray[np.int64],
     apart: NDArray[np.int64],
@@ -129,7 +129,7 @@ def _fold_back(
     return ((u * v).sum(axis=1) < 0) & (across == 0)
 
 
-def _wrongly_wound_faces(ring: Array, area: float) -> NDArray[np.object_]:
+def _wrongly_wound_faces(ring: Floats, area: float) -> NDArray[np.object_]:
     """Faces of the plane cut by the closed polyline whose winding number a simple loop cannot have."""
     noded = shapely.union_all(shapely.linestrings(ring))
     faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
@@ -141,7 +141,7 @@ def _wrongly_wound_faces(ring: Array, area: float) -> NDArray[np.object_]:
     return faces[(winding != 0) & (winding != right)]
 
 
-def _winding(ring: Array, point: Array) -> int:
+def _winding(ring: Floats, point: Floats) -> int:
     """Winding number of a closed polyline around a point."""
     a, b = ring[:-1] - point, ring[1:] - point
     side = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]

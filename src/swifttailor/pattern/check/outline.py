@@ -8,8 +8,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern import curve as curves
-from swifttailor.pattern.curve import Arc, Array, Line
+from swifttailor.pattern.curve import Arc, Line
 from swifttailor.pattern.panel import Panel
 
 FLATTEN_CM = 0.002
@@ -21,11 +22,11 @@ class Outline:
     """A panel's loop as a fine polyline, with the measures the checks share."""
 
     panel: Panel
-    points: Array
+    points: Floats
     """(m, 2) panel-local cm; segment k joins point k to point k + 1 modulo m."""
     edge_of_segment: NDArray[np.int64]
     """(m,) edge that segment k belongs to."""
-    lengths: Array
+    lengths: Floats
     """(n,) length of every edge, cm (of the polyline: short by less than 1e-6 of an ordinary edge)."""
     tolerance: float
     """Largest distance between curve and polyline, cm."""
@@ -52,12 +53,12 @@ class Outline:
         return 2 * abs(self.area) / self.perimeter if self.perimeter > 0 else 0.0
 
     @cached_property
-    def world(self) -> Array:
+    def world(self) -> Floats:
         """(n, 3) corners where the panel is placed, cm."""
         return self.panel.to_world(self.panel.vertices)
 
     @cached_property
-    def normal(self) -> Array:
+    def normal(self) -> Floats:
         """(3,) unit vector out of the right side of the placed panel."""
         return self.panel.placement.matrix()[:, 2] * (1.0 if self.area >= 0 else -1.0)
 

@@ -8,14 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from swifttailor.arrays import Floats
 from swifttailor.errors import PatternError
 from swifttailor.pattern.check.outline import Outline
 from swifttailor.pattern.check.seam_direction import Directions
-from swifttailor.pattern.curve import Array
 from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.pattern import Pattern
 
-SignedDistance = Callable[[Array], Array]
+SignedDistance = Callable[[Floats], Floats]
 """Takes points (n, 3) in cm, gives distances (n,) in cm to the body, negative inside."""
 
 TINY_CM = 5.0
@@ -142,7 +142,7 @@ def _inside(outline: Outline, probe: BodyProbe) -> list[Finding]:
     ]
 
 
-def _spread_points(outline: Outline) -> Array:
+def _spread_points(outline: Outline) -> Floats:
     """Corners and a grid of inner points (n, 2), panel-local cm."""
     low, high = outline.points.min(axis=0), outline.points.max(axis=0)
     steps = [np.linspace(a, b, _GRID + 2)[1:-1] for a, b in zip(low, high, strict=True)]

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern.check.outline import Outline
 from swifttailor.pattern.check.seam_topology import SeamTopology
-from swifttailor.pattern.curve import Array
 from swifttailor.pattern.pattern import EdgeRef, Pattern, Stitch
 
 AGAINST = -0.5
@@ -110,7 +110,7 @@ def _agreement(stitch: Stitch, outlines: dict[str, Outline]) -> float:
     return float(a @ b) * (1.0 if stitch.right_wrong else -1.0)
 
 
-def _direction(outline: Outline, ref: EdgeRef) -> Array | None:
+def _direction(outline: Outline, ref: EdgeRef) -> Floats | None:
     placement = outline.panel.placement
     if not any(placement.translation) and not any(placement.rotation):
         return None  # never placed

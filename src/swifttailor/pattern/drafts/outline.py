@@ -8,8 +8,9 @@ from itertools import count
 
 import numpy as np
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern import curve as curves
-from swifttailor.pattern.curve import Arc, Array, Cubic, Curve, Line, Quadratic, to_relative
+from swifttailor.pattern.curve import Arc, Cubic, Curve, Line, Quadratic, to_relative
 
 Point = tuple[float, float]
 
@@ -28,7 +29,7 @@ class Side:
     """Identity of the edge, so that stitches survive splits elsewhere in the loop."""
 
     @property
-    def chord(self) -> Array:
+    def chord(self) -> Floats:
         """Start and end (2, 2), cm."""
         return np.array([self.start, self.end])
 

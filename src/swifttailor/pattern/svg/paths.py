@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from swifttailor.pattern.curve import Arc, Array, Curve, Line, arc_geometry, control_polygon
+from swifttailor.arrays import Floats
+from swifttailor.pattern.curve import Arc, Curve, Line, arc_geometry, control_polygon
 from swifttailor.pattern.panel import Panel
 
 MM_PER_CM = 10.0
@@ -21,7 +22,7 @@ def outline_path(panel: Panel) -> str:
     return f"M{_point(panel.vertices[0])}{''.join(commands)}Z"
 
 
-def _command(curve: Curve, chord: Array) -> str:
+def _command(curve: Curve, chord: Floats) -> str:
     if isinstance(curve, Line):
         return f"L{_point(chord[1])}"
     if isinstance(curve, Arc):
@@ -36,7 +37,7 @@ def _command(curve: Curve, chord: Array) -> str:
     return letter[len(points)] + " ".join(_point(p) for p in points[1:])
 
 
-def _point(point: Array) -> str:
+def _point(point: Floats) -> str:
     return f"{number(point[0] * MM_PER_CM)},{number(-point[1] * MM_PER_CM)}"
 
 

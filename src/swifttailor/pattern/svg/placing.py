@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from swifttailor.pattern.curve import Array
+from swifttailor.arrays import Floats
 from swifttailor.pattern.panel import Panel
 
 _TEXT_WIDTH = 0.58
@@ -35,9 +35,9 @@ class PlacedPanel:
     panel: Panel
     """The panel, mirrored when its loop runs clockwise."""
     mirrored: bool
-    low: Array
+    low: Floats
     """(2,) lower left corner of what it takes up with its caption, panel-local mm, y up."""
-    size: Array
+    size: Floats
     """(2,) width and height of that, mm."""
     caption: Caption
 
@@ -67,7 +67,7 @@ def place_panel(index: int, panel: Panel, font: float) -> PlacedPanel:
     return PlacedPanel(index, shown, mirrored, low, high - low, caption)
 
 
-def shelves(sizes: Array, gap: float) -> tuple[Array, Array]:
+def shelves(sizes: Floats, gap: float) -> tuple[Floats, Floats]:
     """Puts boxes (n, 2) on shelves, `gap` apart, keeping their order, on a sheet a little wider than high.
 
     Returns:
@@ -75,7 +75,7 @@ def shelves(sizes: Array, gap: float) -> tuple[Array, Array]:
     """
     total = float(((sizes + gap) ** np.array([1.0, 1.0])).prod(axis=1).sum())
     widest = float(sizes[:, 0].max(initial=0.0))
-    best: tuple[float, Array, Array] | None = None
+    best: tuple[float, Floats, Floats] | None = None
     for strip in np.geomspace(max(widest, 0.9 * np.sqrt(total)), max(widest, 2.2 * np.sqrt(total)), 24):
         corners = _fill(sizes, float(strip), gap)
         sheet = (corners + sizes).max(axis=0)
@@ -88,7 +88,7 @@ def shelves(sizes: Array, gap: float) -> tuple[Array, Array]:
     return best[1], best[2]
 
 
-def _fill(sizes: Array, strip: float, gap: float) -> Array:
+def _fill(sizes: Floats, strip: float, gap: float) -> Floats:
     order = np.lexsort((np.arange(len(sizes)), -np.round(sizes[:, 1] / 20.0)))
     corners = np.zeros((len(sizes), 2))
     x = y = shelf = 0.0
@@ -102,7 +102,7 @@ def _fill(sizes: Array, strip: float, gap: float) -> Array:
     return corners
 
 
-def _middle(outline: Array) -> tuple[tuple[float, float], float]:
+def _middle(outline: Floats) -> tuple[tuple[float, float], float]:
     """The point of a grid that lies deepest inside a polygon (n, 2), and how deep."""
     low, high = outline.min(axis=0), outline.max(axis=0)
     steps = (np.arange(_GRID) + 0.5) / _GRID

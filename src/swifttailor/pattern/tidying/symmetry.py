@@ -10,13 +10,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from swifttailor.pattern.curve import Arc, Cubic, Curve, Line, Quadratic
 from swifttailor.pattern.names import PANEL_NAMES, TWINS
 from swifttailor.pattern.panel import Panel, Placement
 
-Array = NDArray[np.float64]
 OTHER_SIDE: dict[str, str] = {
     PANEL_NAMES[a]: PANEL_NAMES[b] for pair in TWINS.items() for a, b in (pair, (pair[1], pair[0]))
 }

@@ -8,6 +8,7 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Pixels
 from swifttailor.errors import InputError
 from swifttailor.pattern_maker.asking.confidence import (
     DOUBT,
@@ -18,7 +19,7 @@ from swifttailor.pattern_maker.asking.confidence import (
     PictureSpace,
     rank,
 )
-from swifttailor.pattern_maker.asking.pictures import Pixels, picture_for_network
+from swifttailor.pattern_maker.asking.pictures import picture_for_network
 from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE, PatternMaker, Request
 
 BATCH = 16

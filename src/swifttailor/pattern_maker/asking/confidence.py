@@ -22,9 +22,9 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.errors import InputError
 
-Floats = NDArray[np.float64]
 Measure = Literal["certainty", "familiarity"]
 MEASURES: tuple[Measure, ...] = ("certainty", "familiarity")
 

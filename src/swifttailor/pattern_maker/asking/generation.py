@@ -8,12 +8,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Singles
 from swifttailor.errors import InputError
 from swifttailor.pattern_maker.asking.copying import mix
 from swifttailor.pattern_maker.asking.counterpart import Counterpart, Counterparts
 from swifttailor.pattern_maker.asking.plan import PatternPlan, approach, normalized
 from swifttailor.pattern_maker.asking.prompt import Sequence
-from swifttailor.pattern_maker.network.runtime import Cache, Floats, Runtime
+from swifttailor.pattern_maker.network.runtime import Cache, Runtime
 from swifttailor.pattern_maker.tokens.grammar import Grammar, Stage, State
 from swifttailor.pattern_maker.tokens.token_sequence import LARGEST_NUMBER, NUMBER_MASK, TokenSequence
 from swifttailor.pattern_maker.tokens.vocabulary import NUMBERS, PATTERN_END
@@ -26,7 +27,7 @@ class Asked:
     """A prompt and how to answer it."""
 
     prompt: Sequence
-    picture: Floats | None = None
+    picture: Singles | None = None
     """(3, size, size), where the prompt has places for one."""
     seeds: tuple[tuple[int, ...], ...] = ((0,),)
     """One answer is written for each."""
@@ -48,7 +49,7 @@ class Written:
     included, at temperature 1."""
     certainty: float
     """Mean over its places of that logarithm for the likeliest token, whichever was taken."""
-    look: Floats | None
+    look: Singles | None
     """(hidden,) what the network made of the picture, its places averaged; None without one."""
     unsewn: int = 0
     """Edges that were to be sewn to others which were never written (`Grammar.broken_off`)."""
@@ -62,7 +63,7 @@ class _Answer:
     chance: np.random.Generator
     state: State = field(default_factory=State)
     tokens: list[int] = field(default_factory=list)
-    numbers: list[Floats] = field(default_factory=list)
+    numbers: list[Singles] = field(default_factory=list)
     log_likelihood: float = 0.0
     likeliest: float = 0.0
     """What it would be, had the likeliest token been taken everywhere."""
@@ -70,7 +71,7 @@ class _Answer:
     """For a network that is told what it is likely to repeat."""
     plan: PatternPlan | None = None
     """For one that plans."""
-    panels: Floats | None = None
+    panels: Singles | None = None
     """(75 panels, hidden) to add at all places of each, for one that plans."""
     unsewn: int = 0
     """Edges whose stitches were open at the end."""
@@ -79,7 +80,7 @@ class _Answer:
         """Of the token that is to come."""
         return Counterpart() if self.likely is None else self.likely.next()
 
-    def take_numbers(self, numbers: Floats) -> None:
+    def take_numbers(self, numbers: Singles) -> None:
         """Adds the numbers (8,) of the token that was chosen."""
         self.numbers.append(numbers)
         if self.likely is not None:
@@ -154,7 +155,7 @@ def write_answers(
 
 def _read(
     runtime: Runtime, asked: Several[Asked]
-) -> tuple[Floats, Floats, Cache, dict[int, Floats], dict[int, PatternPlan]]:
+) -> tuple[Singles, Singles, Cache, dict[int, Singles], dict[int, PatternPlan]]:
     """States (B, hidden) and logits (B, tokens) after prompts; by row the looks of pictures, and plans."""
     lengths = np.array([len(one.prompt) for one in asked])
     longest = int(lengths.max())
@@ -164,7 +165,7 @@ def _read(
         tokens[row, : lengths[row]], numbers[row, : lengths[row]] = one.prompt.tokens, one.prompt.numbers
     embedded = np.array(runtime.embed(tokens, numbers))
     pictured = [row for row, one in enumerate(asked) if one.picture is not None]
-    averages: dict[int, Floats] = {}
+    averages: dict[int, Singles] = {}
     if pictured:
         looks = runtime.look(np.stack([one.picture for one in asked if one.picture is not None]))
         for row, look in zip(pictured, looks, strict=True):
@@ -179,7 +180,9 @@ def _read(
     return states[last], logits[last], cache, averages, plans
 
 
-def _plan(runtime: Runtime, asked: Several[Asked], embedded: Floats, known: Floats) -> dict[int, PatternPlan]:
+def _plan(
+    runtime: Runtime, asked: Several[Asked], embedded: Singles, known: Singles
+) -> dict[int, PatternPlan]:
     """What is foreseen, by row; of edits only where the prompts are brief."""
     rows = np.array([row for row, one in enumerate(asked) if one.edit is None or one.brief], np.int64)
     if not runtime.plans or not len(rows):
@@ -197,8 +200,8 @@ def _plan(runtime: Runtime, asked: Several[Asked], embedded: Floats, known: Floa
 def _answer_all(
     runtime: Runtime,
     active: list[_Answer],
-    states: Floats,
-    logits: Floats,
+    states: Singles,
+    logits: Singles,
     cache: Cache,
     grammar: Grammar,
     text_size: int,
@@ -244,7 +247,7 @@ def _answer_all(
 
 def _added(
     runtime: Runtime, following: Several[Counterpart], hidden: int, answers: Several[_Answer] = ()
-) -> Floats:
+) -> Singles:
     """(B, hidden) to add to the tokens before those that have these counterparts, in these answers."""
     added = np.zeros((len(following), hidden), np.float32)
     if not runtime.copies:

@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Pixels
 from swifttailor.errors import InputError
-
-Pixels = NDArray[np.uint8]
 
 _MEAN = np.array([0.485, 0.456, 0.406], np.float32)
 _SPREAD = np.array([0.229, 0.224, 0.225], np.float32)

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Singles
 from swifttailor.pattern_maker.asking.foresight import (
     CORNERS,
     EDGES,
@@ -35,7 +36,6 @@ from swifttailor.pattern_maker.tokens.vocabulary import (
     TRANSLATION,
 )
 
-Numbers = NDArray[np.float32]
 FORESEEN_NUMBERS: NDArray[np.bool_] = np.zeros((SIZE, NUMBERS), bool)
 """Which numbers of a token may be taken from a plan: where a panel stands, and where an edge ends. A rotation
 has two quaternions, between which there is no middle."""
@@ -54,7 +54,7 @@ class PatternPlan:
 
     panels: tuple[int, ...]
     """Class ids, in the order in which they are written; one at least."""
-    numbers: Numbers
+    numbers: Singles
     """(75 panels, `PANEL_NUMBERS`) as in `foresight`, of those above and of all others."""
     odds: NDArray[np.float64]
     """(75 panels,) logarithms of how much likelier it is that the answer has a panel than that it has not."""
@@ -116,13 +116,13 @@ class PatternPlan:
         """
         return normalized((1 - FORESEEN_SHARE) * logs + FORESEEN_SHARE * self.next_panels(name)[tokens])
 
-    def placement(self, name: int) -> Numbers:
+    def placement(self, name: int) -> Singles:
         """(8,) of a panel."""
         numbers = np.zeros(NUMBERS, np.float32)
         numbers[PLACEMENT] = self.numbers[name, PLACEMENT]
         return numbers
 
-    def edge(self, name: int, number: int) -> tuple[int, Numbers] | None:
+    def edge(self, name: int, number: int) -> tuple[int, Singles] | None:
         """Token and numbers (8,) of an edge, said as a line; None where no corner of it is foreseen."""
         numbers = np.zeros(NUMBERS, np.float32)
         own = self.numbers[name]

@@ -6,10 +6,8 @@ from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float32]
-Ids = NDArray[np.int64]
+from swifttailor.arrays import Longs, Singles
 
 GRAPHS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "vision": (("pictures",), ("looks",)),
@@ -51,12 +49,12 @@ class Cache:
     keys: Any
     values: Any
     """(layers, B, groups, P, size)."""
-    seen: Floats
+    seen: Singles
     """(B, P) 1 where a place holds a token."""
-    lengths: Ids
+    lengths: Longs
     """(B,) tokens so far."""
 
-    def rows(self, chosen: Ids) -> Cache:
+    def rows(self, chosen: Longs) -> Cache:
         """Of some of the sequences, in the given order; one may come several times."""
         return replace(
             self,
@@ -70,15 +68,15 @@ class Cache:
 class Runtime(Protocol):
     """A network ready to run."""
 
-    def look(self, pictures: Floats) -> Floats:
+    def look(self, pictures: Singles) -> Singles:
         """(P, image tokens, hidden) of pictures (P, 3, S, S)."""
         ...
 
-    def embed(self, tokens: Ids, numbers: Floats) -> Floats:
+    def embed(self, tokens: Longs, numbers: Singles) -> Singles:
         """(B, L, hidden) of tokens (B, L) of the whole vocabulary and their numbers (B, L, 8)."""
         ...
 
-    def decode(self, embedded: Floats, known: Floats, cache: Cache) -> tuple[Floats, Floats, Cache]:
+    def decode(self, embedded: Singles, known: Singles, cache: Cache) -> tuple[Singles, Singles, Cache]:
         """(B, L, hidden) states and (B, L, tokens of patterns) logits of embedded tokens (B, L, hidden).
 
         Args:
@@ -88,7 +86,7 @@ class Runtime(Protocol):
         """
         ...
 
-    def regress(self, states: Floats, tokens: Ids) -> Floats:
+    def regress(self, states: Singles, tokens: Longs) -> Singles:
         """(B, 8) numbers of the tokens (B,) of patterns, chosen after the states (B, hidden)."""
         ...
 
@@ -101,11 +99,11 @@ class Runtime(Protocol):
         """Whether it is told the counterparts of what it writes, by the two functions below."""
         ...
 
-    def embed_counterparts(self, tokens: Ids, numbers: Floats) -> Floats:
+    def embed_counterparts(self, tokens: Longs, numbers: Singles) -> Singles:
         """(B, L, hidden) to add to tokens, for the counterparts (B, L) of those after them."""
         ...
 
-    def lean(self, states: Floats) -> Floats:
+    def lean(self, states: Singles) -> Singles:
         """(B, `LEANINGS`) towards the counterparts, after the states (B, hidden)."""
         ...
 
@@ -114,19 +112,19 @@ class Runtime(Protocol):
         """Whether it is told what it has foreseen, by the functions below."""
         ...
 
-    def foresee(self, embedded: Floats, known: Floats) -> Floats:
+    def foresee(self, embedded: Singles, known: Singles) -> Singles:
         """(B, `FORESEEN`) of the answers to embedded prompts (B, L, hidden), padded as for `decode`."""
         ...
 
-    def embed_planned(self, tokens: Ids, numbers: Floats) -> Floats:
+    def embed_planned(self, tokens: Longs, numbers: Singles) -> Singles:
         """What `embed_counterparts` is, for those that are foreseen."""
         ...
 
-    def embed_panels(self, plans: Floats) -> Floats:
+    def embed_panels(self, plans: Singles) -> Singles:
         """(n, hidden) to add to the tokens of panels, for what is foreseen of them (n, `PANEL_NUMBERS`)."""
         ...
 
-    def trust(self, states: Floats) -> Floats:
+    def trust(self, states: Singles) -> Singles:
         """(B, 8) logits of how much of the next numbers is the plan's, after the states (B, hidden)."""
         ...
 
@@ -138,15 +136,15 @@ class OnnxRuntime:
     sessions: dict[str, Any]
     """By name, as in `GRAPHS`; all or none of `COPYING_GRAPHS`, and with these of `PLANNING_GRAPHS`."""
 
-    def look(self, pictures: Floats) -> Floats:
+    def look(self, pictures: Singles) -> Singles:
         """See `Runtime`."""
         return self._run("vision", pictures)[0]
 
-    def embed(self, tokens: Ids, numbers: Floats) -> Floats:
+    def embed(self, tokens: Longs, numbers: Singles) -> Singles:
         """See `Runtime`."""
         return self._run("embed", tokens, numbers)[0]
 
-    def decode(self, embedded: Floats, known: Floats, cache: Cache) -> tuple[Floats, Floats, Cache]:
+    def decode(self, embedded: Singles, known: Singles, cache: Cache) -> tuple[Singles, Singles, Cache]:
         """See `Runtime`."""
         positions, seen = extended(known, cache)
         given = (embedded, positions, seen, cache.keys, cache.values)
@@ -154,7 +152,7 @@ class OnnxRuntime:
         lengths = cache.lengths + known.sum(axis=1).astype(np.int64)
         return states, logits, Cache(keys, values, seen, lengths)
 
-    def regress(self, states: Floats, tokens: Ids) -> Floats:
+    def regress(self, states: Singles, tokens: Longs) -> Singles:
         """See `Runtime`."""
         return self._run("regress", states, tokens)[0]
 
@@ -169,11 +167,11 @@ class OnnxRuntime:
         """See `Runtime`."""
         return COPYING_GRAPHS.keys() <= self.sessions.keys()
 
-    def embed_counterparts(self, tokens: Ids, numbers: Floats) -> Floats:
+    def embed_counterparts(self, tokens: Longs, numbers: Singles) -> Singles:
         """See `Runtime`."""
         return self._run("counterpart", tokens, numbers)[0]
 
-    def lean(self, states: Floats) -> Floats:
+    def lean(self, states: Singles) -> Singles:
         """See `Runtime`."""
         return self._run("leaning", states)[0]
 
@@ -182,22 +180,22 @@ class OnnxRuntime:
         """See `Runtime`."""
         return PLANNING_GRAPHS.keys() <= self.sessions.keys()
 
-    def foresee(self, embedded: Floats, known: Floats) -> Floats:
+    def foresee(self, embedded: Singles, known: Singles) -> Singles:
         """See `Runtime`."""
         nothing = self.empty_cache(len(embedded))
         positions, seen = extended(known, nothing)
         early = self._run("decoder", embedded, positions, seen, nothing.keys, nothing.values)[4]
         return self._run("plan", ends_of(early, known))[0]
 
-    def embed_planned(self, tokens: Ids, numbers: Floats) -> Floats:
+    def embed_planned(self, tokens: Longs, numbers: Singles) -> Singles:
         """See `Runtime`."""
         return self._run("planned", tokens, numbers)[0]
 
-    def embed_panels(self, plans: Floats) -> Floats:
+    def embed_panels(self, plans: Singles) -> Singles:
         """See `Runtime`."""
         return self._run("panels", plans)[0]
 
-    def trust(self, states: Floats) -> Floats:
+    def trust(self, states: Singles) -> Singles:
         """See `Runtime`."""
         return self._run("trust", states)[0]
 
@@ -206,12 +204,12 @@ class OnnxRuntime:
         return self.sessions[graph].run(None, dict(zip(inputs, given, strict=True)))
 
 
-def ends_of(states: Any, known: Floats) -> Any:
+def ends_of(states: Any, known: Singles) -> Any:
     """(B, hidden) of states (B, L, hidden): those of the last known places."""
     return states[np.arange(len(known)), known.sum(axis=1).astype(np.int64) - 1]
 
 
-def extended(known: Floats, cache: Cache) -> tuple[Ids, Floats]:
+def extended(known: Singles, cache: Cache) -> tuple[Longs, Singles]:
     """Positions (B, L) of new tokens, and which places (B, P + L) of old and new ones hold tokens."""
     positions = cache.lengths[:, None] + np.cumsum(known, axis=1).astype(np.int64) - 1
     return np.maximum(positions, 0), np.concatenate([cache.seen, known], axis=1)

@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 import torch
 
+from swifttailor.arrays import Longs, Singles
 from swifttailor.pattern_maker.network.decoder_torch import CachedDecoder
 from swifttailor.pattern_maker.network.network_torch import PatternMakerNetwork
-from swifttailor.pattern_maker.network.runtime import Cache, Floats, Ids, ends_of, extended
+from swifttailor.pattern_maker.network.runtime import Cache, ends_of, extended
 
 
 class TorchRuntime:
@@ -25,18 +26,18 @@ class TorchRuntime:
         self.device = next(network.parameters()).device
 
     @torch.inference_mode()
-    def look(self, pictures: Floats) -> Floats:
+    def look(self, pictures: Singles) -> Singles:
         """See `Runtime`."""
         return _floats(self.network.look(self._given(pictures)))
 
     @torch.inference_mode()
-    def embed(self, tokens: Ids, numbers: Floats) -> Floats:
+    def embed(self, tokens: Longs, numbers: Singles) -> Singles:
         """See `Runtime`."""
         nothing = torch.zeros((0, 1, self.network.hidden_size), device=self.device)
         return _floats(self.network.embed(self._given(tokens), self._given(numbers), nothing))
 
     @torch.inference_mode()
-    def decode(self, embedded: Floats, known: Floats, cache: Cache) -> tuple[Floats, Floats, Cache]:
+    def decode(self, embedded: Singles, known: Singles, cache: Cache) -> tuple[Singles, Singles, Cache]:
         """See `Runtime`."""
         positions, seen = extended(known, cache)
         given = self._given(embedded).to(self.decoder.norm.dtype)
@@ -47,7 +48,7 @@ class TorchRuntime:
         return _floats(states), _floats(logits), Cache(keys, values, seen, lengths)
 
     @torch.inference_mode()
-    def regress(self, states: Floats, tokens: Ids) -> Floats:
+    def regress(self, states: Singles, tokens: Longs) -> Singles:
         """See `Runtime`."""
         return _floats(self.network.regress(self._given(states), self._given(tokens)))
 
@@ -62,12 +63,12 @@ class TorchRuntime:
         return self.network.copying
 
     @torch.inference_mode()
-    def embed_counterparts(self, tokens: Ids, numbers: Floats) -> Floats:
+    def embed_counterparts(self, tokens: Longs, numbers: Singles) -> Singles:
         """See `Runtime`."""
         return _floats(self.network.embed_counterparts(self._given(tokens), self._given(numbers)))
 
     @torch.inference_mode()
-    def lean(self, states: Floats) -> Floats:
+    def lean(self, states: Singles) -> Singles:
         """See `Runtime`."""
         return _floats(self.network.lean(self._given(states)))
 
@@ -77,7 +78,7 @@ class TorchRuntime:
         return self.network.planning
 
     @torch.inference_mode()
-    def foresee(self, embedded: Floats, known: Floats) -> Floats:
+    def foresee(self, embedded: Singles, known: Singles) -> Singles:
         """See `Runtime`."""
         positions, seen = extended(known, self.empty_cache(len(embedded)))
         given = self._given(embedded).to(self.decoder.norm.dtype)
@@ -86,17 +87,17 @@ class TorchRuntime:
         return _floats(self.network.foresight_head(ends_of(early, known).float()))
 
     @torch.inference_mode()
-    def embed_planned(self, tokens: Ids, numbers: Floats) -> Floats:
+    def embed_planned(self, tokens: Longs, numbers: Singles) -> Singles:
         """See `Runtime`."""
         return _floats(self.network.embed_planned(self._given(tokens), self._given(numbers)))
 
     @torch.inference_mode()
-    def embed_panels(self, plans: Floats) -> Floats:
+    def embed_panels(self, plans: Singles) -> Singles:
         """See `Runtime`."""
         return _floats(self.network.embed_panels(self._given(plans)))
 
     @torch.inference_mode()
-    def trust(self, states: Floats) -> Floats:
+    def trust(self, states: Singles) -> Singles:
         """See `Runtime`."""
         return _floats(self.network.trust(self._given(states)))
 
@@ -104,5 +105,5 @@ class TorchRuntime:
         return torch.as_tensor(array, device=self.device)
 
 
-def _floats(tensor: torch.Tensor) -> Floats:
+def _floats(tensor: torch.Tensor) -> Singles:
     return tensor.float().cpu().numpy()

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import Singles
 from swifttailor.pattern_maker.tokens.normalization import (
     POINT_SCALE,
     POINT_SHIFT,
@@ -33,7 +34,6 @@ from swifttailor.pattern_maker.tokens.vocabulary import (
     STITCH_TOKENS,
 )
 
-Numbers = NDArray[np.float32]
 SAME = 0.02
 """Normalised units (0.5 cm): panels that differ by less from each other's reflection are symmetric."""
 _CUBIC = 2
@@ -45,7 +45,7 @@ class EdgeTokens:
 
     kind: int
     """Of its curve, 0 to 3 in the order of `COMMANDS`."""
-    numbers: Numbers
+    numbers: Singles
     """(8,), its end included where it does not close the panel."""
     label: int | None
     right_wrong: bool
@@ -61,7 +61,7 @@ class PanelTokens:
     """Class id."""
     label: int | None
     """Token, where it is not the usual one."""
-    placement: Numbers
+    placement: Singles
     """(8,)."""
     edges: tuple[EdgeTokens, ...]
 
@@ -74,7 +74,7 @@ class PanelCollector:
     """The finished ones, by class id."""
     name: int = -1
     label: int | None = None
-    placement: Numbers = field(default_factory=lambda: np.zeros(NUMBERS, np.float32))
+    placement: Singles = field(default_factory=lambda: np.zeros(NUMBERS, np.float32))
     edges: list[EdgeTokens] = field(default_factory=list)
     """Of the panel that is being written, the one that is being written included."""
     _closing: bool = False
@@ -154,7 +154,7 @@ def are_alike(one: PanelTokens, other: PanelTokens, tolerance: float) -> bool:
 
 def _reflected(
     values: NDArray[np.floating], shift: NDArray[np.floating], scale: NDArray[np.floating]
-) -> Numbers:
+) -> Singles:
     """Normalised coordinates (d,) with the first one's sign changed in cm."""
     values = np.array(values, np.float32)
     values[0] = -values[0] - 2 * shift[0] / scale[0]

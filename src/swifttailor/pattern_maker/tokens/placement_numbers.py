@@ -6,11 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern.panel import Placement
 from swifttailor.pattern_maker.tokens.normalization import normalize_translation, translation_in_cm
 from swifttailor.pattern_maker.tokens.vocabulary import NUMBERS, QUATERNION, TRANSLATION
-
-Array = NDArray[np.float64]
 
 AS_HIGH = 1.0
 """In cm. Sides this close to the highest count as high: a panel that lies flat has no top, and predicted
@@ -19,7 +18,7 @@ SHORTEST_QUATERNION = 1e-3
 """A shorter one, which only a network could give, is taken for no rotation."""
 
 
-def placement_numbers(placement: Placement, vertices: Array, first: Array) -> NDArray[np.float32]:
+def placement_numbers(placement: Placement, vertices: Floats, first: Floats) -> NDArray[np.float32]:
     """The row of numbers of a panel's placement.
 
     Args:
@@ -37,7 +36,7 @@ def placement_numbers(placement: Placement, vertices: Array, first: Array) -> ND
     return row
 
 
-def placement_of(row: NDArray[np.float32], vertices: Array) -> Placement:
+def placement_of(row: NDArray[np.float32], vertices: Floats) -> Placement:
     """The inverse of `placement_numbers`.
 
     Args:
@@ -51,21 +50,21 @@ def placement_of(row: NDArray[np.float32], vertices: Array) -> Placement:
     return Placement(tuple(translation.tolist()), angles)
 
 
-def _one_of_two(quaternion: Array) -> Array:
+def _one_of_two(quaternion: Floats) -> Floats:
     """Of q and -q, which are the same rotation, the one with w > 0; for half turns the first of y, x, z."""
     x, y, z, w = quaternion
     leading = next(c for c in (w, y, x, z) if abs(c) > 1e-6)
     return quaternion if leading > 0 else -quaternion
 
 
-def _matrix(row: NDArray[np.float32]) -> Array:
+def _matrix(row: NDArray[np.float32]) -> Floats:
     quaternion = np.asarray(row[QUATERNION], np.float64)
     if np.linalg.norm(quaternion) < SHORTEST_QUATERNION:
         return np.eye(3)
     return Rotation.from_quat(quaternion).as_matrix()
 
 
-def _angles(matrix: Array) -> tuple[float, float, float]:
+def _angles(matrix: Floats) -> tuple[float, float, float]:
     """Intrinsic angles in degrees, the third 0 where it is not determined, as GarmentCode writes them."""
     if abs(matrix[0, 2]) > 1 - 1e-9:
         a = np.arctan2(matrix[1, 0] * np.sign(matrix[0, 2]), matrix[1, 1])
@@ -74,7 +73,7 @@ def _angles(matrix: Array) -> tuple[float, float, float]:
     return a, b, c
 
 
-def _top_middle(vertices: Array, matrix: Array) -> Array:
+def _top_middle(vertices: Floats, matrix: Floats) -> Floats:
     """Middle (2,) of that side of the vertices' bounding box which is highest in the world."""
     (left, low), (right, high) = vertices.min(axis=0), vertices.max(axis=0)
     x, y = (left + right) / 2, (low + high) / 2

@@ -7,13 +7,12 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern import Arc, Cubic, EdgeRef, Line, Panel, Pattern, Quadratic, Stitch
 from swifttailor.pattern import curve as curves
 from swifttailor.pattern.panel import Edge
-
-Floats = NDArray[np.float64]
 
 MOST_SWEEP = 2.1
 """Radians of an arc that one Bezier curve can take the place of."""

@@ -6,14 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern import EdgeRef, Line, Panel, Pattern
 from swifttailor.pattern.panel import Edge
 from swifttailor.recutting.table.workbench import Workbench
 from swifttailor.recutting.ways.ends import End, find_ends
-
-Floats = NDArray[np.float64]
 
 GAP_CM = 2.0
 """Between a band and what it is sewn to, as placed."""

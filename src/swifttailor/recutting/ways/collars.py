@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from swifttailor.describing.facts import CollarKind
 from swifttailor.describing.measuring.chain import edge_runs
@@ -20,7 +19,6 @@ from swifttailor.pattern.drafts.outline import Outline
 from swifttailor.pattern.panel import Edge
 from swifttailor.recutting.table.workbench import Workbench
 
-Floats = NDArray[np.float64]
 ArmSide = Literal["left", "right"]
 _FACES: tuple[Face, Face] = ("front", "back")
 _SIDES: tuple[ArmSide, ArmSide] = ("left", "right")

@@ -6,14 +6,12 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.describing.measuring.chain import edge_runs
 from swifttailor.pattern import EdgeRef, Line, Pattern
 from swifttailor.pattern import curve as curves
 from swifttailor.recutting.table.workbench import Workbench
-
-Floats = NDArray[np.float64]
 
 SHORTEST_CM = 1.5
 """What is left at least of a side seam, or of the end of a panel."""

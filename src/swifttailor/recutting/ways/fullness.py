@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.table.workbench import Workbench
-
-Floats = NDArray[np.float64]
 
 
 def widen_panels(

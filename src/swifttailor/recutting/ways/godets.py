@@ -6,14 +6,11 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from swifttailor.pattern import EdgeRef, Line, Panel, Pattern, Placement
 from swifttailor.pattern.panel import Edge
 from swifttailor.recutting.table.workbench import Workbench
 from swifttailor.recutting.ways.ends import find_ends
-
-Floats = NDArray[np.float64]
 
 _WIDEST_NOTCH_CM = 10.0
 _LEAST_GAP_CM = 3.0

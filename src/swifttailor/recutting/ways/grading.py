@@ -6,12 +6,10 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.table.workbench import Workbench
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

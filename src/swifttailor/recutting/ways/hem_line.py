@@ -7,15 +7,13 @@ from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.describing.measuring.parts import Face
 from swifttailor.pattern import Arc, Cubic, EdgeRef, Line, Pattern, Quadratic
 from swifttailor.pattern import curve as curves
 from swifttailor.recutting.table.workbench import Workbench, bent_arc
 from swifttailor.recutting.ways.ends import End, find_ends
-
-Floats = NDArray[np.float64]
 
 MIDDLE_CM = 4.0
 """How far from the middle of the body a centre seam may end."""

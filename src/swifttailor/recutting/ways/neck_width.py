@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern import Arc, EdgeRef, Line, Pattern
 from swifttailor.recutting.table.workbench import Workbench
 from swifttailor.recutting.ways.ends import End
 from swifttailor.recutting.ways.necklines import neckline_halves
-
-Floats = NDArray[np.float64]
 
 SHORTEST_SHOULDER_CM = 2.5
 

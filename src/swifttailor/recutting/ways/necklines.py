@@ -7,14 +7,13 @@ from dataclasses import replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern import Arc, Cubic, EdgeRef, Line, Pattern
 from swifttailor.pattern.curve import to_relative
 from swifttailor.recutting.table.workbench import Workbench
 from swifttailor.recutting.ways.ends import End, find_ends
 
-Floats = NDArray[np.float64]
 NewShape = Literal["round", "v", "square", "trapezoid", "s-curve", "pointed"]
 
 SHALLOWEST_CM = 3.0

@@ -6,14 +6,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.describing.measuring.anatomy import Anatomy
 from swifttailor.describing.measuring.parts import Part, Side
 from swifttailor.pattern import EdgeRef, Line, Panel, Pattern
 from swifttailor.recutting.table.workbench import Workbench
-
-Floats = NDArray[np.float64]
 
 LEAST_CAP_CM = 1.5
 LEAST_UNDER_CM = 3.0

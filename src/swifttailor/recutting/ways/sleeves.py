@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from swifttailor.arrays import Floats
 from swifttailor.describing.measuring.anatomy import Anatomy, Border
 from swifttailor.describing.measuring.chain import edge_runs
 from swifttailor.describing.measuring.parts import ARM_PARTS, Face, Part
@@ -22,7 +22,6 @@ from swifttailor.pattern.panel import Edge
 from swifttailor.recutting.table.workbench import Workbench
 
 ArmSide = Literal["left", "right"]
-Floats = NDArray[np.float64]
 
 ARM_EASE_CM = 7.0
 """On top of the girth of the arm, at the underarm and at the sleeve's end."""
