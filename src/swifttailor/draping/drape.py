@@ -9,6 +9,7 @@ import numpy as np
 
 from swifttailor import __version__
 from swifttailor.body import Body
+from swifttailor.clock import Clock
 from swifttailor.draping.attachment import find_attachment
 from swifttailor.draping.cloth import ClothModel, build_cloth
 from swifttailor.draping.fabric import Fabric, get_fabric
