@@ -185,7 +185,7 @@ def test_too_large_files_are_refused_unread(tmp_path, monkeypatch):
         ("body: {waist: .nan}", "finite number"),
         ("body: {waist: -3}", "above zero"),
         ("body: {waist: true}", "finite number"),
-        ("body: {height: 1.72}", "states a height"),
+        ("body: {height: 1.72}", "state a height"),
         ("body: [unclosed", "no valid YAML"),
         ("!!python/object/apply:os.system ['true']", "no valid YAML"),
     ],

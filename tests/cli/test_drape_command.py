@@ -9,7 +9,8 @@ import pytest
 
 import swifttailor.draping
 from swifttailor.cli.main import run
-from swifttailor.draping import ENGINES, FABRICS
+from swifttailor.draping import FABRICS
+from swifttailor.draping.engine import engine_names
 from swifttailor.pattern import Pattern, load_pattern
 from swifttailor.pattern.drafts import draft
 
@@ -124,7 +125,7 @@ def test_the_newton_engine_says_what_to_install(skirt, tmp_path, capsys, monkeyp
 def test_the_help_names_every_choice(capsys):
     assert run(["drape", "--help"]) == 0
     shown = re.sub(r"\s+", " ", capsys.readouterr().out.replace("│", " "))
-    for name in (*FABRICS, *ENGINES):
+    for name in (*FABRICS, *engine_names()):
         assert re.search(rf"\b{name}\b", shown), name
     assert "--preview, --no-preview" in shown and "None)" not in shown.split("--out DIR")[1][:60]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -95,6 +95,38 @@ class Body:
         from swifttailor.body.mesh_files import read_body
 
         read = read_body(path, measurements_path, _default_body())
+        return Body(read.name, read.vertices, read.faces, read.vertex_part, read.measurements)
+
+    @staticmethod
+    def from_mesh(
+        vertices: Array, faces: Array, *, name: str = "body", measurements: Mapping[str, float] | None = None
+    ) -> Body:
+        """Makes a body from arrays, as `load` does from a file.
+
+        Args:
+            vertices: (N, 3) in metres, centimetres or millimetres, standing upright along Y, facing +Z.
+            faces: (M, 3) vertex indices.
+            name: For reports.
+            measurements: GarmentCode's, in cm, as far as they are known; the others are measured on the mesh.
+
+        Raises:
+            InputError: It is no such body; the text says what to change.
+        """
+        from swifttailor.body.mesh_files import fit_body
+
+        points, triangles = np.asarray(vertices, float), np.asarray(faces, np.int64)
+        shapes_fit = points.ndim == triangles.ndim == 2 and points.shape[1:] == triangles.shape[1:] == (3,)
+        if not shapes_fit or not len(triangles) or not np.isfinite(points).all():
+            raise InputError(
+                f"A body is made from vertices (N, 3) and faces (M, 3), all of them finite; received "
+                f"{points.shape} and {triangles.shape}."
+            )
+        if triangles.min() < 0 or triangles.max() >= len(points):
+            raise InputError(
+                f"A body's faces refer to vertices {triangles.min()} to {triangles.max()}, "
+                f"but it has {len(points)} vertices."
+            )
+        read = fit_body(points, triangles, measurements or {}, _default_body(), name=name, source=name)
         return Body(read.name, read.vertices, read.faces, read.vertex_part, read.measurements)
 
     def distance_field(

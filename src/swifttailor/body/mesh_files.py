@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -51,6 +52,32 @@ def read_body(path: Path | str, measurements_path: Path | str | None, default: B
     path = Path(path)
     given = read_measurements(measurements_path) if measurements_path is not None else {}
     vertices, faces = _read_mesh(path)
+    return fit_body(vertices, faces, given, default, name=path.stem, source=path)
+
+
+def fit_body(
+    vertices: Array,
+    faces: Array,
+    given: Mapping[str, float],
+    default: Body,
+    *,
+    name: str,
+    source: Path | str,
+) -> ReadBody:
+    """Makes a body from a mesh: in cm, standing on the floor, its parts labelled and its measures taken.
+
+    Args:
+        vertices: (N, 3) in metres, centimetres or millimetres, Y up.
+        faces: (M, 3) triangles.
+        given: Measurements that are known, in cm; the others are measured.
+        default: The body whose parts are carried over.
+        name: Of the body.
+        source: Where it comes from, for messages.
+
+    Raises:
+        InputError: It is no body that stands upright and faces +Z.
+    """
+    path = Path(source)
     _check_upright(vertices, path)
     vertices = vertices * _centimetres(vertices, path)
     vertices, faces = _merged(vertices, faces, path)
@@ -62,12 +89,12 @@ def read_body(path: Path | str, measurements_path: Path | str | None, default: B
         stated = BodyMeasurements.from_mapping(given, default.measurements).height
         if abs(stated - height) > _HEIGHT_TOLERANCE * height:
             raise InputError(
-                f"'{measurements_path}' states a height of {stated:.1f} cm, but '{path}' is {height:.1f} cm "
+                f"The measurements state a height of {stated:.1f} cm, but '{source}' is {height:.1f} cm "
                 "tall. Give the measurements of this very body, in cm."
             )
     BodyMeasurements.from_mapping(given, default.measurements)
     measurements = measure_body(vertices, faces, parts, given)
-    return ReadBody(path.stem, vertices, faces, parts, measurements)
+    return ReadBody(name, vertices, faces, parts, measurements)
 
 
 def _read_mesh(path: Path) -> tuple[Array, Array]:

@@ -53,8 +53,9 @@ class Drape:
     """cotton, denim, silk or jersey."""
     edge_length: float = 2.0
     """Edge length of the cloth's triangles in cm, 0.5 to 10: shorter is finer and slower."""
-    engine: Literal["xpbd", "newton"] = "xpbd"
-    """The built-in solver, or Newton (package 'newton') for the last stage."""
+    engine: str = "xpbd"
+    """What does the last stage: xpbd (built in), newton (extra 'newton'), or the name of an engine that another
+    package offers."""
     seed: int = 0
     """0 gives the same garment every time; others shift the start by a hundredth of a millimetre."""
     rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"

@@ -5,7 +5,8 @@ May import garment, panel_mesh, body and what lies below them.
 
 from __future__ import annotations
 
-from swifttailor.draping.drape import ENGINES, drape
+from swifttailor.draping.drape import drape
+from swifttailor.draping.engine import Engine, Settled, SewnGarment, register_engine
 from swifttailor.draping.fabric import FABRICS, Fabric, get_fabric
 
-__all__ = ["ENGINES", "FABRICS", "Fabric", "drape", "get_fabric"]
+__all__ = ["FABRICS", "Engine", "Fabric", "Settled", "SewnGarment", "drape", "get_fabric", "register_engine"]

@@ -12,19 +12,18 @@ from swifttailor.body import Body
 from swifttailor.clock import Clock
 from swifttailor.draping.attachment import find_attachment
 from swifttailor.draping.cloth import ClothModel, build_cloth
+from swifttailor.draping.engine import Engine, SewnGarment, find_engine, require_settled
 from swifttailor.draping.fabric import Fabric, get_fabric
 from swifttailor.draping.placement import place_vertices
 from swifttailor.draping.quality import measure_quality
 from swifttailor.draping.simulation import DRESSINGS, Simulation, SimulationSettings, sew
-from swifttailor.draping.untangle import FEW_CROSSINGS, settle_untangled, untangle
+from swifttailor.draping.untangle import FEW_CROSSINGS, untangle
 from swifttailor.errors import InputError, SimulationError
 from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
 from swifttailor.progress import StageProgress
-
-ENGINES = ("xpbd", "newton")
 
 
 def drape(
@@ -33,7 +32,7 @@ def drape(
     body: Body | None = None,
     fabric: Fabric | str = "cotton",
     edge_length: float = 2.0,
-    engine: str = "xpbd",
+    engine: Engine | str = "xpbd",
     seed: int = 0,
     settings: SimulationSettings | None = None,
     progress: StageProgress | None = None,
@@ -45,7 +44,8 @@ def drape(
         body: What it is worn by; the default body when None.
         fabric: A `Fabric` or the name of a preset (cotton, denim, silk, jersey).
         edge_length: Target edge length of the mesh, cm.
-        engine: ``xpbd``, or ``newton`` to let Newton's Style3D solver do the last stage (extra `newton`).
+        engine: What does the last stage: an `Engine`, or the name of one: ``xpbd``, ``newton`` for Newton's
+            Style3D solver (extra `newton`), or another that is registered (`register_engine`).
         seed: Moves every starting position by a hundredth of a millimetre at random when not 0, to see how
             much a drape depends on chance.
         settings: How long and how finely to simulate.
@@ -61,18 +61,13 @@ def drape(
         SimulationError: The cloth went to infinity.
         MissingExtraError: The engine is not installed.
     """
-    if engine not in ENGINES:
-        raise InputError(f"There is no engine '{engine}'. Known engines: {', '.join(ENGINES)}.")
+    last_stage = find_engine(engine) if isinstance(engine, str) else engine
     if not isinstance(seed, int) or not 0 <= seed < 2**63:
         raise InputError(f"The seed must be a whole number from 0 to 2^63 - 1, got {seed!r}.")
     fabric = get_fabric(fabric) if isinstance(fabric, str) else fabric
     body = Body.default() if body is None else body
     settings = SimulationSettings() if settings is None else settings
     report_progress = progress if progress is not None else (lambda stage, share: None)
-    if engine == "newton":
-        from swifttailor.draping.newton_engine import require_newton
-
-        require_newton()
 
     clock = Clock()
     report_progress("meshing", 0.0)
@@ -83,28 +78,23 @@ def drape(
 
     simulation = _dress(mesh, cloth, body, fabric, settings, seed, report_progress)
     clock.stop("sewing")
-    if engine == "newton":
-        from swifttailor.draping.newton_engine import settle_with_newton
-
-        frames, static = settle_with_newton(simulation, cloth, mesh, body, report_progress)
-    else:
-        frames, static = settle_untangled(simulation, report_progress)
-    _require_finite(simulation)
+    sewn = SewnGarment(mesh, body, fabric, cloth, simulation)
+    settled = require_settled(last_stage.settle(sewn, report_progress), sewn)
     clock.stop("draping")
     quality = measure_quality(
         mesh,
-        simulation.positions,
+        settled.positions,
         cloth,
         body,
-        static=static,
-        frames=frames,
+        static=settled.static,
+        frames=settled.frames,
         ignores_arms=simulation.field.ignores_arms,
     )
     clock.stop("measuring")
     report: dict[str, Any] = {
         "quality": quality.to_json(),
         "seconds": clock.seconds,
-        "engine": engine,
+        "engine": engine if isinstance(engine, str) else type(engine).__name__,
         "fabric": fabric.name,
         "edge_length_cm": edge_length,
         "rotation": pattern.panels[0].placement.reading,
@@ -121,7 +111,7 @@ def drape(
         },
     }
     report_progress("draping", 1.0)
-    return Garment(mesh, simulation.positions, report)
+    return Garment(mesh, settled.positions, report)
 
 
 def _dress(

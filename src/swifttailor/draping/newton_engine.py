@@ -14,12 +14,10 @@ from typing import Any
 
 import numpy as np
 
-from swifttailor.body import Body
-from swifttailor.draping.cloth import ClothModel
+from swifttailor.draping.engine import Settled, SewnGarment
 from swifttailor.draping.newton_stage import advance_frame, build_stage, widen_clearance
 from swifttailor.draping.simulation import Simulation, settle
 from swifttailor.errors import MissingExtraError
-from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.progress import StageProgress
 
 HANDOVER_FRAMES = 60
@@ -40,9 +38,7 @@ def require_newton() -> None:
         raise MissingExtraError("newton", "newton", "The newton engine") from None
 
 
-def settle_with_newton(
-    simulation: Simulation, cloth: ClothModel, mesh: PatternMesh, body: Body, progress: StageProgress
-) -> tuple[int, bool]:
+class NewtonEngine:
     """Lets a sewn garment hang to rest, in the end on Newton's Style3D solver.
 
     Style3D's fixed number of iterations acts like a thick liquid: a circle skirt falls a tenth as fast as it
@@ -67,40 +63,38 @@ def settle_with_newton(
 
     The solver runs on Warp's default device; on a CPU the result is the same every time. The first run on
     a machine compiles Newton's kernels, which takes half a minute and is kept on disk.
-
-    Args:
-        simulation: The sewn garment; its positions are replaced.
-        cloth: Masses and rest lengths.
-        mesh: Gives the flat panels.
-        body: What the garment hangs on.
-        progress: Called with "draping" and the share that is done.
-
-    Returns:
-        The number of frames of 1/60 s on both solvers, and whether the garment came to rest.
-
-    Raises:
-        MissingExtraError: Newton is not installed.
     """
-    require_newton()
-    settings = simulation.settings
-    first = _fall(simulation, progress)
-    simulation.let_go()
-    with _quiet():
-        stage = build_stage(simulation, cloth, mesh, body)
-        for k in range(first, settings.max_frames):
-            # As in the XPBD engine: what will not rest within two seconds only chatters.
-            damping = 2.0 + 8.0 * min(max(k - 90, 0) / 200, 1.0)
-            before = simulation.positions
-            simulation.positions = advance_frame(stage, damping)
-            if not np.isfinite(simulation.positions).all():
-                return k + 1, False
-            moved = np.abs(simulation.positions - before).sum(axis=1)
-            simulation.moving = float((moved > settings.still_cm).mean())
-            widen_clearance(stage, simulation, body)
-            progress("draping", min((k + 1) / (first + 60), 0.99))
-            if k + 1 >= first + _MIN_FRAMES and simulation.moving <= settings.still_share:
-                return k + 1, True
-    return settings.max_frames, False
+
+    def __init__(self) -> None:
+        """Makes sure that Newton is there.
+
+        Raises:
+            MissingExtraError: It is not installed.
+        """
+        require_newton()
+
+    def settle(self, sewn: SewnGarment, progress: StageProgress) -> Settled:
+        """See `Engine`; the positions of `sewn.simulation` are replaced."""
+        simulation, body = sewn.simulation, sewn.body
+        settings = simulation.settings
+        first = _fall(simulation, progress)
+        simulation.let_go()
+        with _quiet():
+            stage = build_stage(simulation, sewn.cloth, sewn.mesh, body)
+            for k in range(first, settings.max_frames):
+                # As in the XPBD engine: what will not rest within two seconds only chatters.
+                damping = 2.0 + 8.0 * min(max(k - 90, 0) / 200, 1.0)
+                before = simulation.positions
+                simulation.positions = advance_frame(stage, damping)
+                if not np.isfinite(simulation.positions).all():
+                    return Settled(simulation.positions, k + 1, static=False)
+                moved = np.abs(simulation.positions - before).sum(axis=1)
+                simulation.moving = float((moved > settings.still_cm).mean())
+                widen_clearance(stage, simulation, body)
+                progress("draping", min((k + 1) / (first + 60), 0.99))
+                if k + 1 >= first + _MIN_FRAMES and simulation.moving <= settings.still_share:
+                    return Settled(simulation.positions, k + 1, static=True)
+        return Settled(simulation.positions, settings.max_frames, static=False)
 
 
 def _fall(simulation: Simulation, progress: StageProgress) -> int:

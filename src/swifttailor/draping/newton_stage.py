@@ -73,7 +73,7 @@ class Stage:
 
 
 def build_stage(simulation: Simulation, cloth: ClothModel, mesh: PatternMesh, body: Body) -> Stage:
-    """Builds Newton's model of a garment and its body; `settle_with_newton` says what becomes of what."""
+    """Builds Newton's model of a garment and its body; `NewtonEngine` says what becomes of what."""
     newton: Any = importlib.import_module("newton")
     wp: Any = importlib.import_module("warp")
     style3d: Any = importlib.import_module("newton.solvers").style3d

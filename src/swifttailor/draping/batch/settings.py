@@ -9,6 +9,7 @@ from typing import Any
 
 from swifttailor import __version__
 from swifttailor.body import Body
+from swifttailor.draping.engine import find_engine
 from swifttailor.draping.fabric import get_fabric
 from swifttailor.errors import InputError
 from swifttailor.pattern.panel import RotationReading
@@ -40,10 +41,7 @@ class BatchSettings:
             SwiftTailorError: The fabric, the engine or the body is not usable.
         """
         get_fabric(self.fabric)
-        if self.engine == "newton":
-            from swifttailor.draping.newton_engine import require_newton
-
-            require_newton()
+        find_engine(self.engine)
         self.load_body()
 
     def identity(self) -> dict[str, Any]:
