@@ -259,17 +259,56 @@ def test_modules_stay_small():
 
 def test_public_names():
     """Adding or removing one is a decision: change this list with it, and CHANGELOG.md."""
-    assert swifttailor.__all__ == [
-        "__version__",
-        "Body",
-        "Garment",
-        "Pattern",
-        "SwiftTailorError",
-        "Tailor",
-        "check_pattern",
-        "draft",
-        "drape",
-        "load_pattern",
-    ]
+    classes = (
+        "Arc Body Claim Cubic Edge EdgeRef Engine Fabric Finding Garment GarmentSewer Line Panel Pattern"
+    )
+    more = "PatternMaker Placement Quadratic Settled SewnGarment Stitch SwiftTailorError Tailor"
+    functions = "alter check describe draft drape load_pattern register_engine repair"
+    names = f"{classes} {more} {functions}".split()
+    assert sorted(swifttailor.__all__) == sorted(["__version__", *names])
+    assert list(swifttailor._PUBLIC) == names
     for name in swifttailor.__all__:
         assert getattr(swifttailor, name) is not None
+    assert set(swifttailor.__all__) <= set(dir(swifttailor))
+
+
+def test_what_type_checkers_see_is_what_is_loaded():
+    tree = ast.parse((ROOT / "__init__.py").read_text())
+    (block,) = (n for n in tree.body if isinstance(n, ast.If) and ast.unparse(n.test) == "TYPE_CHECKING")
+    seen = {
+        alias.asname or alias.name: (statement.module, alias.name)
+        for statement in block.body
+        if isinstance(statement, ast.ImportFrom)
+        for alias in statement.names
+    }
+    loaded = {}
+    for name, where in swifttailor._PUBLIC.items():
+        room, _, inside = where.partition(":")
+        loaded[name] = (f"swifttailor.{room}", inside or name)
+    assert seen == loaded
+    assert (ROOT / "py.typed").is_file()
+
+
+def test_type_checkers_know_the_public_names(tmp_path):
+    """In a package that uses this one, which py.typed lets them look into."""
+    wrong = tmp_path / "wrong.py"
+    wrong.write_text(
+        "import swifttailor\n"
+        "pattern: swifttailor.Pattern = swifttailor.load_pattern('p.json')\n"
+        "garment: int = swifttailor.drape(pattern)\n"
+        "findings: str = swifttailor.check(pattern)\n"
+    )
+    command = [
+        sys.executable,
+        "-m",
+        "ty",
+        "check",
+        "--python",
+        sys.prefix,
+        "--output-format",
+        "concise",
+        str(wrong),
+    ]
+    done = subprocess.run(command, capture_output=True, text=True)
+    lines = [int(line.split(":")[1]) for line in done.stdout.splitlines() if "invalid-assignment" in line]
+    assert lines == [3, 4], done.stdout + done.stderr

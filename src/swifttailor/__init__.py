@@ -1,35 +1,119 @@
-"""SwiftTailor: sewing patterns to stitched 3D garments.
+"""SwiftTailor: from words or a picture to a sewing pattern and its stitched 3D garment.
 
-The public names below are loaded on first use, so that ``import swifttailor`` and ``swifttailor --help``
-stay fast.
+All public names are here, each with this one import path. They are loaded on first use, so that
+``import swifttailor`` and ``swifttailor --help`` stay fast.
 """
 
 from __future__ import annotations
 
 import importlib
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from swifttailor.body import Body
+    from swifttailor.describing import Claim
+    from swifttailor.draping import Engine, Fabric, Settled, SewnGarment, drape, register_engine
+    from swifttailor.errors import SwiftTailorError
+    from swifttailor.garment import Garment
+    from swifttailor.garment_sewer.sewer import GarmentSewer
+    from swifttailor.pattern import (
+        Arc,
+        Cubic,
+        Edge,
+        EdgeRef,
+        Finding,
+        Line,
+        Panel,
+        Pattern,
+        Placement,
+        Quadratic,
+        Stitch,
+        load_pattern,
+    )
+    from swifttailor.pattern import check_pattern as check
+    from swifttailor.pattern import repair_pattern as repair
+    from swifttailor.pattern.drafts import draft
+    from swifttailor.pattern_maker.maker import PatternMaker
+    from swifttailor.recutting import alter
+    from swifttailor.tailor import Tailor
+    from swifttailor.wording.description import describe
 
 __version__ = "0.1.0"
 
 _PUBLIC = {
-    "Body": "swifttailor.body",
-    "Garment": "swifttailor.garment",
-    "Pattern": "swifttailor.pattern",
-    "SwiftTailorError": "swifttailor.errors",
-    "Tailor": "swifttailor.tailor",
-    "check_pattern": "swifttailor.pattern",
-    "drape": "swifttailor.draping",
-    "draft": "swifttailor.pattern.drafts",
-    "load_pattern": "swifttailor.pattern",
+    "Arc": "pattern",
+    "Body": "body",
+    "Claim": "describing",
+    "Cubic": "pattern",
+    "Edge": "pattern",
+    "EdgeRef": "pattern",
+    "Engine": "draping",
+    "Fabric": "draping",
+    "Finding": "pattern",
+    "Garment": "garment",
+    "GarmentSewer": "garment_sewer.sewer",
+    "Line": "pattern",
+    "Panel": "pattern",
+    "Pattern": "pattern",
+    "PatternMaker": "pattern_maker.maker",
+    "Placement": "pattern",
+    "Quadratic": "pattern",
+    "Settled": "draping",
+    "SewnGarment": "draping",
+    "Stitch": "pattern",
+    "SwiftTailorError": "errors",
+    "Tailor": "tailor",
+    "alter": "recutting",
+    "check": "pattern:check_pattern",
+    "describe": "wording.description",
+    "draft": "pattern.drafts",
+    "drape": "draping",
+    "load_pattern": "pattern",
+    "register_engine": "draping",
+    "repair": "pattern:repair_pattern",
 }
+"""Where each name is found, and what it is called there where that differs."""
 
-__all__ = ["__version__", *sorted(_PUBLIC)]
+__all__ = [
+    "Arc",
+    "Body",
+    "Claim",
+    "Cubic",
+    "Edge",
+    "EdgeRef",
+    "Engine",
+    "Fabric",
+    "Finding",
+    "Garment",
+    "GarmentSewer",
+    "Line",
+    "Panel",
+    "Pattern",
+    "PatternMaker",
+    "Placement",
+    "Quadratic",
+    "Settled",
+    "SewnGarment",
+    "Stitch",
+    "SwiftTailorError",
+    "Tailor",
+    "__version__",
+    "alter",
+    "check",
+    "describe",
+    "draft",
+    "drape",
+    "load_pattern",
+    "register_engine",
+    "repair",
+]
 
 
 def __getattr__(name: str) -> Any:
     """Imports a public name when it is first used (PEP 562)."""
     if name in _PUBLIC:
-        return getattr(importlib.import_module(_PUBLIC[name]), name)
+        room, _, inside = _PUBLIC[name].partition(":")
+        return getattr(importlib.import_module(f"swifttailor.{room}"), inside or name)
     raise AttributeError(f"module 'swifttailor' has no attribute '{name}'")
 
 

@@ -10,7 +10,7 @@ import pytest
 import swifttailor.draping
 from swifttailor.cli.main import run
 from swifttailor.draping import FABRICS
-from swifttailor.draping.engine import engine_names
+from swifttailor.draping.engines import engine_names
 from swifttailor.pattern import Pattern, load_pattern
 from swifttailor.pattern.drafts import draft
 

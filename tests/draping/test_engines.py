@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from swifttailor.body import Body
-from swifttailor.draping import Settled, drape, engine, register_engine
-from swifttailor.draping.engine import ENTRY_POINTS, Engine, engine_names, find_engine
+from swifttailor.draping import Engine, Settled, drape, engines, register_engine
+from swifttailor.draping.engines import ENTRY_POINTS, engine_names, find_engine
 from swifttailor.draping.simulation import SimulationSettings
 from swifttailor.errors import InputError, SimulationError
 from swifttailor.pattern.drafts import draft
@@ -32,7 +32,7 @@ class Stiff:
 @pytest.fixture
 def registry(monkeypatch):
     """Forgets afterwards what a test registers."""
-    monkeypatch.setattr(engine, "_MAKERS", dict(engine._MAKERS))
+    monkeypatch.setattr(engines, "_MAKERS", dict(engines._MAKERS))
 
 
 @pytest.fixture(scope="module")
@@ -67,11 +67,11 @@ def test_a_body_of_ones_own_made_of_arrays(skirt):
 
 def test_the_engine_of_an_installed_package(registry, monkeypatch):
     point = metadata.EntryPoint("theirs", f"{__name__}:Stiff", ENTRY_POINTS)
-    monkeypatch.setattr(engine, "_entry_points", lambda: iter([point]))
+    monkeypatch.setattr(engines, "_entry_points", lambda: iter([point]))
     assert "theirs" in engine_names()
     assert isinstance(find_engine("theirs"), Engine)
     none = metadata.EntryPoint("none", "builtins:dict", ENTRY_POINTS)
-    monkeypatch.setattr(engine, "_entry_points", lambda: iter([none]))
+    monkeypatch.setattr(engines, "_entry_points", lambda: iter([none]))
     with pytest.raises(InputError, match="without a method 'settle'"):
         find_engine("none")
 

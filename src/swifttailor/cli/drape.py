@@ -54,8 +54,8 @@ class Drape:
     edge_length: float = 2.0
     """Edge length of the cloth's triangles in cm, 0.5 to 10: shorter is finer and slower."""
     engine: str = "xpbd"
-    """What does the last stage: xpbd (built in), newton (extra 'newton'), or the name of an engine that another
-    package offers."""
+    """What does the last stage: xpbd (built in), newton (extra 'newton'), or the name of an engine of
+    another package."""
     seed: int = 0
     """0 gives the same garment every time; others shift the start by a hundredth of a millimetre."""
     rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"

@@ -12,7 +12,8 @@ from swifttailor.body import Body
 from swifttailor.clock import Clock
 from swifttailor.draping.attachment import find_attachment
 from swifttailor.draping.cloth import ClothModel, build_cloth
-from swifttailor.draping.engine import Engine, SewnGarment, find_engine, require_settled
+from swifttailor.draping.engine import Engine, SewnGarment, require_settled
+from swifttailor.draping.engines import find_engine
 from swifttailor.draping.fabric import Fabric, get_fabric
 from swifttailor.draping.placement import place_vertices
 from swifttailor.draping.quality import measure_quality
