@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import ast
+import importlib.util
 import subprocess
 import sys
+import tomllib
 import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -16,28 +18,12 @@ import swifttailor
 
 ROOT = Path(swifttailor.__file__).parent
 
-# A room may import those in lower rows, and itself; rooms in one row know nothing of each other.
-ROWS = (
-    {"errors", "__init__"},
-    {"arrays", "atomic_files", "clock", "numba_cache", "progress", "workers"},
-    {"networks"},
-    {"pattern"},
-    {"body"},
-    {"panel_mesh"},
-    {"render"},
-    {"garment"},
-    {"ggi"},
-    {"describing"},
-    {"wording", "recutting"},
-    {"wishes", "draping"},
-    {"pattern_maker", "garment_sewer"},
-    {"tailor"},
-    {"data"},
-    {"evaluation"},
-    {"training"},
-    {"cli"},
-    {"__main__"},
-)
+HOUSE = ROOT.parents[1]
+TABLE = tomllib.loads((HOUSE / "docs" / "rooms.toml").read_text())
+# A room may import those in lower rows, and itself; rooms in one row know nothing of each other. The lowest
+# floor is of small files; of them, those that import each other are ordered here.
+_SMALL = ({"errors", "__init__"}, {"arrays", "atomic_files", "clock", "numba_cache", "progress", "workers"})
+ROWS = (*_SMALL, *(set(floor["rooms"]) for floor in TABLE["floor"][1:]), {"__main__"})
 RANK = {room: row for row, rooms in enumerate(ROWS) for room in rooms}
 
 HEAVY = {
@@ -108,6 +94,22 @@ def test_every_room_has_its_place():
         if p.suffix == ".py" or (p / "__init__.py").exists()
     }
     assert rooms == set(RANK)
+
+
+def test_the_lowest_floor_is_the_table_s():
+    assert set().union(*_SMALL) - {"__init__"} == set(TABLE["floor"][0]["rooms"])
+
+
+def test_the_picture_of_the_rooms_is_true():
+    script = HOUSE / "scripts" / "draw_rooms.py"
+    spec = importlib.util.spec_from_file_location("draw_rooms", script)
+    drawing = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(drawing)
+    assert drawing.PICTURE.read_text() == drawing.draw(TABLE), f"make it anew: python {script}"
+    guide = (HOUSE / "docs" / "architecture.md").read_text()
+    assert "images/rooms.svg" in guide
+    missing = [room for room in RANK if f"`{room}`" not in guide and room not in ("__init__", "__main__")]
+    assert not missing, f"docs/architecture.md does not speak of {missing}"
 
 
 def test_rooms_import_one_way():
