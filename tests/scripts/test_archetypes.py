@@ -165,10 +165,12 @@ def sampling():
     os.chdir(here)
 
 
+@pytest.mark.filterwarnings("ignore")  # GarmentCode's own
 def test_the_list_of_parameters_is_that_of_the_checkout(sampling, defaults):
     assert dict(sampling.flatten(sampling.given()[0].default())) == defaults
 
 
+@pytest.mark.filterwarnings("ignore")  # GarmentCode's own
 def test_a_seed_gives_one_garment_and_its_name(sampling, archetypes):
     first, again, other = sampling.sample(1), sampling.sample(1), sampling.sample(2)
     assert first["archetype"] in {kind.name for kind in archetypes}
