@@ -13,6 +13,10 @@ panels. (Its check on a random body needs body data that are not public, and is 
 line: id ("gc_SEED"), seed, design (flat parameters), pattern (GarmentCode's format). With --edits-of FILE it
 is an edited version of each pattern of such a file: id, base, edits (parameters), pattern. Nothing of
 SwiftTailor is imported; give the files to ``swifttailor data build`` and ``swifttailor train``.
+
+GarmentCode draws each parameter for itself, and most of what comes is worn by nobody. With --archetypes
+scripts/archetypes the seed draws one of the garments of that folder first, then its parameters around what
+shops show; each line has its name as well ("archetype": "pencil skirt").
 """
 
 from __future__ import annotations
@@ -36,10 +40,14 @@ from typing import Any
 
 import numpy as np
 
+from drawing_archetypes import Archetype, complete, read_archetypes
+
 BODY = "assets/bodies/mean_all.yaml"
 DESIGNS = "assets/design_params/default.yaml"
 TRIES = 12
 """Changes of parameters tried until a pattern changes: many parameters do nothing in most designs."""
+ARCHETYPES: list[Archetype] = []
+"""What a worker draws from; all that GarmentCode's sampler may draw, where it is empty."""
 
 
 def main() -> None:
@@ -49,6 +57,12 @@ def main() -> None:
     parser.add_argument("--start", type=int, default=10_000_000, help="seed of the first attempt")
     parser.add_argument(
         "--edits-of", type=Path, metavar="FILE", help="write an edited version of each pattern of this file"
+    )
+    parser.add_argument(
+        "--archetypes",
+        type=Path,
+        metavar="FOLDER",
+        help="draw garments that shops sell, of tables like those in scripts/archetypes",
     )
     parser.add_argument("--out", type=Path, required=True, help="a .jsonl.gz file")
     parser.add_argument("--workers", type=int, default=os.cpu_count())
@@ -61,10 +75,12 @@ def main() -> None:
     if options.edits_of is not None:
         with gzip.open(options.edits_of, "rt") as file:
             make, seeds = edit, [json.loads(line)["seed"] for line in file]
+    archetypes = None if options.archetypes is None else read_archetypes(options.archetypes)
+    prepared_with = (options.garmentcode.resolve(), archetypes)
     began, attempts, refused, written = time.perf_counter(), 0, {}, 0
     part = options.out.with_name(options.out.name + ".part")
     with (
-        multiprocessing.Pool(options.workers, prepare, (options.garmentcode.resolve(),)) as pool,
+        multiprocessing.Pool(options.workers, prepare, prepared_with) as pool,
         gzip.GzipFile(part, "wb", mtime=0) as file,
     ):
         for outcome in pool.imap(make, seeds, chunksize=4):
@@ -83,8 +99,9 @@ def main() -> None:
     print(f"{written} patterns, {attempts} attempts, {time.perf_counter() - began:.0f} s; refused: {refused}")
 
 
-def prepare(checkout: Path) -> None:
+def prepare(checkout: Path, archetypes: list[Archetype] | None = None) -> None:
     """Makes GarmentCode's modules importable in a worker; their paths are relative to the checkout."""
+    ARCHETYPES.extend(archetypes or ())
     os.chdir(checkout)
     sys.path.insert(0, str(checkout))
     import svgpathtools  # ty: ignore[unresolved-import]
@@ -129,35 +146,53 @@ def given() -> tuple[Any, Any]:
 
 def sample(seed: int) -> dict[str, Any] | str:
     """The pattern of a seed, or why there is none."""
-    name, design, pattern = of_seed(seed)
+    archetype, design, pattern = of_seed(seed)
     if isinstance(pattern, str):
         return pattern
-    return {"id": name, "seed": seed, "design": dict(flatten(design)), "pattern": pattern}
+    kind = {} if archetype is None else {"archetype": archetype.name}
+    return {"id": f"gc_{seed}", "seed": seed, **kind, "design": dict(flatten(design)), "pattern": pattern}
 
 
-def of_seed(seed: int) -> tuple[str, dict[str, Any], dict[str, Any] | str]:
-    """The name, design and pattern of a seed, or why there is no pattern."""
+def of_seed(seed: int) -> tuple[Archetype | None, dict[str, Any], dict[str, Any] | str]:
+    """The archetype, design and pattern of a seed, or why there is no pattern."""
     random.seed(seed)
-    design, name = given()[0].randomize(), f"gc_{seed}"
-    return name, design, build(name, design)
+    archetype = random.choices(ARCHETYPES, [kind.share for kind in ARCHETYPES])[0] if ARCHETYPES else None
+    design = draw_design(archetype)
+    return archetype, design, build(f"gc_{seed}", design)
+
+
+def draw_design(archetype: Archetype | None) -> dict[str, Any]:
+    """Design parameters drawn as GarmentCode does, or for a garment that shops sell."""
+    sampler = given()[0]
+    if archetype is None:
+        return sampler.randomize()
+    design = copy.deepcopy(sampler.default())
+    for path, value in complete(archetype.draw(), dict(flatten(design))).items():
+        parameter(design, path)["v"] = value
+    return design
+
+
+def parameter(design: dict[str, Any], path: str) -> dict[str, Any]:
+    """The nested parameter at a flat path."""
+    return functools.reduce(dict.__getitem__, path.split("."), design)
 
 
 def edit(seed: int) -> dict[str, Any] | str:
     """A pattern that differs from that of a seed in one to three parameters, or why there is none."""
-    name, design, base = of_seed(seed)
+    archetype, design, base = of_seed(seed)
     if isinstance(base, str):
         return base
+    name = f"gc_{seed}"
     outcome: dict[str, Any] | str = "nothing changed"
     random.seed(f"edit of {seed}")
     for _ in range(TRIES):
-        other = dict(flatten(given()[0].randomize()))
+        other = dict(flatten(draw_design(archetype)))
         values = dict(flatten(design))
-        changed = random.sample(
-            [path for path in values if values[path] != other[path]], random.choices((1, 2, 3), (4, 2, 1))[0]
-        )
+        differing = [path for path in values if values[path] != other[path]]
+        changed = random.sample(differing, min(random.choices((1, 2, 3), (4, 2, 1))[0], len(differing)))
         edited = copy.deepcopy(design)
         for path in changed:
-            functools.reduce(dict.__getitem__, path.split("."), edited)["v"] = other[path]
+            parameter(edited, path)["v"] = other[path]
         pattern = build(name, edited)
         if isinstance(pattern, str):
             outcome = pattern
