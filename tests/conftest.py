@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+import importlib.util
 import json
 import os
 from collections.abc import Callable, Iterator
@@ -25,9 +26,22 @@ EVERY_REAL = 4
 FEW_REAL = 15
 """Every so many of them, where each is recut."""
 
+EXTRA_TRAIN = ("torch", "transformers", "accelerate", "onnx", "onnxscript")
+"""What the marker ``needs_torch`` asks for."""
+
 # No test is timed: on a busy machine an example may take any time.
 settings.register_profile("untimed", deadline=None)
 settings.load_profile("untimed")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Tests marked ``needs_torch`` are skipped where the extra ``train`` is not installed."""
+    missing = [name for name in EXTRA_TRAIN if importlib.util.find_spec(name) is None]
+    if missing:
+        skip = pytest.mark.skip(reason=f"{', '.join(missing)} missing (extra train): make test-networks")
+        for item in items:
+            if item.get_closest_marker("needs_torch"):
+                item.add_marker(skip)
 
 
 @pytest.fixture(scope="session")

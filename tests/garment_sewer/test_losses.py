@@ -7,7 +7,6 @@ from dataclasses import replace
 import loss_reference as reference
 import numpy as np
 import pytest
-from needs_torch import needs_torch
 
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.losses import PAPER_LOSSES, LossWeights
@@ -66,7 +65,7 @@ def body_field(body_distance):
     return BodyField(body_distance)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_losses_are_what_they_say(predicted, truth, body_field, body_distance):
     from swifttailor.garment_sewer.losses_torch import compute_losses
 
@@ -98,7 +97,7 @@ def test_losses_are_what_they_say(predicted, truth, body_field, body_distance):
     assert losses["total"].item() == pytest.approx(sum(expected[n] * w for n, w in weights.items()), rel=2e-3)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_at_the_truth_only_what_the_truth_itself_costs_remains(truth, body_field):
     from swifttailor.garment_sewer.losses_torch import compute_losses
 
@@ -107,7 +106,7 @@ def test_at_the_truth_only_what_the_truth_itself_costs_remains(truth, body_field
         assert losses[name].item() == 0
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_what_has_no_weight_is_not_computed(predicted, truth):
     from swifttailor.garment_sewer.losses_torch import compute_losses
 
@@ -118,7 +117,7 @@ def test_what_has_no_weight_is_not_computed(predicted, truth):
     }
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_no_loss_looks_at_empty_pixels(predicted, truth, body_field):
     import torch
 
@@ -130,7 +129,7 @@ def test_no_loss_looks_at_empty_pixels(predicted, truth, body_field):
         assert after[name].item() == pytest.approx(value.item()), name
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_slopes_are_finite_even_where_pixels_coincide(truth, body_field):
     import torch
 
@@ -141,7 +140,7 @@ def test_slopes_are_finite_even_where_pixels_coincide(truth, body_field):
     assert torch.isfinite(same.grad).all()
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_a_batch_without_stitches_costs_nothing_for_them(predicted, truth):
     import torch
 
@@ -154,7 +153,7 @@ def test_a_batch_without_stitches_costs_nothing_for_them(predicted, truth):
     assert losses["stitching"].item() == losses["seam_pairs"].item() == 0
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_field_on_tensors_is_the_field(body_distance, body_field):
     import torch
 

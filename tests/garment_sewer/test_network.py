@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from needs_torch import needs_torch
 
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.network_config import PAPER_NETWORK, NetworkConfig
@@ -48,7 +47,7 @@ def unsettled(config, channels=5):
     return network
 
 
-@needs_torch
+@pytest.mark.needs_torch
 @pytest.mark.parametrize("skip", [0, 8])
 @pytest.mark.parametrize("patch", [8, 16])
 def test_untrained_network_predicts_its_prior(patch, skip):
@@ -62,7 +61,7 @@ def test_untrained_network_predicts_its_prior(patch, skip):
         assert torch.equal(network(conditioning, occupancy, prior), prior)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 @both_kinds
 def test_untrained_absolute_network_predicts_one_point(shape):
     import torch
@@ -75,7 +74,7 @@ def test_untrained_absolute_network_predicts_one_point(shape):
     assert torch.equal(predicted, torch.tensor(ORIGIN_CM)[None, :, None, None].expand_as(predicted))
 
 
-@needs_torch
+@pytest.mark.needs_torch
 @both_kinds
 @pytest.mark.parametrize("size", [(64, 64), (96, 96), (32, 80)])
 def test_any_size_that_the_patch_divides(shape, size):
@@ -88,7 +87,7 @@ def test_any_size_that_the_patch_divides(shape, size):
     assert torch.isfinite(predicted).all()
 
 
-@needs_torch
+@pytest.mark.needs_torch
 @both_kinds
 def test_absolute_output_does_not_look_at_the_prior(shape):
     import torch
@@ -101,7 +100,7 @@ def test_absolute_output_does_not_look_at_the_prior(shape):
         )
 
 
-@needs_torch
+@pytest.mark.needs_torch
 @both_kinds
 def test_displacement_follows_the_prior(shape):
     import torch
@@ -113,7 +112,7 @@ def test_displacement_follows_the_prior(shape):
     assert torch.allclose(moved, torch.full_like(moved, 9.0), atol=1e-4)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 @both_kinds
 def test_one_garment_of_a_batch_does_not_change_another(shape):
     import torch
@@ -126,7 +125,7 @@ def test_one_garment_of_a_batch_does_not_change_another(shape):
     assert torch.allclose(both[:1], alone, rtol=1e-4, atol=1e-3)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_masked_convolution_is_a_mean_over_what_is_seen():
     import torch
     from torch import nn
@@ -151,7 +150,7 @@ def test_masked_convolution_is_a_mean_over_what_is_seen():
             assert torch.allclose(found[:, row, column], expected, atol=1e-5)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 @both_kinds
 def test_bfloat16_rounds_features_and_not_positions(shape):
     import torch
@@ -166,7 +165,7 @@ def test_bfloat16_rounds_features_and_not_positions(shape):
     assert torch.equal(predicted, prior)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_paper_network_has_the_keys_and_shapes_of_dpt_large():
     import torch
     from transformers import DPTConfig, DPTForDepthEstimation
@@ -194,7 +193,7 @@ def test_paper_network_has_the_keys_and_shapes_of_dpt_large():
     assert different == {"head.head.4.weight", "head.head.4.bias"}
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_weights_of_a_dpt_are_taken(tmp_path):
     import torch
     from transformers import DPTForDepthEstimation
@@ -221,7 +220,7 @@ def test_weights_of_a_dpt_are_taken(tmp_path):
     assert all(k.startswith("neck.fusion_stage.layers.0.residual") for k in unequal)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_encoder_of_a_vit_computes_the_same_here(tmp_path):
     import torch
     from transformers import ViTConfig, ViTModel
@@ -248,7 +247,7 @@ def test_encoder_of_a_vit_computes_the_same_here(tmp_path):
         assert torch.allclose(a, b, atol=1e-5)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_weights_of_another_shape_or_kind_are_refused(tmp_path):
     from transformers import BertConfig, DPTForDepthEstimation
 
@@ -280,7 +279,7 @@ def test_impossible_networks_are_refused(values, said):
         replace(NetworkConfig(), **values)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 @pytest.mark.parametrize("shape", [replace(TINY, patch_size=8), HYBRID], ids=["dpt", "hybrid"])
 def test_learns_what_is_told_at_the_other_end_of_the_image(shape):
     import torch

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from needs_torch import needs_torch
 
 from swifttailor.errors import InputError
 from swifttailor.garment.garment import Garment
@@ -113,7 +112,7 @@ def test_a_network_that_predicts_no_numbers_is_refused(sewer):
         sewer.decode(prepared, np.full((len(prepared.table.pixels), 3), np.nan))
 
 
-@needs_torch
+@pytest.mark.needs_torch
 @pytest.mark.parametrize("kind", ["TINY", "HYBRID"])
 def test_both_runtimes_agree(kind, tmp_path):
     """A network with random weights, so that every layer counts."""

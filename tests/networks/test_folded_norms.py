@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-torch = pytest.importorskip("torch", reason="torch is not installed: pip install 'swifttailor[train]'")
+torch = pytest.importorskip("torch")
+pytestmark = pytest.mark.needs_torch
 
 
 def network():

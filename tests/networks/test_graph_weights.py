@@ -10,8 +10,8 @@ from swifttailor.errors import InputError
 from swifttailor.garment_sewer.network_config import NetworkConfig
 from swifttailor.garment_sewer.sewer import SHIPPED as WEIGHTS
 
-torch = pytest.importorskip("torch", reason="torch is not installed: pip install 'swifttailor[train]'")
-pytest.importorskip("onnx", reason="onnx is not installed: pip install 'swifttailor[train]'")
+torch = pytest.importorskip("torch")
+pytestmark = pytest.mark.needs_torch
 
 
 @pytest.fixture(scope="module")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import importlib.util
 from dataclasses import replace
 from itertools import pairwise
 
@@ -34,10 +33,6 @@ from swifttailor.pattern_maker.tokens.vocabulary import (
     STITCH_TOKENS,
 )
 
-HAS_TORCH = all(importlib.util.find_spec(name) for name in ("torch", "transformers"))
-needs_torch = pytest.mark.skipif(
-    not HAS_TORCH, reason="torch and transformers are not installed: pip install 'swifttailor[train]'"
-)
 TINY = NetworkConfig(
     hidden_size=32,
     layers=2,
@@ -54,8 +49,6 @@ TEXT = 300
 
 @pytest.fixture(scope="module")
 def network():
-    if not HAS_TORCH:
-        pytest.skip("torch is not installed")
     import torch
 
     from swifttailor.pattern_maker.network.building_torch import build_network
@@ -123,7 +116,7 @@ def test_of_a_pattern_to_edit_the_outlines_are_told_and_a_mirrored_panel_by_its_
     assert len(told) < 0.4 * len(shirt)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_step_by_step_equals_all_at_once(network):
     """Teacher-forced: two rows of different lengths, a padded prompt, then token by token."""
     import torch
@@ -160,7 +153,7 @@ def test_step_by_step_equals_all_at_once(network):
         assert np.allclose(np.stack([f[row] for f in found]), expected.numpy(), atol=2e-5)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_written_step_by_step_an_edit_is_what_is_told_of_it_all_at_once(network):
     """Likelihood and numbers of an answer that takes and changes counterparts, by both ways."""
     import torch
@@ -199,7 +192,7 @@ def test_written_step_by_step_an_edit_is_what_is_told_of_it_all_at_once(network)
     assert 5 < (places >= 0).sum() and (places == torch.tensor(answer.tokens)).sum() > 3
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_written_step_by_step_an_answer_is_told_what_was_foreseen_of_it(network):
     """The plan that a training adds to an answer is the one that it was written with."""
     import torch
@@ -249,7 +242,7 @@ def test_written_step_by_step_an_answer_is_told_what_was_foreseen_of_it(network)
     assert not torch.allclose(logits, unaware, atol=0.1)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_until_it_has_learnt_to_copy_the_network_is_what_it_is_without(network):
     import torch
 
@@ -269,7 +262,7 @@ def test_until_it_has_learnt_to_copy_the_network_is_what_it_is_without(network):
         assert not torch.equal(call(network, *given, *told)[0], call(network, *given)[0])
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_numbers_are_mixed_alike_with_and_without_torch():
     import torch
 
@@ -289,7 +282,7 @@ def test_numbers_are_mixed_alike_with_and_without_torch():
     assert np.array_equal(mix(written, copied, leanings, tokens, tokens), copied)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_pictures_stand_where_their_places_are(network):
     import torch
 
@@ -306,7 +299,7 @@ def test_pictures_stand_where_their_places_are(network):
         assert torch.equal(embedded[0, 4:], embedded[1, 4:])
 
 
-@needs_torch
+@pytest.mark.needs_torch
 @pytest.mark.parametrize("attention", ["eager", "sdpa"])
 def test_prompts_that_are_only_read_say_what_they_say_before_an_answer(network, attention, monkeypatch):
     """In two rows; none sees its neighbours; pictures go to the prompts they belong to."""
@@ -349,7 +342,7 @@ def test_prompts_that_are_only_read_say_what_they_say_before_an_answer(network, 
     assert not torch.allclose(alone[1], alone[3], atol=1e-2)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_a_rotation_and_its_negative_are_embedded_alike_and_cost_nothing(network):
     import torch
 
@@ -366,7 +359,7 @@ def test_a_rotation_and_its_negative_are_embedded_alike_and_cost_nothing(network
     assert number_penalty(row, row + 1, cubic, "absolute").sum().item() == pytest.approx(8 * 0.975)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_numbers_that_mean_nothing_are_not_looked_at(network):
     import torch
 
@@ -385,8 +378,7 @@ def test_numbers_that_mean_nothing_are_not_looked_at(network):
     assert torch.equal(first, second)
 
 
-@needs_torch
-@pytest.mark.skipif(not importlib.util.find_spec("onnxscript"), reason="onnxscript is not installed")
+@pytest.mark.needs_torch
 def test_model_file_predicts_what_torch_does(network, tmp_path):
     from dataclasses import asdict
 
@@ -418,7 +410,7 @@ def test_model_file_predicts_what_torch_does(network, tmp_path):
         load_model(write_model(tmp_path / "half.zip", half, text, card))
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_low_rank_changes_begin_at_nothing_and_are_what_is_trained(network):
     import torch
 
@@ -452,7 +444,7 @@ def test_low_rank_changes_begin_at_nothing_and_are_what_is_trained(network):
         assert not torch.allclose(logits[0, :10], call(network, *given)[0], atol=1e-2)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_a_pretrained_internvl_is_taken_as_it_is(network, tmp_path):
     """A folder as transformers writes it; its language model, vision and tokenizer are used."""
     pytest.importorskip("tokenizers")
@@ -502,7 +494,7 @@ def test_shapes_that_do_not_fit_are_refused(wrong):
         NetworkConfig(**wrong)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 @pytest.mark.parametrize(("patch", "widths"), [(8, [16, 32]), (16, [8, 16, 32]), (32, [8, 8, 16, 32])])
 def test_convolutions_cut_a_picture_into_patches(patch, widths):
     import torch

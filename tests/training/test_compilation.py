@@ -6,8 +6,9 @@ import pytest
 
 from swifttailor.errors import InputError
 
-torch = pytest.importorskip("torch", reason="torch is not installed: pip install 'swifttailor[train]'")
+torch = pytest.importorskip("torch")
 compilation = pytest.importorskip("swifttailor.training.compilation_torch")
+pytestmark = pytest.mark.needs_torch
 
 CPU = torch.device("cpu")
 

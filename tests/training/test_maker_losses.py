@@ -7,21 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from swifttailor.errors import MissingExtraError
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker.asking.counterpart import counterparts
 from swifttailor.pattern_maker.asking.prompt import make_prompt, pattern_part
 from swifttailor.pattern_maker.tokens.encode import encode
 from swifttailor.pattern_maker.tokens.vocabulary import SIZE
-from swifttailor.training.extra import require_training_packages
 from swifttailor.training.maker_config import CONFIGS, MakerLosses
 
-try:
-    require_training_packages("This test")
-    MISSING = ""
-except MissingExtraError as error:
-    MISSING = str(error)
-pytestmark = pytest.mark.skipif(bool(MISSING), reason=MISSING)
+pytestmark = pytest.mark.needs_torch
 
 
 @pytest.fixture(scope="module")

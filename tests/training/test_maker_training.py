@@ -16,7 +16,7 @@ from sewer_data import make_data
 from swifttailor.cli.main import run
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import RenderSettings, SplitRenders
-from swifttailor.errors import InputError, MissingExtraError
+from swifttailor.errors import InputError
 from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.pattern import to_specification
 from swifttailor.pattern.drafts import draft
@@ -26,18 +26,10 @@ from swifttailor.pattern_maker.tokens.decode import decode
 from swifttailor.pattern_maker.tokens.encode import encode
 from swifttailor.pattern_maker.tokens.fidelity import compare
 from swifttailor.pattern_maker.tokens.vocabulary import SIZE, STITCH_TOKENS
-from swifttailor.training.extra import require_training_packages
 from swifttailor.training.maker_bank import open_bank, sequences_of
 from swifttailor.training.maker_config import CONFIGS, config_from, read_config
 from swifttailor.training.maker_samples import MakerSamples
 from swifttailor.training.misspelling import misspell
-
-try:
-    require_training_packages("This test")
-    MISSING = ""
-except MissingExtraError as error:
-    MISSING = str(error)
-needs_torch = pytest.mark.skipif(bool(MISSING), reason=MISSING)
 
 TINY = [
     "network.hidden_size=64",
@@ -303,7 +295,7 @@ def test_prompts_to_read_have_no_answer_and_are_edits_only_where_these_are_brief
     assert samples_of(bank, edits).plan_read(0) is None
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_batches_hold_samples_of_like_length_and_depend_on_their_number_alone(bank, config):
     import torch
 
@@ -328,7 +320,7 @@ def test_batches_hold_samples_of_like_length_and_depend_on_their_number_alone(ba
     assert torch.equal(next(ahead).tokens, first.tokens)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_some_samples_read_the_numbers_that_the_network_would_have_written(bank, config):
     import torch
 
@@ -355,7 +347,7 @@ def test_some_samples_read_the_numbers_that_the_network_would_have_written(bank,
     assert all(torch.equal(getattr(own, n), getattr(batch, n)) for n in others)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_interrupted_and_resumed_equals_uninterrupted_bit_for_bit(config, files, tmp_path):
     from swifttailor.training.maker_loop_torch import train
 
@@ -374,7 +366,7 @@ def test_interrupted_and_resumed_equals_uninterrupted_bit_for_bit(config, files,
         train(lowered, out=tmp_path / "run", **inputs(files))
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_training_and_validation_must_not_share_patterns(config, files, tmp_path):
     from swifttailor.training.maker_loop_torch import train
 
@@ -383,7 +375,7 @@ def test_training_and_validation_must_not_share_patterns(config, files, tmp_path
         train(config, out=tmp_path / "run", **shared)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_a_pattern_learnt_by_heart_is_written_under_the_grammar(config, files, tmp_path):
     import torch
 

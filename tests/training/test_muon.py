@@ -5,10 +5,11 @@ from copy import deepcopy
 
 import pytest
 
-torch = pytest.importorskip("torch", reason="torch is not installed: pip install 'swifttailor[train]'")
+torch = pytest.importorskip("torch")
 # Together only where torch is there.
 muon = pytest.importorskip("swifttailor.training.muon_torch")
 master_weights = pytest.importorskip("swifttailor.training.master_weights_torch")
+pytestmark = pytest.mark.needs_torch
 
 
 def built():

@@ -12,17 +12,11 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
-from swifttailor.errors import InputError, MissingExtraError
+from swifttailor.errors import InputError
 from swifttailor.pattern import to_specification
 from swifttailor.pattern.drafts import draft
-from swifttailor.training.extra import require_training_packages
 
-try:
-    require_training_packages("This test")
-    MISSING = ""
-except MissingExtraError as error:
-    MISSING = str(error)
-pytestmark = pytest.mark.skipif(bool(MISSING), reason=MISSING)
+pytestmark = pytest.mark.needs_torch
 
 TINY = [
     "network.hidden_size=32",

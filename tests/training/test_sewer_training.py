@@ -14,13 +14,6 @@ from swifttailor.errors import InputError, MissingExtraError
 from swifttailor.training.extra import require_training_packages
 from swifttailor.training.sewer_config import config_values, read_config
 
-try:
-    require_training_packages("This test")
-    MISSING = ""
-except MissingExtraError as error:
-    MISSING = str(error)
-needs_torch = pytest.mark.skipif(bool(MISSING), reason=MISSING)
-
 TINY = [
     "network.resolution=64",
     "network.hidden_size=32",
@@ -57,8 +50,6 @@ def cache(tmp_path_factory):
 @pytest.fixture(scope="module")
 def run(config, data, cache, tmp_path_factory):
     """A finished training: its folder and its card."""
-    if MISSING:
-        pytest.skip(MISSING)
     from swifttailor.training.sewer_loop_torch import train
 
     out = tmp_path_factory.mktemp("runs") / "whole"
@@ -71,7 +62,7 @@ def measurements(folder):
     return [{k: v for k, v in line.items() if k != "seconds"} for line in lines]
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_interrupted_and_resumed_equals_uninterrupted_bit_for_bit(run, config, data, cache, tmp_path):
     from swifttailor.training.sewer_loop_torch import train
 
@@ -88,7 +79,7 @@ def test_interrupted_and_resumed_equals_uninterrupted_bit_for_bit(run, config, d
     assert found == expected
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_what_is_written_down_is_the_mean_of_the_steps_before(run, config, data, cache, tmp_path):
     from swifttailor.training.sewer_loop_torch import train
 
@@ -99,7 +90,7 @@ def test_what_is_written_down_is_the_mean_of_the_steps_before(run, config, data,
         assert len(pair) == 2 and line["total"] == pytest.approx(np.mean(pair), rel=1e-5)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_begins_with_the_weights_of_another_run(run, config, data, cache, tmp_path):
     from safetensors.numpy import load_file
 
@@ -117,7 +108,7 @@ def test_begins_with_the_weights_of_another_run(run, config, data, cache, tmp_pa
         train(replace(config, start=str(tmp_path / "text")), data, tmp_path / "other", cache=cache)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_begins_with_a_model_file(run, config, data, cache, tmp_path):
     from swifttailor.garment_sewer.export_torch import export
     from swifttailor.training.sewer_loop_torch import train
@@ -129,7 +120,7 @@ def test_begins_with_a_model_file(run, config, data, cache, tmp_path):
     assert again["validation"]["mean"] == pytest.approx(card["validation"]["mean"], abs=0.1)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_learns(config, data, cache, tmp_path):
     from swifttailor.training.sewer_loop_torch import train
 
@@ -139,7 +130,7 @@ def test_learns(config, data, cache, tmp_path):
     assert card["validation"]["mean"] < 2.0
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_record_says_what_was_trained_on_what(run, config, data):
     out, card = run
     assert card == json.loads((out / "card.json").read_text())
@@ -157,7 +148,7 @@ def test_record_says_what_was_trained_on_what(run, config, data):
     assert [line["step"] for line in lines if "validation" in line] == [6, 12]
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_weights_are_the_moving_average(run):
     import torch
     from safetensors.numpy import load_file
@@ -172,7 +163,7 @@ def test_weights_are_the_moving_average(run):
     assert any(not np.array_equal(v, state["network"][k].numpy()) for k, v in weights.items())
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_a_second_training_in_the_folder_is_refused(run, config, data, cache, tmp_path):
     from swifttailor.training.sewer_loop_torch import train
 
@@ -185,7 +176,7 @@ def test_a_second_training_in_the_folder_is_refused(run, config, data, cache, tm
         train(config, data, tmp_path, cache=cache, resume=True)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_a_damaged_checkpoint_is_refused(run, config, data, cache, tmp_path):
     import shutil
 
@@ -198,7 +189,7 @@ def test_a_damaged_checkpoint_is_refused(run, config, data, cache, tmp_path):
         train(config, data, tmp_path / "run", cache=cache, resume=True)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_time_ends_a_training(config, data, cache, tmp_path):
     from swifttailor.training.sewer_loop_torch import train
 
@@ -210,7 +201,7 @@ def test_time_ends_a_training(config, data, cache, tmp_path):
     assert rates[-1] < 0.5 * max(longer.learning_rate * 0.9, max(rates))
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_a_batch_is_what_the_pieces_are(config, data, cache):
     """The tensors of a batch against the images drawn one by one in numpy."""
     import torch
@@ -247,7 +238,7 @@ def test_a_batch_is_what_the_pieces_are(config, data, cache):
     assert truth.sides.shape == (sum(counts), 2, 64)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_batches_depend_on_their_number_alone(config, data, cache):
     import torch
 
@@ -272,7 +263,7 @@ def test_batches_depend_on_their_number_alone(config, data, cache):
     assert torch.equal(torch.stack(shares, dim=1).flatten(0, 1), first.truth.target)
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_a_part_of_the_garments_is_the_same_in_every_epoch(config, data, cache, monkeypatch):
     import torch
 
@@ -293,7 +284,7 @@ def test_a_part_of_the_garments_is_the_same_in_every_epoch(config, data, cache, 
     assert all(set(seen[k : k + 2]) == set(seen) for k in range(0, 8, 2))
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_pictures_are_drawn(run, config, data, cache, tmp_path):
     import torch
     from PIL import Image
@@ -313,7 +304,7 @@ def test_pictures_are_drawn(run, config, data, cache, tmp_path):
         assert np.asarray(picture).std() > 10
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_in_bfloat16_it_learns_what_it_learns_in_float32(run, config, data, cache, tmp_path):
     from safetensors.torch import load_file
 
@@ -337,9 +328,8 @@ def test_in_bfloat16_it_learns_what_it_learns_in_float32(run, config, data, cach
     assert (tmp_path / "low" / "validation-0000012.png").stat().st_size > 10_000
 
 
+@pytest.mark.needs_torch
 def test_a_data_set_without_validation_is_refused(config, data, tmp_path):
-    if MISSING:
-        pytest.skip(MISSING)
     from swifttailor.training.sewer_loop_torch import train
 
     with pytest.raises(InputError, match="no split 'validation'"):
@@ -354,7 +344,7 @@ def test_without_torch_the_extra_is_named(monkeypatch):
         require_training_packages("Training")
 
 
-@needs_torch
+@pytest.mark.needs_torch
 def test_garments_of_a_network_are_refused(config, data, tmp_path):
     from swifttailor.training.sewer_loop_torch import train
 

@@ -6,7 +6,8 @@ import pytest
 
 from swifttailor.errors import InputError
 
-torch = pytest.importorskip("torch", reason="torch is not installed: pip install 'swifttailor[train]'")
+torch = pytest.importorskip("torch")
+pytestmark = pytest.mark.needs_torch
 
 
 def network(eye: int, projector: int = 3):

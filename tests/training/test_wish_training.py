@@ -44,9 +44,10 @@ def test_numbers_are_told_what_they_are(samples):
     assert samples.sample("5 cm cuffs, 5 cm waistband", both, instruction=False).counts == (UNKNOWN, UNKNOWN)
 
 
+@pytest.mark.needs_torch
 def test_it_learns_and_is_read_again(samples, tmp_path):
-    torch = pytest.importorskip("torch", reason="torch is not installed: pip install 'swifttailor[train]'")
-    pytest.importorskip("onnxscript", reason="onnxscript is not installed: pip install 'swifttailor[train]'")
+    import torch
+
     from swifttailor.training.wish_loop_torch import WishTraining, judge, reader_file, train_wish_reader
     from swifttailor.wishes.reader import WishReader
 
