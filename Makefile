@@ -1,5 +1,5 @@
 # What can be done with this repository: `make help`. Nothing needs to be installed first but Python 3.11 and
-# GNU make; every target sets up .venv/ by itself.
+# GNU make; every target sets up .venv/ by itself, and those of the networks .venv-networks/.
 
 SHELL := bash
 .SHELLFLAGS := -eu -o pipefail -c
@@ -8,15 +8,19 @@ SHELL := bash
 
 BIN := .venv/bin
 READY := .venv/.ready
+NETWORKS_BIN := .venv-networks/bin
+NETWORKS_READY := .venv-networks/.ready
 JOBS ?= 2
 GARMENTCODE ?= $(or $(SWIFTTAILOR_GARMENTCODE),../shared/garmentcode)
 MAKER_WEIGHTS := src/swifttailor/pattern_maker/pattern_maker.zip
 SEWER_WEIGHTS := src/swifttailor/garment_sewer/garment_sewer.onnx
+# torch asks for these on Linux, a quarter of the whole, and loads them only to compute on a GPU.
+NOT_ON_CPU := triton cuda-bindings cuda-pathfinder nvidia-cuda-cccl nvidia-cusolver nvidia-nvjitlink nvidia-nvtx
 # What the demonstration shows is a matter of the weights that are there.
 DEMO := $(if $(wildcard $(SEWER_WEIGHTS)),$(if $(wildcard $(MAKER_WEIGHTS)),demo-generate,demo-sew),demo-drape)
 
 help:  ## show this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 setup: $(READY)  ## make .venv with the pinned development packages and this package, editable
 
@@ -25,6 +29,17 @@ $(READY): pyproject.toml requirements/dev.txt
 	echo 'Setting up .venv/ ...'; \
 	[ -x $(BIN)/python ] || "$$uv" venv --quiet .venv; \
 	"$$uv" pip install --quiet --compile-bytecode --python $(BIN)/python -r requirements/dev.txt -e .
+	@touch $@
+
+setup-networks: $(NETWORKS_READY)  ## make .venv-networks, which has torch and the rest of the extra `train` too (5 GB)
+
+# Exactly what the lock file says, which leaves out what torch asks for but works without on a CPU (see `lock`).
+$(NETWORKS_READY): pyproject.toml requirements/networks.txt
+	@uv=$$(scripts/find_uv.sh); \
+	echo 'Setting up .venv-networks/ (2 GB to download the first time) ...'; \
+	[ -x $(NETWORKS_BIN)/python ] || "$$uv" venv --quiet .venv-networks; \
+	"$$uv" pip sync --quiet --python $(NETWORKS_BIN)/python requirements/networks.txt; \
+	"$$uv" pip install --quiet --no-deps --python $(NETWORKS_BIN)/python -e .
 	@touch $@
 
 demo: $(DEMO)  ## a garment of words if the package has the weights, else of a drafted pattern, into ./demo/
@@ -58,8 +73,11 @@ demo-drape: $(READY)
 	fi
 	@echo; echo "Made:"; ls demo/*/preview.png demo/*/garment.glb demo/*/pattern.svg
 
-test: $(READY)  ## run all tests on JOBS processes (2)
+test: $(READY)  ## run all tests but those of torch, on JOBS processes (2)
 	$(BIN)/python -m pytest -n $(JOBS)
+
+test-networks: $(NETWORKS_READY)  ## run the tests of torch, on JOBS processes (2)
+	$(NETWORKS_BIN)/python -m pytest -n $(JOBS) -m needs_torch
 
 lint: $(READY)  ## look for faults in the code
 	$(BIN)/ruff check .
@@ -69,21 +87,27 @@ format: $(READY)  ## lay the code out and mend what can be mended
 	$(BIN)/ruff format .
 	$(BIN)/ruff check --fix .
 
-types: $(READY)  ## check the type annotations
+types: $(READY)  ## check the type annotations, torch being anything
 	$(BIN)/ty check src/swifttailor
+
+types-networks: $(NETWORKS_READY)  ## check the type annotations with those of torch, transformers, onnx, ...
+	$(NETWORKS_BIN)/ty check --python .venv-networks src/swifttailor
 
 bench: $(READY)  ## time drapes, stage by stage
 	$(BIN)/python benchmarks/drape_stages.py
 
-lock:  ## pin the newest development packages in requirements/dev.txt
-	uv=$$(scripts/find_uv.sh); \
-	"$$uv" pip compile --quiet --upgrade --universal --python-version 3.11 pyproject.toml --group dev \
-		--no-emit-index-url --no-header --no-annotate --output-file requirements/dev.txt
+lock:  ## pin the newest development packages in requirements/dev.txt and networks.txt
+	compile="$$(scripts/find_uv.sh) pip compile --quiet --upgrade --universal --python-version 3.11 pyproject.toml \
+		--group dev --no-emit-index-url --no-header --no-annotate"; \
+	$$compile --output-file requirements/dev.txt; \
+	$$compile --output-file requirements/networks.txt --extra train --constraint requirements/dev.txt \
+		$(NOT_ON_CPU:%=--no-emit-package %)
 
 clean-cache:  ## delete numba's compiled code: it does not see changes in modules that a kernel calls
 	find src tests -name '*.nb[ic]' -delete
 
 clean: clean-cache  ## delete everything that was made, .venv included
-	rm -rf .venv .uv demo out .pytest_cache .ruff_cache .hypothesis dist build
+	rm -rf .venv .venv-networks .uv demo out .pytest_cache .ruff_cache .hypothesis dist build
 
-.PHONY: help setup demo demo-generate demo-sew demo-drape test lint format types bench lock clean-cache clean
+.PHONY: help setup setup-networks demo demo-generate demo-sew demo-drape test test-networks lint format types \
+	types-networks bench lock clean-cache clean
