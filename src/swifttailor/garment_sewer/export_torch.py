@@ -96,14 +96,15 @@ def export(
         MissingExtraError: onnx or onnxscript is not installed.
     """
     network = load_weights(weights, card, half=half)
-    size, channels = network.config.image_size, network.config.num_channels
+    config: Any = network.config  # transformers says of its numbers that they may be missing or pairs
+    size, channels = config.image_size, config.num_channels
     example = (
         torch.zeros(2, channels, size, size),
         torch.ones(2, 1, size, size),
         torch.zeros(2, 3, size, size),
     )
     batch = torch.export.Dim("batch", min=1, max=4096)
-    patch = network.config.patch_size
+    patch = config.patch_size
     height, width = (patch * torch.export.Dim(name, min=2, max=256) for name in ("rows", "columns"))
     shape = {0: batch, 2: height, 3: width}
     notes = {CARD_KEY: model_card(card, int8=int8)}

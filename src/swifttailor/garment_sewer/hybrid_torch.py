@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import Any
 
 import torch
 import torch.nn.functional as F
@@ -30,8 +31,9 @@ class HybridSewerNetwork(DPTPreTrainedModel):
     def __init__(self, config: DPTConfig) -> None:
         super().__init__(config)
         widths = [*config.convolutions, config.hidden_size]
+        given: Any = config  # its types allow for what is not used here: None, and pairs of numbers
         self.first = nn.Sequential(
-            ExactConvolution(config.num_channels, widths[0], 3, padding=1, bias=False),
+            ExactConvolution(given.num_channels, widths[0], 3, padding=1, bias=False),
             nn.BatchNorm2d(widths[0]),
             nn.GELU(),
         )
@@ -41,7 +43,7 @@ class HybridSewerNetwork(DPTPreTrainedModel):
         )
         # What all tokens have in common is nothing to attend to.
         self.token_norm = nn.BatchNorm2d(config.hidden_size, affine=False)
-        side = config.image_size // config.patch_size
+        side = given.image_size // given.patch_size
         self.positions = nn.Parameter(torch.zeros(1, config.hidden_size, side, side))
         self.encoder = DPTViTEncoder(config)
         self.up = nn.ModuleList(_block(coarse + fine, fine) for fine, coarse in reversed(steps))

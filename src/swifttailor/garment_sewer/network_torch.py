@@ -29,11 +29,12 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
 
     def __init__(self, config: DPTConfig) -> None:
         super().__init__(config)
+        given: Any = config  # its types allow for what is not used here: None, and pairs of numbers
         head: Any = self.head.head
         head[4] = nn.Conv2d(HEAD_SIZE, 3, 1)
         head[5] = nn.Identity()
         if config.normalized:
-            count = len(config.backbone_out_indices)
+            count = len(given.backbone_out_indices)
             self.state_norms = nn.ModuleList(_StateNorm(config.hidden_size) for _ in range(count))
             self.feature_norm = nn.LayerNorm(config.fusion_hidden_size)
         patches: Any = self.dpt.embeddings.patch_embeddings
@@ -41,7 +42,7 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
         # Zero weights: an untrained network predicts its prior, or one point, exactly.
         skip = config.input_skip
         if skip:
-            self.input_skip = nn.Conv2d(config.num_channels, skip, 3, padding=1)
+            self.input_skip = nn.Conv2d(given.num_channels, skip, 3, padding=1)
             self.input_merge = nn.Conv2d(HEAD_SIZE + skip, HEAD_SIZE, 1)
         self.post_init()
         _initialize(self)
@@ -64,11 +65,12 @@ class GarmentSewerNetwork(DPTForDepthEstimation):
             (B, 3, H, W) float32 positions in cm. They mean nothing where there is no panel.
         """
         states = self.dpt(conditioning, output_hidden_states=True).hidden_states
-        wanted = self.config.backbone_out_indices
+        config: Any = self.config
+        wanted = config.backbone_out_indices
         states = [s for k, s in enumerate(states[1:]) if k in wanted]
         if self.config.normalized:
             states = [norm(s) for norm, s in zip(self.state_norms, states, strict=True)]
-        patch = self.config.patch_size
+        patch = config.patch_size
         height, width = conditioning.shape[-2] // patch, conditioning.shape[-1] // patch
         features = self.neck(states, height, width)[self.config.head_in_index]
         head: Any = self.head.head
@@ -140,7 +142,7 @@ class _StateNorm(nn.BatchNorm1d):
         return (input - mean) * torch.rsqrt(variance + self.eps)
 
 
-def _masked(convolution: nn.Module, x: Tensor, mask: Tensor | None) -> Tensor:
+def _masked(convolution: nn.Conv2d, x: Tensor, mask: Tensor | None) -> Tensor:
     """A 3 x 3 convolution that sees the masked pixels only, and is made up for those it does not see.
 
     Partial convolution (Liu et al. 2018): the sum over the visible pixels times 9 over their number.
@@ -148,6 +150,7 @@ def _masked(convolution: nn.Module, x: Tensor, mask: Tensor | None) -> Tensor:
     if mask is None:
         return convolution(x)
     weight, bias = convolution.weight, convolution.bias
+    assert bias is not None
     ones = torch.ones((1, 1, 3, 3), device=x.device, dtype=mask.dtype)
     seen = F.conv2d(mask, ones, padding=1)
     summed = F.conv2d(x * mask, weight, padding=1)

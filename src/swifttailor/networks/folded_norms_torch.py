@@ -17,8 +17,10 @@ def fold_norms(network: nn.Module) -> int:
     Returns:
         How many norms are gone.
     """
-    pairs = [(network.get_submodule(c), network.get_submodule(n), c, n) for c, n, _, _ in foldable(network)]
-    for convolution, norm, at_convolution, at_norm in pairs:
+    pairs = [(c, n) for c, n, _, _ in foldable(network)]
+    for at_convolution, at_norm in pairs:
+        convolution, norm = network.get_submodule(at_convolution), network.get_submodule(at_norm)
+        assert isinstance(convolution, nn.Conv2d) and isinstance(norm, nn.BatchNorm2d)
         network.set_submodule(at_convolution, fuse_conv_bn_eval(convolution.eval(), norm.eval()))
         network.set_submodule(at_norm, nn.Identity())
     return len(pairs)

@@ -42,7 +42,7 @@ def settle_norms(network: nn.Module, show: Callable[[], object]) -> None:
         mean, variance = (value.to(norm.weight) for value in seen.mean_and_variance())
         # The same line through other points: slope * x + offset is what it was.
         slope = norm.weight / (norm.running_var + norm.eps).sqrt()
-        norm.bias += slope * (mean - norm.running_mean)
+        norm.bias.add_(slope * (mean - norm.running_mean))
         norm.weight.copy_(slope * (variance + norm.eps).sqrt())
         norm.running_mean.copy_(mean)
         norm.running_var.copy_(variance)

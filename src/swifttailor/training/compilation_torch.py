@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import shutil
 from collections.abc import Generator, Iterable
+from typing import Any
 
 import torch
 from torch import nn
@@ -35,7 +36,8 @@ def compile_layers(layers: Iterable[nn.Module], device: torch.device) -> None:
             f"compiled=true needs a C++ compiler, and none of {', '.join(_COMPILERS)} was found. Install "
             "one, or train with compiled=false."
         )
-    torch._dynamo.config.recompile_limit = max(torch._dynamo.config.recompile_limit, _VARIANTS)
+    settings: Any = torch._dynamo.config
+    settings.recompile_limit = max(settings.recompile_limit, _VARIANTS)
     for layer in layers:
         object.__setattr__(layer, "forward", torch.compile(layer.forward, dynamic=True))
 

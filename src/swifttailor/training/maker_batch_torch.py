@@ -152,8 +152,8 @@ class _Steps(torch.utils.data.Dataset):
     def __init__(self, batches: TrainingBatches) -> None:
         self.batches = batches
 
-    def __getitem__(self, step: int) -> Batch:
-        return self.batches[step]
+    def __getitem__(self, index: int) -> Batch:
+        return self.batches[index]
 
 
 class _CountFrom(torch.utils.data.Sampler):

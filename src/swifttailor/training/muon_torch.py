@@ -8,7 +8,6 @@ torch's own (from 2.9) takes only matrices; most weights here belong to convolut
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import Any
 
 import torch
@@ -28,8 +27,8 @@ class Muon(torch.optim.AdamW):
     """AdamW, but for the groups marked ``orthogonal``: their momentum is made orthogonal and taken."""
 
     @torch.no_grad()
-    def step(self, closure: Callable[[], float] | None = None) -> None:  # type: ignore[override]
-        """Takes one step; `closure` is not used."""
+    def step(self, closure: Any = None) -> Any:
+        """Takes one step; `closure` is not used, and nothing returned."""
         groups = self.param_groups
         self.param_groups = [group for group in groups if not group["orthogonal"]]
         try:

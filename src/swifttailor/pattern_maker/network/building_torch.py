@@ -30,7 +30,8 @@ def build_network(config: NetworkConfig, text_size: int) -> PatternMakerNetwork:
         from swifttailor.pattern_maker.network.pretrained_torch import load_pretrained
 
         vlm = load_pretrained(config, text_size)
-        embedding_std = vlm.config.text_config.initializer_range
+        text: Any = vlm.config.text_config
+        embedding_std = text.initializer_range
     else:
         vlm = InternVLModel(vlm_config(config, text_size))
         if config.early_convolutions:
@@ -86,7 +87,8 @@ def vlm_config(config: NetworkConfig, text_size: int) -> InternVLConfig:
 
 def use_fused_norms(module: nn.Module) -> None:
     """Replaces transformers' RMSNorm by torch's, which does the same in one kernel."""
-    for name, child in module.named_children():
+    children: Any = module.named_children()
+    for name, child in children:
         if type(child).__name__ == "Qwen2RMSNorm":
             fused: Any = nn.RMSNorm(child.weight.shape[0], eps=child.variance_epsilon)
             fused.weight = child.weight

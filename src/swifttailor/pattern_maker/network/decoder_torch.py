@@ -20,6 +20,8 @@ from swifttailor.pattern_maker.network.network_torch import PatternMakerNetwork
 class CachedDecoder(nn.Module):
     """States and logits of some tokens, given the keys and values of those before them."""
 
+    frequencies: Tensor
+
     def __init__(self, network: PatternMakerNetwork) -> None:
         """Takes the weights of a network; they are copied where several are joined into one."""
         super().__init__()
@@ -63,7 +65,8 @@ class CachedDecoder(nn.Module):
         hidden = (~causal)[None] | (seen[:, None] < 0.5)
         bias = hidden[:, None, None].to(embedded.dtype) * -1e9
         x, new_keys, new_values, early = embedded, [], [], embedded
-        for number, layer in enumerate(self.layers):
+        layers: Any = self.layers
+        for number, layer in enumerate(layers):
             y = F.rms_norm(x, (x.shape[-1],), layer.attention_norm, self.epsilon)
             joined = F.linear(y, layer.qkv, layer.qkv_bias).unflatten(-1, (-1, self.size)).transpose(1, 2)
             q, k, v = joined.split([self.heads, self.groups, self.groups], dim=1)

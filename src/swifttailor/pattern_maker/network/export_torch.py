@@ -91,7 +91,7 @@ def make_graphs(network: PatternMakerNetwork) -> dict[str, bytes]:
     """
     network = network.eval()
     decoder, hidden = CachedDecoder(network).eval(), network.hidden_size
-    side = network.vlm.config.vision_config.image_size[0]
+    side = network.image_size
     rows, new, old = (
         torch.export.Dim(n, min=1, max=m) for n, m in (("rows", 4096), ("new", 8192), ("old", 8192))
     )

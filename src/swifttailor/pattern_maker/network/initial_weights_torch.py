@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from torch import nn
 from transformers import InternVLModel
 
@@ -37,4 +39,5 @@ def initialize(vlm: InternVLModel) -> None:
                 nn.init.constant_(weight, VISION_BRANCH)
             elif name.endswith(("position_embeddings", "cls_token")):
                 nn.init.normal_(weight, std=VISION_POSITION)
-    nn.init.normal_(vlm.get_input_embeddings().weight, std=EMBEDDING)
+    embeddings: Any = vlm.get_input_embeddings()
+    nn.init.normal_(embeddings.weight, std=EMBEDDING)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import math
 from collections.abc import Callable, Generator
+from typing import Any
 
 import torch
 from torch import Tensor, nn
@@ -45,6 +46,9 @@ SELDOM = -2.0
 class PatternMakerNetwork(nn.Module):
     """InternVL, with tokens that carry numbers: embedded on the way in, regressed on the way out."""
 
+    number_mask: Tensor
+    foreseen_numbers: Tensor
+
     def __init__(
         self,
         vlm: InternVLModel,
@@ -60,7 +64,8 @@ class PatternMakerNetwork(nn.Module):
         self.text_size = text_size
         self.command_seen = command_seen
         self.copying, self.planning = copying, planning
-        hidden = vlm.config.text_config.hidden_size
+        text: Any = vlm.config.text_config
+        hidden: int = text.hidden_size
         self.hidden_size = hidden
         self.own_embedding = nn.Embedding(OWN_TOKENS, hidden)
         self.placement_embedding = _mlp(NUMBERS * _FEATURES, hidden, hidden, nn.GELU)
@@ -69,27 +74,29 @@ class PatternMakerNetwork(nn.Module):
         self.placement_head = _mlp(hidden, hidden, NUMBERS, nn.ReLU)
         self.edge_head = _mlp(hidden, hidden, NUMBERS, nn.ReLU)
         self.foresight_head = nn.Sequential(nn.LayerNorm(hidden), nn.Linear(hidden, FORESEEN))
-        self.foresight_layer = math.ceil(FORESIGHT_DEPTH * vlm.config.text_config.num_hidden_layers)
+        self.foresight_layer = math.ceil(FORESIGHT_DEPTH * text.num_hidden_layers)
         self.register_buffer("number_mask", torch.tensor(NUMBER_MASK), persistent=False)
         nn.init.normal_(self.own_embedding.weight, std=embedding_std)
-        nn.init.normal_(self.token_head.weight, std=vlm.config.text_config.initializer_range)
+        nn.init.normal_(self.token_head.weight, std=text.initializer_range)
         if copying:
             self.counterpart_in = nn.Linear(hidden, hidden, bias=False)
             self.counterpart_head = _mlp(hidden, hidden, LEANINGS, nn.GELU)
             # Until something is learnt the network is what it is without.
-            for weight in (self.counterpart_in.weight, self.counterpart_head[2].weight):
+            leaning: Any = self.counterpart_head[2]
+            for weight in (self.counterpart_in.weight, leaning.weight):
                 nn.init.zeros_(weight)
             with torch.no_grad():
-                self.counterpart_head[2].bias.zero_()[1] = SELDOM
+                leaning.bias.zero_()[1] = SELDOM
         if planning:
             self.planned_in = nn.Linear(hidden, hidden, bias=False)
             self.planned_head = _mlp(hidden, hidden, NUMBERS, nn.GELU)
             self.panel_in = _mlp(PANEL_NUMBERS, hidden, hidden, nn.GELU)
             self.register_buffer("foreseen_numbers", torch.tensor(FORESEEN_NUMBERS), persistent=False)
-            last = self.planned_in.weight, self.planned_head[2].weight, *self.panel_in[2].parameters()
+            trust: Any = self.planned_head[2]
+            last = self.planned_in.weight, trust.weight, *self.panel_in[2].parameters()
             for weight in last:
                 nn.init.zeros_(weight)
-            nn.init.constant_(self.planned_head[2].bias, DOUBT)
+            nn.init.constant_(trust.bias, DOUBT)
 
     def forward(
         self,
@@ -203,8 +210,7 @@ class PatternMakerNetwork(nn.Module):
         if len(pictures):
             return self.vlm.get_image_features(pictures).pooler_output
         # Several processes wait for each other's gradients, and parts: all take part in every step.
-        side = self.vlm.config.vision_config.image_size[0]
-        unseen = torch.zeros((1, 3, side, side), device=pictures.device)
+        unseen = torch.zeros((1, 3, self.image_size, self.image_size), device=pictures.device)
         return self.vlm.get_image_features(unseen).pooler_output[:0]
 
     def embed(self, tokens: Tensor, numbers: Tensor, looks: Tensor) -> Tensor:
@@ -296,6 +302,12 @@ class PatternMakerNetwork(nn.Module):
         """Which tokens (...), counted like those of patterns, have numbers."""
         inside = (own >= 0) & (own < SIZE)
         return inside & self.number_mask.any(-1)[own.clamp(0, SIZE - 1)]
+
+    @property
+    def image_size(self) -> int:
+        """Pixels along one side of a picture."""
+        vision: Any = self.vlm.config.vision_config
+        return vision.image_size[0]
 
     @property
     def layers(self) -> list[nn.Module]:

@@ -62,7 +62,7 @@ def load_text_tokens(config: NetworkConfig) -> tuple[int, TextTokens]:
         InputError: There is no such tokenizer.
     """
     try:
-        tokenizer = AutoTokenizer.from_pretrained(config.pretrained)
+        tokenizer: Any = AutoTokenizer.from_pretrained(config.pretrained)
     except (OSError, ValueError) as error:
         raise InputError(
             f"The tokenizer of '{config.pretrained}' cannot be had: {error} Give the model's whole folder."
