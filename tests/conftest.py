@@ -21,11 +21,14 @@ from swifttailor.pattern.drafts import draft, list_drafts
 from swifttailor.pattern.panel import Edge, Panel
 from swifttailor.pattern.pattern_list import read_patterns
 
-EVERY_REAL = 4
+SHIPPED = "repository"
+"""Name of the 20 patterns that lie beside the tests (garmentcode_patterns/)."""
+EVERY_REAL = 8
 """Of the validation patterns; the others are looked at when captions are worked on (docs/captions.md)."""
-FEW_REAL = 15
-"""Every so many of them, where each is recut."""
+FEW_SHIPPED, FEW_REAL = 2, 30
+"""Every so many of both, where each is recut."""
 
+SAMPLES = Path(__file__).parent / "garmentcode_patterns" / "patterns.jsonl.gz"
 EXTRA_TRAIN = ("torch", "transformers", "accelerate", "onnx", "onnxscript")
 """What the marker ``needs_torch`` asks for."""
 
@@ -47,11 +50,28 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 @pytest.fixture(scope="session")
 def garmentcode_folder() -> Path:
     """Folder of GarmentCode samples (``*.jsonl.gz``): $SWIFTTAILOR_GARMENTCODE or ../shared/garmentcode."""
-    default = Path(__file__).resolve().parents[2] / "shared" / "garmentcode"
-    folder = Path(os.environ.get("SWIFTTAILOR_GARMENTCODE", default))
+    folder = _samples_folder()
     if not any(folder.glob("*.jsonl.gz")):
         pytest.skip(f"no GarmentCode samples (*.jsonl.gz) in {folder}; set SWIFTTAILOR_GARMENTCODE")
     return folder
+
+
+@pytest.fixture(scope="session")
+def real_samples() -> Callable[..., Iterator[dict]]:
+    """Goes through GarmentCode samples (``id``, ``seed``, ``design``, ``pattern``), every so many of a file.
+
+    ``repository`` names those beside the tests; others, such as ``validation``, are files of
+    `garmentcode_folder`, of which nothing comes where they are not there.
+    """
+
+    def read(*names: str, every: int = 1) -> Iterator[dict]:
+        for name in names:
+            path = SAMPLES if name == SHIPPED else _samples_folder() / f"{name}.jsonl.gz"
+            if path.exists():
+                with gzip.open(path, "rt") as lines:
+                    yield from (json.loads(line) for line in islice(lines, 0, None, every))
+
+    return read
 
 
 @pytest.fixture
@@ -77,8 +97,15 @@ def draft_facts(drafts) -> dict[str, GarmentFacts]:
 
 
 @pytest.fixture(scope="session")
-def real_patterns(garmentcode_folder) -> dict[str, Pattern]:
-    return _validation_patterns(garmentcode_folder, EVERY_REAL)
+def shipped_patterns(real_samples) -> dict[str, Pattern]:
+    """The 20 real patterns beside the tests."""
+    return _patterns(real_samples(SHIPPED))
+
+
+@pytest.fixture(scope="session")
+def real_patterns(shipped_patterns, real_samples) -> dict[str, Pattern]:
+    """The 20 beside the tests and, where there are more, others."""
+    return shipped_patterns | _patterns(real_samples("validation", every=EVERY_REAL))
 
 
 @pytest.fixture(scope="session")
@@ -87,8 +114,10 @@ def real_facts(real_patterns) -> dict[str, GarmentFacts]:
 
 
 @pytest.fixture(scope="session")
-def few_real_patterns(garmentcode_folder) -> dict[str, Pattern]:
-    return _validation_patterns(garmentcode_folder, FEW_REAL)
+def few_real_patterns(real_samples) -> dict[str, Pattern]:
+    return _patterns(real_samples(SHIPPED, every=FEW_SHIPPED)) | _patterns(
+        real_samples("validation", every=FEW_REAL)
+    )
 
 
 @pytest.fixture(scope="session")
@@ -106,7 +135,10 @@ def garmentcode_edits(garmentcode_folder) -> Callable[..., Iterator[tuple[Patter
     return read
 
 
-def _validation_patterns(folder: Path, every: int) -> dict[str, Pattern]:
-    with gzip.open(folder / "validation.jsonl.gz", "rt") as lines:
-        samples = [json.loads(line) for line in islice(lines, 0, None, every)]
+def _samples_folder() -> Path:
+    default = Path(__file__).resolve().parents[2] / "shared" / "garmentcode"
+    return Path(os.environ.get("SWIFTTAILOR_GARMENTCODE", default))
+
+
+def _patterns(samples: Iterator[dict]) -> dict[str, Pattern]:
     return {s["id"]: read_specification(s["pattern"], name=s["id"]).pattern for s in samples}

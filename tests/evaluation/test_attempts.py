@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import gzip
-import json
 from dataclasses import replace
 
 import pytest
@@ -88,13 +86,10 @@ def test_drafts_pass(name):
     assert first_fault(draft(name), 4.0) is None
 
 
-def test_real_patterns_pass(garmentcode_folder):
+def test_real_patterns_pass(real_samples):
     faults = {}
-    with gzip.open(garmentcode_folder / "validation.jsonl.gz", "rt") as lines:
-        for k, line in enumerate(lines):
-            if k % 10 == 0:
-                sample = json.loads(line)
-                faults[sample["id"]] = first_fault(read_specification(sample["pattern"]).pattern, 4.0)
+    for sample in (*real_samples("repository", every=2), *real_samples("validation", every=20)):
+        faults[sample["id"]] = first_fault(read_specification(sample["pattern"]).pattern, 4.0)
     assert len(faults) >= 10
     assert not {id: fault for id, fault in faults.items() if fault is not None}
 

@@ -1,8 +1,5 @@
 """Both decodes on real patterns of GarmentCode."""
 
-import gzip
-import json
-
 import numpy as np
 import pytest
 from ggi_patterns import any_garment
@@ -13,6 +10,8 @@ from swifttailor.ggi.outline_decode import decode_outline
 from swifttailor.panel_mesh.topology import topology
 from swifttailor.pattern import read_specification
 
+SHIPPED = ("gc_1000981", "gc_1002038", "gc_1000326", "gc_1001453")
+"""Beside the tests: godets, a circle, slits, tiers."""
 TIPS = ("gc_1000595", "gc_1002203", "gc_1002395")
 """Where seams meet at tips narrower than a pixel."""
 GODETS = ("gc_1001770",)
@@ -23,10 +22,9 @@ FOLDS = ("gc_1002621",)
 
 
 @pytest.fixture(scope="module")
-def patterns(garmentcode_folder):
-    with gzip.open(garmentcode_folder / "validation.jsonl.gz", "rt") as lines:
-        records = [json.loads(line) for line in lines]
-    return {r["id"]: read_specification(r["pattern"]).pattern.canonical() for r in records}
+def patterns(real_samples):
+    samples = real_samples("repository", "validation")
+    return {s["id"]: read_specification(s["pattern"]).pattern.canonical() for s in samples}
 
 
 def counts(garment):
@@ -35,8 +33,10 @@ def counts(garment):
     return found.components, found.boundary_loops, found.euler_characteristic
 
 
-@pytest.mark.parametrize("name", [*TIPS, *GODETS, *CIRCLE, *FREE_SLITS, *FOLDS])
+@pytest.mark.parametrize("name", [*SHIPPED, *TIPS, *GODETS, *CIRCLE, *FREE_SLITS, *FOLDS])
 def test_godets_slits_and_tips_keep_their_topology(patterns, name):
+    if name not in patterns:
+        pytest.skip("validation.jsonl.gz is not there")
     garment = any_garment(patterns[name], 2.0)
     images = encode(garment, 256)
     assert counts(decode_grid(images)) == counts(garment)
@@ -44,7 +44,8 @@ def test_godets_slits_and_tips_keep_their_topology(patterns, name):
 
 
 def test_nearly_all_patterns_keep_their_topology(patterns):
-    some = list(patterns.values())[::15]
+    some = list(patterns.values())
+    some = some[:20:3] + some[20::20]
     kept = 0
     for pattern in some:
         garment = any_garment(pattern, 4.0)

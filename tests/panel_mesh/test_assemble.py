@@ -1,5 +1,3 @@
-import gzip
-import json
 from collections import Counter
 
 import numpy as np
@@ -165,10 +163,9 @@ def test_too_many_vertices_are_refused_before_the_work():
         mesh_pattern(Pattern((square("a", 1e6, height=0.1),)), 0.1)
 
 
-def test_real_patterns_mesh(garmentcode_folder):
-    with gzip.open(garmentcode_folder / "validation.jsonl.gz", "rt") as lines:
-        records = [json.loads(line) for k, line in enumerate(lines) if k % 10 == 0]
-    assert len(records) >= 10
+def test_real_patterns_mesh(real_samples):
+    records = [*real_samples("repository"), *real_samples("validation", every=20)]
+    assert len(records) >= 20
     for record in records:
         pattern = read_specification(record["pattern"]).pattern.canonical()
         if not any(s.right_wrong for s in pattern.stitches):

@@ -40,7 +40,7 @@ def test_unchanged_every_token_is_its_counterpart(name):
 
 
 def test_real_patterns_unchanged(real_patterns):
-    for pattern in real_patterns("validation", 15):
+    for pattern in real_patterns("repository", "validation", every=5):
         sequence = encode(pattern)
         assert shares(sequence, sequence) == (1, 1)
 
@@ -69,7 +69,7 @@ def symmetric_panels(panels):
 def test_what_is_changed_on_one_side_is_offered_on_the_other(real_patterns):
     """Of patterns to edit that are symmetric: made longer on both sides."""
     tried = 0
-    for pattern in real_patterns("validation", 5):
+    for pattern in real_patterns("repository", "validation", every=5):
         old = encode(pattern)
         right = symmetric_panels(panels_of(old))
         both = right | {TWINS[name] for name in right}
@@ -96,7 +96,7 @@ def in_panels(sequence, names):
 def test_the_other_side_of_a_symmetric_garment_is_told_from_the_first(real_patterns):
     """Without a pattern to edit. Numbers all, and most stitches."""
     told = right = 0
-    for pattern in real_patterns("validation", 5):
+    for pattern in real_patterns("repository", "validation", every=5):
         sequence = encode(pattern)
         symmetric = symmetric_panels(panels_of(sequence))
         inside = in_panels(sequence, symmetric)[:, 0]

@@ -142,7 +142,7 @@ def test_the_mask_is_what_advance_accepts(seed, stop):
 def test_what_the_reference_rejects_the_grammar_rejects(real_patterns):
     """Real sequences with one token changed: both readings agree whether it still is a pattern."""
     drawn, disagreements, broken = random.Random(4), [], 0
-    for pattern in real_patterns("validation", 10):
+    for pattern in (*real_patterns("repository", every=2), *real_patterns("validation", every=15)):
         tokens = encode(pattern).tokens.tolist()
         for _ in range(10):
             changed = list(tokens)
@@ -161,7 +161,7 @@ def test_what_the_reference_rejects_the_grammar_rejects(real_patterns):
 
 
 def test_messages_say_where_and_what(real_patterns):
-    tokens = encode(next(real_patterns("validation", 1))).tokens.copy()
+    tokens = encode(next(real_patterns("repository"))).tokens.copy()
     with pytest.raises(PatternError, match="stops after 40 tokens, before its pattern is finished"):
         decode(TokenSequence(tokens[:40], np.zeros((40, NUMBERS))))
     tokens[1] = PATTERN_END
