@@ -21,6 +21,9 @@ from swifttailor.arrays import Floats
 _GAUSS_POINTS = 8
 _LENGTH_TOLERANCE = 1e-13
 _MAX_INTERVALS = 4096
+_REMEMBERED = 4096
+"""Curves whose lengths, samples and polylines are kept: while a pattern is altered and checked, most of its
+edges stay as they are and are asked for the same again and again."""
 
 
 @dataclass(frozen=True)
@@ -57,6 +60,7 @@ class Arc:
 
 
 Curve = Line | Quadratic | Cubic | Arc
+Point = tuple[float, float]
 
 
 def to_relative(point: ArrayLike, chord: ArrayLike) -> tuple[float, float]:
@@ -71,18 +75,14 @@ def to_relative(point: ArrayLike, chord: ArrayLike) -> tuple[float, float]:
 
 def to_absolute(relative: ArrayLike, chord: ArrayLike) -> Floats:
     """Turns chord-relative coordinates (2,) back into cm (2,)."""
-    start, end = np.asarray(chord, float)
-    x, y = np.asarray(relative, float)
-    d = end - start
-    return start + x * d + y * np.array([-d[1], d[0]])
+    return np.array(_absolute(*np.asarray(relative, float).tolist(), *_ends(chord)))
 
 
 def control_polygon(curve: Quadratic | Cubic, chord: ArrayLike) -> Floats:
     """Gives the Bezier control points in cm, (3, 2) or (4, 2), end points included."""
-    start, end = np.asarray(chord, float)
-    if isinstance(curve, Quadratic):
-        return np.array([start, to_absolute(curve.control, chord), end])
-    return np.array([start, to_absolute(curve.control_1, chord), to_absolute(curve.control_2, chord), end])
+    start, end = ends = _ends(chord)
+    inner = (curve.control,) if isinstance(curve, Quadratic) else (curve.control_1, curve.control_2)
+    return np.array([start, *(_absolute(float(x), float(y), *ends) for x, y in inner), end])
 
 
 @dataclass(frozen=True)
@@ -156,7 +156,7 @@ def length(curve: Curve, chord: ArrayLike) -> float:
     if isinstance(curve, Arc):
         g = arc_geometry(curve, chord)
         return g.radius * abs(g.sweep)
-    return float(_length_table(curve, chord)[1][-1])
+    return float(_length_table(curve, *_ends(chord))[1][-1])
 
 
 def parameters_by_length(curve: Curve, chord: ArrayLike, fractions: ArrayLike) -> Floats:
@@ -164,7 +164,7 @@ def parameters_by_length(curve: Curve, chord: ArrayLike, fractions: ArrayLike) -
     fractions = np.atleast_1d(np.asarray(fractions, float))
     if isinstance(curve, Line | Arc):
         return fractions.copy()
-    knots, table = _length_table(curve, chord)
+    knots, table = _length_table(curve, *_ends(chord))
     if table[-1] == 0.0:
         return fractions.copy()
     target = fractions * table[-1]
@@ -187,7 +187,7 @@ def parameters_by_length(curve: Curve, chord: ArrayLike, fractions: ArrayLike) -
 
 def sample_by_length(curve: Curve, chord: ArrayLike, count: int) -> Floats:
     """Points (count, 2) in cm, equally spaced by arc length, both ends included."""
-    return evaluate(curve, chord, parameters_by_length(curve, chord, np.linspace(0.0, 1.0, count)))
+    return _sampled(curve, *_ends(chord), count).copy()
 
 
 def reverse(curve: Curve) -> Curve:
@@ -258,32 +258,33 @@ def bounding_box(curve: Curve, chord: ArrayLike) -> Floats:
 
 def flatten(curve: Curve, chord: ArrayLike, tolerance: float) -> Floats:
     """Polyline (n, 2) in cm that stays within `tolerance` cm of the curve, both ends included."""
-    chord = np.asarray(chord, float)
     if isinstance(curve, Line):
-        return chord.copy()
-    if isinstance(curve, Arc):
-        g = arc_geometry(curve, chord)
-        step = 2 * math.acos(max(1 - tolerance / max(g.radius, tolerance), -1.0))
-        count = math.ceil(abs(g.sweep) / max(step, 1e-3))
-    else:
-        control = control_polygon(curve, chord)
-        bend = (
-            np.abs(np.diff(control, n=2, axis=0)).max(initial=0.0) * (len(control) - 1) * (len(control) - 2)
-        )
-        count = math.ceil(math.sqrt(bend * math.sqrt(2) / (8 * tolerance)))
-    return evaluate(curve, chord, np.linspace(0.0, 1.0, min(max(count, 2), 2000) + 1))
+        return np.array(chord, float)
+    return _flattened(curve, *_ends(chord), tolerance).copy()
 
 
 def _turn(point: tuple[float, float]) -> tuple[float, float]:
     return 1.0 - point[0], -point[1]
 
 
+def _ends(chord: ArrayLike) -> tuple[Point, Point]:
+    """Start and end of a chord as plain numbers, which are computed with faster than arrays of two."""
+    (x, y), (to_x, to_y) = np.asarray(chord, float).tolist()
+    return (x, y), (to_x, to_y)
+
+
+def _absolute(x: float, y: float, start: Point, end: Point) -> Point:
+    along, up = end[0] - start[0], end[1] - start[1]
+    return start[0] + x * along + y * -up, start[1] + x * up + y * along
+
+
 def _bezier(control: Floats, t: Floats) -> Floats:
     """De Casteljau on a stack of parameters (n, 1); returns (n, 2)."""
-    layers = [np.broadcast_to(p, (len(t), 2)) for p in control]
+    s = 1 - t
+    layers = list(control)
     while len(layers) > 1:
-        layers = [(1 - t) * a + t * b for a, b in pairwise(layers)]
-    return np.array(layers[0])
+        layers = [s * a + t * b for a, b in pairwise(layers)]
+    return layers[0]
 
 
 def _de_casteljau(control: Floats, t: float) -> tuple[Floats, Floats]:
@@ -334,13 +335,36 @@ def _interval_lengths(control: Floats, low: Floats, high: Floats) -> Floats:
     return (_speed(control, t.ravel()).reshape(t.shape) @ weights) * (high - low)
 
 
-def _length_table(curve: Quadratic | Cubic, chord: ArrayLike) -> tuple[Floats, Floats]:
-    """Parameters and the arc length up to each, refined until the total no longer changes.
+@lru_cache(maxsize=_REMEMBERED)
+def _sampled(curve: Curve, start: Point, end: Point, count: int) -> Floats:
+    chord = np.array([start, end])
+    return evaluate(curve, chord, parameters_by_length(curve, chord, np.linspace(0.0, 1.0, count)))
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _flattened(curve: Quadratic | Cubic | Arc, start: Point, end: Point, tolerance: float) -> Floats:
+    chord = np.array([start, end])
+    if isinstance(curve, Arc):
+        g = arc_geometry(curve, chord)
+        step = 2 * math.acos(max(1 - tolerance / max(g.radius, tolerance), -1.0))
+        count = math.ceil(abs(g.sweep) / max(step, 1e-3))
+    else:
+        control = control_polygon(curve, chord)
+        bend = (
+            np.abs(np.diff(control, n=2, axis=0)).max(initial=0.0) * (len(control) - 1) * (len(control) - 2)
+        )
+        count = math.ceil(math.sqrt(bend * math.sqrt(2) / (8 * tolerance)))
+    return evaluate(curve, chord, np.linspace(0.0, 1.0, min(max(count, 2), 2000) + 1))
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _length_table(curve: Quadratic | Cubic, start: Point, end: Point) -> tuple[Floats, Floats]:
+    """Parameters and the arc length up to each, refined until the total no longer changes; not to be changed.
 
     The parameters of least speed are among them: at a cusp the speed has a kink, which quadrature across it
     would not see.
     """
-    control = control_polygon(curve, chord)
+    control = control_polygon(curve, np.array([start, end]))
     slowest = _slowest_parameters(control)
     count, previous = 16, -1.0
     while True:

@@ -96,6 +96,10 @@ class Panel:
         ) and np.array_equal(self.vertices, other.vertices)
 
     def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
         return hash((self.name, self.edges, (self.vertices + 0.0).tobytes()))  # -0.0 equals 0.0
 
     def chord(self, edge: int) -> Floats:

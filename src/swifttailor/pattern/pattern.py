@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
+from typing import NamedTuple
 
 from swifttailor.errors import PatternError
 from swifttailor.pattern.names import canonical_key
 from swifttailor.pattern.panel import Panel, RotationReading
 
 
-@dataclass(frozen=True, order=True)
-class EdgeRef:
+class EdgeRef(NamedTuple):
     """Names one edge of one panel."""
 
     panel: str

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from swifttailor.body import BodyMeasurements
 from swifttailor.describing.measuring.cloth import Cloth, FreeLoop
@@ -75,13 +75,10 @@ class Anatomy:
     """By panel name."""
     borders: tuple[tuple[FreeLoop, Border], ...]
 
-    @classmethod
-    def of(cls, pattern: Pattern, body: BodyMeasurements) -> Anatomy:
+    @staticmethod
+    def of(pattern: Pattern, body: BodyMeasurements) -> Anatomy:
         """Looks at a pattern placed around a body."""
-        figure = Figure.of(body)
-        cloth = Cloth.of(pattern)
-        parts = find_parts(pattern, figure, _openings(cloth, figure))
-        return cls(pattern, body, figure, cloth, parts, _borders(cloth, parts, figure))
+        return _look_at(pattern, pattern.name, body)
 
     def panels(
         self, parts: Part | Collection[Part], side: Side | None = None, face: Face | None = None
@@ -160,6 +157,18 @@ class Anatomy:
         """Edges of some parts that are sewn to nothing."""
         names = {p.name for p in self.panels(parts)}
         return tuple(r for r in self.cloth.samples if r.panel in names and r not in self.cloth.partner)
+
+
+@lru_cache(maxsize=32)
+def _look_at(pattern: Pattern, name: str, body: BodyMeasurements) -> Anatomy:
+    """Remembers the latest: who judges, alters or describes a pattern looks at it anew.
+
+    Patterns are equal whatever they are called, so the name is told apart as well.
+    """
+    figure = Figure.of(body)
+    cloth = Cloth.of(pattern)
+    parts = find_parts(pattern, figure, _openings(cloth, figure))
+    return Anatomy(pattern, body, figure, cloth, parts, _borders(cloth, parts, figure))
 
 
 def _openings(cloth: Cloth, figure: Figure) -> Openings:

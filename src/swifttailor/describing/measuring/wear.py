@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,6 +55,7 @@ class Worn:
         return np.concatenate([self.level[anatomy.cloth.node[anatomy.cloth.samples[r]]] for r in refs])
 
 
+@lru_cache(maxsize=32)
 def wear(anatomy: Anatomy) -> Worn:
     """Works out the heights."""
     shoulders = (shoulder_seam(anatomy, "left"), shoulder_seam(anatomy, "right"))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from swifttailor.body import Body, BodyMeasurements
 from swifttailor.describing.facts import GarmentFacts, HemFacts, Kind, LandmarkFacts
 from swifttailor.describing.measuring.anatomy import Anatomy
@@ -12,7 +14,7 @@ from swifttailor.describing.measuring.parts import Part
 from swifttailor.describing.measuring.skirts import measure_skirt
 from swifttailor.describing.measuring.sleeves import measure_sleeve
 from swifttailor.describing.measuring.torso import measure_band, measure_collar, measure_hood, measure_torso
-from swifttailor.describing.measuring.wear import Worn, wear
+from swifttailor.describing.measuring.wear import wear
 from swifttailor.errors import PatternError
 from swifttailor.pattern import Pattern
 
@@ -38,9 +40,10 @@ def measure_facts(pattern: Pattern, body: BodyMeasurements | None = None) -> Gar
     return measure_anatomy(Anatomy.of(pattern.canonical(), body))
 
 
-def measure_anatomy(anatomy: Anatomy, worn: Worn | None = None) -> GarmentFacts:
-    """Measures a garment that has been looked at already."""
-    worn = wear(anatomy) if worn is None else worn
+@lru_cache(maxsize=32)
+def measure_anatomy(anatomy: Anatomy) -> GarmentFacts:
+    """Measures a garment that has been looked at already; remembers the latest."""
+    worn = wear(anatomy)
     line = find_hem(anatomy, worn)
     hem = measure_hem(anatomy, worn, line)
     covered = (worn.shoulders[0] is not None, worn.shoulders[1] is not None)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 
 from swifttailor.pattern.check.outline import trace_outline
 from swifttailor.pattern.check.panel_checks import check_panel
@@ -39,6 +40,21 @@ def check_pattern(
     Returns:
         Findings, errors first; stitch and edge numbers are those of `pattern`.
     """
+    found = tuple(reader_findings)
+    if body is None and not found:
+        return _check_of_itself(pattern)
+    return _check(pattern, found, body)
+
+
+@lru_cache(maxsize=64)
+def _check_of_itself(pattern: Pattern) -> tuple[Finding, ...]:
+    """The same pattern is checked again by each of those who alter it."""
+    return _check(pattern, (), None)
+
+
+def _check(
+    pattern: Pattern, reader_findings: tuple[Finding, ...], body: BodyProbe | SignedDistance | None
+) -> tuple[Finding, ...]:
     outlines = {panel.name: trace_outline(panel) for panel in pattern.panels}
     usable = usable_stitches(pattern)
     directions = judge_directions(pattern, outlines, single_stitches(pattern, usable))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -36,6 +37,7 @@ class Crossing:
     """How often the outline meets itself."""
 
 
+@lru_cache(maxsize=512)
 def find_crossing(outline: Outline) -> Crossing | None:
     """Looks for self-intersections of an outline.
 
@@ -44,7 +46,7 @@ def find_crossing(outline: Outline) -> Crossing | None:
     that face's width is the depth of the crossing. Loops that only touch themselves make none.
 
     Args:
-        outline: Flattened panel.
+        outline: Flattened panel; what was found in the latest of them is remembered.
 
     Returns:
         The deepest meeting, or None for a simple outline.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,8 +63,9 @@ class Outline:
         return self.panel.placement.matrix()[:, 2] * (1.0 if self.area >= 0 else -1.0)
 
 
+@lru_cache(maxsize=512)
 def trace_outline(panel: Panel) -> Outline:
-    """Flattens a panel's loop.
+    """Flattens a panel's loop; remembers the latest, since most panels stay as they are from check to check.
 
     The tolerance grows with the panel's extent and edge count where these are far beyond cloth, so that the
     number of points stays bounded for any input.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
 import numpy as np
@@ -135,6 +135,8 @@ class OnnxRuntime:
 
     sessions: dict[str, Any]
     """By name, as in `GRAPHS`; all or none of `COPYING_GRAPHS`, and with these of `PLANNING_GRAPHS`."""
+    _bare: dict[tuple[str, int], Singles] = field(default_factory=dict, init=False, repr=False)
+    """What the graphs that embed make of tokens without numbers: (hidden,), by graph and token."""
 
     def look(self, pictures: Singles) -> Singles:
         """See `Runtime`."""
@@ -142,7 +144,7 @@ class OnnxRuntime:
 
     def embed(self, tokens: Longs, numbers: Singles) -> Singles:
         """See `Runtime`."""
-        return self._run("embed", tokens, numbers)[0]
+        return self._embedded("embed", tokens, numbers)
 
     def decode(self, embedded: Singles, known: Singles, cache: Cache) -> tuple[Singles, Singles, Cache]:
         """See `Runtime`."""
@@ -169,7 +171,7 @@ class OnnxRuntime:
 
     def embed_counterparts(self, tokens: Longs, numbers: Singles) -> Singles:
         """See `Runtime`."""
-        return self._run("counterpart", tokens, numbers)[0]
+        return self._embedded("counterpart", tokens, numbers)
 
     def lean(self, states: Singles) -> Singles:
         """See `Runtime`."""
@@ -189,7 +191,7 @@ class OnnxRuntime:
 
     def embed_planned(self, tokens: Longs, numbers: Singles) -> Singles:
         """See `Runtime`."""
-        return self._run("planned", tokens, numbers)[0]
+        return self._embedded("planned", tokens, numbers)
 
     def embed_panels(self, plans: Singles) -> Singles:
         """See `Runtime`."""
@@ -199,9 +201,19 @@ class OnnxRuntime:
         """See `Runtime`."""
         return self._run("trust", states)[0]
 
+    def _embedded(self, graph: str, tokens: Longs, numbers: Singles) -> Singles:
+        """Runs a graph that embeds; single tokens without numbers, which most are, only when they are new."""
+        if tokens.shape[1] != 1 or numbers.any():
+            return self._run(graph, tokens, numbers)[0]
+        own = [(graph, token) for token in tokens[:, 0].tolist()]
+        for row, key in enumerate(own):
+            if key not in self._bare:
+                one = slice(row, row + 1)
+                self._bare[key] = self._run(graph, tokens[one], numbers[one])[0][0, 0]
+        return np.stack([self._bare[key] for key in own])[:, None]
+
     def _run(self, graph: str, *given: Any) -> Any:
-        inputs, _ = signature(graph, planning=self.plans)
-        return self.sessions[graph].run(None, dict(zip(inputs, given, strict=True)))
+        return self.sessions[graph].run(None, dict(zip(_ALL_GRAPHS[graph][0], given, strict=True)))
 
 
 def ends_of(states: Any, known: Singles) -> Any:

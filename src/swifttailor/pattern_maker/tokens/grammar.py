@@ -15,9 +15,10 @@ that name; a panel has three edges, or two of which one is curved; every stitch 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from enum import Enum, auto
-from typing import Literal
+from itertools import islice
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,8 +84,7 @@ class Limits:
             raise InputError(f"limits.edges is {self.edges}; at least 4 are accepted.")
 
 
-@dataclass(frozen=True, slots=True)
-class State:
+class State(NamedTuple):
     """What a prefix amounts to: all that the rules look at."""
 
     stage: Stage = Stage.NOTHING
@@ -122,7 +122,7 @@ class Grammar:
         for tokens in self._by_syntax(state):
             # What follows is the same for all tokens of one group.
             if len(tokens) and self._can_finish(next_state(state, tokens[0])):
-                mask[tokens] = True
+                mask[tokens if isinstance(tokens, list) else slice(tokens.start, tokens.stop)] = True
         return mask
 
     def advance(self, state: State, token: int) -> State:
@@ -169,9 +169,9 @@ class Grammar:
         names = {STITCH_TOKENS[tag]: STITCH_TOKENS[name] for tag, name in zip(kept, new, strict=True)}
         names |= {STITCH_TOKENS[tag]: NOT_STITCHED for tag in state.open}
         used = frozenset(names[STITCH_TOKENS[tag]] - STITCH_TOKENS.start for tag in kept)
-        return replace(state, open=frozenset(), used=used), [names.get(token, token) for token in tokens]
+        return state._replace(open=frozenset(), used=used), [names.get(token, token) for token in tokens]
 
-    def _by_syntax(self, state: State) -> list[list[int]]:
+    def _by_syntax(self, state: State) -> list[list[int] | range]:
         """What the rules let follow, limits aside, in groups that lead to states of equal cost."""
         stage = state.stage
         if stage is Stage.NOTHING:
@@ -179,9 +179,11 @@ class Grammar:
         if stage is Stage.BETWEEN_PANELS:
             # A name is of use if the panels that the open stitches need after it have names too.
             further = -(-max(len(state.open) - self.limits.edges, 0) // self.limits.edges)
-            names = list(PANEL_TOKENS[state.name + 1 :])
+            names = PANEL_TOKENS[state.name + 1 :]
             last = max(len(names) - further, 0)
-            ended = [[PATTERN_END]] if state.name != _NO_NAME and not state.open else []
+            ended: list[list[int] | range] = (
+                [[PATTERN_END]] if state.name != _NO_NAME and not state.open else []
+            )
             return [names[:last], names[last:], *ended]
         if stage is Stage.NAME:
             return [[MOVE], [token for token in PANEL_LABEL_TOKENS if token != _USUAL[state.name]]]
@@ -193,23 +195,23 @@ class Grammar:
             return self._edge_continued(state)
         return []
 
-    def _commands(self, state: State) -> list[list[int]]:
-        groups = [list(COMMANDS)] if state.edges + 1 < self.limits.edges else []
+    def _commands(self, state: State) -> list[list[int] | range]:
+        groups: list[list[int] | range] = [COMMANDS] if state.edges + 1 < self.limits.edges else []
         if state.edges >= FEWEST_EDGES or (state.edges and state.curved):
-            groups.append(list(CLOSING_COMMANDS))
+            groups.append(CLOSING_COMMANDS)
         elif state.edges:
-            groups.append(list(CLOSING_COMMANDS[1:]))
+            groups.append(CLOSING_COMMANDS[1:])
         return groups
 
-    def _edge_continued(self, state: State) -> list[list[int]]:
+    def _edge_continued(self, state: State) -> list[list[int] | range]:
         closing = [STITCH_TOKENS[tag] for tag in state.open]
         if state.stage is Stage.RIGHT_WRONG:
             return [closing]
-        free = [tag for tag in range(STITCH_TAGS) if tag not in state.used]
-        opening = [STITCH_TOKENS[tag] for tag in (free if self.tags == "any" else free[:1])]
-        groups = [[NOT_STITCHED], closing, opening]
+        free = (tag for tag in range(STITCH_TAGS) if tag not in state.used)
+        opening = [STITCH_TOKENS[tag] for tag in (free if self.tags == "any" else islice(free, 1))]
+        groups: list[list[int] | range] = [[NOT_STITCHED], closing, opening]
         groups += [[RIGHT_WRONG]] if state.open else []
-        return groups + ([list(EDGE_LABEL_TOKENS)] if state.stage is Stage.COMMAND else [])
+        return groups + ([EDGE_LABEL_TOKENS] if state.stage is Stage.COMMAND else [])
 
     def _can_finish(self, state: State) -> bool:
         need = self._tokens_to_finish(state)
@@ -250,28 +252,30 @@ class Grammar:
 
 def next_state(state: State, token: int) -> State:
     """The state after a token that the rules let follow."""
-    state = replace(state, length=state.length + 1)
-    if token == PATTERN_START:
-        return replace(state, stage=Stage.BETWEEN_PANELS)
-    if token == PATTERN_END:
-        return replace(state, stage=Stage.FINISHED)
+    _, length, name, edges, curved, closing, still_open, used = state
+    length += 1
+    stage = _STAGE_AFTER.get(token)
+    if stage is not None:
+        return State(stage, length, name, edges, curved, closing, still_open, used)
     if token in PANEL_TOKENS:
-        name = token - PANEL_TOKENS.start
-        return replace(state, stage=Stage.NAME, name=name, edges=0, curved=False, closing=False)
-    if token in PANEL_LABEL_TOKENS:
-        return replace(state, stage=Stage.PANEL_LABEL)
-    if token == MOVE:
-        return replace(state, stage=Stage.IN_PANEL)
+        return State(Stage.NAME, length, token - PANEL_TOKENS.start, 0, False, False, still_open, used)
     if token in COMMANDS or token in CLOSING_COMMANDS:
-        curved = state.curved or curve_type(token) is not Line
+        curved = curved or curve_type(token) is not Line
         closing = token in CLOSING_COMMANDS
-        return replace(state, stage=Stage.COMMAND, edges=state.edges + 1, curved=curved, closing=closing)
-    if token in EDGE_LABEL_TOKENS:
-        return replace(state, stage=Stage.EDGE_LABEL)
-    if token == RIGHT_WRONG:
-        return replace(state, stage=Stage.RIGHT_WRONG)
-    done = replace(state, stage=Stage.BETWEEN_PANELS if state.closing else Stage.IN_PANEL)
-    if token == NOT_STITCHED:
-        return done
-    tag = frozenset([token - STITCH_TOKENS.start])
-    return replace(done, open=done.open ^ tag, used=done.used | tag)
+        return State(Stage.COMMAND, length, name, edges + 1, curved, closing, still_open, used)
+    stage = Stage.BETWEEN_PANELS if closing else Stage.IN_PANEL
+    if token != NOT_STITCHED:
+        tag = frozenset([token - STITCH_TOKENS.start])
+        still_open, used = still_open ^ tag, used | tag
+    return State(stage, length, name, edges, curved, closing, still_open, used)
+
+
+_STAGE_AFTER = {
+    PATTERN_START: Stage.BETWEEN_PANELS,
+    PATTERN_END: Stage.FINISHED,
+    MOVE: Stage.IN_PANEL,
+    RIGHT_WRONG: Stage.RIGHT_WRONG,
+    **dict.fromkeys(PANEL_LABEL_TOKENS, Stage.PANEL_LABEL),
+    **dict.fromkeys(EDGE_LABEL_TOKENS, Stage.EDGE_LABEL),
+}
+"""Where a token alone says it."""

@@ -24,7 +24,7 @@ class Cutter:
     @cached_property
     def facts(self) -> GarmentFacts:
         """What the pattern shows."""
-        return measure_anatomy(self.anatomy, self.worn)
+        return measure_anatomy(self.anatomy)
 
     @cached_property
     def faults(self) -> frozenset[tuple[str, str]]:
