@@ -51,23 +51,22 @@ def run_all(page: str) -> None:
         assert run(command[1:]) in (0, 1), command
 
 
-def test_the_readme_from_top_to_bottom(tmp_path, monkeypatch, coarse, capsys):
+def test_the_guide_to_commands(tmp_path, monkeypatch, coarse, networks, capsys):
     monkeypatch.chdir(tmp_path)
-    run_all("README.md")
-    text = (ROOT / "README.md").read_text()
-    folder = {"preview.png", "garment.glb", "garment.obj", "pattern.svg", "pattern.json", "report.json"}
-    assert {p.name for p in (tmp_path / "dress").iterdir()} == folder
+    run_all("docs/commands.md")
+    text = (ROOT / "docs/commands.md").read_text()
+    folder = {p.name for p in (tmp_path / "shirt").iterdir()}
+    assert folder == {
+        "preview.png", "garment.glb", "garment.obj", "pattern.svg", "pattern.json", "report.json"
+    }  # fmt: skip
     assert all(f"`{name}`" in text for name in folder)
-    quality = json.loads((tmp_path / "dress" / "report.json").read_text())["quality"]
-    table = text.split("### Reading report.json")[1].split("### ")[0]
+    report = json.loads((tmp_path / "shirt" / "report.json").read_text())
+    assert report["fabric"] == "jersey"
+    table = text.split("## Reading report.json")[1].split("## ")[0]
     documented = set(re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE))
-    assert documented and documented <= set(quality)
+    assert documented and documented <= set(report["quality"])
     assert (tmp_path / "many" / "sheet-01.png").is_file()
     assert json.loads((tmp_path / "many" / "summary.json").read_text())["counts"]["failed"] == 0
-    for block in blocks("README.md", "python"):
-        exec(compile(block, "README.md", "exec"), {})
-    assert (tmp_path / "silk-dress" / "garment.glb").is_file()
-    assert json.loads((tmp_path / "silk-dress" / "report.json").read_text())["fabric"] == "silk"
 
 
 def test_the_guide_to_draping(tmp_path, monkeypatch, coarse, capsys):
@@ -130,6 +129,49 @@ def networks(monkeypatch):
     monkeypatch.setattr(tailored, "PREVIEW_SIZE", (100, 60))
 
 
+def test_the_readme_from_top_to_bottom(tmp_path, monkeypatch, coarse, networks, capsys):
+    from PIL import Image
+
+    monkeypatch.chdir(tmp_path)
+    Image.linear_gradient("L").save("picture.png")
+    assert [c[1] for c in commands("README.md")] == ["generate", "generate", "edit"]
+    for command in commands("README.md"):
+        assert run(command[1:]) == 0, command
+    for block in blocks("README.md", "python"):
+        exec(compile(block, "README.md", "exec"), {})
+    text = (ROOT / "README.md").read_text()
+    folder = {p.name for p in (tmp_path / "flared").iterdir()}
+    assert folder == {p.name for p in (tmp_path / "longer").iterdir()}
+    assert all(f"`{name}`" in text for name in folder)
+    assert json.loads((tmp_path / "skirt" / "report.json").read_text())["fabric"] == "silk"
+
+
+def test_the_readme_is_one_page():
+    assert len((ROOT / "README.md").read_text().splitlines()) < 110
+
+
+def test_the_figures_of_the_readme_stand_in_the_guides():
+    readme = (ROOT / "README.md").read_text()
+    maker = (ROOT / "docs/pattern-maker.md").read_text()
+    sewer = (ROOT / "docs/garment-sewer.md").read_text()
+
+    def cell(page: str, row: str, column: int) -> float:
+        line = next(line for line in page.splitlines() if line.startswith(f"| {row} |"))
+        return float(line.split("|")[column + 1].strip(" *%"))
+
+    def ours(row: str) -> str:
+        return next(line for line in readme.splitlines() if line.startswith(f"| {row}")).split("|")[2]
+
+    assert f"{cell(maker, 'both, altered', 2):.0f} %" in ours("right number of panels")
+    assert f"{cell(maker, 'picture, mended', 2):.0f} %" in ours("the same, **from a picture")
+    assert f"{cell(maker, 'edit, altered', 2):.0f} %" in ours("the same, after an edit")
+    assert f"{cell(maker, 'the same, input unchanged', 2):.0f} %" in ours("the same, after an edit")
+    assert f"{cell(sewer, 'sewn', 1):.1f}" in ours("distance of the mesh")
+    assert f"{cell(sewer, 'with `--finish`', 1):.1f}" in ours("distance of the mesh")
+    for number in ("0.63 s", "2.51", "1.27"):
+        assert number in maker and number in readme
+
+
 def test_the_guide_to_garments_of_words(tmp_path, monkeypatch, networks, capsys):
     from PIL import Image
 
@@ -151,10 +193,6 @@ def test_the_guide_to_garments_of_words(tmp_path, monkeypatch, networks, capsys)
     for block in blocks("docs/generate.md", "python"):
         exec(compile(block, "generate.md", "exec"), {})
     assert (tmp_path / "longer-dress" / "garment.glb").is_file()
-    block = next(b for b in blocks("README.md", "bash") if "generate" in b)
-    assert {tuple(shlex.split(line)) for line in block.splitlines()} < {
-        tuple(c) for c in commands("docs/generate.md")
-    }
 
 
 def test_the_guide_lists_every_option_of_generate_and_edit():
@@ -221,30 +259,20 @@ def test_the_tables_of_claims_and_operations_are_whole():
         assert f"| {operation.name} | {operation.about} |\n" in edits
 
 
-def test_the_readme_lists_the_commands_that_exist():
-    table = (ROOT / "README.md").read_text().split("## Commands")[1].split("###")[0]
+def test_the_guide_lists_the_commands_that_exist():
+    table = (ROOT / "docs/commands.md").read_text().split("```")[0]
     assert set(re.findall(r"^\| `swifttailor (\w+)", table, re.MULTILINE)) == set(COMMANDS)
 
 
-def test_the_readme_lists_every_option_of_drape():
+def test_the_guide_lists_every_option_of_drape():
     import dataclasses
 
     from swifttailor.cli.drape import Drape
 
-    table = (ROOT / "README.md").read_text().split("### Options of `drape`")[1].split("###")[0]
+    table = (ROOT / "docs/commands.md").read_text().split("## Options of `drape`")[1].split("## ")[0]
     shown = set(re.findall(r"`--(?:no-)?([a-z-]+)`", table))
     fields = {f.name.replace("_", "-") for f in dataclasses.fields(Drape)} - {"pattern", "out"}
     assert shown == fields
-
-
-def test_the_house_in_the_readme_is_the_one_on_disk():
-    tree = (ROOT / "README.md").read_text().split("## The house")[1].split("```")[1]
-    rooms = set(re.findall(r"^  (\w+)(?:/|\.py)", tree, re.MULTILINE))
-    package = Path(swifttailor.__file__).parent
-    on_disk = {p.name for p in package.iterdir() if (p / "__init__.py").exists()} | {"garment"}
-    assert rooms == on_disk
-    for folder in re.findall(r"^(\w+)/ ", tree, re.MULTILINE):
-        assert (ROOT / folder).is_dir(), folder
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: str(p.relative_to(ROOT)))
@@ -259,5 +287,6 @@ def test_links_and_make_targets_exist(page):
             assert re.search(rf"^{target}:", makefile, re.MULTILINE), target
 
 
-def test_the_picture_is_small():
-    assert (ROOT / "docs/images/shirt-dress.png").stat().st_size < 400_000
+def test_the_pictures_are_small():
+    for name in ("words-to-garment.jpg", "shirt-dress.png", "sewn-drafts.jpg"):
+        assert (ROOT / "docs/images" / name).stat().st_size < 500_000

@@ -113,4 +113,5 @@ def test_seams_and_hems_become_lines():
 
 def test_body_is_a_closed_surface(body):
     surface = body_surface(body)
-    assert surface.back_color is None and len(surface.faces) == len(body.faces)
+    assert surface.back_color is None and not len(border_edges(surface.faces))
+    assert np.abs(np.ptp(surface.vertices, axis=0) - np.ptp(body.vertices, axis=0)).max() < 4.0

@@ -13,13 +13,13 @@ from swifttailor.arrays import Array
 from swifttailor.garment.binary_file import write_bytes
 from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.garment.units import to_metres
+from swifttailor.render.color import to_linear
 
 _FLOAT, _UINT = 5126, 5125
 _VERTICES, _INDICES = 34962, 34963
 _LINES, _TRIANGLES = 1, 4
-CLOTH_COLOR = (0.07, 0.19, 0.43, 1.0)
-"""Linear base colour of the cloth."""
-_SEAM_COLOR = (0.02, 0.05, 0.12, 1.0)
+_SEAM_SHARE = 0.28
+"""How light a seam is beside its cloth."""
 
 
 def write_glb(mesh: TriangleMesh, path: Path | str) -> Path:
@@ -77,6 +77,7 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         }
         nodes.append({"name": "seams", "mesh": len(meshes)})
         meshes.append({"name": "seams", "primitives": [primitive]})
+    cloth = to_linear(mesh.color)
     root = {"name": "garment", "children": list(range(1, len(nodes) + 1))}
     document = {
         "asset": {"version": "2.0", "generator": "swifttailor"},
@@ -84,7 +85,7 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         "scenes": [{"nodes": [0]}],
         "nodes": [root, *nodes],
         "meshes": meshes,
-        "materials": [_material("cloth", CLOTH_COLOR), _material("seam", _SEAM_COLOR)],
+        "materials": [_material("cloth", cloth), _material("seam", _SEAM_SHARE * cloth)],
         "accessors": buffer.accessors,
         "bufferViews": buffer.views,
         "buffers": [{"byteLength": len(buffer.data)}] if buffer.data else [],
@@ -132,8 +133,12 @@ class _Buffer:
         return len(self.accessors) - 1
 
 
-def _material(name: str, color: tuple[float, ...]) -> dict[str, Any]:
-    surface = {"baseColorFactor": list(color), "metallicFactor": 0.0, "roughnessFactor": 0.85}
+def _material(name: str, color: Array) -> dict[str, Any]:
+    surface = {
+        "baseColorFactor": [*np.round(color, 4).tolist(), 1.0],
+        "metallicFactor": 0.0,
+        "roughnessFactor": 0.85,
+    }
     return {"name": name, "pbrMetallicRoughness": surface, "doubleSided": True}
 
 

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.body.mannequin import mannequin
+from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.render.backdrop import wall
-from swifttailor.render.color import BACKGROUND, BODY, CLOTH, Color, encode_srgb, to_linear
+from swifttailor.render.color import BACKGROUND, BODY, Color, encode_srgb, to_linear
 from swifttailor.render.framing import frame_views
 from swifttailor.render.scene import Scene
 from swifttailor.render.surface import LineSet, Surface
@@ -22,17 +24,18 @@ if TYPE_CHECKING:
 
 
 def cloth_surface(
-    garment: Garment, color: Color = CLOTH, *, tint_panels: bool = True, lines: bool = True
+    garment: Garment, color: Color | None = None, *, tint_panels: bool = True, lines: bool = True
 ) -> Surface:
     """The garment as the renderer draws it.
 
     Args:
         garment: Any garment.
-        color: Right side of the cloth; the inside is darker and greyer.
+        color: Right side of the cloth; the inside is darker and greyer. None: the pattern's own
+            (`cloth_color`).
         tint_panels: Whether neighbouring panels differ a little in lightness.
         lines: Whether seams and hems are drawn.
     """
-    base = to_linear(color)
+    base = to_linear(cloth_color(garment.pattern) if color is None else color)
     right = np.broadcast_to(base, (len(garment.faces), 3))
     if tint_panels:
         # Golden-ratio steps keep consecutive panels apart whatever their number.
@@ -51,9 +54,16 @@ def cloth_surface(
     )
 
 
-def body_surface(body: Body, color: Color = BODY) -> Surface:
-    """The body as a mannequin."""
-    return Surface(body.vertices, body.faces, to_linear(color), gloss=0.05)
+def body_surface(body: Body, color: Color = BODY, *, cloth: Array | None = None) -> Surface:
+    """The body as a shop's mannequin: smooth, matt, without anatomy.
+
+    Args:
+        body: Who wears the garment.
+        color: Of the mannequin.
+        cloth: (k, 3) vertices of the garment, cm; see `mannequin`.
+    """
+    vertices, faces = mannequin(body, cloth)
+    return Surface(vertices, faces, to_linear(color), gloss=0.02)
 
 
 def render_preview(
@@ -61,7 +71,7 @@ def render_preview(
     body: Body | None,
     *,
     size: tuple[int, int] = (1500, 900),
-    color: Color = CLOTH,
+    color: Color | None = None,
     background: Color = BACKGROUND,
 ) -> Image:
     """Draws a garment from the front, the back and the wearer's left side by side.
@@ -70,7 +80,7 @@ def render_preview(
         garment: What to show.
         body: Who wears it; None draws the garment alone.
         size: Width and height of the whole picture in pixels.
-        color: Right side of the cloth.
+        color: Right side of the cloth; None: the pattern's own (`cloth_color`).
         background: Backdrop.
 
     Returns:
@@ -80,7 +90,7 @@ def render_preview(
 
     surfaces = [cloth_surface(garment, color)]
     if body is not None:
-        surfaces.insert(0, body_surface(body))
+        surfaces.insert(0, body_surface(body, cloth=garment.vertices))
     scene = Scene(surfaces)
     picture = wall(size, to_linear(background))
     for view in frame_views(garment.vertices, None if body is None else body.vertices, size):

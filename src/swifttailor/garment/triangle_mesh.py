@@ -10,6 +10,7 @@ import numpy as np
 
 from swifttailor.arrays import Array
 from swifttailor.errors import InputError
+from swifttailor.garment.cloth_color import PALETTE, cloth_color
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
@@ -37,6 +38,8 @@ class TriangleMesh:
     """(m,) index into `groups`; None when there are no groups."""
     lines: tuple[Array, ...] = ()
     """Polylines of vertex indices: the seams."""
+    color: str = PALETTE[0]
+    """Of the cloth, ``#rrggbb``; for formats with materials."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "vertices", _floats("vertices", self.vertices, 3))
@@ -119,6 +122,7 @@ def mesh_of_garment(garment: Garment) -> TriangleMesh:
         tuple(p.name for p in garment.pattern.panels),
         mesh.face_panel if len(garment.pattern.panels) else None,
         tuple(seam.vertices for seam in garment.seams),
+        cloth_color(garment.pattern),
     )
 
 

@@ -10,10 +10,10 @@ import numpy as np
 
 from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import InputError
-from swifttailor.garment.glb import CLOTH_COLOR
 from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.garment.units import CM_PER_METRE, to_metres
 from swifttailor.garment.usd_library import load_usd
+from swifttailor.render.color import to_linear
 
 ENDINGS = (".usd", ".usda", ".usdc", ".usdz")
 
@@ -74,7 +74,7 @@ def _stage(pxr: Any, mesh: TriangleMesh) -> Any:
         st.Set(Vt.Vec2fArray.FromNumpy(mesh.uv.astype(np.float32)))
         st.SetIndices(Vt.IntArray.FromNumpy(mesh.uv_faces.ravel().astype(np.int32)))
 
-    material = _material(pxr, stage)
+    material = _material(pxr, stage, mesh.color)
     UsdShade.MaterialBindingAPI.Apply(cloth.GetPrim()).Bind(material)
     taken: set[str] = set()
     for k, name in enumerate(mesh.groups):
@@ -108,12 +108,12 @@ def _stage(pxr: Any, mesh: TriangleMesh) -> Any:
     return stage
 
 
-def _material(pxr: Any, stage: Any) -> Any:
+def _material(pxr: Any, stage: Any, color: str) -> Any:
     Gf, Sdf, UsdShade = pxr.Gf, pxr.Sdf, pxr.UsdShade
     material = UsdShade.Material.Define(stage, "/garment/materials/cloth")
     shader = UsdShade.Shader.Define(stage, "/garment/materials/cloth/surface")
     shader.CreateIdAttr("UsdPreviewSurface")
-    shader.CreateInput("diffuseColor", Sdf.ValueTypeNames.Color3f).Set(Gf.Vec3f(*CLOTH_COLOR[:3]))
+    shader.CreateInput("diffuseColor", Sdf.ValueTypeNames.Color3f).Set(Gf.Vec3f(*to_linear(color).tolist()))
     shader.CreateInput("roughness", Sdf.ValueTypeNames.Float).Set(0.85)
     material.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
     return material

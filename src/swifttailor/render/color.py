@@ -9,9 +9,7 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.errors import InputError
 
-CLOTH = "#47788f"
-"""Default colour of the right side of the cloth."""
-BODY = "#c9bfb6"
+BODY = "#d5cec5"
 """The mannequin."""
 BACKGROUND = "#f3f2ef"
 """Backdrop, at its lightest."""

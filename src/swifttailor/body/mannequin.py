@@ -1,0 +1,104 @@
+"""A body as a shop mannequin, for pictures: smooth, without anatomy. What collides is the body itself."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from swifttailor.arrays import Array
+from swifttailor.body.body import Body
+
+UNIT_CM = 0.01
+"""Of the numbers in the file."""
+_FILE = Path(__file__).with_name("mannequin.npz")
+_NEAR_CM, _FAR_CM = 2.0, 4.0
+"""Hollows are emptied where cloth is nearer than the first, and left filled where it is beyond the second."""
+_ROUNDS = 60
+_OUTWARD_CM = 0.5
+"""A smoothed body of somebody's own fills hollows by at most this much, so that cloth stays outside."""
+
+
+def mannequin(body: Body, cloth: Array | None = None) -> tuple[Array, Array]:
+    """The surface that stands for a body in pictures.
+
+    The default body has one that is made with care (``scripts/make_mannequin.py``). Any other is smoothed,
+    and pushed out nowhere by more than half a centimetre.
+
+    Args:
+        body: Who wears the garment.
+        cloth: (k, 3) points of what is worn, cm. The mannequin fills some hollows of the default body; under
+            cloth they are empty again, so that it does not show through.
+
+    Returns:
+        Vertices (n, 3) in cm and faces (m, 3), anticlockwise seen from outside.
+    """
+    if body is not Body.default():
+        return smoothed(body.vertices, body.faces), body.faces
+    made = _default()
+    if cloth is None or not len(cloth):
+        return made.vertices, made.faces
+    from scipy.spatial import KDTree
+
+    filled = np.flatnonzero(made.over > 0.0)
+    away, _ = KDTree(cloth).query(made.vertices[filled], distance_upper_bound=_FAR_CM)
+    share = np.clip((_FAR_CM - away) / (_FAR_CM - _NEAR_CM), 0.0, 1.0)
+    vertices = made.vertices.copy()
+    vertices[filled] -= (share * made.over[filled])[:, None] * made.normals[filled]
+    return vertices, made.faces
+
+
+@dataclass(frozen=True, eq=False)
+class _Mannequin:
+    vertices: Array
+    """(n, 3) cm."""
+    faces: Array
+    """(m, 3)."""
+    over: Array
+    """(n,) how far above the body, cm; 0 inside."""
+    normals: Array
+    """(n, 3)."""
+
+
+@functools.cache
+def _default() -> _Mannequin:
+    with np.load(_FILE, allow_pickle=False) as stored:
+        vertices = stored["vertices"].astype(np.float64) * UNIT_CM
+        faces = stored["faces"].astype(np.int32)
+        return _Mannequin(vertices, faces, stored["over"] * UNIT_CM, _normals(vertices, faces))
+
+
+def smoothed(vertices: Array, faces: Array) -> Array:
+    """Vertices (n, 3) of a closed mesh without its fine detail, by Taubin's filter (SIGGRAPH 1995).
+
+    Args:
+        vertices: (n, 3) cm.
+        faces: (m, 3) vertex indices, anticlockwise seen from outside.
+    """
+    from scipy import sparse
+
+    count = len(vertices)
+    edges = faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+    links = sparse.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), (count, count)).tocsr()
+    links = ((links + links.T) > 0).astype(np.float64)
+    degree = np.asarray(links.sum(axis=1)).ravel()
+    joined = degree > 0
+    moved = vertices.astype(np.float64)
+    for _ in range(_ROUNDS):
+        for step in (0.6, -0.61):
+            mean = (links @ moved)[joined] / degree[joined, None]
+            moved[joined] += step * (mean - moved[joined])
+    normals = _normals(vertices, faces)
+    out = np.einsum("ij,ij->i", moved - vertices, normals)
+    return moved - np.maximum(out - _OUTWARD_CM, 0.0)[:, None] * normals
+
+
+def _normals(vertices: Array, faces: Array) -> Array:
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    across = np.repeat(np.cross(b - a, c - a), 3, axis=0)
+    corner = faces.ravel()
+    summed = np.stack([np.bincount(corner, across[:, k], len(vertices)) for k in range(3)], axis=1)
+    length = np.linalg.norm(summed, axis=1, keepdims=True)
+    return np.divide(summed, length, out=np.zeros_like(summed), where=length > 1e-12)

@@ -1,0 +1,45 @@
+import json
+import struct
+
+import numpy as np
+import pytest
+
+import swifttailor
+from swifttailor.garment.cloth_color import PALETTE, cloth_color
+from swifttailor.garment.glb import glb_bytes
+from swifttailor.garment.preview import cloth_surface
+from swifttailor.garment.triangle_mesh import mesh_of_garment
+from swifttailor.render.color import BACKGROUND, BODY, to_linear
+
+DRAFTS = ("circle-skirt", "fitted-dress", "gathered-skirt", "hoodie", "jumpsuit", "shirt-dress", "trousers")
+
+
+def test_garments_differ_and_each_keeps_its_colour():
+    found = [cloth_color(swifttailor.draft(name)) for name in DRAFTS]
+    assert found == [cloth_color(swifttailor.draft(name)) for name in DRAFTS]
+    assert len(set(found)) >= 4 and set(found) <= set(PALETTE)
+
+
+def test_a_longer_skirt_keeps_its_colour():
+    short, long = (swifttailor.draft("shirt-dress", skirt_length=length) for length in (45, 60))
+    assert cloth_color(short) == cloth_color(long)
+
+
+@pytest.mark.parametrize("color", PALETTE)
+def test_every_colour_can_be_told_from_the_figure_and_the_backdrop(color):
+    for other in (BODY, BACKGROUND):
+        assert np.abs(np.sqrt(to_linear(color)) - np.sqrt(to_linear(other))).max() > 0.2
+
+
+def test_files_have_the_colour_of_the_preview(tube):
+    base = to_linear(cloth_color(tube.pattern))
+    content = glb_bytes(mesh_of_garment(tube))
+    length = struct.unpack("<I", content[12:16])[0]
+    cloth, seam = (
+        m["pbrMetallicRoughness"]["baseColorFactor"]
+        for m in json.loads(content[20 : 20 + length])["materials"]
+    )
+    assert cloth == [*np.round(base, 4), 1.0]
+    assert all(dark < light for dark, light in zip(seam[:3], cloth[:3], strict=True))
+    shown = cloth_surface(tube, tint_panels=False).color
+    assert np.allclose(shown, base)
