@@ -10,7 +10,7 @@ from swifttailor.draping.finish_or_drape import finish_or_drape
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern import Edge, EdgeRef, Panel, Pattern, Placement, Stitch
 from swifttailor.pattern.drafts import draft
-from swifttailor.tailor.tailored import finishing_notes
+from swifttailor.tailor.reporting import finishing_notes
 
 COARSE = 4.0
 

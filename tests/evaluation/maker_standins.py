@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from swifttailor.errors import InputError
 from swifttailor.evaluation.maker.questions import Question
-from swifttailor.pattern import Finding, Pattern, repair_pattern, to_specification
-from swifttailor.pattern.check.repair import Change
+from swifttailor.pattern import Pattern, repair_pattern, to_specification
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern_maker.maker import Request
+from swifttailor.pattern_maker.maker import Request, WrittenPattern
 from swifttailor.pattern_maker.tokens.encode import encode
-from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
 
 DRAFTS = {
     "shirt": ("t-shirt", {}),
@@ -55,22 +53,17 @@ def _write(path: Path, lines: Sequence[str]) -> Path:
     return path
 
 
-@dataclass(frozen=True)
-class Given:
-    """An answer; what is safe to mend is mended, as a PatternMaker does."""
-
-    pattern: Pattern
-    sequence: TokenSequence
-    changes: tuple[Change, ...] = ()
-    findings: tuple[Finding, ...] = ()
-    log_likelihood: float = -1.5
-    seconds: dict[str, float] = field(default_factory=lambda: {"writing": 0.5})
-
-
-def given(written: Pattern) -> Given:
-    """What a PatternMaker that writes a pattern gives."""
+def given(written: Pattern) -> WrittenPattern:
+    """What a PatternMaker that writes a pattern gives: what is safe to mend is mended."""
     repair = repair_pattern(written)
-    return Given(repair.pattern, encode(written), repair.changes, repair.remaining)
+    return WrittenPattern(
+        repair.pattern,
+        log_likelihood=-1.5,
+        sequence=encode(written),
+        changes=repair.changes,
+        findings=repair.remaining,
+        seconds={"writing": 0.5},
+    )
 
 
 Choose = Callable[[Question, int, float], Pattern]
@@ -86,8 +79,8 @@ class StandIn:
         """Keys of the questions that were asked together, call by call."""
 
     def generate_all(
-        self, requests: Sequence[Request], *, seed: Sequence[int], temperature: float, attempts: int
-    ) -> list[Given]:
+        self, requests: Sequence[Request], *, seed: Sequence[int], temperature: float, draw: int
+    ) -> list[WrittenPattern]:
         found = [self._find(request) for request in requests]
         self.asked.append([q.key for q in found])
         return [given(self.choose(q, s, temperature)) for q, s in zip(found, seed, strict=True)]

@@ -34,9 +34,10 @@ from swifttailor.evaluation.maker.sheet import Shown, spread, write_sheets
 from swifttailor.evaluation.maker.tables import sampling_text, task_text
 from swifttailor.evaluation.patterns import summarize_patterns
 from swifttailor.pattern import Edge, Panel, Pattern
+from swifttailor.tailor import Tailor
 from swifttailor.workers.work_folder import FolderLock
 
-HOW = Asking(0.0, 1, 7)
+HOW = Asking(temperature=0.0, network_alone=True, seed=7)
 
 
 @pytest.fixture(scope="module")
@@ -80,7 +81,7 @@ def test_questions_of_one_task_go_together(texts, edits, pairs):
 def test_answers_are_kept_and_not_asked_for_again(texts, pairs, book, tmp_path):
     maker = StandIn(texts, truth)
     done: list[int] = []
-    answers = ask_all(maker, texts, book, HOW, progress=done.append)
+    answers = ask_all(Tailor(maker), texts, book, HOW, progress=done.append)
     assert maker.asked == [[q.key for q in texts[:2]], [q.key for q in texts[2:]]] and done == [2, 2]
     assert [a.pattern for a in answers] == [q.truth for q in texts]
     record = lines(book)[1]
@@ -89,7 +90,7 @@ def test_answers_are_kept_and_not_asked_for_again(texts, pairs, book, tmp_path):
     book.close()
     again = Book(tmp_path / ANSWERS)
     silent = StandIn(texts, refuse)
-    kept = ask_all(silent, texts, again, HOW)
+    kept = ask_all(Tailor(silent), texts, again, HOW)
     assert silent.asked == [] and [a.record for a in kept] == [a.record for a in answers]
     assert [a.pattern for a in kept] == [a.pattern for a in answers]
     again.close()
@@ -104,10 +105,10 @@ def test_interrupted_it_goes_on_as_if_it_had_not_been(texts, pairs, book, tmp_pa
         return question.truth
 
     with pytest.raises(KeyboardInterrupt):
-        ask_all(StandIn(texts, interrupt), texts, book, HOW)
+        ask_all(Tailor(StandIn(texts, interrupt)), texts, book, HOW)
     assert [r["question"] for r in lines(book)] == [q.key for q in texts[:2]]
     whole = Book(tmp_path / "whole.jsonl")
-    ask_all(StandIn(texts, truth), texts, whole, HOW)
+    ask_all(Tailor(StandIn(texts, truth)), texts, whole, HOW)
     book.close()
     (tmp_path / ANSWERS).write_text(
         "".join((tmp_path / "whole.jsonl").read_text().splitlines(keepends=True)[:3])[:-40]
@@ -115,7 +116,7 @@ def test_interrupted_it_goes_on_as_if_it_had_not_been(texts, pairs, book, tmp_pa
     again = Book(tmp_path / ANSWERS)
     assert len(again) == 2
     maker = StandIn(texts, truth)
-    ask_all(maker, texts, again, HOW)
+    ask_all(Tailor(maker), texts, again, HOW)
     assert maker.asked == [[q.key for q in texts[2:]]]
     assert lines(again) == lines(whole)
     whole.close()
@@ -125,11 +126,11 @@ def test_interrupted_it_goes_on_as_if_it_had_not_been(texts, pairs, book, tmp_pa
 def test_a_batch_of_which_some_answers_are_missing_is_asked_as_before(texts, pairs, tmp_path):
     """Alone, a question would be answered by other last digits."""
     whole = Book(tmp_path / "whole.jsonl")
-    ask_all(StandIn(texts, truth), texts, whole, HOW)
+    ask_all(Tailor(StandIn(texts, truth)), texts, whole, HOW)
     (tmp_path / ANSWERS).write_text((tmp_path / "whole.jsonl").read_text().splitlines(keepends=True)[0])
     again = Book(tmp_path / ANSWERS)
     maker = StandIn(texts, truth)
-    ask_all(maker, texts, again, HOW)
+    ask_all(Tailor(maker), texts, again, HOW)
     assert maker.asked[0] == [q.key for q in texts[:2]]
     assert lines(again) == lines(whole)
     whole.close()
@@ -144,23 +145,23 @@ def test_every_question_has_its_own_seed(texts, pairs, book):
         seen[question.id] = seed
         return question.truth
 
-    ask_all(StandIn(texts, note), texts, book, replace(HOW, temperature=0.8))
+    ask_all(Tailor(StandIn(texts, note)), texts, book, replace(HOW, temperature=0.8))
     assert len(set(seen.values())) == len(texts)
 
 
 def test_of_those_asked_together_only_the_one_without_an_answer_has_none(texts, book):
     maker = StandIn(texts, lambda q, s, t: refuse(q, s, t) if q.id == "long" else q.truth)
-    answers = ask_all(maker, texts, book, HOW)
+    answers = ask_all(Tailor(maker), texts, book, HOW)
     assert [a.pattern is None for a in answers] == [False, False, True, False]
     assert answers[2].record["error"] == "No answer to long."
     assert [len(part) for part in maker.asked] == [4, 1, 1, 1, 1]
 
 
 def test_answers_to_other_questions_are_refused(texts, book, tmp_path):
-    ask_all(StandIn(texts, truth), texts, book, HOW)
+    ask_all(Tailor(StandIn(texts, truth)), texts, book, HOW)
     other = replace(texts[0], text="something else")
     with pytest.raises(InputError, match="something else was asked"):
-        ask_all(StandIn([other], truth), [other], book, HOW)
+        ask_all(Tailor(StandIn([other], truth)), [other], book, HOW)
     book.close()
     (tmp_path / ANSWERS).write_text('{"question": "text/shirt"}\n')
     with pytest.raises(InputError, match="holds a line that is no answer"):
@@ -171,7 +172,7 @@ def test_answers_to_other_questions_are_refused(texts, book, tmp_path):
     )
     damaged = Book(tmp_path / ANSWERS)
     with pytest.raises(InputError, match="'text/shirt' is damaged"):
-        ask_all(StandIn(texts, truth), texts[:1], damaged, HOW)
+        ask_all(Tailor(StandIn(texts, truth)), texts[:1], damaged, HOW)
     damaged.close()
 
 
@@ -277,7 +278,7 @@ def _fault(pattern: Pattern):
 
 
 def test_the_right_answers_score_full_marks(texts, book):
-    scored = score_answers(ask_all(StandIn(texts, truth), texts, book, HOW))
+    scored = score_answers(ask_all(Tailor(StandIn(texts, truth)), texts, book, HOW))
     result = summarize_task("text", scored)
     patterns, adherence = dict(result.patterns), dict(result.adherence)
     assert list(patterns) == [OURS, TOKENS, OTHER] and list(adherence) == [OURS, TRUTH, CHANCE]
@@ -303,7 +304,7 @@ def test_wrong_answers_score_what_they_are_worth(texts, book):
     """The answer to each question is the pattern of the next; one has none."""
     wrong = {q.id: other.truth for q, other in zip(texts, texts[1:] + texts[:1], strict=True)}
     maker = StandIn(texts, lambda q, s, t: refuse(q, s, t) if q.id == "long" else wrong[q.id])
-    scored = score_answers(ask_all(maker, texts, book, HOW))
+    scored = score_answers(ask_all(Tailor(maker), texts, book, HOW))
     result = summarize_task("text", scored)
     predicted = [None if q.id == "long" else wrong[q.id] for q in texts]
     assert dict(result.patterns)[OURS] == summarize_patterns(predicted, [q.truth for q in texts])
@@ -316,7 +317,7 @@ def test_wrong_answers_score_what_they_are_worth(texts, book):
 
 
 def test_copying_is_worth_as_much_as_its_row_says(edits, book):
-    result = summarize_task("edit", score_answers(ask_all(StandIn(edits, copy), edits, book, HOW)))
+    result = summarize_task("edit", score_answers(ask_all(Tailor(StandIn(edits, copy)), edits, book, HOW)))
     patterns, adherence = dict(result.patterns), dict(result.adherence)
     assert list(patterns) == [OURS, TOKENS, INPUT] and list(adherence) == [OURS, TRUTH, INPUT]
     assert patterns[OURS].aipparel["panels_right"] == patterns[INPUT].aipparel["panels_right"]
@@ -338,7 +339,7 @@ def test_sheets_show_answers_from_the_nearest_to_the_farthest(edits, texts, book
     from PIL import Image
 
     maker = StandIn([*texts, *edits], lambda q, s, t: copy(q, s, t) if q.before else refuse(q, s, t))
-    scored = score_answers(ask_all(maker, [*edits, *texts[:1]], book, HOW))
+    scored = score_answers(ask_all(Tailor(maker), [*edits, *texts[:1]], book, HOW))
     ordered = spread(scored[:4], 4)
     distances = [s.score.by_name.vertex_cm for s in ordered]
     assert distances == sorted(distances) and len(ordered) == 4

@@ -89,12 +89,13 @@ def test_what_was_written_comes_along(maker):
     assert (repaired.pattern, repaired.changes) == (made.pattern, made.changes)
 
 
-def test_of_several_the_soundest_is_taken(maker):
-    made = maker.generate("a skirt", seed=5, temperature=1.0, attempts=6)
-    best = min(made.attempts, key=lambda a: (a.errors, a.warnings, -a.log_likelihood))
-    assert len(made.attempts) == 6
-    assert len({a.log_likelihood for a in made.attempts}) == 6
-    assert made.log_likelihood == best.log_likelihood
+def test_every_draw_of_a_seed_is_another_pattern(maker):
+    request = Request("a skirt")
+    drawn = [maker.generate_all([request], seed=5, temperature=1.0, draw=k)[0] for k in range(4)]
+    assert len({one.log_likelihood for one in drawn}) == 4
+    assert content(drawn[0]) == content(maker.generate("a skirt", seed=5, temperature=1.0))
+    cold = [maker.generate_all([request], seed=5, draw=k)[0] for k in (0, 3)]
+    assert content(cold[0]) == content(cold[1])
 
 
 def test_a_long_text_is_cut_and_that_is_said(maker):
@@ -112,8 +113,6 @@ def test_a_long_text_is_cut_and_that_is_said(maker):
         ({"text": "", "edit": draft("t-shirt")}, "an instruction is needed"),
         ({"text": "x", "temperature": -1.0}, "temperature"),
         ({"text": "x", "temperature": float("nan")}, "temperature"),
-        ({"text": "x", "attempts": 0}, "attempts is 0"),
-        ({"text": "x", "attempts": 2}, "all 2 attempts are the same"),
         ({"text": "x", "seed": -1}, "seed is -1"),
         ({"image": np.zeros((4, 4), np.uint8)}, "of three|three|(h, w, 3)"),
         ({"image": "/nowhere.png"}, "There is no picture"),

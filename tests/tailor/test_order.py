@@ -11,8 +11,8 @@ from swifttailor.cli import making
 from swifttailor.errors import InputError
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern_maker.maker import MOST_ATTEMPTS, USUAL_TEMPERATURE
-from swifttailor.tailor.order import LONGEST_TITLE, MOST_SAMPLES, Order, one_line
+from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
+from swifttailor.tailor.order import LONGEST_TITLE, MOST_ATTEMPTS, MOST_SAMPLES, Order, one_line
 
 
 @given(st.text(max_size=400))
@@ -63,6 +63,8 @@ def test_what_is_told_of_an_order_holds_no_paths_and_is_json():
     [
         ({"samples": 0}, "samples is 0"),
         ({"samples": MOST_SAMPLES + 1}, "samples is 65"),
+        ({"attempts": 0}, "attempts is 0"),
+        ({"attempts": MOST_ATTEMPTS + 1}, "attempts is 65"),
         ({"samples": 2, "temperature": 0.0}, "all samples are the same"),
         ({"attempts": 2, "temperature": 0.0}, "all attempts are the same"),
     ],

@@ -25,7 +25,7 @@ from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker import maker as maker_module
 from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
 from swifttailor.tailor import Order, Tailor, Tailored
-from swifttailor.tailor.tailor import NOTHING_UNDERSTOOD
+from swifttailor.tailor.reporting import NOTHING_UNDERSTOOD
 
 TINY_MAKER = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
 SHIRT, SKIRT, DRESS = draft("t-shirt"), draft("fitted-skirt"), draft("fitted-dress")

@@ -6,21 +6,22 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from test_fitted import Reading, Scripted, written
+from test_fitting import Listening, Reading, Scripted, answer, wanted, written
 
 import swifttailor
 from swifttailor.describing import Claim, measure_facts
 from swifttailor.describing.differences import Gain
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.drafts import list_drafts
-from swifttailor.pattern_maker.maker import Request
 from swifttailor.recutting.amounts.cuts import free_hem
 from swifttailor.recutting.holes import has_holes
 from swifttailor.recutting.level_hems import LEVEL_CM, level_hem, unevenness
 from swifttailor.recutting.one_sided import made_of_one_side, one_sided_panels
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.hem_line import bend_hem
-from swifttailor.tailor.fitted import FittingMaker, fit, likely_wishes
+from swifttailor.tailor.fitting import fit
+from swifttailor.tailor.order import Order
+from swifttailor.tailor.reading import likely_wishes
 from swifttailor.wishes.reader import Wish
 
 
@@ -108,8 +109,8 @@ def test_half_a_pair_of_shorts_is_completed():
 def test_sides_that_are_to_differ_stay():
     half = without(swifttailor.draft("t-shirt"), "right_sleeve_f", "right_sleeve_b")
     one = Wish(Gain(Claim("sleeves", "left only")), 0.95)
-    assert fit(written(half), [one], unsaid=True).pattern is half
-    asked = fit(written(half), [Wish(Gain(Claim("kind", "top")), 0.95)], unsaid=True)
+    assert fit(written(half), wanted([one], unsaid=True)).pattern is half
+    asked = fit(written(half), wanted([Wish(Gain(Claim("kind", "top")), 0.95)], unsaid=True))
     facts = measure_facts(asked.pattern)
     assert facts.left_sleeve is not None and facts.right_sleeve is not None
 
@@ -117,22 +118,22 @@ def test_sides_that_are_to_differ_stay():
 def test_a_hood_that_nobody_asked_for_comes_off_where_words_are_all_there_is():
     hoodie = swifttailor.draft("hoodie")
     top = [Wish(Gain(Claim("kind", "top")), 0.95)]
-    plain = fit(written(hoodie), top, unsaid=True)
+    plain = fit(written(hoodie), wanted(top, unsaid=True))
     assert measure_facts(plain.pattern).hood is None
-    assert plain.open == ()
-    assert fit(written(hoodie), top).pattern is hoodie  # a picture may show one
+    assert plain.verdict.open == ()
+    assert fit(written(hoodie), wanted(top)).pattern is hoodie  # a picture may show one
     asked = [*top, Wish(Gain(Claim("hood", "hood")), 0.95)]
-    assert measure_facts(fit(written(hoodie), asked, unsaid=True).pattern).hood is not None
+    assert measure_facts(fit(written(hoodie), wanted(asked, unsaid=True)).pattern).hood is not None
 
 
 def test_what_is_likely_is_cut_last_and_no_fault_where_it_cannot_be():
     shirt = swifttailor.draft("t-shirt")
     top = [Wish(Gain(Claim("kind", "top")), 0.95)]
     long = Wish(Gain(Claim("sleeves", "long")), 0.6)
-    fitted = fit(written(shirt), top, None, [long], unsaid=True)
+    fitted = fit(written(shirt), wanted(top, None, [long], unsaid=True))
     assert long.change.holds(fitted.pattern, measure_facts(fitted.pattern))
     impossible = Wish(Gain(Claim("kind", "skirt")), 0.6)
-    assert fit(written(shirt), top, None, [impossible], unsaid=True).rank[:2] == (0, 0)
+    assert fit(written(shirt), wanted(top, None, [impossible], unsaid=True)).verdict.rank == (0, 0)
 
 
 def test_what_is_likely_is_what_nothing_else_is_read_of():
@@ -144,31 +145,21 @@ def test_what_is_likely_is_what_nothing_else_is_read_of():
 def test_garments_that_nobody_can_wear_are_the_last_to_be_taken():
     trousers = swifttailor.draft("trousers")
     band = without(trousers, "pant_f_l", "pant_b_l", "pant_f_r", "pant_b_r")
-    fitting = FittingMaker(Scripted(band, trousers), Reading())
-    (fitted,) = fitting.generate_all([Request("🩳")], attempts=2, temperature=0.5)
+    fitted = answer(Scripted(band, trousers), Order("🩳", attempts=2), Reading())
     assert {p.name for p in fitted.pattern.panels} == {p.name for p in trousers.panels}
-    assert fit(written(band), (), unsaid=True).senseless
-
-
-class Listening(Scripted):
-    """Notes what it is asked."""
-
-    def generate_all(self, requests, *, seed, temperature, first_attempt):
-        self.asked.append(requests[0].text)
-        return [written(self.patterns[first_attempt]) for _ in requests]
+    judged = fit(written(band), wanted(unsaid=True)).verdict
+    assert judged.senseless and judged.fault == "it is not a garment that can be worn"
 
 
 def test_every_second_attempt_is_asked_in_words_that_were_taught():
     shirt = swifttailor.draft("t-shirt")
     wishes = Wish(Gain(Claim("kind", "jumpsuit")), 0.95), Wish(Gain(Claim("sleeves", "none")), 0.95)
     maker = Listening(shirt, shirt, shirt)
-    FittingMaker(maker, Reading(*wishes)).generate_all(
-        [Request("a bleu jumpsut without slevees")], attempts=3, temperature=0.5
-    )
+    answer(maker, Order("a bleu jumpsut without slevees", attempts=3), Reading(*wishes))
     assert maker.asked[0] == maker.asked[2] == "a bleu jumpsuit without sleeves"
     assert "jumpsuit" in maker.asked[1].lower()
     assert "bleu" not in maker.asked[1]
     picture = Listening(shirt, shirt)
-    image = Request("a jumpsuit", image="jumpsuit.png")
-    FittingMaker(picture, Reading(*wishes)).generate_all([image], attempts=2, temperature=0.5)
+    image = np.full((8, 8, 3), 200, np.uint8)
+    answer(picture, Order("a jumpsuit", image, attempts=2), Reading(*wishes))
     assert picture.asked == ["a jumpsuit", "a jumpsuit"]

@@ -54,24 +54,12 @@ class Edit(Making):
                 )
         self.require_options()
         from swifttailor.pattern import read_pattern_file, repair_pattern
-        from swifttailor.tailor import Order
 
         reading = read_pattern_file(source, rotation=self._rotation(source))
         pattern = reading.pattern
         if self.repair:
             pattern = repair_pattern(pattern, reading.findings).pattern
-        order = Order(
-            self.instruction,
-            edit=pattern,
-            samples=self.samples,
-            seed=self.seed,
-            temperature=self.temperature,
-            attempts=self.attempts,
-            alter=self.alter,
-            edge_length=self.edge_length,
-            finish=self.finish,
-        )
-        return self.make(order)
+        return self.make(self.order(self.instruction, edit=pattern))
 
     def _rotation(self, source: Path) -> Literal["intrinsic", "extrinsic"]:
         from swifttailor.garment.folder import REPORT

@@ -19,8 +19,7 @@ from swifttailor.cli.option_checks import (
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
-    from swifttailor.evaluation.maker.ask import Maker
-    from swifttailor.evaluation.maker.run import Evaluation
+    from swifttailor.evaluation.maker.run import Evaluation, Plan
     from swifttailor.garment_sewer.sewer import GarmentSewer
 
 MAX_SAMPLES = 1000
@@ -28,7 +27,7 @@ MAX_SAMPLES = 1000
 
 @dataclass(frozen=True, kw_only=True)
 class EvaluatePatternMaker:
-    """Ask a PatternMaker for patterns that are known, by text, by picture, by both and by edits.
+    """Ask for patterns that are known, by text, by picture, by both and by edits, as generate and edit do.
 
     Prints tables beside the paper's rows, and writes into --out: tables.txt, summary.json, scores.jsonl (a
     line for each answer), answers.jsonl and samples.jsonl (patterns), sheet-text-01.png and so on (answers
@@ -54,19 +53,24 @@ class EvaluatePatternMaker:
     """Only N patterns and N edits, chosen by --seed. A larger N later goes on with the same ones."""
     seed: int = 0
     """Decides which patterns, the words of captions and instructions, the pictures, and what is drawn."""
-    temperature: float = 0.0
-    """Of the answers that are measured: 0 takes the likeliest token always."""
-    attempts: Annotated[int, tyro.conf.arg(metavar="N")] = 1
-    """Patterns written for each answer, of which the best is taken; with a temperature above 0."""
-    alter: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Alter the answers to what the texts ask for, as swifttailor generate does: what the whole is worth, and
-    not the network alone."""
+    network_alone: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Measure the network alone: one pattern for each question, at temperature 0, as it is written, and
+    pictures as they are."""
+    temperature: Annotated[float | None, tyro.conf.arg(metavar="T")] = None
+    """Of the answers that are measured; as swifttailor generate has it (0.2) without it, or 0 with
+    --network-alone."""
+    attempts: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """Patterns to write at most until one is as asked for; 4 without it, or 1 at temperature 0."""
+    alter: bool = True
+    """Recut the patterns until what the texts ask for holds, as far as that can be cut."""
+    crop: bool = True
+    """Crop pictures to what stands before their background, where that is plain."""
     samples: Annotated[int, tyro.conf.arg(metavar="N")] = 20
     """Most attempts of #Sampling, which are drawn at temperature 1; 0 leaves it out."""
     garments: tyro.conf.FlagCreatePairsOff[bool] = False
     """Sew the answers and compare them, as a set, with the drapes of --data."""
     sewer_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """With --garments: GarmentSewer's model file; the one of the package without it."""
+    """GarmentSewer's model file; the one of the package without it. It says which patterns can be sewn."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
     """Processor cores for the network."""
     pictures: Annotated[int, tyro.conf.arg(metavar="N")] = 12
@@ -82,46 +86,66 @@ class EvaluatePatternMaker:
         """
         self._validate()
         from swifttailor.cli.item_progress import ItemProgress
-        from swifttailor.evaluation.maker.ask import Asking
-        from swifttailor.evaluation.maker.run import Plan, evaluate
+        from swifttailor.evaluation.maker.run import evaluate
         from swifttailor.evaluation.provenance import code_and_machine, file_identity
-        from swifttailor.pattern_maker.maker import SHIPPED, PatternMaker
-        from swifttailor.tailor.fitted import FittingMaker
-        from swifttailor.wishes.reader import SHIPPED as READER
-        from swifttailor.wishes.reader import WishReader
+        from swifttailor.tailor import Tailor
 
-        plan = Plan(
-            self.patterns,
-            self.data,
-            self.edits,
-            self.tasks,
-            self.limit,
-            Asking(self.temperature, self.attempts, self.seed),
-            self.samples,
-        )
+        plan = self._plan()
         plan.chosen_tasks()
         sewer = self._sewer()
-        maker = PatternMaker.load(self.weights, threads=self.threads)
-        weights = file_identity(SHIPPED if self.weights is None else self.weights)
-        asked: Maker = maker
-        if self.alter:
-            reader = WishReader.load(threads=self.threads)
-            asked, weights = FittingMaker(maker, reader), weights | {"altered_by": file_identity(READER)}
+        tailor = Tailor(self.weights, sewer, threads=self.threads)
+        _ = tailor.pattern_maker  # refused before any pattern is read
         try:
-            found = evaluate(asked, plan, self.out, weights, ItemProgress, sewer)
+            garments = sewer if self.garments else None
+            found = evaluate(tailor, plan, self.out, self._weights(), ItemProgress, garments)
         except KeyboardInterrupt:
             sys.stderr.write(f"What was answered is kept in {self.out}; the same command goes on with it.\n")
             raise
         about = found.about | {"threads": self.threads} | code_and_machine()
-        if sewer is not None:
+        if self.garments:
             about["sewer_weights"] = file_identity(self._sewer_file())
         self._write(found, about)
         if self.pictures:
             self._draw(found)
         return 0 if found.complete else 1
 
+    def _plan(self) -> Plan:
+        from swifttailor.evaluation.maker.ask import Asking
+        from swifttailor.evaluation.maker.run import Plan
+
+        asking = Asking(
+            temperature=self._temperature,
+            attempts=self.attempts,
+            alter=self.alter,
+            crop=self.crop,
+            network_alone=self.network_alone,
+            seed=self.seed,
+        )
+        return Plan(self.patterns, self.data, self.edits, self.tasks, self.limit, asking, self.samples)
+
+    @property
+    def _temperature(self) -> float:
+        if self.temperature is not None:
+            return self.temperature
+        from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
+
+        return 0.0 if self.network_alone else USUAL_TEMPERATURE
+
+    def _weights(self) -> dict[str, Any]:
+        """The files of all networks that decide the answers."""
+        from swifttailor.evaluation.provenance import file_identity
+        from swifttailor.pattern_maker.maker import SHIPPED
+        from swifttailor.wishes.reader import SHIPPED as READER
+
+        found: dict[str, Any] = dict(file_identity(SHIPPED if self.weights is None else self.weights))
+        if self.alter and not self.network_alone:
+            found["altered_by"] = file_identity(READER)
+        if not self.network_alone:
+            found["sewn_by"] = file_identity(self._sewer_file())
+        return found
+
     def _sewer(self) -> GarmentSewer | None:
-        if not self.garments:
+        if self.network_alone and not self.garments:
             return None
         from swifttailor.garment_sewer.sewer import GarmentSewer
 
@@ -140,13 +164,23 @@ class EvaluatePatternMaker:
             raise InputError("No patterns were given. Give at least one file: --patterns FILE")
         if self.garments and self.data is None:
             raise InputError("--garments compares with drapes: give the data set that has them, --data DIR.")
-        if self.sewer_weights is not None and not self.garments:
-            raise InputError("--sewer-weights goes with --garments.")
+        if self.network_alone:
+            for name, given in (
+                ("--attempts", self.attempts is not None),
+                ("--no-alter", not self.alter),
+                ("--no-crop", not self.crop),
+                ("--sewer-weights", self.sewer_weights is not None and not self.garments),
+            ):
+                if given:
+                    raise InputError(
+                        f"{name} is of no use with --network-alone, which writes one pattern for each "
+                        "question and neither alters nor sews it. Leave one of them out."
+                    )
         require_limit(self.limit)
         in_range("--seed", self.seed, 0, 2**31)
         in_range("--temperature", self.temperature, 0.0, 10.0)
         in_range("--attempts", self.attempts, 1, 64)
-        if self.attempts > 1 and self.temperature == 0:
+        if (self.attempts or 1) > 1 and self.temperature == 0:
             raise InputError(
                 f"At temperature 0 all {self.attempts} attempts are the same. Give a --temperature above 0."
             )

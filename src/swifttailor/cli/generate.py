@@ -48,18 +48,4 @@ class Generate(Making):
                 f"--image {self.text}"
             )
         self.require_options()
-        from swifttailor.tailor import Order
-
-        order = Order(
-            self.text,
-            self.image,
-            crop=self.crop,
-            samples=self.samples,
-            seed=self.seed,
-            temperature=self.temperature,
-            attempts=self.attempts,
-            alter=self.alter,
-            edge_length=self.edge_length,
-            finish=self.finish,
-        )
-        return self.make(order)
+        return self.make(self.order(self.text, image=self.image, crop=self.crop))

@@ -7,7 +7,7 @@ import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import tyro
 
@@ -89,6 +89,30 @@ class Making:
             return [self.out]
         return [self.out / f"seed-{self.seed + k}" for k in range(self.samples)]
 
+    def order(self, text: str, **asked: Any) -> Order:
+        """What is wanted, and how to make it.
+
+        Args:
+            text: Description or instruction.
+            asked: The picture, or the pattern to edit (`Order`).
+
+        Raises:
+            InputError: It makes no sense.
+        """
+        from swifttailor.tailor import Order
+
+        return Order(
+            text,
+            **asked,
+            samples=self.samples,
+            seed=self.seed,
+            temperature=self.temperature,
+            attempts=self.attempts,
+            alter=self.alter,
+            edge_length=self.edge_length,
+            finish=self.finish,
+        )
+
     def make(self, order: Order) -> int:
         """Carries out an order, prints what came of it, and returns the exit code.
 
@@ -144,7 +168,7 @@ def _shared(made: list[Tailored]) -> list[str]:
 
 def _say(folder: Path, outcome: Tailored | SwiftTailorError, said: list[str], *, alone: bool) -> None:
     """Prints what came of one sample, but for what was said of all."""
-    from swifttailor.tailor.tailored import finding_line
+    from swifttailor.tailor.reporting import finding_line
 
     lines = []
     if isinstance(outcome, SwiftTailorError):

@@ -119,7 +119,7 @@ class Sew:
 
 
 def _say(path: Path, folder: Path, made: Tailored) -> None:
-    from swifttailor.tailor.tailored import finding_line
+    from swifttailor.tailor.reporting import finding_line
 
     for change in made.report.get("mended", ()):
         print(f"{path}: mended {change}")  # noqa: T201

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import time
 
+from swifttailor.body import Body
 from swifttailor.draping.drape import drape
+from swifttailor.draping.fabric import Fabric
 from swifttailor.draping.finish import finish
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
@@ -12,7 +14,12 @@ from swifttailor.progress import StageProgress
 
 
 def finish_or_drape(
-    garment: Garment, *, edge_length: float, progress: StageProgress | None = None
+    garment: Garment,
+    *,
+    edge_length: float,
+    body: Body | None = None,
+    fabric: Fabric | str = "cotton",
+    progress: StageProgress | None = None,
 ) -> Garment:
     """A garment at rest within the limits of quality, if physics finds one.
 
@@ -23,6 +30,8 @@ def finish_or_drape(
     Args:
         garment: Near where it will come to rest.
         edge_length: Of its mesh, cm.
+        body: What it is worn by; the default body when None.
+        fabric: A `Fabric` or the name of a preset.
         progress: Called with the stage's name and the share of it that is done.
 
     Returns:
@@ -37,13 +46,15 @@ def finish_or_drape(
     found: dict[str, Garment] = {}
     first_reasons = ["the cloth moved to infinity"]
     try:
-        found["garment"] = finish(garment, progress=progress)
+        found["garment"] = finish(garment, body=body, fabric=fabric, progress=progress)
         first_reasons = _reasons(found["garment"])
     except SimulationError:
         pass
     if first_reasons:
         try:
-            found["pattern"] = drape(garment.mesh.pattern, edge_length=edge_length, progress=progress)
+            found["pattern"] = drape(
+                garment.mesh.pattern, body=body, fabric=fabric, edge_length=edge_length, progress=progress
+            )
         except SimulationError:
             if not found:
                 raise

@@ -71,6 +71,11 @@ class GarmentSewer:
         return GarmentSewer(model, BodyDistance.of(Body.default()))
 
     @property
+    def card(self) -> dict[str, Any]:
+        """What the network was trained on, and how good it is."""
+        return self.model.card
+
+    @property
     def must_compile(self) -> bool:
         """Whether the first garment waits for code that is not compiled on this machine yet."""
         if self.model.conditioning.prior != "hung":

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,8 +14,8 @@ from numpy.typing import NDArray
 from swifttailor.arrays import Singles
 from swifttailor.clock import Clock
 from swifttailor.errors import InputError
-from swifttailor.pattern import Finding, Pattern, Severity, check_pattern
-from swifttailor.pattern.check.repair import Change, Repair
+from swifttailor.pattern import Finding, Pattern
+from swifttailor.pattern.check.repair import Change
 from swifttailor.pattern.tidying.mending import mend
 from swifttailor.pattern_maker.asking.confidence import Confidence
 from swifttailor.pattern_maker.asking.generation import Asked, Written, write_answers
@@ -27,7 +28,6 @@ from swifttailor.pattern_maker.tokens.encode import encode
 from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
 
 SHIPPED = Path(__file__).with_name("pattern_maker.zip")
-MOST_ATTEMPTS = 64
 HIGHEST_TEMPERATURE = 10.0
 USUAL_TEMPERATURE = 0.2
 """Between always the same and anything; `confidence` is measured at it."""
@@ -43,56 +43,53 @@ class Request:
     edit: Pattern | None = None
 
 
-@dataclass(frozen=True)
-class Attempt:
-    """One of several answers to the same request."""
-
-    log_likelihood: float
-    """Natural logarithm of the probability that the network gives its tokens."""
-    errors: int
-    """What a check finds before any repair."""
-    warnings: int
-
-
 @dataclass(frozen=True, eq=False)
-class Generated:
-    """A pattern that was written."""
+class WrittenPattern:
+    """A pattern as a network wrote it, and what is known of the writing.
+
+    Only the pattern is needed; a network of another kind leaves out what it does not know.
+    """
 
     pattern: Pattern
     """Mended where no guess was needed."""
-    log_likelihood: float
-    certainty: float
+    log_likelihood: float = 0.0
+    """Natural logarithm of the probability of what was written: of two that are equally sound the likelier
+    one is taken."""
+    certainty: float | None = None
     """See `generation.Written`."""
-    look: Singles | None
+    look: Singles | None = None
     """See `generation.Written`."""
-    sequence: TokenSequence
+    sequence: TokenSequence | None = None
     """What was written, before anything was mended."""
-    unsewn: int
+    unsewn: int = 0
     """Edges that were to be sewn to others which were never written (`Grammar.may_break_off`)."""
-    attempts: tuple[Attempt, ...]
-    """All of them; the one with the fewest errors, then warnings, then the likeliest was taken."""
-    changes: tuple[Change, ...]
+    changes: tuple[Change, ...] = ()
     """What was mended."""
-    findings: tuple[Finding, ...]
-    """What a check finds in the pattern."""
-    notes: tuple[str, ...]
+    findings: tuple[Finding, ...] | None = None
+    """What a check finds in the pattern; None where it was not checked."""
+    notes: tuple[str, ...] = ()
     """What about the request was not used, or not understood."""
-    confidence: Confidence | None
+    confidence: Confidence | None = None
     """How sure the network is of the picture; None without one, or where that was not measured for it."""
-    seconds: dict[str, float]
+    seconds: Mapping[str, float] = field(default_factory=dict)
     """By stage; requests that are answered together share theirs."""
 
     @property
-    def tokens(self) -> int:
+    def tokens(self) -> int | None:
         """How many were written."""
-        return len(self.sequence)
+        return None if self.sequence is None else len(self.sequence)
 
 
 @dataclass(frozen=True, eq=False)
 class PatternMaker:
-    """Writes sewing patterns."""
+    """Writes sewing patterns, one for each request and draw; which is taken, the tailor decides."""
 
     model: MakerModel
+
+    @property
+    def card(self) -> dict[str, Any]:
+        """What the network was trained on, and how good it is."""
+        return self.model.card
 
     @staticmethod
     def load(weights: Path | str | None = None, *, threads: int = 1) -> PatternMaker:
@@ -121,8 +118,7 @@ class PatternMaker:
         *,
         seed: int = 0,
         temperature: float = 0.0,
-        attempts: int = 1,
-    ) -> Generated:
+    ) -> WrittenPattern:
         """Writes one pattern.
 
         Args:
@@ -131,14 +127,13 @@ class PatternMaker:
             edit: Pattern to edit.
             seed: Decides what is drawn where `temperature` is above 0.
             temperature: 0 takes the likeliest token always; 1 draws tokens by their probability.
-            attempts: Patterns to write, of which the best is taken.
 
         Raises:
             InputError: An argument is out of range, or the picture cannot be read.
             PatternError: The pattern to edit does not fit.
         """
         request = Request(text, image, edit)
-        (made,) = self.generate_all([request], seed=seed, temperature=temperature, attempts=attempts)
+        (made,) = self.generate_all([request], seed=seed, temperature=temperature)
         return made
 
     def generate_all(
@@ -147,17 +142,15 @@ class PatternMaker:
         *,
         seed: int | Sequence[int] = 0,
         temperature: float = 0.0,
-        attempts: int = 1,
-        first_attempt: int = 0,
-    ) -> list[Generated]:
+        draw: int = 0,
+    ) -> list[WrittenPattern]:
         """Writes a pattern for each request, all together: faster than one by one.
 
         Args:
             requests: What is wanted.
             seed: One for all, or one for each.
             temperature: See `generate`.
-            attempts: For each.
-            first_attempt: How many attempts were made before, whose draws are not to come again.
+            draw: Of the same seed, from 0: each gives another pattern where the temperature is above 0.
 
         Raises:
             SwiftTailorError: See `generate`.
@@ -167,46 +160,39 @@ class PatternMaker:
             raise InputError(f"There are {len(seeds)} seeds for {len(requests)} requests; give one for each.")
         if not (math.isfinite(temperature) and 0 <= temperature <= HIGHEST_TEMPERATURE):
             raise InputError(f"The temperature is {temperature}; 0 to 10 is accepted.")
-        if not 1 <= attempts <= MOST_ATTEMPTS:
-            raise InputError(f"attempts is {attempts}; 1 to {MOST_ATTEMPTS} is accepted.")
-        if attempts > 1 and temperature == 0:
-            raise InputError(
-                f"At temperature 0 all {attempts} attempts are the same. Give a temperature above 0."
-            )
         if min(seeds, default=0) < 0:
             raise InputError(f"The seed is {min(seeds)}; 0 or more is accepted.")
         clock = Clock()
         asked, notes = [], []
         for request, own in zip(requests, seeds, strict=True):
             one, about = self._ask(request)
-            draws = tuple((own, k) for k in range(first_attempt, first_attempt + attempts))
-            asked.append(replace(one, seeds=draws, temperature=temperature))
+            asked.append(replace(one, seeds=((own, draw),), temperature=temperature))
             notes.append(about)
         clock.stop("reading")
         model = self.model
         written = write_answers(model.runtime, asked, model.grammar, model.text.size)
         clock.stop("writing")
-        chosen = [
-            _best(answers, alike=request.edit is None)
-            for answers, request in zip(written, requests, strict=True)
+        answers = [answer for (answer,) in written]
+        mended = [
+            mend(decode(answer.sequence), alike=request.edit is None)
+            for answer, request in zip(answers, requests, strict=True)
         ]
         clock.stop("checking")
         return [
-            Generated(
+            WrittenPattern(
                 repair.pattern,
-                answer.log_likelihood,
-                answer.certainty,
-                answer.look,
-                answer.sequence,
-                answer.unsewn,
-                tried,
-                repair.changes,
-                repair.remaining,
-                about,
-                self._confidence(answer),
-                clock.seconds,
+                log_likelihood=answer.log_likelihood,
+                certainty=answer.certainty,
+                look=answer.look,
+                sequence=answer.sequence,
+                unsewn=answer.unsewn,
+                changes=repair.changes,
+                findings=repair.remaining,
+                notes=about,
+                confidence=self._confidence(answer),
+                seconds=clock.seconds,
             )
-            for (answer, repair, tried), about in zip(chosen, notes, strict=True)
+            for answer, repair, about in zip(answers, mended, notes, strict=True)
         ]
 
     def _ask(self, request: Request) -> tuple[Asked, tuple[str, ...]]:
@@ -236,19 +222,3 @@ class PatternMaker:
     def _confidence(self, answer: Written) -> Confidence | None:
         usual = self.model.calibration
         return usual.confidence(answer.look, answer.certainty) if usual and answer.look is not None else None
-
-
-def _best(answers: Sequence[Written], *, alike: bool) -> tuple[Written, Repair, tuple[Attempt, ...]]:
-    patterns = [decode(answer.sequence) for answer in answers]
-    tried = tuple(_judge(a, p) for a, p in zip(answers, patterns, strict=True))
-    order = sorted(
-        range(len(answers)), key=lambda k: (tried[k].errors, tried[k].warnings, -tried[k].log_likelihood)
-    )
-    return answers[order[0]], mend(patterns[order[0]], alike=alike), tried
-
-
-def _judge(answer: Written, pattern: Pattern) -> Attempt:
-    severities = [finding.severity for finding in check_pattern(pattern)]
-    return Attempt(
-        answer.log_likelihood, severities.count(Severity.ERROR), severities.count(Severity.WARNING)
-    )

@@ -13,7 +13,7 @@ from swifttailor.errors import InputError
 from swifttailor.pattern import Pattern
 from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
 
-MOST_SAMPLES = 64
+MOST_SAMPLES = MOST_ATTEMPTS = 64
 USUAL_ATTEMPTS = 4
 LONGEST_TITLE = 60
 
@@ -52,6 +52,8 @@ class Order:
     def __post_init__(self) -> None:
         if not 1 <= self.samples <= MOST_SAMPLES:
             raise InputError(f"samples is {self.samples}; 1 to {MOST_SAMPLES} is accepted.")
+        if self.attempts is not None and not 1 <= self.attempts <= MOST_ATTEMPTS:
+            raise InputError(f"attempts is {self.attempts}; 1 to {MOST_ATTEMPTS} is accepted.")
         if self.temperature == 0 and max(self.samples, self.attempts or 1) > 1:
             many = "samples" if self.samples > 1 else "attempts"
             raise InputError(f"At temperature 0 all {many} are the same. Give a temperature above 0.")

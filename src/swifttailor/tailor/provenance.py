@@ -5,14 +5,9 @@ from __future__ import annotations
 import platform
 from functools import cache
 from importlib import import_module, metadata
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from swifttailor import __version__
-from swifttailor.garment_sewer.sewer import GarmentSewer
-from swifttailor.pattern_maker.maker import PatternMaker
-
-if TYPE_CHECKING:
-    from swifttailor.wishes.reader import WishReader
 
 _PACKAGES = ("numpy", "scipy", "onnxruntime")
 _FACTS = ("model", "parameters", "data", "training", "validation")
@@ -31,13 +26,12 @@ def versions() -> dict[str, str]:
     return found
 
 
-def weights(
-    maker: PatternMaker | None, sewer: GarmentSewer, reader: WishReader | None = None
-) -> dict[str, Any]:
-    """What the cards of the networks say of them."""
-    cards = {"garment_sewer": sewer.model.card}
-    if reader is not None:
-        cards = {"wish_reader": reader.card} | cards
-    if maker is not None:
-        cards = {"pattern_maker": maker.model.card} | cards
+def weights(**networks: Any) -> dict[str, Any]:
+    """What the cards of networks say of them, by name; None is left out."""
+    cards = {name: _card(network) for name, network in networks.items() if network is not None}
     return {name: {fact: card[fact] for fact in _FACTS if fact in card} for name, card in cards.items()}
+
+
+def _card(network: Any) -> dict[str, Any]:
+    card = getattr(network, "card", None)
+    return card if isinstance(card, dict) else {"model": type(network).__name__}

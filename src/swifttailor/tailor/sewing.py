@@ -1,20 +1,28 @@
-"""From patterns to garments by the network: checked, drawn, predicted together, decoded one by one."""
+"""From patterns to garments by the network: checked, prepared, predicted together, decoded one by one."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from swifttailor.arrays import Floats
+from swifttailor.clock import DIGITS
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer, Prepared
-from swifttailor.pattern import Finding, Pattern, Reading, check_pattern, read_pattern_file, repair_pattern
-from swifttailor.pattern.check import Change
+from swifttailor.garment_sewer.sewer import BATCH, Prepared
+from swifttailor.pattern import Pattern, Reading, check_pattern, read_pattern_file, repair_pattern
 from swifttailor.pattern.panel import RotationReading
 from swifttailor.progress import StageProgress
+from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.protocols import Sewer
+from swifttailor.tailor.tailored import Tailored
+from swifttailor.tailor.verdict import Verdict
+
+if TYPE_CHECKING:
+    from swifttailor.body import Body
+    from swifttailor.draping.fabric import Fabric
 
 
 @dataclass(frozen=True)
@@ -31,123 +39,126 @@ class SewingOptions:
     """Whether garments hang to rest by physics in the end."""
 
 
-@dataclass(frozen=True, eq=False)
-class Checked:
-    """A pattern and what a check finds in it."""
-
-    pattern: Pattern
-    findings: tuple[Finding, ...] = ()
-    changes: tuple[Change, ...] = ()
-    """What was mended."""
-    reading: Reading | None = None
-    """Where it can be mended still: as it was read."""
-
-
-@dataclass(frozen=True, eq=False)
-class Ready:
-    """A pattern that can be sewn, drawn for the network."""
-
-    checked: Checked
-    prepared: Prepared
-    seconds: dict[str, float] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, eq=False)
-class Sewn:
-    """A garment and what it was made of."""
-
-    ready: Ready
-    garment: Garment
-    prediction: Floats
-    """(n, 3) cm: where the network puts the occupied pixels of the images."""
-
-
-def check(reading: Reading, *, repair: bool) -> Checked:
-    """Looks for faults in a pattern that was read, and mends it where that is asked for."""
-    if repair:
-        repaired = repair_pattern(reading.pattern, reading.findings)
-        return Checked(repaired.pattern, repaired.remaining, repaired.changes)
-    findings = check_pattern(reading.pattern, reader_findings=reading.findings)
-    return Checked(reading.pattern, findings, reading=reading)
-
-
-def make_ready(sewer: GarmentSewer, checked: Checked, options: SewingOptions) -> Ready:
-    """Lays a pattern out, meshes it and draws it for the network.
+def prepare(sewer: Sewer, answer: Answer, options: SewingOptions) -> Answer:
+    """Gets a pattern ready to be sewn.
 
     Raises:
-        SwiftTailorError: It cannot be sewn, even mended.
+        SwiftTailorError: It cannot be sewn.
     """
     started = time.perf_counter()
-
-    def draw(one: Checked) -> Ready:
-        prepared = sewer.prepare(one.pattern, edge_length=options.edge_length, resolution=options.resolution)
-        return Ready(one, prepared, {"drawing": time.perf_counter() - started})
-
-    try:
-        return draw(checked)
-    except SwiftTailorError:
-        # What cannot be sewn as it is may be once it is mended; that is said, not done quietly.
-        if checked.reading is None or not checked.findings:
-            raise
-        mended = check(checked.reading, repair=True)
-        if not mended.changes:
-            raise
-        return draw(mended)
+    prepared = sewer.prepare(answer.pattern, edge_length=options.edge_length, resolution=options.resolution)
+    seconds = answer.seconds | {"drawing": time.perf_counter() - started}
+    return replace(answer, prepared=prepared, seconds=seconds)
 
 
-def sew_ready(
-    sewer: GarmentSewer, ready: Sequence[Ready], options: SewingOptions, progress: StageProgress | None = None
-) -> Iterator[Sewn | SwiftTailorError]:
-    """Makes the garments, a few through the network at a time; the reports have the seconds of each stage."""
-    for first in range(0, len(ready), BATCH):
-        part = ready[first : first + BATCH]
-        started = time.perf_counter()
-        predicted = sewer.predict([one.prepared for one in part])
-        share = (time.perf_counter() - started) / len(part)
-        for one, values in zip(part, predicted, strict=True):
-            try:
-                yield _complete(sewer, one, values, share, options, progress)
-            except SwiftTailorError as error:
-                yield error
-
-
-def _complete(
-    sewer: GarmentSewer,
-    ready: Ready,
-    values: Floats,
-    network_seconds: float,
-    options: SewingOptions,
-    progress: StageProgress | None,
-) -> Sewn:
-    started = time.perf_counter()
-    garment = sewer.decode(ready.prepared, values)
-    seconds = ready.seconds | {"network": network_seconds, "decoding": time.perf_counter() - started}
-    report = garment.report | {"seconds": {name: round(value, 4) for name, value in seconds.items()}}
-    garment = replace(garment, report=report)
-    if options.finish:
-        from swifttailor.draping.finish_or_drape import finish_or_drape
-
-        garment = finish_or_drape(garment, edge_length=ready.prepared.edge_length, progress=progress)
-    return Sewn(ready, garment, values)
-
-
-def read_and_make_ready(
-    sewer: GarmentSewer,
+def read_and_prepare(
+    sewer: Sewer,
     patterns: Iterable[Pattern | Path | str],
     options: SewingOptions,
     rotation: RotationReading,
-) -> Iterator[Ready | SwiftTailorError]:
-    """Reads, checks and draws patterns one by one; what is wrong with one concerns no other."""
+) -> Iterator[Answer | SwiftTailorError]:
+    """Reads, checks and prepares patterns one by one; what is wrong with one concerns no other."""
     for source in patterns:
         started = time.perf_counter()
         try:
-            if isinstance(source, Pattern):
-                reading = Reading(source, ())
-            else:
-                reading = read_pattern_file(source, rotation=rotation)
-            checked = check(reading, repair=options.repair)
-            loading = time.perf_counter() - started
-            ready = make_ready(sewer, checked, options)
-            yield replace(ready, seconds={"loading": loading} | ready.seconds)
+            reading = (
+                Reading(source, ())
+                if isinstance(source, Pattern)
+                else read_pattern_file(source, rotation=rotation)
+            )
+            answer = _mended(reading) if options.repair else _checked(reading)
+            answer = replace(answer, seconds={"loading": time.perf_counter() - started})
+            try:
+                yield prepare(sewer, answer, options)
+            except SwiftTailorError:
+                # What cannot be sewn as it is may be once it is mended; that is said, not done quietly.
+                mended = _mended(reading)
+                if options.repair or not answer.verdict.findings or not mended.changes:
+                    raise
+                yield prepare(sewer, replace(mended, seconds=answer.seconds), options)
         except SwiftTailorError as error:
             yield error
+
+
+def _checked(reading: Reading) -> Answer:
+    findings = check_pattern(reading.pattern, reader_findings=reading.findings)
+    return Answer(reading.pattern, Verdict(findings))
+
+
+def _mended(reading: Reading) -> Answer:
+    repaired = repair_pattern(reading.pattern, reading.findings)
+    return Answer(repaired.pattern, Verdict(repaired.remaining), repaired.changes)
+
+
+def sew_answers(
+    sewer: Sewer,
+    answers: Sequence[Answer],
+    options: SewingOptions,
+    *,
+    body: Body | None = None,
+    fabric: Fabric | str = "cotton",
+    progress: StageProgress | None = None,
+) -> Iterator[Tailored | SwiftTailorError]:
+    """Makes the garments of prepared patterns, a few through the network at a time.
+
+    Args:
+        sewer: What prepared them.
+        answers: Prepared patterns.
+        options: How they are sewn.
+        body: What they are worn by; the default body when None.
+        fabric: What hangs.
+        progress: Called with the name of a stage of physics and the share of it that is done.
+
+    Yields:
+        Each garment, with the seconds of its stages in its report, or why there is none.
+    """
+    for first in range(0, len(answers), BATCH):
+        part = answers[first : first + BATCH]
+        started = time.perf_counter()
+        predicted = sewer.predict([one.prepared for one in part])
+        share = (time.perf_counter() - started) / len(part)
+        for answer, values in zip(part, predicted, strict=True):
+            started = time.perf_counter()
+            try:
+                garment = sewer.decode(answer.prepared, values)
+                seconds = answer.seconds | {"network": share, "decoding": time.perf_counter() - started}
+                report = _basic_report(garment, options) | garment.report | {"seconds": _rounded(seconds)}
+                garment = replace(garment, report=report)
+                if options.finish:
+                    from swifttailor.draping.finish_or_drape import finish_or_drape
+
+                    garment = finish_or_drape(
+                        garment, edge_length=options.edge_length, body=body, fabric=fabric, progress=progress
+                    )
+            except SwiftTailorError as error:
+                yield error
+            else:
+                yield _handed_over(garment, answer, None if options.finish else values, body)
+
+
+def _rounded(seconds: dict[str, float]) -> dict[str, float]:
+    return {name: round(value, DIGITS) for name, value in seconds.items()}
+
+
+def _basic_report(garment: Garment, options: SewingOptions) -> dict[str, Any]:
+    """What a garment's folder cannot be without, whatever sewer made it."""
+    return {
+        "edge_length_cm": options.edge_length,
+        "rotation": garment.pattern.panels[0].placement.reading,
+        "vertices": garment.mesh.vertex_count,
+        "faces": len(garment.faces),
+        "panels": len(garment.pattern.panels),
+        "stitches": len(garment.pattern.stitches),
+    }
+
+
+def _handed_over(garment: Garment, answer: Answer, predicted: Any, body: Body | None) -> Tailored:
+    """Images are those that the network saw and drew, where it is one that does."""
+    images = answer.prepared if isinstance(answer.prepared, Prepared) else None
+    return Tailored(
+        garment,
+        replace(answer, prepared=None),
+        layout=None if images is None else images.layout,
+        prediction=None if images is None else predicted,
+        body=body,
+    )

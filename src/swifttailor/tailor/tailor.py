@@ -2,99 +2,124 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from swifttailor.clock import Clock
+from swifttailor.clock import DIGITS, Clock
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.panel import RotationReading
 from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE, PatternMaker
 from swifttailor.progress import StageProgress
-from swifttailor.tailor.order import Image, Order, one_line
+from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.order import Image, Order
+from swifttailor.tailor.protocols import PatternWriter, Sewer
 from swifttailor.tailor.provenance import versions, weights
-from swifttailor.tailor.sewing import (
-    Ready,
-    SewingOptions,
-    Sewn,
-    read_and_make_ready,
-    sew_ready,
+from swifttailor.tailor.reporting import (
+    change_line,
+    finding_entry,
+    finishing_notes,
+    order_notes,
+    order_report,
+    order_warnings,
 )
-from swifttailor.tailor.tailored import Tailored, change_line, finding_entry, finishing_notes
-from swifttailor.tailor.writing import WrittenPattern, ask, doubts, oddities, write_patterns
+from swifttailor.tailor.sewing import SewingOptions, read_and_prepare, sew_answers
+from swifttailor.tailor.tailored import Tailored
 
 if TYPE_CHECKING:
+    from swifttailor.body import Body
+    from swifttailor.draping.fabric import Fabric
     from swifttailor.wishes.reader import WishReader
 
-LONGEST_NOTE = 200
-"""Letters of a text that a note says again."""
 Outcome = Tailored | SwiftTailorError
 """A garment, or why there is none."""
-NOTHING_UNDERSTOOD = (
-    "Nothing that can be measured was understood of the text for certain, so nothing was altered."
-)
 
 
 class Tailor:
-    """Makes garments of words, pictures and patterns."""
+    """Makes garments from words, pictures and patterns."""
 
     def __init__(
         self,
-        pattern_maker: PatternMaker | Path | str | None = None,
-        garment_sewer: GarmentSewer | Path | str | None = None,
+        pattern_maker: PatternWriter | Path | str | None = None,
+        garment_sewer: Sewer | Path | str | None = None,
         *,
         wish_reader: WishReader | Path | str | None = None,
+        body: Body | None = None,
+        fabric: Fabric | str = "cotton",
         threads: int = 1,
     ) -> None:
         """Prepares to work; a network is opened when it is first needed.
 
         Args:
-            pattern_maker: A network, or its model file; the one that comes with the package when None.
-            garment_sewer: The same.
-            wish_reader: The same, for what texts ask for.
+            pattern_maker: What writes patterns: a `PatternMaker`, the model file of one, or anything that
+                does what `protocols.PatternWriter` says; the one that comes with the package when None.
+            garment_sewer: What sews them: a `GarmentSewer`, the model file of one, or anything that does what
+                `protocols.Sewer` says; the one that comes with the package when None.
+            wish_reader: The network that reads what texts ask for, or its model file; the one that comes with
+                the package when None.
+            body: Who wears the garments: a `GarmentSewer` sews them around it and keeps them out of it,
+                physics hangs them on it (`finish`), and previews show it. Somebody else's sewer has to know
+                it by itself, and patterns are written for the default body whoever wears them. The default
+                body when None.
+            fabric: What hangs where garments are finished by physics: a `Fabric` or the name of a preset.
             threads: Processor cores for the networks.
         """
         self._maker, self._sewer, self._reader = pattern_maker, garment_sewer, wish_reader
+        self.body, self.fabric = body, fabric
         self._threads = threads
 
     @classmethod
     def load(
         cls,
-        pattern_maker: PatternMaker | Path | str | None = None,
-        garment_sewer: GarmentSewer | Path | str | None = None,
+        pattern_maker: PatternWriter | Path | str | None = None,
+        garment_sewer: Sewer | Path | str | None = None,
         *,
         wish_reader: WishReader | Path | str | None = None,
+        body: Body | None = None,
+        fabric: Fabric | str = "cotton",
         threads: int = 1,
     ) -> Tailor:
         """The same as the constructor, under the name that networks have for it."""
-        return cls(pattern_maker, garment_sewer, wish_reader=wish_reader, threads=threads)
+        return cls(
+            pattern_maker,
+            garment_sewer,
+            wish_reader=wish_reader,
+            body=body,
+            fabric=fabric,
+            threads=threads,
+        )
 
     @cached_property
-    def pattern_maker(self) -> PatternMaker:
-        """The network that writes patterns.
+    def pattern_maker(self) -> PatternWriter:
+        """What writes patterns.
 
         Raises:
             InputError: There are no such weights, or they are damaged.
         """
-        if isinstance(self._maker, PatternMaker):
-            return self._maker
-        return PatternMaker.load(self._maker, threads=self._threads)
+        if self._maker is None or isinstance(self._maker, Path | str):
+            return PatternMaker.load(self._maker, threads=self._threads)
+        return self._maker
 
     @cached_property
-    def garment_sewer(self) -> GarmentSewer:
-        """The network that sews them.
+    def garment_sewer(self) -> Sewer:
+        """What sews them.
 
         Raises:
             InputError: There are no such weights, or they are damaged.
         """
-        if isinstance(self._sewer, GarmentSewer):
-            return self._sewer
-        return GarmentSewer.load(self._sewer, threads=self._threads)
+        sewer = self._sewer
+        if sewer is None or isinstance(sewer, Path | str):
+            sewer = GarmentSewer.load(sewer, threads=self._threads)
+        if self.body is not None and isinstance(sewer, GarmentSewer):
+            from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
+
+            return replace(sewer, body=BodyDistance.of(self.body))
+        return sewer
 
     @cached_property
     def wish_reader(self) -> WishReader:
@@ -105,9 +130,9 @@ class Tailor:
         """
         from swifttailor.wishes.reader import WishReader
 
-        if isinstance(self._reader, WishReader):
-            return self._reader
-        return WishReader.load(self._reader, threads=self._threads)
+        if self._reader is None or isinstance(self._reader, Path | str):
+            return WishReader.load(self._reader, threads=self._threads)
+        return self._reader
 
     def compile_notes(self, *, finish: bool) -> list[str]:
         """What the first garment waits for on a machine where it is not compiled yet, in words.
@@ -120,8 +145,9 @@ class Tailor:
         """
         from swifttailor.draping.compiled_code import COARSE_COMPILE_NOTE, COMPILE_NOTE, solver_is_compiled
 
+        sewer = self.garment_sewer
         waits = {
-            COARSE_COMPILE_NOTE: self.garment_sewer.must_compile,
+            COARSE_COMPILE_NOTE: isinstance(sewer, GarmentSewer) and sewer.must_compile,
             COMPILE_NOTE: finish and not solver_is_compiled(),
         }
         return [note for note, must_wait in waits.items() if must_wait]
@@ -220,33 +246,47 @@ class Tailor:
         Raises:
             SwiftTailorError: The order cannot be answered at all.
         """
-        # Sewing alone does without them, and starts a fifth of a second earlier.
-        from swifttailor.tailor.fitted import FittingMaker
-
         say = progress or (lambda stage, share: None)
         clock = Clock()
         say("loading", 0.0)
-        maker, sewer = self.pattern_maker, self.garment_sewer
-        fitting = FittingMaker(maker, self.wish_reader if order.alter else None)
+        self._open(order)
         clock.stop("loading")
         say("writing", 0.0)
-        asked = ask(order)
-        clock.stop("reading")
-        written = write_patterns(fitting, sewer, order, asked.request, clock)
+        answers = self.write([order], clock)
         say("sewing", 0.0)
-        ready = [w.ready for w in written if isinstance(w, WrittenPattern)]
-        sewn = sew_ready(sewer, ready, SewingOptions(order.edge_length, finish=order.finish), progress)
-        outcomes: list[Outcome] = []
-        for number, one in enumerate(written):
-            if isinstance(one, WrittenPattern):
-                made = next(sewn)
-                facts = self._about(order, order.seed + number, one, clock)
-                warnings = (*doubts(one.fitted), *one.fitted.generated.notes)
-                notes = (*asked.notes, *_remarks(order, one))
-                outcomes.append(self._hand_over(made, facts, one, notes, warnings))
-            else:
-                outcomes.append(one)
-        return outcomes
+        written = [one for one in answers if isinstance(one, Answer)]
+        sewn = self._sew(written, SewingOptions(order.edge_length, finish=order.finish), progress, clock)
+        return [next(sewn) if isinstance(one, Answer) else one for one in answers]
+
+    def write(self, orders: Sequence[Order], clock: Clock | None = None) -> list[Answer | SwiftTailorError]:
+        """Writes the patterns of orders, all together, without sewing them.
+
+        It is the first half of `make`, and what `swifttailor evaluate pattern-maker` measures.
+
+        Args:
+            orders: What is wanted; all of one temperature and number of attempts.
+            clock: Takes the seconds of the stages.
+
+        Returns:
+            The pattern of each sample of each order, or why there is none.
+
+        Raises:
+            SwiftTailorError: The orders cannot be answered at all.
+        """
+        # Sewing alone does without them, and starts a fifth of a second earlier.
+        from swifttailor.tailor.reading import read_order
+        from swifttailor.tailor.writing import write_patterns
+
+        clock = clock or Clock()
+        clock.restart()
+        wanted = [read_order(order, self.wish_reader if order.alter else None) for order in orders]
+        clock.stop("reading")
+        samples = [(one, one.order.seed + k) for one in wanted for k in range(one.order.samples)]
+        return write_patterns(self.pattern_maker, self.garment_sewer, samples, clock)
+
+    def _open(self, order: Order) -> None:
+        """Opens the networks that an order needs, so that their time is not another stage's."""
+        _ = self.pattern_maker, self.garment_sewer, self.wish_reader if order.alter else None
 
     def sew(
         self,
@@ -292,101 +332,55 @@ class Tailor:
         Raises:
             InputError: The weights cannot be used.
         """
-        options, sewer = options or SewingOptions(), self.garment_sewer
-        source = read_and_make_ready(sewer, patterns, options, rotation)
+        options = options or SewingOptions()
+        source = read_and_prepare(self.garment_sewer, patterns, options, rotation)
         while part := list(islice(source, BATCH)):
-            sewn = sew_ready(sewer, [one for one in part if isinstance(one, Ready)], options, progress)
+            sewn = self._sew([one for one in part if isinstance(one, Answer)], options, progress)
             for one in part:
-                yield self._hand_over(next(sewn), {}) if isinstance(one, Ready) else one
+                yield next(sewn) if isinstance(one, Answer) else one
 
-    def _hand_over(
+    def _sew(
         self,
-        sewn: Sewn | SwiftTailorError,
-        facts: dict[str, Any],
-        written: WrittenPattern | None = None,
-        notes: tuple[str, ...] = (),
-        warnings: tuple[str, ...] = (),
-    ) -> Outcome:
-        if isinstance(sewn, SwiftTailorError):
-            return sewn
-        checked, garment = sewn.ready.checked, sewn.garment
-        notes = (*notes, *finishing_notes(garment))
-        reader = self.wish_reader if written is not None and written.fitted.wishes else None
-        seconds = facts.pop("seconds", {}) | garment.report["seconds"]
+        answers: Sequence[Answer],
+        options: SewingOptions,
+        progress: StageProgress | None,
+        clock: Clock | None = None,
+    ) -> Iterator[Outcome]:
+        """Sews prepared patterns and says all that is known of them."""
+        for sewn in sew_answers(
+            self.garment_sewer, answers, options, body=self.body, fabric=self.fabric, progress=progress
+        ):
+            yield self._described(sewn, clock) if isinstance(sewn, Tailored) else sewn
+
+    def _described(self, sewn: Tailored, clock: Clock | None) -> Tailored:
+        answer, garment = sewn.answer, sewn.garment
+        wanted = answer.wanted
+        seconds = ({} if clock is None else clock.seconds) | garment.report["seconds"]
+        facts: dict[str, Any] = {} if wanted is None else order_report(answer, wanted)
+        notes = [] if wanted is None else order_notes(answer, wanted)
+        notes += finishing_notes(garment)
         report = garment.report | {
-            "seconds": {name: round(value, 4) for name, value in seconds.items()},
+            "seconds": {name: round(value, DIGITS) for name, value in seconds.items()},
             **facts,
-            "findings": [finding_entry(f) for f in checked.findings],
+            "findings": [finding_entry(f) for f in sewn.findings],
             "versions": versions(),
-            "weights": weights(self.pattern_maker if written else None, self.garment_sewer, reader),
+            "weights": weights(
+                pattern_maker=self.pattern_maker if wanted is not None else None,
+                wish_reader=self.wish_reader if wanted is not None and wanted.wishes else None,
+                garment_sewer=self.garment_sewer,
+            ),
         }
-        if checked.changes:
-            report["mended"] = [change_line(c) for c in checked.changes]
-        if written is not None:
-            report["warnings"] = list(warnings)
-        if written is not None or notes:
-            report["notes"] = list(notes)
-        return Tailored(
-            replace(garment, report=report),
-            sewn.ready.prepared.layout,
-            None if "quality" in garment.report else sewn.prediction,
-            checked.findings,
-            checked.changes,
-            notes,
-            warnings,
-            written.fitted.confidence if written is not None else None,
-        )
-
-    def _about(self, order: Order, seed: int, one: WrittenPattern, clock: Clock) -> dict[str, Any]:
-        """What a report says of an order and how it was answered."""
-        from swifttailor.wording.wish_lines import wish_line
-
-        made, fitted = one.fitted.generated, one.fitted
-        return {
-            "seconds": clock.seconds,
-            "order": order.to_json() | {"seed": seed},
-            "writing": {
-                "tokens": made.tokens,
-                "log_likelihood": made.log_likelihood,
-                "certainty": made.certainty,
-                "attempt": one.attempt + 1,
-                "failed_attempts": list(one.failures),
-            },
-            "wishes": [
-                {
-                    "wish": wish_line(w.change),
-                    "certainty": round(w.certainty, 3),
-                    "holds": w.change not in fitted.open,
-                }
-                for w in fitted.wishes
-            ],
-            "alterations": {"of_the_pattern_to_edit": fitted.recut, "cuts": list(fitted.cuts)},
-            "confidence": made.confidence.to_json() if made.confidence is not None else None,
-        }
-
-
-def _remarks(order: Order, one: WrittenPattern) -> list[str]:
-    from swifttailor.wishes.spelling import put_right
-    from swifttailor.wording.wish_lines import wish_line
-
-    found = []
-    if one.failures:
-        count = len(one.failures) + 1
-        found.append(f"{count} patterns were written, of which number {one.attempt + 1} was taken.")
-    if order.image is not None and one.fitted.confidence is None:
-        found.append(
-            "Whether the picture shows a garment was not judged: these weights have no measure of that."
-        )
-    found += [f"Look at the pattern: {oddity}." for oddity in oddities(one.fitted)]
-    if order.alter and (meant := put_right(order.text)) != order.text:
-        found.append(f"Read as: {one_line(meant, LONGEST_NOTE)}")
-    if order.alter and order.text.strip() and not one.fitted.wishes:
-        found.append(NOTHING_UNDERSTOOD)
-    if one.fitted.cuts:
-        found.append(f"Altered: {'; '.join(one.fitted.cuts)}.")
-    if one.fitted.open:
-        found.append(f"Asked for, and not so: {'; '.join(map(wish_line, one.fitted.open))}.")
-    return found
+        if self.body is not None:
+            report["body"] = self.body.name
+        if sewn.changes:
+            report["mended"] = [change_line(c) for c in sewn.changes]
+        warnings = order_warnings(answer)
+        if wanted is not None:
+            report["warnings"] = warnings
+        if wanted is not None or notes:
+            report["notes"] = notes
+        garment = replace(garment, report=report)
+        return replace(sewn, garment=garment, notes=tuple(notes), warnings=tuple(warnings))
 
 
 def _only(outcomes: list[Outcome]) -> Tailored:

@@ -5,20 +5,26 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from swifttailor.arrays import Floats
 from swifttailor.garment.garment import Garment
-from swifttailor.ggi import GarmentGeometryImage, Layout
+from swifttailor.ggi import GarmentGeometryImage, Layout, lay_out
 from swifttailor.ggi.geometry import rasterize_geometry
 from swifttailor.ggi.semantic import semantic_image
 from swifttailor.ggi.stitching import stitching_image
 from swifttailor.pattern import Finding, Pattern, Severity
 from swifttailor.pattern.check import Change
-from swifttailor.pattern_maker.asking.confidence import Confidence
+from swifttailor.tailor.answer import Answer
 
+if TYPE_CHECKING:
+    from swifttailor.body import Body
+    from swifttailor.pattern_maker.asking.confidence import Confidence
+
+RESOLUTION = 256
+"""Of the images of a garment that was sewn without any."""
 PREVIEW_SIZE = 1000, 600
 """Pixels; drawing twice as many takes longer than everything else together."""
 
@@ -28,26 +34,39 @@ class Tailored:
     """A pattern and its garment."""
 
     garment: Garment
-    """On the default body; its report is what `save` writes as report.json."""
-    layout: Layout
-    """Where the panels lie in the images."""
-    prediction: Floats | None
-    """(n, 3) cm: where the network put the occupied pixels; None where physics moved the garment."""
-    findings: tuple[Finding, ...] = ()
-    """What a check finds in the pattern."""
-    changes: tuple[Change, ...] = ()
-    """What was mended in it."""
+    """Its report is what `save` writes as report.json."""
+    answer: Answer
+    """The pattern, and how it came to be what it is."""
     notes: tuple[str, ...] = ()
     """What was done that one may want to know."""
     warnings: tuple[str, ...] = ()
     """What of the order was not used, not understood, or is doubtful."""
-    confidence: Confidence | None = None
-    """How sure the network is of a picture; None without one, or where that was not measured for it."""
+    body: Body | None = None
+    """What it is worn by; the default body when None."""
+    layout: Layout | None = None
+    """Where the panels lie in the images that the network saw; None of a network that sees none."""
+    prediction: Floats | None = None
+    """(n, 3) cm: where the network put the occupied pixels of them; None where physics moved the garment."""
 
     @property
     def pattern(self) -> Pattern:
         """The pattern, in canonical order."""
         return self.garment.pattern
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What a check finds in the pattern."""
+        return self.answer.verdict.findings
+
+    @property
+    def changes(self) -> tuple[Change, ...]:
+        """What was mended in it."""
+        return self.answer.changes
+
+    @property
+    def confidence(self) -> Confidence | None:
+        """How sure the network is of a picture; None without one, or where that was not measured for it."""
+        return self.answer.confidence
 
     @property
     def report(self) -> dict[str, Any]:
@@ -68,10 +87,11 @@ class Tailored:
     @cached_property
     def images(self) -> GarmentGeometryImage:
         """The Garment Geometry Image: as predicted, or of the finished garment."""
-        layout, size = self.layout, self.layout.resolution
+        layout = self.layout or lay_out(self.pattern, RESOLUTION)
         if self.prediction is None:
             geometry, _ = rasterize_geometry(layout, self.garment.mesh, self.garment.vertices)
         else:
+            size = layout.resolution
             geometry = np.zeros((size, size, 3), np.float32)
             geometry.reshape(-1, 3)[layout.raster.pixels] = self.prediction
         return GarmentGeometryImage(
@@ -108,34 +128,4 @@ class Tailored:
             write_ggi(self.images, folder / GGI_FILE)
         elif (folder / REPORT).is_file():
             (folder / GGI_FILE).unlink(missing_ok=True)
-        return save_folder(self.garment, folder, preview=preview, preview_size=PREVIEW_SIZE)
-
-
-def finishing_notes(garment: Garment) -> list[str]:
-    """What a person should know of how a garment was finished; nothing where it hung from where it was."""
-    about = garment.report.get("finishing", {"from": "garment"})
-    if about["from"] == "garment":
-        return []
-    return [f"Draped from the pattern: what was sewn did not come to rest well ({about['reasons'][0]})."]
-
-
-def finding_entry(finding: Finding) -> dict[str, Any]:
-    """A finding for a report."""
-    return {
-        "code": finding.code,
-        "severity": finding.severity.value,
-        "where": finding.where(),
-        "message": finding.message,
-    }
-
-
-def finding_line(finding: Finding) -> str:
-    """A finding for a person."""
-    place = f" ({finding.where()})" if finding.where() else ""
-    return f"{finding.severity.value}: {finding.code}{place}: {finding.message}"
-
-
-def change_line(change: Change) -> str:
-    """What was mended, for a person."""
-    place = f" ({change.where()})" if change.where() else ""
-    return f"{change.code}{place}: {change.message}"
+        return save_folder(self.garment, folder, body=self.body, preview=preview, preview_size=PREVIEW_SIZE)

@@ -2,87 +2,96 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, TypeVar
 
+from swifttailor.clock import Clock
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.evaluation.maker.book import Book
 from swifttailor.evaluation.maker.pictures import GarmentPictures
 from swifttailor.evaluation.maker.questions import PICTURED, Question, seed_of
-from swifttailor.pattern import Finding, Pattern, Severity, read_specification, to_specification
-from swifttailor.pattern.check.repair import Change
-from swifttailor.pattern_maker.maker import Request
-from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
+from swifttailor.pattern import Pattern, Severity, check_pattern, read_specification, to_specification
+from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE, Request, WrittenPattern
 from swifttailor.progress import CountProgress
+from swifttailor.tailor import Order, Tailor
+from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.protocols import PatternWriter
+from swifttailor.tailor.verdict import Verdict
 
 BATCH = 16
 """Questions that are answered together."""
 
 
-class Given(Protocol):
-    """What is used of `pattern_maker.maker.Generated`."""
-
-    @property
-    def pattern(self) -> Pattern: ...  # noqa: D102
-    @property
-    def sequence(self) -> TokenSequence: ...  # noqa: D102
-    @property
-    def log_likelihood(self) -> float: ...  # noqa: D102
-    @property
-    def changes(self) -> Sequence[Change]: ...  # noqa: D102
-    @property
-    def findings(self) -> Sequence[Finding]: ...  # noqa: D102
-    @property
-    def seconds(self) -> dict[str, float]: ...  # noqa: D102
-
-
-class Maker(Protocol):
-    """Anything that answers like `pattern_maker.maker.PatternMaker`."""
-
-    def generate_all(
-        self, requests: Sequence[Request], *, seed: Sequence[int], temperature: float, attempts: int
-    ) -> Sequence[Given]:
-        """Patterns for some requests."""
-        ...
+T = TypeVar("T")
+A = TypeVar("A")
 
 
 @dataclass(frozen=True)
 class Asking:
-    """How questions are asked."""
+    """How questions are asked: as `swifttailor generate` and `edit` ask, unless told otherwise."""
 
-    temperature: float = 0.0
-    attempts: int = 1
-    """Patterns written for each question, of which the best is taken."""
+    temperature: float = USUAL_TEMPERATURE
+    attempts: int | None = None
+    """See `Order`."""
+    alter: bool = True
+    """See `Order`."""
+    crop: bool = True
+    """See `Order`."""
+    network_alone: bool = False
+    """Whether the first pattern that the network writes is the answer, whatever is wrong with it: nothing is
+    altered, cropped, tried to be sewn, or written again."""
     seed: int = 0
+
+    def order(self, question: Question, pictures: GarmentPictures | None) -> Order:
+        """A question as a tailor is asked it."""
+        shown = picture_of(question, pictures)
+        return Order(
+            question.text,
+            None if shown is None else shown[1],
+            question.before,
+            crop=self.crop,
+            seed=seed_of(self.seed, question.key, "answer"),
+            temperature=self.temperature,
+            attempts=self.attempts,
+            alter=self.alter,
+        )
+
+    def to_json(self) -> dict[str, Any]:
+        """What decides the answers; of the network alone only what it is asked with."""
+        decides: dict[str, Any] = {"network_alone": self.network_alone, "temperature": self.temperature}
+        if not self.network_alone:
+            order = Order(temperature=self.temperature, attempts=self.attempts)
+            decides |= {"attempts": order.most_attempts, "alter": self.alter, "crop": self.crop}
+        return decides | {"seed": self.seed}
 
 
 @dataclass(frozen=True, eq=False)
-class Answer:
+class KeptAnswer:
     """What was answered."""
 
     question: Question
     pattern: Pattern | None
-    """None where nothing could be decoded."""
+    """None where there is none."""
     record: dict[str, Any]
     """As it is kept: see docs/evaluation.md."""
 
 
 def ask_all(
-    maker: Maker,
+    tailor: Tailor,
     questions: Sequence[Question],
     book: Book,
     asking: Asking,
     pictures: GarmentPictures | None = None,
     progress: CountProgress | None = None,
-) -> list[Answer]:
+) -> list[KeptAnswer]:
     """Asks what has not been answered yet.
 
     Questions are answered together with those beside them, always the same ones, so that being interrupted
     makes no difference: together or alone, numbers differ in their last digits.
 
     Args:
-        maker: Is asked.
+        tailor: Is asked.
         questions: Of any tasks.
         book: Where answers are kept.
         asking: How.
@@ -94,9 +103,10 @@ def ask_all(
     """
     for part in batches(questions):
         if any(book.get(question) is None for question in part):
-            given = ask(maker, part, asking, pictures)
-            for question, one in zip(part, given, strict=True):
-                content = one if isinstance(one, dict) else _content(one, len(part))
+            contents = together_or_alone(part, lambda some: _answers(tailor, some, asking, pictures))
+            for question, content in zip(part, contents, strict=True):
+                if isinstance(content, SwiftTailorError):
+                    content = {"error": str(content)}
                 book.add(question, 0, {"text": question.text} | content)
         if progress is not None:
             progress(len(part))
@@ -104,7 +114,7 @@ def ask_all(
     for question in questions:
         record = book.get(question)
         assert record is not None
-        answers.append(Answer(question, pattern_of(record, question.id), record))
+        answers.append(KeptAnswer(question, pattern_of(record, question.id), record))
     return answers
 
 
@@ -117,44 +127,68 @@ def batches(questions: Sequence[Question]) -> Iterator[Sequence[Question]]:
             start = k
 
 
-def ask(
-    maker: Maker,
+def ask_network(
+    writer: PatternWriter,
     questions: Sequence[Question],
-    asking: Asking,
     pictures: GarmentPictures | None,
-    attempt: int | None = None,
-) -> list[Given | dict[str, Any]]:
-    """Answers to some questions, or ``{"error": ...}`` where there is none.
+    *,
+    temperature: float,
+    seeds: Sequence[int],
+) -> Sequence[WrittenPattern]:
+    """What the network alone writes: one pattern for each question.
 
     Args:
-        maker: Is asked.
+        writer: Is asked.
         questions: Of any tasks.
-        asking: How.
-        pictures: For questions with one.
-        attempt: Number of the sample, where there are several of each question.
+        pictures: For questions with one; shown as they are.
+        temperature: Of the draws.
+        seeds: One for each question.
+
+    Raises:
+        SwiftTailorError: One of the questions cannot be answered.
     """
-    names: tuple[str | int, ...] = ("answer",) if attempt is None else ("sample", attempt)
-    seeds = [seed_of(asking.seed, q.key, *names) for q in questions]
-    requests = [_request(q, pictures) for q in questions]
+    shown = [picture_of(question, pictures) for question in questions]
+    requests = [
+        Request(question.text, None if picture is None else picture[1], question.before)
+        for question, picture in zip(questions, shown, strict=True)
+    ]
+    return writer.generate_all(requests, seed=seeds, temperature=temperature, draw=0)
 
-    def answer(some: slice) -> Sequence[Given]:
-        return maker.generate_all(
-            requests[some], seed=seeds[some], temperature=asking.temperature, attempts=asking.attempts
-        )
 
+def together_or_alone(
+    items: Sequence[T], answer: Callable[[Sequence[T]], Sequence[A | SwiftTailorError]]
+) -> list[A | SwiftTailorError]:
+    """Answers to items together; where one of them has none, which shows when each is asked alone."""
     try:
-        return list(answer(slice(None)))
+        return list(answer(items))
     except SwiftTailorError as error:
-        if len(questions) == 1:
-            return [{"error": str(error)}]
-    # One of them has no answer; which, shows when they are asked alone.
-    answers: list[Given | dict[str, Any]] = []
-    for k in range(len(questions)):
-        try:
-            answers += answer(slice(k, k + 1))
-        except SwiftTailorError as error:
-            answers.append({"error": str(error)})
-    return answers
+        if len(items) == 1:
+            return [error]
+    return [one for item in items for one in together_or_alone([item], answer)]
+
+
+def _answers(
+    tailor: Tailor, questions: Sequence[Question], asking: Asking, pictures: GarmentPictures | None
+) -> list[dict[str, Any] | SwiftTailorError]:
+    """What is kept of the answers to some questions."""
+    clock = Clock()
+    answers: list[Answer | SwiftTailorError]
+    if asking.network_alone:
+        seeds = [seed_of(asking.seed, q.key, "answer") for q in questions]
+        written = ask_network(
+            tailor.pattern_maker, questions, pictures, temperature=asking.temperature, seeds=seeds
+        )
+        clock.add(written[0].seconds)
+        answers = [Answer(one.pattern, _verdict(one), tuple(one.changes), written=one) for one in written]
+    else:
+        answers = tailor.write([asking.order(question, pictures) for question in questions], clock)
+    about = {"seconds": clock.seconds, "together": len(questions)}  # of all that were answered together
+    return [_content(one) | about if isinstance(one, Answer) else one for one in answers]
+
+
+def _verdict(written: WrittenPattern) -> Verdict:
+    found = check_pattern(written.pattern) if written.findings is None else written.findings
+    return Verdict(tuple(found))
 
 
 def pattern_of(record: dict[str, Any], name: str) -> Pattern | None:
@@ -182,21 +216,20 @@ def picture_of(question: Question, pictures: GarmentPictures | None) -> tuple[st
     return pictures.picture(question.id)
 
 
-def _request(question: Question, pictures: GarmentPictures | None) -> Request:
-    shown = picture_of(question, pictures)
-    return Request(question.text, None if shown is None else shown[1], question.before)
+def _content(answer: Answer) -> dict[str, Any]:
+    from swifttailor.wording.wish_lines import wish_line
 
-
-def _content(given: Given, together: int) -> dict[str, Any]:
-    severities = [finding.severity for finding in given.findings]
+    severities = [finding.severity for finding in answer.verdict.findings]
+    written = answer.written
+    assert written is not None
     return {
-        "pattern": to_specification(given.pattern),
-        "tokens": len(given.sequence),
-        "log_likelihood": given.log_likelihood,
-        "mended": [change.code for change in given.changes],
+        "pattern": to_specification(answer.pattern),
+        "tokens": written.tokens,
+        "log_likelihood": written.log_likelihood,
+        "attempts": len(answer.failures) + 1,
+        "mended": [change.code for change in answer.changes],
+        "altered": list(answer.cuts),
+        "not_so": [wish_line(wish) for wish in answer.verdict.open],
         "errors": severities.count(Severity.ERROR),
         "warnings": severities.count(Severity.WARNING),
-        # Of all that were answered together.
-        "seconds": given.seconds,
-        "together": together,
     }

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from swifttailor.errors import InputError
-from swifttailor.evaluation.maker.ask import Answer, Asking, Maker, ask_all
+from swifttailor.evaluation.maker.ask import Asking, KeptAnswer, ask_all
 from swifttailor.evaluation.maker.book import Book, open_books
 from swifttailor.evaluation.maker.garments import Garments, GarmentSets
 from swifttailor.evaluation.maker.pictures import GarmentPictures
@@ -30,6 +30,8 @@ from swifttailor.evaluation.patterns.attempts import MAX_ATTEMPTS
 
 if TYPE_CHECKING:
     from swifttailor.garment_sewer.sewer import GarmentSewer
+    from swifttailor.tailor import Tailor
+    from swifttailor.tailor.protocols import PatternWriter
 
 
 class Counter(Protocol):
@@ -104,7 +106,7 @@ class Evaluation:
 
 
 def evaluate(
-    maker: Maker,
+    tailor: Tailor,
     plan: Plan,
     out: Path,
     weights: dict[str, Any],
@@ -114,10 +116,10 @@ def evaluate(
     """Runs an evaluation, or goes on with one.
 
     Args:
-        maker: Is asked.
+        tailor: Is asked.
         plan: What to ask.
         out: Folder that keeps the answers.
-        weights: What tells the network from others, as JSON values.
+        weights: What tells the networks from others, as JSON values.
         show: Shows progress.
         sewer: Sews the answers, to be compared with the drapes of `plan.data`.
 
@@ -131,14 +133,12 @@ def evaluate(
     questions = _questions(plan, tasks, patterns, pictures, edits, show)
     settings = {
         "weights": weights,
-        "temperature": plan.asking.temperature,
-        "attempts": plan.asking.attempts,
-        "seed": seed,
+        **plan.asking.to_json(),
         "pictures": None if pictures is None else pictures.identity(),
     }
     with open_books(out, settings) as (answer_book, sample_book):
-        answers = _ask(maker, questions, answer_book, plan.asking, pictures, show)
-        sampling = _sample(maker, questions, sample_book, plan, pictures, show)
+        answers = _ask(tailor, questions, answer_book, plan.asking, pictures, show)
+        sampling = _sample(tailor.pattern_maker, questions, sample_book, plan, pictures, show)
         commits = sorted({*answer_book.commits(), *sample_book.commits()})
     with show(len(answers), "answers measured") as progress:
         scored_all = score_answers(answers, progress.add)
@@ -214,15 +214,15 @@ def _questions(
 
 
 def _ask(
-    maker: Maker,
+    tailor: Tailor,
     questions: Sequence[Question],
     book: Book,
     asking: Asking,
     pictures: GarmentPictures | None,
     show: ShowProgress,
-) -> list[Answer]:
+) -> list[KeptAnswer]:
     with show(len(questions), "questions answered") as progress:
-        answers = ask_all(maker, questions, book, asking, pictures, progress.add)
+        answers = ask_all(tailor, questions, book, asking, pictures, progress.add)
     if all(a.pattern is None for a in answers):
         raise InputError(
             f"Of {len(answers)} questions none was answered. The first, '{answers[0].question.key}': "
@@ -232,7 +232,7 @@ def _ask(
 
 
 def _sample(
-    maker: Maker,
+    writer: PatternWriter,
     questions: Sequence[Question],
     book: Book,
     plan: Plan,
@@ -242,7 +242,7 @@ def _sample(
     if not plan.samples:
         return {}
     with show(len(questions), "questions sampled until a pattern is sound") as progress:
-        sampled = sample_all(maker, questions, book, plan.samples, plan.asking.seed, pictures, progress.add)
+        sampled = sample_all(writer, questions, book, plan.samples, plan.asking.seed, pictures, progress.add)
     return {
         task: summarize_samples([s for s in sampled if s.question.task == task])
         for task in dict.fromkeys(q.task for q in questions)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
+from functools import partial
 from typing import Any
 
-from swifttailor.evaluation.maker.ask import Asking, Given, Maker, ask, batches
+from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.evaluation.maker.ask import ask_network, batches, together_or_alone
 from swifttailor.evaluation.maker.book import Book
 from swifttailor.evaluation.maker.pictures import GarmentPictures
-from swifttailor.evaluation.maker.questions import Question
+from swifttailor.evaluation.maker.questions import Question, seed_of
 from swifttailor.evaluation.patterns.attempts import (
     Attempts,
     AttemptsSummary,
@@ -19,8 +21,10 @@ from swifttailor.evaluation.patterns.attempts import (
 )
 from swifttailor.evaluation.patterns.validity import validity
 from swifttailor.pattern import to_specification
+from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.pattern_maker.tokens.decode import decode
 from swifttailor.progress import CountProgress
+from swifttailor.tailor.protocols import PatternWriter
 
 TEMPERATURE = 1.0
 
@@ -63,7 +67,7 @@ class SamplingSummary:
 
 
 def sample_all(
-    maker: Maker,
+    writer: PatternWriter,
     questions: Sequence[Question],
     book: Book,
     limit: int,
@@ -74,7 +78,7 @@ def sample_all(
     """Draws what was not drawn yet, of each question until a pattern is sound, as written and mended.
 
     Args:
-        maker: Is asked.
+        writer: Is asked; what it writes is neither altered nor judged by anybody else.
         questions: Of any tasks.
         book: Where samples are kept.
         limit: Of the samples of each question.
@@ -85,7 +89,6 @@ def sample_all(
     Raises:
         InputError: A sample cannot be written, or a picture not be read.
     """
-    asking = Asking(TEMPERATURE, 1, seed)
     sampled = []
     for part in batches(questions):
         counted: dict[str, Sampled] = {}
@@ -93,8 +96,9 @@ def sample_all(
             # Those that have a sound pattern are not asked again; so a batch is the same whenever it is made.
             left = [q for q in part if q.key not in counted]
             if any(book.get(q, attempt) is None for q in left):
-                for question, given in zip(left, ask(maker, left, asking, pictures, attempt), strict=True):
-                    book.add(question, attempt, _content(given))
+                given = together_or_alone(left, partial(_drawn, writer, pictures, seed, attempt))
+                for question, one in zip(left, given, strict=True):
+                    book.add(question, attempt, _content(one))
             for question in left:
                 found = _count(question, book, attempt + 1, limit)
                 if found is not None:
@@ -126,10 +130,26 @@ def summarize_samples(sampled: Sequence[Sampled]) -> SamplingSummary:
     )
 
 
-def _content(given: Given | dict[str, Any]) -> dict[str, Any]:
-    if isinstance(given, dict):
-        fault = ["decode", given["error"]]
+def _drawn(
+    writer: PatternWriter,
+    pictures: GarmentPictures | None,
+    seed: int,
+    attempt: int,
+    questions: Sequence[Question],
+) -> Sequence[WrittenPattern]:
+    seeds = [seed_of(seed, question.key, "sample", attempt) for question in questions]
+    return ask_network(writer, questions, pictures, temperature=TEMPERATURE, seeds=seeds)
+
+
+def _content(given: WrittenPattern | SwiftTailorError) -> dict[str, Any]:
+    if isinstance(given, SwiftTailorError):
+        fault = ["decode", str(given)]
         return {"fault": fault, "fault_mended": fault, "closed": False, "paired": False, "tokens": 0}
+    if given.sequence is None:
+        raise InputError(
+            "#Sampling is read off the tokens of what was written, and this network tells of none. "
+            "Leave it out: --samples 0"
+        )
     fault = first_fault(decode(given.sequence))
     mended = first_fault(given.pattern) if given.changes else fault
     content = {"fault": fault, "fault_mended": mended, "tokens": len(given.sequence)}

@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+import numpy as np
+
 from swifttailor.describing import GarmentFacts
 from swifttailor.errors import SwiftTailorError
-from swifttailor.evaluation.maker.ask import Answer
+from swifttailor.evaluation.maker.ask import KeptAnswer
 from swifttailor.evaluation.maker.questions import Question, Task
 from swifttailor.evaluation.patterns.adherence import (
     Adherence,
@@ -36,7 +38,7 @@ AdherenceRows = list[tuple[str, Adherence]]
 class Scored:
     """One answer and how good it is."""
 
-    answer: Answer
+    answer: KeptAnswer
     score: PatternScore
     facts: GarmentFacts | None
     """Of the answer; None where there are none to measure."""
@@ -56,7 +58,10 @@ class Scored:
     def to_json(self) -> dict[str, Any]:
         """Plain JSON values."""
         question, record = self.answer.question, self.answer.record
-        kept = ("tokens", "log_likelihood", "mended", "errors", "warnings", "error")
+        kept = (
+            *("tokens", "log_likelihood", "attempts", "mended", "altered", "not_so"),
+            *("errors", "warnings", "error"),
+        )
         return {
             "question": question.key,
             "text": question.text,
@@ -75,6 +80,8 @@ class TaskResult:
     patterns: list[tuple[str, PatternSummary]]
     """Ours first; then the true patterns through tokens and back, and another pattern or the input."""
     adherence: AdherenceRows
+    attempts: float
+    """Patterns that were written for an answer, in the mean."""
     mended: int
     """Answers in which something was mended."""
     faulty: int
@@ -87,6 +94,7 @@ class TaskResult:
         return {
             "patterns": {name: found.to_json() for name, found in self.patterns},
             "adherence": {name: asdict(found) for name, found in self.adherence},
+            "attempts": self.attempts,
             "mended": self.mended,
             "faulty": self.faulty,
             "seconds": self.seconds,
@@ -103,7 +111,7 @@ OURS, TOKENS, OTHER, INPUT, TRUTH, CHANCE = (
 )
 
 
-def score_answers(answers: Sequence[Answer], progress: CountProgress | None = None) -> list[Scored]:
+def score_answers(answers: Sequence[KeptAnswer], progress: CountProgress | None = None) -> list[Scored]:
     """Compares each answer with the truth and measures it; calls `progress` with 1 after each."""
     scored = []
     for answer in answers:
@@ -129,6 +137,7 @@ def summarize_task(task: Task, scored: Sequence[Scored]) -> TaskResult:
         task,
         rows,
         _edit_adherence(questions, scored) if task == "edit" else _caption_adherence(questions, scored),
+        attempts=float(np.mean([r["attempts"] for r in records if "attempts" in r] or [0])),
         mended=sum(bool(r.get("mended")) for r in records),
         faulty=sum(r.get("errors", 0) > 0 for r in records),
         seconds=_seconds(records),
@@ -164,5 +173,7 @@ def _through_tokens(pattern: Pattern) -> Pattern | None:
 
 def _seconds(records: Sequence[dict[str, Any]]) -> dict[str, float]:
     found = [r for r in records if "seconds" in r]
-    stages = found[0]["seconds"] if found else {}
-    return {name: sum(r["seconds"][name] / r["together"] for r in found) / len(found) for name in stages}
+    stages = dict.fromkeys(name for r in found for name in r["seconds"])
+    return {
+        name: sum(r["seconds"].get(name, 0.0) / r["together"] for r in found) / len(found) for name in stages
+    }

@@ -67,6 +67,7 @@ def task_text(result: TaskResult) -> str:
         f"== {_TITLES[result.task]}: {count} questions ==\n\n"
         f"{pattern_tables(result.patterns, _PATTERNS[result.task])}\n"
         f"{said}\n\n{adherence_table(result.adherence)}\n"
+        f"{result.attempts:.2f} patterns were written for an answer\n"
         f"{result.mended} of {count} answers were mended; in {result.faulty} a check still finds errors\n"
         f"seconds of an answer, among others answered together: {seconds or 'none'}\n"
     )
@@ -122,6 +123,18 @@ def garments_text(found: Mapping[Task, GarmentSets]) -> str:
     )
 
 
+def _manner(about: Mapping[str, Any]) -> str:
+    """How the questions were asked."""
+    temperature = f"temperature {about['temperature']:g}"
+    if about["network_alone"]:
+        return f"answers of the network alone, {temperature}, one pattern each"
+    usual = "answers as swifttailor generate and edit give them"
+    without = [name for name in ("alter", "crop") if not about[name]]
+    return ", ".join(
+        [usual, temperature, f"at most {about['attempts']} attempts", *(f"no {w}" for w in without)]
+    )
+
+
 def provenance_text(about: Mapping[str, Any]) -> str:
     """Where the numbers come from, from `run.Evaluation.about`, the code and the machine."""
     some = "" if about["chosen"] is None else f", at most {about['chosen']} chosen by lot"
@@ -131,8 +144,8 @@ def provenance_text(about: Mapping[str, Any]) -> str:
         "PatternMaker against true patterns",
         f"patterns {', '.join(about['patterns'])}: {about['of']}{some} "
         f"(sha256 of all {about['patterns_sha256'][:16]})",
-        f"questions: {asked}; seed {about['seed']}, temperature {about['temperature']:g}, "
-        f"attempts {about['attempts']}",
+        f"questions: {asked}; seed {about['seed']}",
+        _manner(about),
     ]
     if about["edits"]:
         unseen = len(about["unseen_edits"])

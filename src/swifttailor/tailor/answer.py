@@ -1,0 +1,67 @@
+"""A pattern on its way from an order to its garment."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from swifttailor.pattern import Pattern
+from swifttailor.pattern.check.repair import Change
+from swifttailor.tailor.verdict import Verdict
+
+if TYPE_CHECKING:
+    from swifttailor.pattern_maker.asking.confidence import Confidence
+    from swifttailor.pattern_maker.maker import WrittenPattern
+    from swifttailor.tailor.reading import Wanted
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """A pattern with all that is known of it; each room that it passes adds its part."""
+
+    pattern: Pattern
+    verdict: Verdict = field(default_factory=Verdict)
+    """What is wrong with it."""
+    changes: tuple[Change, ...] = ()
+    """What was mended in it."""
+    wanted: Wanted | None = None
+    """What it answers; None of a pattern that was given to be sewn."""
+    seed: int = 0
+    """Of its sample of the order."""
+    written: WrittenPattern | None = None
+    """What the network wrote for it; None of a pattern that was given to be sewn."""
+    cuts: tuple[str, ...] = ()
+    """What was altered, in words."""
+    of_edit: bool = False
+    """Whether it is the pattern to edit that was altered, and what the network wrote was left aside."""
+    attempt: int = 0
+    """Which of the attempts it is, from 0."""
+    failures: tuple[str, ...] = ()
+    """What is wrong with the attempts that were not taken, in order."""
+    prepared: Any = None
+    """What the sewer made of it; None where it was not prepared to be sewn."""
+    seconds: dict[str, float] = field(default_factory=dict)
+    """Its own, by stage: of what is done for all garments of an order together, a `Clock` takes the time."""
+
+    @property
+    def rank(self) -> tuple[bool, int, int, float]:
+        """Smaller is better: whether it can be sewn, the verdict, the likelihood of what was written."""
+        likelihood = 0.0 if self.written is None else self.written.log_likelihood
+        return self.prepared is None, *self.verdict.rank, -likelihood
+
+    @property
+    def confidence(self) -> Confidence | None:
+        """How sure the network is of a picture; None without one, or where that was not measured for it."""
+        return None if self.written is None else self.written.confidence
+
+    @property
+    def doubts(self) -> list[str]:
+        """What to tell a person of whose picture the network is not sure."""
+        confidence = self.confidence
+        if confidence is None or not confidence.doubtful:
+            return []
+        return [
+            "The picture may show no garment, or one unlike any that the network knows: it is less sure of "
+            f"it than of {1 - confidence.value:.1%} of the pictures that it was validated with (confidence "
+            f"{confidence.value:.3f})."
+        ]

@@ -1,0 +1,134 @@
+"""What the network wrote, altered until what the text asks for holds, as far as can be cut."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from swifttailor.describing.differences import Change, Gain
+from swifttailor.describing.facts import GarmentFacts
+from swifttailor.pattern import Pattern, check_pattern
+from swifttailor.pattern_maker.maker import WrittenPattern
+from swifttailor.recutting.alter import Alteration
+from swifttailor.recutting.holes import has_holes
+from swifttailor.recutting.level_hems import level_hem
+from swifttailor.recutting.one_sided import (
+    asks_for_one_side,
+    is_of_one_side,
+    made_of_one_side,
+    one_sided_panels,
+)
+from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.reading import Wanted, altered
+from swifttailor.tailor.verdict import Verdict
+from swifttailor.wishes.unsaid import leaves_hem_unsaid, unsaid_wishes
+
+NARROWEST_SLEEVE_CM, NARROWEST_HEM_CM = 14.0, 60.0
+"""No hand goes through less, and nobody walks in less; 16.6 cm around sleeves and 69.8 around skirts are the
+least of GarmentCode's validation patterns."""
+BARE_CM = 4.0
+"""No skirt ends so far above the crotch; 0.5 cm is the highest of those."""
+
+
+def fit(written: WrittenPattern, wanted: Wanted) -> Answer:
+    """Alters a pattern to what is wanted and judges it; whether it can be sewn is left open.
+
+    One that cannot be measured is left as it is, its wishes open. Of an edit, the pattern to edit is altered,
+    since that leaves everything else exactly as it is. What the network wrote is taken where more of the
+    wishes hold of it, or none was understood.
+    """
+    edit, unsaid = wanted.order.edit, wanted.unsaid
+    changes = tuple(wish.change for wish in wanted.wishes)
+    maybe = tuple(wish.change for wish in wanted.likely)
+    pattern, level = written.pattern, ""
+    if unsaid and not asks_for_one_side((*changes, *maybe)):
+        pattern = made_of_one_side(pattern, written.unsewn > 0)
+    findings = written.findings if pattern is written.pattern else None
+    if unsaid and leaves_hem_unsaid((*changes, *maybe)):
+        pattern, level = level_hem(pattern)  # what is lengthened next stays level
+    alters = bool(changes) or unsaid
+    taken, of_edit = _best_alteration(pattern, level, wanted) if alters else (None, False)
+    if taken is not None and (taken.cuts or of_edit):
+        pattern, findings = taken.pattern, None
+    verdict = Verdict(
+        tuple(check_pattern(pattern) if findings is None else findings),
+        wanted.tolerated,
+        senseless=taken is not None and _is_senseless(taken.facts),
+        holes=not of_edit and _is_torn(pattern, edit),
+        one_sided=() if of_edit else _unasked(pattern, (*changes, *maybe) if alters else (), edit),
+        open=changes if taken is None else taken.open,
+    )
+    return Answer(
+        pattern,
+        verdict,
+        () if of_edit else tuple(written.changes),
+        wanted=wanted,
+        written=written,
+        cuts=() if taken is None else taken.cuts,
+        of_edit=of_edit,
+    )
+
+
+def _best_alteration(pattern: Pattern, level: str, wanted: Wanted) -> tuple[Alteration | None, bool]:
+    """What is altered, None where nothing can be measured; and whether it is the pattern to edit."""
+    edit, recut = wanted.order.edit, wanted.recut
+    changes = tuple(wish.change for wish in wanted.wishes)
+    remade = edit is not None and recut is not None and _is_remade(edit, recut)
+    written = None
+    if recut is None or recut.open or remade:
+        written = altered(pattern, changes, wanted.original)
+        if written is not None and wanted.unsaid:
+            written = replace(written, cuts=(*filter(None, [level]), *written.cuts))
+            written = _finished(written, changes, tuple(wish.change for wish in wanted.likely))
+    # Of two that do as much, the one that leaves the rest as it was; but for another kind of garment.
+    if recut is not None and len(recut.open) < len(changes):
+        if written is None or len(recut.open) + remade <= len(written.open):
+            return recut, True
+    return written, False
+
+
+def _finished(before: Alteration, changes: tuple[Change, ...], maybe: tuple[Change, ...]) -> Alteration:
+    """Does what is likely meant and what goes without saying, where that costs nothing asked for."""
+    said = (*changes, *maybe)
+    maybe = tuple(wish for wish in maybe if not is_of_one_side(wish))  # easily mistaken for each other
+    pattern, level = level_hem(before.pattern) if leaves_hem_unsaid(said) else (before.pattern, "")
+    more = (*maybe, *unsaid_wishes(said, before.facts))
+    after = altered(pattern, (*changes, *more))
+    if after is None or not (after.cuts or level) or set(after.open) & set(changes) - set(before.open):
+        return before
+    if _is_senseless(after.facts) and not _is_senseless(before.facts):
+        return before
+    missing = tuple(wish for wish in after.open if wish in changes)
+    return replace(
+        after, open=missing, done=before.done, cuts=(*before.cuts, *filter(None, [level]), *after.cuts)
+    )
+
+
+def _unasked(pattern: Pattern, changes: Sequence[Change], edit: Pattern | None) -> tuple[str, ...]:
+    """Panels without their counterpart, where no wish and no pattern to edit has sides that differ."""
+    if asks_for_one_side(changes) or (edit is not None and one_sided_panels(edit)):
+        return ()
+    return one_sided_panels(pattern)
+
+
+def _is_torn(pattern: Pattern, edit: Pattern | None) -> bool:
+    """Whether it has holes that the pattern to edit had not."""
+    return has_holes(pattern) and (edit is None or not has_holes(edit))
+
+
+def _is_senseless(facts: GarmentFacts) -> bool:
+    """Whether it is no kind of garment, a waistband alone, or has sleeves that no arm goes through."""
+    sleeves = [sleeve for sleeve in (facts.left_sleeve, facts.right_sleeve) if sleeve]
+    if any(sleeve.length <= 0 or sleeve.opening < NARROWEST_SLEEVE_CM for sleeve in sleeves):
+        return True  # without length: sewn to something else than an armhole all around
+    if facts.kind in ("skirt", "dress") and facts.hem and facts.hem.length < NARROWEST_HEM_CM:
+        return True
+    if facts.kind == "skirt" and facts.hem and facts.hem.level > facts.body.crotch + BARE_CM:
+        return True
+    return facts.kind == "other" or not (facts.torso or facts.skirt or facts.trousers)
+
+
+def _is_remade(edit: Pattern, recut: Alteration) -> bool:
+    """Whether it has become another kind of garment, and not by what was taken off."""
+    is_other = any(isinstance(c, Gain) and c.claim.name == "kind" for c in recut.done)
+    return is_other and len(recut.pattern.panels) >= len(edit.panels)

@@ -1,0 +1,75 @@
+"""Whether a pattern is what was ordered: the one verdict that all attempts are compared by."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from swifttailor.pattern import Finding, Severity
+
+if TYPE_CHECKING:
+    from swifttailor.describing.differences import Change
+
+_SENSELESS, _HOLES, _ONE_SIDED = 4, 3, 2
+"""What a garment of no kind, open seams, and panels that lack their counterpart count for, where an open wish
+or warning counts one."""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What is wrong with a pattern, gravest first."""
+
+    findings: tuple[Finding, ...] = ()
+    """What a check finds."""
+    tolerated: frozenset[str] = frozenset()
+    """Codes of warnings that are no fault: the pattern to edit had them before."""
+    senseless: bool = False
+    """Whether it is measured to be no kind of garment."""
+    holes: bool = False
+    """Whether seams are open that no garment leaves open."""
+    one_sided: tuple[str, ...] = ()
+    """Panels without their counterpart on the other side, which nobody asked for."""
+    unsewable: str = ""
+    """Why it cannot be sewn, where that was tried."""
+    open: tuple[Change, ...] = ()
+    """What was asked for and does not hold, or cannot be measured."""
+
+    @property
+    def oddities(self) -> list[str]:
+        """What a check does not see, in words: what was never written."""
+        found = ["it is not a garment that can be worn"] if self.senseless else []
+        if self.holes:
+            found.append("seams are open that ought to be sewn")
+        if self.one_sided:
+            found.append(f"{', '.join(self.one_sided)}: nothing like it on the other side")
+        return found
+
+    @property
+    def unsound(self) -> str:
+        """What is wrong with the pattern itself, in words; empty where it is worth sewing."""
+        found = [f for f in self.findings if f.severity is Severity.ERROR]
+        found = found or [
+            f for f in self.findings if f.severity is Severity.WARNING and f.code not in self.tolerated
+        ]
+        if not found:
+            return "; ".join(self.oddities)
+        place = f" ({found[0].where()})" if found[0].where() else ""
+        more = f", and {len(found) - 1} more" if len(found) > 1 else ""
+        return f"{found[0].code}{place}: {found[0].message}{more}"
+
+    @property
+    def fault(self) -> str:
+        """The gravest that is wrong, in words; empty where nothing is, and no other attempt is made."""
+        from swifttailor.wording.wish_lines import wish_line
+
+        if self.unsound or self.unsewable:
+            return self.unsound or self.unsewable
+        return f"asked for, and not so: {'; '.join(map(wish_line, self.open))}" if self.open else ""
+
+    @property
+    def rank(self) -> tuple[int, int]:
+        """Smaller is better: errors that a check finds; warnings, open wishes and the like."""
+        severities = [f.severity for f in self.findings]
+        errors, warnings = (severities.count(s) for s in (Severity.ERROR, Severity.WARNING))
+        doubts = warnings + len(self.open) + _SENSELESS * self.senseless + _HOLES * self.holes
+        return errors, doubts + _ONE_SIDED * bool(self.one_sided)
