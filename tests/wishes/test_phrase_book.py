@@ -11,7 +11,7 @@ from swifttailor.describing.differences import Gain, Step
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.phrase_book import find_phrases
 from swifttailor.wishes.reader import WishReader
-from swifttailor.wording.instructions.step_words import STEP_WORDS
+from swifttailor.wording.instructions.requests import step_words
 
 
 def asked(text: str) -> list:
@@ -47,14 +47,13 @@ def test_the_longest_phrase_counts():
 
 
 @given(
-    st.sampled_from([(q, d) for q in STEP_WORDS for d in (1, -1)]),
+    st.sampled_from(sorted(step_words())),
     st.integers(min_value=1, max_value=60),
     st.sampled_from(["", "Please ", "Could you "]),
 )
 def test_amounts_are_those_that_are_said(step, cm, before):
     quantity, direction = step
-    words = STEP_WORDS[quantity]
-    for text in words.up_by if direction > 0 else words.down_by:
+    for text in step_words()[step].texts_by:
         said = before + text.replace("{by}", f"{cm} cm").replace("{garment}", "dress")
         changes = asked(said.replace("{band}", "waistband"))
         assert changes in ([Step(quantity, direction, float(cm))], []), said

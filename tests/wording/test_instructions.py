@@ -12,8 +12,7 @@ from swifttailor.describing import Claim, measure_facts
 from swifttailor.describing.differences import QUANTITIES, Gain, Step, find_differences
 from swifttailor.errors import InputError
 from swifttailor.pattern.drafts import draft
-from swifttailor.wording.instructions.gain_words import GAIN_WORDS
-from swifttailor.wording.instructions.step_words import STEP_WORDS
+from swifttailor.wording.instructions.requests import step_words
 from swifttailor.wording.instructions.writer import write_instruction
 
 
@@ -108,12 +107,14 @@ def test_steps_want_the_right_way_and_the_right_amount(draft_facts):
     assert not up.holds(facts, draft_facts["tank-top"]), "no sleeves are not longer sleeves"
 
 
-def test_every_quantity_has_words_and_every_wording_a_claim():
-    assert STEP_WORDS.keys() == QUANTITIES.keys()
-    for words in STEP_WORDS.values():
-        assert all("{by}" in t for t in (*words.up_by, *words.down_by))
-        assert not any("{by}" in t for t in (*words.up, *words.down))
-    assert all(w.texts and all(isinstance(c, Claim) for c in w.claims) for w in GAIN_WORDS)
+def test_every_quantity_has_words_for_both_ways():
+    assert step_words().keys() == {(quantity, way) for quantity in QUANTITIES for way in (1, -1)}
+    for (quantity, way), words in step_words().items():
+        other = step_words()[quantity, -way]
+        assert (words.topic, words.importance) == (other.topic, other.importance), quantity
+        assert set(words.texts).isdisjoint(other.texts), quantity
+        assert all("{by}" in text for text in words.texts_by)
+        assert not any("{by}" in text for text in words.texts)
 
 
 def test_changes_as_json():

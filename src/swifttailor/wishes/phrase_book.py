@@ -13,8 +13,7 @@ from functools import cache
 
 from swifttailor.describing.differences import Change, Gain, Step
 from swifttailor.wishes.mentions import Mention
-from swifttailor.wording.instructions.gain_words import GAIN_WORDS
-from swifttailor.wording.instructions.step_words import STEP_WORDS
+from swifttailor.wording.instructions.requests import gain_words, step_words
 from swifttailor.wording.speech import with_articles
 
 _NUMBER = "\0"
@@ -84,11 +83,10 @@ def _spoken(phrase: str) -> str:
 
 
 def _wordings() -> Iterator[tuple[str, tuple[Change, ...]]]:
-    for quantity, words in STEP_WORDS.items():
-        for direction, texts in ((1, (*words.up, *words.up_by)), (-1, (*words.down, *words.down_by))):
-            for text in texts:
-                yield text, (Step(quantity, direction),)
-    for wording in GAIN_WORDS:
+    for (quantity, direction), words in step_words().items():
+        for text in (*words.texts, *words.texts_by):
+            yield text, (Step(quantity, direction),)
+    for wording in gain_words():
         for text in wording.texts:
             yield text, tuple(Gain(claim) for claim in wording.claims)
 

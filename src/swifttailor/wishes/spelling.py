@@ -9,8 +9,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from swifttailor.wording.phrases.phrase import Wording
-from swifttailor.wording.speech import all_wordings
+from swifttailor.wording.wordings import all_wordings
 
 SHORTEST = 4
 """Letters: shorter words have too many neighbours."""
@@ -56,10 +55,7 @@ def neighbours(word: str) -> frozenset[str]:
 def cut_words() -> frozenset[str]:
     """All words of captions, in lower case."""
     found: set[str] = set()
-    wording: Wording
-    for wording in all_wordings():
-        for text in wording.texts:
-            bare = _PLACE.sub(" ", text.partition("@")[0]).lower()
-            for word in _WORD.findall(bare):
-                found |= {word, word.replace("-", ""), *re.split("['-]", word)}
+    said = {text for wording in all_wordings() for texts in wording.texts.values() for text in texts}
+    for word in set(_WORD.findall(_PLACE.sub(" ", " ".join(said)).lower())):
+        found |= {word, word.replace("-", ""), *re.split("['-]", word)}
     return frozenset(found)

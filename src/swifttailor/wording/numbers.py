@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import random
-from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from swifttailor.describing.claims import CLAIM_TYPES, Claim
 
@@ -16,8 +15,7 @@ _COUNTS = (
 _HALVES = {0.25: "1/4", 0.5: "1/2", 0.75: "3/4"}
 
 
-@dataclass(frozen=True)
-class Said:
+class Said(NamedTuple):
     """A number in words."""
 
     text: str

@@ -4,26 +4,15 @@ from __future__ import annotations
 
 import random
 import re
-from collections.abc import Collection, Iterable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Sequence
+from functools import lru_cache
+from typing import NamedTuple
 
 from swifttailor.describing.claims import Claim
 from swifttailor.wording.numbers import Units, is_length, say_measure
-from swifttailor.wording.phrases import heads, lower_words, sleeve_words, upper_words
-from swifttailor.wording.phrases.phrase import Dialect, Form, Wording
+from swifttailor.wording.word_tables import Dialect
+from swifttailor.wording.wordings import Form, Wording, all_wordings
 
-_WORDINGS: tuple[Wording, ...] = (
-    *heads.HEADS,
-    *upper_words.ADJECTIVES,
-    *lower_words.ADJECTIVES,
-    *upper_words.FEATURES,
-    *sleeve_words.FEATURES,
-    *lower_words.FEATURES,
-    *upper_words.SENTENCES,
-    *sleeve_words.SENTENCES,
-    *lower_words.SENTENCES,
-    *upper_words.TAGS,
-)
 _MINOR = 0.21
 """Wordings of less weight say what hardly needs saying, such as "no hood"; they are mostly passed over."""
 _MINOR_SHARE = 0.07
@@ -31,8 +20,7 @@ _PLACE = re.compile(r"\{(\w+)(-?)\}")
 _BEFORE_VOWEL = re.compile(r"\b([Aa]) (?=(?!one|uni|U\b)[AEIOUaeiou]|8|11\b|18\b|S-|X|F\b)")
 
 
-@dataclass(frozen=True)
-class Phrase:
+class Phrase(NamedTuple):
     """Something said, and the claims it makes."""
 
     text: str
@@ -41,31 +29,35 @@ class Phrase:
     plural: bool = False
 
 
-def all_wordings() -> tuple[Wording, ...]:
-    """Everything that captions are written of."""
-    return _WORDINGS
-
-
-@dataclass
 class Speech:
     """One speaker on one garment."""
 
-    rng: random.Random
-    claims: Collection[Claim]
-    """All that may be claimed."""
-    dialect: Dialect
-    units: Units
-    numbers: bool
-    """Whether lengths are stated."""
-    topics: set[str] = field(default_factory=set)
-    """What has been spoken of."""
-    kind: str = ""
-    """What the garment has been called, once that is said."""
+    def __init__(
+        self,
+        rng: random.Random,
+        claims: Collection[Claim],
+        dialect: Dialect,
+        units: Units,
+        *,
+        numbers: bool,
+    ) -> None:
+        """Prepares to speak.
 
-    def __post_init__(self) -> None:
-        self._words = {c for c in self.claims if isinstance(c.value, str)}
-        self._measures = {c.name: float(c.value) for c in self.claims if not isinstance(c.value, str)}
-        self._true = [w for w in _WORDINGS if self._holds(w)]
+        Args:
+            rng: Chooses the words.
+            claims: All that may be claimed.
+            dialect: British or American English.
+            units: Which system of measures.
+            numbers: Whether lengths are stated.
+        """
+        self.rng, self.dialect, self.units = rng, dialect, units
+        self.topics: set[str] = set()
+        """What has been spoken of."""
+        self.kind = ""
+        """What the garment has been called, once that is said."""
+        words = frozenset(c for c in claims if isinstance(c.value, str))
+        self._measures = {c.name: float(c.value) for c in claims if not isinstance(c.value, str)}
+        self._true = _sayable(words, frozenset(self._measures), dialect, numbers)
 
     def say(self, *forms: Form, about: Collection[str] | None = None) -> Phrase | None:
         """Says one thing that has not been said; None when there is nothing left.
@@ -102,8 +94,8 @@ class Speech:
         return said
 
     def pick(self, *options: str) -> str:
-        """One of some texts, those of the other dialect left out."""
-        return self.rng.choice(self._in_dialect(options))
+        """One of some texts."""
+        return self.rng.choice(options)
 
     def listed(self, texts: Sequence[str], last: str = "and") -> str:
         """Texts as a list in words; Americans may put a comma before the last."""
@@ -112,29 +104,11 @@ class Speech:
         comma = "," if self.dialect == "us" and self.rng.random() < 0.7 else ""
         return f"{', '.join(texts[:-1])}{comma} {last} {texts[-1]}"
 
-    def _holds(self, wording: Wording) -> bool:
-        """Whether it may be said of the garment in this dialect at all."""
-        return (
-            self._words.issuperset(wording.needs)
-            and self._words.isdisjoint(wording.avoids)
-            and all(n in self._measures for n in wording.numbers)
-            and (self.numbers or not any(map(is_length, wording.numbers)))
-            and bool(self._in_dialect(wording.texts))
-        )
-
     def _fits(self, wording: Wording, about: Collection[str] | None) -> bool:
         """Whether it may be said after what was said so far."""
         if wording.topics & self.topics or (about is not None and not wording.topics <= set(about)):
             return False
         return not (wording.kinds and self.kind and self.kind not in wording.kinds)
-
-    def _in_dialect(self, texts: Iterable[str]) -> list[str]:
-        kept = []
-        for text in texts:
-            bare, _, dialect = text.partition("@")
-            if dialect in ("", self.dialect):
-                kept.append(bare)
-        return kept
 
     def _speak(self, wording: Wording) -> Phrase:
         claims = list(wording.needs)
@@ -147,8 +121,24 @@ class Speech:
             claims.append(said.claim)
             return said.text
 
-        text = _PLACE.sub(number, self.pick(*wording.texts))
+        text = _PLACE.sub(number, self.rng.choice(wording.texts[self.dialect]))
         return Phrase(with_articles(text), tuple(claims), wording.topics, wording.plural)
+
+
+@lru_cache(maxsize=32)
+def _sayable(
+    words: frozenset[Claim], measures: frozenset[str], dialect: Dialect, numbers: bool
+) -> tuple[Wording, ...]:
+    """What may be said of a garment at all; kept, since several captions are written of each."""
+    return tuple(
+        each
+        for each in all_wordings()
+        if words.issuperset(each.needs)
+        and words.isdisjoint(each.avoids)
+        and measures.issuperset(each.numbers)
+        and (numbers or not any(map(is_length, each.numbers)))
+        and each.texts[dialect]
+    )
 
 
 def with_articles(text: str) -> str:

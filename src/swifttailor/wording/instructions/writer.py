@@ -10,9 +10,7 @@ from swifttailor.describing.claims import Claim, claims_of
 from swifttailor.describing.differences import QUANTITIES, Change, Gain, Step, find_differences
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.wording.captions.styles import phrase
-from swifttailor.wording.instructions.gain_wording import GainWording
-from swifttailor.wording.instructions.gain_words import GAIN_WORDS
-from swifttailor.wording.instructions.step_words import STEP_WORDS
+from swifttailor.wording.instructions.requests import GainWording, gain_words, step_words
 from swifttailor.wording.speech import Speech, with_articles
 
 MOST_CHANGES = 4
@@ -139,7 +137,7 @@ def _of_gains(gains: Sequence[Gain], before: GarmentFacts, after: GarmentFacts) 
     gained = {g.claim for g in gains}
     was, now = set(claims_of(before)), set(claims_of(after))
     found = []
-    for wording in GAIN_WORDS:
+    for wording in gain_words():
         if wording.claims[0] in gained and now.issuperset(wording.claims) and _fits(wording, was):
             changes = tuple(Gain(c) for c in wording.claims)
             found.append(Request(wording.topic, wording.importance, wording.texts, changes))
@@ -177,14 +175,12 @@ def _only_uncovered(claim: Claim, before: GarmentFacts, after: GarmentFacts) -> 
 def _of_steps(steps: Sequence[Step], rng: random.Random) -> list[Request]:
     found = []
     for step in steps:
-        words = STEP_WORDS[step.quantity]
-        up = step.direction > 0
-        plain, measured = (words.up, words.up_by) if up else (words.down, words.down_by)
+        words = step_words()[step.quantity, step.direction]
         change = Step(step.quantity, step.direction)
-        texts = plain
-        if measured and rng.random() < _WITH_AMOUNT and step.amount is not None:
+        texts = words.texts
+        if words.texts_by and rng.random() < _WITH_AMOUNT and step.amount is not None:
             text, amount = _amount(step.amount, rng)
-            texts = tuple(t.replace("{by}", text) for t in measured)
+            texts = tuple(t.replace("{by}", text) for t in words.texts_by)
             change = Step(step.quantity, step.direction, amount)
         found.append(Request(words.topic, words.importance, texts, (change,)))
     return found
@@ -199,13 +195,13 @@ def _leave_out_consequences(
         found.pop("length", None)
     if "waist" in found and "length" in found:
         found.pop("waist" if after.skirt is None and after.trousers is None else "length")
-    if "neck width" in found:
+    if "neck_width" in found:
         found.pop("shoulders", None) if before.strapless == after.strapless else None
     if any(t in found for t in ("neckline", "shoulders", "sleeves")):
         found.pop("sides", None)
-    if any(f"{side} neckline" in found for side in ("left", "right")):
+    if any(f"{side}_neckline" in found for side in ("left", "right")):
         found.pop("neckline", None)
-    for one, other in (("sleeve end", "sleeve_shape"), ("sleeve head", "sleeve_shape")):
+    for one, other in (("sleeve_end", "sleeve_shape"), ("sleeve_head", "sleeve_shape")):
         if one in found and other in found:
             least = min((one, other), key=lambda t: max(r.importance for r in found[t]))
             del found[least]
@@ -227,10 +223,10 @@ def _leave_out_consequences(
 
 _FOLLOWS: dict[str, tuple[str, ...]] = {
     "bodice": ("fit", "waistband", "skirt"),
-    "band width": ("fit",),
-    "back": ("neck width",),
+    "band_width": ("fit",),
+    "back": ("neck_width",),
     "armholes": ("sleeves",),
-    "sleeve gathers": ("cuffs", "sleeves"),
+    "sleeve_gathers": ("cuffs", "sleeves"),
 }
 """What seldom needs saying where one of the others is said."""
 

@@ -1,1 +1,0 @@
-"""Phrases: bits of language, each with the claims that it makes."""
