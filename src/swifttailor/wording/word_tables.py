@@ -104,24 +104,24 @@ class _Parser:
         self.found: list[Row] = []
 
     def rows(self, text: str) -> list[Row]:
-        opened, inside = "", []
-        for self.line, indented, line in _statements(text):
-            if indented:
-                if not opened:
-                    self._wrong("the line is indented, but stands under no 'list' and no 'for each'.")
-                inside.append((self.line, line))
+        opened, begun, inside = "", 0, []
+        for number, indented, line in [*_statements(text), (0, False, "")]:
+            if indented and opened:
+                inside.append((number, line))
                 continue
+            self.line = begun
             self._close(opened, inside)
-            opened, inside = "", []
-            if line[0] == "[":
+            self.line, opened, inside = number, "", []
+            if indented:
+                self._wrong("the line is indented, but stands under no 'list' and no 'for each'.")
+            if line.startswith("["):
                 self.section, closed, self.shared = line[1:].partition("]")
                 if not closed:
                     self._wrong(f"'{line}' has no closing bracket.")
             elif line.startswith(("list ", "for each ")):
-                opened = line
-            else:
+                opened, begun = line, number
+            elif line:
                 self._fill(line, {})
-        self._close(opened, inside)
         return self.found
 
     def _close(self, opened: str, inside: list[tuple[int, str]]) -> None:
