@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -44,11 +45,14 @@ def calls(monkeypatch) -> list[int]:
 
 def test_the_command_asks_prints_writes_and_goes_on(files, tmp_path, capsys, calls):
     out = tmp_path / "answers"
-    asked = arguments(files, out, "--edits", str(files[1]), "--limit", "1", "--pictures", "1")
+    asked = arguments(
+        files, out, "--network-alone", "--edits", str(files[1]), "--limit", "1", "--pictures", "1"
+    )
     assert run([*asked, "--samples", "1"]) == 0
     shown = capsys.readouterr().out
     assert calls == [1, 2, 1, 2], "a text and an edit both ways, then a sample of each"
     assert "questions: 1 text, 2 edit; seed 0" in shown and "tiny_maker.zip" in shown
+    assert "answers of the network alone, temperature 0, one pattern each" in shown
     assert "commit" in shown and "cores" in shown and "patterns.jsonl: 4, at most 1 chosen by lot" in shown
     assert "paper: PatternMaker" in shown and "input unchanged" in shown and "#Sampling" in shown
     names = {p.name for p in out.iterdir()} - {".lock"}
@@ -89,6 +93,7 @@ def test_pictures_are_asked_for_where_there_are_drapes(files, data, tmp_path, ca
 
     monkeypatch.setattr(PatternMaker, "generate_all", answer)
     asked = arguments(files, tmp_path, "--data", str(data), "--tasks", "image", "--samples", "0")
+    asked.append("--network-alone")
     assert run([*asked, "--pictures", "3", "--garments", "--sewer-weights", str(TINY_SEWER)]) == 0
     assert shown_to == [(24, 24, 3)] * 3, "there are drapes of three of the four patterns"
     shown = capsys.readouterr().out
@@ -104,6 +109,32 @@ def test_pictures_are_asked_for_where_there_are_drapes(files, data, tmp_path, ca
     assert summary["about"]["sewer_weights"]["file"] == "tiny_sewer.onnx"
 
 
+def test_without_options_it_measures_what_generate_and_edit_do(files, tmp_path, capsys, monkeypatch):
+    """The first pattern of each question lacks a seam: it is written again, warmer, and altered."""
+    seen: list[tuple[int, float]] = []
+
+    def answer(self, requests, *, seed, temperature, draw):
+        seen.append((draw, round(temperature, 2)))
+        shirt = draft("t-shirt")
+        return [given(shirt if draw else replace(shirt, stitches=shirt.stitches[1:])) for _ in requests]
+
+    monkeypatch.setattr(PatternMaker, "generate_all", answer)
+    out = tmp_path / "out"
+    asked = arguments(files, out, "--sewer-weights", str(TINY_SEWER), "--samples", "0", "--pictures", "0")
+    assert run([*asked, "--limit", "1"]) == 0
+    assert seen[:2] == [(0, 0.2), (1, 0.35)]
+    shown = capsys.readouterr().out
+    assert "answers as swifttailor generate and edit give them, temperature 0.2, at most 4 attempts" in shown
+    settings = json.loads((out / "settings.json").read_text())
+    assert {"altered_by", "sewn_by"} <= set(settings["weights"])
+    assert (settings["alter"], settings["crop"], settings["network_alone"]) == (True, True, False)
+    (line,) = (json.loads(line) for line in (out / "answers.jsonl").read_text().splitlines())
+    assert line["attempts"] == len(seen) > 1 and line["errors"] == 0
+    assert f"{len(seen):.2f} patterns were written for an answer" in shown
+    assert run([*asked, "--limit", "1", "--no-alter"]) == 2
+    assert "alter was True, now False" in capsys.readouterr().err
+
+
 def test_interrupted_it_says_how_to_go_on(files, tmp_path, capsys, monkeypatch):
     def interrupt(self, requests, **more):
         raise KeyboardInterrupt
@@ -117,7 +148,7 @@ def test_patterns_that_cannot_be_used_are_named(files, tmp_path, capsys, calls):
     bad = tmp_path / "bad.jsonl"
     bad.write_text('{"id": "broken", "pattern": {}}\n' + files[0].read_text().splitlines()[1] + "\n")
     out = tmp_path / "out"
-    assert run(arguments((bad,), out, "--samples", "0", "--pictures", "0")) == 1
+    assert run(arguments((bad,), out, "--network-alone", "--samples", "0", "--pictures", "0")) == 1
     shown = capsys.readouterr().out
     assert "broken: not asked for." in shown and calls == [1]
     assert json.loads((out / "summary.json").read_text())["about"]["skipped"].keys() == {"broken"}
@@ -131,11 +162,15 @@ def test_patterns_that_cannot_be_used_are_named(files, tmp_path, capsys, calls):
         (["--limit", "0"], "--limit is 0"),
         (["--seed", "-1"], "--seed is -1; from 0"),
         (["--temperature", "nan"], "--temperature is nan; from 0 to 10"),
-        (["--attempts", "3"], "At temperature 0 all 3 attempts are the same"),
+        (["--attempts", "3", "--temperature", "0"], "At temperature 0 all 3 attempts are the same"),
+        (["--network-alone", "--attempts", "3"], "--attempts is of no use with --network-alone"),
+        (["--network-alone", "--no-alter"], "--no-alter is of no use with --network-alone"),
+        (["--network-alone", "--no-crop"], "--no-crop is of no use with --network-alone"),
+        (["--network-alone", "--sewer-weights", "x"], "--sewer-weights is of no use with --network-alone"),
         (["--attempts", "0"], "--attempts is 0; from 1 to 64"),
         (["--samples", "-1"], "--samples is -1; from 0"),
         (["--garments"], "--garments compares with drapes: give the data set"),
-        (["--sewer-weights", "x.onnx"], "--sewer-weights goes with --garments"),
+        (["--sewer-weights", "x.onnx"], "Cannot read the weights 'x.onnx'"),
         (["--threads", "0"], "--threads is 0; from 1 to 256"),
         (["--pictures", "900"], "--pictures is 900; from 0"),
         (["--weights", "nowhere.zip"], "Cannot read the weights 'nowhere.zip'"),

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
-from maker_standins import DRAFTS, EDITS, StandIn, copy, refuse, truth, write_edits, write_patterns
+from maker_standins import DRAFTS, EDITS, StandIn, copy, given, refuse, truth, write_edits, write_patterns
 
 from swifttailor.errors import InputError
 from swifttailor.evaluation.maker import ask as ask_module
@@ -18,6 +19,7 @@ from swifttailor.evaluation.maker.questions import (
     Question,
     edit_questions,
     generation_questions,
+    seed_of,
 )
 from swifttailor.evaluation.maker.sampling import sample_all, summarize_samples
 from swifttailor.evaluation.maker.scores import (
@@ -33,10 +35,14 @@ from swifttailor.evaluation.maker.scores import (
 from swifttailor.evaluation.maker.sheet import Shown, spread, write_sheets
 from swifttailor.evaluation.maker.tables import sampling_text, task_text
 from swifttailor.evaluation.patterns import summarize_patterns
+from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Edge, Panel, Pattern
+from swifttailor.pattern.drafts import draft
+from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
 from swifttailor.tailor import Tailor
 from swifttailor.workers.work_folder import FolderLock
 
+TINY_SEWER = Path(__file__).parents[1] / "garment_sewer" / "tiny_sewer.onnx"
 HOW = Asking(temperature=0.0, network_alone=True, seed=7)
 
 
@@ -193,6 +199,52 @@ def test_a_folder_keeps_to_its_settings_and_is_used_by_one(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError, match="Choose another --out"), open_books(tmp_path / "file", {}):
         pass
+
+
+class Unsteady:
+    """Writes a T-shirt without a seam at first, then shirts, whatever it is asked for."""
+
+    def __init__(self) -> None:
+        self.asked: list[tuple[list[str], float, int]] = []
+
+    def generate_all(self, requests, *, seed, temperature, draw):
+        self.asked.append(([r.text for r in requests], temperature, draw))
+        shirt = draft("t-shirt")
+        return [given(shirt if draw else replace(shirt, stitches=shirt.stitches[1:])) for _ in requests]
+
+
+def test_what_is_measured_is_what_people_get(texts, edits, book):
+    """The same pattern as `generate` and `edit` give: written again, altered, with the same settings."""
+    asking = Asking(seed=7)
+    asked = [texts[0], edits[0]]
+    writer, sewer = Unsteady(), GarmentSewer.load(TINY_SEWER)
+    kept = ask_all(Tailor(writer, sewer), asked, book, asking)
+    shown = writer.asked.copy()
+    usual = Tailor(writer, sewer)
+    seeds = [seed_of(7, q.key, "answer") for q in asked]
+    described = usual.generate(asked[0].text, seed=seeds[0])
+    instructed = usual.edit(asked[1].before, asked[1].text, seed=seeds[1])
+    assert writer.asked[len(shown) :] == shown and len(shown) > 2, "asked as often, in the same words"
+    assert {t for _, t, draw in shown if draw == 0} == {USUAL_TEMPERATURE}
+    for answer, made in zip(kept, (described, instructed), strict=True):
+        assert answer.pattern.canonical() == made.pattern
+        record, report = answer.record, made.report
+        assert record["altered"] == report["alterations"]["cuts"]
+        assert record["attempts"] == len(report["writing"]["failed_attempts"]) + 1
+        assert {"writing", "altering", "drawing"} <= set(record["seconds"])
+    assert instructed.report["alterations"]["of_the_pattern_to_edit"]
+    scored = score_answers(kept)
+    assert summarize_task("text", scored[:1]).attempts == kept[0].record["attempts"] > 1
+
+
+def test_a_question_that_a_tailor_gives_up_has_no_answer(texts, book):
+    """Every pattern crosses itself: nobody gets a garment, and so nothing is measured."""
+    asking = Asking(seed=7, attempts=2)
+    writer = StandIn(texts, lambda q, s, t: BOW_TIE)
+    tailor = Tailor(writer, GarmentSewer.load(TINY_SEWER))
+    (kept,) = ask_all(tailor, texts[:1], book, replace(asking, alter=False))
+    assert kept.pattern is None and "None of the 2 patterns" in kept.record["error"]
+    assert len(writer.asked) == 2
 
 
 BOW_TIE = Pattern((Panel("pant_f_l", [[0.0, 0.0], [40.0, 40.0], [40.0, 0.0], [0.0, 40.0]], (Edge(),) * 4),))
