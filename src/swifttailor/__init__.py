@@ -6,8 +6,9 @@ All public names are here, each with this one import path. They are loaded on fi
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from swifttailor.first_use import loaded_on_first_use
 
 if TYPE_CHECKING:
     from swifttailor.body import Body
@@ -33,9 +34,10 @@ if TYPE_CHECKING:
     from swifttailor.pattern import check_pattern as check
     from swifttailor.pattern import repair_pattern as repair
     from swifttailor.pattern.drafts import draft
-    from swifttailor.pattern_maker.maker import PatternMaker
+    from swifttailor.pattern_maker.maker import PatternMaker, WrittenPattern
     from swifttailor.recutting import alter
     from swifttailor.tailor import Tailor
+    from swifttailor.tailor.protocols import PatternWriter, Sewer
     from swifttailor.wording.description import describe
 
 __version__ = "0.1.0"
@@ -56,13 +58,16 @@ _PUBLIC = {
     "Panel": "pattern",
     "Pattern": "pattern",
     "PatternMaker": "pattern_maker.maker",
+    "PatternWriter": "tailor.protocols",
     "Placement": "pattern",
     "Quadratic": "pattern",
     "Settled": "draping",
+    "Sewer": "tailor.protocols",
     "SewnGarment": "draping",
     "Stitch": "pattern",
     "SwiftTailorError": "errors",
     "Tailor": "tailor",
+    "WrittenPattern": "pattern_maker.maker",
     "alter": "recutting",
     "check": "pattern:check_pattern",
     "describe": "wording.description",
@@ -90,13 +95,16 @@ __all__ = [
     "Panel",
     "Pattern",
     "PatternMaker",
+    "PatternWriter",
     "Placement",
     "Quadratic",
     "Settled",
+    "Sewer",
     "SewnGarment",
     "Stitch",
     "SwiftTailorError",
     "Tailor",
+    "WrittenPattern",
     "__version__",
     "alter",
     "check",
@@ -109,12 +117,7 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> Any:
-    """Imports a public name when it is first used (PEP 562)."""
-    if name in _PUBLIC:
-        room, _, inside = _PUBLIC[name].partition(":")
-        return getattr(importlib.import_module(f"swifttailor.{room}"), inside or name)
-    raise AttributeError(f"module 'swifttailor' has no attribute '{name}'")
+__getattr__ = loaded_on_first_use(__name__, _PUBLIC)
 
 
 def __dir__() -> list[str]:

@@ -6,10 +6,10 @@ costs next to nothing.
 
 from __future__ import annotations
 
-import importlib
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from swifttailor.first_use import loaded_on_first_use
 from swifttailor.numba_cache import provide_numba_cache
 
 if TYPE_CHECKING:
@@ -46,11 +46,7 @@ __all__ = [
 provide_numba_cache(Path(__file__).parent)  # before any kernel, here or in draping, is imported
 
 
-def __getattr__(name: str) -> Any:
-    """Imports a public name when it is first used (PEP 562)."""
-    if name in _PUBLIC:
-        return getattr(importlib.import_module(f"swifttailor.body.{_PUBLIC[name]}"), name)
-    raise AttributeError(f"module 'swifttailor.body' has no attribute '{name}'")
+__getattr__ = loaded_on_first_use(__name__, _PUBLIC)
 
 
 def __dir__() -> list[str]:

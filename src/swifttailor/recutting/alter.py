@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from swifttailor.body import BodyMeasurements
+from swifttailor.describing import Claim
+from swifttailor.describing.change_text import read_change
 from swifttailor.describing.differences import Change
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.errors import PatternError, SwiftTailorError
@@ -40,7 +42,7 @@ class Alteration:
 
 def alter(
     pattern: Pattern,
-    wishes: Sequence[Change],
+    wishes: Sequence[Change | Claim | str],
     *,
     original: GarmentFacts | None = None,
     body: BodyMeasurements | None = None,
@@ -53,18 +55,22 @@ def alter(
 
     Args:
         pattern: Any pattern placed around a body.
-        wishes: What the garment should show.
+        wishes: What the garment should show: changes, claims, or either as text, such as ``sleeves=long`` or
+            ``length +10`` (`read_change`).
         original: What steps are judged against; what the pattern shows when None.
         body: Who it is made for; the default body when None.
         most_cuts: How many cuts are kept at most.
 
     Raises:
         PatternError: The pattern cannot be measured.
+        InputError: A text is no change of a garment.
     """
     if not pattern.panels:
         raise PatternError("A pattern without panels cannot be altered. Give one with at least one panel.")
     start = Cutter(pattern, body)
-    work = _Work(original or start.facts, tuple(dict.fromkeys(wishes)), most_cuts * TRIES_A_CUT)
+    work = _Work(
+        original or start.facts, tuple(dict.fromkeys(map(read_change, wishes))), most_cuts * TRIES_A_CUT
+    )
     before = set(work.holding(start.facts))
     now, said = start, []
     failed: set[Change] = set()
