@@ -11,7 +11,7 @@ import swifttailor
 
 files = [name for name in sys.argv[1:] if name.endswith(".json")]
 pattern = swifttailor.load_pattern(files[0]) if files else swifttailor.draft("hoodie")
-made = swifttailor.Tailor.load().sew(pattern)
+made = swifttailor.sew(pattern)
 made.save("sewn")
 
 garment = made.garment

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from swifttailor.pattern_maker.maker import PatternMaker, WrittenPattern
     from swifttailor.recutting import alter
     from swifttailor.tailor import Tailor
+    from swifttailor.tailor.one_pattern import sew
     from swifttailor.tailor.protocols import PatternWriter, Sewer
     from swifttailor.wording.description import describe
 
@@ -76,6 +77,7 @@ _PUBLIC = {
     "load_pattern": "pattern",
     "register_engine": "draping",
     "repair": "pattern:repair_pattern",
+    "sew": "tailor.one_pattern",
 }
 """Where each name is found, and what it is called there where that differs."""
 
@@ -114,6 +116,7 @@ __all__ = [
     "load_pattern",
     "register_engine",
     "repair",
+    "sew",
 ]
 
 
