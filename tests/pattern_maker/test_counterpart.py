@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from swifttailor.pattern.drafts import draft, list_drafts
-from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.pattern.names import PANEL_NAMES, TWINS
 from swifttailor.pattern_maker.asking.counterpart import NONE, Counterparts, counterparts
 from swifttailor.pattern_maker.tokens.decode import decode
 from swifttailor.pattern_maker.tokens.encode import encode
-from swifttailor.pattern_maker.tokens.panel_tokens import TWINS, are_alike, mirrored, panels_of
+from swifttailor.pattern_maker.tokens.panel_tokens import are_alike, mirrored, panels_of
 from swifttailor.pattern_maker.tokens.token_sequence import NUMBER_MASK, TokenSequence
 from swifttailor.pattern_maker.tokens.vocabulary import (
     CLOSING_COMMANDS,
@@ -40,7 +40,7 @@ def test_unchanged_every_token_is_its_counterpart(name):
 
 
 def test_real_patterns_unchanged(real_patterns):
-    for pattern in real_patterns("repository", "validation", every=5):
+    for pattern in (*real_patterns("repository"), *real_patterns("validation", every=10)):
         sequence = encode(pattern)
         assert shares(sequence, sequence) == (1, 1)
 
@@ -69,7 +69,7 @@ def symmetric_panels(panels):
 def test_what_is_changed_on_one_side_is_offered_on_the_other(real_patterns):
     """Of patterns to edit that are symmetric: made longer on both sides."""
     tried = 0
-    for pattern in real_patterns("repository", "validation", every=5):
+    for pattern in (*real_patterns("repository"), *real_patterns("validation", every=10)):
         old = encode(pattern)
         right = symmetric_panels(panels_of(old))
         both = right | {TWINS[name] for name in right}
@@ -96,7 +96,7 @@ def in_panels(sequence, names):
 def test_the_other_side_of_a_symmetric_garment_is_told_from_the_first(real_patterns):
     """Without a pattern to edit. Numbers all, and most stitches."""
     told = right = 0
-    for pattern in real_patterns("repository", "validation", every=5):
+    for pattern in (*real_patterns("repository"), *real_patterns("validation", every=10)):
         sequence = encode(pattern)
         symmetric = symmetric_panels(panels_of(sequence))
         inside = in_panels(sequence, symmetric)[:, 0]

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from swifttailor.pattern import Pattern
-from swifttailor.pattern_maker import normalization
+from swifttailor.pattern_maker.tokens import normalization
 from swifttailor.pattern_maker.tokens.vocabulary import TOKENS
 
 GUIDE = Path(__file__).parents[2] / "docs" / "pattern-maker.md"

@@ -11,6 +11,7 @@ import pytest
 
 from swifttailor.errors import InputError
 from swifttailor.pattern.drafts import draft
+from swifttailor.pattern.names import TWINS
 from swifttailor.pattern_maker.asking.copying import LEANINGS, UNCHANGED
 from swifttailor.pattern_maker.asking.counterpart import counterparts
 from swifttailor.pattern_maker.asking.foresight import PANEL_NUMBERS
@@ -20,7 +21,7 @@ from swifttailor.pattern_maker.network.network_config import NetworkConfig
 from swifttailor.pattern_maker.network.runtime import GRAPHS, PLANNING_GRAPHS
 from swifttailor.pattern_maker.tokens.encode import encode
 from swifttailor.pattern_maker.tokens.grammar import Grammar, Limits, Stage, State
-from swifttailor.pattern_maker.tokens.panel_tokens import SAME, TWINS, are_alike, mirrored, panels_of
+from swifttailor.pattern_maker.tokens.panel_tokens import SAME, are_alike, mirrored, panels_of
 from swifttailor.pattern_maker.tokens.vocabulary import (
     EDGE_LABEL_TOKENS,
     END,
