@@ -84,5 +84,5 @@ def test_other_files_are_refused(tmp_path):
     cut.write_bytes(SHIPPED.read_bytes()[:1000])
     with pytest.raises(InputError, match="no network that can be run"):
         WishReader.load(cut)
-    with pytest.raises(InputError, match="no wish reader of this version"):
+    with pytest.raises(InputError, match="not a wish reader of this version"):
         WishReader.load(SEWER)

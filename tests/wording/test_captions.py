@@ -46,12 +46,15 @@ def test_every_claim_is_recomputed_on_real_patterns(real_patterns, real_facts):
 
 def test_a_reader_who_knows_the_design_finds_nothing_false(real_samples):
     read: Counter[str] = Counter()
-    for sample in (*real_samples("repository"), *real_samples("validation", every=3)):
+    beside, others = list(real_samples("repository")), list(real_samples("validation", every=2))
+    for sample in (*beside, *others):
         facts = measure_facts(read_specification(sample["pattern"]).pattern)
         for caption in write_captions(facts, range(20)):
             assert false_statements(caption.text, sample["design"]) == [], (sample["id"], caption.text)
             read.update(understood(caption.text))
-    assert not READER.keys() - read.keys()
+    # None of the patterns beside the tests is strapless on both sides or has an S-curve.
+    lacking = () if others else ("strapless", "s-curve")
+    assert not {key for key in READER.keys() - read.keys() if not key.strip("\\b").startswith(lacking)}
 
 
 def test_numbers_in_the_text_are_claimed(draft_facts, real_facts):

@@ -63,4 +63,7 @@ def change_of(label: str, number: float | None = None) -> Change:
         return Gain(Claim(name, value))
     if kind == _STEP and value in _DIRECTIONS:
         return Step(name, _DIRECTIONS[value], number)
-    raise InputError(f"There is no wish '{label}'.")
+    raise InputError(
+        f"There is no wish '{label}'. Wishes are called gain:CLAIM:VALUE, measure:CLAIM (with a number) and "
+        "step:QUANTITY:up or :down."
+    )

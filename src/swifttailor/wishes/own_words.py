@@ -1,7 +1,7 @@
-"""What a text asks for in the words that the pattern maker was taught.
+"""What a text asks for, in the words that the pattern maker was trained on.
 
-People misspell, name colours and use words that it has never read; one such word can be enough for it to
-leave out half of a garment. The wish reader is less easily led astray, so what it has read is said again.
+People make typing errors, name colours and use words that it has never read; one such word can be enough to
+make it leave out half of a garment. The wish reader is less easily misled, so what it has read is said again.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _OF_WAISTS = frozenset({"rise", "waistband", "waistband_cm", "hips", "hem_shape"
 
 
 def in_own_words(wishes: Sequence[Change], seed: int = 0) -> str:
-    """A text that asks for the same; empty where there is nothing to say.
+    """Writes a text that asks for the same; empty if there is nothing to say.
 
     Args:
         wishes: Of a description.
@@ -33,7 +33,7 @@ def in_own_words(wishes: Sequence[Change], seed: int = 0) -> str:
 
 
 def implied_kind(claims: Iterable[Claim]) -> tuple[str, ...]:
-    """What a garment must be of which all this is said, at most one: legs and sleeves make a jumpsuit."""
+    """What kind a garment must be if all this is said about it, at most one: legs and sleeves, a jumpsuit."""
     names = {claim.name for claim in claims}
     upper = bool(names - _OF_LEGS - _OF_SKIRTS - _OF_WAISTS)
     if names & _OF_LEGS:

@@ -1,7 +1,7 @@
-"""Phrases whose meaning is known: the words instructions are written with, found in a text as they stand.
+"""Phrases whose meaning is known: those that instructions are written with, looked up as they stand.
 
-The network generalises, and is unsure of what it has seldom read; a phrase that stands in the text word for
-word needs no guessing. One that can mean two things, or that is negated, is left to the network.
+The network generalises, and is unsure about what it has seldom read; a phrase found word for word in a text
+needs no guessing. One that can mean two things, or that is negated, is left to the network.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _NEGATED = re.compile(
     r"\b(?:not|never|no|without|don't|doesn't|do not|instead of|rather than)\W+(?:\w+\W+)?$"
 )
 _VERBS = ("end", "reach", "cover")
-"""Before these, legs are let and not made."""
+"""Before these verbs it is "let the legs", not "make the legs"."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ def find_phrases(text: str, mentions: list[Mention]) -> list[Phrase]:
 
 @cache
 def _meanings() -> dict[str, tuple[Change, ...]]:
-    """What every phrase asks for, those left out that are used for two things."""
+    """What each phrase asks for, without those that are used for two things."""
     meant: dict[str, set[tuple[Change, ...]]] = {}
     for text, changes in _wordings():
         for garment in _GARMENTS:

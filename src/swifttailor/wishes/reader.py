@@ -79,7 +79,7 @@ class WishReader:
             for label in numbers:
                 change_of(label, 1.0)
         except (KeyError, TypeError, InputError) as error:
-            raise InputError(f"'{path}' reads what this version has no words for: {error}.") from error
+            raise InputError(f"'{path}' reads statements that this version does not know: {error}") from error
         return WishReader(session, statements, numbers, TextTokenizer.shipped(), about.get("card", {}))
 
     def read(self, text: str, *, instruction: bool = False) -> tuple[Wish, ...]:
@@ -134,8 +134,8 @@ def _about(session: Any, path: Path) -> dict[str, Any]:
         known, about = None, {}
     if known != FORMAT:
         raise InputError(
-            f"'{path}' is a network, but no wish reader of this version ({known or 'nothing'} instead of "
-            f"'{FORMAT}')."
+            f"'{path}' is a network, but not a wish reader of this version: it is marked "
+            f"'{known or 'nothing'}', not '{FORMAT}'. The one that comes with the package is '{SHIPPED}'."
         )
     names = tuple(i.name for i in session.get_inputs()), tuple(o.name for o in session.get_outputs())
     size = TextTokenizer.shipped().size + EXTRA_TOKENS

@@ -1,13 +1,14 @@
-"""Slips of the fingers in words of cut: "trosers", "flaerd", "lenght".
+"""Typing errors in words about the cut: "trosers", "flaerd", "lenght".
 
-The words are those that captions are written of. Only a letter left out, one too many or two exchanged is put
-right: a letter that is another makes other words as often ("sport" is not "short").
+The words are those that captions use. Only missing, doubled and swapped letters are corrected: a wrong letter
+makes another word as often as an error ("sport" is not "short").
 """
 
 from __future__ import annotations
 
 import re
 from functools import cache
+from pathlib import Path
 
 from swifttailor.wording.wordings import all_wordings
 
@@ -15,34 +16,28 @@ SHORTEST = 4
 """Letters: shorter words have too many neighbours."""
 _WORD = re.compile(r"[^\W\d_]+(?:['-][^\W\d_]+)*")
 _PLACE = re.compile(r"{[^}]*}")
-_OTHER = frozenset(
-    "arrow arts blow bring come corp cure cured dated edge ether fall fare fill filled font form goes "
-    "gorse hand head heath heir here iter iters jean lacks leave lose pain plan point pool raise road "
-    "sand shot slack slated sort sorter sorts spar swing symmetric tape ties tire tired trap trapped "
-    "traps tree tuned wait waited waits".split()
-)
-"""Words that stand such a slip from one of cut and are none: those among 31,000 of manuals and programs."""
+_ORDINARY = Path(__file__).with_name("ordinary_words.txt")
 
 
 def put_right(text: str) -> str:
-    """The text with such slips in words of cut put right; everything else stays as it is."""
+    """The text with such errors in words about the cut corrected; everything else stays as it is."""
     return _WORD.sub(lambda found: _right(found[0]), text)
 
 
 def _right(word: str) -> str:
     small = word.lower()
     known = cut_words()
-    if len(small) < SHORTEST or small in known or small in _OTHER or not small.isascii():
+    if len(small) < SHORTEST or small in known or small in _ordinary_words() or not small.isascii():
         return word
-    # A plural that is not known is no slip of its singular, nor the other way round.
+    # An unknown plural is not an error for its singular, nor the other way round.
     meant = sorted(near for near in neighbours(small) & known if near != f"{small}s" or small[-1] == "s")
-    # Of several the longest, then the first: a letter is left out more often than added.
+    # The longest of several, then the first: a letter is left out more often than added.
     best = max(meant, key=len, default="")
     return best if len(best) >= SHORTEST else word
 
 
 def neighbours(word: str) -> frozenset[str]:
-    """What a word may be if a letter was left out of it or is one too many, or two are exchanged."""
+    """What a word may stand for if a letter is missing, one is doubled or two are swapped."""
     letters = "abcdefghijklmnopqrstuvwxyz-"
     cuts = [(word[:k], word[k:]) for k in range(len(word) + 1)]
     doubled = {a + b[1:] for a, b in cuts if a and b and a[-1] == b[0]}
@@ -59,3 +54,10 @@ def cut_words() -> frozenset[str]:
     for word in set(_WORD.findall(_PLACE.sub(" ", " ".join(said)).lower())):
         found |= {word, word.replace("-", ""), *re.split("['-]", word)}
     return frozenset(found)
+
+
+@cache
+def _ordinary_words() -> frozenset[str]:
+    """Words that are one such error away from a word about the cut, and are none."""
+    lines = _ORDINARY.read_text(encoding="utf-8").splitlines()
+    return frozenset(word for line in lines if not line.startswith("#") for word in line.split())

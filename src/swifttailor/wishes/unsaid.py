@@ -10,19 +10,19 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.describing.facts import GarmentFacts
 
 COVERED_BELOW_CROTCH_CM = 9.0
-"""A skirt is to reach so far below the crotch however short it is asked for."""
+"""A skirt reaches at least this far below the crotch, however short it is asked for."""
 
 
 @dataclass(frozen=True)
 class _Usual:
-    """What is usual of one thing, unless something is said of it."""
+    """What one thing is usually like, unless something is said about it."""
 
     kinds: frozenset[str]
-    """Of garments, as facts name them; any when empty."""
+    """Kinds of garments, as facts name them; any when empty."""
     unless: frozenset[str]
-    """Names of claims: who speaks of any of these has said what is wanted."""
+    """Names of claims: a text that speaks of any of these has said what is wanted."""
     accepted: tuple[str, ...]
-    """Values of `name` that are as usual; the first is cut where none holds."""
+    """Values of `name` that are usual; the first is cut if none holds."""
     name: str
 
 
@@ -46,7 +46,7 @@ _SKIRTS = frozenset({"skirt", "dress"})
 
 
 def unsaid_wishes(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ...]:
-    """What is to hold of a garment though nobody asked for it.
+    """What should hold for a garment although nobody asked for it.
 
     Args:
         said: What was asked for.
@@ -70,7 +70,7 @@ def unsaid_wishes(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, 
 
 
 def leaves_hem_unsaid(said: Sequence[Change]) -> bool:
-    """Whether nothing is said of how a hem runs, so that it is to be level."""
+    """Whether nothing is said about how a hem runs, so that it should be level."""
     return not any(isinstance(wish, Gain) and wish.claim.name in _UNEVEN for wish in said)
 
 
