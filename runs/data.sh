@@ -105,7 +105,9 @@ pictures() {
     step pictures-of-drapes swifttailor data render "$work/garments" --no-plain --random "$looks" --size 128 --workers "$cores"
     local network=(--engine network ${SEWER:+--sewer-weights "$SEWER"} --out "$work/sewn") files
     mapfile -t files < <(training_files)
-    step sewn-train build "${network[@]}" --split train --patterns "${files[@]}" --limit "${few:-${SEWN:-6000}}"
+    local sewn=${SEWN:-6000}
+    [ -n "$rehearse" ] && sewn=4
+    step sewn-train build "${network[@]}" --split train --patterns "${files[@]}" --limit "$sewn"
     step pictures-of-sewn swifttailor data render "$work/sewn" --no-plain --random 1 --size 128 --workers "$cores"
 }
 
