@@ -60,8 +60,9 @@ def test_the_packages_weights_compute_in_torch_what_they_do_in_onnxruntime(model
 def test_other_networks_and_other_files_are_refused(model, tmp_path):
     from swifttailor.networks.graph_weights_torch import graph_weights
 
-    with pytest.raises(InputError, match="is of another network"):
-        graph_weights(WEIGHTS, network_of(model, layers=5))
+    for layers in (3, 5):
+        with pytest.raises(InputError, match="is of another network"):
+            graph_weights(WEIGHTS, network_of(model, layers=layers))
     with pytest.raises(InputError, match="is of another network"):
         graph_weights(WEIGHTS, network_of(model, hidden_size=128))
     broken = tmp_path / "weights.onnx"
@@ -70,3 +71,24 @@ def test_other_networks_and_other_files_are_refused(model, tmp_path):
         graph_weights(broken, network_of(model))
     with pytest.raises(InputError, match="Cannot read"):
         graph_weights(tmp_path / "none.onnx", network_of(model))
+
+
+def test_the_packages_pattern_maker_computes_in_torch_what_it_does_in_onnxruntime():
+    from swifttailor.pattern_maker.maker import SHIPPED
+    from swifttailor.pattern_maker.network.building_torch import build_network
+    from swifttailor.pattern_maker.network.export_torch import compare
+    from swifttailor.pattern_maker.network.file_weights_torch import file_weights
+    from swifttailor.pattern_maker.network.model_file import load_model, network_of
+    from swifttailor.pattern_maker.network.runtime_torch import TorchRuntime
+
+    model = load_model(SHIPPED)
+    shape = network_of(model.card)
+    network = build_network(shape, model.text.size)
+    before = network.state_dict()["token_head.weight"].clone()
+    network.load_state_dict(file_weights(SHIPPED, network))
+    assert not torch.equal(before, network.state_dict()["token_head.weight"])
+    runtime = TorchRuntime(network.eval())
+    assert compare(model.runtime, runtime, model.text.size, image_size=model.image_size) < 1e-3
+    for changes in ({"layers": 5}, {"vision_layers": 5}, {"intermediate_size": 512}):
+        with pytest.raises(InputError, match="is of another network"):
+            file_weights(SHIPPED, build_network(replace(shape, **changes), model.text.size))

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
+
 import numpy as np
 import pytest
 
@@ -44,33 +47,109 @@ def test_numbers_are_told_what_they_are(samples):
     assert samples.sample("5 cm cuffs, 5 cm waistband", both, instruction=False).counts == (UNKNOWN, UNKNOWN)
 
 
-@pytest.mark.needs_torch
-def test_it_learns_and_is_read_again(samples, tmp_path):
+@pytest.fixture
+def lesson(samples):
+    return [samples.sample(text, changes, instruction=asked) for text, changes, asked in TEXTS]
+
+
+def run_of(samples, lesson, out, *, resume=False, **options):
+    """A training that sees nothing but the lesson."""
     import torch
 
-    from swifttailor.training.wish_loop_torch import WishTraining, judge, reader_file, train_wish_reader
+    from swifttailor.training.config_file import config_values
+    from swifttailor.training.loop_torch import Loop, say_nothing
+    from swifttailor.training.processes_torch import Processes
+    from swifttailor.training.run_record import RunRecord
+    from swifttailor.training.wish_config import ReaderSize, WishConfig
+    from swifttailor.training.wish_loop_torch import WishTask
+
+    samples.make = lambda number: lesson[number % len(lesson)]
+    config = WishConfig(
+        network=ReaderSize(width=64, layers=2),
+        steps=120,
+        batch_size=10,
+        learning_rate=4e-3,
+        warmup_steps=10,
+        ema=0.9,
+        validate_every=1000,
+    )
+    torch.set_num_threads(1)  # two that wait for each other on a busy machine are many times slower
+    processes, record = Processes.start(), RunRecord(out)
+    record.start(config_values(config), resume=resume)
+    task = WishTask(config, samples, lesson, {"of": "a lesson"}, processes)
+    return Loop(config, out, processes, record, say_nothing).run(task, resume=resume, **options)
+
+
+@pytest.mark.needs_torch
+def test_it_learns_is_written_and_is_read_again(samples, lesson, tmp_path):
+    from safetensors.numpy import load_file
+
+    from swifttailor.cli.train_export import TrainExport
+    from swifttailor.errors import InputError
     from swifttailor.wishes.reader import WishReader
 
-    lesson = [samples.sample(text, changes, instruction=asked) for text, changes, asked in TEXTS]
-    samples.make = lambda number: lesson[number % len(lesson)]
-    training = WishTraining(steps=150, batch_size=10, learning_rate=2e-3, warmup=10)
-    network, score = train_wish_reader(samples, lesson, training, report=lambda line: None)
-    assert score.whole == 1.0
-    assert score.numbers == 1.0
-    again, _ = train_wish_reader(samples, lesson, training, report=lambda line: None)
-    for a, b in zip(network.parameters(), again.parameters(), strict=True):
-        assert torch.equal(a, b)
+    card = run_of(samples, lesson, tmp_path / "run")
+    assert (card["validation"]["whole"], card["validation"]["numbers"]) == (1.0, 1.0)
+    assert card["training"]["texts_seen"] == 1200
+    run_of(samples, lesson, tmp_path / "again", stop_after=37)
+    run_of(samples, lesson, tmp_path / "again", resume=True)
+    once, again = (load_file(tmp_path / name / "weights.safetensors") for name in ("run", "again"))
+    assert once.keys() == again.keys()
+    assert all(np.array_equal(once[name], again[name]) for name in once), "interrupted, and the same"
 
     path = tmp_path / "reader.onnx"
-    path.write_bytes(reader_file(network, {"seed": 0}))
+    assert TrainExport(source=tmp_path / "run", out=path, half=True).run() == 0
     reader = WishReader.load(path)
-    assert reader.card == {"seed": 0}
+    assert reader.card["model"] == "WishReader" and reader.card["data"] == {"of": "a lesson"}
+    beside = json.loads(path.with_suffix(".json").read_text())
+    assert beside.pop("file")["sha256"] == hashlib.sha256(path.read_bytes()).hexdigest()
+    assert beside == reader.card
     for text, changes, asked in TEXTS:
         assert {w.change for w in reader.read(text, instruction=asked)} == set(changes)
-    for sample in lesson:
-        said, counts = reader.session.run(None, {"tokens": sample.ready.tokens[None]})
-        with torch.no_grad():
-            expected = network.eval()(torch.from_numpy(sample.ready.tokens)[None])
-        np.testing.assert_allclose(said, expected[0].numpy(), atol=2e-4)
-        np.testing.assert_allclose(counts, expected[1].numpy(), atol=2e-4)
-    assert judge(network, lesson).precision == 1.0
+    written = tmp_path / "run" / "card.json"
+    written.write_text(json.dumps(card | {"labels_sha256": "0"}))
+    with pytest.raises(InputError, match="other statements"):
+        TrainExport(source=tmp_path / "run", out=path).run()
+
+
+@pytest.mark.needs_torch
+def test_it_begins_with_the_packages_weights():
+    import torch
+
+    from swifttailor.training.start_torch import load_start
+    from swifttailor.wishes.export_torch import build_network
+    from swifttailor.wishes.reader import SHIPPED, WishReader
+
+    network = build_network({}).eval()
+    load_start(network, SHIPPED)
+    tokens = torch.arange(1, 40)[None]
+    said, counts = WishReader.load().session.run(None, {"tokens": tokens.numpy()})
+    with torch.no_grad():
+        expected = network(tokens)
+    np.testing.assert_allclose(said, expected[0].numpy(), atol=2e-4)
+    np.testing.assert_allclose(counts, expected[1].numpy(), atol=2e-4)
+
+
+@pytest.mark.needs_torch
+def test_batches_are_each_determined_by_their_number(samples, lesson):
+    from swifttailor.training.wish_config import WishConfig
+    from swifttailor.training.wish_loop_torch import WishBatches
+
+    numbers = {}
+
+    class Ready:
+        def __init__(self, number):
+            self.number, self.ready = number, type("Text", (), {"tokens": range(number * 7 % 11)})
+
+    samples.make = Ready
+    config = WishConfig(batch_size=4)
+    batches = WishBatches(samples, config)
+    for step in (0, 9, 3, 8, 1, 0):
+        found = [sample.number for sample in batches[step]]
+        assert numbers.setdefault(step, found) == found
+        lengths = [len(sample.ready.tokens) for sample in batches[step]]
+        assert max(lengths) - min(lengths) <= 4, "like length"
+    pool = {sample.number for step in range(8) for sample in batches[step]}
+    assert pool == set(range(32)), "each once"
+    parts = [WishBatches(samples, config, part=k, parts=2)[3] for k in (0, 1)]
+    assert sorted(s.number for part in parts for s in part) == sorted(numbers[3])

@@ -18,9 +18,14 @@ TRAIN = CommandGroup(
             "swifttailor train pattern-maker --patterns FILE... --out RUN",
             "swifttailor.cli.train_pattern_maker:TrainPatternMaker",
         ),
+        "wish-reader": GroupedCommand(
+            "The network that reads what texts ask for.",
+            "swifttailor train wish-reader --patterns FILE... --validation FILE... --out RUN",
+            "swifttailor.cli.train_wish_reader:TrainWishReader",
+        ),
         "export": GroupedCommand(
-            "A trained network as one file that is used without torch: .onnx of a GarmentSewer,\n"
-            ".zip of a PatternMaker.",
+            "A trained network as one file that is used without torch: .onnx of a GarmentSewer\n"
+            "or a wish reader, .zip of a PatternMaker.",
             "swifttailor train export RUN --out FILE",
             "swifttailor.cli.train_export:TrainExport",
         ),

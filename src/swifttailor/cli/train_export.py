@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,7 +10,7 @@ from typing import Annotated
 
 import tyro
 
-from swifttailor.atomic_files import write_atomically
+from swifttailor.atomic_files import write_text
 from swifttailor.errors import InputError
 
 MOST_APART_CM = 0.01
@@ -17,15 +18,17 @@ MOST_APART_INT8 = 0.1
 """With products of 8 bits, of the largest prediction."""
 MOST_APART = 1e-3
 """Of the values of a PatternMaker's layers, relative to the largest."""
-_MODELS = {"GarmentSewer": ".onnx", "PatternMaker": ".zip"}
+MOST_APART_LOGITS = 0.01
+"""Of a wish reader."""
+_MODELS = {"GarmentSewer": ".onnx", "PatternMaker": ".zip", "WishReader": ".onnx"}
 
 
 @dataclass(frozen=True, kw_only=True)
 class TrainExport:
-    """Write a trained network as one file: .onnx of a GarmentSewer, .zip of a PatternMaker.
+    """Write a trained network as one file: .onnx of a GarmentSewer or a wish reader, .zip of a PatternMaker.
 
-    Needs the extra 'train'. The file holds the weights and the card, which is also written beside it as JSON;
-    it is compared with the network it was made of before it is kept.
+    Needs the extra 'train'. The file holds the weights and the card, which is also written beside it as JSON,
+    with the file's checksum; it is compared with the network it was made of before it is kept.
     """
 
     source: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="RUN")]
@@ -55,19 +58,22 @@ class TrainExport:
         model = _model_of(self.source)
         if self.out.suffix != _MODELS[model]:
             raise InputError(f"The file of a {model} ends in {_MODELS[model]}; choose another --out.")
+        if self.data is not None and model != "PatternMaker":
+            raise InputError(f"--data is for a PatternMaker; a {model} is shown no pictures.")
+        if self.int8 and model != "GarmentSewer":
+            raise InputError(f"--int8 is for a GarmentSewer; choose --half for a {model}.")
         if model == "GarmentSewer":
-            if self.data is not None:
-                raise InputError("--data is for a PatternMaker; a GarmentSewer is shown no pictures.")
             said = _export_sewer(self.source, self.out, self.half, self.int8)
-        elif self.int8:
-            raise InputError("--int8 is for a GarmentSewer; choose --half for a PatternMaker.")
+        elif model == "WishReader":
+            said = _export_reader(self.source, self.out, self.half)
         else:
             said = _export_maker(self.source, self.out, self.half)
             said += f"; {_calibrate(self.out, self.data)}"
-        card = (self.source / "card.json").read_bytes()
-        write_atomically(self.out.with_suffix(".json"), lambda temporary: temporary.write_bytes(card))
-        size = self.out.stat().st_size / 1e6
-        print(f"Wrote {self.out}, {size:.1f} MB; {said}.")  # noqa: T201
+        card = json.loads((self.source / "card.json").read_text(encoding="utf-8"))
+        written = self.out.read_bytes()
+        card["file"] = {"bytes": len(written), "sha256": hashlib.sha256(written).hexdigest()}
+        write_text(self.out.with_suffix(".json"), json.dumps(card, indent=1, allow_nan=False) + "\n")
+        print(f"Wrote {self.out}, {len(written) / 1e6:.1f} MB; {said}.")  # noqa: T201
         return 0
 
 
@@ -119,6 +125,23 @@ def _export_maker(run: Path, out: Path, half: bool) -> str:
             "is accepted. Try other versions of torch and onnxruntime."
         )
     return f"at most {apart:.2g} of a value from torch"
+
+
+def _export_reader(run: Path, out: Path, half: bool) -> str:
+    from swifttailor.training.run_record import CARD, WEIGHTS
+    from swifttailor.wishes.export_torch import compare, export, load_weights
+    from swifttailor.wishes.reader import WishReader
+
+    card = json.loads((run / CARD).read_text(encoding="utf-8"))
+    network = load_weights(run / WEIGHTS, card, half=half)
+    apart = compare(WishReader.load(export(network, card, out)), network)
+    if not apart < MOST_APART_LOGITS:
+        out.unlink()
+        raise InputError(
+            f"The exported network differs from torch by {apart:.3g}; less than {MOST_APART_LOGITS} is "
+            "accepted. Try other versions of torch and onnxruntime."
+        )
+    return f"at most {apart:.2g} from torch's logits"
 
 
 def _calibrate(path: Path, data: Path | None) -> str:

@@ -11,14 +11,14 @@ import numpy as np
 import torch
 
 from swifttailor.arrays import Singles
-from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.conditioning import Conditioning
-from swifttailor.garment_sewer.model_file import CARD_KEY, INPUTS, SewerModel, model_card
+from swifttailor.garment_sewer.model_file import EIGHT_BIT, INPUTS, KIND, OUTPUTS, SewerModel
 from swifttailor.garment_sewer.network_config import NetworkConfig
 from swifttailor.garment_sewer.network_torch import SewerNetwork, build_network
 from swifttailor.networks.folded_norms_torch import fold_norms
 from swifttailor.networks.half_storage import round_to_half
+from swifttailor.networks.model_file import write_graph
 from swifttailor.networks.onnx_export_torch import export_graph
 
 
@@ -107,9 +107,8 @@ def export(
     patch = config.patch_size
     height, width = (patch * torch.export.Dim(name, min=2, max=256) for name in ("rows", "columns"))
     shape = {0: batch, 2: height, 3: width}
-    notes = {CARD_KEY: model_card(card, int8=int8)}
-    graph = export_graph(network, example, (shape, shape, shape), INPUTS, ("positions",), notes, int8=int8)
-    return write_atomically(path, lambda temporary: temporary.write_bytes(graph))
+    graph = export_graph(network, example, (shape, shape, shape), INPUTS, OUTPUTS, int8=int8)
+    return write_graph(path, KIND, graph, card, **({"products": EIGHT_BIT} if int8 else {}))
 
 
 def read_card(run: Path) -> dict[str, Any]:

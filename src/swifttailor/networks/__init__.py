@@ -1,4 +1,4 @@
-"""ONNX, for both networks: running them without torch, and writing what torch has trained.
+"""Networks as files: ONNX graphs run without torch, model files read and written, texts as tokens.
 
 May import errors and what lies beside it on the lowest floors.
 """

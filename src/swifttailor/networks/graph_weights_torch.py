@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -11,30 +13,54 @@ from torch import Tensor, nn
 
 from swifttailor.errors import InputError, MissingExtraError
 from swifttailor.networks.folded_norms_torch import foldable
+from swifttailor.networks.model_file import read_bytes
 
 MAX_BYTES = 2**31
+STORED = ".half"
+"""What `half_storage` adds to names."""
+
+
+@dataclass(frozen=True, eq=False)
+class GraphTensors:
+    """The weights in a graph."""
+
+    named: dict[str, Tensor]
+    """By their names in the network; matrices of linear layers without bias are not among them."""
+    matrices: tuple[Tensor, ...]
+    """What products are made with, in their order, as linear layers keep them: (out, in)."""
 
 
 def graph_weights(path: Path, network: nn.Module) -> dict[str, Tensor]:
     """Reads weights for a network from the ONNX graph that an export has made of one of its shape.
-
-    An export keeps names, except that it turns the matrices of linear layers, which lose their names thereby,
-    and folds norms over the batch into the convolutions before them. A matrix is found again by the bias that
-    is added to its product. Folded norms come back as ones that change nothing but add the bias that the
-    convolution has in the file; `settle_norms` makes norms of them that can be trained.
 
     Args:
         path: The .onnx file.
         network: Tells names and shapes; not changed.
 
     Returns:
-        A state for the network with which it computes what the graph does.
+        A state for the network with which it computes what the graph does; see `state_of`.
 
     Raises:
         InputError: The file is missing, damaged or too large, or of a network of another shape.
         MissingExtraError: onnx is not installed.
     """
-    values = _read(path)
+    return state_of(graph_tensors(read_bytes(path, MAX_BYTES), str(path)).named, network, path)
+
+
+def state_of(values: Mapping[str, Tensor], network: nn.Module, path: Path) -> dict[str, Tensor]:
+    """A state for a network with the weights of a model file.
+
+    Folded norms come back as ones that change nothing but add the bias that the convolution has in the file;
+    `settle_norms` makes norms of them that can be trained.
+
+    Args:
+        values: By name.
+        network: Tells names and shapes; not changed.
+        path: Of the file, for messages.
+
+    Raises:
+        InputError: The file is of a network of another shape.
+    """
     own = network.state_dict()
     # A weight with the name of an input or output has another in the graph.
     found = {name: name if name in values else f"{name}.weight" for name in own}
@@ -50,46 +76,60 @@ def graph_weights(path: Path, network: nn.Module) -> dict[str, Tensor]:
     for name, value in own.items():
         if name.endswith("num_batches_tracked"):
             state[name] = torch.zeros_like(value)
-    wrong = sorted(name for name in own if name not in state or state[name].shape != own[name].shape)
+    wrong = [name for name in own if name not in state or state[name].shape != own[name].shape]
+    known = {*own, *found.values(), *(f"{convolution}.bias" for convolution, _, _, _ in foldable(network))}
+    parts = {name.split(".")[0] for name in own}
+    wrong += [n for n in values if n.split(".")[0] in parts and n not in known and not n.endswith(STORED)]
     if wrong:
         raise InputError(
-            f"The model file '{path}' is of another network: {len(wrong)} of {len(own)} weights are missing "
-            f"or have another shape, '{wrong[0]}' first. Set network.* as its card says."
+            f"The model file '{path}' is of another network: {len(wrong)} weights are missing, have another "
+            f"shape or are not known, '{min(wrong)}' for one. Set network.* as its card says."
         )
     return {name: state[name].to(value.dtype) for name, value in own.items()}
 
 
-def _read(path: Path) -> dict[str, Tensor]:
-    """The named tensors of a graph, matrices by the names of the linear layers' weights."""
+def graph_tensors(data: bytes, source: str) -> GraphTensors:
+    """The weights in a graph.
+
+    An export keeps names, except that it turns the matrices of linear layers, which lose their names thereby,
+    and folds norms over the batch into the convolutions before them. A matrix is found again by the bias that
+    is added to its product.
+
+    Args:
+        data: The content of an .onnx file.
+        source: Where it comes from, for messages.
+
+    Raises:
+        InputError: It is no graph.
+        MissingExtraError: onnx is not installed.
+    """
     try:
         import onnx
         from onnx import numpy_helper
     except ImportError as error:
         raise MissingExtraError("onnx", "train", "Reading the weights of a model file") from error
     try:
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError(f"'{path}' is larger than 2 GB; model files are smaller.")
-        model: Any = onnx.load_from_string(path.read_bytes())
-    except OSError as error:
-        raise InputError(f"Cannot read the weights '{path}': {error.strerror or error}.") from error
+        model: Any = onnx.load_from_string(data)
     except Exception as error:  # protobuf's DecodeError is not public
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"'{path}' is no ONNX file, or is damaged. Copy it again.") from error
+        raise InputError(f"'{source}' is no ONNX file, or is damaged. Copy it again.") from error
     arrays = {t.name: numpy_helper.to_array(t) for t in model.graph.initializer}
     for node in model.graph.node:  # stored in half, see `half_storage`
         if node.op_type == "Cast" and node.input[0] in arrays:
             arrays[node.output[0]] = arrays[node.input[0]]
-    products = {n.output[0]: n.input[1] for n in model.graph.node if n.op_type == "MatMul"}
+    products = {
+        n.output[0]: arrays[n.input[1]].T
+        for n in model.graph.node
+        if n.op_type == "MatMul" and n.input[1] in arrays
+    }
     for node in model.graph.node:
         if node.op_type != "Add":
             continue
         for product, bias in (node.input, reversed(node.input)):
-            matrix = arrays.get(products.get(product, ""))
-            if matrix is not None and bias in arrays and bias.endswith(".bias"):
-                arrays[f"{bias.removesuffix('bias')}weight"] = matrix.T
-    return {
-        name: torch.from_numpy(np.array(value, dtype=np.float32, order="C"))
-        for name, value in arrays.items()
-        if value.dtype in (np.float16, np.float32)
-    }
+            if product in products and bias in arrays and bias.endswith(".bias"):
+                arrays[f"{bias.removesuffix('bias')}weight"] = products[product]
+    named = {k: _tensor(v) for k, v in arrays.items() if v.dtype in (np.float16, np.float32)}
+    return GraphTensors(named, tuple(_tensor(matrix) for matrix in products.values()))
+
+
+def _tensor(value: np.ndarray) -> Tensor:
+    return torch.from_numpy(np.array(value, dtype=np.float32, order="C"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import logging
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import torch
@@ -23,7 +23,6 @@ def export_graph(
     shapes: tuple[Any, ...],
     inputs: Sequence[str],
     outputs: Sequence[str],
-    notes: Mapping[str, str] | None = None,
     *,
     int8: bool = False,
 ) -> bytes:
@@ -35,7 +34,6 @@ def export_graph(
         shapes: Of each input, its axes whose size may change, as `torch.onnx.export` wants them.
         inputs: Names of the inputs.
         outputs: Names of the outputs.
-        notes: Texts to keep in the graph.
         int8: Whether products with its matrices are of 8 bits (`with_eight_bit_products`).
 
     Returns:
@@ -71,9 +69,6 @@ def export_graph(
     if int8:
         model = with_eight_bit_products(model)
     store_in_half(model)
-    for name, text in (notes or {}).items():
-        entry = model.metadata_props.add()
-        entry.key, entry.value = name, text
     buffer = io.BytesIO()
     onnx.save_model(model, buffer)
     return buffer.getvalue()

@@ -36,8 +36,8 @@ class LoopConfig:
     """Whether layers are translated by torch.compile: some minutes at the beginning, then a third less time
     a step. Needs a C++ compiler, and is not for weights that are split over several processes."""
     start: str = ""
-    """Weights (weights.safetensors of another run of the same shape) to begin with; empty for none. A
-    GarmentSewer may begin with a model file (.onnx) too."""
+    """Weights to begin with, of another run (weights.safetensors) or a model file, for a network of the same
+    shape; empty for random ones."""
     seed: int = 0
     log_every: int = 50
     validate_every: int = 500

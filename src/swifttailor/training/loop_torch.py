@@ -27,7 +27,7 @@ from swifttailor.training.master_weights_torch import MasterWeights, parameter_g
 from swifttailor.training.mean_losses_torch import MeanLosses
 from swifttailor.training.muon_torch import Muon, inner_matrices
 from swifttailor.training.processes_torch import Processes
-from swifttailor.training.run_record import WEIGHTS, RunRecord, versions
+from swifttailor.training.run_record import WEIGHTS, RunRecord, command, file_checksums, versions
 from swifttailor.training.schedule import Schedule
 from swifttailor.training.sharding_torch import split_like, split_state, whole
 
@@ -41,6 +41,8 @@ class Task(Protocol):
     """What is learnt."""
 
     weights: MasterWeights
+    samples: str
+    """What it learns from, in the plural: garments, texts."""
     precision: str
     """For the card."""
 
@@ -152,7 +154,7 @@ class Loop:
                     )
                 if processes.is_first:
                     self.record.add(line)
-                    self.report(_line_text(line, step * config.batch_size, seconds))
+                    self.report(_line_text(line, step * config.batch_size, seconds, task.samples))
             if step % config.validate_every == 0 or ends or step - first_step == stop_after:
                 # All take part where each has a part of the network.
                 if processes.is_first or sharded:
@@ -186,15 +188,17 @@ class Loop:
     def _card(self, task: Task, step: int, seconds: float, result: dict[str, Any]) -> dict[str, Any]:
         device = self.processes.device
         name = torch.cuda.get_device_name(device) if device.type == "cuda" else f"{os.cpu_count()} cores"
-        about = task.card()
+        about, begun = task.card(), self.config.start
         return {
             "model": about.pop("model"),
             "parameters": sum(p.numel() for p in task.weights.named.values()),
             "config": config_values(self.config),
             **about,
+            **({"start": file_checksums([Path(begun)])} if begun else {}),
+            "command": command(),
             "training": {
                 "steps": step,
-                "garments_seen": step * self.config.batch_size,
+                f"{task.samples}_seen": step * self.config.batch_size,
                 "minutes": round(seconds / 60, 2),
                 "device": f"{device.type}, {name}",
                 "processes": self.processes.count,
@@ -242,6 +246,6 @@ def _save_weights(values: dict[str, Tensor], out: Path) -> None:
     write_durably(out / WEIGHTS, save({k: v.contiguous().cpu() for k, v in values.items()}))
 
 
-def _line_text(line: dict[str, Any], seen: int, seconds: float) -> str:
+def _line_text(line: dict[str, Any], seen: int, seconds: float, samples: str) -> str:
     parts = [f"{k} {v:.4g}" for k, v in line.items() if k not in ("step", "seconds", "rate")]
-    return f"step {line['step']} ({seen / max(seconds, 1e-9):.1f} garments/s): {', '.join(parts)}"
+    return f"step {line['step']} ({seen / max(seconds, 1e-9):.1f} {samples}/s): {', '.join(parts)}"

@@ -15,7 +15,9 @@ from swifttailor.data.index import split_folders
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import SplitRenders
 from swifttailor.errors import InputError
+from swifttailor.networks.settled_norms_torch import settle_norms
 from swifttailor.pattern_maker.network.building_torch import build_network
+from swifttailor.pattern_maker.network.file_weights_torch import file_weights
 from swifttailor.pattern_maker.network.network_torch import OPTIONAL, PatternMakerNetwork
 from swifttailor.training.compilation_torch import compile_layers
 from swifttailor.training.loop_torch import Loop, say_nothing
@@ -28,11 +30,15 @@ from swifttailor.training.maker_text_torch import open_text
 from swifttailor.training.maker_validation_torch import Validation
 from swifttailor.training.master_weights_torch import MasterWeights, choose_precision
 from swifttailor.training.processes_torch import Processes
-from swifttailor.training.run_record import RunRecord
+from swifttailor.training.run_record import RunRecord, file_checksums, split_card
 from swifttailor.training.sharding_torch import shard
 from swifttailor.training.start_torch import load_start
 
 Report = Callable[[str], None]
+ARCHIVE = ".zip"
+"""The ending of a model file to begin with."""
+_SETTLING_BATCHES = 16
+"""What tells mean and variance of the features of a network that was read from one."""
 HELD_OUT = 50
 """Of so many patterns one is kept for validation where no file is given for that."""
 
@@ -132,14 +138,22 @@ def train(
         network.vlm.set_attn_implementation("eager")
     if config.compiled:
         compile_layers(network.compilable, device)
-    if config.start:
+    from_file = Path(config.start).suffix == ARCHIVE
+    if from_file:
+        network.load_state_dict(file_weights(Path(config.start), network))
+    elif config.start:
         for name in load_start(network, Path(config.start), tuple(OPTIONAL.values())):
             report(f"'{config.start}' is of another network in '{name}', which begins anew.")
 
     def samples_of(name: str) -> MakerSamples:
         return MakerSamples(banks[name], renders[name], config, text.encode, text.size)
 
+    about: dict[str, Any] = {name: bank.numbers() for name, bank in banks.items()}
+    about["files"] = file_checksums([*patterns, *validation, *apart, *([edits] if edits else [])])
+    about["pictures"] = {name: [split_card(r.reader) for r in each] for name, each in renders.items()}
     batches = TrainingBatches(samples_of("train"), part=processes.rank, parts=processes.count)
+    if from_file and not resume:
+        _settle(network, batches, device)
     task = _MakerTask(
         network,
         config,
@@ -148,6 +162,7 @@ def train(
         Validation(samples_of("validation"), config, device),
         processes,
         loaders,
+        about,
     )
     total, trained = (
         sum(p.numel() for p in network.parameters() if p.requires_grad or not only) for only in (False, True)
@@ -164,6 +179,8 @@ def train(
 class _MakerTask:
     """Patterns from text, pictures and other patterns (paper, Sec. 4.1)."""
 
+    samples = "garments"
+
     def __init__(
         self,
         network: PatternMakerNetwork,
@@ -173,8 +190,9 @@ class _MakerTask:
         validation: Validation,
         processes: Processes,
         loaders: int,
+        data: dict[str, Any],
     ) -> None:
-        self.network, self.config, self.banks, self.batches = network, config, banks, batches
+        self.network, self.config, self.data, self.batches = network, config, data, batches
         self.validation, self.device, self.loaders = validation, processes.device, loaders
         self.precision = choose_precision(config.precision, self.device)
         lowered = [network.vlm] if self.precision == "bfloat16" else []
@@ -215,7 +233,15 @@ class _MakerTask:
         """Numbers say it all."""
 
     def card(self) -> dict[str, Any]:
-        return {"model": "PatternMaker", "data": {name: bank.numbers() for name, bank in self.banks.items()}}
+        return {"model": "PatternMaker", "data": self.data}
+
+
+def _settle(network: PatternMakerNetwork, batches: TrainingBatches, device: torch.device) -> None:
+    """Lets norms that the file has folded see pictures, where there are any to learn from."""
+    shown = [batches[step].pictures for step in range(_SETTLING_BATCHES)]
+    pictures = torch.cat([some for some in shown if len(some)] or shown[:1])
+    if len(pictures):
+        settle_norms(network, lambda: network.vlm.get_image_features(pictures.to(device)))
 
 
 def _held_out(id: str) -> bool:

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import functools
+import hashlib
 import importlib.metadata
 import json
 import platform
+import shlex
+import sys
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 from swifttailor.atomic_files import write_text
 from swifttailor.data.builder.code_version import code_version
+from swifttailor.data.reader import SplitReader
 from swifttailor.errors import InputError
 
 CONFIG, METRICS, CARD, WEIGHTS = "config.json", "metrics.jsonl", "card.json", "weights.safetensors"
@@ -84,6 +89,45 @@ def versions() -> dict[str, str]:
     found = {name: importlib.metadata.version(name) for name in _PACKAGES if _is_installed(name)}
     commit = code_version()["commit"]
     return {"python": platform.python_version()} | found | ({"commit": commit} if commit else {})
+
+
+def command() -> str:
+    """The command line of this process, without ``--resume``; empty where swifttailor was not the program."""
+    program = Path(sys.argv[0])
+    if program.name not in ("swifttailor", "__main__.py"):
+        return ""
+    return shlex.join(["swifttailor", *(a for a in sys.argv[1:] if a != "--resume")])
+
+
+def file_checksums(sources: Iterable[Path]) -> dict[str, str]:
+    """The sha256 of files, by name; of a folder, that of its .json files' names and checksums.
+
+    Raises:
+        InputError: One cannot be read.
+    """
+    found: dict[str, str] = {}
+    for source in sources:
+        name = str(source) if source.name in found else source.name
+        try:
+            if source.is_dir():
+                parts = [(p.name, _sha256(p)) for p in sorted(source.glob("*.json"))]
+                found[name] = hashlib.sha256(json.dumps(parts).encode()).hexdigest()
+            else:
+                found[name] = _sha256(source)
+        except OSError as error:
+            raise InputError(f"Cannot read '{source}': {error.strerror or error}.") from error
+    return found
+
+
+def split_card(reader: SplitReader) -> dict[str, Any]:
+    """For the card: how many garments there are in a split, and which."""
+    checksums = "".join(shard.sha256 for shard in reader.index.shards)
+    return {"garments": len(reader), "shards_sha256": hashlib.sha256(checksums.encode()).hexdigest()}
+
+
+def _sha256(path: Path) -> str:
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def _is_installed(name: str) -> bool:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +23,7 @@ from swifttailor.networks.settled_norms_torch import settle_norms
 from swifttailor.training.loop_torch import Loop, say_nothing
 from swifttailor.training.master_weights_torch import MasterWeights, choose_precision
 from swifttailor.training.processes_torch import Processes
-from swifttailor.training.run_record import RunRecord
+from swifttailor.training.run_record import RunRecord, split_card
 from swifttailor.training.sewer_batch_torch import TrainingBatches
 from swifttailor.training.sewer_config import SewerConfig, config_values
 from swifttailor.training.sewer_samples import SewerSamples
@@ -122,6 +121,8 @@ def train(
 class _SewerTask:
     """Positions of pixels from patterns (paper, Sec. 4.3)."""
 
+    samples = "garments"
+
     def __init__(
         self,
         network: SewerNetwork,
@@ -167,7 +168,7 @@ class _SewerTask:
         )
 
     def card(self) -> dict[str, Any]:
-        return {"model": "GarmentSewer", "data": {k: _data_card(r) for k, r in self.readers.items()}}
+        return {"model": "GarmentSewer", "data": {k: split_card(r) for k, r in self.readers.items()}}
 
     def _autocast(self) -> torch.autocast:
         return torch.autocast(self.device.type, torch.bfloat16, enabled=self.precision == "bfloat16")
@@ -205,8 +206,3 @@ def _open_splits(data: Path) -> dict[str, SplitReader]:
                 "Drape the patterns: swifttailor data build without --engine network."
             )
     return readers
-
-
-def _data_card(reader: SplitReader) -> dict[str, Any]:
-    checksums = "".join(shard.sha256 for shard in reader.index.shards)
-    return {"garments": len(reader), "shards_sha256": sha256(checksums.encode()).hexdigest()}

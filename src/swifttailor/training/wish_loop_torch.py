@@ -1,42 +1,204 @@
-"""Training the wish reader, and writing it as a model file. It loads torch."""
+"""The training of a wish reader. Import this in the function that needs it: it loads torch."""
 
 from __future__ import annotations
 
-import json
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import torch
+from torch import Tensor, nn
 from torch.nn import functional as F
 
-from swifttailor.networks.half_storage import round_to_half
-from swifttailor.networks.onnx_export_torch import export_graph
 from swifttailor.networks.text_tokenizer import TextTokenizer
+from swifttailor.training.config_file import config_values
+from swifttailor.training.loop_torch import Loop, say_nothing
+from swifttailor.training.maker_bank import PatternBank, open_bank, sequences_of
+from swifttailor.training.master_weights_torch import MasterWeights
+from swifttailor.training.processes_torch import Processes
+from swifttailor.training.run_record import RunRecord, file_checksums
+from swifttailor.training.start_torch import load_start
+from swifttailor.training.wish_config import WishConfig
 from swifttailor.training.wish_samples import UNKNOWN, WishSample, WishSamples
-from swifttailor.wishes.labels import number_labels, statement_labels
-from swifttailor.wishes.network_torch import ReaderConfig, WishNetwork
-from swifttailor.wishes.reader import FORMAT, INPUTS, NOTE, OUTPUTS
-from swifttailor.wishes.text_tokens import EXTRA_TOKENS, PADDING
+from swifttailor.wishes.export_torch import build_network, labels_checksum
+from swifttailor.wishes.network_torch import WishNetwork
 
+Report = Callable[[str], None]
 _POOL = 8
 """Batches whose samples are sorted by length together."""
-_EXAMPLE_TOKENS = 7
 
 
-@dataclass(frozen=True)
-class WishTraining:
-    """How it is trained."""
+def train(
+    config: WishConfig,
+    patterns: Sequence[Path],
+    out: Path,
+    *,
+    validation: Sequence[Path],
+    apart: Sequence[Path] = (),
+    edits: Path | None = None,
+    resume: bool = False,
+    cache: Path | None = None,
+    workers: int = 1,
+    max_minutes: float | None = None,
+    stop_after: int | None = None,
+    threads: int | None = None,
+    report: Report | None = None,
+) -> dict[str, Any]:
+    """Trains a network, or goes on with a training that was interrupted.
 
-    steps: int = 6000
-    batch_size: int = 64
-    learning_rate: float = 1e-3
-    warmup: int = 200
-    weight_decay: float = 0.01
-    typos: float = 0.04
-    seed: int = 0
+    Args:
+        config: Everything that decides the result.
+        patterns: Files or folders of patterns to write texts of.
+        out: Folder of the run; holds weights, card, checkpoint and measurements.
+        validation: Files or folders of patterns to validate with.
+        apart: Files or folders of patterns that must not be learnt from. Patterns and edits equal to these,
+            or to one of `validation`, are left out.
+        edits: File with edited versions of some of the patterns.
+        resume: Go on from the checkpoint in `out`. On a CPU the result is that of an uninterrupted
+            training, bit for bit, unless `max_minutes` is given.
+        cache: Where to keep what is measured of the patterns; ``cache`` in `out` when None. PatternMaker's
+            training reads and writes the same.
+        workers: Processes that measure.
+        max_minutes: Of training; the schedule is fitted to it. Counts what an interrupted training has used.
+        stop_after: Interrupt after this many steps, a checkpoint written.
+        threads: Processor cores to train on; torch's choice when None.
+        report: Called with lines to show.
+
+    Returns:
+        The card: what was trained on what, and how good it is.
+
+    Raises:
+        InputError: A file, the folder or the configuration cannot be used.
+        SimulationError: The loss is no number any more.
+    """
+    if threads is not None:
+        torch.set_num_threads(threads)
+    processes = Processes.start()
+    report = report if report is not None and processes.is_first else say_nothing
+    record = RunRecord(out)
+    if processes.is_first:
+        record.start(config_values(config), resume=resume)
+    else:
+        processes.wait()  # the first one measures, the others read
+    cache = cache or out / "cache"
+
+    def open_part(files: Sequence[Path]) -> PatternBank:
+        return open_bank(files, edits, cache, recuts=config.recuts, workers=workers, report=report)
+
+    banks = {"train": open_part(patterns), "validation": open_part(validation)}
+    if processes.is_first:
+        processes.wait()
+    banks["train"] = banks["train"].without([*banks["validation"].sequences(), *sequences_of(apart)])
+    tokenizer = TextTokenizer.shipped()
+    samples = WishSamples(banks["train"], tokenizer, seed=config.seed, typos=config.typos)
+    judged = WishSamples(banks["validation"], tokenizer, seed=config.seed + 1, typos=0.0)
+    data = {name: bank.numbers() for name, bank in banks.items()}
+    data["files"] = file_checksums([*patterns, *validation, *apart, *([edits] if edits else [])])
+    held = [judged.make(k) for k in range(config.validation_texts)]
+    task = WishTask(config, samples, held, data, processes)
+    report(
+        f"{sum(p.numel() for p in task.network.parameters()) / 1e6:.2f} M parameters; "
+        f"{len(banks['train'])} patterns with {data['train']['edits']} edits to write texts of, "
+        f"{len(held)} texts to validate; {processes.device}, {processes.count} process(es)."
+    )
+    loop = Loop(config, out, processes, record, report)
+    return loop.run(task, resume=resume, max_minutes=max_minutes, stop_after=stop_after)
+
+
+class WishTask:
+    """What texts ask for, from the texts."""
+
+    samples = "texts"
+    precision = "float32"
+
+    def __init__(
+        self,
+        config: WishConfig,
+        samples: WishSamples,
+        validation: Sequence[WishSample],
+        data: dict[str, Any],
+        processes: Processes,
+    ) -> None:
+        """Begins with random weights, or those of ``config.start``.
+
+        Args:
+            config: Of the training.
+            samples: To learn from.
+            validation: To judge by.
+            data: What both are of, for the card.
+            processes: That train.
+        """
+        torch.manual_seed(config.seed)
+        self.network = build_network(asdict(config.network)).to(processes.device)
+        if config.start:
+            load_start(self.network, Path(config.start))
+        self.weights = MasterWeights(self.network)
+        self.validation, self.data, self.device = validation, data, processes.device
+        self.batches = WishBatches(samples, config, part=processes.rank, parts=processes.count)
+
+    def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
+        """Of the statements and numbers of a batch, a text."""
+        batch = self.batches[step]
+        logits, counts = trained(tokens_of(batch, self.network).to(self.device))
+        meant = torch.zeros_like(logits)
+        for k, sample in enumerate(batch):
+            meant[k, torch.from_numpy(sample.said)] = 1.0
+        said = F.binary_cross_entropy_with_logits(logits, meant, reduction="sum") / len(batch)
+        places = [
+            (k, place, count)
+            for k, sample in enumerate(batch)
+            for place, count in zip(sample.ready.places, sample.counts, strict=True)
+            if count != UNKNOWN
+        ]
+        rows, columns, wanted = torch.tensor(places, device=self.device).reshape(-1, 3).T.long()
+        numbers = F.cross_entropy(counts[rows, columns], wanted, reduction="sum") / len(batch)
+        return {"statements": said, "numbers": numbers, "total": said + numbers}
+
+    def rate_factor(self, name: str) -> float:
+        """The same for all weights."""
+        return 1.0
+
+    def validate(self) -> dict[str, Any]:
+        """How well the texts to validate with are read."""
+        score = judge(self.network, self.validation)
+        return {"texts": len(self.validation)} | {k: round(v, 4) for k, v in asdict(score).items()}
+
+    def result_text(self, result: dict[str, Any]) -> str:
+        """In one line."""
+        return (
+            f"validation precision {result['precision']:.1%}, recall {result['recall']:.1%}, whole texts "
+            f"{result['whole']:.1%}, numbers {result['numbers']:.1%}"
+        )
+
+    def illustrate(self, step: int) -> None:
+        """Numbers say it all."""
+
+    def card(self) -> dict[str, Any]:
+        """Model, labels and data."""
+        return {"model": "WishReader", "labels_sha256": labels_checksum(), "data": self.data}
+
+
+class WishBatches:
+    """Batches of texts of like length, each determined by its number."""
+
+    def __init__(self, samples: WishSamples, config: WishConfig, *, part: int = 0, parts: int = 1) -> None:
+        self.samples, self.part, self.parts = samples, part, parts
+        self.size, self.seed = config.batch_size, config.seed
+        self._number, self._pool = -1, []
+
+    def __getitem__(self, step: int) -> list[WishSample]:
+        """The batch of an optimiser step; of several processes, the part of this one."""
+        number, place = divmod(step, _POOL)
+        if number != self._number:
+            first, size = number * _POOL * self.size, self.size
+            made = [self.samples.make(first + k) for k in range(_POOL * size)]
+            made.sort(key=lambda sample: len(sample.ready.tokens))
+            order = np.random.default_rng([self.seed, 1, number]).permutation(_POOL)
+            self._pool = [made[k * size : (k + 1) * size] for k in order]
+            self._number = number
+        return self._pool[place][self.part :: self.parts]
 
 
 @dataclass(frozen=True)
@@ -51,61 +213,14 @@ class WishScore:
     """Numbers that are told what they are."""
 
 
-def train_wish_reader(
-    samples: WishSamples,
-    validation: Sequence[WishSample],
-    training: WishTraining,
-    report: Callable[[str], None] = print,
-) -> tuple[WishNetwork, WishScore]:
-    """Trains a reader from random weights.
-
-    Args:
-        samples: To learn from.
-        validation: To judge it by.
-        training: How.
-        report: Called with lines to show.
-    """
-    torch.manual_seed(training.seed)
-    size = TextTokenizer.shipped().size + EXTRA_TOKENS
-    network = WishNetwork(ReaderConfig(size, len(statement_labels()), len(number_labels())))
-    optimizer = torch.optim.AdamW(
-        network.parameters(), lr=training.learning_rate, weight_decay=training.weight_decay
-    )
-    chance, pool, began, losses = np.random.default_rng(training.seed), [], time.monotonic(), []
-    for step in range(training.steps):
-        if not pool:
-            first = step * training.batch_size
-            made = [samples.make(first + k) for k in range(_POOL * training.batch_size)]
-            made.sort(key=lambda sample: len(sample.ready.tokens))
-            batches = [made[k : k + training.batch_size] for k in range(0, len(made), training.batch_size)]
-            pool = [batches[k] for k in chance.permutation(len(batches))]
-        for group in optimizer.param_groups:
-            group["lr"] = training.learning_rate * _rate(step, training)
-        loss = _loss(network, pool.pop())
-        optimizer.zero_grad()
-        loss.backward()
-        torch.nn.utils.clip_grad_norm_(network.parameters(), 1.0)
-        optimizer.step()
-        losses.append(loss.item())
-        if (step + 1) % 500 == 0:
-            score = judge(network, validation)
-            report(
-                f"step {step + 1}, {time.monotonic() - began:.0f} s: loss {np.mean(losses[-500:]):.3f}, "
-                f"precision {score.precision:.3f}, recall {score.recall:.3f}, whole texts {score.whole:.3f}, "
-                f"numbers {score.numbers:.3f}"
-            )
-    round_to_half(network)
-    return network, judge(network, validation)
-
-
 @torch.no_grad()
 def judge(network: WishNetwork, samples: Sequence[WishSample], batch_size: int = 128) -> WishScore:
     """How well a network reads some texts."""
-    network.eval()
+    device = network.embedding.weight.device
     right = read = said = whole = numbers = known = 0
     for start in range(0, len(samples), batch_size):
         part = samples[start : start + batch_size]
-        logits, counts = network(_tokens(part, network.config.tokens - 1))
+        logits, counts = network(tokens_of(part, network).to(device))
         for k, sample in enumerate(part):
             found = set(torch.nonzero(logits[k] > 0)[:, 0].tolist())
             meant = set(sample.said.tolist())
@@ -115,71 +230,15 @@ def judge(network: WishNetwork, samples: Sequence[WishSample], batch_size: int =
                 if count != UNKNOWN:
                     known += 1
                     numbers += int(counts[k, place].argmax()) == count
-    network.train()
     return WishScore(
         right / max(read, 1), right / max(said, 1), whole / len(samples), numbers / max(known, 1)
     )
 
 
-def reader_file(network: WishNetwork, card: dict[str, Any]) -> bytes:
-    """The content of a model file, which `WishReader.load` opens.
-
-    Args:
-        network: Trained.
-        card: What it was trained on and how good it is.
-    """
-    about = {
-        "format": FORMAT,
-        "tokens": network.config.tokens,
-        "statements": statement_labels(),
-        "numbers": number_labels(),
-        "card": card,
-    }
-    length = torch.export.Dim("length", min=2, max=network.places.num_embeddings)
-    return export_graph(
-        network.eval(),
-        (torch.zeros(1, _EXAMPLE_TOKENS, dtype=torch.long),),
-        ({1: length},),
-        INPUTS,
-        OUTPUTS,
-        {NOTE: json.dumps(about, separators=(",", ":"), allow_nan=False)},
-    )
-
-
-def score_values(score: WishScore) -> dict[str, float]:
-    """A score for a card."""
-    return {name: round(value, 4) for name, value in asdict(score).items()}
-
-
-def _rate(step: int, training: WishTraining) -> float:
-    rising = min(1.0, (step + 1) / training.warmup)
-    return rising * 0.5 * (1 + float(np.cos(np.pi * step / training.steps)))
-
-
-def _loss(network: WishNetwork, samples: Sequence[WishSample]) -> torch.Tensor:
-    logits, counts = network(_tokens(samples, network.config.tokens - 1))
-    meant = torch.zeros_like(logits)
-    for k, sample in enumerate(samples):
-        meant[k, torch.from_numpy(sample.said)] = 1.0
-    loss = F.binary_cross_entropy_with_logits(logits, meant, reduction="sum") / len(samples)
-    places = [
-        (k, place, count)
-        for k, sample in enumerate(samples)
-        for place, count in zip(sample.ready.places, sample.counts, strict=True)
-        if count != UNKNOWN
-    ]
-    if places:
-        rows, columns, wanted = torch.tensor(places).T
-        loss = loss + F.cross_entropy(counts[rows, columns], wanted, reduction="sum") / len(samples)
-    return loss
-
-
-def _tokens(samples: Sequence[WishSample], padding: int) -> torch.Tensor:
+def tokens_of(samples: Sequence[WishSample], network: WishNetwork) -> Tensor:
+    """(B, N) tokens of some texts, padded at the end."""
     longest = max(len(s.ready.tokens) for s in samples)
-    tokens = np.full((len(samples), longest), padding, np.int64)
+    tokens = np.full((len(samples), longest), network.config.tokens - 1, np.int64)
     for k, sample in enumerate(samples):
         tokens[k, : len(sample.ready.tokens)] = sample.ready.tokens
     return torch.from_numpy(tokens)
-
-
-assert PADDING == EXTRA_TOKENS - 1, "padding is the last token"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -10,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from swifttailor.describing.differences import Change, Step
-from swifttailor.errors import InputError
-from swifttailor.networks.onnx_session import open_session
+from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
 from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.wishes.labels import change_of, label_of
 from swifttailor.wishes.mentions import Mention, find_mentions
@@ -19,13 +17,11 @@ from swifttailor.wishes.phrase_book import find_phrases
 from swifttailor.wishes.text_tokens import EXTRA_TOKENS, LONGEST_TEXT, ReadyText, text_tokens
 
 SHIPPED = Path(__file__).with_name("wish_reader.onnx")
-FORMAT = "swifttailor wish-reader 1"
-NOTE = "swifttailor"
 INPUTS, OUTPUTS = ("tokens",), ("statements", "numbers")
+KIND = ModelKind("wish reader", "swifttailor wish-reader 1", 2**28, ({GRAPH: (INPUTS, OUTPUTS)},))
 LEAST_CERTAINTY = 0.5
 KNOWN_CERTAINTY = 0.99
 """Of a phrase that stands in the text as it is known."""
-MAX_BYTES = 2**28
 
 
 @dataclass(frozen=True)
@@ -63,24 +59,18 @@ class WishReader:
         Raises:
             InputError: There is no such file, or it is damaged or another.
         """
-        path = SHIPPED if weights is None else Path(weights)
-        try:
-            if path.stat().st_size > MAX_BYTES:
-                raise InputError(f"'{path}' is larger than 256 MB; the file of a wish reader is smaller.")
-            data = path.read_bytes()
-        except OSError as error:
-            raise InputError(f"Cannot read the weights '{path}': {error.strerror or error}.") from error
-        session = open_session(data, str(path), "wish reader", threads=threads)
-        about = _about(session, path)
-        try:
-            statements, numbers = tuple(about["statements"]), tuple(about["numbers"])
+        model = open_model(SHIPPED if weights is None else weights, KIND, threads=threads)
+        tokenizer = TextTokenizer.shipped()
+        with model.says("what it reads"):
+            statements, numbers = tuple(model.about["statements"]), tuple(model.about["numbers"])
             for label in statements:
                 change_of(label)
             for label in numbers:
                 change_of(label, 1.0)
-        except (KeyError, TypeError, InputError) as error:
-            raise InputError(f"'{path}' reads statements that this version does not know: {error}") from error
-        return WishReader(session, statements, numbers, TextTokenizer.shipped(), about.get("card", {}))
+        model.require(
+            {"the tokens that it reads": (model.about.get("tokens"), tokenizer.size + EXTRA_TOKENS)}
+        )
+        return WishReader(model.sessions[GRAPH], statements, numbers, tokenizer, model.about.get("card", {}))
 
     def read(self, text: str, *, instruction: bool = False) -> tuple[Wish, ...]:
         """What a text asks for, surest first.
@@ -123,22 +113,3 @@ def _measured(ready: ReadyText, logits: Any, labels: tuple[str, ...]) -> list[tu
             change = change_of(labels[best - 1], round(mention.value, 2))
             found.append((mention, change, float(odds[best] / odds.sum())))
     return found
-
-
-def _about(session: Any, path: Path) -> dict[str, Any]:
-    text = session.get_modelmeta().custom_metadata_map.get(NOTE, "")
-    try:
-        about = json.loads(text)
-        known = about["format"]
-    except (ValueError, KeyError, TypeError):
-        known, about = None, {}
-    if known != FORMAT:
-        raise InputError(
-            f"'{path}' is a network, but not a wish reader of this version: it is marked "
-            f"'{known or 'nothing'}', not '{FORMAT}'. The one that comes with the package is '{SHIPPED}'."
-        )
-    names = tuple(i.name for i in session.get_inputs()), tuple(o.name for o in session.get_outputs())
-    size = TextTokenizer.shipped().size + EXTRA_TOKENS
-    if names != (INPUTS, OUTPUTS) or about.get("tokens") != size:
-        raise InputError(f"'{path}' contradicts itself: it reads {about.get('tokens')} tokens, not {size}.")
-    return about

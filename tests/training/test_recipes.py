@@ -1,0 +1,143 @@
+"""The recipes of `runs/`: from nothing to the model files, in little."""
+
+from __future__ import annotations
+
+import gzip
+import importlib.util
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+RECIPES = ("wish_reader", "garment_sewer", "pattern_maker")
+
+
+def environment(work: Path, **more: str) -> dict[str, str]:
+    own = {"WORK", "PATTERNS", "GARMENTCODE", "START", "MINUTES"}
+    inherited = {k: v for k, v in os.environ.items() if k not in own}
+    path = os.pathsep.join([str(ROOT / "src"), *filter(None, [os.environ.get("PYTHONPATH")])])
+    settings = {"REHEARSE": "1", "CORES": "1", "OMP_NUM_THREADS": "1", "WORK": str(work)}
+    return inherited | settings | {"PYTHON": sys.executable, "PYTHONPATH": path} | more
+
+
+def run(name: str, work: Path, *arguments: str, **more: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [ROOT / "runs" / f"{name}.sh", *arguments],
+        env=environment(work, **more),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.mark.needs_torch
+@pytest.mark.timeout(900)  # two minutes on two idle cores
+def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
+    from swifttailor.garment_sewer.sewer import GarmentSewer
+    from swifttailor.pattern.drafts import draft
+    from swifttailor.pattern_maker.maker import PatternMaker
+    from swifttailor.wishes.reader import WishReader
+
+    work = tmp_path / "work"
+    for name in RECIPES:
+        done = run(name, work)
+        assert done.returncode == 0, f"{name}\n{done.stdout}\n{done.stderr}"
+    files = {
+        "GarmentSewer": work / "garment-sewer/garment_sewer.onnx",
+        "PatternMaker": work / "pattern-maker/pattern_maker.zip",
+        "WishReader": work / "wish-reader/wish_reader.onnx",
+    }
+    for model, path in files.items():
+        card = json.loads(path.with_suffix(".json").read_text())
+        assert card["model"] == model and card["config"]["seed"] == 0 and "start" not in card
+        assert card["command"].startswith("swifttailor train ") and card["file"]["sha256"]
+        assert all(len(card["data"][split]) >= 2 for split in ("train", "validation"))
+    checksums = json.loads(files["PatternMaker"].with_suffix(".json").read_text())["data"]["files"]
+    assert {"train.jsonl.gz", "validation.jsonl.gz", "test.jsonl.gz"} < checksums.keys()
+    sewn = GarmentSewer.load(files["GarmentSewer"]).sew(draft("t-shirt"))
+    assert len(sewn.garment.vertices) > 100
+    maker = PatternMaker.load(files["PatternMaker"])
+    assert maker.model.calibration is not None and maker.model.runtime.plans
+    WishReader.load(files["WishReader"]).read("a knee-length dress")
+
+    again = run("wish_reader", work)
+    assert again.returncode == 0
+    steps = [line for line in again.stdout.splitlines() if line.startswith("== ")]
+    assert len(steps) >= 4 and all("done before" in line for line in steps)
+
+
+def test_the_data_ask_for_patterns_or_a_checkout_of_the_named_commit(tmp_path):
+    missing = run("data", tmp_path / "work", "patterns", REHEARSE="")
+    assert missing.returncode == 2 and "Give PATTERNS" in missing.stderr
+    checkout = tmp_path / "GarmentCode"
+    git = ["git", "-C", str(checkout), "-c", "user.name=x", "-c", "user.email=x"]
+    subprocess.run(["git", "init", "-q", checkout], check=True)
+    (checkout / "pattern_sampler.py").write_text("")
+    subprocess.run([*git, "add", "."], check=True)
+    subprocess.run([*git, "commit", "-q", "-m", "another"], check=True)
+    other = run("data", tmp_path / "work", "patterns", REHEARSE="", GARMENTCODE=str(checkout))
+    assert other.returncode == 2 and "checkout d449629979028123a5c4dc9e732a2ec19b7fce31" in other.stderr
+    part = run("data", tmp_path / "work", "hems")
+    assert part.returncode == 2 and "'hems' is no part of the data" in part.stderr
+
+
+def test_ready_made_patterns_are_those_that_were_recorded(garmentcode_folder, tmp_path):
+    given = tmp_path / "given"
+    given.mkdir()
+    names = [line.split()[1] for line in (ROOT / "runs/checksums.txt").read_text().splitlines()]
+    for name in names:
+        (given / name).symlink_to(garmentcode_folder / name)
+    work = tmp_path / "work"
+    done = run("data", work, "patterns", PATTERNS=str(given))
+    assert done.returncode == 0, done.stderr
+    for name in names:
+        with gzip.open(work / "patterns" / name, "rt") as lines:
+            assert len(lines.readlines()) == (1242 if name == "edits.jsonl.gz" else 6)
+    (given / names[0]).unlink()
+    (given / names[0]).write_bytes(b"another")
+    other = run("data", tmp_path / "other", "patterns", PATTERNS=str(given))
+    assert other.returncode != 0 and names[0] in other.stdout + other.stderr
+
+
+@pytest.fixture(scope="module")
+def arranging():
+    spec = importlib.util.spec_from_file_location("arrange_patterns", ROOT / "scripts/arrange_patterns.py")
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_split_is_the_recorded_one(arranging, garmentcode_folder):
+    given = {
+        name: arranging.read(garmentcode_folder / f"{name}.jsonl.gz")
+        for name in ("train", "validation", "test", "train-2", "train-3")
+    }
+    first = sorted((s for n in ("test", "train", "validation") for s in given[n]), key=arranging.place_of)
+    assert len(first) == sum(arranging.FILES["first"].values())
+    found = arranging.arrange({"first": first, "train-2": given["train-2"], "train-3": given["train-3"]})
+    assert {name: [s["id"] for s in samples] for name, samples in found.items()} == {
+        name: [s["id"] for s in samples] for name, samples in given.items()
+    }
+    arranging.check(found, ROOT / "runs/designs.txt")
+    found["test"][0] = found["test"][0] | {"design": {}}
+    with pytest.raises(SystemExit, match="designs of test are not those recorded"):
+        arranging.check(found, ROOT / "runs/designs.txt")
+
+
+def test_twins_of_held_out_patterns_are_left_out(arranging):
+    def sample(k, x):
+        panels = {"front": {"vertices": [[x, 0.0], [1.0, 2.0]]}}
+        return {"id": f"gc_{k}", "seed": k, "design": {}, "pattern": {"pattern": {"panels": panels}}}
+
+    first = [sample(k, float(k)) for k in range(8)]
+    split = arranging.arrange({"first": first, "train-3": []})
+    assert [len(split[name]) for name in ("test", "validation", "train")] == [2, 2, 4]
+    twin = split["validation"][0]["seed"] + 1e-9
+    kept = split["train"][0]["seed"]
+    found = arranging.arrange({"first": first, "train-3": [sample(100, twin), sample(101, float(kept))]})
+    assert [s["id"] for s in found["train-3"]] == ["gc_101"], "a twin of what is learnt from may stay"
