@@ -84,6 +84,13 @@ class GarmentSewer:
 
         return not coarse_drape_is_compiled()
 
+    def load_drape(self) -> None:
+        """Begins to load, or to compile, the coarse drape in the background, before there is a pattern."""
+        if self.model.conditioning.prior == "hung":
+            from swifttailor.draping.compiled_code import load_coarse_drape
+
+            load_coarse_drape(self.body.full, self.body.without_arms, self.body.measurements)
+
     def sew(self, pattern: Pattern, *, edge_length: float = 2.0, resolution: int | None = None) -> Garment:
         """Makes the garment of a pattern.
 
