@@ -1,8 +1,17 @@
-"""Whether the loops still have to be compiled on this machine."""
+"""Whether the loops still have to be compiled on this machine, and having those of the coarse drape ready."""
 
 from __future__ import annotations
 
-from typing import Any
+import os
+import sys
+from pathlib import Path
+from threading import Thread
+
+import numpy as np
+
+from swifttailor.body import BodyMeasurements, DistanceField
+from swifttailor.pattern import EdgeRef, Panel, Pattern, Stitch
+from swifttailor.pattern.panel import Edge, Placement
 
 COMPILE_NOTE = "compiling the solver (first time only, about 20 s)"
 COARSE_COMPILE_NOTE = "compiling the coarse drape (first time only, about 8 s)"
@@ -10,24 +19,59 @@ COARSE_COMPILE_NOTE = "compiling the coarse drape (first time only, about 8 s)"
 
 def solver_is_compiled() -> bool:
     """Whether numba finds the solver's compiled code on disk, so that a drape starts at once."""
-    from swifttailor.draping import xpbd_kernels
-
-    return _is_compiled(xpbd_kernels.advance_frame)
+    return _is_compiled("xpbd_kernels", "advance_frame")
 
 
 def coarse_drape_is_compiled() -> bool:
     """The same of the coarse drape."""
-    from swifttailor.draping import coarse_kernels
-
-    return _is_compiled(coarse_kernels.sew_and_hang)
+    return _is_compiled("coarse_kernels", "sew_and_hang")
 
 
-def _is_compiled(kernel: Any) -> bool:
-    """Used only to say what the wait is for.
+def load_coarse_drape(full: DistanceField, armless: DistanceField, measurements: BodyMeasurements) -> Thread:
+    """Begins to load the coarse drape's loops, or to compile them, in the background.
 
-    numba has no public question for this; should its insides change, the answer is yes.
+    Loading numba takes half a second of every first garment, compiling several: meanwhile a network can write
+    the pattern, since it does not hold Python's lock while it runs. Who needs the loops earlier waits.
+
+    Args:
+        full: Distance to the body, as the drape will be given it: what the loops are called with decides what
+            is compiled.
+        armless: The same without the arms.
+        measurements: Of the body.
+
+    Returns:
+        The thread; it need not be waited for.
     """
-    try:
-        return bool(kernel._cache._cache_file._load_index())
-    except Exception:
-        return True
+    thread = Thread(target=_drape_two_squares, args=(full, armless, measurements), name="coarse drape")
+    thread.start()
+    return thread
+
+
+def _drape_two_squares(full: DistanceField, armless: DistanceField, measurements: BodyMeasurements) -> None:
+    """Drapes two squares that are sewn together along one edge, for no time at all."""
+    from swifttailor.draping.coarse import CoarseSettings, drape_coarsely
+    from swifttailor.panel_mesh import mesh_pattern
+
+    corners = np.array([[-20.0, 100.0], [20.0, 100.0], [20.0, 140.0], [-20.0, 140.0]])
+    squares = tuple(
+        Panel(name, corners, (Edge(),) * 4, Placement((0.0, 0.0, z)))
+        for name, z in (("a", 30.0), ("b", -30.0))
+    )
+    pattern = Pattern(squares, (Stitch(EdgeRef("a", 0), EdgeRef("b", 0), right_wrong=True),))
+    no_time = CoarseSettings(closing_frames=0, calming_frames=0, hanging_frames=0)
+    drape_coarsely(mesh_pattern(pattern, 20.0), full, armless, measurements, settings=no_time)
+
+
+def _is_compiled(module: str, function: str) -> bool:
+    """Whether numba has kept what it compiled of a function, and the source is not newer.
+
+    Used only to say what the wait is for. numba has no public question for this, and loading it to ask takes
+    a third of a second; so its index is looked for where numba keeps it, unread.
+    """
+    source = Path(__file__).with_name(f"{module}.py")
+    places = [source.parent / "__pycache__", *Path.home().glob(".cache/numba/*")]
+    if kept := os.environ.get("NUMBA_CACHE_DIR"):
+        places = list(Path(kept).glob("*"))
+    name = f"{module}.{function}-*.py{sys.version_info.major}{sys.version_info.minor}*.nbi"
+    written = source.stat().st_mtime
+    return any(index.stat().st_mtime >= written for place in places for index in place.glob(name))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import platform
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,15 +16,15 @@ from swifttailor.draping.engine import Engine, SewnGarment, require_settled
 from swifttailor.draping.engines import find_engine
 from swifttailor.draping.fabric import Fabric, get_fabric
 from swifttailor.draping.placement import place_vertices
-from swifttailor.draping.quality import measure_quality
-from swifttailor.draping.simulation import DRESSINGS, Simulation, SimulationSettings, sew
-from swifttailor.draping.untangle import FEW_CROSSINGS, untangle
 from swifttailor.errors import InputError, SimulationError
 from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
 from swifttailor.progress import StageProgress
+
+if TYPE_CHECKING:
+    from swifttailor.draping.simulation import Simulation, SimulationSettings
 
 
 def drape(
@@ -62,6 +62,9 @@ def drape(
         SimulationError: The cloth went to infinity.
         MissingExtraError: The engine is not installed.
     """
+    from swifttailor.draping.quality import measure_quality  # the loops load numba: half a second
+    from swifttailor.draping.simulation import SimulationSettings
+
     last_stage = find_engine(engine) if isinstance(engine, str) else engine
     if not isinstance(seed, int) or not 0 <= seed < 2**63:
         raise InputError(f"The seed must be a whole number from 0 to 2^63 - 1, got {seed!r}.")
@@ -125,6 +128,9 @@ def _dress(
     progress: StageProgress,
 ) -> Simulation:
     """Sews the panels on in the first way of `DRESSINGS` that leaves them untangled, else in the best."""
+    from swifttailor.draping.simulation import DRESSINGS, Simulation, sew
+    from swifttailor.draping.untangle import FEW_CROSSINGS, untangle
+
     attachment = find_attachment(mesh, body.measurements)
     best, fewest = None, float("inf")
     for dressing in DRESSINGS:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
+from threading import Thread
 from typing import Any
 
 import numpy as np
@@ -83,6 +85,18 @@ class GarmentSewer:
         from swifttailor.draping.compiled_code import coarse_drape_is_compiled
 
         return not coarse_drape_is_compiled()
+
+    def load_drape(self) -> None:
+        """Begins to load, or to compile, the coarse drape in the background, before there is a pattern."""
+        _ = self._drape_loading
+
+    @cached_property
+    def _drape_loading(self) -> Thread | None:
+        if self.model.conditioning.prior != "hung":
+            return None
+        from swifttailor.draping.compiled_code import load_coarse_drape
+
+        return load_coarse_drape(self.body.full, self.body.without_arms, self.body.measurements)
 
     def sew(self, pattern: Pattern, *, edge_length: float = 2.0, resolution: int | None = None) -> Garment:
         """Makes the garment of a pattern.

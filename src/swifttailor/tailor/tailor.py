@@ -287,6 +287,10 @@ class Tailor:
     def _open(self, order: Order) -> None:
         """Opens the networks that an order needs, so that their time is not another stage's."""
         _ = self.pattern_maker, self.garment_sewer, self.wish_reader if order.alter else None
+        if isinstance(self.garment_sewer, GarmentSewer):
+            import swifttailor.tailor.writing  # noqa: F401  modules are loaded by one thread at a time
+
+            self.garment_sewer.load_drape()
 
     def sew(
         self,

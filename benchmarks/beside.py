@@ -1,0 +1,122 @@
+"""How long this checkout and another take for the same, turn by turn, so that both meet the same machine.
+
+``python benchmarks/beside.py OTHER_CHECKOUT [--rounds 5] [--pattern FILE]``
+
+warm generate
+    Both networks open, prompts of benchmarks/prompts.txt one after the other: prompt -> garment in memory.
+    Each prompt comes once a process, so that nothing that is remembered of it helps.
+cold generate
+    ``swifttailor generate`` in a new process, until its files are written.
+cold sew
+    ``swifttailor sew`` in a new process, of a T-shirt unless a pattern is given.
+
+The other checkout is set up too (`make setup`): its ``.venv/bin/python`` is run. Of both the first round,
+which may still compile, does not count. All processes keep to one core. Ratios are taken round by round, in
+processor seconds and in seconds on the clock; the median is printed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+TASKS = ("warm generate", "cold generate", "cold sew")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("other", type=Path)
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--prompts", type=int, default=12, help="how many, evenly from all styles")
+    parser.add_argument("--text", default="a knee-length sleeveless dress with a V neck", help="when cold")
+    parser.add_argument("--pattern", type=Path)
+    parser.add_argument("--warm-here", action="store_true", help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if hasattr(os, "sched_setaffinity"):
+        os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+    if options.warm_here:
+        print(json.dumps(warm(options.prompts)))
+        return
+    from machine import describe
+
+    print(describe())
+    pythons = {"this": Path(sys.executable), "other": options.other.resolve() / ".venv/bin/python"}
+    with tempfile.TemporaryDirectory() as folder:
+        pattern = options.pattern or Path(folder) / "pattern.json"
+        if options.pattern is None:
+            command = [sys.executable, "-m", "swifttailor", "draft", "t-shirt", "--out", str(pattern)]
+            subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        arguments = {
+            "warm generate": [__file__, str(options.other), "--warm-here", "--prompts", str(options.prompts)],
+            "cold generate": ["-m", "swifttailor", "generate", options.text, "--out", f"{folder}/made"],
+            "cold sew": ["-m", "swifttailor", "sew", str(pattern), "--out", f"{folder}/sewn"],
+        }
+        for task in TASKS:
+            rounds = []
+            for _ in range(options.rounds + 1):
+                rounds.append(
+                    {name: run([str(python), *arguments[task]]) for name, python in pythons.items()}
+                )
+            report(task, rounds[1:])
+
+
+def warm(count: int) -> dict[str, float]:
+    """Median seconds on the clock and of the processor over the prompts."""
+    import swifttailor
+    from generate_prompts import PROMPTS, read_prompts
+
+    prompts = [p.text for p in read_prompts(PROMPTS)]
+    prompts = prompts[:: max(1, len(prompts) // count)][:count]
+    tailor = swifttailor.Tailor()
+    tailor.generate("a long dress", seed=1)
+    walls, processors = [], []
+    for prompt in prompts:
+        wall, processor = time.perf_counter(), time.process_time()
+        try:
+            tailor.generate(prompt, seed=0, temperature=0.5)
+        except swifttailor.SwiftTailorError:
+            continue
+        walls.append(time.perf_counter() - wall)
+        processors.append(time.process_time() - processor)
+    return {"wall": statistics.median(walls), "processor": statistics.median(processors)}
+
+
+def run(command: list[str]) -> dict[str, float]:
+    """Seconds that a process took, or that it says its work took."""
+    # Compiled modules are kept beside their sources unless that is switched off.
+    surroundings = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
+    started = time.perf_counter()
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env=surroundings)
+    assert process.stdout is not None
+    said = process.stdout.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    wall = time.perf_counter() - started
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode not in (0, 1):
+        raise SystemExit(f"exit code {process.returncode}: {' '.join(command)}")
+    if "--warm-here" in command:
+        return json.loads(said)
+    return {"wall": wall, "processor": usage.ru_utime + usage.ru_stime}
+
+
+def report(task: str, rounds: list[dict[str, dict[str, float]]]) -> None:
+    for kind in ("processor", "wall"):
+        this, other = ([r[name][kind] for r in rounds] for name in ("this", "other"))
+        ratios = sorted(a / b for a, b in zip(this, other, strict=True))
+        here, there, ratio = map(statistics.median, (this, other, ratios))
+        print(
+            f"{task:<14} {kind:<10} this {here:6.2f} s, other {there:6.2f} s, ratio {ratio:.2f} "
+            f"({ratios[0]:.2f} to {ratios[-1]:.2f}), {len(rounds)} rounds",
+            flush=True,
+        )
+
+
+if __name__ == "__main__":
+    main()
