@@ -27,7 +27,7 @@ from swifttailor.atomic_files import write_atomically, write_text
 from swifttailor.body import Body
 from swifttailor.data.stats.sheets import wrapped
 from swifttailor.garment.preview import render_preview
-from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
+from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.render.pattern_picture import pattern_picture
 
 PROMPTS = Path(__file__).with_name("prompts.txt")

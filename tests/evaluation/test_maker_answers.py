@@ -38,7 +38,7 @@ from swifttailor.evaluation.patterns import summarize_patterns
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Edge, Panel, Pattern
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
+from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.tailor import Tailor
 from swifttailor.workers.work_folder import FolderLock
 

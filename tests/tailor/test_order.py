@@ -11,7 +11,7 @@ from swifttailor.cli import making
 from swifttailor.errors import InputError
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
+from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.tailor.order import LONGEST_TITLE, MOST_ATTEMPTS, MOST_SAMPLES, Order, one_line
 
 

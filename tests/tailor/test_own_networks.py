@@ -16,7 +16,6 @@ from swifttailor.garment.garment import Garment
 from swifttailor.ggi.decode import decode
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.tailor import Order, Tailor, Tailored
 
 
@@ -29,7 +28,7 @@ class DraftBook:
     def generate_all(self, requests, *, seed, temperature, draw):
         names = ("trousers", "t-shirt", "fitted-dress", "fitted-skirt")
         found = [next((n for n in names if n.split("-")[-1] in r.text), "t-shirt") for r in requests]
-        return [WrittenPattern(r.edit or draft(n)) for r, n in zip(requests, found, strict=True)]
+        return [swifttailor.WrittenPattern(r.edit or draft(n)) for r, n in zip(requests, found, strict=True)]
 
 
 class FlatLay:
@@ -83,7 +82,7 @@ def test_what_another_network_writes_is_altered_checked_and_written_again(tailor
         def generate_all(self, requests, *, seed, temperature, draw):
             torn = draft("t-shirt")
             torn = replace(torn, stitches=torn.stitches[2 - min(draw, 2) :])
-            return [WrittenPattern(torn) for _ in requests]
+            return [swifttailor.WrittenPattern(torn) for _ in requests]
 
     again = Tailor(Improving(), FlatLay()).generate("a t-shirt", alter=False)
     assert again.report["writing"]["attempt"] == 3 and len(again.pattern.stitches) == 14

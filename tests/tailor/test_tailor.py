@@ -23,7 +23,7 @@ from swifttailor.ggi.file import read_ggi
 from swifttailor.pattern import load_pattern, write_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker import maker as maker_module
-from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
+from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.tailor import Order, Tailor, Tailored
 from swifttailor.tailor.reporting import NOTHING_UNDERSTOOD
 

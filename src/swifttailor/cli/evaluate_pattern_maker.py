@@ -127,7 +127,7 @@ class EvaluatePatternMaker:
     def _temperature(self) -> float:
         if self.temperature is not None:
             return self.temperature
-        from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
+        from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 
         return 0.0 if self.network_alone else USUAL_TEMPERATURE
 

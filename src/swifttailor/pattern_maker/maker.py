@@ -23,14 +23,12 @@ from swifttailor.pattern_maker.asking.pictures import picture_for_network, read_
 from swifttailor.pattern_maker.asking.prompt import make_prompt
 from swifttailor.pattern_maker.asking.scripts import about_scripts, says_something
 from swifttailor.pattern_maker.network.model_file import MakerModel, load_model
+from swifttailor.pattern_maker.temperatures import HIGHEST_TEMPERATURE
 from swifttailor.pattern_maker.tokens.decode import decode
 from swifttailor.pattern_maker.tokens.encode import encode
 from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
 
 SHIPPED = Path(__file__).with_name("pattern_maker.zip")
-HIGHEST_TEMPERATURE = 10.0
-USUAL_TEMPERATURE = 0.2
-"""Between always the same and anything; `confidence` is measured at it."""
 
 
 @dataclass(frozen=True, eq=False)

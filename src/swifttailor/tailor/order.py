@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from swifttailor.errors import InputError
 from swifttailor.pattern import Pattern
-from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE
+from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 
 MOST_SAMPLES = MOST_ATTEMPTS = 64
 USUAL_ATTEMPTS = 4

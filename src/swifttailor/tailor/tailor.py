@@ -14,7 +14,7 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.panel import RotationReading
-from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE, PatternMaker
+from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.progress import StageProgress
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.order import Image, Order
@@ -102,6 +102,8 @@ class Tailor:
             InputError: There are no such weights, or they are damaged.
         """
         if self._maker is None or isinstance(self._maker, Path | str):
+            from swifttailor.pattern_maker.maker import PatternMaker
+
             return PatternMaker.load(self._maker, threads=self._threads)
         return self._maker
 

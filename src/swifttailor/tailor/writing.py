@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from swifttailor.clock import Clock
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
-from swifttailor.pattern_maker.maker import HIGHEST_TEMPERATURE, WrittenPattern
+from swifttailor.pattern_maker.maker import WrittenPattern
+from swifttailor.pattern_maker.temperatures import HIGHEST_TEMPERATURE
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fitting import fit
 from swifttailor.tailor.order import Order

@@ -12,7 +12,8 @@ from swifttailor.evaluation.maker.book import Book
 from swifttailor.evaluation.maker.pictures import GarmentPictures
 from swifttailor.evaluation.maker.questions import PICTURED, Question, seed_of
 from swifttailor.pattern import Pattern, Severity, check_pattern, read_specification, to_specification
-from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE, Request, WrittenPattern
+from swifttailor.pattern_maker.maker import Request, WrittenPattern
+from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.progress import CountProgress
 from swifttailor.tailor import Order, Tailor
 from swifttailor.tailor.answer import Answer

@@ -20,7 +20,8 @@ from swifttailor.pattern_maker.asking.confidence import (
     rank,
 )
 from swifttailor.pattern_maker.asking.pictures import picture_for_network
-from swifttailor.pattern_maker.maker import USUAL_TEMPERATURE, PatternMaker, Request
+from swifttailor.pattern_maker.maker import PatternMaker, Request
+from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 
 BATCH = 16
 
