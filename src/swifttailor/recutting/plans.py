@@ -256,7 +256,7 @@ def _miss(wish: Change, original: GarmentFacts) -> Callable[[GarmentFacts], floa
         if measure is None:
             return None
         stated = float(wish.claim.value)
-        return lambda facts: abs((measure.of(facts) or 0.0) - stated)
+        return lambda facts: abs((measure.stated_measure(facts) or 0.0) - stated)
     quantity = QUANTITIES[wish.quantity]
     was = quantity.of(original) or 0.0
     natural = max(2.0 * quantity.least, NATURAL_SHARE * abs(was))
