@@ -18,50 +18,8 @@ from swifttailor.describing.claims.claim import CLAIM_TYPES
 from swifttailor.describing.claims.judgement import CLAIMING
 from swifttailor.describing.differences import QUANTITIES, Change, Gain, Step
 from swifttailor.describing.facts import GarmentFacts
-from swifttailor.recutting.levers.armholes import ARMHOLE_LEVERS, ARMHOLE_TRICKS
-from swifttailor.recutting.levers.bodice_darts import BODICE_DART_TRICKS
-from swifttailor.recutting.levers.collars import COLLAR_LEVERS
-from swifttailor.recutting.levers.exchanges import CURVED_LEVERS, EXCHANGE_LEVERS, EXCHANGE_TRICKS
-from swifttailor.recutting.levers.fit import FIT_LEVERS
-from swifttailor.recutting.levers.godets import GODET_LEVERS, GODET_TRICKS
-from swifttailor.recutting.levers.hem_shapes import HEM_SHAPE_LEVERS
-from swifttailor.recutting.levers.lengths import LENGTH_LEVERS
+from swifttailor.recutting.levers.all_levers import LEVERS, TRICKS
 from swifttailor.recutting.levers.lever import Lever, Trick
-from swifttailor.recutting.levers.necks import NECK_LEVERS, NECK_TRICKS
-from swifttailor.recutting.levers.parts import ADDED_PARTS, PART_TRICKS
-from swifttailor.recutting.levers.sleeve_widths import SLEEVE_WIDTH_LEVERS
-from swifttailor.recutting.levers.slits import SLIT_LEVERS, SLIT_TRICKS
-from swifttailor.recutting.levers.tiers import TIER_LEVERS, TIER_TRICKS
-from swifttailor.recutting.levers.widths import WIDTH_LEVERS, WIDTH_TRICKS
-
-LEVERS: tuple[Lever, ...] = (
-    *LENGTH_LEVERS,
-    *ARMHOLE_LEVERS,
-    *NECK_LEVERS,
-    *HEM_SHAPE_LEVERS,
-    *CURVED_LEVERS,
-    *WIDTH_LEVERS,
-    *SLEEVE_WIDTH_LEVERS,
-    *SLIT_LEVERS,
-    *ADDED_PARTS,
-    *FIT_LEVERS,
-    *COLLAR_LEVERS,
-    *GODET_LEVERS,
-    *TIER_LEVERS,
-    *EXCHANGE_LEVERS,
-)
-"""In order of preference."""
-TRICKS: tuple[Trick, ...] = (
-    *NECK_TRICKS,
-    *ARMHOLE_TRICKS,
-    *BODICE_DART_TRICKS,
-    *SLIT_TRICKS,
-    *TIER_TRICKS,
-    *GODET_TRICKS,
-    *WIDTH_TRICKS,
-    *PART_TRICKS,
-    *EXCHANGE_TRICKS,
-)
 
 NATURAL_SHARE = 0.13
 """How much of a measure a step without an amount is, at least twice what is seen."""
@@ -113,7 +71,7 @@ def find_plans(
     needed = frozenset[str]().union(*(_fields_read(w, original, facts) for w in open_wishes))
     for rank, lever in enumerate(LEVERS, start=len(TRICKS)):
         now = lever.of(facts)
-        if not (lever.makes if now is None else lever.moves):
+        if not lever.applies(facts):
             continue
         values = _values(lever, facts, now)
         if not any(_meant_for(lever, w) for w in open_wishes):

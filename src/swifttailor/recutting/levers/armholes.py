@@ -64,23 +64,25 @@ def _shoulder_span(facts: GarmentFacts) -> tuple[float, float]:
 
 ARMHOLE_LEVERS: tuple[Lever, ...] = (
     Lever(
-        "armholes",
-        4,
-        _depth,
-        _set_depth,
-        sleeve_cuts.deepen_armholes,
-        fixed(12.0, 38.0),
+        name="armholes",
+        serves=("armholes",),
+        stage=4,
+        of=_depth,
+        imagine=_set_depth,
+        cut=sleeve_cuts.deepen_armholes,
+        span=fixed(12.0, 38.0),
         step=0.5,
         words=("deeper", "shallower"),
         only_for=("armholes",),
     ),
     Lever(
-        "shoulder seams at the armholes",
-        4,
-        _shoulder,
-        _set_shoulder,
-        sleeve_cuts.widen_shoulders,
-        _shoulder_span,
+        name="shoulder seams at the armholes",
+        serves=("shoulders",),
+        stage=4,
+        of=_shoulder,
+        imagine=_set_shoulder,
+        cut=sleeve_cuts.widen_shoulders,
+        span=_shoulder_span,
         step=0.5,
         only_for=("shoulders", "straps"),
     ),
@@ -105,7 +107,7 @@ def _cut_to(shape: HoleShape) -> Trick:
         return reshape_armholes(cutter.pattern, holes, shape) if holes else None
 
     name = "armholes cut " + {"round": "round", "square": "square", "angled": "at an angle"}[shape]
-    return Trick(name, 4, imagine, cut, only_for=("armholes",))
+    return Trick(name=name, stage=4, imagine=imagine, cut=cut, only_for=("armholes",))
 
 
 def _bared(sides: tuple[ArmSide, ...]) -> Trick:
@@ -138,7 +140,7 @@ def _bared(sides: tuple[ArmSide, ...]) -> Trick:
         return bare_shoulders(cutter.pattern, cutter.anatomy, sides, other_bare=other_bare)
 
     name = "shoulders bared" if len(sides) == 2 else f"{sides[0]} shoulder bared"
-    return Trick(name, 4, imagine, cut, only_for=("shoulders",))
+    return Trick(name=name, stage=4, imagine=imagine, cut=cut, only_for=("shoulders",))
 
 
 ARMHOLE_TRICKS: tuple[Trick, ...] = (

@@ -74,5 +74,12 @@ def _cut(cutter: Cutter) -> Pattern | None:
 
 
 BODICE_DART_TRICKS: tuple[Trick, ...] = (
-    Trick("waist darts put into the bodice", 3, _imagine, _cut, only_for=("bodice: darted",), gathers=True),
+    Trick(
+        name="waist darts put into the bodice",
+        stage=3,
+        imagine=_imagine,
+        cut=_cut,
+        only_for=("bodice: darted",),
+        gathers=True,
+    ),
 )

@@ -123,15 +123,18 @@ def _cut(cutter: Cutter) -> Pattern | None:
     return remove_panels(cutter.pattern, tier) if tier else None
 
 
-TIER_TRICKS: tuple[Trick, ...] = (Trick("lowest tier taken off", 1, _fewer, _cut, only_for=("tiers",)),)
+TIER_TRICKS: tuple[Trick, ...] = (
+    Trick(name="lowest tier taken off", stage=1, imagine=_fewer, cut=_cut, only_for=("tiers",)),
+)
 TIER_LEVERS: tuple[Lever, ...] = (
     Lever(
-        "tiers",
-        5,
-        _tiers,
-        _more,
-        _sew_on,
-        lambda f: (_tiers(f) or 1.0, _MOST_TIERS),
+        name="tiers",
+        serves=("tiers",),
+        stage=5,
+        of=_tiers,
+        imagine=_more,
+        cut=_sew_on,
+        span=lambda f: (_tiers(f) or 1.0, _MOST_TIERS),
         words=("more", "fewer"),
         unit="",
         only_for=("tiers", "skirt: tiered", "tiers_count"),
