@@ -193,18 +193,18 @@ class PatternMaker:
         clock.stop("checking")
         return [
             Generated(
-                repair.pattern,
-                answer.log_likelihood,
-                answer.certainty,
-                answer.look,
-                answer.sequence,
-                answer.unsewn,
-                tried,
-                repair.changes,
-                repair.remaining,
-                about,
-                self._confidence(answer),
-                clock.seconds,
+                pattern=repair.pattern,
+                log_likelihood=answer.log_likelihood,
+                certainty=answer.certainty,
+                look=answer.look,
+                sequence=answer.sequence,
+                unsewn=answer.unsewn,
+                attempts=tried,
+                changes=repair.changes,
+                findings=repair.remaining,
+                notes=about,
+                confidence=self._confidence(answer),
+                seconds=clock.seconds,
             )
             for (answer, repair, tried), about in zip(chosen, notes, strict=True)
         ]

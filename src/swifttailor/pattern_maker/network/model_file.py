@@ -156,15 +156,15 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
         if found != wanted:
             raise InputError(f"'{path}' contradicts itself: {what} should be {wanted}, and is {found}.")
     return MakerModel(
-        OnnxRuntime(sessions),
-        text,
-        grammar,
-        network.longest_text,
-        network.image_size,
-        network.image_tokens,
-        card,
-        network.edits == "outlines",
-        calibration,
+        runtime=OnnxRuntime(sessions),
+        text=text,
+        grammar=grammar,
+        longest_text=network.longest_text,
+        image_size=network.image_size,
+        image_tokens=network.image_tokens,
+        card=card,
+        brief_edits=network.edits == "outlines",
+        calibration=calibration,
     )
 
 

@@ -29,7 +29,13 @@ _FACES: tuple[Face, Face] = ("front", "back")
 _BELOW_CM = 2.0
 """From what holds a new part down to it, as placed."""
 _HIP_EASE_CM = 5.0
-_BODICE = FittedBodice(Neckline("round", 2.0, 11.0, 3.0), 4.0, 3.0, 2.0, -1.0)
+_BODICE = FittedBodice(
+    neckline=Neckline("round", 2.0, 11.0, 3.0),
+    bust_ease=4.0,
+    waist_ease=3.0,
+    armhole_drop=2.0,
+    shoulder_extension=-1.0,
+)
 
 
 @dataclass(frozen=True)
