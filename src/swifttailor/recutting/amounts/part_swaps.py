@@ -88,7 +88,7 @@ def exchange_lower(cutter: Cutter, new: FlaredCut | StraightCut | LegsCut) -> Pa
     laid = lay_pattern(bench, drafted)
     if laid is None:
         return None
-    own = Cutter(drafted, cutter.anatomy.body)
+    own = cutter.with_pattern(drafted)
     for face, refs in _tops(own).items():
         sides = [laid[r] for r in refs]
         if not cutter.anatomy.has(Part.WAISTBAND):
@@ -134,7 +134,7 @@ def sew_bodice(cutter: Cutter) -> Pattern | None:
     sew_centres(table)
     bodice = table.finish()
     bench = Workbench(cutter.pattern)
-    own = Cutter(bodice, cutter.anatomy.body)
+    own = cutter.with_pattern(bodice)
     hem = own.anatomy.hem
     laid = lay_pattern(bench, bodice)
     if laid is None or hem is None:

@@ -263,7 +263,6 @@ def _band_in(facts: GarmentFacts, height: float) -> GarmentFacts:
     return replace(with_hem(facts, height), waistband=Band(height, width, width, False, torso.lower_level))
 
 
-_SKIRT_WISHES = ("skirt", "skirt hem", "hem_cm", "hips")
 _ANEW = Lever(
     name="skirt cut anew from a circle, its hem",
     serves=("skirt hem",),

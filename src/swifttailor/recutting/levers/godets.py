@@ -50,7 +50,7 @@ def without_godets(cutter: Cutter) -> Cutter | None:
     if not names:
         return cutter
     plain = remove_godets(cutter.pattern, names)
-    return None if plain is None else Cutter(plain, cutter.anatomy.body)
+    return None if plain is None else cutter.with_pattern(plain)
 
 
 def _cut(cutter: Cutter, count: float, width: float, height: float) -> Pattern | None:

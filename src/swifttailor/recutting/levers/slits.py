@@ -56,13 +56,13 @@ def recut_closed(
     """
     edited = recut(cutter) if first or not _slits(cutter.facts) else None
     shut = closed(cutter) if edited is None else None
-    edited = edited if shut is None else recut(Cutter(shut, cutter.anatomy.body))
+    edited = edited if shut is None else recut(cutter.with_pattern(shut))
     if edited is None or shut is None:
         return edited
     for slit in _slits(cutter.facts):
         if slit.height < LEAST_SLIT_CM:
             continue
-        after = Cutter(edited, cutter.anatomy.body)
+        after = cutter.with_pattern(edited)
         edited = open_slit(after, slit.place, slit.height, max(slit.width, 2.0))
         if edited is None:
             return None
@@ -103,7 +103,7 @@ def _lever(place: Place, wedge: bool = False) -> Lever:
             if reached is not None:
                 return reached
         shut = closed(cutter, place) if of(cutter.facts) else None
-        now = cutter if shut is None else Cutter(shut, cutter.anatomy.body)
+        now = cutter if shut is None else cutter.with_pattern(shut)
         return open_slit(now, place, height, _WEDGE_CM if wedge else 2.0)
 
     def span(facts: GarmentFacts) -> tuple[float, float]:

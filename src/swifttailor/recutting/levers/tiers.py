@@ -35,7 +35,7 @@ def lengthen_tiered(cutter: Cutter, distance: float) -> Pattern | None:
         return whole
     cutter = _without_low_slits(cutter, -distance)
     while (tier := _lowest_tier(cutter)) and (shorter := remove_panels(cutter.pattern, tier)) is not None:
-        after = Cutter(shorter, cutter.anatomy.body)
+        after = cutter.with_pattern(shorter)
         if cutter.facts.hem is None or after.facts.hem is None:
             return None
         length = after.facts.hem.level - cutter.facts.hem.level
@@ -100,7 +100,7 @@ def _sew_on(cutter: Cutter, amount: float) -> Pattern | None:
     for _ in range(new):
         if pattern is None:
             return None
-        now = Cutter(pattern, cutter.anatomy.body)
+        now = cutter.with_pattern(pattern)
         pattern = _with_row(now, height)
     return pattern
 

@@ -124,7 +124,7 @@ def _set_gather(facts: GarmentFacts, gather: float) -> GarmentFacts:
 
 def _cut_gather(cutter: Cutter, amount: float) -> Pattern | None:
     gather = cuts.skirt_gather(cutter)
-    return cuts.gather_skirt(cutter, (gather + amount) / gather, bend_arcs=True) if gather else None
+    return cuts.gather_skirt(cutter, (gather + amount) / gather) if gather else None
 
 
 WIDTH_LEVERS: tuple[Lever, ...] = (
