@@ -97,9 +97,8 @@ def find_plans(
                 continue
             most = int(count[possible].max())
             possible &= count == most
-            start = (
-                now if now is not None else lever.natural if lever.natural is not None else float(values[0])
-            )
+            start = now if now is not None else lever.natural
+            assert start is not None, lever.label
             targets = _targets(lever, wish, facts, original, (values, imagined, possible), start)
             plans[wish].append(Plan(wish, lever, targets, most - 1, rank))
     return {w: sorted(found, key=lambda p: p.order) for w, found in plans.items()}

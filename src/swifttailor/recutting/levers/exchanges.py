@@ -296,7 +296,6 @@ EXCHANGE_LEVERS: tuple[Lever, ...] = (
         cut=part_swaps.put_band_in,
         span=fixed(3.0, 12.0),
         step=0.5,
-        makes=True,
         moves=False,
         natural=5.0,
         only_for=("waistband", "waistband_cm"),

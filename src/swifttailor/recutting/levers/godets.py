@@ -136,7 +136,6 @@ GODET_LEVERS: tuple[Lever, ...] = (
         span=fixed(2.0, 12.0),
         step=2.0,
         unit="",
-        makes=True,
         moves=False,
         natural=6.0,
         only_for=("skirt: godets", "godets", "godet_cm"),

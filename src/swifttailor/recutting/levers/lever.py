@@ -45,12 +45,10 @@ class Lever:
     sign: float = 1.0
     """-1 where the words mean the opposite of the measure."""
     unit: str = " cm"
-    makes: bool = False
-    """Whether it makes the thing where there is none."""
+    natural: float | None = None
+    """The measure of what it makes where there is none, unless another is asked for; None if it makes none."""
     moves: bool = True
     """Whether it moves the measure of what is there."""
-    natural: float | None = None
-    """The measure that is made where nothing else is asked for."""
     only_for: tuple[str, ...] = ()
     """Claims and quantities it may be used for; all when empty."""
     gathers: bool = False
@@ -64,7 +62,7 @@ class Lever:
 
     def applies(self, facts: GarmentFacts) -> bool:
         """Whether a garment has what it moves, or lacks what it makes."""
-        return self.makes if self.of(facts) is None else self.moves
+        return self.natural is not None if self.of(facts) is None else self.moves
 
     def said(self, was: float | None, now: float | None) -> str:
         """What was done, in words."""

@@ -157,7 +157,6 @@ def _cuffs_added(kind: CuffKind, upper: Part, *, gathered: bool = False) -> Leve
         imagine=imagine,
         cut=lambda cutter, amount: cuts.add_cuffs(cutter, amount, share, flare, upper=upper),
         span=fixed(4.0, 25.0),
-        makes=True,
         moves=False,
         natural=6.0,
         only_for=("cuffs", "cuff_cm", "sleeve_shape") if of_sleeves else ("leg_cuffs", "leg_cuff_cm"),
@@ -190,7 +189,6 @@ def _band_added(at_hem: bool) -> Lever:
         cut=cut,
         span=fixed(3.0, 15.0),
         step=0.5,
-        makes=True,
         moves=False,
         natural=5.0,
         only_for=("waistband", "waistband_cm"),
@@ -236,7 +234,6 @@ def _sleeves_added(sides: tuple[ArmSide, ...]) -> Lever:
         imagine=imagine,
         cut=lambda cutter, amount: sleeve_cuts.add_sleeves(cutter, amount, sides),
         span=lambda f: (8.0, 1.19 * f.body.arm_length),
-        makes=True,
         moves=False,
         natural=22.0,
         only_for=("sleeves", "sleeve_cm", "sleeve_shape")

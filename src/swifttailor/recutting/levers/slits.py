@@ -122,7 +122,6 @@ def _lever(place: Place, wedge: bool = False) -> Lever:
         cut=cut,
         span=span,
         words=("higher", "lower"),
-        makes=True,
         natural=24.0,
         only_for=_CLAIMS,
     )
