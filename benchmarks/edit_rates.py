@@ -2,9 +2,9 @@
 
 ``python benchmarks/edit_rates.py [PATTERNS.jsonl.gz] [--edits FILE.jsonl.gz] [--every 10] [--limit N]``
 
-Every tenth pattern is recut by all operations, each tried as often as `swifttailor data edits` tries it.
-Printed are how many operations applied to a pattern, each operation's count, and processor time of one core
-per pair. Of the edits, all whose base is among the patterns are compared with it:
+Every tenth pattern is recut about all topics, each tried as often as `swifttailor data edits` tries it.
+Printed are how many topics applied to a pattern, how often each way to recut was used, and processor time of
+one core per pair. Of the edits, all whose base is among the patterns are compared with it:
 printed are how many pairs came of how many possible ones, and their time. Medians over patterns and edits.
 ``--limit`` ends both after so many.
 """
@@ -25,7 +25,7 @@ from swifttailor.data.edits.pairs import geometric_pairs, is_reversed, pairs_of
 from swifttailor.data.pattern_source import parsed_pattern, patterns_of
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
-from swifttailor.recutting.random_cuts import OPERATIONS
+from swifttailor.recutting.random_cuts import TOPICS
 
 PATTERNS = Path("../shared/garmentcode/validation.jsonl.gz")
 EDITS = Path("../shared/garmentcode/edits.jsonl.gz")
@@ -47,23 +47,23 @@ def main() -> None:
 
 
 def recut(patterns: list[Pattern]) -> None:
-    """Tries all operations on each pattern."""
+    """Recuts each pattern about every topic."""
     applied: list[int] = []
     seconds: list[float] = []
     counts: Counter[str] = Counter()
     for seed, pattern in enumerate(patterns):
         started = time.process_time()
-        pairs = geometric_pairs(pattern, seed, count=len(OPERATIONS))
+        pairs = geometric_pairs(pattern, seed, count=len(TOPICS))
         seconds.append((time.process_time() - started) / max(len(pairs), 1))
         done = {p.source.removesuffix(", reversed") for p in pairs}
         counts.update(done)
         applied.append(len(done))
     print(
-        f"{len(patterns)} patterns: {np.mean(applied):.1f} of {len(OPERATIONS)} operations applied to one on "
+        f"{len(patterns)} patterns: {np.mean(applied):.1f} of {len(TOPICS)} topics applied to one on "
         f"average ({min(applied)} to {max(applied)}); {milliseconds(seconds)} a pair, failed tries included"
     )
-    for operation in OPERATIONS:
-        print(f"  {operation.name:<18} {counts[operation.name]:>4}")
+    for topic, ways in TOPICS.items():
+        print(f"  {topic}: " + ", ".join(f"{way.label} {counts[way.label]}" for way in ways))
 
 
 def compare(patterns: dict[str, Pattern], edits: Path, limit: int | None) -> None:

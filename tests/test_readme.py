@@ -246,17 +246,21 @@ def test_the_guides_to_captions_and_edits(page, tmp_path, monkeypatch, capsys):
     assert names["caption"].text in shown if page == "captions" else names["pair"].instruction.text in shown
 
 
-def test_the_tables_of_claims_and_operations_are_whole():
+def test_the_tables_of_claims_and_of_what_is_cut_are_whole():
     from swifttailor.describing import CLAIM_TYPES
-    from swifttailor.recutting.random_cuts import OPERATIONS
+    from swifttailor.describing.dimensions import DIMENSIONS
+    from swifttailor.recutting.levers.all_levers import NOT_CUT
+    from swifttailor.recutting.random_cuts import TOPICS
 
     claims = (ROOT / "docs/captions.md").read_text()
     for kind in CLAIM_TYPES.values():
         values = "number" if kind.measure else ", ".join(kind.words)
         assert f"| `{kind.name}` | {kind.about} | {values} |\n" in claims
     edits = (ROOT / "docs/edits.md").read_text()
-    for operation in OPERATIONS:
-        assert f"| {operation.name} | {operation.about} |\n" in edits
+    for topic, ways in TOPICS.items():
+        assert f"| {topic} | {'; '.join(way.label for way in ways)} |\n" in edits
+    for name, reason in NOT_CUT.items():
+        assert f"| {name} | {DIMENSIONS[name].about} | {reason} |\n" in edits
 
 
 def test_the_guide_lists_the_commands_that_exist():

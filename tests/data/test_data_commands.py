@@ -207,4 +207,4 @@ def test_edits_need_a_name_that_says_the_format(patterns, tmp_path, capsys):
     assert run(["data", "edits", str(patterns), "--out", str(tmp_path / "edits.json")]) == 2
     assert ".jsonl or .jsonl.gz is written" in capsys.readouterr().err
     assert run(["data", "edits", str(patterns), "--out", str(tmp_path / "e.jsonl"), "--count", "99"]) == 2
-    assert "--count is 99; from 0 to 27" in capsys.readouterr().err
+    assert "--count is 99; from 0 to 46" in capsys.readouterr().err

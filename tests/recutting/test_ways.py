@@ -20,7 +20,7 @@ from swifttailor.recutting.table.workbench import Workbench
 from swifttailor.recutting.ways.bands import BandPlan, add_band
 from swifttailor.recutting.ways.ends import move_ends, swing_sides
 from swifttailor.recutting.ways.fullness import widen_panels
-from swifttailor.recutting.ways.necklines import deepen_neckline, reshape_neckline
+from swifttailor.recutting.ways.necklines import recut_neckline
 from swifttailor.recutting.ways.removal import remove_panels
 from swifttailor.recutting.ways.slits import open_side
 
@@ -207,7 +207,7 @@ def measure_hem_height(pattern: Pattern) -> float:
 @FEW
 def test_necklines_are_deepened(distance, shape):
     pattern = draft("t-shirt", neckline=shape, neck_depth=12)
-    edited = deepen_neckline(pattern, Cutter(pattern).neckline("front"), distance)
+    edited = recut_neckline(pattern, Cutter(pattern).neckline("front"), distance, None)
     before, after = (measure_facts(p).front_neck for p in (pattern, edited))
     assert after.depth - before.depth == pytest.approx(distance, abs=0.05)
     assert after.width == pytest.approx(before.width, abs=1e-6)
@@ -220,7 +220,7 @@ def test_necklines_are_deepened(distance, shape):
 @pytest.mark.parametrize("face", ["front", "back"])
 def test_necklines_are_reshaped(old, new, face):
     pattern = draft("tank-top", neckline=old, neck_depth=15, back_neck_depth=12)
-    edited = reshape_neckline(pattern, Cutter(pattern).neckline(face), new)
+    edited = recut_neckline(pattern, Cutter(pattern).neckline(face), 0.0, new)
     facts = measure_facts(edited)
     neck = facts.front_neck if face == "front" else facts.back_neck
     was = measure_facts(pattern)
@@ -256,7 +256,7 @@ def test_fullness_is_gathered_into_the_same_band(factor):
     assert after.length == pytest.approx(before.length, abs=0.3)
 
 
-def test_arcs_are_not_made_ellipses(drafts):
+def test_arcs_that_sweep_far_are_not_made_ellipses(drafts):
     assert widen_panels(drafts["circle-skirt"], ["skirt_front", "skirt_back"], 1.2) is None
 
 

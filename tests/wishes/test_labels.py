@@ -39,4 +39,4 @@ def test_wishes_in_words():
     assert wish_line(Gain(Claim("sleeve_cm", 58.0))).endswith(": 58 cm")
     assert wish_line(Gain(Claim("tiers", 3.0))).endswith(": 3")
     assert wish_line(Step("length", 1, 15.0)).endswith(": more by 15 cm")
-    assert wish_line(Step("neck depth", -1)) == "fall of the front neckline: less"
+    assert wish_line(Step("neck depth", -1)) == "fall of the front neckline from the shoulder: less"

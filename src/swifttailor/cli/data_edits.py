@@ -11,7 +11,8 @@ from typing import Annotated
 
 import tyro
 
-MAX_COUNT = 27
+MAX_COUNT = 46
+"""Topics of `recutting.random_cuts`."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -19,7 +20,7 @@ class DataEdits:
     """Recut patterns and write how to ask for it, in both directions.
 
     Every edited pattern is checked, and fulfils its instruction. One JSON object a line: {"id": text, "base":
-    id, "source": operation, "instruction": text, "changes": [...], "pattern": before, "edited": after}.
+    id, "source": what was done, "instruction": text, "changes": [...], "pattern": before, "edited": after}.
     """
 
     source: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="SOURCE")]
@@ -27,7 +28,7 @@ class DataEdits:
     out: Annotated[Path, tyro.conf.arg(metavar="FILE")]
     """File to write, .jsonl or .jsonl.gz."""
     count: Annotated[int, tyro.conf.arg(metavar="N")] = 2
-    """Ways to recut each pattern."""
+    """Topics to recut each pattern about."""
     designs: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Edited versions made elsewhere, one {"id": ..., "base": ..., "pattern": ...} a line, whose bases are
     in SOURCE; their pairs are written too."""
@@ -35,7 +36,7 @@ class DataEdits:
     """Write the recut patterns alone, one {"id": ..., "base": ..., "pattern": ...} a line: more patterns to
     drape, to draw and to learn from."""
     seed: int = 0
-    """Decides operations, amounts and words."""
+    """Decides what is recut, amounts and words."""
 
     def run(self) -> int:
         """Writes the pairs and returns the exit code: 0, or 1 where a pattern could not be read.

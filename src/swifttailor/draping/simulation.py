@@ -245,11 +245,11 @@ def _sleeve_edges(mesh: PatternMesh, edges: NDArray[np.int32]) -> NDArray[np.boo
 def _contact_buffers(count: int) -> ContactArrays:
     contacts, crossings = 40 * count + 1000, 10 * count + 1000
     return ContactArrays(
-        np.zeros(contacts, np.int32),
-        np.zeros(contacts, np.int32),
-        np.zeros(contacts, np.float64),
-        np.zeros(crossings, np.int32),
-        np.zeros(crossings, np.int32),
-        np.zeros((crossings, 3), np.float64),
-        np.zeros(count, np.uint8),
+        vertex=np.zeros(contacts, np.int32),
+        face=np.zeros(contacts, np.int32),
+        side=np.zeros(contacts, np.float64),
+        crossing_edge=np.zeros(crossings, np.int32),
+        crossing_face=np.zeros(crossings, np.int32),
+        crossing_push=np.zeros((crossings, 3), np.float64),
+        tangled=np.zeros(count, np.uint8),
     )

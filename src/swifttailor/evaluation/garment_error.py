@@ -67,13 +67,13 @@ def measure_error(
     error = flat_positions - drape[mesh.weld]
     offset = np.stack([np.bincount(mesh.flat_panel, error[:, k], panels) for k in range(3)], axis=1)
     return GarmentError(
-        garment_kind(mesh.pattern),
-        float(distance.mean()),
-        float(np.percentile(distance, 90)),
-        float(np.linalg.norm(offset, axis=1).sum() / count.sum()),
-        float(np.median(gaps)) if len(gaps) else 0.0,
-        float(np.percentile(gaps, 95)) if len(gaps) else 0.0,
-        float((depth < -INSIDE_CM).mean()),
+        kind=garment_kind(mesh.pattern),
+        mean=float(distance.mean()),
+        p90=float(np.percentile(distance, 90)),
+        offset=float(np.linalg.norm(offset, axis=1).sum() / count.sum()),
+        seam_gap=float(np.median(gaps)) if len(gaps) else 0.0,
+        seam_gap_p95=float(np.percentile(gaps, 95)) if len(gaps) else 0.0,
+        inside=float((depth < -INSIDE_CM).mean()),
     )
 
 

@@ -109,7 +109,15 @@ def rasterize_layout(layout: Layout) -> LayoutRaster:
     points[slot], edge[slot], fraction[slot] = shown.point, shown.edge, shown.fraction
     start = np.searchsorted(contour.edge, np.arange(len(outlines.edge_panel) + 1)).astype(np.int32)
     return LayoutRaster(
-        size, pixels, panel[pixels], points, edge, fraction, contour.pixel, contour.fraction, start
+        resolution=size,
+        pixels=pixels,
+        pixel_panel=panel[pixels],
+        points=points,
+        edge=edge,
+        fraction=fraction,
+        contour_pixels=contour.pixel,
+        contour_fraction=contour.fraction,
+        contour_start=start,
     )
 
 

@@ -87,14 +87,14 @@ def sew(
     for axis in range(3):
         vertices[:, axis] = np.bincount(place[kept], share * seen[:, axis], count)
     return SewnGrid(
-        grid.resolution,
-        vertices,
-        vertex_of[corners[sound]],
-        grid.panel[mesh.vertex_pixel[flat[flat_faces[:, 0]]]],
-        grid.pixels[mesh.vertex_pixel[flat]],
-        flat_faces,
-        place[flat],
-        _seams(vertex_of[entry_label], sides.start),
+        resolution=grid.resolution,
+        vertices=vertices,
+        faces=vertex_of[corners[sound]],
+        face_panel=grid.panel[mesh.vertex_pixel[flat[flat_faces[:, 0]]]],
+        flat_pixels=grid.pixels[mesh.vertex_pixel[flat]],
+        flat_faces=flat_faces,
+        weld=place[flat],
+        seams=_seams(vertex_of[entry_label], sides.start),
     )
 
 

@@ -178,7 +178,7 @@ class PatternMaker:
         clock.stop("checking")
         return [
             WrittenPattern(
-                repair.pattern,
+                pattern=repair.pattern,
                 log_likelihood=answer.log_likelihood,
                 certainty=answer.certainty,
                 look=answer.look,

@@ -197,7 +197,7 @@ class _Work:
 
     def _cut(self, now: Cutter, way: Lever | Trick, amount: float) -> Cutter | None:
         """Cuts and checks; remembers what it has tried on the same pattern."""
-        key = (now, f"{way.name} {way.stage}", round(amount, 3))
+        key = (now, way.label, round(amount, 3))
         if key not in self.tried:
             if self.tries_left <= 0:
                 return None

@@ -18,50 +18,8 @@ from swifttailor.describing.claims.claim import CLAIM_TYPES
 from swifttailor.describing.claims.judgement import CLAIMING
 from swifttailor.describing.differences import QUANTITIES, Change, Gain, Step
 from swifttailor.describing.facts import GarmentFacts
-from swifttailor.recutting.levers.armholes import ARMHOLE_LEVERS, ARMHOLE_TRICKS
-from swifttailor.recutting.levers.bodice_darts import BODICE_DART_TRICKS
-from swifttailor.recutting.levers.collars import COLLAR_LEVERS
-from swifttailor.recutting.levers.exchanges import CURVED_LEVERS, EXCHANGE_LEVERS, EXCHANGE_TRICKS
-from swifttailor.recutting.levers.fit import FIT_LEVERS
-from swifttailor.recutting.levers.godets import GODET_LEVERS, GODET_TRICKS
-from swifttailor.recutting.levers.hem_shapes import HEM_SHAPE_LEVERS
-from swifttailor.recutting.levers.lengths import LENGTH_LEVERS
+from swifttailor.recutting.levers.all_levers import LEVERS, TRICKS
 from swifttailor.recutting.levers.lever import Lever, Trick
-from swifttailor.recutting.levers.necks import NECK_LEVERS, NECK_TRICKS
-from swifttailor.recutting.levers.parts import ADDED_PARTS, PART_TRICKS
-from swifttailor.recutting.levers.sleeve_widths import SLEEVE_WIDTH_LEVERS
-from swifttailor.recutting.levers.slits import SLIT_LEVERS, SLIT_TRICKS
-from swifttailor.recutting.levers.tiers import TIER_LEVERS, TIER_TRICKS
-from swifttailor.recutting.levers.widths import WIDTH_LEVERS, WIDTH_TRICKS
-
-LEVERS: tuple[Lever, ...] = (
-    *LENGTH_LEVERS,
-    *ARMHOLE_LEVERS,
-    *NECK_LEVERS,
-    *HEM_SHAPE_LEVERS,
-    *CURVED_LEVERS,
-    *WIDTH_LEVERS,
-    *SLEEVE_WIDTH_LEVERS,
-    *SLIT_LEVERS,
-    *ADDED_PARTS,
-    *FIT_LEVERS,
-    *COLLAR_LEVERS,
-    *GODET_LEVERS,
-    *TIER_LEVERS,
-    *EXCHANGE_LEVERS,
-)
-"""In order of preference."""
-TRICKS: tuple[Trick, ...] = (
-    *NECK_TRICKS,
-    *ARMHOLE_TRICKS,
-    *BODICE_DART_TRICKS,
-    *SLIT_TRICKS,
-    *TIER_TRICKS,
-    *GODET_TRICKS,
-    *WIDTH_TRICKS,
-    *PART_TRICKS,
-    *EXCHANGE_TRICKS,
-)
 
 NATURAL_SHARE = 0.13
 """How much of a measure a step without an amount is, at least twice what is seen."""
@@ -113,7 +71,7 @@ def find_plans(
     needed = frozenset[str]().union(*(_fields_read(w, original, facts) for w in open_wishes))
     for rank, lever in enumerate(LEVERS, start=len(TRICKS)):
         now = lever.of(facts)
-        if not (lever.makes if now is None else lever.moves):
+        if not lever.applies(facts):
             continue
         values = _values(lever, facts, now)
         if not any(_meant_for(lever, w) for w in open_wishes):
@@ -139,9 +97,8 @@ def find_plans(
                 continue
             most = int(count[possible].max())
             possible &= count == most
-            start = (
-                now if now is not None else lever.natural if lever.natural is not None else float(values[0])
-            )
+            start = now if now is not None else lever.natural
+            assert start is not None, lever.label
             targets = _targets(lever, wish, facts, original, (values, imagined, possible), start)
             plans[wish].append(Plan(wish, lever, targets, most - 1, rank))
     return {w: sorted(found, key=lambda p: p.order) for w, found in plans.items()}
@@ -256,7 +213,7 @@ def _miss(wish: Change, original: GarmentFacts) -> Callable[[GarmentFacts], floa
         if measure is None:
             return None
         stated = float(wish.claim.value)
-        return lambda facts: abs((measure.of(facts) or 0.0) - stated)
+        return lambda facts: abs((measure.stated_measure(facts) or 0.0) - stated)
     quantity = QUANTITIES[wish.quantity]
     was = quantity.of(original) or 0.0
     natural = max(2.0 * quantity.least, NATURAL_SHARE * abs(was))

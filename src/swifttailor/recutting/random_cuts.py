@@ -1,198 +1,107 @@
-"""Geometric edits of any pattern: what can be recut, added or taken off, by random amounts."""
+"""Random cuts: the levers that `alter` pulls, drawn by chance, for patterns to learn editing from."""
 
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from typing import TypeVar
 
-from swifttailor.describing.measuring.anatomy import Border
-from swifttailor.describing.measuring.parts import LOWER_PARTS, SKIRT_PARTS, Part
-from swifttailor.pattern import Pattern
-from swifttailor.recutting.amounts import cuts
+from swifttailor.describing.dimensions import DIMENSIONS
+from swifttailor.errors import SwiftTailorError
+from swifttailor.recutting.levers.all_levers import LEVERS, TRICKS
+from swifttailor.recutting.levers.lever import Lever, Trick
+from swifttailor.recutting.table.checking import accepted
 from swifttailor.recutting.table.cutter import Cutter
-from swifttailor.recutting.ways.necklines import NewShape, deepen_neckline, reshape_neckline
-from swifttailor.recutting.ways.slits import open_side
 
-Apply = Callable[[Cutter, random.Random], Pattern | None]
+Way = Lever | Trick
+T = TypeVar("T")
 
-
-@dataclass(frozen=True)
-class Operation:
-    """One way to edit a pattern."""
-
-    name: str
-    about: str
-    apply: Apply
-    """Makes an edited pattern by chance; None where the pattern does not allow it."""
+TRIES = 3
+"""Of each topic, with other ways or amounts."""
+_LEAST_STEPS = 4.0
+"""By how many steps of a lever a measure is moved at least that is no dimension."""
+_SHORTER = 1.5
+"""Exponent: small changes are drawn more often than large ones."""
 
 
-def _change(rng: random.Random, least: float, most: float) -> float:
-    """A length to add (mostly shorter ones) or to take off, cm."""
-    size = least + (most - least) * rng.random() ** 1.5
-    return size if rng.random() < 0.5 else -size
+def topic_of(way: Way) -> str:
+    """What a way is about: a dimension, or a claim where it is about none."""
+    first = way.serves[0] if isinstance(way, Lever) else way.only_for[0]
+    return first.split(":")[0]
 
 
-def _hem_length(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    return cuts.lengthen_hem(cutter, _change(rng, 5.0, 40.0)) if cuts.free_hem(cutter) else None
+WAYS: Mapping[str, Way] = {way.label: way for way in (*TRICKS, *LEVERS)}
+"""All that can be drawn, by label."""
+TOPICS: Mapping[str, tuple[Way, ...]] = {
+    topic: tuple(way for way in WAYS.values() if topic_of(way) == topic)
+    for topic in dict.fromkeys(map(topic_of, WAYS.values()))
+}
+"""By what they are about; each topic is as likely as any other. Listed in docs/edits.md."""
 
 
-def _leg_length(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    ends, cuffs = cuts.leg_ends(cutter)
-    return cuts.lengthen_legs(cutter, _change(rng, 5.0, 30.0 if cuffs else 45.0)) if ends else None
+def recut_variously(
+    cutter: Cutter,
+    rng: random.Random,
+    use: Callable[[Way, Cutter], T | None],
+    *,
+    topics: Mapping[str, tuple[Way, ...]] = TOPICS,
+) -> Iterator[T]:
+    """Recuts a pattern about one topic after the other, each tried a few times with other ways or amounts.
+
+    Args:
+        cutter: The pattern.
+        rng: Decides order, ways and amounts.
+        use: Makes something of what is left; of nothing, or what is empty, there is another try.
+        topics: Ways to choose from.
+
+    Yields:
+        What was made, at most once for each topic.
+    """
+    for topic in rng.sample(list(topics), len(topics)):
+        ways = [way for way in topics[topic] if can_be_drawn(way, cutter)]
+        for _ in range(TRIES if ways else 0):
+            way = rng.choice(ways)
+            after = recut(cutter, way, rng)
+            made = None if after is None else use(way, after)
+            if made:
+                yield made
+                break
 
 
-def _sleeve_length(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    return cuts.lengthen_sleeves(cutter, _change(rng, 5.0, 30.0))
+def can_be_drawn(way: Way, cutter: Cutter) -> bool:
+    """Whether a garment has what a way changes, as far as its facts tell."""
+    facts = cutter.facts
+    if isinstance(way, Trick):
+        return way.imagine(facts) is not None
+    if not way.applies(facts):
+        return False
+    low, high = way.span(facts)
+    return high > low and any(way.imagine(facts, end) != facts for end in (low, high))
 
 
-def _cuff_length(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    parts = [p for p in (Part.CUFF, Part.LEG_CUFF) if cuts.cuff_ends(cutter, p)]
-    part = rng.choice(parts or [None])
-    return cuts.lengthen_cuffs(cutter, _change(rng, 2.0, 12.0), part) if part else None
+def recut(cutter: Cutter, way: Way, rng: random.Random) -> Cutter | None:
+    """Cuts by a random amount and checks what comes out.
 
-
-def _band_height(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    return cuts.raise_band(cutter, _change(rng, 2.0, 10.0))
-
-
-def _bodice_length(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    lower = cutter.anatomy.seam(Part.TORSO, {Part.WAISTBAND} | LOWER_PARTS)
-    return cuts.lengthen_bodice(cutter, _change(rng, 4.0, 18.0)) if lower.pairs else None
-
-
-def _collar_height(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    has = cutter.anatomy.free_edges(Part.COLLAR)
-    return cuts.raise_collar(cutter, _change(rng, 1.5, 6.0)) if has else None
-
-
-def _flare_hem(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    if not cuts.free_hem(cutter):
+    Returns:
+        The edited pattern, in which the checker finds no error or warning that was not there before, every
+        seam fits as well as it did, and lengths are such as are worn; None where it cannot be cut so.
+    """
+    try:
+        edited = way.cut(cutter) if isinstance(way, Trick) else way.cut(cutter, _amount(way, cutter, rng))
+    except SwiftTailorError:
         return None
-    return cuts.flare_hem(cutter, _change(rng, 2.5, 12.0) * (0.4 if cuts.is_gored(cutter) else 1.0))
+    return accepted(cutter, edited, gathers=way.gathers)
 
 
-def _flare_legs(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    ends = cutter.ends_of(Part.TROUSER, Border.LEG)
-    return cuts.flare_legs(cutter, _change(rng, 1.5, 6.0)) if ends else None
-
-
-def _flare_sleeves(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    ends = cutter.ends_of(Part.SLEEVE, Border.ARM)
-    return cuts.flare_sleeves(cutter, _change(rng, 2.0, 9.0)) if ends else None
-
-
-def _more_gathers(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    """Widens or narrows a skirt that hangs from a seam, or the lower rows of a tiered one."""
-    if cuts.skirt_gather(cutter) is None:
-        return None
-    factor = rng.uniform(1.2, 1.8) if rng.random() < 0.6 else rng.uniform(0.6, 0.85)
-    return cuts.gather_skirt(cutter, factor)
-
-
-def _remove(*parts: Part) -> Apply:
-    return lambda cutter, rng: cuts.remove_parts(cutter, *parts)
-
-
-def _remove_one_sleeve(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    return cuts.remove_sleeve(cutter, rng.choice(("left", "right")))
-
-
-def _band_style(rng: random.Random) -> tuple[float, float, float]:
-    """Height in cm, share of the length it is sewn to, and flare of a new cuff."""
-    height = rng.choice((4.0, 5.0, 6.0, 8.0, 12.0)) + rng.uniform(-0.5, 0.5)
-    if rng.random() < 0.35:
-        return height + 3.0, 1.0, rng.uniform(1.4, 2.2)
-    return height, rng.choice((1.0, 0.9, 0.75, 0.6, 0.5)), 1.0
-
-
-def _add_at_ends(upper: Part, lower: Part, border: Border) -> Apply:
-    def apply(cutter: Cutter, rng: random.Random) -> Pattern | None:
-        if not cutter.ends_of(upper, border) or cutter.anatomy.has(lower):
-            return None
-        return cuts.add_cuffs(cutter, *_band_style(rng), upper=upper)
-
-    return apply
-
-
-def _add_hem_band(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    if not cuts.can_add_hem_band(cutter):
-        return None
-    share = rng.choice((1.0, 0.95, 0.85, 0.75))
-    return cuts.add_hem_band(cutter, rng.uniform(3.0, 10.0), share)
-
-
-def _add_waistband(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    return cuts.add_waistband(cutter, rng.uniform(3.0, 9.0)) if cuts.free_waist(cutter) else None
-
-
-def _deepen_neckline(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    edges = cutter.neckline(rng.choice(("front", "front", "back")))
-    return deepen_neckline(cutter.pattern, edges, _change(rng, 3.0, 15.0)) if edges else None
-
-
-def _reshape_neckline(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    edges = cutter.neckline(rng.choice(("front", "front", "front", "back")))
-    shapes: tuple[NewShape, ...] = ("round", "v", "square")
-    return reshape_neckline(cutter.pattern, edges, rng.choice(shapes)) if edges else None
-
-
-def _side_slits(cutter: Cutter, rng: random.Random) -> Pattern | None:
-    hem = cutter.hem_of(*SKIRT_PARTS)
-    if not hem or len(cutter.names(Part.SKIRT)) > 3:
-        return None
-    height = rng.uniform(10.0, 45.0)
-    sides = rng.choice((("left",), ("right",), ("left", "right")))
-    pattern: Pattern | None = cutter.pattern
-    for side in sides:
-        edges = Cutter(pattern).hem if pattern is not cutter.pattern and pattern is not None else hem
-        pattern = open_side(pattern, edges, height, side) if pattern is not None else None
-    return pattern
-
-
-OPERATIONS: tuple[Operation, ...] = (
-    Operation("hem length", "lengthens or shortens a skirt, dress or top at its hem", _hem_length),
-    Operation("leg length", "lengthens or shortens the legs", _leg_length),
-    Operation("sleeve length", "lengthens or shortens the sleeves, cuffs moving along", _sleeve_length),
-    Operation("cuff length", "lengthens or shortens cuffs of sleeves or legs", _cuff_length),
-    Operation("band height", "widens or narrows the waistband or hem band", _band_height),
-    Operation("bodice length", "lengthens or shortens the bodice, all below it moving along", _bodice_length),
-    Operation("collar height", "widens or narrows a collar", _collar_height),
-    Operation("flare hem", "flares or narrows a skirt or top by turning its side seams", _flare_hem),
-    Operation("flare legs", "flares or narrows the legs", _flare_legs),
-    Operation("flare sleeves", "flares or narrows the sleeves", _flare_sleeves),
-    Operation("gather skirt", "widens or narrows a skirt, more or less of it gathered in", _more_gathers),
-    Operation("remove sleeves", "takes the sleeves off", _remove(Part.SLEEVE, Part.CUFF)),
-    Operation("remove one sleeve", "takes one sleeve off", _remove_one_sleeve),
-    Operation("remove cuffs", "takes the cuffs off the sleeves", _remove(Part.CUFF)),
-    Operation("remove leg cuffs", "takes the cuffs off the legs", _remove(Part.LEG_CUFF)),
-    Operation("remove hood", "takes the hood off", _remove(Part.HOOD)),
-    Operation("remove collar", "takes the collar off", _remove(Part.COLLAR)),
-    Operation(
-        "remove waistband", "takes a waistband or hem band off", lambda cutter, rng: cuts.remove_band(cutter)
-    ),
-    Operation(
-        "remove lower part",
-        "leaves the upper part of a dress or jumpsuit",
-        lambda cutter, rng: cuts.remove_lower(cutter),
-    ),
-    Operation(
-        "remove upper part",
-        "leaves the lower part of a dress or jumpsuit",
-        lambda cutter, rng: cuts.remove_upper(cutter),
-    ),
-    Operation(
-        "add cuffs", "sews cuffs or flounces to the sleeves", _add_at_ends(Part.SLEEVE, Part.CUFF, Border.ARM)
-    ),
-    Operation(
-        "add leg cuffs",
-        "sews cuffs or flounces to the legs",
-        _add_at_ends(Part.TROUSER, Part.LEG_CUFF, Border.LEG),
-    ),
-    Operation("add hem band", "sews a band to the hem of a top", _add_hem_band),
-    Operation("add waistband", "sews a waistband to a skirt or trousers", _add_waistband),
-    Operation("deepen neckline", "lowers or raises the neckline in front or behind", _deepen_neckline),
-    Operation("reshape neckline", "cuts the neckline round, square or to a V", _reshape_neckline),
-    Operation("side slits", "opens one or both side seams of a skirt", _side_slits),
-)
-"""All of them. Each edit is used in both directions, so that what is removed is also added."""
+def _amount(lever: Lever, cutter: Cutter, rng: random.Random) -> float:
+    """To a measure within the span of a lever: any for what is new, mostly near ones for what is there."""
+    now = lever.of(cutter.facts)
+    low, high = lever.span(cutter.facts)
+    if now is None:
+        return (low + lever.step * rng.randint(0, int((high - low) / lever.step))) / lever.rate
+    dimension = DIMENSIONS.get(lever.serves[0])
+    least = max(dimension.least, lever.step) if dimension else _LEAST_STEPS * lever.step
+    room = {sign: end - least for sign, end in ((1.0, high - now), (-1.0, now - low)) if end > least}
+    sign = rng.choice(list(room) or [1.0, -1.0])
+    change = least + room.get(sign, 0.0) * rng.random() ** _SHORTER
+    return sign * change / lever.rate

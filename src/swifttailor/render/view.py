@@ -197,7 +197,14 @@ def _light(
         facing = np.clip(normal[:, 2], 0, 1)
         lit[part] = shade(
             Samples(
-                normal, normal @ up_axis, facing, color, material[:, 6], material[:, 7], key[part], room[part]
+                normal=normal,
+                up=normal @ up_axis,
+                facing=facing,
+                color=color,
+                sheen=material[:, 6],
+                gloss=material[:, 7],
+                shadow=key[part],
+                open_sky=room[part],
             ),
             lighting,
         )

@@ -19,14 +19,13 @@ import numpy as np
 
 from swifttailor.data.array_cache import name_with_code
 from swifttailor.data.edits.edit_file import EditedVersion
-from swifttailor.data.edits.pairs import recut_variously
 from swifttailor.data.shard_file import write_durably
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.facts_file import facts_values
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.pattern_maker.tokens.encode import encode
-from swifttailor.recutting.random_cuts import Operation
+from swifttailor.recutting.random_cuts import Way, recut_variously
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.wording.instructions.writer import write_instruction
 
@@ -58,8 +57,10 @@ def task_name(patterns: tuple[EditedVersion, ...], recuts: int) -> str:
             data = pattern.path.read_bytes()
         digest.update(json.dumps([pattern.id, version.base]).encode() + b"\0" + data + b"\0")
     modules = [f"pattern_maker/tokens/{name}.py" for name in _TOKENS]
-    rooms = ("pattern", "body", "describing/measuring", "recutting/ways", "recutting/random_cuts.py")
-    rooms = (*rooms, "describing/facts.py", *modules, "training/maker_measure.py")
+    rooms = ("pattern", "body", "describing/measuring", "recutting/table", "recutting/ways")
+    cutting = ("recutting/amounts", "recutting/levers", "recutting/random_cuts.py")
+    facts = [f"describing/{name}.py" for name in ("dimensions", "facts", "facts_paths")]
+    rooms = (*rooms, *cutting, *facts, *modules, "training/maker_measure.py")
     code = name_with_code("maker", *rooms, without=_NO_PART)
     return f"{code}-{digest.hexdigest()[:20]}.safetensors"
 
@@ -109,16 +110,16 @@ def _versions(version: EditedVersion, recuts: int) -> Iterator[tuple[dict[str, A
 
 
 def _recuts(cutter: Cutter, id: str, count: int) -> Iterator[tuple[str, GarmentFacts, Pattern]]:
-    """Recut versions for which there are words, each by another operation."""
+    """Recut versions for which there are words, each about another topic."""
 
-    def version(operation: Operation, after: Cutter) -> tuple[str, GarmentFacts, Pattern] | None:
+    def version(way: Way, after: Cutter) -> tuple[str, GarmentFacts, Pattern] | None:
         if not can_be_asked(cutter.facts, after.facts):
             return None
         try:
             encode(after.pattern)
         except SwiftTailorError:
             return None  # grown beyond what tokens can say
-        return operation.name, after.facts, after.pattern
+        return way.label, after.facts, after.pattern
 
     rng = random.Random(f"recut {zlib.crc32(id.encode())}")
     return islice(recut_variously(cutter, rng, version), count)

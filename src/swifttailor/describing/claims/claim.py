@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 from swifttailor.describing.claims.hems import HEM_CLAIMS
 from swifttailor.describing.claims.judgement import CLAIMING, HOLDING, Predicate
 from swifttailor.describing.claims.lower import LOWER_CLAIMS
-from swifttailor.describing.claims.measures import MEASURE_CLAIMS, Measure
 from swifttailor.describing.claims.sleeves import SLEEVE_CLAIMS
 from swifttailor.describing.claims.upper import UPPER_CLAIMS
 from swifttailor.describing.claims.whole import WHOLE_CLAIMS
+from swifttailor.describing.dimensions import STATED, Dimension
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.errors import InputError
 
@@ -27,16 +27,20 @@ class ClaimType:
     """What it is about, for documentation."""
     words: Mapping[str, Predicate] = field(default_factory=dict)
     """Values that can be claimed and when they are true; several may be true at once."""
-    measure: Measure | None = None
-    """For a number: what it is compared with."""
+    measure: Dimension | None = None
+    """For a number: what it is the measure of."""
+    least: float = 0.0
+    """For a number: smaller ones are not claimed."""
 
 
 def _types() -> Iterator[ClaimType]:
     for group in (WHOLE_CLAIMS, HEM_CLAIMS, UPPER_CLAIMS, SLEEVE_CLAIMS, LOWER_CLAIMS):
         for name, (about, words) in group.items():
             yield ClaimType(name, about, words=words)
-    for name, measure in MEASURE_CLAIMS.items():
-        yield ClaimType(name, measure.about, measure=measure)
+    for name, dimension in STATED.items():
+        assert dimension.stated is not None
+        about = dimension.stated.about or dimension.about
+        yield ClaimType(name, about, measure=dimension, least=dimension.stated.least)
 
 
 CLAIM_TYPES: Mapping[str, ClaimType] = {t.name: t for t in _types()}
@@ -67,7 +71,7 @@ class Claim:
         """Whether the statement is true of a garment, borderline cases included."""
         kind = CLAIM_TYPES[self.name]
         if kind.measure is not None:
-            return kind.measure.holds(facts, float(self.value))
+            return kind.measure.is_stated_right(facts, float(self.value))
         return kind.words[str(self.value)](facts, HOLDING)
 
     def to_json(self) -> dict[str, Value]:
@@ -80,8 +84,8 @@ def claims_of(facts: GarmentFacts) -> tuple[Claim, ...]:
     made = []
     for kind in CLAIM_TYPES.values():
         if kind.measure is not None:
-            value = kind.measure.of(facts)
-            if value is not None and value >= kind.measure.least:
+            value = kind.measure.stated_measure(facts)
+            if value is not None and value >= kind.least:
                 made.append(Claim(kind.name, round(value, 1)))
         else:
             made += [Claim(kind.name, word) for word, test in kind.words.items() if test(facts, CLAIMING)]

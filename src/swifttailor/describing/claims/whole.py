@@ -5,7 +5,6 @@ from __future__ import annotations
 from swifttailor.describing.claims.judgement import Judgement, Predicate
 from swifttailor.describing.facts import GarmentFacts
 
-_CROTCH_TOLERANCE_CM = 3.5
 _KNEE_TOLERANCE_CM = 3.0
 
 

@@ -65,7 +65,15 @@ def measure_hem(anatomy: Anatomy, worn: Worn, hem: HemLine) -> HemFacts | None:
             for place in ("front", "back", "left", "right")
         )
     length = sum(map(anatomy.edge_length, hem.edges))
-    return HemFacts(mean, front, back, left, right, length, _dip(anatomy, worn, hem.edges))
+    return HemFacts(
+        level=mean,
+        front=front,
+        back=back,
+        left=left,
+        right=right,
+        length=length,
+        dip=_dip(anatomy, worn, hem.edges),
+    )
 
 
 def place_of(point: Floats) -> Place:

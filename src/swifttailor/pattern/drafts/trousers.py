@@ -120,16 +120,16 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
     step = STEP + near_thigh * ((back_thigh - front_thigh) / 2 - STEP)
     # Half of what the leg loses from thigh to knee goes at the inseam, a third at the side.
     return LegLines(
-        top_y,
-        figure.hip_y,
-        crotch_y,
-        knee_y,
-        hem_y,
-        taken.side,
-        (hem if knee_y is None else knee) / 2,
-        hem / 2,
-        0.18 * (thigh - (hem if knee_y is None else knee)),
-        step,
+        top_y=top_y,
+        hip_y=figure.hip_y,
+        crotch_y=crotch_y,
+        knee_y=knee_y,
+        hem_y=hem_y,
+        side_taken=taken.side,
+        knee_width=(hem if knee_y is None else knee) / 2,
+        hem_width=hem / 2,
+        side_shift=0.18 * (thigh - (hem if knee_y is None else knee)),
+        step=step,
     )
 
 

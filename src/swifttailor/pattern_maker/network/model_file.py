@@ -128,15 +128,15 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
         facts["what is usual for pictures"] = (len(calibration.space.mean), hidden)
     model.require(facts)
     return MakerModel(
-        OnnxRuntime(model.sessions),
-        text,
-        grammar,
-        network.longest_text,
-        network.image_size,
-        network.image_tokens,
-        card,
-        network.edits == "outlines",
-        calibration,
+        runtime=OnnxRuntime(model.sessions),
+        text=text,
+        grammar=grammar,
+        longest_text=network.longest_text,
+        image_size=network.image_size,
+        image_tokens=network.image_tokens,
+        card=card,
+        brief_edits=network.edits == "outlines",
+        calibration=calibration,
     )
 
 

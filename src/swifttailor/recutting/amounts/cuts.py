@@ -48,7 +48,7 @@ def lengthen_over_hips(cutter: Cutter, distance: float) -> Pattern | None:
     longer = lengthen_hem(cutter, distance) if cutter.hem_of(Part.TORSO) and distance > 0 else None
     if longer is None:
         return None
-    after = Cutter(longer, cutter.anatomy.body)
+    after = cutter.with_pattern(longer)
     hem = free_hem(after)
     missing = OVER_HIPS * after.anatomy.figure.hips.girth - sum(map(longer.edge_length, hem))
     if not hem or missing <= 0:
@@ -56,17 +56,11 @@ def lengthen_over_hips(cutter: Cutter, distance: float) -> Pattern | None:
     return swing_sides(longer, hem, missing / 4, steepest=0.4)
 
 
-def leg_ends(cutter: Cutter) -> tuple[tuple[EdgeRef, ...], tuple[str, ...]]:
-    """Lower edges of the legs, and the panels that hang from them."""
-    ends = cutter.ends_of(Part.TROUSER, Border.LEG)
-    if ends:
-        return ends, ()
-    return cutter.anatomy.seam(Part.TROUSER, Part.LEG_CUFF).own, tuple(cutter.names(Part.LEG_CUFF))
-
-
 def lengthen_legs(cutter: Cutter, distance: float) -> Pattern | None:
     """Moves the ends of both legs, cuffs along with them, cm."""
-    ends, cuffs = leg_ends(cutter)
+    free = cutter.ends_of(Part.TROUSER, Border.LEG)
+    ends = free or cutter.anatomy.seam(Part.TROUSER, Part.LEG_CUFF).own
+    cuffs = () if free else cutter.names(Part.LEG_CUFF)
     return move_ends(cutter.pattern, ends, distance, cuffs) if ends else None
 
 
@@ -136,12 +130,12 @@ def lengthen_with_band(cutter: Cutter, distance: float) -> Pattern | None:
     factor = needed / max(min(band.upper, band.lower), 1.0)
     if not 1.0 < factor <= MOST_LET_OUT:
         return None
-    after = Cutter(longer, cutter.anatomy.body)
-    wider = widen_panels(longer, after.names(Part.WAISTBAND), factor, bend_arcs=True)
+    after = cutter.with_pattern(longer)
+    wider = widen_panels(longer, after.names(Part.WAISTBAND), factor)
     short = needed - torso.lower_edge
     if wider is None or short <= 0.0:
         return wider
-    final = Cutter(wider, cutter.anatomy.body)
+    final = cutter.with_pattern(wider)
     seam = final.anatomy.seam(Part.TORSO, Part.WAISTBAND).own
     return swing_sides(wider, seam, short / 4, steepest=0.4) if seam else None
 
@@ -184,25 +178,25 @@ def skirt_gather(cutter: Cutter) -> float | None:
     return seam.gather
 
 
-def gather_skirt(cutter: Cutter, factor: float, *, bend_arcs: bool = False) -> Pattern | None:
+def gather_skirt(cutter: Cutter, factor: float) -> Pattern | None:
     """Makes a skirt that hangs from a seam wider by a factor, so that more of it is gathered in."""
     gather = skirt_gather(cutter)
     if gather is None or not 0.99 <= gather * factor <= 2.8:
         return None
     names = cutter.names(Part.SKIRT)
     rows = skirt_rows(cutter.anatomy)
-    whole = widen_panels(cutter.pattern, names, factor, bend_arcs=bend_arcs)
+    whole = widen_panels(cutter.pattern, names, factor)
     if whole is not None or max(rows.values(), default=0) == 0:
         return whole
     first = [n for n in names if rows.get(n) == 0]
-    edited = widen_panels(cutter.pattern, first, factor, bend_arcs=bend_arcs, keep_lower=True)
+    edited = widen_panels(cutter.pattern, first, factor, keep_lower=True)
     return edited if edited is not None and _tiers_fit(cutter, edited) else None
 
 
 def _tiers_fit(cutter: Cutter, edited: Pattern) -> bool:
     """Whether the rows of a skirt are sewn to each other as before."""
     names = set(cutter.names(Part.SKIRT))
-    now = Cutter(edited, cutter.anatomy.body).seam_ratios
+    now = cutter.with_pattern(edited).seam_ratios
     return all(
         abs(now[pair] / ratio - 1.0) <= SEAM_TOLERANCE
         for pair, ratio in cutter.seam_ratios.items()
@@ -283,32 +277,22 @@ def add_cuffs(
     return add_band(cutter.pattern, plans, height, share=share, flare=flare)
 
 
-def can_add_hem_band(cutter: Cutter) -> bool:
-    """Whether it is a top that ends without a band."""
-    return bool(cutter.hem_of(Part.TORSO)) and not cutter.anatomy.has(Part.WAISTBAND)
-
-
 def add_hem_band(cutter: Cutter, height: float, share: float = 1.0) -> Pattern | None:
     """Sews a band to the hem of a top; `share` is its length over that of the hem."""
-    if not can_add_hem_band(cutter):
-        return None
     hem = cutter.hem_of(Part.TORSO)
+    if not hem or cutter.anatomy.has(Part.WAISTBAND):
+        return None
     length = sum(map(cutter.pattern.edge_length, hem))
     share = max(share, min(1.0, cutter.anatomy.body.waist / length))
     return add_band(cutter.pattern, _front_and_back(cutter, hem), height, share=share)
 
 
-def free_waist(cutter: Cutter) -> tuple[EdgeRef, ...]:
-    """Upper edges of a skirt or trousers without a waistband."""
-    anatomy = cutter.anatomy
-    if anatomy.has(Part.TORSO) or anatomy.has(Part.WAISTBAND):
-        return ()
-    return upper_edges(anatomy, Part.TROUSER if anatomy.has(Part.TROUSER) else Part.SKIRT)[0]
-
-
 def add_waistband(cutter: Cutter, height: float) -> Pattern | None:
     """Sews a waistband to a skirt or trousers."""
-    top = free_waist(cutter)
+    anatomy = cutter.anatomy
+    if anatomy.has(Part.TORSO) or anatomy.has(Part.WAISTBAND):
+        return None
+    top = upper_edges(anatomy, Part.TROUSER if anatomy.has(Part.TROUSER) else Part.SKIRT)[0]
     if not top:
         return None
     return add_band(cutter.pattern, _front_and_back(cutter, top), height, label=WAIST_LABEL)

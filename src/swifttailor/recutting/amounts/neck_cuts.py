@@ -37,7 +37,7 @@ def bare_neck(cutter: Cutter) -> Cutter | None:
     if not names:
         return cutter
     bare = remove_panels(cutter.pattern, names)
-    return None if bare is None else Cutter(bare, cutter.anatomy.body)
+    return None if bare is None else cutter.with_pattern(bare)
 
 
 def recut_under(cutter: Cutter, recut: Callable[[Cutter], Pattern | None]) -> Pattern | None:
@@ -47,7 +47,7 @@ def recut_under(cutter: Cutter, recut: Callable[[Cutter], Pattern | None]) -> Pa
     edited = None if bare is None else recut(bare)
     if edited is None or (collar is None and hood is None):
         return edited
-    after = Cutter(edited, cutter.anatomy.body)
+    after = cutter.with_pattern(edited)
     if collar is not None:
         return sew_collar(after, collar.kind, collar.height) if hood is None else None
     if hood is None:

@@ -29,7 +29,13 @@ _FACES: tuple[Face, Face] = ("front", "back")
 _BELOW_CM = 2.0
 """From what holds a new part down to it, as placed."""
 _HIP_EASE_CM = 5.0
-_BODICE = FittedBodice(Neckline("round", 2.0, 11.0, 3.0), 4.0, 3.0, 2.0, -1.0)
+_BODICE = FittedBodice(
+    neckline=Neckline("round", 2.0, 11.0, 3.0),
+    bust_ease=4.0,
+    waist_ease=3.0,
+    armhole_drop=2.0,
+    shoulder_extension=-1.0,
+)
 
 
 @dataclass(frozen=True)
@@ -82,7 +88,7 @@ def exchange_lower(cutter: Cutter, new: FlaredCut | StraightCut | LegsCut) -> Pa
     laid = lay_pattern(bench, drafted)
     if laid is None:
         return None
-    own = Cutter(drafted, cutter.anatomy.body)
+    own = cutter.with_pattern(drafted)
     for face, refs in _tops(own).items():
         sides = [laid[r] for r in refs]
         if not cutter.anatomy.has(Part.WAISTBAND):
@@ -128,7 +134,7 @@ def sew_bodice(cutter: Cutter) -> Pattern | None:
     sew_centres(table)
     bodice = table.finish()
     bench = Workbench(cutter.pattern)
-    own = Cutter(bodice, cutter.anatomy.body)
+    own = cutter.with_pattern(bodice)
     hem = own.anatomy.hem
     laid = lay_pattern(bench, bodice)
     if laid is None or hem is None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from swifttailor.describing.facts import Armhole, ArmholeShape, GarmentFacts, Neckline
+from swifttailor.describing.dimensions import DIMENSIONS
+from swifttailor.describing.facts import Armhole, GarmentFacts, Neckline
+from swifttailor.describing.facts_paths import mean
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.amounts import sleeve_cuts
 from swifttailor.recutting.levers.lever import Lever, Trick, fixed
@@ -26,27 +28,18 @@ def _sleeveless(facts: GarmentFacts) -> bool:
 
 
 def _depth(facts: GarmentFacts) -> float | None:
-    torso = facts.torso
-    holes = [h for h in (torso.left_armhole, torso.right_armhole) if h] if torso else []
-    return sum(h.depth for h in holes) / len(holes) if holes and _sleeveless(facts) else None
+    return DIMENSIONS["armholes"].of(facts) if _sleeveless(facts) else None
 
 
 def _set_depth(facts: GarmentFacts, depth: float) -> GarmentFacts:
-    by, torso = depth - (_depth(facts) or 0.0), facts.torso
-    if torso is None:
-        return facts
-
-    def deeper(hole: Armhole | None) -> Armhole | None:
-        return hole and replace(hole, depth=hole.depth + by)
-
-    left, right = deeper(torso.left_armhole), deeper(torso.right_armhole)
-    return replace(facts, torso=replace(torso, left_armhole=left, right_armhole=right))
+    by = depth - (_depth(facts) or 0.0)
+    return _with_holes(facts, lambda hole: replace(hole, depth=hole.depth + by)) or facts
 
 
 def _shoulder(facts: GarmentFacts) -> float | None:
     torso = facts.torso
     seams = [s for s in (torso.left_shoulder, torso.right_shoulder) if s is not None] if torso else []
-    return sum(seams) / len(seams) if seams and _sleeveless(facts) else None
+    return mean(seams) if _sleeveless(facts) else None
 
 
 def _set_shoulder(facts: GarmentFacts, length: float) -> GarmentFacts:
@@ -64,23 +57,25 @@ def _shoulder_span(facts: GarmentFacts) -> tuple[float, float]:
 
 ARMHOLE_LEVERS: tuple[Lever, ...] = (
     Lever(
-        "armholes",
-        4,
-        _depth,
-        _set_depth,
-        sleeve_cuts.deepen_armholes,
-        fixed(12.0, 38.0),
+        name="armholes",
+        serves=("armholes",),
+        stage=4,
+        of=_depth,
+        imagine=_set_depth,
+        cut=sleeve_cuts.deepen_armholes,
+        span=fixed(12.0, 38.0),
         step=0.5,
         words=("deeper", "shallower"),
         only_for=("armholes",),
     ),
     Lever(
-        "shoulder seams at the armholes",
-        4,
-        _shoulder,
-        _set_shoulder,
-        sleeve_cuts.widen_shoulders,
-        _shoulder_span,
+        name="shoulder seams at the armholes",
+        serves=("shoulders",),
+        stage=4,
+        of=_shoulder,
+        imagine=_set_shoulder,
+        cut=sleeve_cuts.widen_shoulders,
+        span=_shoulder_span,
         step=0.5,
         only_for=("shoulders", "straps"),
     ),
@@ -97,15 +92,14 @@ def _with_holes(facts: GarmentFacts, change: Callable[[Armhole], Armhole]) -> Ga
 
 def _cut_to(shape: HoleShape) -> Trick:
     def imagine(facts: GarmentFacts) -> GarmentFacts | None:
-        seen: ArmholeShape = shape
-        return _with_holes(facts, lambda hole: replace(hole, shape=seen)) if _sleeveless(facts) else None
+        return _with_holes(facts, lambda hole: replace(hole, shape=shape)) if _sleeveless(facts) else None
 
     def cut(cutter: Cutter) -> Pattern | None:
         holes = sleeve_cuts.free_armholes(cutter)
         return reshape_armholes(cutter.pattern, holes, shape) if holes else None
 
     name = "armholes cut " + {"round": "round", "square": "square", "angled": "at an angle"}[shape]
-    return Trick(name, 4, imagine, cut, only_for=("armholes",))
+    return Trick(name=name, stage=4, imagine=imagine, cut=cut, only_for=("armholes",))
 
 
 def _bared(sides: tuple[ArmSide, ...]) -> Trick:
@@ -138,7 +132,7 @@ def _bared(sides: tuple[ArmSide, ...]) -> Trick:
         return bare_shoulders(cutter.pattern, cutter.anatomy, sides, other_bare=other_bare)
 
     name = "shoulders bared" if len(sides) == 2 else f"{sides[0]} shoulder bared"
-    return Trick(name, 4, imagine, cut, only_for=("shoulders",))
+    return Trick(name=name, stage=4, imagine=imagine, cut=cut, only_for=("shoulders",))
 
 
 ARMHOLE_TRICKS: tuple[Trick, ...] = (

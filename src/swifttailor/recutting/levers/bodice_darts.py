@@ -64,7 +64,7 @@ def _cut(cutter: Cutter) -> Pattern | None:
         # Let out at the side seams first, so that the lower edge stays as long when the darts are sewn.
         seam = cutter.anatomy.seam(Part.TORSO, {Part.WAISTBAND} | LOWER_PARTS).own
         wider = swing_sides(cutter.pattern, seam, missing, steepest=_STEEPEST) if seam else None
-        now = None if wider is None else Cutter(wider, cutter.anatomy.body)
+        now = None if wider is None else cutter.with_pattern(wider)
     if now is None:
         return None
     edges = now.anatomy.seam(Part.TORSO, {Part.WAISTBAND} | LOWER_PARTS).own
@@ -74,5 +74,12 @@ def _cut(cutter: Cutter) -> Pattern | None:
 
 
 BODICE_DART_TRICKS: tuple[Trick, ...] = (
-    Trick("waist darts put into the bodice", 3, _imagine, _cut, only_for=("bodice: darted",), gathers=True),
+    Trick(
+        name="waist darts put into the bodice",
+        stage=3,
+        imagine=_imagine,
+        cut=_cut,
+        only_for=("bodice: darted",),
+        gathers=True,
+    ),
 )

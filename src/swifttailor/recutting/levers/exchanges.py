@@ -6,11 +6,12 @@ import math
 from dataclasses import replace
 
 from swifttailor.describing.facts import Band, GarmentFacts, HemFacts, Skirt, Torso, Trousers
+from swifttailor.describing.facts_paths import Imagine
 from swifttailor.describing.measuring.skirts import CURVED_CIRCLE
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.amounts import part_swaps
 from swifttailor.recutting.amounts.part_swaps import FlaredCut, LegsCut, StraightCut
-from swifttailor.recutting.levers.lever import Lever, Trick, fixed, kind_of, with_hem
+from swifttailor.recutting.levers.lever import WIDER, Lever, Trick, fixed, kind_of, of_dimension, with_hem
 from swifttailor.recutting.levers.slits import recut_closed
 from swifttailor.recutting.table.cutter import Cutter
 
@@ -22,8 +23,6 @@ _HIPS_BELOW_CM = 5.0
 """A skirt that begins less far above the hips is as wide there as above."""
 _FLAT_CM = 4.0
 """A hem whose front and back, or left and right, differ by more is bent on purpose."""
-
-_UPPER_KINDS = ("kind",)
 
 
 def _top_of_lower(facts: GarmentFacts) -> float | None:
@@ -39,8 +38,8 @@ def _top_of_lower(facts: GarmentFacts) -> float | None:
     return facts.torso.lower_level if facts.torso else None
 
 
-def _level_hem(facts: GarmentFacts, level: float, length: float) -> HemFacts:
-    return HemFacts(level, level, level, level, level, length, 0.0)
+def _level_hem(level: float, length: float) -> HemFacts:
+    return HemFacts(level=level, front=level, back=level, left=level, right=level, length=length, dip=0.0)
 
 
 def _new_skirt(facts: GarmentFacts, length: float, hem: float, *, straight: bool) -> GarmentFacts | None:
@@ -54,26 +53,26 @@ def _new_skirt(facts: GarmentFacts, length: float, hem: float, *, straight: bool
     drop = max(top - facts.body.hips, 0.0)
     hips = facts.body.hip_girth + 5.0 if straight else upper + min(drop / length, 1.0) * (hem - upper)
     skirt = Skirt(
-        length,
-        upper,
-        1.0,
-        hips,
-        hem,
-        circle,
-        2,
-        1,
-        1.0,
-        length,
-        hem,
-        0,
-        0.0,
-        0.0,
-        4 if straight else 0,
-        facts.skirt.slits if facts.skirt else (),
+        length=length,
+        upper=upper,
+        gather=1.0,
+        hips=hips,
+        hem=hem,
+        circle=circle,
+        gores=2,
+        tiers=1,
+        tier_gather=1.0,
+        base_length=length,
+        base_hem=hem,
+        godets=0,
+        godet_width=0.0,
+        godet_height=0.0,
+        darts=4 if straight else 0,
+        slits=facts.skirt.slits if facts.skirt else (),
     )
     level = top - length
     kind = "dress" if facts.torso else "skirt"
-    facts = replace(facts, trousers=None, skirt=skirt, kind=kind, hem=_level_hem(facts, level, hem))
+    facts = replace(facts, trousers=None, skirt=skirt, kind=kind, hem=_level_hem(level, hem))
     facts = replace(facts, length=facts.top_level - level)
     return replace(facts, kind=kind_of(facts, level))
 
@@ -98,10 +97,13 @@ def _curved_hem(facts: GarmentFacts) -> float | None:
     return skirt.hem if skirt and skirt.circle > CURVED_CIRCLE and skirt.gather < _GATHERED else None
 
 
-def _flared(facts: GarmentFacts, hem: float) -> GarmentFacts:
-    skirt = _flat_skirt(facts)
-    new = _new_skirt(facts, skirt.length, hem, straight=False) if skirt else None
-    return new or facts
+def _anew(*, straight: bool) -> Imagine:
+    def imagine(facts: GarmentFacts, hem: float) -> GarmentFacts:
+        skirt = _flat_skirt(facts)
+        new = _new_skirt(facts, skirt.length, hem, straight=straight) if skirt else None
+        return new or facts
+
+    return imagine
 
 
 def _least_fraction(facts: GarmentFacts) -> float:
@@ -129,15 +131,7 @@ def _cut_flared(cutter: Cutter, amount: float) -> Pattern | None:
     fraction = (skirt.hem + amount - skirt.upper) / (2 * math.pi * skirt.length)
     if not 0.9 * _least_fraction(cutter.facts) <= fraction <= 1.05 * _MOST_FRACTION:
         return None
-    return recut_closed(
-        cutter, lambda shut: part_swaps.exchange_lower(shut, FlaredCut(fraction, skirt.length)), first=False
-    )
-
-
-def _straight(facts: GarmentFacts, hem: float) -> GarmentFacts:
-    skirt = _flat_skirt(facts)
-    new = _new_skirt(facts, skirt.length, hem, straight=True) if skirt else None
-    return new or facts
+    return _exchange_closed(cutter, FlaredCut(fraction, skirt.length))
 
 
 def _straight_span(facts: GarmentFacts) -> tuple[float, float]:
@@ -155,10 +149,12 @@ def _cut_straight(cutter: Cutter, amount: float) -> Pattern | None:
     below = body.hips - hem.level
     if below < 10.0 or abs(spread) > 0.5 * below:
         return None
-    flare = math.degrees(math.asin(spread / below))
-    return recut_closed(
-        cutter, lambda shut: part_swaps.exchange_lower(shut, StraightCut(skirt.length, flare)), first=False
-    )
+    return _exchange_closed(cutter, StraightCut(skirt.length, math.degrees(math.asin(spread / below))))
+
+
+def _exchange_closed(cutter: Cutter, cut: FlaredCut | StraightCut) -> Pattern | None:
+    """With slits closed, which are opened again."""
+    return recut_closed(cutter, lambda shut: part_swaps.exchange_lower(shut, cut), first=False)
 
 
 def _for_skirt(straight: bool) -> Trick:
@@ -182,7 +178,9 @@ def _for_skirt(straight: bool) -> Trick:
         return part_swaps.exchange_lower(cutter, StraightCut(own, 0.0) if straight else FlaredCut(0.5, own))
 
     shape = "straight" if straight else "flared"
-    return Trick(f"trousers exchanged for a {shape} skirt", 0, imagine, cut, only_for=_UPPER_KINDS)
+    return Trick(
+        name=f"trousers exchanged for a {shape} skirt", stage=0, imagine=imagine, cut=cut, only_for=("kind",)
+    )
 
 
 def _for_trousers(short: bool) -> Trick:
@@ -198,10 +196,18 @@ def _for_trousers(short: bool) -> Trick:
         body, level = facts.body, ends(facts)
         hem = body.thigh_girth + 10.0 if short else 0.6 * body.thigh_girth + 12.0
         legs = Trousers(
-            body.crotch - level, body.thigh_girth + 6.0, hem, hem, 1.0, 1.0, body.hip_girth + 5.0, None, 4
+            inseam=body.crotch - level,
+            thigh=body.thigh_girth + 6.0,
+            hem=hem,
+            opening=hem,
+            end_gather=1.0,
+            gather=1.0,
+            hips=body.hip_girth + 5.0,
+            cuff=None,
+            darts=4,
         )
         kind = "jumpsuit" if facts.torso else "trousers"
-        facts = replace(facts, skirt=None, trousers=legs, kind=kind, hem=_level_hem(facts, level, 2 * hem))
+        facts = replace(facts, skirt=None, trousers=legs, kind=kind, hem=_level_hem(level, 2 * hem))
         return replace(facts, length=facts.top_level - level)
 
     def cut(cutter: Cutter) -> Pattern | None:
@@ -211,7 +217,7 @@ def _for_trousers(short: bool) -> Trick:
         return part_swaps.exchange_lower(cutter, LegsCut(top - ends(cutter.facts), 4.0))
 
     name = "skirt exchanged for shorts" if short else "skirt exchanged for trousers"
-    return Trick(name, 0, imagine, cut, only_for=_UPPER_KINDS)
+    return Trick(name=name, stage=0, imagine=imagine, cut=cut, only_for=("kind",))
 
 
 def _with_bodice(facts: GarmentFacts) -> GarmentFacts | None:
@@ -220,7 +226,18 @@ def _with_bodice(facts: GarmentFacts) -> GarmentFacts | None:
     body = facts.body
     bust = body.waist_girth + 20.0
     torso = Torso(
-        8.0, 8.0, bust, 4.0, body.waist_girth, body.waist_girth, body.waist, 1.0, 6, 0.0, None, None
+        left_shoulder=8.0,
+        right_shoulder=8.0,
+        chest=bust,
+        chest_ease=4.0,
+        waist=body.waist_girth,
+        lower_edge=body.waist_girth,
+        lower_level=body.waist,
+        gather=1.0,
+        darts=6,
+        blouson=0.0,
+        left_armhole=None,
+        right_armhole=None,
     )
     kind = "jumpsuit" if facts.trousers else "dress"
     top = body.neck
@@ -246,42 +263,39 @@ def _band_in(facts: GarmentFacts, height: float) -> GarmentFacts:
     return replace(with_hem(facts, height), waistband=Band(height, width, width, False, torso.lower_level))
 
 
-_SKIRT_WISHES = ("skirt", "skirt hem", "hem_cm", "hips")
 _ANEW = Lever(
-    "skirt cut anew from a circle, its hem",
-    4,
-    _hem,
-    _flared,
-    _cut_flared,
-    _flared_span,
+    name="skirt cut anew from a circle, its hem",
+    serves=("skirt hem",),
+    stage=4,
+    of=_hem,
+    imagine=_anew(straight=False),
+    cut=_cut_flared,
+    span=_flared_span,
     step=5.0,
-    words=("wider", "narrower"),
-    only_for=_SKIRT_WISHES,
+    words=WIDER,
+    only_for=("skirt", "skirt hem", "hem_cm", "hips"),
 )
 CURVED_LEVERS: tuple[Lever, ...] = (replace(_ANEW, of=_curved_hem),)
 """Before seams are turned or cloth is gathered in, which bends the hem of what is cut from a circle."""
 EXCHANGE_LEVERS: tuple[Lever, ...] = (
     _ANEW,
-    Lever(
-        "skirt cut anew with darts, its hem",
-        4,
-        _hem,
-        _straight,
-        _cut_straight,
-        _straight_span,
+    replace(
+        _ANEW,
+        name="skirt cut anew with darts, its hem",
+        imagine=_anew(straight=True),
+        cut=_cut_straight,
+        span=_straight_span,
         step=2.0,
-        words=("wider", "narrower"),
-        only_for=_SKIRT_WISHES,
     ),
     Lever(
-        "waistband set in",
-        0,
-        lambda f: f.waistband.height if f.waistband else None,
-        _band_in,
-        part_swaps.put_band_in,
-        fixed(3.0, 12.0),
+        name="waistband set in",
+        serves=("waistband height",),
+        stage=0,
+        of=of_dimension("waistband height"),
+        imagine=_band_in,
+        cut=part_swaps.put_band_in,
+        span=fixed(3.0, 12.0),
         step=0.5,
-        makes=True,
         moves=False,
         natural=5.0,
         only_for=("waistband", "waistband_cm"),
@@ -294,8 +308,20 @@ EXCHANGE_TRICKS: tuple[Trick, ...] = (
     _for_skirt(straight=False),
     _for_trousers(short=False),
     _for_trousers(short=True),
-    Trick("bodice sewn on", 0, _with_bodice, part_swaps.sew_bodice, only_for=_UPPER_KINDS, gathers=True),
     Trick(
-        "waistband taken out", 0, _band_out, part_swaps.take_band_out, only_for=("waistband",), gathers=True
+        name="bodice sewn on",
+        stage=0,
+        imagine=_with_bodice,
+        cut=part_swaps.sew_bodice,
+        only_for=("kind",),
+        gathers=True,
+    ),
+    Trick(
+        name="waistband taken out",
+        stage=0,
+        imagine=_band_out,
+        cut=part_swaps.take_band_out,
+        only_for=("waistband",),
+        gathers=True,
     ),
 )

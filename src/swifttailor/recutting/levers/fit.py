@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy as np
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring.parts import ARM_PARTS, LEG_PARTS, LOWER_PARTS, Part
 from swifttailor.pattern import Pattern
-from swifttailor.recutting.levers.lever import Lever, fixed
+from swifttailor.recutting.levers.lever import MORE_GATHERED, WIDER, Lever, fixed, of_dimension
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.ends import swing_sides
 from swifttailor.recutting.ways.grading import Spread, spread_panels
@@ -22,10 +23,6 @@ _LEAST_GATHER, _MOST_GATHER = 0.99, 1.9
 _STEEPEST_SIDE = 0.6
 _STRAPLESS = (0.35, 0.85)
 """Where a panel without shoulder is spread, parts of its reach from the middle."""
-
-
-def _chest(facts: GarmentFacts) -> float | None:
-    return facts.torso.chest if facts.torso else None
 
 
 def _set_chest(facts: GarmentFacts, chest: float) -> GarmentFacts:
@@ -60,17 +57,23 @@ def _span(facts: GarmentFacts) -> tuple[float, float]:
 
 
 def _cut(cutter: Cutter, amount: float) -> Pattern | None:
+    """What hangs from the bodice gets wider with it."""
     anatomy = cutter.anatomy
     if any(anatomy.has(p) for p in LEG_PARTS):
         return None
-    distance = amount / _PANELS
-    spreads = {p.name: _spread(cutter, p.name, distance) for p in anatomy.panels(Part.TORSO)}
-    below = cutter.names(Part.WAISTBAND, Part.SKIRT, Part.GODET)
     length = anatomy.seam(Part.TORSO, {Part.WAISTBAND, Part.SKIRT}).length
     factor = (length + amount) / length if length > 1.0 else 1.0
-    return spread_panels(
-        cutter.pattern, spreads, distance, beside=cutter.names(*ARM_PARTS), below=below, factor=factor
-    )
+    return _cut_wider(cutter, amount, cutter.names(Part.WAISTBAND, Part.SKIRT, Part.GODET), factor)
+
+
+def _cut_wider(
+    cutter: Cutter, amount: float, below: Sequence[str] = (), factor: float = 1.0
+) -> Pattern | None:
+    """Spreads the bodice, and what is below by a factor."""
+    distance = amount / _PANELS
+    spreads = {p.name: _spread(cutter, p.name, distance) for p in cutter.anatomy.panels(Part.TORSO)}
+    beside = cutter.names(*ARM_PARTS)
+    return spread_panels(cutter.pattern, spreads, distance, beside=beside, below=below, factor=factor)
 
 
 def _spread(cutter: Cutter, name: str, distance: float) -> Spread:
@@ -114,14 +117,6 @@ def _gathered_span(facts: GarmentFacts) -> tuple[float, float]:
     return max(0.95 * bust, least), min(1.6 * bust, most)
 
 
-def _cut_gathered(cutter: Cutter, amount: float) -> Pattern | None:
-    distance = amount / _PANELS
-    spreads = {p.name: _spread(cutter, p.name, distance) for p in cutter.anatomy.panels(Part.TORSO)}
-    return spread_panels(
-        cutter.pattern, spreads, distance, beside=cutter.names(*ARM_PARTS), below=(), factor=1.0
-    )
-
-
 def _set_gather(facts: GarmentFacts, gather: float) -> GarmentFacts:
     torso = facts.torso
     if torso is None:
@@ -139,29 +134,38 @@ def _cut_lower_edge(cutter: Cutter, amount: float) -> Pattern | None:
     return swing_sides(cutter.pattern, seam, amount * held / _PANELS, steepest=_STEEPEST_SIDE)
 
 
+_CHEST = Lever(
+    name="chest",
+    serves=("chest", "waistband width"),
+    stage=1,
+    of=of_dimension("chest"),
+    imagine=_set_chest,
+    cut=_cut,
+    span=_span,
+    words=WIDER,
+)
 FIT_LEVERS: tuple[Lever, ...] = (
     Lever(
-        "bodice, its lower edge",
-        2,
-        lambda f: f.torso.gather if _holding(f) is not None and f.torso else None,
-        _set_gather,
-        _cut_lower_edge,
-        fixed(1.0, 2.4),
+        name="bodice, its lower edge",
+        serves=("bodice gathers",),
+        stage=2,
+        of=lambda f: f.torso.gather if _holding(f) is not None and f.torso else None,
+        imagine=_set_gather,
+        cut=_cut_lower_edge,
+        span=fixed(1.0, 2.4),
         step=0.03,
-        words=("times more gathered", "times less gathered"),
+        words=MORE_GATHERED,
         unit="",
         only_for=("bodice gathers", "bodice: gathered", "bodice"),
         gathers=True,
     ),
-    Lever("chest", 1, _chest, _set_chest, _cut, _span, words=("wider", "narrower")),
-    Lever(
-        "chest, gathered into what holds it,",
-        1,
-        _chest,
-        _set_gathered_chest,
-        _cut_gathered,
-        _gathered_span,
-        words=("wider", "narrower"),
+    _CHEST,
+    replace(
+        _CHEST,
+        name="chest, gathered into what holds it,",
+        imagine=_set_gathered_chest,
+        cut=_cut_wider,
+        span=_gathered_span,
         only_for=("chest", "chest_cm", "fit"),
         gathers=True,
     ),

@@ -8,7 +8,7 @@ from dataclasses import replace
 from swifttailor.describing.facts import GarmentFacts, Skirt
 from swifttailor.describing.measuring.parts import SKIRT_PARTS, Part
 from swifttailor.pattern import Pattern
-from swifttailor.recutting.levers.lever import Lever, Trick, fixed
+from swifttailor.recutting.levers.lever import Lever, Trick, fixed, of_dimension
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.godets import add_godets, remove_godets
 
@@ -50,7 +50,7 @@ def without_godets(cutter: Cutter) -> Cutter | None:
     if not names:
         return cutter
     plain = remove_godets(cutter.pattern, names)
-    return None if plain is None else Cutter(plain, cutter.anatomy.body)
+    return None if plain is None else cutter.with_pattern(plain)
 
 
 def _cut(cutter: Cutter, count: float, width: float, height: float) -> Pattern | None:
@@ -83,12 +83,13 @@ def _size_lever(name: str, of: Callable[[Skirt], float], low: float, high: float
 
     counts = name == "godets"
     return Lever(
-        name if counts else f"godets, their {name},",
-        5,
-        measure,
-        imagine,
-        cut,
-        fixed(low, high),
+        name=name if counts else f"godets, their {name},",
+        serves=("godets",) if counts else (f"godet {name}",),
+        stage=5,
+        of=measure,
+        imagine=imagine,
+        cut=cut,
+        span=fixed(low, high),
         step=step,
         words=("more", "fewer") if counts else ("more", "less"),
         unit="" if counts else " cm",
@@ -126,15 +127,15 @@ GODET_LEVERS: tuple[Lever, ...] = (
     _size_lever("width", lambda s: s.godet_width, 8.0, 60.0, 1.0),
     _size_lever("height", lambda s: s.godet_height, 10.0, 70.0, 1.0),
     Lever(
-        "godets let in",
-        5,
-        lambda f: float(f.skirt.godets) if f.skirt and f.skirt.godets else None,
-        _let_in,
-        lambda cutter, amount: _cut(cutter, amount, _WIDTH_CM, _natural_height(cutter.facts)),
-        fixed(2.0, 12.0),
+        name="godets let in",
+        serves=("godets", "base width"),
+        stage=5,
+        of=of_dimension("godets"),
+        imagine=_let_in,
+        cut=lambda cutter, amount: _cut(cutter, amount, _WIDTH_CM, _natural_height(cutter.facts)),
+        span=fixed(2.0, 12.0),
         step=2.0,
         unit="",
-        makes=True,
         moves=False,
         natural=6.0,
         only_for=("skirt: godets", "godets", "godet_cm"),
@@ -142,10 +143,10 @@ GODET_LEVERS: tuple[Lever, ...] = (
 )
 GODET_TRICKS: tuple[Trick, ...] = (
     Trick(
-        "godets taken out",
-        1,
-        _none,
-        _take_out,
+        name="godets taken out",
+        stage=1,
+        imagine=_none,
+        cut=_take_out,
         only_for=("skirt",),
         opens=("skirt", "slit", "length", "length_cm", "skirt_hem", "hem_shape"),
     ),

@@ -4,25 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Literal
 
-from swifttailor.describing.facts import GarmentFacts
+from swifttailor.describing.facts import GarmentFacts, Place
 from swifttailor.pattern import EdgeRef, Pattern
 from swifttailor.recutting.amounts import cuts
 from swifttailor.recutting.levers.lever import Lever, fixed
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.hem_line import bend_hem, slant_hem
 
-Place = Literal["front", "back", "left", "right"]
-
 
 def _tilt(
     name: str,
+    serves: tuple[str, ...],
+    *,
     high: Place,
     low: Place,
     recut: Callable[[Pattern, tuple[EdgeRef, ...], float], Pattern | None],
     words: tuple[str, str],
-    only_for: tuple[str, ...],
 ) -> Lever:
     """Moves a hem up in one place by as much as it moves down in the opposite one."""
 
@@ -43,24 +41,34 @@ def _tilt(
         hem = cuts.free_hem(cutter)
         return recut(cutter.pattern, hem, amount / 2) if hem else None
 
-    return Lever(name, 6, of, imagine, cut, fixed(-45.0, 45.0), words=words, only_for=only_for)
+    return Lever(
+        name=name,
+        serves=serves,
+        stage=6,
+        of=of,
+        imagine=imagine,
+        cut=cut,
+        span=fixed(-45.0, 45.0),
+        words=words,
+        only_for=serves,
+    )
 
 
 HEM_SHAPE_LEVERS: tuple[Lever, ...] = (
     _tilt(
         "hem bent, its front",
-        "front",
-        "back",
-        lambda pattern, hem, by: bend_hem(pattern, hem, {"front": -by, "back": by}),
-        ("higher against its back", "lower against its back"),
-        ("hem_shape", "dip"),
+        ("dip", "hem_shape"),
+        high="front",
+        low="back",
+        recut=lambda pattern, hem, by: bend_hem(pattern, hem, {"front": -by, "back": by}),
+        words=("higher against its back", "lower against its back"),
     ),
     _tilt(
         "hem slanted, its left side",
-        "right",
-        "left",
-        slant_hem,
-        ("lower against its right", "higher against its right"),
         ("hem_shape",),
+        high="right",
+        low="left",
+        recut=slant_hem,
+        words=("lower against its right", "higher against its right"),
     ),
 )

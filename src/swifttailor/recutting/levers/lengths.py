@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Literal
 
 from swifttailor.describing.facts import Cuff, GarmentFacts, Sleeve
-from swifttailor.describing.measuring.parts import Part, Side
+from swifttailor.describing.facts_paths import (
+    imagine_at,
+    mean_of_sleeves,
+    shift_sleeves,
+    with_sleeves,
+)
+from swifttailor.describing.measuring.parts import Part
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.amounts import cuts
-from swifttailor.recutting.levers.lever import LOWEST_CM, Lever, fixed, with_hem
+from swifttailor.recutting.levers.lever import LOWEST_CM, Lever, fixed, of_dimension, of_sides, with_hem
 from swifttailor.recutting.levers.tiers import lengthen_tiered
 from swifttailor.recutting.table.cutter import Cutter
 
 _SEEN_BLOUSON_CM = 1.0
+_HIGHER = ("higher", "lower")
 ArmSide = Literal["left", "right"]
 
 
@@ -28,14 +35,6 @@ def hem_falls(facts: GarmentFacts, fall: float) -> GarmentFacts:
     if facts.torso is not None:
         return replace(facts, torso=replace(facts.torso, lower_level=facts.torso.lower_level - fall))
     return facts
-
-
-def _hem_level(facts: GarmentFacts) -> float | None:
-    return facts.hem.level if facts.hem and facts.trousers is None else None
-
-
-def _hem_span(facts: GarmentFacts) -> tuple[float, float]:
-    return LOWEST_CM + 1.0, facts.body.bust - 2.0
 
 
 def _set_hem(facts: GarmentFacts, level: float) -> GarmentFacts:
@@ -55,60 +54,18 @@ def _inseam_span(facts: GarmentFacts) -> tuple[float, float]:
     return 2.0, facts.trousers.inseam + facts.hem.level - LOWEST_CM - 1.0
 
 
-def _sleeves(facts: GarmentFacts, sides: Sequence[Side]) -> list[Sleeve]:
-    """Of some sides; empty where one is missing."""
-    found = [facts.left_sleeve if s == "left" else facts.right_sleeve for s in sides]
-    return [s for s in found if s] if all(found) else []
-
-
-def mean_of_sleeves(
-    sides: Sequence[Side], of: Callable[[Sleeve], float | None]
-) -> Callable[[GarmentFacts], float | None]:
-    """A measure of the sleeves of some sides; of None where one is missing."""
-
-    def measure(facts: GarmentFacts) -> float | None:
-        values = [of(s) for s in _sleeves(facts, sides)]
-        known = [v for v in values if v is not None]
-        return sum(known) / len(known) if known and len(known) == len(values) else None
-
-    return measure
-
-
-def with_sleeves(
-    facts: GarmentFacts, sides: Sequence[Side], change: Callable[[Sleeve], Sleeve]
-) -> GarmentFacts:
-    """The same garment with other sleeves."""
-    left, right = facts.left_sleeve, facts.right_sleeve
-    if left and "left" in sides:
-        left = change(left)
-    if right and "right" in sides:
-        right = change(right)
-    return replace(facts, left_sleeve=left, right_sleeve=right)
-
-
 def sleeve_lever(sides: tuple[ArmSide, ...]) -> Lever:
     """Moves the ends of one or both sleeves."""
-    of = mean_of_sleeves(sides, lambda s: s.length)
-
-    def imagine(facts: GarmentFacts, length: float) -> GarmentFacts:
-        by = length - (of(facts) or 0.0)
-        return with_sleeves(facts, sides, lambda s: replace(s, length=s.length + by))
-
-    def cut(cutter: Cutter, amount: float) -> Pattern | None:
-        return cuts.lengthen_sleeves(cutter, amount, sides)
-
-    name = "sleeves" if len(sides) == 2 else f"{sides[0]} sleeve"
-    return Lever(name, 3, of, imagine, cut, lambda f: (6.0, 1.19 * f.body.arm_length))
-
-
-def _cuff_of(part: Part) -> Callable[[GarmentFacts], float | None]:
-    if part is Part.LEG_CUFF:
-        return lambda f: f.trousers.cuff.length if f.trousers and f.trousers.cuff else None
-    return lambda f: mean_of_sleeves(_arms(f), lambda s: s.cuff.length if s.cuff else None)(f)
-
-
-def _arms(facts: GarmentFacts) -> tuple[Side, ...]:
-    return tuple(s for s, own in (("left", facts.left_sleeve), ("right", facts.right_sleeve)) if own)
+    of = mean_of_sleeves(lambda s: s.length, sides)
+    return Lever(
+        name=of_sides("sleeve", sides),
+        serves=("sleeve length",),
+        stage=3,
+        of=of,
+        imagine=shift_sleeves(of, "length", sides=sides),
+        cut=lambda cutter, amount: cuts.lengthen_sleeves(cutter, amount, sides),
+        span=lambda f: (6.0, 1.19 * f.body.arm_length),
+    )
 
 
 def with_cuffs(
@@ -126,31 +83,34 @@ def with_cuffs(
         cuff = change(sleeve.cuff) if sleeve.cuff else None
         return replace(sleeve, length=sleeve.length + longer, cuff=cuff)
 
-    return with_sleeves(facts, ("left", "right"), changed)
+    return with_sleeves(facts, changed)
 
 
-def _cuff_lever(part: Part) -> Lever:
-    of = _cuff_of(part)
+def _cuff_lever(name: str, part: Part) -> Lever:
+    of = of_dimension(f"{name} length")
 
     def imagine(facts: GarmentFacts, length: float) -> GarmentFacts:
         by = length - (of(facts) or 0.0)
         return with_cuffs(facts, part, lambda c: replace(c, length=c.length + by), by)
 
-    def cut(cutter: Cutter, amount: float) -> Pattern | None:
-        return cuts.lengthen_cuffs(cutter, amount, part)
-
-    name = "cuffs" if part is Part.CUFF else "leg cuffs"
-    only_for = ("cuffs", "cuff_cm", "cuff length", "leg_cuffs", "leg_cuff_cm", "leg cuff length")
-    return Lever(name, 2, of, imagine, cut, fixed(2.0, 60.0), step=0.5, only_for=only_for)
+    return Lever(
+        name=f"{name}s",
+        serves=(f"{name} length",),
+        stage=2,
+        of=of,
+        imagine=imagine,
+        cut=lambda cutter, amount: cuts.lengthen_cuffs(cutter, amount, part),
+        span=fixed(2.0, 60.0),
+        step=0.5,
+        only_for=("cuffs", "cuff_cm", "cuff length", "leg_cuffs", "leg_cuff_cm", "leg cuff length"),
+    )
 
 
 def _set_band(facts: GarmentFacts, height: float) -> GarmentFacts:
     band = facts.waistband
     if band is None:
         return facts
-    by = height - band.height
-    facts = replace(with_hem(facts, by), waistband=replace(band, height=height))
-    return facts
+    return replace(with_hem(facts, height - band.height), waistband=replace(band, height=height))
 
 
 def _bodice_level(facts: GarmentFacts) -> float | None:
@@ -168,10 +128,6 @@ def _set_bodice(facts: GarmentFacts, level: float) -> GarmentFacts:
     return replace(with_hem(facts, fall), torso=replace(torso, lower_level=level), waistband=band)
 
 
-def _set_collar(facts: GarmentFacts, height: float) -> GarmentFacts:
-    return replace(facts, collar=replace(facts.collar, height=height)) if facts.collar else facts
-
-
 def _shorten_bloused(cutter: Cutter, distance: float) -> Pattern | None:
     """What blouses over the seam goes first: only what is cut off beyond it raises the seam."""
     torso = cutter.facts.torso
@@ -186,84 +142,76 @@ def _banded_top(facts: GarmentFacts) -> float | None:
 
 
 HEM = Lever(
-    "hem",
-    5,
-    _hem_level,
-    _set_hem,
-    lengthen_tiered,
-    _hem_span,
+    name="hem",
+    serves=("length", "skirt length"),
+    stage=5,
+    of=lambda f: f.hem.level if f.hem and f.trousers is None else None,
+    imagine=_set_hem,
+    cut=lengthen_tiered,
+    span=lambda f: (LOWEST_CM + 1.0, f.body.bust - 2.0),
     rate=-1.0,
-    words=("longer", "shorter"),
     sign=-1.0,
+)
+_BODICE = Lever(
+    name="bodice",
+    serves=("bodice length",),
+    stage=1,
+    of=_bodice_level,
+    imagine=_set_bodice,
+    cut=cuts.lengthen_bodice,
+    span=lambda f: (f.body.hips - 10.0, f.body.bust - 4.0),
+    rate=-1.0,
+    sign=-1.0,
+    only_for=("bodice length", "waist_seam", "length", "length_cm", "top_hem"),
 )
 LENGTH_LEVERS: tuple[Lever, ...] = (
     HEM,
     replace(HEM, name="hem, flared over the hips,", cut=cuts.lengthen_over_hips),
     Lever(
-        "legs",
-        5,
-        lambda f: f.trousers.inseam if f.trousers else None,
-        _set_inseam,
-        cuts.lengthen_legs,
-        _inseam_span,
+        name="legs",
+        serves=("leg length",),
+        stage=5,
+        of=of_dimension("leg length"),
+        imagine=_set_inseam,
+        cut=cuts.lengthen_legs,
+        span=_inseam_span,
     ),
     sleeve_lever(("left", "right")),
     sleeve_lever(("left",)),
     sleeve_lever(("right",)),
-    _cuff_lever(Part.CUFF),
-    _cuff_lever(Part.LEG_CUFF),
+    _cuff_lever("cuff", Part.CUFF),
+    _cuff_lever("leg cuff", Part.LEG_CUFF),
     Lever(
-        "band",
-        2,
-        lambda f: f.waistband.height if f.waistband else None,
-        _set_band,
-        cuts.raise_band,
-        fixed(2.0, 25.0),
+        name="band",
+        serves=("waistband height",),
+        stage=2,
+        of=of_dimension("waistband height"),
+        imagine=_set_band,
+        cut=cuts.raise_band,
+        span=fixed(2.0, 25.0),
         step=0.5,
-        words=("higher", "lower"),
+        words=_HIGHER,
         only_for=("waistband", "waistband_cm", "waistband height"),
     ),
     Lever(
-        "collar",
-        2,
-        lambda f: f.collar.height if f.collar else None,
-        _set_collar,
-        cuts.raise_collar,
-        fixed(1.5, 20.0),
+        name="collar",
+        serves=("collar height",),
+        stage=2,
+        of=of_dimension("collar height"),
+        imagine=imagine_at("collar.height"),
+        cut=cuts.raise_collar,
+        span=fixed(1.5, 20.0),
         step=0.5,
-        words=("higher", "lower"),
+        words=_HIGHER,
     ),
-    Lever(
-        "bodice",
-        1,
-        _bodice_level,
-        _set_bodice,
-        cuts.lengthen_bodice,
-        lambda f: (f.body.hips - 10.0, f.body.bust - 4.0),
-        rate=-1.0,
-        sign=-1.0,
-        only_for=("bodice length", "waist_seam", "length", "length_cm", "top_hem"),
-    ),
-    Lever(
-        "bodice, its blousing taken in,",
-        1,
-        _bodice_level,
-        _set_bodice,
-        _shorten_bloused,
-        lambda f: (f.body.hips - 10.0, f.body.bust - 4.0),
-        rate=-1.0,
-        sign=-1.0,
-        only_for=("bodice length", "waist_seam", "length", "length_cm", "top_hem"),
-    ),
-    Lever(
-        "bodice, its band let out,",
-        1,
-        _banded_top,
-        _set_bodice,
-        cuts.lengthen_with_band,
-        lambda f: (f.body.hips - 20.0, f.body.bust - 4.0),
-        rate=-1.0,
-        sign=-1.0,
+    _BODICE,
+    replace(_BODICE, name="bodice, its blousing taken in,", cut=_shorten_bloused),
+    replace(
+        _BODICE,
+        name="bodice, its band let out,",
+        of=_banded_top,
+        cut=cuts.lengthen_with_band,
+        span=lambda f: (f.body.hips - 20.0, f.body.bust - 4.0),
         only_for=("bodice length", "length", "length_cm", "top_hem"),
         gathers=True,
     ),

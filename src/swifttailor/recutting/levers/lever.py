@@ -4,29 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TypeVar
 
-from swifttailor.describing.facts import GarmentFacts, HemFacts, Kind
+from swifttailor.describing.dimensions import DIMENSIONS
+from swifttailor.describing.facts import GarmentFacts, Kind
+from swifttailor.describing.facts_paths import Imagine, Measure
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.table.cutter import Cutter
 
-T = TypeVar("T")
-
+WIDER = ("wider", "narrower")
+MORE_GATHERED = ("times more gathered", "times less gathered")
+_HEM_LEVELS = ("level", "front", "back", "left", "right")
 LOWEST_CM = -3.0
 DRESS_BELOW_CROTCH_CM = 5.0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Lever:
     """One way to recut a pattern by an amount."""
 
     name: str
     """What is cut, for reports."""
+    serves: tuple[str, ...]
+    """The dimensions that it is there for, first that which it moves most; a claim where it is none."""
     stage: int
     """Levers of lower stages are used first, since they move what the others cut."""
-    of: Callable[[GarmentFacts], float | None]
+    of: Measure
     """The measure that it moves; None where there is no such thing."""
-    imagine: Callable[[GarmentFacts, float], GarmentFacts]
+    imagine: Imagine
     """What a garment would show if the measure had another value."""
     cut: Callable[[Cutter, float], Pattern | None]
     """Recuts by an amount."""
@@ -41,28 +45,37 @@ class Lever:
     sign: float = 1.0
     """-1 where the words mean the opposite of the measure."""
     unit: str = " cm"
-    makes: bool = False
-    """Whether it makes the thing where there is none."""
+    natural: float | None = None
+    """The measure of what it makes where there is none, unless another is asked for; None if it makes none."""
     moves: bool = True
     """Whether it moves the measure of what is there."""
-    natural: float | None = None
-    """The measure that is made where nothing else is asked for."""
     only_for: tuple[str, ...] = ()
     """Claims and quantities it may be used for; all when empty."""
     gathers: bool = False
     """Whether seams are meant to join other lengths afterwards."""
 
+    @property
+    def label(self) -> str:
+        """What is cut and how, as no other lever does."""
+        name, words = self.name.rstrip(","), (word.removeprefix("times ") for word in self.words)
+        return f"{name}: {' or '.join(words)}" if self.moves else name
+
+    def applies(self, facts: GarmentFacts) -> bool:
+        """Whether a garment has what it moves, or lacks what it makes."""
+        return self.natural is not None if self.of(facts) is None else self.moves
+
     def said(self, was: float | None, now: float | None) -> str:
         """What was done, in words."""
+        name = self.name.rstrip(",")
         if was is None or now is None:
-            return f"{self.name}, {now:.1f}{self.unit}" if now is not None else self.name
+            return f"{name}, {now:.1f}{self.unit}" if now is not None else name
         change = (now - was) * self.sign
         if abs(change) < 0.05:
-            return self.name.rstrip(",")
+            return name
         return f"{self.name} {abs(change):.{1 if self.unit else 2}f}{self.unit} {self.words[change < 0]}"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Trick:
     """A way to recut a pattern that has no amount."""
 
@@ -73,26 +86,23 @@ class Trick:
     """What a garment would show afterwards; None where it cannot be done."""
     cut: Callable[[Cutter], Pattern | None]
     gathers: bool = False
-    only_for: tuple[str, ...] = ()
-    """Claims and quantities it may be done for; all when empty."""
+    only_for: tuple[str, ...]
+    """Claims and quantities it may be done for."""
     opens: tuple[str, ...] = ()
     """Claims it may be done for so that another lever can be used."""
+
+    @property
+    def label(self) -> str:
+        """What is done, as by no other trick."""
+        return self.name
 
 
 def with_hem(facts: GarmentFacts, fall: float) -> GarmentFacts:
     """The same garment with its hem `fall` cm lower all around."""
     if facts.hem is None:
         return facts
-    hem = facts.hem
-    hem = HemFacts(
-        hem.level - fall,
-        hem.front - fall,
-        hem.back - fall,
-        hem.left - fall,
-        hem.right - fall,
-        hem.length,
-        hem.dip,
-    )
+    lower = {name: getattr(facts.hem, name) - fall for name in _HEM_LEVELS}
+    hem = replace(facts.hem, **lower)
     return replace(facts, hem=hem, length=facts.length + fall, kind=kind_of(facts, hem.level))
 
 
@@ -106,3 +116,13 @@ def kind_of(facts: GarmentFacts, level: float) -> Kind:
 def fixed(low: float, high: float) -> Callable[[GarmentFacts], tuple[float, float]]:
     """A span that is the same for all garments."""
     return lambda facts: (low, high)
+
+
+def of_dimension(name: str) -> Measure:
+    """The measure of a dimension."""
+    return DIMENSIONS[name].of
+
+
+def of_sides(stem: str, sides: tuple[str, ...]) -> str:
+    """What is cut on both sides or on one: ``sleeves``, ``left sleeve``."""
+    return f"{stem}s" if len(sides) == 2 else f"{sides[0]} {stem}"

@@ -30,7 +30,7 @@ _CUT: dict[NewShape, str] = {
 }
 
 
-def _plain_neck(facts: GarmentFacts, face: Face) -> Neckline | None:
+def plain_neck(facts: GarmentFacts, face: Face) -> Neckline | None:
     """A neckline with two shoulders."""
     neck = facts.front_neck if face == "front" else facts.back_neck
     return None if neck is None or neck.left is None or neck.right is None else neck
@@ -46,7 +46,7 @@ def _with_neck(facts: GarmentFacts, face: Face, change: Callable[[NeckHalf], Nec
 
 def _depth_lever(face: Face, shape: NewShape | None) -> Lever:
     def of(facts: GarmentFacts) -> float | None:
-        neck = _plain_neck(facts, face)
+        neck = plain_neck(facts, face)
         return neck.depth if neck else None
 
     def imagine(facts: GarmentFacts, depth: float) -> GarmentFacts:
@@ -55,7 +55,7 @@ def _depth_lever(face: Face, shape: NewShape | None) -> Lever:
         def recut(half: NeckHalf) -> NeckHalf:
             return NeckHalf(shape or half.shape, half.depth + by, half.width)
 
-        return _with_neck(facts, face, recut) if _plain_neck(facts, face) else facts
+        return _with_neck(facts, face, recut) if plain_neck(facts, face) else facts
 
     def cut(cutter: Cutter, amount: float) -> Pattern | None:
         def recut(bare: Cutter) -> Pattern | None:
@@ -64,13 +64,22 @@ def _depth_lever(face: Face, shape: NewShape | None) -> Lever:
 
         return recut_under(cutter, recut)
 
-    name = f"{face} neckline" if shape is None else f"{face} neckline cut {_CUT[shape]},"
-    return Lever(name, 4, of, imagine, cut, fixed(3.5, 50.0), step=0.5, words=("deeper", "shallower"))
+    return Lever(
+        name=f"{face} neckline" if shape is None else f"{face} neckline cut {_CUT[shape]},",
+        serves=("neck depth" if face == "front" else "back depth",),
+        stage=4,
+        of=of,
+        imagine=imagine,
+        cut=cut,
+        span=fixed(3.5, 50.0),
+        step=0.5,
+        words=("deeper", "shallower"),
+    )
 
 
 def _half_shape(side: Half, shape: NewShape) -> Trick:
     def imagine(facts: GarmentFacts) -> GarmentFacts | None:
-        neck = _plain_neck(facts, "front")
+        neck = plain_neck(facts, "front")
         if neck is None or neck.left is None or neck.right is None:
             return None
         half = replace(neck.left if side == "left" else neck.right, shape=shape)
@@ -81,11 +90,17 @@ def _half_shape(side: Half, shape: NewShape) -> Trick:
         edges = cutter.neckline("front")
         return recut_neckline(cutter.pattern, edges, 0.0, shape, side) if edges else None
 
-    return Trick(f"{side} half of the front neckline cut {_CUT[shape]}", 4, imagine, cut, only_for=_SHAPED)
+    return Trick(
+        name=f"{side} half of the front neckline cut {_CUT[shape]}",
+        stage=4,
+        imagine=imagine,
+        cut=cut,
+        only_for=_SHAPED,
+    )
 
 
 def _width(facts: GarmentFacts) -> float | None:
-    neck = _plain_neck(facts, "front")
+    neck = plain_neck(facts, "front")
     return neck.width if neck else None
 
 
@@ -120,12 +135,13 @@ _SHAPES: tuple[NewShape, ...] = ("round", "v", "square", "trapezoid", "s-curve",
 NECK_LEVERS: tuple[Lever, ...] = (
     *(_depth_lever(face, shape) for face in ("front", "back") for shape in (None, *_SHAPES)),
     Lever(
-        "neckline",
-        3,
-        _width,
-        _set_width,
-        _cut_width,
-        _width_span,
+        name="neckline",
+        serves=("neck width",),
+        stage=3,
+        of=_width,
+        imagine=_set_width,
+        cut=_cut_width,
+        span=_width_span,
         step=0.5,
         rate=_SLOPE,
         words=("wider on each side", "narrower on each side"),

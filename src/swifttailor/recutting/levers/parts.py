@@ -6,56 +6,66 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from swifttailor.describing.facts import Band, Cuff, CuffKind, GarmentFacts, Sleeve
+from swifttailor.describing.facts_paths import mean_of_sleeves, measure_at, sleeves_of, with_sleeves
 from swifttailor.describing.measuring.parts import Part
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.amounts import cuts, sleeve_cuts
-from swifttailor.recutting.levers.lengths import ArmSide, mean_of_sleeves, with_sleeves
-from swifttailor.recutting.levers.lever import Lever, Trick, fixed, with_hem
+from swifttailor.recutting.levers.lengths import ArmSide
+from swifttailor.recutting.levers.lever import Lever, Trick, fixed, of_dimension, of_sides, with_hem
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.sleeves import ARM_EASE_CM
 
 _FLOUNCE_FLARE = 1.7
 _THINNER_WRIST = 0.45
 """By how much the wrist is thinner than the upper arm, as a part of it."""
+_UPPER = ("torso", "front_neck", "back_neck", "collar", "hood", "left_sleeve", "right_sleeve")
 _BAND_SHARE = 0.7
 """Length of a new cuff over the sleeve end that is gathered into it."""
 
 
 def _taken(
     name: str,
-    part: Part,
+    *parts: Part,
     imagine: Callable[[GarmentFacts], GarmentFacts | None],
     only_for: tuple[str, ...],
-    opens: tuple[str, ...],
+    opens: tuple[str, ...] = (),
 ) -> Trick:
-    def cut(cutter: Cutter) -> Pattern | None:
-        return cuts.remove_parts(cutter, part)
-
-    return Trick(f"{name} taken off", 0, imagine, cut, only_for=only_for, opens=opens)
-
-
-def _no_sleeves(facts: GarmentFacts) -> GarmentFacts | None:
-    return (
-        replace(facts, left_sleeve=None, right_sleeve=None)
-        if facts.left_sleeve or facts.right_sleeve
-        else None
+    return Trick(
+        name=f"{name} taken off",
+        stage=0,
+        imagine=imagine,
+        cut=lambda cutter: cuts.remove_parts(cutter, *parts),
+        only_for=only_for,
+        opens=opens,
     )
 
 
-def _one_sleeve(side: str) -> Trick:
+def _without(part: str) -> Callable[[GarmentFacts], GarmentFacts | None]:
+    """The same garment without a part that changes nothing else."""
+    return lambda facts: replace(facts, **{part: None}) if getattr(facts, part) else None
+
+
+def _no_sleeves(facts: GarmentFacts) -> GarmentFacts | None:
+    return replace(facts, left_sleeve=None, right_sleeve=None) if sleeves_of(facts) else None
+
+
+def _one_sleeve(side: ArmSide) -> Trick:
     def imagine(facts: GarmentFacts) -> GarmentFacts | None:
-        if facts.left_sleeve is None or facts.right_sleeve is None:
+        if len(sleeves_of(facts)) < 2:
             return None
         return replace(facts, left_sleeve=None) if side == "left" else replace(facts, right_sleeve=None)
 
-    def cut(cutter: Cutter) -> Pattern | None:
-        return cuts.remove_sleeve(cutter, "left" if side == "left" else "right")
-
-    return Trick(f"{side} sleeve taken off", 0, imagine, cut, only_for=("sleeves",))
+    return Trick(
+        name=f"{side} sleeve taken off",
+        stage=0,
+        imagine=imagine,
+        cut=lambda cutter: cuts.remove_sleeve(cutter, side),
+        only_for=("sleeves",),
+    )
 
 
 def _no_cuffs(facts: GarmentFacts) -> GarmentFacts | None:
-    if not any(s and s.cuff for s in (facts.left_sleeve, facts.right_sleeve)):
+    if not any(s.cuff for s in sleeves_of(facts)):
         return None
 
     def bare(sleeve: Sleeve) -> Sleeve:
@@ -64,7 +74,7 @@ def _no_cuffs(facts: GarmentFacts) -> GarmentFacts | None:
             sleeve, cuff=None, end_gather=1.0, length=sleeve.length - gone, opening=sleeve.end_width
         )
 
-    return with_sleeves(facts, ("left", "right"), bare)
+    return with_sleeves(facts, bare)
 
 
 def _no_leg_cuffs(facts: GarmentFacts) -> GarmentFacts | None:
@@ -83,58 +93,54 @@ def _no_band(facts: GarmentFacts) -> GarmentFacts | None:
     return replace(with_hem(facts, -band.height) if band.at_hem else facts, waistband=None)
 
 
+def _two_parts(facts: GarmentFacts) -> bool:
+    return bool(facts.torso and (facts.skirt or facts.trousers) and facts.hem)
+
+
 def _no_lower(facts: GarmentFacts) -> GarmentFacts | None:
-    if facts.torso is None or (facts.skirt is None and facts.trousers is None) or facts.hem is None:
+    if facts.torso is None or facts.hem is None or not _two_parts(facts):
         return None
     level = facts.torso.lower_level - (facts.waistband.height if facts.waistband else 0.0)
     facts = replace(facts, skirt=None, trousers=None, kind="top")
-    return with_hem(facts, facts.hem.level - level) if facts.hem else None
+    return with_hem(facts, facts.hem.level - level) if facts.hem else facts
 
 
 def _no_upper(facts: GarmentFacts) -> GarmentFacts | None:
-    if facts.torso is None or (facts.skirt is None and facts.trousers is None) or facts.hem is None:
+    if facts.torso is None or facts.hem is None or not _two_parts(facts):
         return None
     top = facts.waistband.level if facts.waistband else facts.torso.lower_level
     return replace(
         facts,
-        torso=None,
-        front_neck=None,
-        back_neck=None,
-        collar=None,
-        hood=None,
-        left_sleeve=None,
-        right_sleeve=None,
+        **dict.fromkeys(_UPPER),
         kind="skirt" if facts.skirt else "trousers",
         top_level=top,
         length=top - facts.hem.level,
     )
 
 
-def _cuffs_added(kind: CuffKind, upper: Part, gathered: bool) -> Lever:
+def _first_cuff(facts: GarmentFacts) -> float | None:
+    found = [sleeve.cuff for sleeve in sleeves_of(facts)]
+    return found[0].length if found and found[0] else None
+
+
+def _cuffs_added(kind: CuffKind, upper: Part, *, gathered: bool = False) -> Lever:
     share = _BAND_SHARE if gathered else 1.0
     flare = _FLOUNCE_FLARE if kind == "flounce" else 1.0
-
-    def of(facts: GarmentFacts) -> float | None:
-        if upper is Part.SLEEVE:
-            found = [s.cuff for s in (facts.left_sleeve, facts.right_sleeve) if s]
-        else:
-            found = [facts.trousers.cuff] if facts.trousers else []
-        return found[0].length if found and found[0] else None
+    of_sleeves = upper is Part.SLEEVE
+    of = _first_cuff if of_sleeves else measure_at("trousers.cuff.length")
 
     def cuff(length: float, width: float) -> Cuff:
         return Cuff(kind, length, width * share * flare, flare)
 
+    def cuffed(sleeve: Sleeve, length: float) -> Sleeve:
+        new = cuff(length, sleeve.end_width)
+        return replace(sleeve, length=sleeve.length + length, end_gather=1 / share, cuff=new)
+
     def imagine(facts: GarmentFacts, length: float) -> GarmentFacts:
         if of(facts) is not None:
             return facts
-        if upper is Part.SLEEVE:
-            return with_sleeves(
-                facts,
-                ("left", "right"),
-                lambda s: replace(
-                    s, length=s.length + length, end_gather=1 / share, cuff=cuff(length, s.end_width)
-                ),
-            )
+        if of_sleeves:
+            return with_sleeves(facts, lambda s: cuffed(s, length))
         legs = facts.trousers
         if legs is None:
             return facts
@@ -142,14 +148,18 @@ def _cuffs_added(kind: CuffKind, upper: Part, gathered: bool) -> Lever:
         legs = replace(legs, inseam=legs.inseam + length, cuff=own, end_gather=1 / share)
         return replace(with_hem(facts, length), trousers=legs)
 
-    def cut(cutter: Cutter, amount: float) -> Pattern | None:
-        return cuts.add_cuffs(cutter, amount, share, flare, upper=upper)
-
-    only_for = ("cuffs", "cuff_cm", "sleeve_shape") if upper is Part.SLEEVE else ("leg_cuffs", "leg_cuff_cm")
     what = "flounces" if kind == "flounce" else "cuffs"
-    name = f"{'sleeve' if upper is Part.SLEEVE else 'leg'} {what} sewn on"
     return Lever(
-        name, 0, of, imagine, cut, fixed(4.0, 25.0), makes=True, moves=False, natural=6.0, only_for=only_for
+        name=f"{'sleeve' if of_sleeves else 'leg'} {what} sewn on{', gathered' if gathered else ''}",
+        serves=("cuff length",) if of_sleeves else ("leg cuff length",),
+        stage=0,
+        of=of,
+        imagine=imagine,
+        cut=lambda cutter, amount: cuts.add_cuffs(cutter, amount, share, flare, upper=upper),
+        span=fixed(4.0, 25.0),
+        moves=False,
+        natural=6.0,
+        only_for=("cuffs", "cuff_cm", "sleeve_shape") if of_sleeves else ("leg_cuffs", "leg_cuff_cm"),
     )
 
 
@@ -170,16 +180,15 @@ def _band_added(at_hem: bool) -> Lever:
     def cut(cutter: Cutter, amount: float) -> Pattern | None:
         return cuts.add_hem_band(cutter, amount, 0.9) if at_hem else cuts.add_waistband(cutter, amount)
 
-    name = "hem band sewn on" if at_hem else "waistband sewn on"
     return Lever(
-        name,
-        0,
-        lambda f: f.waistband.height if f.waistband else None,
-        imagine,
-        cut,
-        fixed(3.0, 15.0),
+        name="hem band sewn on" if at_hem else "waistband sewn on",
+        serves=("waistband height",),
+        stage=0,
+        of=of_dimension("waistband height"),
+        imagine=imagine,
+        cut=cut,
+        span=fixed(3.0, 15.0),
         step=0.5,
-        makes=True,
         moves=False,
         natural=5.0,
         only_for=("waistband", "waistband_cm"),
@@ -196,38 +205,35 @@ def _second_sleeve(facts: GarmentFacts) -> GarmentFacts | None:
 
 
 def _sleeves_added(sides: tuple[ArmSide, ...]) -> Lever:
-    of = mean_of_sleeves(sides, lambda s: s.length)
-
     def imagine(facts: GarmentFacts, length: float) -> GarmentFacts:
-        torso = facts.torso
-        if torso is None:
+        if facts.torso is None:
             return facts
         arm = facts.body.upper_arm_girth
         width = arm + ARM_EASE_CM
         end = width - _THINNER_WRIST * arm * min(length / facts.body.arm_length, 1.0)
-        new = Sleeve(length, width, end, end, 1.0, 1.0, None)
-        left, right = facts.left_sleeve, facts.right_sleeve
-        if "left" in sides and left is None:
-            if torso.left_shoulder is None:
-                return facts
-            left, torso = new, replace(torso, left_armhole=None)
-        if "right" in sides and right is None:
-            if torso.right_shoulder is None:
-                return facts
-            right, torso = new, replace(torso, right_armhole=None)
-        return replace(facts, left_sleeve=left, right_sleeve=right, torso=torso)
-
-    def cut(cutter: Cutter, amount: float) -> Pattern | None:
-        return sleeve_cuts.add_sleeves(cutter, amount, sides)
+        new = Sleeve(
+            length=length,
+            upper_width=width,
+            end_width=end,
+            opening=end,
+            head_gather=1.0,
+            end_gather=1.0,
+            cuff=None,
+        )
+        bare = [side for side in sides if not sleeves_of(facts, (side,))]
+        if any(getattr(facts.torso, f"{side}_shoulder") is None for side in bare):
+            return facts
+        torso = replace(facts.torso, **{f"{side}_armhole": None for side in bare})
+        return replace(facts, torso=torso, **{f"{side}_sleeve": new for side in bare})
 
     return Lever(
-        "sleeves sewn on" if len(sides) == 2 else f"{sides[0]} sleeve sewn on",
-        0,
-        of,
-        imagine,
-        cut,
-        lambda f: (8.0, 1.19 * f.body.arm_length),
-        makes=True,
+        name=f"{of_sides('sleeve', sides)} sewn on",
+        serves=("sleeve length",),
+        stage=0,
+        of=mean_of_sleeves(lambda s: s.length, sides),
+        imagine=imagine,
+        cut=lambda cutter, amount: sleeve_cuts.add_sleeves(cutter, amount, sides),
+        span=lambda f: (8.0, 1.19 * f.body.arm_length),
         moves=False,
         natural=22.0,
         only_for=("sleeves", "sleeve_cm", "sleeve_shape")
@@ -238,51 +244,49 @@ def _sleeves_added(sides: tuple[ArmSide, ...]) -> Lever:
 
 _NECKLINES = ("neckline", "left_neckline", "right_neckline", "back_neckline")
 _COLLARS = (*_NECKLINES, "collar", "hood", "shoulders: strapless")
-_KINDS = ("kind",)
 PART_TRICKS: tuple[Trick, ...] = (
-    _taken(
-        "hood", Part.HOOD, lambda f: replace(f, hood=None) if f.hood else None, ("hood", "collar"), _COLLARS
-    ),
-    _taken(
-        "collar",
-        Part.COLLAR,
-        lambda f: replace(f, collar=None) if f.collar else None,
-        ("collar",),
-        _COLLARS,
-    ),
-    _taken("cuffs", Part.CUFF, _no_cuffs, ("cuffs",), ("cuffs", "sleeve_shape")),
-    _taken("leg cuffs", Part.LEG_CUFF, _no_leg_cuffs, ("leg_cuffs",), ("leg_cuffs",)),
-    Trick("band taken off", 0, _no_band, cuts.remove_band, only_for=("waistband",), opens=("waistband",)),
+    _taken("hood", Part.HOOD, imagine=_without("hood"), only_for=("hood", "collar"), opens=_COLLARS),
+    _taken("collar", Part.COLLAR, imagine=_without("collar"), only_for=("collar",), opens=_COLLARS),
+    _taken("cuffs", Part.CUFF, imagine=_no_cuffs, only_for=("cuffs",), opens=("cuffs", "sleeve_shape")),
+    _taken("leg cuffs", Part.LEG_CUFF, imagine=_no_leg_cuffs, only_for=("leg_cuffs",), opens=("leg_cuffs",)),
     Trick(
-        "sleeves taken off",
-        0,
-        _no_sleeves,
-        lambda c: cuts.remove_parts(c, Part.SLEEVE, Part.CUFF),
+        name="band taken off",
+        stage=0,
+        imagine=_no_band,
+        cut=cuts.remove_band,
+        only_for=("waistband",),
+        opens=("waistband",),
+    ),
+    _taken(
+        "sleeves",
+        Part.SLEEVE,
+        Part.CUFF,
+        imagine=_no_sleeves,
         only_for=("sleeves",),
         opens=("shoulders: strapless",),
     ),
     _one_sleeve("left"),
     _one_sleeve("right"),
     Trick(
-        "second sleeve sewn on",
-        0,
-        _second_sleeve,
-        sleeve_cuts.mirror_sleeve,
+        name="second sleeve sewn on",
+        stage=0,
+        imagine=_second_sleeve,
+        cut=sleeve_cuts.mirror_sleeve,
         only_for=("sleeves", "sleeve_cm", "left_sleeve", "right_sleeve", "sleeve_shape"),
     ),
-    Trick("lower part taken off", 0, _no_lower, cuts.remove_lower, only_for=_KINDS),
-    Trick("upper part taken off", 0, _no_upper, cuts.remove_upper, only_for=_KINDS),
+    Trick(name="lower part taken off", stage=0, imagine=_no_lower, cut=cuts.remove_lower, only_for=("kind",)),
+    Trick(name="upper part taken off", stage=0, imagine=_no_upper, cut=cuts.remove_upper, only_for=("kind",)),
 )
 ADDED_PARTS: tuple[Lever, ...] = (
     _sleeves_added(("left", "right")),
     _sleeves_added(("left",)),
     _sleeves_added(("right",)),
-    _cuffs_added("band", Part.SLEEVE, gathered=False),
+    _cuffs_added("band", Part.SLEEVE),
     _cuffs_added("band", Part.SLEEVE, gathered=True),
-    _cuffs_added("flounce", Part.SLEEVE, gathered=False),
-    _cuffs_added("band", Part.TROUSER, gathered=False),
+    _cuffs_added("flounce", Part.SLEEVE),
+    _cuffs_added("band", Part.TROUSER),
     _cuffs_added("band", Part.TROUSER, gathered=True),
-    _cuffs_added("flounce", Part.TROUSER, gathered=False),
+    _cuffs_added("flounce", Part.TROUSER),
     _band_added(at_hem=False),
     _band_added(at_hem=True),
 )

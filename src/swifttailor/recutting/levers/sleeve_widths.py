@@ -5,36 +5,25 @@ from __future__ import annotations
 from dataclasses import replace
 
 from swifttailor.describing.facts import GarmentFacts, Sleeve
+from swifttailor.describing.facts_paths import sleeves_of, with_sleeves
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.amounts import sleeve_cuts
-from swifttailor.recutting.levers.lengths import with_sleeves
-from swifttailor.recutting.levers.lever import Lever
+from swifttailor.recutting.levers.lever import MORE_GATHERED, WIDER, Lever, fixed, of_dimension
 from swifttailor.recutting.table.cutter import Cutter
 
-_BOTH = ("left", "right")
 _SHAPES = ("sleeve_shape", "sleeve_width_cm", "sleeve width", "sleeve end")
-_WIDER = ("wider", "narrower")
 _WIDER_A_HEAD = 1.3
 """Exponent: how much wider a sleeve gets for a longer head, its cap staying as high."""
 _LEAST_EASE_CM = 2.0
 _WIDEST = 3.2
 """Over the girth of the upper arm."""
 
-
-def _sleeves(facts: GarmentFacts) -> list[Sleeve]:
-    return [s for s in (facts.left_sleeve, facts.right_sleeve) if s]
-
-
-def _mean(values: list[float]) -> float | None:
-    return sum(values) / len(values) if values else None
+_upper, _head = of_dimension("sleeve width"), of_dimension("sleeve head")
+_end_gather = of_dimension("sleeve gathers")
 
 
 def _cuffed(facts: GarmentFacts) -> bool:
-    return any(s.cuff for s in _sleeves(facts))
-
-
-def _upper(facts: GarmentFacts) -> float | None:
-    return _mean([s.upper_width for s in _sleeves(facts)])
+    return any(s.cuff for s in sleeves_of(facts))
 
 
 def _upper_span(facts: GarmentFacts) -> tuple[float, float]:
@@ -53,7 +42,7 @@ def _widened(sleeve: Sleeve, upper: float, end: float) -> Sleeve:
     )
 
 
-def _width_lever(*, whole: bool) -> Lever:
+def _width_lever(name: str, *, whole: bool) -> Lever:
     """At the underarm; the whole sleeve down to a free end, or its end staying as it is."""
 
     def of(facts: GarmentFacts) -> float | None:
@@ -61,34 +50,37 @@ def _width_lever(*, whole: bool) -> Lever:
 
     def imagine(facts: GarmentFacts, width: float) -> GarmentFacts:
         factor = width / max(of(facts) or width, 1.0)
-        return with_sleeves(facts, _BOTH, lambda s: _widened(s, factor, factor if whole else 1.0))
+        return with_sleeves(facts, lambda s: _widened(s, factor, factor if whole else 1.0))
 
     def cut(cutter: Cutter, amount: float) -> Pattern | None:
         was = of(cutter.facts)
         factor = (was + amount) / was if was else 0.0
         return sleeve_cuts.widen_sleeves(cutter, factor, factor if whole else 1.0) if factor > 0 else None
 
-    name = "sleeves" if whole else "sleeves above their ends"
-    return Lever(name, 3, of, imagine, cut, _upper_span, words=_WIDER, only_for=_SHAPES)
+    return Lever(
+        name=name,
+        serves=("sleeve width", "sleeve end") if whole else ("sleeve width",),
+        stage=3,
+        of=of,
+        imagine=imagine,
+        cut=cut,
+        span=_upper_span,
+        words=WIDER,
+        only_for=_SHAPES,
+    )
 
 
 def _least_end(facts: GarmentFacts) -> float:
     """How far ends may be narrowed: cuffed ones until nothing is gathered."""
     if not _cuffed(facts):
         return 0.0
-    return 1.0 / max(min((s.end_gather for s in _sleeves(facts)), default=1.0), 1.0)
-
-
-def _head(facts: GarmentFacts) -> float | None:
-    return _mean([s.head_gather for s in _sleeves(facts)])
+    return 1.0 / max(min((s.end_gather for s in sleeves_of(facts)), default=1.0), 1.0)
 
 
 def _with_heads(facts: GarmentFacts, factor: float) -> GarmentFacts:
     wide = factor**_WIDER_A_HEAD
     end = max(min(wide, 1.0), _least_end(facts))
-    return with_sleeves(
-        facts, _BOTH, lambda s: replace(_widened(s, wide, end), head_gather=s.head_gather * factor)
-    )
+    return with_sleeves(facts, lambda s: replace(_widened(s, wide, end), head_gather=s.head_gather * factor))
 
 
 def _set_head(facts: GarmentFacts, gather: float) -> GarmentFacts:
@@ -115,61 +107,58 @@ def _cut_upper_gathering(cutter: Cutter, amount: float) -> Pattern | None:
     return sleeve_cuts.gather_sleeve_heads(cutter, factor, _least_end(cutter.facts))
 
 
-def _end_gather(facts: GarmentFacts) -> float | None:
-    cuffed = [s.end_gather for s in _sleeves(facts) if s.cuff]
-    return _mean(cuffed) if len(cuffed) == len(_sleeves(facts)) else None
-
-
 def _set_end_gather(facts: GarmentFacts, gather: float) -> GarmentFacts:
     factor = gather / max(_end_gather(facts) or gather, 0.1)
-    return with_sleeves(facts, _BOTH, lambda s: _widened(s, 1.0, factor))
+    return with_sleeves(facts, lambda s: _widened(s, 1.0, factor))
 
 
 def _cut_end_gather(cutter: Cutter, amount: float) -> Pattern | None:
     was = _end_gather(cutter.facts)
-    return (
-        sleeve_cuts.gather_sleeve_ends(cutter, (was + amount) / was) if was and was + amount > 0.9 else None
-    )
+    if not was or was + amount <= 0.9:
+        return None
+    return sleeve_cuts.gather_sleeve_ends(cutter, (was + amount) / was)
 
 
+_HEADS = Lever(
+    name="sleeve heads",
+    serves=("sleeve head",),
+    stage=3,
+    of=_head,
+    imagine=_set_head,
+    cut=_cut_head,
+    span=fixed(0.99, 2.3),
+    step=0.03,
+    words=MORE_GATHERED,
+    unit="",
+    only_for=("sleeve_shape", "sleeve head"),
+    gathers=True,
+)
 SLEEVE_WIDTH_LEVERS: tuple[Lever, ...] = (
-    _width_lever(whole=True),
-    _width_lever(whole=False),
+    _width_lever("sleeves", whole=True),
+    _width_lever("sleeves above their ends", whole=False),
+    _HEADS,
     Lever(
-        "sleeve heads",
-        3,
-        _head,
-        _set_head,
-        _cut_head,
-        lambda f: (0.99, 2.3),
-        step=0.03,
-        words=("times more gathered", "times less gathered"),
-        unit="",
-        only_for=("sleeve_shape", "sleeve head"),
-        gathers=True,
-    ),
-    Lever(
-        "sleeves, their heads gathered,",
-        3,
-        _upper,
-        _set_upper_gathering,
-        _cut_upper_gathering,
-        _upper_span,
-        words=_WIDER,
+        name="sleeves, their heads gathered,",
+        serves=("sleeve width",),
+        stage=3,
+        of=_upper,
+        imagine=_set_upper_gathering,
+        cut=_cut_upper_gathering,
+        span=_upper_span,
+        words=WIDER,
         only_for=_SHAPES,
         gathers=True,
     ),
-    Lever(
-        "sleeves at their cuffs",
-        4,
-        _end_gather,
-        _set_end_gather,
-        _cut_end_gather,
-        lambda f: (1.0, 3.0),
+    replace(
+        _HEADS,
+        name="sleeves at their cuffs",
+        serves=("sleeve gathers",),
+        stage=4,
+        of=_end_gather,
+        imagine=_set_end_gather,
+        cut=_cut_end_gather,
+        span=fixed(1.0, 3.0),
         step=0.04,
-        words=("times more gathered", "times less gathered"),
-        unit="",
         only_for=("sleeve_shape", "sleeve gathers"),
-        gathers=True,
     ),
 )

@@ -11,7 +11,7 @@ from swifttailor.describing.facts import GarmentFacts, Place, Slit
 from swifttailor.describing.measuring.hems import place_of
 from swifttailor.describing.measuring.parts import SKIRT_PARTS
 from swifttailor.pattern import EdgeRef, Pattern
-from swifttailor.recutting.levers.lever import Lever, Trick
+from swifttailor.recutting.levers.lever import Lever, Trick, of_dimension
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.slits import close_slits, open_middle, open_side, reach_slit
 
@@ -56,13 +56,13 @@ def recut_closed(
     """
     edited = recut(cutter) if first or not _slits(cutter.facts) else None
     shut = closed(cutter) if edited is None else None
-    edited = edited if shut is None else recut(Cutter(shut, cutter.anatomy.body))
+    edited = edited if shut is None else recut(cutter.with_pattern(shut))
     if edited is None or shut is None:
         return edited
     for slit in _slits(cutter.facts):
         if slit.height < LEAST_SLIT_CM:
             continue
-        after = Cutter(edited, cutter.anatomy.body)
+        after = cutter.with_pattern(edited)
         edited = open_slit(after, slit.place, slit.height, max(slit.width, 2.0))
         if edited is None:
             return None
@@ -88,8 +88,7 @@ def _with_slits(facts: GarmentFacts, slits: tuple[Slit, ...]) -> GarmentFacts:
 
 
 def _lever(place: Place, wedge: bool = False) -> Lever:
-    def of(facts: GarmentFacts) -> float | None:
-        return max((s.height for s in _slits(facts) if s.place == place), default=None)
+    of = of_dimension(f"{place} slit")
 
     def imagine(facts: GarmentFacts, height: float) -> GarmentFacts:
         others = tuple(s for s in _slits(facts) if s.place != place)
@@ -104,7 +103,7 @@ def _lever(place: Place, wedge: bool = False) -> Lever:
             if reached is not None:
                 return reached
         shut = closed(cutter, place) if of(cutter.facts) else None
-        now = cutter if shut is None else Cutter(shut, cutter.anatomy.body)
+        now = cutter if shut is None else cutter.with_pattern(shut)
         return open_slit(now, place, height, _WEDGE_CM if wedge else 2.0)
 
     def span(facts: GarmentFacts) -> tuple[float, float]:
@@ -114,9 +113,17 @@ def _lever(place: Place, wedge: bool = False) -> Lever:
         last = (skirt.length - skirt.base_length) / (skirt.tiers - 1) if skirt.tiers > 1 else skirt.length
         return 6.0, 0.8 * last
 
-    name = f"slit {_WORDS[place]}"
     return Lever(
-        name, 7, of, imagine, cut, span, words=("higher", "lower"), makes=True, natural=24.0, only_for=_CLAIMS
+        name=f"slit {_WORDS[place]}{', a wedge,' if wedge else ''}",
+        serves=(f"{place} slit", "slits"),
+        stage=7,
+        of=of,
+        imagine=imagine,
+        cut=cut,
+        span=span,
+        words=("higher", "lower"),
+        natural=24.0,
+        only_for=_CLAIMS,
     )
 
 
@@ -125,8 +132,13 @@ def _closing(place: Place | None) -> Trick:
         left = tuple(s for s in _slits(facts) if place is not None and s.place != place)
         return _with_slits(facts, left) if len(left) < len(_slits(facts)) else None
 
-    name = "slits closed" if place is None else f"slit {_WORDS[place]} closed"
-    return Trick(name, 1, imagine, lambda cutter: closed(cutter, place), only_for=("slit",))
+    return Trick(
+        name="slits closed" if place is None else f"slit {_WORDS[place]} closed",
+        stage=1,
+        imagine=imagine,
+        cut=lambda cutter: closed(cutter, place),
+        only_for=("slit",),
+    )
 
 
 SLIT_LEVERS: tuple[Lever, ...] = (

@@ -35,7 +35,7 @@ def lengthen_tiered(cutter: Cutter, distance: float) -> Pattern | None:
         return whole
     cutter = _without_low_slits(cutter, -distance)
     while (tier := _lowest_tier(cutter)) and (shorter := remove_panels(cutter.pattern, tier)) is not None:
-        after = Cutter(shorter, cutter.anatomy.body)
+        after = cutter.with_pattern(shorter)
         if cutter.facts.hem is None or after.facts.hem is None:
             return None
         length = after.facts.hem.level - cutter.facts.hem.level
@@ -100,7 +100,7 @@ def _sew_on(cutter: Cutter, amount: float) -> Pattern | None:
     for _ in range(new):
         if pattern is None:
             return None
-        now = Cutter(pattern, cutter.anatomy.body)
+        now = cutter.with_pattern(pattern)
         pattern = _with_row(now, height)
     return pattern
 
@@ -123,15 +123,18 @@ def _cut(cutter: Cutter) -> Pattern | None:
     return remove_panels(cutter.pattern, tier) if tier else None
 
 
-TIER_TRICKS: tuple[Trick, ...] = (Trick("lowest tier taken off", 1, _fewer, _cut, only_for=("tiers",)),)
+TIER_TRICKS: tuple[Trick, ...] = (
+    Trick(name="lowest tier taken off", stage=1, imagine=_fewer, cut=_cut, only_for=("tiers",)),
+)
 TIER_LEVERS: tuple[Lever, ...] = (
     Lever(
-        "tiers",
-        5,
-        _tiers,
-        _more,
-        _sew_on,
-        lambda f: (_tiers(f) or 1.0, _MOST_TIERS),
+        name="tiers",
+        serves=("tiers",),
+        stage=5,
+        of=_tiers,
+        imagine=_more,
+        cut=_sew_on,
+        span=lambda f: (_tiers(f) or 1.0, _MOST_TIERS),
         words=("more", "fewer"),
         unit="",
         only_for=("tiers", "skirt: tiered", "tiers_count"),

@@ -7,12 +7,20 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from swifttailor.describing.facts import Cuff, GarmentFacts
+from swifttailor.describing.facts_paths import (
+    Measure,
+    imagine_at,
+    mean,
+    measure_at,
+    shift_sleeves,
+    sleeves_of,
+)
 from swifttailor.describing.measuring.parts import Part
 from swifttailor.describing.measuring.sleeves import FLOUNCE_FLARE
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.amounts import cuts
-from swifttailor.recutting.levers.lengths import with_cuffs, with_sleeves
-from swifttailor.recutting.levers.lever import Lever, Trick, fixed
+from swifttailor.recutting.levers.lengths import with_cuffs
+from swifttailor.recutting.levers.lever import MORE_GATHERED, WIDER, Lever, Trick, fixed
 from swifttailor.recutting.levers.slits import recut_closed
 from swifttailor.recutting.table.cutter import Cutter
 
@@ -20,7 +28,7 @@ SIDE_EDGES = 4.0
 """Ends of side seams around a hem: so much wider does it get for 1 cm at each."""
 DART_CM = 2.5
 """What a dart of a skirt takes in, about."""
-_WIDER = ("wider", "narrower")
+_GATHERED = ("skirt gathers", "skirt: gathered")
 
 
 def _hem(facts: GarmentFacts) -> float | None:
@@ -43,57 +51,47 @@ def _set_hem(facts: GarmentFacts, width: float) -> GarmentFacts:
     return replace(facts, torso=replace(torso, lower_edge=width)) if torso else facts
 
 
-def _hem_span(facts: GarmentFacts) -> tuple[float, float]:
-    return 60.0, max(260.0, 2.0 * (_hem(facts) or 0.0))
-
-
 def _flare_hem(cutter: Cutter, amount: float) -> Pattern | None:
-    return recut_closed(cutter, lambda shut: _flare(shut, amount))
+    def flare(cutter: Cutter) -> Pattern | None:
+        edges = 2.0 * len(cutter.names(Part.SKIRT)) if cuts.is_gored(cutter) else SIDE_EDGES
+        return cuts.flare_hem(cutter, amount / edges)
 
-
-def _flare(cutter: Cutter, amount: float) -> Pattern | None:
-    if not cuts.is_gored(cutter):
-        return cuts.flare_hem(cutter, amount / SIDE_EDGES)
-    return cuts.flare_hem(cutter, amount / (2.0 * len(cutter.names(Part.SKIRT))))
+    return recut_closed(cutter, flare)
 
 
 def _sleeve_end(facts: GarmentFacts) -> float | None:
-    ends = [s.end_width for s in (facts.left_sleeve, facts.right_sleeve) if s and s.cuff is None]
-    return sum(ends) / len(ends) if ends else None
+    return mean([s.end_width for s in sleeves_of(facts) if s.cuff is None])
 
 
-def _set_sleeve_end(facts: GarmentFacts, width: float) -> GarmentFacts:
-    by = width - (_sleeve_end(facts) or 0.0)
-    return with_sleeves(
-        facts, ("left", "right"), lambda s: replace(s, end_width=s.end_width + by, opening=s.opening + by)
+def _cuff_opening(facts: GarmentFacts) -> float | None:
+    return mean([s.cuff.opening for s in sleeves_of(facts) if s.cuff])
+
+
+def _end_lever(
+    name: str,
+    serves: tuple[str, ...],
+    of: Measure,
+    imagine: Callable[[GarmentFacts, float], GarmentFacts],
+    cut: Callable[[Cutter, float], Pattern | None],
+    *,
+    least: float,
+    stage: int = 4,
+) -> Lever:
+    """Turns the seams that end at a free end."""
+    return Lever(
+        name=name,
+        serves=serves,
+        stage=stage,
+        of=of,
+        imagine=imagine,
+        cut=cut,
+        span=fixed(least, 110.0),
+        rate=SIDE_EDGES,
+        words=WIDER,
     )
 
 
-def _leg_end(facts: GarmentFacts) -> float | None:
-    return facts.trousers.hem if facts.trousers and facts.trousers.cuff is None else None
-
-
-def _set_leg_end(facts: GarmentFacts, width: float) -> GarmentFacts:
-    return (
-        replace(facts, trousers=replace(facts.trousers, hem=width, opening=width))
-        if facts.trousers
-        else facts
-    )
-
-
-def _opening(part: Part) -> Callable[[GarmentFacts], float | None]:
-    def of(facts: GarmentFacts) -> float | None:
-        if part is Part.LEG_CUFF:
-            return facts.trousers.cuff.opening if facts.trousers and facts.trousers.cuff else None
-        found = [s.cuff.opening for s in (facts.left_sleeve, facts.right_sleeve) if s and s.cuff]
-        return sum(found) / len(found) if found else None
-
-    return of
-
-
-def _cuff_width(part: Part) -> Lever:
-    of = _opening(part)
-
+def _cuff_width(name: str, serves: str, part: Part, of: Measure) -> Lever:
     def imagine(facts: GarmentFacts, width: float) -> GarmentFacts:
         share = width / max(of(facts) or 1.0, 1.0)
 
@@ -107,8 +105,7 @@ def _cuff_width(part: Part) -> Lever:
     def cut(cutter: Cutter, amount: float) -> Pattern | None:
         return cuts.widen_cuffs(cutter, amount, part)
 
-    name = "cuffs" if part is Part.CUFF else "leg cuffs"
-    return Lever(name, 4, of, imagine, cut, fixed(14.0, 110.0), rate=SIDE_EDGES, words=_WIDER)
+    return _end_lever(name, (serves,), of, imagine, cut, least=14.0)
 
 
 def _gather(facts: GarmentFacts) -> float | None:
@@ -120,56 +117,57 @@ def _set_gather(facts: GarmentFacts, gather: float) -> GarmentFacts:
     skirt = facts.skirt
     if skirt is None:
         return facts
-    f = gather / max(skirt.gather, 0.1)
-    skirt = replace(
-        skirt,
-        gather=gather,
-        hips=skirt.hips * f,
-        hem=skirt.hem * f,
-        circle=skirt.circle * f,
-        base_hem=skirt.base_hem * f,
-    )
-    return replace(facts, skirt=skirt)
+    factor = gather / max(skirt.gather, 0.1)
+    wider = {name: getattr(skirt, name) * factor for name in ("hips", "hem", "circle", "base_hem")}
+    return replace(facts, skirt=replace(skirt, gather=gather, **wider))
 
 
 def _cut_gather(cutter: Cutter, amount: float) -> Pattern | None:
     gather = cuts.skirt_gather(cutter)
-    return cuts.gather_skirt(cutter, (gather + amount) / gather, bend_arcs=True) if gather else None
+    return cuts.gather_skirt(cutter, (gather + amount) / gather) if gather else None
 
 
 WIDTH_LEVERS: tuple[Lever, ...] = (
-    Lever("hem", 6, _hem, _set_hem, _flare_hem, _hem_span, step=3.0, words=_WIDER),
     Lever(
+        name="hem",
+        serves=("skirt hem", "top width", "base width"),
+        stage=6,
+        of=_hem,
+        imagine=_set_hem,
+        cut=_flare_hem,
+        span=lambda f: (60.0, max(260.0, 2.0 * (_hem(f) or 0.0))),
+        step=3.0,
+        words=WIDER,
+    ),
+    _end_lever(
         "leg ends",
-        6,
-        _leg_end,
-        _set_leg_end,
+        ("leg end",),
+        lambda f: f.trousers.hem if f.trousers and f.trousers.cuff is None else None,
+        imagine_at("trousers.hem", "trousers.opening"),
         cuts.flare_legs,
-        fixed(18.0, 110.0),
-        rate=SIDE_EDGES,
-        words=_WIDER,
+        least=18.0,
+        stage=6,
     ),
-    Lever(
+    _end_lever(
         "sleeve ends",
-        4,
+        ("sleeve end",),
         _sleeve_end,
-        _set_sleeve_end,
+        shift_sleeves(_sleeve_end, "end_width", "opening"),
         cuts.flare_sleeves,
-        fixed(16.0, 110.0),
-        rate=SIDE_EDGES,
-        words=_WIDER,
+        least=16.0,
     ),
-    _cuff_width(Part.CUFF),
-    _cuff_width(Part.LEG_CUFF),
+    _cuff_width("cuffs", "cuff opening", Part.CUFF, _cuff_opening),
+    _cuff_width("leg cuffs", "leg_cuffs", Part.LEG_CUFF, measure_at("trousers.cuff.opening")),
     Lever(
-        "skirt at its seam",
-        4,
-        _gather,
-        _set_gather,
-        _cut_gather,
-        fixed(1.0, 2.7),
+        name="skirt at its seam",
+        serves=("skirt gathers",),
+        stage=4,
+        of=_gather,
+        imagine=_set_gather,
+        cut=_cut_gather,
+        span=fixed(1.0, 2.7),
         step=0.04,
-        words=("times more gathered", "times less gathered"),
+        words=MORE_GATHERED,
         unit="",
         gathers=True,
     ),
@@ -186,12 +184,12 @@ def _without_darts(facts: GarmentFacts) -> GarmentFacts | None:
 
 WIDTH_TRICKS: tuple[Trick, ...] = (
     Trick(
-        "skirt darts let out",
-        4,
-        _without_darts,
-        cuts.let_out_skirt,
+        name="skirt darts let out",
+        stage=4,
+        imagine=_without_darts,
+        cut=cuts.let_out_skirt,
         gathers=True,
-        only_for=("skirt gathers", "skirt: gathered"),
-        opens=("skirt gathers", "skirt: gathered"),
+        only_for=_GATHERED,
+        opens=_GATHERED,
     ),
 )

@@ -31,7 +31,7 @@ def accepted(
     """
     if edited is None or edited == cutter.pattern:
         return None
-    after = Cutter(edited, cutter.anatomy.body)
+    after = cutter.with_pattern(edited)
     if after.faults - cutter.faults or not plausible(cutter.facts, after.facts, as_before=as_before):
         return None
     return after if gathers or seams_kept(cutter, after) else None

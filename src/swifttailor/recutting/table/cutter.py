@@ -21,6 +21,10 @@ class Cutter:
         self.pattern = pattern.canonical()
         self.anatomy = Anatomy.of(self.pattern, Body.default().measurements if body is None else body)
 
+    def with_pattern(self, pattern: Pattern) -> Cutter:
+        """Another pattern for the same body."""
+        return Cutter(pattern, self.anatomy.body)
+
     @cached_property
     def facts(self) -> GarmentFacts:
         """What the pattern shows."""

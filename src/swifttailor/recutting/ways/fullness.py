@@ -16,7 +16,6 @@ def widen_panels(
     names: Collection[str],
     factor: float,
     *,
-    bend_arcs: bool = False,
     keep_lower: bool = False,
 ) -> Pattern | None:
     """Stretches panels across, in their local x, about their middles.
@@ -25,12 +24,10 @@ def widen_panels(
         pattern: Any pattern.
         names: Panels that stand upright, their local y being up.
         factor: New width over old.
-        bend_arcs: Whether arcs become other curves.
         keep_lower: Whether they are stretched less the further down, and not at all at their lower ends.
 
     Returns:
-        The recut pattern; None where a panel has arcs, which would have to become ellipses, and may
-        not bend or sweep too far.
+        The recut pattern, arcs bent; None where an arc sweeps too far for that.
     """
     bench = Workbench(pattern)
     for name in names:
@@ -43,7 +40,7 @@ def widen_panels(
             across = (1.0 + (factor - 1.0) * share) * (points[:, 0] - middle)
             return np.stack([middle + across, points[:, 1]], axis=1)
 
-        if not bench.map_points(name, stretch, {s.id for s in bench.pieces[name].sides}, bend_arcs=bend_arcs):
+        if not bench.map_points(name, stretch, {s.id for s in bench.pieces[name].sides}, bend_arcs=True):
             return None
     return bench.pattern()
 

@@ -26,25 +26,6 @@ _CURVES: dict[NewShape, tuple[tuple[float, float], tuple[float, float]]] = {
 """Control points from the middle to the shoulder, as parts of the way across and of the way up."""
 
 
-def deepen_neckline(pattern: Pattern, edges: Sequence[EdgeRef], distance: float) -> Pattern | None:
-    """Lowers the middle of a neckline along the centre seam.
-
-    Args:
-        pattern: Any pattern.
-        edges: The free edges of the neckline of one face.
-        distance: How much lower the middle lies afterwards, cm; negative raises it.
-
-    Returns:
-        The recut pattern; None where the neckline is not cut in two halves that meet at a straight seam.
-    """
-    return _recut(pattern, edges, distance, None)
-
-
-def reshape_neckline(pattern: Pattern, edges: Sequence[EdgeRef], shape: NewShape) -> Pattern | None:
-    """Cuts a neckline to another shape of the same depth and width; None where that cannot be done."""
-    return _recut(pattern, edges, 0.0, shape)
-
-
 def recut_neckline(
     pattern: Pattern,
     edges: Sequence[EdgeRef],
@@ -52,7 +33,7 @@ def recut_neckline(
     shape: NewShape | None,
     side: Literal["left", "right"] | None = None,
 ) -> Pattern | None:
-    """Cuts a neckline deeper and to another shape at once.
+    """Cuts a neckline deeper or shallower, and to another shape.
 
     Args:
         pattern: Any pattern.
@@ -60,8 +41,20 @@ def recut_neckline(
         distance: How much lower its middle lies afterwards, cm; negative raises it.
         shape: Of the cut; as it is when None.
         side: The wearer's, where only that half gets another shape.
+
+    Returns:
+        The recut pattern; None where the neckline is not cut in two halves that meet at a straight seam.
     """
-    return _recut(pattern, edges, distance, shape, side)
+    bench = Workbench(pattern)
+    halves = neckline_halves(bench, pattern, edges)
+    if not halves:
+        return None
+    for end, seam in halves:
+        x = float(bench.pieces[end.panel].panel.to_world(bench.run_chord(end.run))[:, 0].mean())
+        own = shape if side is None or (x > 0) == (side == "left") else None
+        if not _recut_half(bench, end, seam, distance, own):
+            return None
+    return bench.pattern()
 
 
 def neckline_halves(bench: Workbench, pattern: Pattern, edges: Sequence[EdgeRef]) -> list[tuple[End, int]]:
@@ -80,25 +73,6 @@ def neckline_halves(bench: Workbench, pattern: Pattern, edges: Sequence[EdgeRef]
     if not all(isinstance(bench.side(c).edge.curve, Line) for c in centre):
         return []
     return list(zip(ends, centre, strict=True))
-
-
-def _recut(
-    pattern: Pattern,
-    edges: Sequence[EdgeRef],
-    distance: float,
-    shape: NewShape | None,
-    side: Literal["left", "right"] | None = None,
-) -> Pattern | None:
-    bench = Workbench(pattern)
-    halves = neckline_halves(bench, pattern, edges)
-    if not halves:
-        return None
-    for end, seam in halves:
-        x = float(bench.pieces[end.panel].panel.to_world(bench.run_chord(end.run))[:, 0].mean())
-        own = shape if side is None or (x > 0) == (side == "left") else None
-        if not _recut_half(bench, end, seam, distance, own):
-            return None
-    return bench.pattern()
 
 
 def _middle(bench: Workbench, end: End) -> str:

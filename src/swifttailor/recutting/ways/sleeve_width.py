@@ -104,7 +104,9 @@ def _half(anatomy: Anatomy, panel: Panel, seams: Sequence[EdgeRef], head: Sequen
     cap, end = ((point - over[0]) @ along for point in under)
     if cap < LEAST_CAP_CM or end - cap < 1.0:
         return None
-    return Half(panel.name, over[0], along, across, caps, float(cap), float(end))
+    return Half(
+        name=panel.name, origin=over[0], along=along, across=across, head=caps, cap=float(cap), end=float(end)
+    )
 
 
 def stretch_sleeves(
