@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import pytest
+from swifttailor.wording.instructions.step_words import STEP_WORDS
+from swifttailor.wording.phrases.phrase import TOPIC
 
 from swifttailor.describing import CLAIM_TYPES, measure_facts
 from swifttailor.describing.dimensions import DIMENSIONS, QUANTITIES, STATED
 from swifttailor.describing.facts_paths import imagine_at, measure_at
 from swifttailor.pattern.drafts import draft
-from swifttailor.wording.instructions.step_words import STEP_WORDS
-from swifttailor.wording.phrases.phrase import TOPIC
 
 # Drafts have none of what these are of.
 NOT_ON_DRAFTS = {
