@@ -32,7 +32,7 @@ EDITS: list[tuple[str, str, Change]] = [
     ("gc_1000981", "add long sleeves", claims(sleeves="long")),
     ("gc_1000326", "make it 15 cm longer", hem_falls(13, 17)),
     ("gc_1005537", "remove the sleeves", claims(sleeves="none")),
-    ("gc_1005658", "give it a round neckline", claims(neckline="round")),
+    ("gc_1000272", "give it a round neckline", claims(neckline="round")),
     ("gc_1001309", "take the hood off", claims(hood="none")),
     ("gc_1002218", "turn them into shorts", claims(kind="shorts")),
     ("gc_1005599", "make it floor length", claims(skirt_hem="floor")),
