@@ -19,8 +19,8 @@ MADE_FILES = SEWN_FILES | {"ggi.npz"}
 BORDER = (0.2, 1.15)
 """Length of the open borders of a sewn garment, in lengths of the edges that are not sewn.
 
-A seam that is open would add twice its own. The hems of the fullest skirts (one of 59 m) lose length to folds that
-the network does not make.
+A seam that is open would add twice its own. The hems of the fullest skirts (one of 59 m) lose length to
+folds that the network does not make.
 """
 
 
