@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from swifttailor.wording.instructions.step_words import STEP_WORDS
-from swifttailor.wording.phrases.phrase import TOPIC
 
 from swifttailor.describing import CLAIM_TYPES, measure_facts
 from swifttailor.describing.dimensions import DIMENSIONS, QUANTITIES, STATED
 from swifttailor.describing.facts_paths import imagine_at, measure_at
 from swifttailor.pattern.drafts import draft
+from swifttailor.wording.instructions.requests import step_words
+from swifttailor.wording.wordings import all_wordings
 
 # Drafts have none of what these are of.
 NOT_ON_DRAFTS = {
@@ -31,8 +31,9 @@ def test_every_dimension_is_measured_on_some_draft(measured):
 
 def test_every_dimension_is_asked_for_or_claimed_and_has_words():
     assert DIMENSIONS.keys() == QUANTITIES.keys() | {d.name for d in STATED.values()}
-    assert STEP_WORDS.keys() == QUANTITIES.keys()
-    assert {name for name, kind in CLAIM_TYPES.items() if kind.measure} == STATED.keys() <= TOPIC.keys()
+    assert {name for name, _ in step_words()} == QUANTITIES.keys()
+    said = {name for wording in all_wordings() for name in wording.numbers}
+    assert {name for name, kind in CLAIM_TYPES.items() if kind.measure} == STATED.keys() <= said
 
 
 def test_what_is_imagined_is_measured():
