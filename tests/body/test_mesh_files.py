@@ -186,8 +186,8 @@ def test_too_large_files_are_refused_unread(tmp_path, monkeypatch):
         ("body: {waist: -3}", "above zero"),
         ("body: {waist: true}", "finite number"),
         ("body: {height: 1.72}", "state a height"),
-        ("body: [unclosed", "no valid YAML"),
-        ("!!python/object/apply:os.system ['true']", "no valid YAML"),
+        ("body: [unclosed", "not valid YAML"),
+        ("!!python/object/apply:os.system ['true']", "not valid YAML"),
     ],
 )
 def test_bad_measurement_files_are_refused(body, tmp_path, content, message):

@@ -204,8 +204,8 @@ def test_which_way_a_folder_means_its_angles(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["generate"], "Nothing was asked for"),
-        (["generate", " "], "Nothing was asked for"),
+        (["generate"], "Nothing was requested"),
+        (["generate", " "], "Nothing was requested"),
         (["generate", "photo.PNG"], "--image photo.PNG"),
         (["generate", "x", "--samples", "0"], "--samples is 0"),
         (["generate", "x", "--seed", "-1"], "--seed is -1"),
@@ -232,7 +232,7 @@ def test_without_weights_it_says_how_to_get_them(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(maker_module, "SHIPPED", tmp_path / "none.zip")
     assert run(["generate", "a dress", "--out", str(tmp_path / "out")]) == 2
     said = capsys.readouterr().err
-    assert "without weights of a PatternMaker" in said and "--maker-weights" in said
+    assert "without weights for a PatternMaker" in said and "--maker-weights" in said
     assert not (tmp_path / "out").exists()
 
 

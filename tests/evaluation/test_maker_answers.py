@@ -170,7 +170,7 @@ def test_answers_to_other_questions_are_refused(texts, book, tmp_path):
         ask_all(Tailor(StandIn([other], truth)), [other], book, HOW)
     book.close()
     (tmp_path / ANSWERS).write_text('{"question": "text/shirt"}\n')
-    with pytest.raises(InputError, match="holds a line that is no answer"):
+    with pytest.raises(InputError, match="holds a line that is not an answer"):
         Book(tmp_path / ANSWERS)
     (tmp_path / ANSWERS).write_text(
         json.dumps({"question": texts[0].key, "attempt": 0, "asked": texts[0].fingerprint, "pattern": {}})

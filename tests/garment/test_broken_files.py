@@ -93,7 +93,7 @@ def test_wrong_ending_folder_and_missing_file(tmp_path):
     with pytest.raises(InputError, match="Cannot read"):
         read_garment_mesh(tmp_path / "none.glb")
     (tmp_path / "folder.glb").mkdir()
-    with pytest.raises(InputError, match="no file"):
+    with pytest.raises(InputError, match="is not a file"):
         read_garment_mesh(tmp_path / "folder.glb")
 
 

@@ -255,7 +255,7 @@ def test_weights_of_another_shape_or_kind_are_refused(tmp_path):
 
     DPTForDepthEstimation(dpt_config(replace(TINY, hidden_size=64), 3)).save_pretrained(tmp_path / "wide")
     BertConfig().save_pretrained(tmp_path / "bert")
-    for source, said in (("wide", "do not fit"), ("bert", "'bert'"), ("nothing", "cannot be had")):
+    for source, said in (("wide", "do not fit"), ("bert", "'bert'"), ("nothing", "cannot be loaded")):
         with pytest.raises(InputError, match=said):
             build_network(replace(TINY, pretrained=str(tmp_path / source)), 5)
 

@@ -196,7 +196,7 @@ def test_a_model_file_with_something_else_in_it_is_still_refused(tmp_path):
     path.write_bytes(TINY.read_bytes())
     with zipfile.ZipFile(path, "a") as archive:
         archive.writestr("more.txt", "more")
-    with pytest.raises(InputError, match="is no PatternMaker"):
+    with pytest.raises(InputError, match="is not a PatternMaker"):
         load_model(path)
 
 

@@ -158,7 +158,7 @@ def test_pictures_become_square_and_normalised(tmp_path):
 @pytest.mark.parametrize("data", [b"", b"no picture", b"\x89PNG\r\n\x1a\n" + b"\0" * 50])
 def test_what_is_no_picture_is_refused(data, tmp_path):
     (tmp_path / "p.png").write_bytes(data)
-    with pytest.raises(InputError, match="is no picture"):
+    with pytest.raises(InputError, match="is not a readable picture"):
         read_picture(tmp_path / "p.png")
 
 
@@ -202,8 +202,8 @@ def swap(members):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda m: m.pop("vision.onnx"), "is no PatternMaker: it holds"),
-        (lambda m: m.update({"more": b""}), "is no PatternMaker: it holds"),
+        (lambda m: m.pop("vision.onnx"), "is not a PatternMaker: it holds"),
+        (lambda m: m.update({"more": b""}), "is not a PatternMaker: it holds"),
         (lambda m: m.update({"embed.onnx": m["embed.onnx"][:-9]}), "embed.onnx is not what"),
         (lambda m: m.update({"text_tokens.json": b"{}"}), "text_tokens.json is not what"),
         (lambda m: m.update({"card.json": b"{}"}), "of this version"),

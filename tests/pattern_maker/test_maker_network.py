@@ -407,7 +407,7 @@ def test_model_file_predicts_what_torch_does(network, tmp_path):
     with pytest.raises(InputError, match=r"decoder.onnx is another network"):
         load_model(write_model(tmp_path / "copying.zip", copying, text, card))
     half = plain | {"leaning": graphs["leaning"]}
-    with pytest.raises(InputError, match="is no PatternMaker: it holds"):
+    with pytest.raises(InputError, match="is not a PatternMaker: it holds"):
         load_model(write_model(tmp_path / "half.zip", half, text, card))
 
 
@@ -480,7 +480,7 @@ def test_a_pretrained_internvl_is_taken_as_it_is(network, tmp_path):
     assert torch.allclose(logits, made.token_head(own), atol=1e-5)
     with pytest.raises(InputError, match="image_size and patch_size"):
         build_network(NetworkConfig(pretrained=str(tmp_path), early_convolutions=False, image_size=128), size)
-    with pytest.raises(InputError, match="cannot be had"):
+    with pytest.raises(InputError, match="cannot be loaded"):
         build_network(
             NetworkConfig(pretrained=str(tmp_path / "none"), early_convolutions=False, image_size=64), size
         )

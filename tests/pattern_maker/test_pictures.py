@@ -202,7 +202,7 @@ except InputError as error:
 )
 def test_what_is_called_png_and_is_none_is_refused(data, tmp_path):
     (tmp_path / "p.png").write_bytes(data)
-    with pytest.raises(InputError, match=r"is no picture that can be read"):
+    with pytest.raises(InputError, match=r"is not a readable picture"):
         read_picture(tmp_path / "p.png")
 
 

@@ -178,7 +178,7 @@ def test_attempts_end_when_everything_holds(dress, shirt):
     assert maker.asked == [([5], 0), ([5], 1)]
     assert maker.temperatures == [0.5, 0.5 + WARMER]
     assert fitted.attempt == 1 and len(fitted.failures) == 1
-    assert fitted.failures[0].startswith("asked for, and not so: how the upper part is shaped")
+    assert fitted.failures[0].startswith("requested but not met: how the upper part is shaped")
     assert fitted.pattern.name == "a darted one" and fitted.pattern is sewer.prepared[-1]
 
 

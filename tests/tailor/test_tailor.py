@@ -175,7 +175,7 @@ def test_a_pattern_that_cannot_be_sewn_is_written_again(sewer):
     assert maker.model.runtime.asked == [1, 1, 1]
     assert made.report["writing"]["attempt"] == 3
     assert [f.split(" ")[0] for f in made.report["writing"]["failed_attempts"]] == ["self-crossing"] * 2
-    assert made.notes == ("3 patterns were written, of which number 3 was taken.",)
+    assert made.notes == ("3 patterns were written; number 3 was taken.",)
     assert not made.needs_a_look
 
 
@@ -309,7 +309,7 @@ def test_a_picture_unlike_all_that_are_known_is_doubted(tmp_path, sewer):
 def test_a_picture_that_cannot_be_read_is_refused(tmp_path, sewer):
     (tmp_path / "text.png").write_text("a long dress")
     tailor = Tailor.load(scripted_maker([SKIRT]), sewer)
-    with pytest.raises(InputError, match="is no picture"):
+    with pytest.raises(InputError, match="is not a readable picture"):
         tailor.generate(image=tmp_path / "text.png")
     with pytest.raises(InputError, match="of bytes"):
         tailor.generate(image=np.zeros((4, 4), np.uint8))
@@ -338,7 +338,7 @@ def test_an_edit_recuts_the_pattern_that_was_given(sewer):
 def test_what_cannot_be_cut_is_told(sewer):
     made = Tailor.load(scripted_maker([SHIRT]), sewer).generate("a top with darts", attempts=1)
     assert like(made.pattern, SHIRT)
-    assert made.notes == ("Asked for, and not so: how the upper part is shaped: darted.",)
+    assert made.notes == ("Requested but not met: how the upper part is shaped: darted.",)
     assert {w["wish"]: w["holds"] for w in made.report["wishes"]}[
         "how the upper part is shaped: darted"
     ] is False
@@ -415,9 +415,9 @@ def test_networks_are_opened_when_they_are_needed(monkeypatch):
     monkeypatch.setattr(maker_module, "SHIPPED", Path("/nowhere/pattern_maker.zip"))
     monkeypatch.setattr(sewer_module, "SHIPPED", Path("/nowhere/garment_sewer.onnx"))
     tailor = swifttailor.Tailor.load()
-    with pytest.raises(InputError, match="without weights of a PatternMaker"):
+    with pytest.raises(InputError, match="without weights for a PatternMaker"):
         tailor.generate("a dress")
-    with pytest.raises(InputError, match="without weights of a GarmentSewer"):
+    with pytest.raises(InputError, match="without weights for a GarmentSewer"):
         tailor.sew(SHIRT)
     with pytest.raises(InputError, match="Cannot read the weights"):
         swifttailor.Tailor.load("/nowhere/other.zip").generate("a dress")

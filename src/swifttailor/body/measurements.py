@@ -210,10 +210,10 @@ def _parse(text: str, path: Path) -> Any:
         try:
             return json.loads(text)
         except (ValueError, RecursionError) as error:
-            raise InputError(f"'{path}' is no valid JSON: {error}.") from error
+            raise InputError(f"'{path}' is not valid JSON: {error}.") from error
     import yaml
 
     try:
         return yaml.safe_load(text)
     except (yaml.YAMLError, ValueError, RecursionError) as error:
-        raise InputError(f"'{path}' is no valid YAML: {error}.") from error
+        raise InputError(f"'{path}' is not valid YAML: {error}.") from error

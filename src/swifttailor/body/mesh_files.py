@@ -100,7 +100,7 @@ def fit_body(
 def _read_mesh(path: Path) -> tuple[Array, Array]:
     """Vertices (N, 3) in the file's own unit and triangles (M, 3)."""
     if path.suffix.lower() not in FORMATS:
-        raise InputError(f"'{path}' is no body mesh: its ending must be one of {', '.join(FORMATS)}.")
+        raise InputError(f"'{path}' is not a body mesh: its ending must be one of {', '.join(FORMATS)}.")
     try:
         size = path.stat().st_size
     except OSError as error:

@@ -22,7 +22,7 @@ UNREADABLE = 2
 
 @dataclass(frozen=True)
 class Check:
-    """Look for faults in a sewing pattern, and mend those that are safe to mend.
+    """Find faults in a sewing pattern, and repair those that are safe to repair.
 
     Exit code 0: no errors or warnings; 1: there are some; 2: the file cannot be read as a pattern.
     """
@@ -30,7 +30,7 @@ class Check:
     pattern: tyro.conf.Positional[Path]
     """GarmentCode JSON file to check."""
     repair: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Write the mended pattern to this file. The exit code then tells what is left to mend."""
+    """Write the repaired pattern to this file. The exit code then tells whether faults remain."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
     """Print one JSON object (path, ok, findings, changes) instead of text."""
     rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"

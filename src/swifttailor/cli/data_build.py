@@ -32,7 +32,7 @@ class DataBuild:
     """Drape patterns, keep those within the limits of quality, and put them into shards.
 
     Writes a folder for the split into DIR: index.json, shard-00000-....safetensors, and results.jsonl with a
-    line for every pattern. Stopped at any moment and started again, it goes on where it stopped. The shards
+    line for every pattern. Stopped at any moment and started again, it resumes where it stopped. The shards
     are the same, byte for byte, however often that happens and however many workers there are.
 
     Exit code 0: done; 1: done, but some patterns crashed or took too long (--retry-failed tries them again);
@@ -44,9 +44,9 @@ class DataBuild:
     out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """Folder of the data set; created when missing."""
     split: Annotated[str | None, tyro.conf.arg(metavar="NAME")] = None
-    """Name of the split (train, validation, test); the first file's name without it."""
+    """Name of the split (train, validation, test). Default: the first file's name."""
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """Patterns draped at the same time on this machine; one per processor core without it."""
+    """Patterns draped at the same time on this machine. Default: one per CPU core."""
     ray: Annotated[str | None, tyro.conf.arg(metavar="ADDRESS")] = None
     """Drape on a Ray cluster instead (package 'ray'): auto, HOST:PORT, or local."""
     limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
@@ -59,21 +59,21 @@ class DataBuild:
     """The built-in solver, Newton (package 'newton') for the last stage, or GarmentSewer instead of a drape:
     thirty times as fast, good for pictures of garments, not to train GarmentSewer on."""
     sewer_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """With --engine network: GarmentSewer's model file; the one that comes with the package without it."""
+    """With --engine network: GarmentSewer's model file. Default: the one in the package."""
     seed: int = 0
     """0 gives the same drapes every time; others shift the start by a hundredth of a millimetre."""
     rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"
     """How to read the placement angles: as GarmentCode's generator writes them (intrinsic), or as its
     simulator and older files do (extrinsic)."""
     repair: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Mend patterns first, as swifttailor check --repair does."""
+    """Repair patterns first, as swifttailor check --repair does."""
     time_limit: Annotated[float, tyro.conf.arg(metavar="SECONDS")] = 600.0
-    """Give a pattern up after this long."""
+    """Give up on a pattern after this long."""
     largest: Annotated[int | None, tyro.conf.arg(metavar="VERTICES")] = None
     """Leave patterns with more vertices for a later run with --retry-failed: the largest three of a hundred
     take a quarter of the time."""
     retry_failed: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Try again what crashed, took too long or was left for later before."""
+    """Retry what crashed, took too long or was left for later."""
 
     def run(self) -> int:
         """Builds, says what came of it, and returns the exit code.

@@ -25,13 +25,13 @@ class DataCaptions:
     source: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="SOURCE")]
     """A data set, a split of one, a .jsonl or .jsonl.gz file, a folder of .json files, or a pattern."""
     out: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """File to write; without it a data set gets captions.jsonl in each split, and others are printed."""
+    """File to write. Default: captions.jsonl in each split of a data set; others are printed."""
     count: Annotated[int, tyro.conf.arg(metavar="N")] = 4
     """Captions of each pattern."""
     seed: int = 0
     """Decides words, order, dialect and units."""
     style: str | None = None
-    """terse, phrase, description, tags, command, shop, sheet or hasty; by lot without it."""
+    """terse, phrase, description, tags, command, shop, sheet or hasty. Default: at random."""
     text: bool = False
     """Print the texts alone, one a line."""
 

@@ -43,7 +43,7 @@ class DataImport:
     limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Only the first N garments of each split."""
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """Processes; one per processor core without it."""
+    """Processes. Default: one per CPU core."""
 
     def run(self) -> int:
         """Imports, says what came of it, and returns the exit code.

@@ -15,7 +15,7 @@ class DataRender:
     """Draw pictures of every garment of a data set into the folder renders/ of each split.
 
     Two like those of GarmentCodeData (front and back), and others with random cloth, body, light, backdrop
-    and camera. Stopped and started again, it goes on where it stopped.
+    and camera. Stopped and started again, it resumes where it stopped.
     """
 
     dataset: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="DIR")]
@@ -29,7 +29,7 @@ class DataRender:
     seed: int = 0
     """Of the random looks."""
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """Processes; one per processor core without it."""
+    """Processes. Default: one per CPU core."""
 
     def run(self) -> int:
         """Draws, says how much, and returns the exit code.

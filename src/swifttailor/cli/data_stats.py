@@ -27,13 +27,13 @@ class DataStats:
     dataset: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="DIR")]
     """The data set, or one split of it."""
     out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
-    """Folder to write; stats/ in the data set without it."""
+    """Folder to write. Default: stats/ in the data set."""
     samples: Annotated[int, tyro.conf.arg(metavar="N")] = 200
     """How many random samples of each split to draw."""
     seed: int = 0
     """Decides which."""
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """Processes; one per processor core without it."""
+    """Processes. Default: one per CPU core."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
     """Print the numbers as JSON instead of a summary."""
 

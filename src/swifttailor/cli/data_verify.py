@@ -23,7 +23,7 @@ class DataVerify:
     dataset: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="DIR")]
     """The data set, or one split of it."""
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """Processes; one per processor core without it."""
+    """Processes. Default: one per CPU core."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
     """Print one JSON object (ok, samples, faults) instead of text."""
 

@@ -62,7 +62,7 @@ class Drape:
     """How to read the placement angles: as GarmentCode's generator writes them (intrinsic), or as its
     simulator and older files do (extrinsic)."""
     repair: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Mend the pattern first, as swifttailor check --repair does."""
+    """Repair the pattern first, as swifttailor check --repair does."""
     preview: bool = True
     """Draw preview.png, and with --batch the sheets."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
@@ -70,13 +70,13 @@ class Drape:
     batch: Annotated[Path | None, tyro.conf.arg(metavar="PATTERNS")] = None
     """Drape many: .jsonl or .jsonl.gz with one {"id": ..., "pattern": ...} a line, or a folder of .json."""
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """With --batch: garments draped at the same time; one per processor core without it."""
+    """With --batch: garments draped at the same time. Default: one per CPU core."""
     limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """With --batch: only the first N patterns."""
     time_limit: Annotated[float | None, tyro.conf.arg(metavar="SECONDS")] = None
-    """With --batch: give a garment up after this long; 600 without it."""
+    """With --batch: give up on a garment after this long. Default: 600."""
     retry_failed: tyro.conf.FlagCreatePairsOff[bool] = False
-    """With --batch: when going on, try again what failed before."""
+    """With --batch: when resuming, retry what failed before."""
 
     def run(self) -> int:
         """Drapes, prints what came of it, and returns the exit code.

@@ -15,11 +15,11 @@ from swifttailor.errors import InputError
 
 @dataclass(frozen=True, kw_only=True)
 class Edit(Making):
-    """Change a sewing pattern as an instruction says, and make its garment.
+    """Change a sewing pattern as instructed, and make its garment.
 
     Writes the same files as swifttailor generate.
 
-    Exit code 0: made; 1: made, but look at what it says, or some samples were not made; 2: nothing was made.
+    Exit code 0: made; 1: made, but read what it says, or some samples failed; 2: nothing was made.
     """
 
     pattern: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="PATTERN")]
@@ -27,10 +27,10 @@ class Edit(Making):
     instruction: Annotated[tyro.conf.Positional[str], tyro.conf.arg(metavar="INSTRUCTION")]
     """What to change, in English: "make the sleeves longer"."""
     repair: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Mend the pattern first, as swifttailor check --repair does."""
+    """Repair the pattern first, as swifttailor check --repair does."""
     rotation: Literal["intrinsic", "extrinsic"] | None = None
     """How to read the placement angles: as GarmentCode's generator writes them (intrinsic), or as its
-    simulator and older files do (extrinsic). Without it, what a garment's folder says, else intrinsic."""
+    simulator and older files do (extrinsic). Default: what a garment's folder says, else intrinsic."""
 
     def run(self) -> int:
         """Makes what is asked for, prints what came of it, and returns the exit code.

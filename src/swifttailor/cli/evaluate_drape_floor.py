@@ -14,7 +14,7 @@ class EvaluateDrapeFloor:
     """Drape the patterns of a split once more, from starting positions moved by a hundredth of a millimetre.
 
     How far these drapes are from those of the data is chance; no network can be expected to come nearer.
-    Takes some seconds a garment. Every drape is kept in --out: stopped and started again, it goes on.
+    Takes some seconds a garment. Every drape is kept in --out: stopped and started again, it resumes.
 
     Exit code 0: done; 1: done, but some patterns could not be draped again; 2: not done.
     """

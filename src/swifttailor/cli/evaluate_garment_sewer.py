@@ -24,17 +24,17 @@ class EvaluateGarmentSewer:
     split: Annotated[str, tyro.conf.arg(metavar="NAME")] = "test"
     """Which of its splits."""
     weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Model file (.onnx) of a trained GarmentSewer; the one of the package without it."""
+    """Model file (.onnx) of a trained GarmentSewer. Default: the one in the package."""
     limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Only N garments, chosen by --seed."""
     seed: int = 0
     """Decides which garments, and which points of them are compared."""
     resolution: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """Pixels along each side of the images; what the network was trained at without it."""
+    """Pixels along each side of the images. Default: what the network was trained at."""
     finish: tyro.conf.FlagCreatePairsOff[bool] = False
     """Let the garments hang to rest by physics before they are measured; takes a second or two each."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
-    """Processor cores for the network."""
+    """CPU cores for the network."""
     out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
     """Folder for the results; created when missing."""
     pictures: Annotated[int, tyro.conf.arg(metavar="N")] = 12

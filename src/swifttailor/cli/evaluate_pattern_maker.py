@@ -31,7 +31,7 @@ class EvaluatePatternMaker:
 
     Prints tables beside the paper's rows, and writes into --out: tables.txt, summary.json, scores.jsonl (a
     line for each answer), answers.jsonl and samples.jsonl (patterns), sheet-text-01.png and so on (answers
-    beside the truth). Answers are kept as they are given: stopped and started again, it goes on.
+    beside the truth). Answers are kept as they are given: stopped and started again, it resumes.
 
     Exit code 0: done; 1: done, but some patterns could not be asked for or were not answered; 2: not done.
     """
@@ -41,14 +41,14 @@ class EvaluatePatternMaker:
     out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """Folder for answers and results; created when missing."""
     weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Model file (.zip) of a trained PatternMaker; the one of the package without it."""
+    """Model file (.zip) of a trained PatternMaker. Default: the one in the package."""
     data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
     """Data set, or a split of one, with drapes of these patterns: its renders are the pictures, or pictures
     are drawn of its drapes where it has none."""
     edits: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Edited versions of these patterns, each with the id of its base."""
     tasks: tuple[Literal["text", "image", "text+image", "edit"], ...] = ()
-    """What to ask by; all that there is something for without it."""
+    """What to ask by. Default: everything that the given data allow."""
     limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Only N patterns and N edits, chosen by --seed. A larger N later goes on with the same ones."""
     seed: int = 0
@@ -72,7 +72,7 @@ class EvaluatePatternMaker:
     sewer_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """GarmentSewer's model file; the one of the package without it. It says which patterns can be sewn."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
-    """Processor cores for the network."""
+    """CPU cores for the network."""
     pictures: Annotated[int, tyro.conf.arg(metavar="N")] = 12
     """How many answers of each task to draw, from the nearest to the truth to the farthest."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False

@@ -16,20 +16,20 @@ _PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".gif", ".tif", ".tiff")
 
 @dataclass(frozen=True, kw_only=True)
 class Generate(Making):
-    """Make a sewing pattern and its garment of a description, a picture, or both.
+    """Make a sewing pattern and its garment from a description, a picture, or both.
 
     Writes pattern.json, pattern.svg, garment.glb, garment.obj, preview.png, ggi.npz and report.json into a
     folder.
 
-    Exit code 0: made; 1: made, but look at what it says, or some samples were not made; 2: nothing was made.
+    Exit code 0: made; 1: made, but read what it says, or some samples failed; 2: nothing was made.
     """
 
     text: Annotated[tyro.conf.Positional[str], tyro.conf.arg(metavar="TEXT")] = ""
     """What the garment should be, in English: "a knee-length sleeveless dress with a V neck"."""
     image: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Picture of one garment, best before a plain background: PNG, JPEG, WEBP, BMP, GIF or TIFF."""
+    """Picture of one garment, best against a plain background: PNG, JPEG, WEBP, BMP, GIF or TIFF."""
     crop: bool = True
-    """Crop the picture to what stands before its background, where that is plain."""
+    """Crop the picture to its figure where the background is plain."""
 
     def run(self) -> int:
         """Makes what is asked for, prints what came of it, and returns the exit code.
@@ -39,7 +39,7 @@ class Generate(Making):
         """
         if not self.text.strip() and self.image is None:
             raise InputError(
-                'Nothing was asked for. Describe a garment: swifttailor generate "a long dress" --out DIR, '
+                'Nothing was requested. Describe a garment: swifttailor generate "a long dress" --out DIR, '
                 "or give a picture of one: --image FILE"
             )
         if self.image is None and Path(self.text.strip()).suffix.lower() in _PICTURES:

@@ -15,7 +15,7 @@ from swifttailor.pattern import Pattern
 
 @dataclass(frozen=True, kw_only=True)
 class Ggi:
-    """Draw a pattern or a draped garment as a Garment Geometry Image, or make a garment of one.
+    """Draw a pattern or a draped garment as a Garment Geometry Image, or turn one back into a garment.
 
     Writes ggi.npz, which holds everything, and pictures of it: semantic.png (panel types), stitching.png
     (what is sewn to what) and, from a draped garment, geometry.png (positions).
@@ -28,21 +28,21 @@ class Ggi:
     out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """Folder to write; created when missing."""
     resolution: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """Pixels along each side of the images, 16 to 4096; 256 without it."""
+    """Pixels along each side of the images, 16 to 4096. Default: 256."""
     cm_per_pixel: Annotated[float | None, tyro.conf.arg(metavar="CM")] = None
-    """Scale of the images; the finest one at which all panels fit without it."""
+    """Scale of the images. Default: the finest at which all panels fit."""
     packing: Literal["skyline", "rows"] | None = None
     """How the panels are packed: rows is the paper's way; skyline, the default, loses less space."""
     rotation: Literal["intrinsic", "extrinsic"] | None = None
     """How to read the placement angles of a pattern file: as GarmentCode's generator writes them (intrinsic,
     the default), or as its simulator and older files do (extrinsic)."""
     decode: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Make a garment of this ggi.npz."""
+    """Turn this ggi.npz back into a garment."""
     method: Literal["outline", "grid"] | None = None
     """With --decode: panels cut along their exact outlines (outline, the default), or pixels as vertices and
     seams found in the images (grid, the paper's way)."""
     edge_length: Annotated[float | None, tyro.conf.arg(metavar="CM")] = None
-    """With --decode and outline: edge length of the mesh in cm; 2 without it."""
+    """With --decode and outline: edge length of the mesh in cm. Default: 2."""
 
     def run(self) -> int:
         """Encodes or decodes, prints what was made, and returns the exit code.
@@ -114,7 +114,7 @@ class Ggi:
             return Garment.load(source)
         if source.suffix.lower() == ".npz":
             raise InputError(
-                f"'{source}' is no pattern but looks like an image. To make a garment of it: "
+                f"'{source}' is not a pattern; it looks like an image. To turn it into a garment: "
                 f"swifttailor ggi --decode {source} --out DIR"
             )
         return load_pattern(source, rotation=self.rotation or "intrinsic")

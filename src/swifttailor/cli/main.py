@@ -142,7 +142,7 @@ def _overview() -> str:
         "  swifttailor --version        the version",
         "  --debug                      with any command: show where an error happened",
         "",
-        "Exit codes: 0 done; 1 done, but look at what it says; 2 not done, and why; 130 interrupted.",
+        "Exit codes: 0 done; 1 done, but read what it says; 2 not done, and why; 130 interrupted.",
     ]
     return "\n".join(lines) + "\n"
 
@@ -237,12 +237,12 @@ def _load_evaluate() -> Runner:
 
 COMMANDS: dict[str, Command] = {
     "generate": Command(
-        "Make a pattern and its garment of words or a picture, by networks.",
-        'swifttailor generate "a long dress" --out DIR    or of a picture: --image FILE',
+        "Make a pattern and its garment from words or a picture.",
+        'swifttailor generate "a long dress" --out DIR    or from a picture: --image FILE',
         _load_generate,
     ),
     "edit": Command(
-        "Change a pattern as words say, and make its garment.",
+        "Change a pattern as instructed, and make its garment.",
         'swifttailor edit PATTERN "make the sleeves longer" --out DIR',
         _load_edit,
     ),
@@ -257,7 +257,7 @@ COMMANDS: dict[str, Command] = {
         _load_draft,
     ),
     "check": Command(
-        "Look for faults in a sewing pattern; mend those that are safe to mend.",
+        "Find faults in a sewing pattern, and repair those that are safe to repair.",
         "swifttailor check PATTERN [--repair MENDED]",
         _load_check,
     ),
@@ -267,17 +267,17 @@ COMMANDS: dict[str, Command] = {
         _load_convert,
     ),
     "ggi": Command(
-        "Draw a pattern or a draped garment as images, or make a garment of images.",
+        "Draw a pattern or a garment as images, or turn images back into a garment.",
         "swifttailor ggi INPUT --out DIR    back: swifttailor ggi --decode FILE --out DIR",
         _load_ggi,
     ),
     "data": Command(
-        "Data sets to learn from: build them from patterns, verify them, look at them.",
+        "Build data sets from patterns, verify them, look at them.",
         "swifttailor data build --patterns FILE... --out DIR    all: swifttailor data --help",
         _load_data,
     ),
     "sew": Command(
-        "Turn patterns into garments by a network, not by physics: a fraction of a second each.",
+        "Turn patterns into garments with a network, in a fraction of a second each.",
         "swifttailor sew PATTERN... --out DIR",
         _load_sew,
     ),

@@ -38,27 +38,27 @@ class Making:
     out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """Folder to write; created when missing."""
     samples: Annotated[int, tyro.conf.arg(metavar="K")] = 1
-    """How many garments to make; of several each gets a folder of its own in DIR, and sheet.png shows all."""
+    """How many garments to make. Several get a folder each in DIR, and sheet.png shows them all."""
     seed: int = 0
-    """Decides what is drawn; of several samples each has one more than the one before."""
+    """Random seed; each further sample adds one."""
     temperature: Annotated[float, tyro.conf.arg(metavar="T")] = 0.2
-    """0: the likeliest pattern always; higher: more various, and odder."""
+    """0: always the likeliest pattern; higher: more varied, and odder."""
     attempts: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """Patterns to write at most until one can be sewn; 4 without it, or 1 at temperature 0."""
+    """Patterns to write at most until one can be sewn. Default: 4, or 1 at temperature 0."""
     alter: bool = True
-    """Recut the pattern until what the text asks for holds, as far as that can be cut."""
+    """Recut the pattern until it is what the text asks for, as far as cutting can do that."""
     finish: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Let the garment hang to rest by physics in the end: wrinkles, and a report of its quality."""
+    """Finish with physics: let the garment hang to rest. Adds wrinkles and a report of its quality."""
     edge_length: float = 2.0
     """Edge length of the mesh in cm, 0.5 to 10."""
     preview: bool = True
-    """Draw preview.png, and the sheet of several samples."""
+    """Draw preview.png, and the sheet for several samples."""
     maker_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Model file (.zip) of a trained PatternMaker; the one of the package without it."""
+    """Model file (.zip) of a trained PatternMaker. Default: the one in the package."""
     sewer_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Model file (.onnx) of a trained GarmentSewer; the one of the package without it."""
+    """Model file (.onnx) of a trained GarmentSewer. Default: the one in the package."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
-    """Processor cores for the networks."""
+    """CPU cores for the networks."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
     """Print a list of the reports as JSON."""
 

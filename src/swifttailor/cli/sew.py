@@ -28,7 +28,7 @@ class Sew:
     patterns each gets a folder of its own in DIR, named after its file. What is wrong with a pattern is said,
     and it is sewn all the same where that is possible.
 
-    Exit code 0: made; 1: made, but look at what it says, or some were not made; 2: nothing was made.
+    Exit code 0: made; 1: made, but read what it says, or some failed; 2: nothing was made.
     """
 
     patterns: Annotated[tyro.conf.Positional[tuple[Path, ...]], tyro.conf.arg(metavar="PATTERN...")]
@@ -36,22 +36,22 @@ class Sew:
     out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """Folder to write; created when missing."""
     weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Model file (.onnx) of a trained GarmentSewer; the one of the package without it."""
+    """Model file (.onnx) of a trained GarmentSewer. Default: the one in the package."""
     resolution: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """Pixels along each side of the images; what the network was trained at without it."""
+    """Pixels along each side of the images. Default: what the network was trained at."""
     edge_length: float = 2.0
     """Edge length of the mesh in cm, 0.5 to 10."""
     finish: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Let the garment hang to rest by physics in the end: wrinkles, and a report of its quality."""
+    """Finish with physics: let the garment hang to rest. Adds wrinkles and a report of its quality."""
     repair: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Mend the patterns first, as swifttailor check --repair does."""
+    """Repair the patterns first, as swifttailor check --repair does."""
     rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"
     """How to read the placement angles: as GarmentCode's generator writes them (intrinsic), or as its
     simulator and older files do (extrinsic)."""
     preview: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Draw preview.png; takes a second or two a garment."""
+    """Draw preview.png; takes a second or two per garment."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
-    """Processor cores for the network."""
+    """CPU cores for the network."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
     """Print the reports as JSON."""
 

@@ -36,15 +36,15 @@ class TrainGarmentSewer:
     """Values to change in the configuration, for instance: --set steps=5000 losses.strain=1
     conditioning.prior=placed"""
     resume: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Go on from the checkpoint in RUN, with the same configuration."""
+    """Resume from the checkpoint in RUN, with the same configuration."""
     max_minutes: Annotated[float | None, tyro.conf.arg(metavar="M")] = None
-    """Let the training end after so many minutes, its learning rate falling to the end as it should."""
+    """End the training after this many minutes; the learning rate decays to match."""
     cache: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
-    """Where to keep the images drawn of the data; DIR/cache of the data without it."""
+    """Where to keep the images drawn from the data. Default: DIR/cache of the data."""
     workers: Annotated[int, tyro.conf.arg(metavar="N")] = 1
     """Processes that draw these images."""
     threads: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """Processor cores to train on, without a GPU; torch's choice without it."""
+    """CPU cores to train on, without a GPU. Default: torch decides."""
 
     def run(self) -> int:
         """Trains, prints how it goes, and returns the exit code.

@@ -43,15 +43,15 @@ class TrainWishReader:
     set: Annotated[tuple[str, ...], tyro.conf.arg(metavar="FIELD=VALUE")] = ()
     """Values to change in the configuration, for instance: --set steps=2000 typos=0.1"""
     resume: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Go on from the checkpoint in RUN, with the same configuration."""
+    """Resume from the checkpoint in RUN, with the same configuration."""
     max_minutes: Annotated[float | None, tyro.conf.arg(metavar="M")] = None
-    """Let the training end after so many minutes, its learning rate falling to the end as it should."""
+    """End the training after this many minutes; the learning rate decays to match."""
     cache: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
-    """Where to keep what is measured of the patterns; RUN/cache without it. PatternMaker's is the same."""
+    """Where to keep what is measured on the patterns. Default: RUN/cache. PatternMaker's is the same."""
     workers: Annotated[int, tyro.conf.arg(metavar="N")] = 1
     """Processes that measure the patterns (0.15 s each, once)."""
     threads: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """Processor cores to train on, without a GPU; torch's choice without it."""
+    """CPU cores to train on, without a GPU. Default: torch decides."""
 
     def run(self) -> int:
         """Trains, prints how it goes, and returns the exit code.

@@ -98,7 +98,7 @@ def read_index(folder: Path) -> SplitIndex:
             "Give a folder that swifttailor data build has made."
         ) from error
     except ValueError as error:
-        raise InputError(f"'{path}' is damaged: {error}. Copy it again from where it came.") from error
+        raise InputError(f"'{path}' is damaged: {error}. Copy it again from its source.") from error
     try:
         if value.pop("format") != FORMAT:
             raise InputError(f"'{path}' is not of this version ('{FORMAT}').")
@@ -106,7 +106,7 @@ def read_index(folder: Path) -> SplitIndex:
         return SplitIndex(**value | {"shards": shards, "built_with": tuple(value["built_with"])})
     except (KeyError, TypeError, AttributeError) as error:
         raise InputError(
-            f"'{path}' is damaged: {type(error).__name__} {error}. Copy it again from where it came."
+            f"'{path}' is damaged: {type(error).__name__} {error}. Copy it again from its source."
         ) from error
 
 

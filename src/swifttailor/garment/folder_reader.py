@@ -101,7 +101,7 @@ def _read_report(path: Path) -> dict[str, Any]:
             f"Cannot read '{path}': {error.strerror or error}. It tells how the garment was meshed."
         ) from error
     except (ValueError, RecursionError) as error:
-        raise InputError(f"'{path}' is no JSON report: {error}. Drape the pattern again.") from error
+        raise InputError(f"'{path}' is not a JSON report: {error}. Drape the pattern again.") from error
     if not isinstance(report, dict):
-        raise InputError(f"'{path}' is no report: an object is expected. Drape the pattern again.")
+        raise InputError(f"'{path}' is not a report: an object is expected. Drape the pattern again.")
     return report

@@ -68,7 +68,7 @@ def read_garment_mesh(path: Path | str) -> TriangleMesh:
     try:
         size = path.stat().st_size
         if not path.is_file():
-            raise InputError(f"'{path}' is no file. Give a mesh file ({', '.join(MESH_ENDINGS)}).")
+            raise InputError(f"'{path}' is not a file. Give a mesh file ({', '.join(MESH_ENDINGS)}).")
     except OSError as error:
         raise InputError(f"Cannot read '{path}': {error.strerror or error}.") from error
     if size > MAX_BYTES:
@@ -79,7 +79,7 @@ def read_garment_mesh(path: Path | str) -> TriangleMesh:
     except SwiftTailorError as error:
         if str(path) in str(error) or not isinstance(error, InputError):
             raise
-        raise InputError(f"'{path}' is no usable mesh: {error}") from error
+        raise InputError(f"'{path}' is not a usable mesh: {error}") from error
     except Exception as error:  # parsers of other packages raise whatever a broken file makes them raise
         raise InputError(
             f"'{path}' cannot be read as {ending.removeprefix('.').upper()}: {_reason(error)}. "
@@ -100,7 +100,7 @@ def _known(path: Path) -> str:
     ending = path.suffix.lower()
     if ending not in _WRITERS:
         raise InputError(
-            f"'{path}' has the ending '{path.suffix}', which is no mesh format known here. "
+            f"'{path}' has the ending '{path.suffix}', which is not a known mesh format. "
             f"Accepted: {', '.join(MESH_ENDINGS)}."
         )
     return ending

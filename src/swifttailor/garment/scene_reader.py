@@ -132,7 +132,7 @@ def _check_glb_counts(path: Path) -> None:
     with path.open("rb") as file:
         magic, version, _ = struct.unpack("<4sII", file.read(12))
         if magic != b"glTF" or version != 2:
-            raise ValueError("it is no glTF 2.0 binary")
+            raise ValueError("it is not a glTF 2.0 binary")
         length, _ = struct.unpack("<I4s", file.read(8))
         if length > size:
             raise ValueError("it is cut short")

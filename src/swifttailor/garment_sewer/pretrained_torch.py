@@ -85,7 +85,7 @@ def _read(source: str) -> dict[str, Tensor]:
             return {_dpt_name(name): value for name, value in model.state_dict().items()}
     except (OSError, ValueError) as error:
         raise InputError(
-            f"The pretrained weights '{source}' cannot be had: {error} Give the folder of a DPT or ViT."
+            f"The pretrained weights '{source}' cannot be loaded: {error} Give the folder of a DPT or ViT."
         ) from error
     raise InputError(f"The pretrained weights '{source}' are of a '{kind}'; a dpt or a vit is accepted.")
 

@@ -58,14 +58,14 @@ class GarmentSewer:
 
         Args:
             weights: File; the one that comes with the package when None.
-            threads: Processor cores for the network.
+            threads: CPU cores for the network.
 
         Raises:
             InputError: There is no such file, or it is damaged or another.
         """
         if weights is None and not SHIPPED.is_file():
             raise InputError(
-                "This version comes without weights of a GarmentSewer. Give a model file (--weights FILE; "
+                "This version comes without weights for a GarmentSewer. Give a model file (--weights FILE; "
                 "with generate and edit --sewer-weights FILE); one is made by: "
                 "swifttailor train garment-sewer --data DIR --out RUN"
             )

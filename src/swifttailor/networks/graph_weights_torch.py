@@ -111,7 +111,7 @@ def graph_tensors(data: bytes, source: str) -> GraphTensors:
     try:
         model: Any = onnx.load_from_string(data)
     except Exception as error:  # protobuf's DecodeError is not public
-        raise InputError(f"'{source}' is no ONNX file, or is damaged. Copy it again.") from error
+        raise InputError(f"'{source}' is not an ONNX file, or is damaged. Copy it again.") from error
     arrays = {t.name: numpy_helper.to_array(t) for t in model.graph.initializer}
     for node in model.graph.node:  # stored in half, see `half_storage`
         if node.op_type == "Cast" and node.input[0] in arrays:

@@ -175,7 +175,7 @@ def read_archive(path: Path, kind: ModelKind) -> tuple[dict[str, Any], dict[str,
     for name, data in members.items():
         if not isinstance(checksums, dict) or hashlib.sha256(data).hexdigest() != checksums.get(name):
             raise InputError(
-                f"'{path}' is damaged: {name} is not what {CARD} says. Copy it again from where it came."
+                f"'{path}' is damaged: {name} is not what {CARD} says. Copy it again from its source."
             )
     return about, members
 
@@ -245,7 +245,7 @@ def _read_note(session: Any, graph: bytes, path: Path, kind: ModelKind) -> dict[
         size = checksum.get("bytes") if isinstance(checksum, dict) else None
         if type(size) is not int or hashlib.sha256(graph[:size]).hexdigest() != checksum.get("sha256"):
             raise InputError(
-                f"'{path}' is damaged: its graph is not what its card says. Copy it again from where it came."
+                f"'{path}' is damaged: its graph is not what its card says. Copy it again from its source."
             )
     return about
 

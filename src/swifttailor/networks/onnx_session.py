@@ -34,6 +34,6 @@ def open_session(graph: bytes, source: str, model: str, *, threads: int = 1) -> 
         lines = str(error).strip().splitlines()
         reason = lines[0][:200] if lines else type(error).__name__
         raise InputError(
-            f"'{source}' is no network that can be run, or is damaged ({reason}). Give the file of a "
-            f"{model}, or copy it again from where it came."
+            f"'{source}' is not a network that can be run, or is damaged ({reason}). Give the file of a "
+            f"{model}, or copy it again from its source."
         ) from error

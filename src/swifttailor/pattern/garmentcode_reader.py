@@ -144,7 +144,7 @@ def _read_properties(raw: Any, rotation: RotationReading) -> _Context:
     units = values.as_number(properties.get("units_in_meter", 100), "properties.units_in_meter")
     if not 1e-3 <= units <= 1e5:
         raise PatternError(
-            f"properties.units_in_meter: {units:g} is no unit of length; 100 means cm, 1000 mm, 1 m."
+            f"properties.units_in_meter: {units:g} is not a unit of length; 100 means cm, 1000 mm, 1 m."
         )
     coordinates = properties.get("curvature_coords", "relative")
     if coordinates not in ("relative", "absolute"):

@@ -36,7 +36,9 @@ def read_json_file(path: Path | str) -> Any:
     except OSError as error:
         raise InputError(f"Cannot read '{path}': {error.strerror or error}.") from error
     except ValueError as error:  # a name with a zero byte in it
-        raise InputError(f"{str(path)!r} is no file name: {error}. Give the path of a JSON file.") from error
+        raise InputError(
+            f"{str(path)!r} is not a file name: {error}. Give the path of a JSON file."
+        ) from error
     return parse_json(data, str(path))
 
 

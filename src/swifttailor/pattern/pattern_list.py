@@ -100,7 +100,7 @@ def _patterns_of(source: Path) -> Iterator[BatchPattern]:
     if source.name.lower().endswith(LINE_ENDINGS):
         return _from_lines(source)
     raise InputError(
-        f"'{source.name}' is no batch of patterns. Give a .jsonl or .jsonl.gz file with one "
+        f"'{source.name}' is not a batch of patterns. Give a .jsonl or .jsonl.gz file with one "
         '{"id": ..., "pattern": ...} a line, or a folder of .json files. '
         "For a single pattern: swifttailor drape PATTERN --out DIR"
     )

@@ -95,14 +95,14 @@ class PatternMaker:
 
         Args:
             weights: File; the one that comes with the package when None.
-            threads: Processor cores for the network.
+            threads: CPU cores for the network.
 
         Raises:
             InputError: There is no such file, or it is damaged or another.
         """
         if weights is None and not SHIPPED.is_file():
             raise InputError(
-                "This version comes without weights of a PatternMaker. Give a model file (with generate and "
+                "This version comes without weights for a PatternMaker. Give a model file (with generate and "
                 "edit --maker-weights FILE); one is made by: "
                 "swifttailor train pattern-maker --patterns FILE --out RUN"
             )

@@ -29,7 +29,7 @@ LEAST_CERTAINTY = 0.9
 _NONE = "none"
 _FRAMING_NOTES = {
     Framing.KEPT: (),
-    Framing.CROPPED: ("The picture was cropped to what stands before its plain background.",),
+    Framing.CROPPED: ("The picture was cropped to its figure: the background is plain.",),
     Framing.BUSY: (
         "The background of the picture is not plain, so it was used whole; the network knows people and "
         "garments before plain backgrounds.",

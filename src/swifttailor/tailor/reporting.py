@@ -15,9 +15,7 @@ if TYPE_CHECKING:
 
 LONGEST_NOTE = 200
 """Letters of a text that a note says again."""
-NOTHING_UNDERSTOOD = (
-    "Nothing that can be measured was understood of the text for certain, so nothing was altered."
-)
+NOTHING_UNDERSTOOD = "Nothing measurable was understood from the text with certainty, so nothing was altered."
 
 
 def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
@@ -61,10 +59,10 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     order, found = wanted.order, list(wanted.notes)
     if answer.failures:
         count = len(answer.failures) + 1
-        found.append(f"{count} patterns were written, of which number {answer.attempt + 1} was taken.")
+        found.append(f"{count} patterns were written; number {answer.attempt + 1} was taken.")
     if order.image is not None and answer.confidence is None:
         found.append(
-            "Whether the picture shows a garment was not judged: these weights have no measure of that."
+            "Whether the picture shows a garment was not judged: these weights have no measure for that."
         )
     found += [f"Look at the pattern: {oddity}." for oddity in answer.verdict.oddities]
     if wanted.text != order.text:
@@ -74,7 +72,7 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     if answer.cuts:
         found.append(f"Altered: {'; '.join(answer.cuts)}.")
     if answer.verdict.open:
-        found.append(f"Asked for, and not so: {'; '.join(map(wish_line, answer.verdict.open))}.")
+        found.append(f"Requested but not met: {'; '.join(map(wish_line, answer.verdict.open))}.")
     return found
 
 
@@ -88,7 +86,7 @@ def finishing_notes(garment: Garment) -> list[str]:
     about = garment.report.get("finishing", {"from": "garment"})
     if about["from"] == "garment":
         return []
-    return [f"Draped from the pattern: what was sewn did not come to rest well ({about['reasons'][0]})."]
+    return [f"Draped from the pattern: the sewn garment did not come to rest well ({about['reasons'][0]})."]
 
 
 def finding_entry(finding: Finding) -> dict[str, Any]:

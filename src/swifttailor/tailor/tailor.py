@@ -67,7 +67,7 @@ class Tailor:
                 it by itself, and patterns are written for the default body whoever wears them. The default
                 body when None.
             fabric: What hangs where garments are finished by physics: a `Fabric` or the name of a preset.
-            threads: Processor cores for the networks.
+            threads: CPU cores for the networks.
         """
         self._maker, self._sewer, self._reader = pattern_maker, garment_sewer, wish_reader
         self.body, self.fabric = body, fabric

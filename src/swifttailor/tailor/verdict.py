@@ -37,11 +37,11 @@ class Verdict:
     @property
     def oddities(self) -> list[str]:
         """What a check does not see, in words: what was never written."""
-        found = ["it is not a garment that can be worn"] if self.senseless else []
+        found = ["nobody could wear it"] if self.senseless else []
         if self.holes:
-            found.append("seams are open that ought to be sewn")
+            found.append("seams are open that should be sewn")
         if self.one_sided:
-            found.append(f"{', '.join(self.one_sided)}: nothing like it on the other side")
+            found.append(f"{', '.join(self.one_sided)}: no counterpart on the other side")
         return found
 
     @property
@@ -64,7 +64,7 @@ class Verdict:
 
         if self.unsound or self.unsewable:
             return self.unsound or self.unsewable
-        return f"asked for, and not so: {'; '.join(map(wish_line, self.open))}" if self.open else ""
+        return f"requested but not met: {'; '.join(map(wish_line, self.open))}" if self.open else ""
 
     @property
     def rank(self) -> tuple[int, int]:

@@ -50,7 +50,9 @@ def read_config_of(named: Mapping[str, T], name: str, overrides: Sequence[str] =
         for group in groups:
             inner = inner.get(group)
             if not isinstance(inner, dict):
-                raise InputError(f"There is no '{path}' in a configuration; '{group}' is no group of fields.")
+                raise InputError(
+                    f"There is no '{path}' in a configuration; '{group}' is not a group of fields."
+                )
         try:
             inner[field] = json.loads(text)
         except ValueError:

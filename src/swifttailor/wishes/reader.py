@@ -54,7 +54,7 @@ class WishReader:
 
         Args:
             weights: File; the one that comes with the package when None.
-            threads: Processor cores for the network.
+            threads: CPU cores for the network.
 
         Raises:
             InputError: There is no such file, or it is damaged or another.

@@ -42,7 +42,7 @@ class Book:
                 str(record["asked"])
             except (KeyError, TypeError, ValueError) as error:
                 raise InputError(
-                    f"'{path}' holds a line that is no answer ({error!r}). Choose another --out."
+                    f"'{path}' holds a line that is not an answer ({error!r}). Choose another --out."
                 ) from error
             self._records.setdefault(key, record)
 
@@ -125,7 +125,7 @@ def _require_same(path: Path, settings: dict[str, Any]) -> None:
     try:
         before = json.loads(path.read_text(encoding="utf-8"))
         if not isinstance(before, dict):
-            raise ValueError("it is no JSON object")
+            raise ValueError("it is not a JSON object")
     except (OSError, ValueError) as error:
         raise InputError(f"Cannot read '{path}': {error}. Choose another --out.") from error
     different = differences(before, settings)

@@ -99,7 +99,7 @@ def read_picture(path: Path | str) -> Pixels:
         raise InputError(_too_large(path, f"more than {MOST_PIXELS:,} pixels")) from error
     except Exception as error:  # a damaged file ends wherever Pillow's readers happen to stumble
         raise InputError(
-            f"'{path}' is no picture that can be read ({error}). Give a {', '.join(FORMATS)} file."
+            f"'{path}' is not a readable picture ({error}). Give a {', '.join(FORMATS)} file."
         ) from error
     image.thumbnail((LONGEST_SIDE, LONGEST_SIDE), Image.Resampling.LANCZOS)
     return _on_backdrop(np.asarray(image))

@@ -30,7 +30,7 @@ def load_pretrained(config: NetworkConfig, text_size: int) -> InternVLModel:
         whole = InternVLForConditionalGeneration.from_pretrained(source, dtype=torch.float32)
     except (OSError, ValueError) as error:
         raise InputError(
-            f"The pretrained model '{source}' cannot be had: {error} Give the folder of an InternVL in "
+            f"The pretrained model '{source}' cannot be loaded: {error} Give the folder of an InternVL in "
             "transformers' format, or its name, such as OpenGVLab/InternVL3-2B-hf."
         ) from error
     vlm: Any = whole.model
@@ -65,7 +65,7 @@ def load_text_tokens(config: NetworkConfig) -> tuple[int, TextTokens]:
         tokenizer: Any = AutoTokenizer.from_pretrained(config.pretrained)
     except (OSError, ValueError) as error:
         raise InputError(
-            f"The tokenizer of '{config.pretrained}' cannot be had: {error} Give the model's whole folder."
+            f"The tokenizer of '{config.pretrained}' cannot be loaded: {error} Give the model's whole folder."
         ) from error
 
     def encode(text: str) -> tuple[int, ...]:
