@@ -46,7 +46,7 @@ class Lever:
     """-1 where the words mean the opposite of the measure."""
     unit: str = " cm"
     natural: float | None = None
-    """The measure of what it makes where there is none, unless another is asked for; None: it makes none."""
+    """The measure of what it makes where there is none, if no other is asked for; None if it makes none."""
     moves: bool = True
     """Whether it moves the measure of what is there."""
     only_for: tuple[str, ...] = ()
