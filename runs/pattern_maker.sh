@@ -12,10 +12,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
 set_values losses.numbers=4 losses.foresight=8 tasks.text=0.3 tasks.image=0.2 tasks.text_image=0.25 tasks.edit=0.25 \
     own_numbers=0.6
 more=()
+measure=(--data "$work/garments")  # how sure it is of pictures
 if [ -n "$rehearse" ]; then
     set_values steps=4 batch_size=2 reads=2 validate_every=2 log_every=1 validation_samples=2 network.image_size=32 \
         network.hidden_size=16 network.layers=1 network.heads=2 network.key_value_heads=1 \
         network.intermediate_size=16 network.vision_hidden_size=16 network.vision_layers=1 network.vision_heads=2
+    measure=()  # one that has learnt nothing writes hundreds of patterns of full length
 elif ! nvidia-smi > /dev/null 2>&1; then
     if [ "$cores" -gt 1 ]; then
         launch=("$python" -m torch.distributed.run --nproc_per_node "$cores" -m swifttailor)
@@ -31,4 +33,4 @@ step maker-trained train pattern-maker --patterns "${files[@]}" --validation "$w
     --data "$work/garments" "$work/sewn" --config small --max-minutes "${MINUTES:-380}" "${more[@]}" \
     --set "${settings[@]}"
 step maker-exported swifttailor train export "$work/pattern-maker/run" --out "$work/pattern-maker/pattern_maker.zip" \
-    --half --data "$work/garments"
+    --half "${measure[@]}"

@@ -61,7 +61,7 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     sewn = GarmentSewer.load(files["GarmentSewer"]).sew(draft("t-shirt"))
     assert len(sewn.garment.vertices) > 100
     maker = PatternMaker.load(files["PatternMaker"])
-    assert maker.model.calibration is not None and maker.model.runtime.plans
+    assert maker.model.runtime.plans and maker.model.card["model"] == "PatternMaker"
     WishReader.load(files["WishReader"]).read("a knee-length dress")
 
     again = run("wish_reader", work)
