@@ -267,8 +267,8 @@ def test_until_it_has_learnt_to_copy_the_network_is_what_it_is_without(network):
 def test_numbers_are_mixed_alike_with_and_without_torch():
     import torch
 
-    from swifttailor.pattern_maker import network_torch
     from swifttailor.pattern_maker.asking.copying import mix
+    from swifttailor.pattern_maker.network import network_torch
 
     chance = np.random.default_rng(0)
     written, copied = chance.normal(size=(2, 40, NUMBERS)).astype(np.float32)
@@ -404,7 +404,7 @@ def test_model_file_predicts_what_torch_does(network, tmp_path):
     assert plain.keys() == GRAPHS.keys()
     assert not load_model(write_model(tmp_path / "plain.zip", plain, text, card)).runtime.copies
     copying = {name: graph for name, graph in graphs.items() if name not in PLANNING_GRAPHS}
-    with pytest.raises(InputError, match=r"decoder.onnx is another network"):
+    with pytest.raises(InputError, match=r"decoder.onnx' is another network"):
         load_model(write_model(tmp_path / "copying.zip", copying, text, card))
     half = plain | {"leaning": graphs["leaning"]}
     with pytest.raises(InputError, match="is not a PatternMaker: it holds"):
