@@ -76,9 +76,10 @@ demo-drape: $(READY)
 test: $(READY)  ## run all tests but those of torch, on JOBS processes (2)
 	$(BIN)/python -m pytest -n $(JOBS)
 
-# One thread each: threads of several processes on the same cores wait for each other.
+# One thread each: threads of several processes on the same cores wait for each other. File by file: what one test
+# of a file has trained, others of it look at.
 test-networks: $(NETWORKS_READY)  ## run the tests of torch, on JOBS processes (2)
-	OMP_NUM_THREADS=1 $(NETWORKS_BIN)/python -m pytest -n $(JOBS) -m needs_torch
+	OMP_NUM_THREADS=1 $(NETWORKS_BIN)/python -m pytest -n $(JOBS) --dist loadfile -m needs_torch
 
 lint: $(READY)  ## look for faults in the code
 	$(BIN)/ruff check .
