@@ -19,7 +19,8 @@ from typing import Any
 
 from machine import describe
 from swifttailor.data.reader import SplitReader
-from swifttailor.training.sewer_config import config_from
+from swifttailor.training.config_file import changed_config
+from swifttailor.training.sewer_config import SewerConfig
 from swifttailor.training.sewer_samples import SewerSamples
 
 Change = Callable[[Any], Any]
@@ -39,7 +40,7 @@ def main() -> None:
     parser.add_argument("--garments", type=int, default=12)
     options = parser.parse_args()
     card = json.loads((options.run / "card.json").read_text())
-    config = config_from(card["config"])
+    config = changed_config(SewerConfig(), card["config"])
     reader = SplitReader(options.data / "validation")
     size, prior = config.network.resolution, config.conditioning.prior
     samples = SewerSamples(reader, options.data / "cache", size, prior, 1)

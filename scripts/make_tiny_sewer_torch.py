@@ -14,7 +14,8 @@ from safetensors.torch import save_file
 
 from swifttailor.garment_sewer.export_torch import export
 from swifttailor.garment_sewer.network_torch import build_network
-from swifttailor.training.sewer_config import config_values, read_config
+from swifttailor.training.config_file import config_values
+from swifttailor.training.sewer_config import read_config
 
 FILE = Path(__file__).parents[1] / "tests/garment_sewer/tiny_sewer.onnx"
 SHAPE = [

@@ -122,7 +122,8 @@ def test_both_runtimes_agree(kind, tmp_path):
 
     from swifttailor.garment_sewer.export_torch import compare, export, torch_model
     from swifttailor.garment_sewer.network_torch import build_network
-    from swifttailor.training.sewer_config import SewerConfig, config_values
+    from swifttailor.training.config_file import config_values
+    from swifttailor.training.sewer_config import SewerConfig
 
     config = SewerConfig(network=getattr(test_network, kind))
     torch.manual_seed(0)

@@ -11,8 +11,9 @@ import pytest
 
 from swifttailor.data.index import read_index
 from swifttailor.errors import InputError, MissingExtraError
+from swifttailor.training.config_file import config_values
 from swifttailor.training.extra import require_training_packages
-from swifttailor.training.sewer_config import config_values, read_config
+from swifttailor.training.sewer_config import read_config
 
 TINY = [
     "network.resolution=64",

@@ -52,14 +52,9 @@ def lesson(samples):
     return [samples.sample(text, changes, instruction=asked) for text, changes, asked in TEXTS]
 
 
-def run_of(samples, lesson, out, *, resume=False, **options):
+def run_of(samples, lesson, out, **options):
     """A training that sees nothing but the lesson."""
-    import torch
-
-    from swifttailor.training.config_file import config_values
-    from swifttailor.training.loop_torch import Loop, say_nothing
-    from swifttailor.training.processes_torch import Processes
-    from swifttailor.training.run_record import RunRecord
+    from swifttailor.training.loop_torch import Loop
     from swifttailor.training.wish_config import ReaderSize, WishConfig
     from swifttailor.training.wish_loop_torch import WishTask
 
@@ -73,11 +68,9 @@ def run_of(samples, lesson, out, *, resume=False, **options):
         ema=0.9,
         validate_every=1000,
     )
-    torch.set_num_threads(1)  # two that wait for each other on a busy machine are many times slower
-    processes, record = Processes.start(), RunRecord(out)
-    record.start(config_values(config), resume=resume)
-    task = WishTask(config, samples, lesson, {"of": "a lesson"}, processes)
-    return Loop(config, out, processes, record, say_nothing).run(task, resume=resume, **options)
+    # Two threads that wait for each other on a busy machine are many times slower.
+    loop = Loop.start(config, out, threads=1, **options)
+    return loop.run(WishTask(config, samples, lesson, {"of": "a lesson"}, loop.processes))
 
 
 @pytest.mark.needs_torch

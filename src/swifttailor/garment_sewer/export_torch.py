@@ -16,10 +16,9 @@ from swifttailor.garment_sewer.conditioning import Conditioning
 from swifttailor.garment_sewer.model_file import EIGHT_BIT, INPUTS, KIND, OUTPUTS, SewerModel
 from swifttailor.garment_sewer.network_config import NetworkConfig
 from swifttailor.garment_sewer.network_torch import SewerNetwork, build_network
-from swifttailor.networks.folded_norms_torch import fold_norms
-from swifttailor.networks.half_storage import round_to_half
 from swifttailor.networks.model_file import write_graph
 from swifttailor.networks.onnx_export_torch import export_graph
+from swifttailor.networks.trained_weights_torch import trained_network
 
 
 def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> SewerNetwork:
@@ -33,23 +32,8 @@ def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> 
     Raises:
         InputError: The file is missing, damaged, or of another network.
     """
-    from safetensors import SafetensorError
-    from safetensors.torch import load_file
-
     conditioning, config = _shape(card)
-    network = build_network(config, conditioning.count)
-    try:
-        network.load_state_dict(load_file(weights))
-    except (SafetensorError, OSError, RuntimeError) as error:
-        reason = str(error).strip().splitlines()
-        raise InputError(
-            f"The weights '{weights}' cannot be used: {reason[0][:200] if reason else type(error).__name__}. "
-            "Copy the folder of the run again."
-        ) from error
-    fold_norms(network.eval())
-    if half:
-        round_to_half(network)
-    return network
+    return trained_network(lambda: build_network(config, conditioning.count), weights, half=half)
 
 
 def torch_model(

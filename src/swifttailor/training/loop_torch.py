@@ -10,10 +10,11 @@ import contextlib
 import math
 import os
 import time
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, TypedDict, Unpack
 
 import torch
 from torch import Tensor, nn
@@ -37,81 +38,112 @@ STATE = ("network", "optimizer", "average", "losses", "step", "seconds")
 """What a checkpoint holds."""
 
 
-class Task(Protocol):
+class Task(ABC):
     """What is learnt."""
 
     weights: MasterWeights
     samples: str
     """What it learns from, in the plural: garments, texts."""
-    precision: str
+    precision = "float32"
     """For the card."""
 
+    @abstractmethod
     def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
         """The losses of an optimiser step, ``total`` the one to descend; `trained` is the network to call."""
-        ...
 
     def rate_factor(self, name: str) -> float:
         """Factor on the learning rate of a weight."""
-        ...
+        return 1.0
 
+    @abstractmethod
     def validate(self) -> dict[str, Any]:
         """How good the network is; called with the averaged weights in it."""
-        ...
 
+    @abstractmethod
     def result_text(self, result: dict[str, Any]) -> str:
         """The same in one line."""
-        ...
 
-    def illustrate(self, step: int) -> None:
+    def illustrate(self, step: int) -> None:  # noqa: B027  numbers may say it all
         """Leaves pictures behind; called with the averaged weights in the network."""
-        ...
 
+    @abstractmethod
     def card(self) -> dict[str, Any]:
         """What the card says beyond the training: model, data."""
-        ...
+
+
+class RunOptions(TypedDict, total=False):
+    """How a training is run, whichever network it trains."""
+
+    resume: bool
+    """From the checkpoint. On a CPU the result is that of an uninterrupted training, bit for bit, unless
+    `max_minutes` is given."""
+    max_minutes: float | None
+    """Of training; the schedule is fitted to it. Counts what an interrupted training has used."""
+    stop_after: int | None
+    """Interrupt after this many steps, a checkpoint written."""
+    threads: int | None
+    """Processor cores to train on; torch's choice when None."""
+    report: Report | None
+    """Called with lines to show, in the first of several processes."""
 
 
 @dataclass(frozen=True)
 class Loop:
-    """How a task is trained."""
+    """How a task is trained; `start` makes one."""
 
     config: LoopConfig
     out: Path
     processes: Processes
     record: RunRecord
     report: Report
+    resume: bool
+    max_minutes: float | None
+    stop_after: int | None
 
-    def run(
-        self,
-        task: Task,
-        *,
-        resume: bool = False,
-        max_minutes: float | None = None,
-        stop_after: int | None = None,
-    ) -> dict[str, Any]:
-        """Trains to the end of the steps or the time.
+    @staticmethod
+    def start(config: LoopConfig, out: Path, **options: Unpack[RunOptions]) -> Loop:
+        """Starts the processes and the record of a run.
 
         Args:
-            task: What is learnt.
-            resume: Go on from the checkpoint.
-            max_minutes: Of training, those before an interruption included.
-            stop_after: Interrupt after this many steps, a checkpoint written.
+            config: Everything that decides the result.
+            out: Folder of the run.
+            options: How it is run.
+
+        Raises:
+            InputError: `out` holds a training already, or none to resume.
+            MissingExtraError: There are several processes and accelerate is missing.
+        """
+        threads, report = options.get("threads"), options.get("report")
+        if threads is not None:
+            torch.set_num_threads(threads)
+        processes, record = Processes.start(), RunRecord(out)
+        resume = options.get("resume", False)
+        if processes.is_first:
+            record.start(config_values(config), resume=resume)
+        if report is None or not processes.is_first:
+            report = say_nothing
+        ends = options.get("max_minutes"), options.get("stop_after")
+        return Loop(config, out, processes, record, report, resume, *ends)
+
+    def run(self, task: Task) -> dict[str, Any]:
+        """Trains to the end of the steps or the time.
 
         Returns:
-            The card.
+            The card: what was trained on what, and how good it is.
 
         Raises:
             InputError: There is no checkpoint, a file cannot be written, or weights cannot be split.
             SimulationError: The loss is no number any more.
         """
         config, processes, weights = self.config, self.processes, task.weights
+        max_minutes, stop_after = self.max_minutes, self.stop_after
         versions()  # before anybody changes the checkout
         optimizer = _optimizer(task, config)
         optimised = [p for group in optimizer.param_groups for p in group["params"]]
         average = MovingAverage(weights.state_dict(), config.ema)
         means = MeanLosses()
         step, seconds = 0, 0.0
-        if resume:
+        if self.resume:
             state = read_checkpoint(self.out, processes.device, STATE)
             weights.load_state_dict(split_like(state["network"], average.values))
             optimizer.load_state_dict(split_state(state["optimizer"], optimised))

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Literal
 
 from swifttailor.errors import InputError
 from swifttailor.pattern_maker.network.network_config import PAPER_NETWORK, NetworkConfig
-from swifttailor.training.config_file import changed_config, read_config_of, require
+from swifttailor.training.config_file import read_config_of, require
 from swifttailor.training.loop_config import LoopConfig
 
 
@@ -143,23 +143,5 @@ and the learning rate ours: AIpparel's is for another language model."""
 
 
 def read_config(name: str, overrides: Sequence[str] = ()) -> MakerConfig:
-    """A named configuration or one from a JSON file, with some values changed.
-
-    Args:
-        name: ``small``, ``paper``, or a file that holds (some of) the fields of `MakerConfig`, the others
-            being those of ``small``.
-        overrides: ``field=value`` or ``group.field=value``; values are JSON, or plain text.
-
-    Raises:
-        InputError: There is no such configuration, field or value.
-    """
+    """One of these, or one from a JSON file that says what differs from ``small``: see `read_config_of`."""
     return read_config_of(CONFIGS, name, overrides)
-
-
-def config_from(value: Any) -> MakerConfig:
-    """A configuration from what `config_values` gave; what is missing is as in ``small``.
-
-    Raises:
-        InputError: A field is unknown or a value out of range.
-    """
-    return changed_config(MakerConfig(), value)

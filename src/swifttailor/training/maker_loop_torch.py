@@ -5,7 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 import torch
@@ -20,7 +20,7 @@ from swifttailor.pattern_maker.network.building_torch import build_network
 from swifttailor.pattern_maker.network.file_weights_torch import file_weights
 from swifttailor.pattern_maker.network.network_torch import OPTIONAL, PatternMakerNetwork
 from swifttailor.training.compilation_torch import compile_layers
-from swifttailor.training.loop_torch import Loop, say_nothing
+from swifttailor.training.loop_torch import Loop, RunOptions, Task
 from swifttailor.training.maker_bank import PatternBank, open_bank, sequences_of
 from swifttailor.training.maker_batch_torch import Batch, TrainingBatches, with_own_numbers, with_plans
 from swifttailor.training.maker_config import MakerConfig
@@ -30,11 +30,10 @@ from swifttailor.training.maker_text_torch import open_text
 from swifttailor.training.maker_validation_torch import Validation
 from swifttailor.training.master_weights_torch import MasterWeights, choose_precision
 from swifttailor.training.processes_torch import Processes
-from swifttailor.training.run_record import RunRecord, file_checksums, split_card
+from swifttailor.training.run_record import file_checksums, split_card
 from swifttailor.training.sharding_torch import shard
 from swifttailor.training.start_torch import load_start
 
-Report = Callable[[str], None]
 ARCHIVE = ".zip"
 """The ending of a model file to begin with."""
 _SETTLING_BATCHES = 16
@@ -52,16 +51,12 @@ def train(
     apart: Sequence[Path] = (),
     data: Sequence[Path] = (),
     edits: Path | None = None,
-    resume: bool = False,
     cache: Path | None = None,
     workers: int = 1,
     loaders: int = 0,
-    max_minutes: float | None = None,
-    stop_after: int | None = None,
-    threads: int | None = None,
-    report: Report | None = None,
+    **options: Unpack[RunOptions],
 ) -> dict[str, Any]:
-    """Trains a network, or goes on with a training that was interrupted.
+    """Trains a network, or resumes a training that was interrupted.
 
     Args:
         config: Everything that decides the result.
@@ -73,15 +68,10 @@ def train(
             or to one of `validation`, are left out.
         data: Folders of data sets with renders of some of the patterns, for tasks with pictures.
         edits: File with edited versions of some of the patterns.
-        resume: Go on from the checkpoint in `out`. On a CPU the result is that of an uninterrupted
-            training, bit for bit, unless `max_minutes` is given.
         cache: Where to keep what is measured of the patterns; ``cache`` in `out` when None.
         workers: Processes that measure.
         loaders: Processes that make batches ahead; 0 makes them between steps.
-        max_minutes: Of training; the schedule is fitted to it. Counts what an interrupted training has used.
-        stop_after: Interrupt after this many steps, a checkpoint written.
-        threads: Processor cores to train on; torch's choice when None.
-        report: Called with lines to show.
+        options: How it is run.
 
     Returns:
         The card: what was trained on what, and how good it is.
@@ -94,36 +84,21 @@ def train(
         raise InputError("compiled=true cannot go with shard=true. Choose one of them.")
     if config.network.planning and config.shard:
         raise InputError("network.planning=true cannot go with shard=true. Choose one of them.")
-    if threads is not None:
-        torch.set_num_threads(threads)
-    processes = Processes.start()
+    loop = Loop.start(config, out, **options)
+    processes, report = loop.processes, loop.report
     device = processes.device
-    report = report if report is not None and processes.is_first else say_nothing
-    record = RunRecord(out)
-    if processes.is_first:
-        from swifttailor.training.config_file import config_values
 
-        record.start(config_values(config), resume=resume)
-    cache = cache or out / "cache"
+    def open_part(files: Sequence[Path], keep: Callable[[str], bool] | None = None) -> PatternBank:
+        kept = cache or out / "cache"
+        return open_bank(files, edits, kept, recuts=config.recuts, workers=workers, keep=keep, report=report)
 
-    def open_part(files: Sequence[Path], keep: Callable[[str], bool] | None, recuts: int) -> PatternBank:
-        return open_bank(files, edits, cache, recuts=recuts, workers=workers, keep=keep, report=report)
-
-    if not processes.is_first:
-        processes.wait()  # the first one measures, the others read
-    if validation:
-        banks = {
-            "train": open_part(patterns, None, config.recuts),
-            "validation": open_part(validation, None, config.recuts),
-        }
-        _require_apart(banks)
-    else:
-        banks = {
-            "train": open_part(patterns, lambda id: not _held_out(id), config.recuts),
-            "validation": open_part(patterns, _held_out, config.recuts),
-        }
-    if processes.is_first:
-        processes.wait()
+    with processes.first_goes_ahead():  # it measures, the others read
+        if validation:
+            banks = {"train": open_part(patterns), "validation": open_part(validation)}
+            _require_apart(banks)
+        else:
+            learnt = open_part(patterns, lambda id: not _held_out(id))
+            banks = {"train": learnt, "validation": open_part(patterns, _held_out)}
     banks["train"] = banks["train"].without([*sequences_of(apart), *banks["validation"].sequences()])
     for name, bank in banks.items():
         for id, why in bank.skipped[:5]:
@@ -152,18 +127,10 @@ def train(
     about["files"] = file_checksums([*patterns, *validation, *apart, *([edits] if edits else [])])
     about["pictures"] = {name: [split_card(r.reader) for r in each] for name, each in renders.items()}
     batches = TrainingBatches(samples_of("train"), part=processes.rank, parts=processes.count)
-    if from_file and not resume:
+    if from_file and not loop.resume:
         _settle(network, batches, device)
-    task = _MakerTask(
-        network,
-        config,
-        banks,
-        batches,
-        Validation(samples_of("validation"), config, device),
-        processes,
-        loaders,
-        about,
-    )
+    validated = Validation(samples_of("validation"), config, device)
+    task = _MakerTask(network, config, batches, validated, processes, loaders, about)
     total, trained = (
         sum(p.numel() for p in network.parameters() if p.requires_grad or not only) for only in (False, True)
     )
@@ -172,11 +139,10 @@ def train(
         f"{banks['train'].numbers()['edits']} edits to train on, {len(banks['validation'])} to validate; "
         f"{device}, {task.precision}, {processes.count} process(es)."
     )
-    loop = Loop(config, out, processes, record, report)
-    return loop.run(task, resume=resume, max_minutes=max_minutes, stop_after=stop_after)
+    return loop.run(task)
 
 
-class _MakerTask:
+class _MakerTask(Task):
     """Patterns from text, pictures and other patterns (paper, Sec. 4.1)."""
 
     samples = "garments"
@@ -185,7 +151,6 @@ class _MakerTask:
         self,
         network: PatternMakerNetwork,
         config: MakerConfig,
-        banks: dict[str, PatternBank],
         batches: TrainingBatches,
         validation: Validation,
         processes: Processes,
@@ -228,9 +193,6 @@ class _MakerTask:
             for task, r in result.items()
         ]
         return "validation " + "; ".join(parts)
-
-    def illustrate(self, step: int) -> None:
-        """Numbers say it all."""
 
     def card(self) -> dict[str, Any]:
         return {"model": "PatternMaker", "data": self.data}

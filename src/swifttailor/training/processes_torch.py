@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+from collections.abc import Generator
 from dataclasses import dataclass
 from typing import Any
 
@@ -57,6 +59,15 @@ class Processes:
         clock = torch.tensor([seconds], dtype=torch.float64, device=self.device)
         torch.distributed.broadcast(clock, 0)
         return float(clock)
+
+    @contextlib.contextmanager
+    def first_goes_ahead(self) -> Generator[None]:
+        """The first process does what follows, then the others, which find the files it has written."""
+        if not self.is_first:
+            self.wait()
+        yield
+        if self.is_first:
+            self.wait()
 
     def wait(self) -> None:
         """Until all processes are here."""

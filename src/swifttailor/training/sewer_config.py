@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.conditioning import SEMANTIC, Conditioning
 from swifttailor.garment_sewer.losses import PAPER_LOSSES, LossWeights
 from swifttailor.garment_sewer.network_config import PAPER_NETWORK, SMALL_DPT, SMALL_NETWORK, NetworkConfig
-from swifttailor.training.config_file import changed_config, config_values, read_config_of, require
+from swifttailor.training.config_file import read_config_of, require
 from swifttailor.training.loop_config import LoopConfig
-
-__all__ = ["CONFIGS", "SewerConfig", "config_from", "config_values", "read_config"]
 
 
 @dataclass(frozen=True)
@@ -81,23 +78,5 @@ CONFIGS: dict[str, SewerConfig] = {
 
 
 def read_config(name: str, overrides: Sequence[str] = ()) -> SewerConfig:
-    """A named configuration or one from a JSON file, with some values changed.
-
-    Args:
-        name: ``small``, ``paper``, or a file that holds (some of) the fields of `SewerConfig`, the others
-            being those of ``small``.
-        overrides: ``field=value`` or ``group.field=value``; values are JSON, or plain text.
-
-    Raises:
-        InputError: There is no such configuration, field or value.
-    """
+    """One of these, or one from a JSON file that says what differs from ``small``: see `read_config_of`."""
     return read_config_of(CONFIGS, name, overrides)
-
-
-def config_from(value: Any) -> SewerConfig:
-    """A configuration from what `config_values` gave; what is missing is as in ``small``.
-
-    Raises:
-        InputError: A field is unknown or a value out of range.
-    """
-    return changed_config(SewerConfig(), value)

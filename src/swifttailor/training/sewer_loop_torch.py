@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 import torch
 from torch import Tensor, nn
@@ -20,17 +19,15 @@ from swifttailor.garment_sewer.losses_torch import compute_losses
 from swifttailor.garment_sewer.network_torch import SewerNetwork, build_network
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.networks.settled_norms_torch import settle_norms
-from swifttailor.training.loop_torch import Loop, say_nothing
+from swifttailor.training.loop_torch import Loop, RunOptions, Task
 from swifttailor.training.master_weights_torch import MasterWeights, choose_precision
-from swifttailor.training.processes_torch import Processes
-from swifttailor.training.run_record import RunRecord, split_card
+from swifttailor.training.run_record import split_card
 from swifttailor.training.sewer_batch_torch import TrainingBatches
-from swifttailor.training.sewer_config import SewerConfig, config_values
+from swifttailor.training.sewer_config import SewerConfig
 from swifttailor.training.sewer_samples import SewerSamples
 from swifttailor.training.sewer_validation_torch import Validation
 from swifttailor.training.start_torch import GRAPH, load_start
 
-Report = Callable[[str], None]
 _SETTLING_BATCHES = 32
 """What tells mean and variance of the features of a network that was read from a graph."""
 
@@ -40,28 +37,19 @@ def train(
     data: Path,
     out: Path,
     *,
-    resume: bool = False,
     cache: Path | None = None,
     workers: int = 1,
-    max_minutes: float | None = None,
-    stop_after: int | None = None,
-    threads: int | None = None,
-    report: Report | None = None,
+    **options: Unpack[RunOptions],
 ) -> dict[str, Any]:
-    """Trains a network, or goes on with a training that was interrupted.
+    """Trains a network, or resumes a training that was interrupted.
 
     Args:
         config: Everything that decides the result.
         data: Folder of a data set with the splits ``train`` and ``validation``.
         out: Folder of the run; holds weights, card, checkpoint, measurements and pictures.
-        resume: Go on from the checkpoint in `out`. On a CPU the result is that of an uninterrupted
-            training, bit for bit, unless `max_minutes` is given.
         cache: Where to keep what is drawn of the data; ``cache`` in `data` when None.
         workers: Processes that draw.
-        max_minutes: Of training; the schedule is fitted to it. Counts what an interrupted training has used.
-        stop_after: Interrupt after this many steps, a checkpoint written.
-        threads: Processor cores to train on; torch's choice when None.
-        report: Called with lines to show.
+        options: How it is run.
 
     Returns:
         The card: what was trained on what, and how good it is.
@@ -70,14 +58,9 @@ def train(
         InputError: The data, the folder or the configuration cannot be used.
         SimulationError: The loss is no number any more.
     """
-    if threads is not None:
-        torch.set_num_threads(threads)
-    processes = Processes.start()
+    loop = Loop.start(config, out, **options)
+    processes, report = loop.processes, loop.report
     device = processes.device
-    report = report if report is not None and processes.is_first else say_nothing
-    record = RunRecord(out)
-    if processes.is_first:
-        record.start(config_values(config), resume=resume)
     readers = _open_splits(data)
     samples = {
         name: SewerSamples(
@@ -106,7 +89,7 @@ def train(
     batches = TrainingBatches(
         samples["train"], readers["train"], config, device, part=processes.rank, parts=processes.count
     )
-    if config.start.endswith(GRAPH) and not resume:
+    if config.start.endswith(GRAPH) and not loop.resume:
         settle_norms(network, lambda: _show(network, batches))
     task = _SewerTask(network, config, readers, samples["validation"], batches, out, device)
     report(
@@ -114,11 +97,10 @@ def train(
         f"{len(readers['train'])} garments to train on, {len(readers['validation'])} to validate; "
         f"{device}, {task.precision}, {processes.count} process(es)."
     )
-    loop = Loop(config, out, processes, record, report)
-    return loop.run(task, resume=resume, max_minutes=max_minutes, stop_after=stop_after)
+    return loop.run(task)
 
 
-class _SewerTask:
+class _SewerTask(Task):
     """Positions of pixels from patterns (paper, Sec. 4.3)."""
 
     samples = "garments"

@@ -58,13 +58,5 @@ CONFIGS: dict[str, WishConfig] = {"small": WishConfig()}
 
 
 def read_config(name: str, overrides: Sequence[str] = ()) -> WishConfig:
-    """A named configuration or one from a JSON file, with some values changed.
-
-    Args:
-        name: ``small``, or a file that holds (some of) the fields of `WishConfig`.
-        overrides: ``field=value`` or ``group.field=value``; values are JSON, or plain text.
-
-    Raises:
-        InputError: There is no such configuration, field or value.
-    """
+    """One of these, or one from a JSON file that says what differs from ``small``: see `read_config_of`."""
     return read_config_of(CONFIGS, name, overrides)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 import torch
@@ -13,19 +13,17 @@ from torch import Tensor, nn
 from torch.nn import functional as F
 
 from swifttailor.networks.text_tokenizer import TextTokenizer
-from swifttailor.training.config_file import config_values
-from swifttailor.training.loop_torch import Loop, say_nothing
+from swifttailor.training.loop_torch import Loop, RunOptions, Task
 from swifttailor.training.maker_bank import PatternBank, open_bank, sequences_of
 from swifttailor.training.master_weights_torch import MasterWeights
 from swifttailor.training.processes_torch import Processes
-from swifttailor.training.run_record import RunRecord, file_checksums
+from swifttailor.training.run_record import file_checksums
 from swifttailor.training.start_torch import load_start
 from swifttailor.training.wish_config import WishConfig
 from swifttailor.training.wish_samples import UNKNOWN, WishSample, WishSamples
 from swifttailor.wishes.export_torch import build_network, labels_checksum
 from swifttailor.wishes.network_torch import WishNetwork
 
-Report = Callable[[str], None]
 _POOL = 8
 """Batches whose samples are sorted by length together."""
 
@@ -38,15 +36,11 @@ def train(
     validation: Sequence[Path],
     apart: Sequence[Path] = (),
     edits: Path | None = None,
-    resume: bool = False,
     cache: Path | None = None,
     workers: int = 1,
-    max_minutes: float | None = None,
-    stop_after: int | None = None,
-    threads: int | None = None,
-    report: Report | None = None,
+    **options: Unpack[RunOptions],
 ) -> dict[str, Any]:
-    """Trains a network, or goes on with a training that was interrupted.
+    """Trains a network, or resumes a training that was interrupted.
 
     Args:
         config: Everything that decides the result.
@@ -56,15 +50,10 @@ def train(
         apart: Files or folders of patterns that must not be learnt from. Patterns and edits equal to these,
             or to one of `validation`, are left out.
         edits: File with edited versions of some of the patterns.
-        resume: Go on from the checkpoint in `out`. On a CPU the result is that of an uninterrupted
-            training, bit for bit, unless `max_minutes` is given.
         cache: Where to keep what is measured of the patterns; ``cache`` in `out` when None. PatternMaker's
             training reads and writes the same.
         workers: Processes that measure.
-        max_minutes: Of training; the schedule is fitted to it. Counts what an interrupted training has used.
-        stop_after: Interrupt after this many steps, a checkpoint written.
-        threads: Processor cores to train on; torch's choice when None.
-        report: Called with lines to show.
+        options: How it is run.
 
     Returns:
         The card: what was trained on what, and how good it is.
@@ -73,23 +62,15 @@ def train(
         InputError: A file, the folder or the configuration cannot be used.
         SimulationError: The loss is no number any more.
     """
-    if threads is not None:
-        torch.set_num_threads(threads)
-    processes = Processes.start()
-    report = report if report is not None and processes.is_first else say_nothing
-    record = RunRecord(out)
-    if processes.is_first:
-        record.start(config_values(config), resume=resume)
-    else:
-        processes.wait()  # the first one measures, the others read
-    cache = cache or out / "cache"
+    loop = Loop.start(config, out, **options)
+    processes, report = loop.processes, loop.report
 
     def open_part(files: Sequence[Path]) -> PatternBank:
-        return open_bank(files, edits, cache, recuts=config.recuts, workers=workers, report=report)
+        kept = cache or out / "cache"
+        return open_bank(files, edits, kept, recuts=config.recuts, workers=workers, report=report)
 
-    banks = {"train": open_part(patterns), "validation": open_part(validation)}
-    if processes.is_first:
-        processes.wait()
+    with processes.first_goes_ahead():  # it measures, the others read
+        banks = {"train": open_part(patterns), "validation": open_part(validation)}
     banks["train"] = banks["train"].without([*banks["validation"].sequences(), *sequences_of(apart)])
     tokenizer = TextTokenizer.shipped()
     samples = WishSamples(banks["train"], tokenizer, seed=config.seed, typos=config.typos)
@@ -103,15 +84,13 @@ def train(
         f"{len(banks['train'])} patterns with {data['train']['edits']} edits to write texts of, "
         f"{len(held)} texts to validate; {processes.device}, {processes.count} process(es)."
     )
-    loop = Loop(config, out, processes, record, report)
-    return loop.run(task, resume=resume, max_minutes=max_minutes, stop_after=stop_after)
+    return loop.run(task)
 
 
-class WishTask:
+class WishTask(Task):
     """What texts ask for, from the texts."""
 
     samples = "texts"
-    precision = "float32"
 
     def __init__(
         self,
@@ -156,10 +135,6 @@ class WishTask:
         numbers = F.cross_entropy(counts[rows, columns], wanted, reduction="sum") / len(batch)
         return {"statements": said, "numbers": numbers, "total": said + numbers}
 
-    def rate_factor(self, name: str) -> float:
-        """The same for all weights."""
-        return 1.0
-
     def validate(self) -> dict[str, Any]:
         """How well the texts to validate with are read."""
         score = judge(self.network, self.validation)
@@ -171,9 +146,6 @@ class WishTask:
             f"validation precision {result['precision']:.1%}, recall {result['recall']:.1%}, whole texts "
             f"{result['whole']:.1%}, numbers {result['numbers']:.1%}"
         )
-
-    def illustrate(self, step: int) -> None:
-        """Numbers say it all."""
 
     def card(self) -> dict[str, Any]:
         """Model, labels and data."""

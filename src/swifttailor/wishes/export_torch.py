@@ -11,10 +11,10 @@ import numpy as np
 import torch
 
 from swifttailor.errors import InputError
-from swifttailor.networks.half_storage import round_to_half
 from swifttailor.networks.model_file import write_graph
 from swifttailor.networks.onnx_export_torch import export_graph
 from swifttailor.networks.text_tokenizer import TextTokenizer
+from swifttailor.networks.trained_weights_torch import trained_network
 from swifttailor.wishes.labels import number_labels, statement_labels
 from swifttailor.wishes.network_torch import ReaderConfig, WishNetwork
 from swifttailor.wishes.reader import INPUTS, KIND, OUTPUTS, WishReader
@@ -50,26 +50,12 @@ def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> 
     Raises:
         InputError: The file is missing, damaged, or of another network.
     """
-    from safetensors import SafetensorError
-    from safetensors.torch import load_file
-
     if card.get("labels_sha256") != labels_checksum():
         raise InputError(
             f"The weights '{weights}' were trained for other statements than this version's. Export them "
             "with the version that trained them, or train again."
         )
-    try:
-        network = build_network(card["config"]["network"])
-        network.load_state_dict(load_file(weights))
-    except (SafetensorError, OSError, RuntimeError, KeyError, TypeError) as error:
-        lines = str(error).strip().splitlines()
-        raise InputError(
-            f"The weights '{weights}' cannot be used: {lines[0][:200] if lines else type(error).__name__}. "
-            "Copy the folder of the run again."
-        ) from error
-    if half:
-        round_to_half(network)
-    return network.eval()
+    return trained_network(lambda: build_network(card["config"]["network"]), weights, half=half)
 
 
 def export(network: WishNetwork, card: dict[str, Any], path: Path) -> Path:

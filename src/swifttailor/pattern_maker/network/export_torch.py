@@ -13,10 +13,9 @@ import torch
 from torch import Tensor, nn
 
 from swifttailor.errors import InputError
-from swifttailor.networks.folded_norms_torch import fold_norms
-from swifttailor.networks.half_storage import round_to_half
 from swifttailor.networks.onnx_export_torch import export_graph
 from swifttailor.networks.text_tokenizer import TextTokenizer
+from swifttailor.networks.trained_weights_torch import trained_network
 from swifttailor.pattern_maker.asking.foresight import PANEL_NUMBERS
 from swifttailor.pattern_maker.asking.prompt import OWN_TOKENS
 from swifttailor.pattern_maker.network.building_torch import build_network
@@ -43,22 +42,7 @@ def load_weights(
     Raises:
         InputError: The file is missing, damaged, or of another network.
     """
-    from safetensors import SafetensorError
-    from safetensors.torch import load_file
-
-    try:
-        network = build_network(network_of(card), text_size)
-        network.load_state_dict(load_file(weights))
-    except (SafetensorError, OSError, RuntimeError, KeyError, TypeError) as error:
-        lines = str(error).strip().splitlines()
-        raise InputError(
-            f"The weights '{weights}' cannot be used: {lines[0][:200] if lines else type(error).__name__}. "
-            "Copy the folder of the run again."
-        ) from error
-    fold_norms(network.eval())
-    if half:
-        round_to_half(network)
-    return network
+    return trained_network(lambda: build_network(network_of(card), text_size), weights, half=half)
 
 
 def export(weights: Path, card: dict[str, Any], path: Path, *, half: bool = False) -> Path:
@@ -121,18 +105,18 @@ def make_graphs(network: PatternMakerNetwork) -> dict[str, bytes]:
             ),
         ),
         "regress": (
-            _Regress(network),
+            _Method(network.regress),
             (torch.zeros(2, hidden), torch.full((2,), MOVE)),
             ({0: rows}, {0: rows}),
         ),
     }
     if network.copying:
-        given["counterpart"] = (_Counterparts(network), *given["embed"][1:])
-        given["leaning"] = (_Lean(network), (torch.zeros(2, hidden),), ({0: rows},))
+        given["counterpart"] = (_Method(network.embed_counterparts), *given["embed"][1:])
+        given["leaning"] = (_Method(network.lean), (torch.zeros(2, hidden),), ({0: rows},))
     if network.planning:
         given["plan"] = (_Plan(network), (torch.zeros(2, hidden),), ({0: rows},))
-        given["planned"] = (_Planned(network), *given["embed"][1:])
-        given["trust"] = (_Trust(network), (torch.zeros(2, hidden),), ({0: rows},))
+        given["planned"] = (_Method(network.embed_planned), *given["embed"][1:])
+        given["trust"] = (_Method(network.trust), (torch.zeros(2, hidden),), ({0: rows},))
         given["panels"] = (network.panel_in, (torch.zeros(2, PANEL_NUMBERS),), ({0: rows},))
     return {
         name: export_graph(module, example, shapes, *signature(name, planning=network.planning))
@@ -174,6 +158,14 @@ def compare(first: Runtime, second: Runtime, text_size: int, *, image_size: int,
     return max(float(np.abs(a - b).max() / max(np.abs(a).max(), 1e-6)) for a, b in zip(*results, strict=True))
 
 
+class _Method(nn.Module):
+    """A network of which one method is called."""
+
+    def __init__(self, method: Any) -> None:
+        super().__init__()
+        self.network, self.forward = method.__self__, method
+
+
 class _Vision(nn.Module):
     def __init__(self, network: PatternMakerNetwork) -> None:
         super().__init__()
@@ -198,33 +190,6 @@ class _Embed(nn.Module):
         return embedded + torch.where(carries, self.network.embed_numbers(own, numbers), 0.0)
 
 
-class _Counterparts(nn.Module):
-    def __init__(self, network: PatternMakerNetwork) -> None:
-        super().__init__()
-        self.network = network
-
-    def forward(self, tokens: Tensor, numbers: Tensor) -> Tensor:
-        return self.network.embed_counterparts(tokens, numbers)
-
-
-class _Planned(nn.Module):
-    def __init__(self, network: PatternMakerNetwork) -> None:
-        super().__init__()
-        self.network = network
-
-    def forward(self, tokens: Tensor, numbers: Tensor) -> Tensor:
-        return self.network.embed_planned(tokens, numbers)
-
-
-class _Trust(nn.Module):
-    def __init__(self, network: PatternMakerNetwork) -> None:
-        super().__init__()
-        self.network = network
-
-    def forward(self, states: Tensor) -> Tensor:
-        return self.network.trust(states)
-
-
 class _Plan(nn.Module):
     def __init__(self, network: PatternMakerNetwork) -> None:
         super().__init__()
@@ -232,21 +197,3 @@ class _Plan(nn.Module):
 
     def forward(self, early: Tensor) -> Tensor:
         return self.head(early)
-
-
-class _Lean(nn.Module):
-    def __init__(self, network: PatternMakerNetwork) -> None:
-        super().__init__()
-        self.network = network
-
-    def forward(self, states: Tensor) -> Tensor:
-        return self.network.lean(states)
-
-
-class _Regress(nn.Module):
-    def __init__(self, network: PatternMakerNetwork) -> None:
-        super().__init__()
-        self.network = network
-
-    def forward(self, states: Tensor, tokens: Tensor) -> Tensor:
-        return self.network.regress(states, tokens)
