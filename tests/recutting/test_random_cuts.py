@@ -44,7 +44,7 @@ ON_REAL_PATTERNS = {
 def draws(cutter, labels):
     """Those of some ways that a pattern can be recut in."""
     rng = random.Random(1)
-    possible = [WAYS[label] for label in labels if can_be_drawn(WAYS[label], cutter)]
+    possible = [WAYS[label] for label in sorted(labels) if can_be_drawn(WAYS[label], cutter)]
     return {way.label for way in possible if any(recut(cutter, way, rng) for _ in range(TRIES))}
 
 

@@ -47,7 +47,7 @@ def level_hem(pattern: Pattern) -> tuple[Pattern, str]:
         return pattern, ""
     if unevenness(after.facts.hem) > SMOOTHER * unevenness(facts):
         return pattern, ""
-    return after.pattern, f"hem made level, {unevenness(facts):.1f} cm apart before"
+    return after.pattern, f"hem made level (uneven by {unevenness(facts):.1f} cm before)"
 
 
 def _is_flared(cutter: Cutter) -> bool:

@@ -33,9 +33,7 @@ def open_slits(pattern: Pattern) -> tuple[Pattern, tuple[Change, ...]]:
             wider = _opened(after, *ids)
             if wider is not None:
                 after = wider
-                changes.append(
-                    Change("closed-slit", "opened a slit whose sides lay on each other", panel.name, edge)
-                )
+                changes.append(Change("closed-slit", "opened a slit without width", panel.name, edge))
         panels.append(after)
     return (replace(pattern, panels=tuple(panels)), tuple(changes)) if changes else (pattern, ())
 

@@ -48,7 +48,7 @@ def even_sides(pattern: Pattern, nearly: float = NEARLY_CM) -> tuple[Pattern, tu
         if moved <= SEEN_CM:
             continue
         panels |= {p.name: p for p in new}
-        both = "this panel and that of the other side" if other else "both halves of this panel"
+        both = "this panel and its counterpart" if other else "both halves of this panel"
         changes.append(
             Change("uneven-sides", f"made {both} alike; they differed by {moved:.2g} cm", panel.name)
         )

@@ -68,5 +68,5 @@ def _held_together(pattern: Pattern) -> tuple[Pattern, tuple[Change, ...]]:
         panels=tuple(p for p in pattern.panels if p.name in garment),
         stitches=tuple(s for s in pattern.stitches if all(side.panel in garment for side in s.sides)),
     )
-    why = "left this panel out: it is sewn to nothing of the garment"
+    why = "left this panel out: it is not sewn to the rest of the garment"
     return kept, tuple(Change("disconnected", why, p.name) for p in pattern.panels if p.name not in garment)

@@ -12,7 +12,8 @@ from swifttailor.pattern import Pattern
 from swifttailor.recutting.table.cutter import Cutter
 
 WIDER = ("wider", "narrower")
-MORE_GATHERED = ("times more gathered", "times less gathered")
+MORE_GATHERED = ("more gathered", "less gathered")
+"""The measure is the length of the gathered edge over that of its seam."""
 _HEM_LEVELS = ("level", "front", "back", "left", "right")
 LOWEST_CM = -3.0
 DRESS_BELOW_CROTCH_CM = 5.0
@@ -57,8 +58,8 @@ class Lever:
     @property
     def label(self) -> str:
         """What is cut and how, as no other lever does."""
-        name, words = self.name.rstrip(","), (word.removeprefix("times ") for word in self.words)
-        return f"{name}: {' or '.join(words)}" if self.moves else name
+        name = self.name.rstrip(",")
+        return f"{name}: {' or '.join(self.words)}" if self.moves else name
 
     def applies(self, facts: GarmentFacts) -> bool:
         """Whether a garment has what it moves, or lacks what it makes."""
@@ -68,11 +69,16 @@ class Lever:
         """What was done, in words."""
         name = self.name.rstrip(",")
         if was is None or now is None:
-            return f"{name}, {now:.1f}{self.unit}" if now is not None else name
+            return f"{name}, {now:.{1 if self.unit else 0}f}{self.unit}" if now is not None else name
         change = (now - was) * self.sign
         if abs(change) < 0.05:
             return name
-        return f"{self.name} {abs(change):.{1 if self.unit else 2}f}{self.unit} {self.words[change < 0]}"
+        how = self.words[change < 0]
+        if self.words == MORE_GATHERED:
+            return f"{self.name} {how}: from {was:.2f} to {now:.2f} times the seam"
+        if not self.unit:
+            return f"{name}: {abs(change):.0f} {how}"
+        return f"{self.name} {abs(change):.1f}{self.unit} {how}"
 
 
 @dataclass(frozen=True, kw_only=True)
