@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import sys
 from pathlib import Path
@@ -27,11 +28,44 @@ def coarse_drape_is_compiled() -> bool:
     return _is_compiled("coarse_kernels", "sew_and_hang")
 
 
-def load_coarse_drape(full: DistanceField, armless: DistanceField, measurements: BodyMeasurements) -> Thread:
+class CoarseDrapeLoading:
+    """The coarse drape's loops, being loaded or compiled in the background.
+
+    The thread ends with the program: an error elsewhere, or Ctrl-C, does not wait for the compiler.
+    """
+
+    def __init__(self, full: DistanceField, armless: DistanceField, measurements: BodyMeasurements) -> None:
+        """Begins; see `load_coarse_drape`."""
+        self._error: Exception | None = None
+        self._thread = Thread(
+            target=self._load, args=(full, armless, measurements), name="coarse drape", daemon=True
+        )
+        self._thread.start()
+
+    def wait(self) -> None:
+        """Returns when the loops are ready.
+
+        Raises:
+            Exception: Whatever kept them from being loaded.
+        """
+        self._thread.join()
+        if self._error is not None:
+            raise self._error
+
+    def _load(self, full: DistanceField, armless: DistanceField, measurements: BodyMeasurements) -> None:
+        try:
+            _drape_two_squares(full, armless, measurements)
+        except Exception as error:  # told to whoever waits
+            self._error = error
+
+
+def load_coarse_drape(
+    full: DistanceField, armless: DistanceField, measurements: BodyMeasurements
+) -> CoarseDrapeLoading:
     """Begins to load the coarse drape's loops, or to compile them, in the background.
 
     Loading numba takes half a second of every first garment, compiling several: meanwhile a network can write
-    the pattern, since it does not hold Python's lock while it runs. Who needs the loops earlier waits.
+    the pattern, since it does not hold Python's lock while it runs.
 
     Args:
         full: Distance to the body, as the drape will be given it: what the loops are called with decides what
@@ -40,11 +74,9 @@ def load_coarse_drape(full: DistanceField, armless: DistanceField, measurements:
         measurements: Of the body.
 
     Returns:
-        The thread; it need not be waited for.
+        What is to be waited for before the first garment is draped.
     """
-    thread = Thread(target=_drape_two_squares, args=(full, armless, measurements), name="coarse drape")
-    thread.start()
-    return thread
+    return CoarseDrapeLoading(full, armless, measurements)
 
 
 def _drape_two_squares(full: DistanceField, armless: DistanceField, measurements: BodyMeasurements) -> None:
@@ -66,12 +98,18 @@ def _is_compiled(module: str, function: str) -> bool:
     """Whether numba has kept what it compiled of a function, and the source is not newer.
 
     Used only to say what the wait is for. numba has no public question for this, and loading it to ask takes
-    a third of a second; so its index is looked for where numba keeps it, unread.
+    a third of a second; so its index is looked for where numba keeps it, unread. Folders that several
+    programs share have one for each folder of sources, named by its path: another copy of the package counts
+    for nothing.
     """
     source = Path(__file__).with_name(f"{module}.py")
-    places = [source.parent / "__pycache__", *Path.home().glob(".cache/numba/*")]
+    folder = os.path.abspath(source.parent)
+    own = f"{source.parent.name}_{hashlib.sha1(folder.encode(), usedforsecurity=False).hexdigest()}"
     if kept := os.environ.get("NUMBA_CACHE_DIR"):
-        places = list(Path(kept).glob("*"))
+        places = [Path(kept) / own]
+    else:
+        shared = Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"))
+        places = [source.parent / "__pycache__", shared / "numba" / own]
     name = f"{module}.{function}-*.py{sys.version_info.major}{sys.version_info.minor}*.nbi"
     written = source.stat().st_mtime
     return any(index.stat().st_mtime >= written for place in places for index in place.glob(name))

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from threading import Thread
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -27,6 +26,9 @@ from swifttailor.ggi.outline_decode import outline_sampler
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
+
+if TYPE_CHECKING:
+    from swifttailor.draping.compiled_code import CoarseDrapeLoading
 
 SHIPPED = Path(__file__).with_name("garment_sewer.onnx")
 BATCH = 8
@@ -87,11 +89,14 @@ class GarmentSewer:
         return not coarse_drape_is_compiled()
 
     def load_drape(self) -> None:
-        """Begins to load, or to compile, the coarse drape in the background, before there is a pattern."""
+        """Begins to load, or to compile, the coarse drape in the background, before there is a pattern.
+
+        What keeps it from being loaded is raised when the first pattern is prepared.
+        """
         _ = self._drape_loading
 
     @cached_property
-    def _drape_loading(self) -> Thread | None:
+    def _drape_loading(self) -> CoarseDrapeLoading | None:
         if self.model.conditioning.prior != "hung":
             return None
         from swifttailor.draping.compiled_code import load_coarse_drape
@@ -136,6 +141,8 @@ class GarmentSewer:
             )
         layout = lay_out(pattern, resolution)
         mesh = mesh_pattern(layout.pattern, edge_length)
+        if loading := self.__dict__.get("_drape_loading"):  # only where somebody has begun to
+            loading.wait()
         return Prepared(layout, tabulate(layout, self.model.conditioning.prior, self.body), mesh, edge_length)
 
     def predict(self, prepared: Sequence[Prepared]) -> list[Floats]:

@@ -16,14 +16,15 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike
 
-from swifttailor.arrays import Floats
+from swifttailor.arrays import Floats, read_only
 
 _GAUSS_POINTS = 8
 _LENGTH_TOLERANCE = 1e-13
 _MAX_INTERVALS = 4096
 _REMEMBERED = 4096
 """Curves whose lengths, samples and polylines are kept: while a pattern is altered and checked, most of its
-edges stay as they are and are asked for the same again and again."""
+edges stay as they are and are asked for the same again and again. Chords are told apart by their bytes, since
+-0.0 equals 0.0 but may give other points."""
 
 
 @dataclass(frozen=True)
@@ -156,7 +157,7 @@ def length(curve: Curve, chord: ArrayLike) -> float:
     if isinstance(curve, Arc):
         g = arc_geometry(curve, chord)
         return g.radius * abs(g.sweep)
-    return float(_length_table(curve, *_ends(chord))[1][-1])
+    return float(_length_table(curve, _bytes(chord))[1][-1])
 
 
 def parameters_by_length(curve: Curve, chord: ArrayLike, fractions: ArrayLike) -> Floats:
@@ -164,7 +165,7 @@ def parameters_by_length(curve: Curve, chord: ArrayLike, fractions: ArrayLike) -
     fractions = np.atleast_1d(np.asarray(fractions, float))
     if isinstance(curve, Line | Arc):
         return fractions.copy()
-    knots, table = _length_table(curve, *_ends(chord))
+    knots, table = _length_table(curve, _bytes(chord))
     if table[-1] == 0.0:
         return fractions.copy()
     target = fractions * table[-1]
@@ -187,7 +188,7 @@ def parameters_by_length(curve: Curve, chord: ArrayLike, fractions: ArrayLike) -
 
 def sample_by_length(curve: Curve, chord: ArrayLike, count: int) -> Floats:
     """Points (count, 2) in cm, equally spaced by arc length, both ends included."""
-    return _sampled(curve, *_ends(chord), count).copy()
+    return _sampled(curve, _bytes(chord), count).copy()
 
 
 def reverse(curve: Curve) -> Curve:
@@ -260,7 +261,7 @@ def flatten(curve: Curve, chord: ArrayLike, tolerance: float) -> Floats:
     """Polyline (n, 2) in cm that stays within `tolerance` cm of the curve, both ends included."""
     if isinstance(curve, Line):
         return np.array(chord, float)
-    return _flattened(curve, *_ends(chord), tolerance).copy()
+    return _flattened(curve, _bytes(chord), tolerance).copy()
 
 
 def _turn(point: tuple[float, float]) -> tuple[float, float]:
@@ -271,6 +272,15 @@ def _ends(chord: ArrayLike) -> tuple[Point, Point]:
     """Start and end of a chord as plain numbers, which are computed with faster than arrays of two."""
     (x, y), (to_x, to_y) = np.asarray(chord, float).tolist()
     return (x, y), (to_x, to_y)
+
+
+def _bytes(chord: ArrayLike) -> bytes:
+    return np.asarray(chord, float).tobytes()
+
+
+def _chord(remembered: bytes) -> Floats:
+    """The chord (2, 2) of `_bytes`."""
+    return np.frombuffer(remembered).reshape(2, 2)
 
 
 def _absolute(x: float, y: float, start: Point, end: Point) -> Point:
@@ -322,7 +332,7 @@ def _bezier_roots(coefficients: Floats) -> list[float]:
 def gauss_rule() -> tuple[Floats, Floats]:
     """Nodes in [0, 1] and weights of the quadrature along a curve."""
     nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
-    return (nodes + 1) / 2, weights / 2
+    return read_only((nodes + 1) / 2), read_only(weights / 2)
 
 
 def _speed(control: Floats, t: Floats) -> Floats:
@@ -336,14 +346,14 @@ def _interval_lengths(control: Floats, low: Floats, high: Floats) -> Floats:
 
 
 @lru_cache(maxsize=_REMEMBERED)
-def _sampled(curve: Curve, start: Point, end: Point, count: int) -> Floats:
-    chord = np.array([start, end])
+def _sampled(curve: Curve, ends: bytes, count: int) -> Floats:
+    chord = _chord(ends)
     return evaluate(curve, chord, parameters_by_length(curve, chord, np.linspace(0.0, 1.0, count)))
 
 
 @lru_cache(maxsize=_REMEMBERED)
-def _flattened(curve: Quadratic | Cubic | Arc, start: Point, end: Point, tolerance: float) -> Floats:
-    chord = np.array([start, end])
+def _flattened(curve: Quadratic | Cubic | Arc, ends: bytes, tolerance: float) -> Floats:
+    chord = _chord(ends)
     if isinstance(curve, Arc):
         g = arc_geometry(curve, chord)
         step = 2 * math.acos(max(1 - tolerance / max(g.radius, tolerance), -1.0))
@@ -358,13 +368,13 @@ def _flattened(curve: Quadratic | Cubic | Arc, start: Point, end: Point, toleran
 
 
 @lru_cache(maxsize=_REMEMBERED)
-def _length_table(curve: Quadratic | Cubic, start: Point, end: Point) -> tuple[Floats, Floats]:
-    """Parameters and the arc length up to each, refined until the total no longer changes; not to be changed.
+def _length_table(curve: Quadratic | Cubic, ends: bytes) -> tuple[Floats, Floats]:
+    """Parameters and the arc length up to each, refined until the total no longer changes.
 
     The parameters of least speed are among them: at a cusp the speed has a kink, which quadrature across it
     would not see.
     """
-    control = control_polygon(curve, np.array([start, end]))
+    control = control_polygon(curve, _chord(ends))
     slowest = _slowest_parameters(control)
     count, previous = 16, -1.0
     while True:
@@ -372,7 +382,7 @@ def _length_table(curve: Quadratic | Cubic, start: Point, end: Point) -> tuple[F
         lengths = _interval_lengths(control, knots[:-1], knots[1:])
         total = float(lengths.sum())
         if abs(total - previous) <= _LENGTH_TOLERANCE * max(total, 1e-12) or count >= _MAX_INTERVALS:
-            return knots, np.concatenate([[0.0], np.cumsum(lengths)])
+            return read_only(knots), read_only(np.concatenate([[0.0], np.cumsum(lengths)]))
         count, previous = count * 2, total
 
 

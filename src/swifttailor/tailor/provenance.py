@@ -14,9 +14,13 @@ _FACTS = ("model", "parameters", "data", "training", "validation")
 """What a card says that is told with every garment; how the network was configured is in its file."""
 
 
-@cache
 def versions() -> dict[str, str]:
     """Of what a garment depends on."""
+    return dict(_versions())
+
+
+@cache
+def _versions() -> dict[str, str]:
     found = {"swifttailor": __version__, "python": platform.python_version()}
     for name in _PACKAGES:
         try:

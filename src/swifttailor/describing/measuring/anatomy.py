@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property, lru_cache
+from types import MappingProxyType
 
 from swifttailor.body import BodyMeasurements
 from swifttailor.describing.measuring.cloth import Cloth, FreeLoop
@@ -71,7 +72,7 @@ class Anatomy:
     body: BodyMeasurements
     figure: Figure
     cloth: Cloth
-    parts: dict[str, PlacedPart]
+    parts: Mapping[str, PlacedPart]
     """By panel name."""
     borders: tuple[tuple[FreeLoop, Border], ...]
 
@@ -167,7 +168,7 @@ def _look_at(pattern: Pattern, name: str, body: BodyMeasurements) -> Anatomy:
     """
     figure = Figure.of(body)
     cloth = Cloth.of(pattern)
-    parts = find_parts(pattern, figure, _openings(cloth, figure))
+    parts = MappingProxyType(find_parts(pattern, figure, _openings(cloth, figure)))
     return Anatomy(pattern, body, figure, cloth, parts, _borders(cloth, parts, figure))
 
 
@@ -188,7 +189,7 @@ def _openings(cloth: Cloth, figure: Figure) -> Openings:
 
 
 def _borders(
-    cloth: Cloth, parts: dict[str, PlacedPart], figure: Figure
+    cloth: Cloth, parts: Mapping[str, PlacedPart], figure: Figure
 ) -> tuple[tuple[FreeLoop, Border], ...]:
     kinds: dict[int, Border] = {}
     middle: list[int] = []

@@ -8,9 +8,10 @@ measure lies, whatever the panels' shapes and wherever they have been placed.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from types import MappingProxyType
 
 import numpy as np
 import shapely
@@ -18,7 +19,7 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components, dijkstra
 
-from swifttailor.arrays import Floats, Longs
+from swifttailor.arrays import Floats, Longs, read_only
 from swifttailor.pattern import EdgeRef, Pattern, Stitch
 from swifttailor.pattern.check.stitch_checks import single_stitches, usable_stitches
 
@@ -42,12 +43,12 @@ class FreeLoop:
 
 @dataclass(frozen=True, eq=False)
 class Cloth:
-    """A pattern's samples, nodes and the ways between them."""
+    """A pattern's samples, nodes and the ways between them; nothing of it can be changed."""
 
     pattern: Pattern
     stitches: tuple[Stitch, ...]
     """Those that can be sewn: both edges exist, neither is in another stitch."""
-    samples: dict[EdgeRef, Longs]
+    samples: Mapping[EdgeRef, Longs]
     """Samples along every edge, both ends included."""
     world: Floats
     """(n, 3) placed samples, cm."""
@@ -55,7 +56,7 @@ class Cloth:
     """(n,) node of every sample."""
     ways: csr_array
     """(nodes, nodes) lengths of the straight ways, cm."""
-    lengths: dict[EdgeRef, float]
+    lengths: Mapping[EdgeRef, float]
     """Arc length of every edge, cm."""
 
     @classmethod
@@ -82,12 +83,22 @@ class Cloth:
             spans.append((start, first))
         node = _sew(samples, stitches, first)
         ways = _ways(local, spans, node)
-        return cls(pattern, stitches, samples, np.concatenate(world), node, ways, lengths)
+        for array in (*samples.values(), ways.data, ways.indices, ways.indptr):
+            read_only(array)
+        return cls(
+            pattern,
+            stitches,
+            MappingProxyType(samples),
+            read_only(np.concatenate(world)),
+            read_only(node),
+            ways,
+            MappingProxyType(lengths),
+        )
 
     @cached_property
-    def partner(self) -> dict[EdgeRef, EdgeRef]:
+    def partner(self) -> Mapping[EdgeRef, EdgeRef]:
         """What every stitched edge is sewn to."""
-        return {a: b for s in self.stitches for a, b in (s.sides, s.sides[::-1])}
+        return MappingProxyType({a: b for s in self.stitches for a, b in (s.sides, s.sides[::-1])})
 
     @cached_property
     def loops(self) -> tuple[FreeLoop, ...]:
@@ -103,7 +114,7 @@ class Cloth:
         loops = []
         for refs in groups.values():
             length = sum(self.lengths[ref] for ref in refs)
-            loops.append(FreeLoop(tuple(refs), length, self.placed(refs).mean(axis=0)))
+            loops.append(FreeLoop(tuple(refs), length, read_only(self.placed(refs).mean(axis=0))))
         return tuple(sorted(loops, key=lambda loop: (-loop.length, loop.edges)))
 
     def nodes(self, refs: Sequence[EdgeRef]) -> Longs:
@@ -180,7 +191,8 @@ def _ways(local: list[Floats], spans: list[tuple[int, int]], node: Longs) -> csr
 @lru_cache(maxsize=256)
 def _remembered_ways(points: bytes) -> tuple[Longs, Longs]:
     """`mutually_visible`; most panels stay as they are while a pattern is altered."""
-    return mutually_visible(np.frombuffer(points, np.float64).reshape(-1, 2))
+    i, j = mutually_visible(np.frombuffer(points, np.float64).reshape(-1, 2))
+    return read_only(i), read_only(j)
 
 
 def mutually_visible(points: Floats) -> tuple[Longs, Longs]:

@@ -14,7 +14,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.arrays import Floats
+from swifttailor.arrays import Floats, read_only
 from swifttailor.describing.measuring.anatomy import Anatomy, Seam
 from swifttailor.describing.measuring.parts import LOWER_PARTS, Part
 from swifttailor.pattern import EdgeRef
@@ -64,13 +64,13 @@ def wear(anatomy: Anatomy) -> Worn:
     fall = anatomy.cloth.distances(sources, neck - starts) if len(sources) else None
     if fall is None:  # a closed garment without top or shoulders: as it is placed
         level = _placed_levels(anatomy)
-        return Worn(level, float(level.max(initial=0.0)), shoulders, 0.0)
+        return Worn(read_only(level), float(level.max(initial=0.0)), shoulders, 0.0)
     level = neck - fall
     if any(shoulders):
         level += _contour(anatomy, level)
     level = np.where(np.isfinite(level), level, _placed_levels(anatomy))
     level, lifted = _lift(anatomy, level)
-    return Worn(level, top, shoulders, lifted)
+    return Worn(read_only(level), top, shoulders, lifted)
 
 
 def shoulder_seam(anatomy: Anatomy, side: str) -> Seam | None:

@@ -8,7 +8,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.arrays import Floats
+from swifttailor.arrays import Floats, read_only
 from swifttailor.pattern import curve as curves
 from swifttailor.pattern.curve import Arc, Line
 from swifttailor.pattern.panel import Panel
@@ -19,7 +19,7 @@ FLATTEN_CM = 0.002
 
 @dataclass(frozen=True, eq=False)
 class Outline:
-    """A panel's loop as a fine polyline, with the measures the checks share."""
+    """A panel's loop as a fine polyline, with the measures the checks share; arrays are read-only."""
 
     panel: Panel
     points: Floats
@@ -55,12 +55,12 @@ class Outline:
     @cached_property
     def world(self) -> Floats:
         """(n, 3) corners where the panel is placed, cm."""
-        return self.panel.to_world(self.panel.vertices)
+        return read_only(self.panel.to_world(self.panel.vertices))
 
     @cached_property
     def normal(self) -> Floats:
         """(3,) unit vector out of the right side of the placed panel."""
-        return self.panel.placement.matrix()[:, 2] * (1.0 if self.area >= 0 else -1.0)
+        return read_only(self.panel.placement.matrix()[:, 2] * (1.0 if self.area >= 0 else -1.0))
 
 
 @lru_cache(maxsize=512)
@@ -74,11 +74,13 @@ def trace_outline(panel: Panel) -> Outline:
     tolerance = max(FLATTEN_CM, 1e-5 * extent * max(1.0, len(panel.edges) / 50))
     if all(isinstance(e.curve, Line) for e in panel.edges):
         lengths = np.hypot(*(np.roll(panel.vertices, -1, axis=0) - panel.vertices).T)
-        return Outline(panel, panel.vertices, np.arange(len(panel.edges)), lengths, 0.0)
+        owner = np.arange(len(panel.edges))
+        return Outline(panel, panel.vertices, read_only(owner), read_only(lengths), 0.0)
     pieces = [panel.flatten_edge(k, tolerance) for k in range(len(panel.edges))]
     lengths = np.array([np.hypot(*np.diff(p, axis=0).T).sum() for p in pieces])
     owner = np.repeat(np.arange(len(pieces)), [len(p) - 1 for p in pieces])
-    return Outline(panel, np.concatenate([p[:-1] for p in pieces]), owner, lengths, tolerance)
+    points = np.concatenate([p[:-1] for p in pieces])
+    return Outline(panel, read_only(points), read_only(owner), read_only(lengths), tolerance)
 
 
 def _extent(panel: Panel) -> float:

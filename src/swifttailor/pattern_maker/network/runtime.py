@@ -203,7 +203,7 @@ class OnnxRuntime:
 
     def _embedded(self, graph: str, tokens: Longs, numbers: Singles) -> Singles:
         """Runs a graph that embeds; single tokens without numbers, which most are, only when they are new."""
-        if tokens.shape[1] != 1 or numbers.any():
+        if tokens.shape[1] != 1 or not len(tokens) or numbers.any():
             return self._run(graph, tokens, numbers)[0]
         own = [(graph, token) for token in tokens[:, 0].tolist()]
         for row, key in enumerate(own):
