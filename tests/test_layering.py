@@ -49,7 +49,7 @@ HEAVY = {
 # Modules of this name are made of torch: they load it at once, and are themselves imported when used.
 TORCH_MODULE = "_torch"
 TORCH_PACKAGES = {"torch", "transformers"}
-NUMBA_ROOMS = {"body", "draping"}
+NUMBA_ROOMS = {"body", "draping", "render"}
 MAX_LINES, HARD_MAX_LINES = 400, 600
 
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
+from plain_renderer import Samples, shade
 
 from swifttailor.render import Camera, Surface
-from swifttailor.render.lighting import Samples, shade
 
 
 def random_triangles(count: int, size: tuple[int, int], seed: int) -> np.ndarray:

@@ -68,3 +68,15 @@ def test_rays_and_projection_undo_each_other(camera):
 def test_impossible_cameras_are_refused(bad):
     with pytest.raises(InputError):
         Camera(**bad)
+
+
+@pytest.mark.parametrize("field_of_view", [0.0, 30.0])
+def test_floor_points_lie_on_their_sight_lines(field_of_view):
+    camera, size = Camera((3, 40, -2), 120, 35, 25, field_of_view), (31, 24)
+    x, y = np.arange(31) + 0.5, np.arange(24) + 0.5
+    points = camera.floor_points(x, y, size)
+    floor = np.stack([points[..., 0], np.zeros((24, 31)), points[..., 1]], axis=-1).reshape(-1, 3)
+    seen = camera.project(floor, size)[:, :2].reshape(24, 31, 2)
+    down = camera.rays(*(a.ravel() for a in np.meshgrid(x, y)), size)[1][:, 1].reshape(24, 31) < -1e-3
+    assert down.mean() > 0.5
+    np.testing.assert_allclose(seen[down], np.stack(np.meshgrid(x, y), axis=-1)[down], atol=1e-6)

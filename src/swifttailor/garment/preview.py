@@ -88,6 +88,8 @@ def render_preview(
     """
     from PIL import Image
 
+    from swifttailor.render.shading_kernels import put_before
+
     surfaces = [cloth_surface(garment, color)]
     if body is not None:
         surfaces.insert(0, body_surface(body, cloth=garment.vertices))
@@ -95,21 +97,19 @@ def render_preview(
     picture = wall(size, to_linear(background))
     for view in frame_views(garment.vertices, None if body is None else body.vertices, size):
         part = view.width, size[1]
-        column = picture[:, view.first : view.first + view.width]
         light, coverage = draw_figure(scene, view.camera, part)
-        fade = _fade(view.width)
+        floor = np.ones(coverage.shape, np.float32)
         if scene.floor_shadow is not None:
-            column *= 1.0 - fade * (1.0 - scene.floor_shadow.light(view.camera, part))
-        column *= 1.0 - coverage * fade
-        column += light * fade
+            floor = scene.floor_shadow.light(view.camera, part)
+        put_before(picture, view.first, light, coverage, floor, _fade(view.width))
     return Image.fromarray(encode_srgb(picture))
 
 
 def _fade(width: int) -> Array:
-    """(width, 1) share of the figure drawn in each column of a view: what a frame cuts off ends softly."""
+    """(width,) share of the figure drawn in each column of a view: what a frame cuts off ends softly."""
     from_border = np.minimum(np.arange(width), np.arange(width)[::-1]) + 0.5
     t = np.clip(from_border / min(28.0, width / 8), 0.0, 1.0)
-    return (t * t * (3 - 2 * t)).astype(np.float32)[:, None]
+    return (t * t * (3 - 2 * t)).astype(np.float32)
 
 
 def _seam_edges(garment: Garment) -> Array:

@@ -7,7 +7,7 @@ from scipy.ndimage import gaussian_filter
 
 from swifttailor.arrays import Array
 from swifttailor.render.camera import Camera
-from swifttailor.render.rasterize import depth_at, rasterize
+from swifttailor.render.rasterize import depth_picture
 
 
 def wall(size: tuple[int, int], color: Array) -> Array:
@@ -16,7 +16,10 @@ def wall(size: tuple[int, int], color: Array) -> Array:
     u = (np.arange(width) + 0.5) / width - 0.5
     v = (np.arange(height) + 0.5) / height - 0.42
     glow = 1.0 - 0.50 * v[:, None] ** 2 - 0.20 * u[None] ** 2
-    return (glow[:, :, None] * color).astype(np.float32)
+    lit = np.zeros((height, width, 3), np.float32)
+    for k in range(3):  # a broadcast along so short an axis is several times slower
+        np.multiply(glow, color[k], out=lit[:, :, k], casting="same_kind")
+    return lit
 
 
 class FloorShadow:
@@ -27,15 +30,15 @@ class FloorShadow:
 
     def __init__(self, triangles: Array) -> None:
         """Takes world triangles (m, 3, 3), cm."""
-        flat = triangles[:, :, [0, 2]]
-        self._low = flat.min(axis=(0, 1)) - self._MARGIN
-        self._high = flat.max(axis=(0, 1)) + self._MARGIN
+        corners = triangles.reshape(-1, 3).T[[0, 2, 1]].astype(np.float64)
+        self._low = corners[:2].min(axis=1) - self._MARGIN
+        self._high = corners[:2].max(axis=1) + self._MARGIN
         extent = self._high - self._low
         self._cell = max(self._CELL, float(extent.max()) / 300)
         width, height = (int(n) for n in np.ceil(extent / self._cell))
-        corners = triangles[:, :, [0, 2, 1]].astype(np.float64)
-        corners[:, :, :2] = (corners[:, :, :2] - self._low) / self._cell
-        above = np.maximum(depth_at(corners, rasterize(corners, (width, height)), fill=1e6), 0.0)
+        corners[:2] = (corners[:2] - self._low[:, None]) / self._cell
+        seen = corners.T.reshape(-1, 3, 3)
+        above = np.maximum(depth_picture(seen, (width, height), fill=1e6), 0.0)
         touching = gaussian_filter(np.exp(-above / 2.5), 2.0 / self._cell, mode="constant")
         hanging = gaussian_filter(np.exp(-above / 45.0), 12.0 / self._cell, mode="constant")
         self._map = np.clip(0.55 * touching + 0.50 * hanging, 0.0, 0.8)
@@ -55,10 +58,8 @@ class FloorShadow:
         right, bottom = np.clip(np.ceil(seen[:, :2].max(axis=0)), 0, size).astype(int)
         if left >= right or top >= bottom:
             return kept
-        x, y = np.meshgrid(np.arange(left, right) + 0.5, np.arange(top, bottom) + 0.5)
-        origin, direction = camera.rays(x.ravel(), y.ravel(), size)
-        along = -origin[:, 1] / np.minimum(direction[:, 1], -1e-6)
-        points = (origin + along[:, None] * direction)[:, [0, 2]]
+        points = camera.floor_points(np.arange(left, right) + 0.5, np.arange(top, bottom) + 0.5, size)
+        points = points.reshape(-1, 2)
         dark = _bilinear(self._map, (points - self._low) / self._cell - 0.5)
         kept[top:bottom, left:right] -= dark.reshape(bottom - top, right - left, 1)
         return kept

@@ -99,3 +99,26 @@ class Camera:
         direction = offset - self.distance * back
         direction /= np.linalg.norm(direction, axis=1, keepdims=True)
         return np.broadcast_to(eye, offset.shape), direction
+
+    def floor_points(self, x: Array, y: Array, size: tuple[int, int]) -> Array:
+        """Where the sight lines through pixel columns x (w,) and rows y (h,) meet the floor y = 0.
+
+        Returns:
+            (h, w, 2): x and z in cm; very far away for lines that do not go down.
+        """
+        width, height = size
+        scale = self.height / height
+        right, up, back = self.axes
+        # The picture's right lies level, so a whole row of sight lines goes equally far.
+        across = np.multiply.outer((x - width / 2) * scale, right)[None]
+        along_row = np.multiply.outer((height / 2 - y) * scale, up)
+        eye = np.asarray(self.target) + self.distance * back
+        if self.perspective:
+            down = along_row - self.distance * back
+            reach = -eye[1] / np.minimum(down[:, 1], -1e-6 * self.distance)
+            points = eye + reach[:, None, None] * (across + down[:, None])
+        else:
+            start = eye + along_row
+            reach = start[:, 1] / max(back[1], 1e-6)
+            points = across + (start - reach[:, None] * back)[:, None]
+        return points[:, :, [0, 2]]

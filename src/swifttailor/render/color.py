@@ -44,8 +44,11 @@ def to_linear(color: Color) -> Array:
 def encode_srgb(linear: Array) -> Array:
     """uint8 sRGB values of linear-light values (any shape), clipped to what a screen can show."""
     # A table of the transfer curve is ten times faster than the power and differs by no grey level.
-    steps = np.clip(linear * 4095.0 + 0.5, 0.0, 4095.0).astype(np.int32)
-    return _TABLE[steps]
+    steps = np.array(linear, np.float32)
+    steps *= 4095.0
+    steps += 0.5
+    np.clip(steps, 0.0, 4095.0, out=steps)
+    return _TABLE[steps.astype(np.int16)]
 
 
 def _transfer_table() -> Array:

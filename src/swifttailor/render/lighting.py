@@ -51,55 +51,19 @@ class Lighting:
     ground: tuple[float, float, float] = GROUND
     """Linear RGB from below."""
 
+    def table(self) -> Array:
+        """(9, 4) float32 as `shading_kernels.light_samples` takes it.
+
+        Rows: direction and wrap of key, fill and rim; their colours; sky, ground; direction of the highlight.
+        """
+        lights = self.key, self.fill, self.rim
+        half = self.key.unit() + np.array([0.0, 0.0, 1.0])
+        half = half / max(float(np.linalg.norm(half)), 1e-6)
+        rows = [
+            *((*light.unit(), light.wrap) for light in lights),
+            *((*color, 0.0) for color in (*(light.color for light in lights), self.sky, self.ground, half)),
+        ]
+        return np.array(rows, np.float32)
+
 
 STUDIO = Lighting()
-
-
-@dataclass(frozen=True)
-class Samples:
-    """The visible points to be lit, n of them; float32 throughout."""
-
-    normal: Array
-    """(n, 3) unit normals turned towards the camera, in the camera's frame."""
-    up: Array
-    """(n,) the normal's upward part in the world."""
-    facing: Array
-    """(n,) cosine between the normal and the sight line, 0 to 1."""
-    color: Array
-    """(n, 3) linear colour of the surface."""
-    sheen: Array
-    """(n,) see `Surface.sheen`."""
-    gloss: Array
-    """(n,) see `Surface.gloss`."""
-    shadow: Array
-    """(n,) share of the key light that arrives."""
-    open_sky: Array
-    """(n,) share of the room's light that arrives."""
-
-
-def shade(samples: Samples, lighting: Lighting = STUDIO) -> Array:
-    """Linear-light colour (n, 3) of the samples."""
-    key = _diffuse(samples.normal, lighting.key) * samples.shadow
-    fill = _diffuse(samples.normal, lighting.fill) * samples.open_sky
-    edge = (1.0 - samples.facing) ** 2
-    rim = _diffuse(samples.normal, lighting.rim) * edge * samples.open_sky
-    sky = (0.5 + 0.5 * samples.up) * samples.open_sky
-    half = lighting.key.unit() + np.array([0.0, 0.0, 1.0])
-    half = (half / max(float(np.linalg.norm(half)), 1e-6)).astype(np.float32)
-    highlight = np.maximum(samples.normal @ half, 0.0) ** 24 * samples.gloss * samples.shadow
-    sheen = edge * (1.0 - samples.facing) * samples.sheen * samples.open_sky
-    lit = np.zeros_like(samples.color)
-    for k in range(3):
-        sky_part, ground = np.float32(lighting.sky[k] - lighting.ground[k]), np.float32(lighting.ground[k])
-        light = key * np.float32(lighting.key.color[k]) + fill * np.float32(lighting.fill.color[k])
-        light += sky * sky_part + samples.open_sky * ground
-        lit[:, k] = samples.color[:, k] * light + rim * np.float32(lighting.rim.color[k]) * (
-            0.35 + 0.65 * samples.color[:, k]
-        )
-        lit[:, k] += highlight + sheen * (0.3 + 0.7 * samples.color[:, k])
-    return lit
-
-
-def _diffuse(normal: Array, light: Light) -> Array:
-    wrap = np.float32(light.wrap)
-    return np.maximum((normal @ light.unit().astype(np.float32) + wrap) / (1 + wrap), 0.0)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
-from scipy.ndimage import gaussian_filter, zoom
+from scipy.ndimage import gaussian_filter
 
 from swifttailor.arrays import Array
 
@@ -43,18 +45,31 @@ def _blur(picture: Array, sigma: float) -> Array:
     step = max(1, int(sigma / 2.5))
     if step == 1:
         return gaussian_filter(picture, sigma, truncate=2.5)
-    height, width = picture.shape
-    padded = np.pad(picture, ((0, -height % step), (0, -width % step)), mode="edge")
-    coarse = box_mean(padded, step)
-    coarse = gaussian_filter(coarse, sigma / step, truncate=2.5)
-    fine = zoom(coarse, step, order=1, mode="nearest", grid_mode=True)
-    return fine[:height, :width]
+    down, across = (_blocks(length, step) for length in picture.shape)
+    coarse = gaussian_filter(down.means @ picture @ across.means.T, sigma / step, truncate=2.5)
+    return down.between @ coarse @ across.between.T
 
 
-def box_mean(picture: Array, step: int) -> Array:
-    """Means of (h, w, ...) over blocks of `step` by `step`, which must fit; faster than a reduction."""
-    total = np.zeros((picture.shape[0] // step, picture.shape[1] // step, *picture.shape[2:]), np.float32)
-    for j in range(step):
-        for i in range(step):
-            total += picture[j::step, i::step]
-    return total / np.float32(step * step)
+@dataclass(frozen=True, eq=False)
+class _Blocks:
+    """A row of pixels in blocks of equal length, and back."""
+
+    means: Array
+    """(blocks, pixels) float32: what each pixel adds to the mean of its block."""
+    between: Array
+    """(pixels, blocks) float32: linear interpolation between the blocks' middles, flat at the ends."""
+
+
+def _blocks(length: int, step: int) -> _Blocks:
+    count = -(-length // step)
+    means, between = np.zeros((count, length), np.float32), np.zeros((length, count), np.float32)
+    # The last block is filled up with the last pixel.
+    np.add.at(
+        means, (np.arange(count * step) // step, np.minimum(np.arange(count * step), length - 1)), 1 / step
+    )
+    pixel = np.arange(length)
+    at = np.clip((pixel + 0.5) / step - 0.5, 0, count - 1)
+    first = at.astype(np.int64)
+    between[pixel, first] = 1 - (at - first)
+    between[pixel, np.minimum(first + 1, count - 1)] += at - first
+    return _Blocks(means, between)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from swifttailor.arrays import Array
-from swifttailor.render.rasterize import depth_at, rasterize
+from swifttailor.render.camera import Camera
+from swifttailor.render.rasterize import depth_picture
 
 _CELL = 0.6
 """Size of a cell, cm; grown for wide scenes."""
@@ -23,48 +24,38 @@ class ShadowMap:
 
     def __init__(self, triangles: Array, towards_light: Array) -> None:
         """Looks at world triangles (m, 3, 3), cm, from the unit direction `towards_light` (3,)."""
-        self._axes = _axes_towards(towards_light).astype(np.float32)
-        corners = triangles.reshape(-1, 3) @ self._axes.T
-        low, high = corners[:, :2].min(axis=0), corners[:, :2].max(axis=0)
+        self._axes = _axes_towards(towards_light)
+        # Coordinates in rows: least and most of each are then found several times faster.
+        seen = self._axes @ triangles.reshape(-1, 3).T
+        low, high = seen[:2].min(axis=1), seen[:2].max(axis=1)
         self._cell = max(_CELL, float((high - low).max()) / _MAX_CELLS)
         self._low = low - 3 * self._cell
         width, height = (int(n) for n in np.ceil((high - low) / self._cell) + 6)
-        corners[:, :2] = (corners[:, :2] - self._low) / self._cell
-        corners[:, 2] *= -1.0
-        corners = corners.reshape(-1, 3, 3)
-        self._depth = depth_at(corners, rasterize(corners, (width, height)), fill=1e9).astype(np.float32)
+        seen[:2] = (seen[:2] - self._low[:, None]) / self._cell
+        seen[2] *= -1.0
+        self._depth = depth_picture(seen.T.reshape(-1, 3, 3), (width, height), fill=1e9).astype(np.float32)
 
-    def light(self, points: Array, normals: Array) -> Array:
-        """Share (n,) of the key light, 0 to 1, that arrives at world points with normals, both (n, 3), cm."""
-        seen = (points + np.float32(_OFFSET) * normals).astype(np.float32) @ self._axes.T
-        rows, columns = self._depth.shape
-        x = np.clip((seen[:, 0] - self._low[0]) / self._cell - 0.5, 1.0, columns - 2.001)
-        y = np.clip((seen[:, 1] - self._low[1]) / self._cell - 0.5, 1.0, rows - 2.001)
-        i, j = x.astype(np.int32), y.astype(np.int32)
-        # Sixteen comparisons around the point, weighted so that the sum changes smoothly between cells.
-        across, down = _tent(x - i), _tent(y - j)
-        limit = (-seen[:, 2] - np.float32(_BIAS)) / np.float32(_FADE)
-        depth = (self._depth / np.float32(_FADE)).ravel()
-        corner = (j - 1) * columns + (i - 1)
-        arriving = np.zeros(len(points), np.float32)
-        for row in range(4):
-            line = np.zeros(len(points), np.float32)
-            for column in range(4):
-                ahead = depth[corner + (row * columns + column)] - limit
-                line += across[column] * np.clip(1.0 + ahead, 0.0, 1.0)
-            arriving += down[row] * line
-        return arriving
+    def light(self, camera: Camera, distance: Array, normal: Array, samples: int) -> Array:
+        """Share (h, w) float32 of the key light, 0 to 1, that arrives at the middles of a picture's pixels.
 
+        Args:
+            camera: That took the picture.
+            distance: (H, W) float32 of each sample from the camera, cm; infinite where nothing is.
+            normal: (H, W, 3) float32 of each sample, in the camera's frame.
+            samples: Samples along each side of a pixel.
+        """
+        from swifttailor.render.shading_kernels import arriving_key_light
 
-def _tent(fraction: Array) -> list[Array]:
-    """Weights of four neighbouring cells for a box of width 3 at `fraction` between the middle two."""
-    third = np.float32(1 / 3)
-    return [
-        (1 - fraction) * third,
-        np.full_like(fraction, third),
-        np.full_like(fraction, third),
-        fraction * third,
-    ]
+        to_map = self._axes @ camera.axes.T
+        origin = self._axes @ (np.asarray(camera.target) + camera.distance * camera.axes[2])
+        origin[:2] -= self._low
+        origin[:2] /= self._cell
+        to_map[:2] /= self._cell
+        perspective = camera.distance if camera.perspective else 0.0
+        geometry = camera.height / distance.shape[0], perspective, _OFFSET, _BIAS
+        key = np.ones((distance.shape[0] // samples, distance.shape[1] // samples), np.float32)
+        arriving_key_light(key, distance, normal, samples, geometry, to_map, origin, self._depth, _FADE)
+        return key
 
 
 def _axes_towards(direction: Array) -> Array:

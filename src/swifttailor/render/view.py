@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,17 +11,16 @@ from swifttailor.errors import InputError
 from swifttailor.render.backdrop import wall
 from swifttailor.render.camera import Camera
 from swifttailor.render.color import BACKGROUND, Color, encode_srgb, to_linear
-from swifttailor.render.lighting import STUDIO, Lighting, Samples, shade
+from swifttailor.render.lighting import STUDIO, Lighting
 from swifttailor.render.lines import draw_lines
-from swifttailor.render.open_sky import box_mean, open_sky
-from swifttailor.render.rasterize import barycentric, rasterize
+from swifttailor.render.open_sky import open_sky
+from swifttailor.render.rasterize import rasterize
 from swifttailor.render.scene import Projection, Scene
 from swifttailor.render.shadow_map import ShadowMap
 from swifttailor.render.surface import Surface
 
 MAX_SAMPLES = 64_000_000
 """Most samples in one picture."""
-_BLOCK = 1 << 15
 
 
 def render_view(
@@ -106,145 +104,88 @@ def draw_figure(
             f"A picture has 1 to {MAX_SAMPLES} samples in all, got {width} x {height} pixels "
             f"with {samples} x {samples} samples each."
         )
+    from swifttailor.render.raster_kernels import interpolate
+    from swifttailor.render.shading_kernels import light_samples
+
     projection = Projection(scene, camera, (width * samples, height * samples))
     face = rasterize(projection.corners, projection.size)
-    light = np.zeros((*face.shape, 3), np.float32)
-    seen = _find_visible(projection, face)
-    if len(seen.at):
-        light.reshape(-1, 3)[seen.at] = _light(projection, seen, face.shape, samples, lighting, shadows)
-    coverage = (face >= 0).astype(np.float32)[:, :, None]
-    return box_mean(light, samples), box_mean(coverage, samples)
+    distance = np.full(face.shape, np.float32(np.inf))
+    normal = np.zeros((*face.shape, 3), np.float32)
+    weights = np.zeros((0, 0, 2) if projection.print_at is None else (*face.shape, 2), np.float32)
+    interpolate(
+        face,
+        projection.corners,
+        projection.distance,
+        projection.normals,
+        projection.front,
+        camera.perspective,
+        distance,
+        normal,
+        weights,
+    )
+    key, room = (
+        _occlusion(scene, camera, distance, normal, samples, lighting) if shadows else _all_light(size)
+    )
+    light, coverage = np.zeros((height, width, 3), np.float32), np.zeros((height, width, 1), np.float32)
+    light_samples(
+        light,
+        coverage,
+        face,
+        normal,
+        projection.materials,
+        projection.front,
+        _printed(projection, face, weights),
+        _kept(projection, distance, samples),
+        key,
+        room,
+        camera.axes[:, 1].astype(np.float32),
+        lighting.table(),
+        samples,
+    )
+    return light, coverage
 
 
-@dataclass(frozen=True)
-class _Visible:
-    """The samples that show something, n of them."""
-
-    at: Array
-    """(n,) position in the flattened picture of samples."""
-    face: Array
-    """(n,) triangle of the projection."""
-    normal: Array
-    """(n, 3) unit normals turned towards the camera, in its frame."""
-    distance: Array
-    """(n,) from the camera, cm."""
-    print_at: Array | None
-    """(n, 2) where on the cloth, cm; None where nothing has a print."""
-
-
-def _find_visible(projection: Projection, face: Array) -> _Visible:
-    at = np.flatnonzero(face.ravel() >= 0)
-    seen = face.ravel()[at]
-    row, column = np.divmod(at.astype(np.int32), np.int32(face.shape[1]))
-    # Weights are taken from each triangle's own first corner: exact enough in float32 for slivers, too.
-    slopes = barycentric(projection.corners)[:, :, :2].reshape(-1, 4)
-    table = np.concatenate(
-        [projection.corners[:, 0, :2], slopes, projection.distance, projection.normals.reshape(-1, 9)], axis=1
-    ).astype(np.float32)
-    turned = np.where(projection.front, np.float32(1), np.float32(-1))
-    normal = np.zeros((len(at), 3), np.float32)
-    distance = np.zeros(len(at), np.float32)
-    print_at = None if projection.print_at is None else np.zeros((len(at), 2), np.float32)
-    for part in _blocks(len(at)):
-        values = table[seen[part]]
-        x0, y0, ax, ay, bx, by, d0, d1, d2 = (np.ascontiguousarray(values[:, k]) for k in range(9))
-        x, y = column[part] + np.float32(0.5) - x0, row[part] + np.float32(0.5) - y0
-        w1, w2 = np.clip(ax * x + ay * y, 0, 1), np.clip(bx * x + by * y, 0, 1)
-        w0 = np.clip(1 - w1 - w2, 0, 1)
-        if projection.camera.perspective:
-            w0, w1, w2 = w0 / d0, w1 / d1, w2 / d2
-        total = 1 / (w0 + w1 + w2)
-        w0, w1, w2 = w0 * total, w1 * total, w2 * total
-        distance[part] = w0 * d0 + w1 * d1 + w2 * d2
-        blend = (
-            w0[:, None] * values[:, 9:12] + w1[:, None] * values[:, 12:15] + w2[:, None] * values[:, 15:18]
-        )
-        length = np.sqrt(np.einsum("ij,ij->i", blend, blend))
-        normal[part] = blend * (turned[seen[part]] / np.maximum(length, np.float32(1e-6)))[:, None]
-        if print_at is not None and projection.print_at is not None:
-            corners = projection.print_at[seen[part]]
-            print_at[part] = np.einsum("ki,ikj->ij", np.stack([w0, w1, w2]), corners)
-    return _Visible(at, seen, normal, distance, print_at)
-
-
-def _blocks(count: int) -> list[slice]:
-    """Consecutive parts of `count` samples, small enough that work on one stays in the caches."""
-    return [slice(k, min(k + _BLOCK, count)) for k in range(0, count, _BLOCK)]
-
-
-def _light(
-    projection: Projection,
-    seen: _Visible,
-    shape: tuple[int, int],
-    samples: int,
-    lighting: Lighting,
-    shadows: bool,
-) -> Array:
-    """Linear light (n, 3) of the visible samples."""
-    depth = np.full(shape, np.float32(np.inf))
-    depth.ravel()[seen.at] = seen.distance
-    key = room = np.ones(len(seen.at), np.float32)
-    if shadows:
-        key, room = _occlusion(projection, seen, depth, samples, lighting)
-    up_axis = projection.camera.axes[:, 1].astype(np.float32)
-    lit = np.zeros((len(seen.at), 3), np.float32)
-    for part in _blocks(len(seen.at)):
-        normal, face = seen.normal[part], seen.face[part]
-        material = projection.materials[face]
-        color = np.where(projection.front[face][:, None], material[:, 0:3], material[:, 3:6])
-        if seen.print_at is not None:
-            _print(projection, face, seen.print_at[part], color)
-        facing = np.clip(normal[:, 2], 0, 1)
-        lit[part] = shade(
-            Samples(
-                normal=normal,
-                up=normal @ up_axis,
-                facing=facing,
-                color=color,
-                sheen=material[:, 6],
-                gloss=material[:, 7],
-                shadow=key[part],
-                open_sky=room[part],
-            ),
-            lighting,
-        )
-    if any(s.lines for s in projection.scene.surfaces):
-        kept = np.ones(shape, np.float32)
-        for surface, pixels in zip(projection.scene.surfaces, projection.pixels, strict=True):
-            for line in surface.lines:
-                draw_lines(kept, pixels, line, depth, samples)
-        lit *= kept.ravel()[seen.at][:, None]
-    return lit
-
-
-def _print(projection: Projection, face: Array, at: Array, color: Array) -> None:
-    """Puts the colours of prints on the right sides, in place."""
-    for k, surface in enumerate(projection.scene.surfaces):
-        if surface.print is not None:
-            shown = np.flatnonzero((projection.surface[face] == k) & projection.front[face])
-            color[shown] = surface.print.colors(at[shown])
+def _all_light(size: tuple[int, int]) -> tuple[Array, Array]:
+    lit = np.ones((size[1], size[0]), np.float32)
+    return lit, lit
 
 
 def _occlusion(
-    projection: Projection, seen: _Visible, depth: Array, samples: int, lighting: Lighting
+    scene: Scene, camera: Camera, distance: Array, normal: Array, samples: int, lighting: Lighting
 ) -> tuple[Array, Array]:
-    """Shares of the key light and of the room's light (n,) at the samples, found once per pixel."""
-    camera, (width, height) = projection.camera, projection.size
-    index = np.full(depth.shape, -1, np.int32)
-    index.ravel()[seen.at] = np.arange(len(seen.at), dtype=np.int32)
+    """Shares (h, w) of the key light and of the room's light, found once per pixel."""
     step = slice(samples // 2, None, samples)
-    coarse, index = depth[step, step], index[step, step]
-    there = index >= 0
+    coarse = np.ascontiguousarray(distance[step, step])
+    there = np.isfinite(coarse)
+    if not there.any():
+        return _all_light((coarse.shape[1], coarse.shape[0]))
     room = open_sky(coarse, there, coarse.shape[0] / camera.height)
-    key = np.ones(coarse.shape, np.float32)
-    j, i = np.nonzero(there)
-    if len(j):
-        middle = samples // 2 + 0.5
-        origin, direction = camera.rays(i * samples + middle, j * samples + middle, (width, height))
-        along = coarse[j, i] / -(direction @ camera.axes[2])
-        normals = seen.normal[index[j, i]] @ camera.axes.astype(np.float32)
-        shadow_map = ShadowMap(projection.scene.triangles, lighting.key.unit() @ camera.axes)
-        key[j, i] = shadow_map.light(origin + direction * along[:, None], normals)
-    row, column = np.divmod(seen.at.astype(np.int32), np.int32(width))
-    pick = (row // samples) * np.int32(coarse.shape[1]) + column // samples
-    return key.ravel()[pick], room.ravel()[pick]
+    shadow_map = ShadowMap(scene.triangles, lighting.key.unit() @ camera.axes)
+    return shadow_map.light(camera, distance, normal, samples), room
+
+
+def _kept(projection: Projection, distance: Array, samples: int) -> Array:
+    """Share (H, W) of the light that seams and hems leave at each sample; (0, 0) without any."""
+    surfaces = projection.scene.surfaces
+    if not any(s.lines for s in surfaces):
+        return np.zeros((0, 0), np.float32)
+    kept = np.ones(distance.shape, np.float32)
+    for surface, pixels in zip(surfaces, projection.pixels, strict=True):
+        for line in surface.lines:
+            draw_lines(kept, pixels, line, distance, samples)
+    return kept
+
+
+def _printed(projection: Projection, face: Array, weights: Array) -> Array:
+    """Colours (H, W, 3) of the prints on right sides, negative elsewhere; (0, 0, 3) without any."""
+    if projection.print_at is None:
+        return np.zeros((0, 0, 3), np.float32)
+    color = np.full((*face.shape, 3), np.float32(-1))
+    for k, surface in enumerate(projection.scene.surfaces):
+        if surface.print is not None:
+            shown = (projection.surface == k) & projection.front
+            rows, columns = np.nonzero((face >= 0) & shown[face])
+            corners, (w1, w2) = projection.print_at[face[rows, columns]], weights[rows, columns].T
+            w = np.stack([1 - w1 - w2, w1, w2])
+            color[rows, columns] = surface.print.colors(np.einsum("ki,ikj->ij", w, corners))
+    return color
