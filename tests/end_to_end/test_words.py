@@ -63,11 +63,16 @@ def test_the_same_seed_makes_the_same_bytes_and_another_a_different_garment(tmp_
 
 def test_a_picture_alone_and_with_words(tmp_path, shipped_patterns, capsys):
     """The picture is of a garment that was sewn a moment before."""
-    from swifttailor.pattern import write_pattern
+    from PIL import Image
 
-    write_pattern(shipped_patterns["gc_1002218"], tmp_path / "trousers.json")
-    assert run(["sew", str(tmp_path / "trousers.json"), "--out", str(tmp_path / "seen"), "--preview"]) == 0
-    photo = str(tmp_path / "seen" / "preview.png")
+    from swifttailor import Body, sew
+    from swifttailor.data import draw_look, plain_look
+
+    seen = draw_look(
+        sew(shipped_patterns["gc_1002218"]).garment, Body.default(), plain_look("front"), size=256
+    )
+    Image.fromarray(seen).save(tmp_path / "trousers.png")
+    photo = str(tmp_path / "trousers.png")
     assert run(["generate", "--image", photo, "--out", str(tmp_path / "alone"), "--no-preview"]) in (0, 1)
     assert_sound(tmp_path / "alone", MADE_FILES)
     arguments = ["trousers to the knee", "--image", photo, "--out", str(tmp_path / "both"), "--no-preview"]

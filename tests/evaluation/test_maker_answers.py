@@ -194,7 +194,7 @@ def test_a_folder_keeps_to_its_settings_and_is_used_by_one(tmp_path):
     with pytest.raises(InputError, match="seed was 1, now 2"), open_books(folder, {"seed": 2, "attempts": 2}):
         pass
     (folder / SETTINGS).write_text("[]")
-    with pytest.raises(InputError, match="no JSON object"), open_books(folder, {}):
+    with pytest.raises(InputError, match="not a JSON object"), open_books(folder, {}):
         pass
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError, match="Choose another --out"), open_books(tmp_path / "file", {}):

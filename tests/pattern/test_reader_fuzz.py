@@ -197,7 +197,7 @@ def test_paths_that_are_no_file(tmp_path):
         read_pattern_file(tmp_path)
     with pytest.raises(InputError, match="No such file"):
         read_pattern_file(tmp_path / "missing.json")
-    with pytest.raises(InputError, match="no file name"):
+    with pytest.raises(InputError, match="not a file name"):
         read_pattern_file("zero\x00byte.json")
     large = tmp_path / "large.json"
     with large.open("wb") as file:

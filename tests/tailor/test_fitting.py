@@ -252,7 +252,7 @@ def test_one_leg_is_a_fault_unless_it_was_asked_for():
     fitted = fit(written(one_leg), wanted())
     assert set(fitted.verdict.one_sided) == {"pant_f_r", "pant_b_r"}
     assert fitted.rank > fit(written(trousers), wanted()).rank
-    assert "nothing like it on the other side" in fitted.verdict.fault
+    assert "no counterpart on the other side" in fitted.verdict.fault
     asked = Wish(Gain(Claim("sides", "different")), 0.95)
     assert fit(written(one_leg), wanted([asked])).verdict.one_sided == ()
     assert fit(written(one_leg), wanted(edit=one_leg)).verdict.one_sided == ()

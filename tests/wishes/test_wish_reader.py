@@ -82,7 +82,7 @@ def test_other_files_are_refused(tmp_path):
         WishReader.load(tmp_path / "none.onnx")
     cut = tmp_path / "cut.onnx"
     cut.write_bytes(SHIPPED.read_bytes()[:1000])
-    with pytest.raises(InputError, match="no network that can be run"):
+    with pytest.raises(InputError, match="not a network that can be run"):
         WishReader.load(cut)
     with pytest.raises(InputError, match="not a wish reader of this version"):
         WishReader.load(SEWER)

@@ -157,7 +157,7 @@ def read_archive(path: Path, kind: ModelKind) -> tuple[dict[str, Any], dict[str,
             sets = [{CARD, *kind.needs, *(f"{graph}.onnx" for graph in graphs)} for graphs in kind.graphs]
             if len(set(names)) < len(names) or set(names) - kind.may_hold not in sets:
                 raise InputError(
-                    f"'{path}' is no {kind.name}: it holds {', '.join(names[:8]) or 'nothing'}, not "
+                    f"'{path}' is not a {kind.name}: it holds {', '.join(names[:8]) or 'nothing'}, not "
                     f"{', '.join(sorted(sets[0]))}. Give the file of a {kind.name}."
                 )
             if any(i.compress_type != zipfile.ZIP_STORED or i.file_size > kind.max_bytes for i in infos):
@@ -167,8 +167,8 @@ def read_archive(path: Path, kind: ModelKind) -> tuple[dict[str, Any], dict[str,
         raise InputError(f"Cannot read the weights '{path}': {error.strerror or error}.") from error
     except (zipfile.BadZipFile, ValueError, RuntimeError, NotImplementedError, EOFError) as error:
         raise InputError(
-            f"'{path}' is no {kind.name}, or is damaged ({error}). Give the file of a {kind.name}, or copy "
-            "it again from where it came."
+            f"'{path}' is not a {kind.name}, or is damaged ({error}). Give the file of a {kind.name}, or "
+            "copy it again from where it came."
         ) from error
     about = _read_about(members.pop(CARD), path, kind)
     checksums = about.get("sha256")
@@ -258,7 +258,7 @@ def _read_about(text: str | bytes, path: Path, kind: ModelKind) -> dict[str, Any
         known = about["format"]
     if known != kind.format:
         raise InputError(
-            f"'{path}' is a network, but no {kind.name} of this version ({known or 'nothing'} instead of "
+            f"'{path}' is a network, but not a {kind.name} of this version ({known or 'nothing'} instead of "
             f"'{kind.format}'). Export it again with this version."
         )
     return about
