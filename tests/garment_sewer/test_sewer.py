@@ -86,7 +86,7 @@ def test_truncated_files_are_refused(tmp_path, keep):
 def test_foreign_and_missing_files_are_refused(tmp_path):
     text = tmp_path / "pattern.json"
     text.write_text(json.dumps({"pattern": {}}))
-    with pytest.raises(InputError, match="no network"):
+    with pytest.raises(InputError, match="not a network"):
         load_model(text)
     with pytest.raises(InputError, match="Cannot read"):
         load_model(tmp_path / "nothing.onnx")
