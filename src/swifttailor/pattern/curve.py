@@ -278,11 +278,6 @@ def _bytes(chord: ArrayLike) -> bytes:
     return np.asarray(chord, float).tobytes()
 
 
-def _chord(remembered: bytes) -> Floats:
-    """The chord (2, 2) of `_bytes`."""
-    return np.frombuffer(remembered).reshape(2, 2)
-
-
 def _absolute(x: float, y: float, start: Point, end: Point) -> Point:
     along, up = end[0] - start[0], end[1] - start[1]
     return start[0] + x * along + y * -up, start[1] + x * up + y * along
@@ -347,13 +342,13 @@ def _interval_lengths(control: Floats, low: Floats, high: Floats) -> Floats:
 
 @lru_cache(maxsize=_REMEMBERED)
 def _sampled(curve: Curve, ends: bytes, count: int) -> Floats:
-    chord = _chord(ends)
+    chord = np.frombuffer(ends).reshape(2, 2)
     return evaluate(curve, chord, parameters_by_length(curve, chord, np.linspace(0.0, 1.0, count)))
 
 
 @lru_cache(maxsize=_REMEMBERED)
 def _flattened(curve: Quadratic | Cubic | Arc, ends: bytes, tolerance: float) -> Floats:
-    chord = _chord(ends)
+    chord = np.frombuffer(ends).reshape(2, 2)
     if isinstance(curve, Arc):
         g = arc_geometry(curve, chord)
         step = 2 * math.acos(max(1 - tolerance / max(g.radius, tolerance), -1.0))
@@ -374,7 +369,7 @@ def _length_table(curve: Quadratic | Cubic, ends: bytes) -> tuple[Floats, Floats
     The parameters of least speed are among them: at a cusp the speed has a kink, which quadrature across it
     would not see.
     """
-    control = control_polygon(curve, _chord(ends))
+    control = control_polygon(curve, np.frombuffer(ends).reshape(2, 2))
     slowest = _slowest_parameters(control)
     count, previous = 16, -1.0
     while True:
