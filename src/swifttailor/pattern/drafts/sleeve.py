@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from scipy.optimize import brentq
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
@@ -150,6 +149,8 @@ def _half_width(height: float, length: float, front: bool) -> float:
 
 
 def _root(function: Callable[[float], float], low: float, high: float, tolerance: float) -> float:
+    from scipy.optimize import brentq  # takes a tenth of a second to load
+
     root = brentq(function, low, high, xtol=tolerance)
     assert isinstance(root, float)
     return root

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from scipy.optimize import brentq
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
@@ -87,6 +86,8 @@ def lay_trousers(table: CuttingTable, figure: Figure, shape: Trousers, waist: Ha
         return sum(s.length for s in back.sides if s.name == "inseam") - inseam
 
     lowest = lines.crotch_y - (lines.hem_y if lines.knee_y is None else lines.knee_y) - 2.0
+    from scipy.optimize import brentq
+
     drop = brentq(excess, -6.0, min(lowest, 12.0), xtol=1e-10)
     assert isinstance(drop, float)
     back = back_leg(drop)
