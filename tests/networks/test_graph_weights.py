@@ -67,7 +67,7 @@ def test_other_networks_and_other_files_are_refused(model, tmp_path):
         graph_weights(WEIGHTS, network_of(model, hidden_size=128))
     broken = tmp_path / "weights.onnx"
     broken.write_bytes(WEIGHTS.read_bytes()[:5000])
-    with pytest.raises(InputError, match="no ONNX file, or is damaged"):
+    with pytest.raises(InputError, match="is not an ONNX file, or is damaged"):
         graph_weights(broken, network_of(model))
     with pytest.raises(InputError, match="Cannot read"):
         graph_weights(tmp_path / "none.onnx", network_of(model))

@@ -35,7 +35,7 @@ def run(name: str, work: Path, *arguments: str, **more: str) -> subprocess.Compl
 
 
 @pytest.mark.needs_torch
-@pytest.mark.timeout(900)  # two minutes on two idle cores
+@pytest.mark.timeout(1800)  # some minutes on two idle cores
 def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     from swifttailor.garment_sewer.sewer import GarmentSewer
     from swifttailor.pattern.drafts import draft
