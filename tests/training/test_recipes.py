@@ -59,7 +59,7 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     checksums = json.loads(files["PatternMaker"].with_suffix(".json").read_text())["data"]["files"]
     assert {"train.jsonl.gz", "validation.jsonl.gz", "test.jsonl.gz"} < checksums.keys()
     sewn = GarmentSewer.load(files["GarmentSewer"]).sew(draft("t-shirt"))
-    assert len(sewn.garment.vertices) > 100
+    assert len(sewn.vertices) > 100
     maker = PatternMaker.load(files["PatternMaker"])
     assert maker.model.runtime.plans and maker.model.card["model"] == "PatternMaker"
     WishReader.load(files["WishReader"]).read("a knee-length dress")
