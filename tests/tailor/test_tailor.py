@@ -400,15 +400,17 @@ def test_packages_under_other_names_are_no_fault(monkeypatch):
     from swifttailor.tailor import provenance
 
     def version(name):
+        asked.append(name)
         raise metadata.PackageNotFoundError(name)
 
-    usual = provenance.versions()
-    provenance.versions.cache_clear()
+    usual, asked = provenance.versions(), []
+    provenance._versions.cache_clear()
     monkeypatch.setattr(metadata, "version", version)
     try:
         assert provenance.versions() == usual
+        assert "onnxruntime" in asked, "the versions were asked for anew"
     finally:
-        provenance.versions.cache_clear()
+        provenance._versions.cache_clear()
 
 
 def test_networks_are_opened_when_they_are_needed(monkeypatch):
