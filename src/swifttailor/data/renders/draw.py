@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
 import numpy as np
 from scipy.ndimage import zoom
 
-from swifttailor.arrays import Floats, Pixels
+from swifttailor.arrays import Array, Floats, Ints, Pixels
 from swifttailor.body import Body
 from swifttailor.data.renders.look import Backdrop, Look, Rgb
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.preview import border_edges
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.render import Camera, LineSet, Surface, render_view
 
 _GREY: Rgb = (0.58, 0.52, 0.47)
@@ -49,7 +53,7 @@ def draw_body(body: Body, look: Look, size: int = 256) -> Pixels:
 
 
 def _figure(body: Body, color: Rgb) -> Surface:
-    return Surface(body.vertices, body.faces, np.asarray(color), gloss=0.05)
+    return Surface(body.vertices, body.faces, np.asarray(color), gloss=0.05, trusted=True)
 
 
 def _draw(surfaces: list[Surface], camera: Camera, look: Look, size: int) -> Pixels:
@@ -65,27 +69,53 @@ def _draw(surfaces: list[Surface], camera: Camera, look: Look, size: int) -> Pix
     )
 
 
-def _cloth(garment: Garment, look: Look) -> Surface:
-    lines = ()
+def _cloth(garment: Garment, look: Look, rest: Floats | None = None) -> Surface:
+    lines, mesh, sewn = (), garment.mesh, _sewn(garment.mesh)
     if look.seams:
-        seams = [np.stack([s.vertices[:-1], s.vertices[1:]], axis=1) for s in garment.seams]
-        along = np.concatenate(seams) if seams else np.zeros((0, 2), np.int32)
         lines = (
-            LineSet(along, strength=look.seams, width=0.8),
-            LineSet(border_edges(garment.faces), strength=look.seams * 0.7, width=0.8),
+            LineSet(sewn.seams, strength=look.seams, width=0.8),
+            LineSet(sewn.borders, strength=look.seams * 0.7, width=0.8),
         )
-    mesh, tones = garment.mesh, np.asarray(look.panel_colors or [(1.0, 1.0, 1.0)])
+    tones = np.asarray(look.panel_colors or [(1.0, 1.0, 1.0)])
+    plain = not look.panel_colors
     return Surface(
         garment.vertices,
-        garment.faces,
-        tones[mesh.face_panel % len(tones)],
+        mesh.faces,
+        tones[0] if len(tones) == 1 else tones[mesh.face_panel % len(tones)],
         np.asarray(look.inside),
         lines=lines,
         lift=0.35,
         sheen=0.08,
-        print=None if look.panel_colors else look.print,
-        print_at=None if look.panel_colors else mesh.flat_vertices[mesh.flat_faces],
+        gloss=look.gloss,
+        print=look.print if plain else None,
+        print_at=sewn.print_at if plain else None,
+        rest=rest,
+        trusted=True,
     )
+
+
+@dataclass(frozen=True, eq=False)
+class _Sewn:
+    """What all pictures of a mesh have in common."""
+
+    seams: Ints
+    borders: Ints
+    print_at: Array
+
+
+_SEWN: WeakKeyDictionary[PatternMesh, _Sewn] = WeakKeyDictionary()
+
+
+def _sewn(mesh: PatternMesh) -> _Sewn:
+    if mesh not in _SEWN:
+        seams = [np.stack([s.vertices[:-1], s.vertices[1:]], axis=1) for s in mesh.seams]
+        along = np.concatenate(seams) if seams else np.zeros((0, 2))
+        _SEWN[mesh] = _Sewn(
+            along.astype(np.int32),
+            border_edges(mesh.faces),
+            mesh.flat_vertices[mesh.flat_faces].astype(np.float32),
+        )
+    return _SEWN[mesh]
 
 
 def _camera(shown: Floats, body: Body, look: Look) -> Camera:

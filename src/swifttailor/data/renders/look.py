@@ -79,6 +79,8 @@ class Look:
     shadows: bool = True
     panel_colors: tuple[Rgb, ...] = ()
     """Colours of consecutive panels instead of the print, repeated as needed."""
+    gloss: float = 0.0
+    """Of the cloth, as of satin and leather; see `render.Surface`."""
 
 
 def random_look(chance: np.random.Generator, view: str) -> Look:
