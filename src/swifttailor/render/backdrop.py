@@ -50,7 +50,7 @@ class FloorShadow:
         extent = self._high - self._low
         self._cell = max(cell, float(extent.max()) / 300)
         width, height = (int(n) for n in np.ceil(extent / self._cell))
-        points = np.empty((rows.shape[1], 2))
+        points = np.zeros((rows.shape[1], 2))
         for k in range(2):
             np.subtract(plan[k], self._low[k], out=points[:, k])
         points /= self._cell

@@ -186,7 +186,9 @@ def _lettering(chance: np.random.Generator) -> Array:
                 picture[top:bottom, left : left + stroke[0]] = ink
             if parts[1]:
                 picture[top:bottom, right - stroke[0] : right] = ink
-            for bar, shown in zip((top, (top + bottom - stroke[1]) // 2, bottom - stroke[1]), parts[2:5], strict=True):
+            for bar, shown in zip(
+                (top, (top + bottom - stroke[1]) // 2, bottom - stroke[1]), parts[2:5], strict=True
+            ):
                 if shown:
                     picture[bar : bar + stroke[1], left:right] = ink
             if parts[5]:
@@ -220,7 +222,7 @@ def _badge(chance: np.random.Generator) -> Array:
         picture[outer & (away < 0.45 + 0.15 * np.cos(points * turn))] = 2
     else:
         letters = _lettering(chance)
-        small = letters[:: 2, :: 2]
+        small = letters[::2, ::2]
         middle = side // 4
         part = picture[middle : middle + side // 2, middle : middle + side // 2]
         part[small > 0] = 2

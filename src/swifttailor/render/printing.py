@@ -31,9 +31,9 @@ def paint_prints(projection: Projection) -> Paint:
     tables = {k: _table(s) for k, s in enumerate(surfaces) if s.print is not None}
     paint = bumps = np.zeros((0, 0, 3), np.float32)
     if tables:
-        paint = np.empty((*projection.nearest.keys.shape, 3), np.float32)
+        paint = np.zeros((*projection.nearest.keys.shape, 3), np.float32)
     if any(_has_folds(table) for table in tables.values()):
-        bumps = np.empty(paint.shape, np.float32)
+        bumps = np.zeros(paint.shape, np.float32)
     for k, table in tables.items():
         painted[k] = 2 if _has_folds(table) else 1
         _paint(projection, k, table, paint, bumps)

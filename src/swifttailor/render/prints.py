@@ -175,7 +175,7 @@ class Motif(KnownPrint):
         return _table(MOTIF, self.grain, self.seed, self.angle, (self.motif, self.repeat), colors)
 
 
-def _table(kind, grain, seed, angle, sizes, colors) -> Array:  # noqa: ANN001
+def _table(kind, grain, seed, angle, sizes, colors) -> Array:
     if len(colors) > MOST_COLORS:
         raise InputError(f"A print has at most {MOST_COLORS} colours, got {len(colors)}.")
     table = new_table(kind)

@@ -60,7 +60,14 @@ def fill(nearest, front, points, depth, faces, surface, hidden_turn, low_z, step
     """
     for t in range(len(faces)):
         a, b, c = faces[t, 0], faces[t, 1], faces[t, 2]
-        xa, ya, xb, yb, xc, yc = points[a, 0], points[a, 1], points[b, 0], points[b, 1], points[c, 0], points[c, 1]
+        xa, ya, xb, yb, xc, yc = (
+            points[a, 0],
+            points[a, 1],
+            points[b, 0],
+            points[b, 1],
+            points[c, 0],
+            points[c, 1],
+        )
         # Row r has its pixel centres at r + 0.5 and is covered when y_min <= r + 0.5 < y_max.
         y_min, y_max = min(ya, yb, yc), max(ya, yb, yc)
         top = int(min(max(math.ceil(y_min - 0.5), 0.0), height))

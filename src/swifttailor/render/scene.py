@@ -115,7 +115,7 @@ class Projection:
     def __init__(self, scene: Scene, camera: Camera, size: tuple[int, int]) -> None:
         """Projects the scene into a picture of `size` (width, height) samples and finds what is nearest."""
         self.scene, self.camera, self.size = scene, camera, size
-        self.points = np.empty((len(scene.vertices), 3))
+        self.points = np.zeros((len(scene.vertices), 3))
         """(n, 3) projected vertices, see `Camera.project`."""
         right, up, nearer = camera.axes @ (scene.rows - np.asarray(camera.target)[:, None])
         away = camera.distance - nearer

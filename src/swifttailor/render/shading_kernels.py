@@ -191,6 +191,56 @@ def arriving_key_light(key, distance, normal, geometry, to_map, out, origin, dep
 
 
 @njit(**FAST)
+def darken_deep(sky, depth, step, taps, blocks, reach, strength):
+    """Takes light from what lies deeper than its neighbourhood, a Gaussian mean over what is seen.
+
+    Args:
+        sky: (h, w) float32 share of light, lowered in place.
+        depth: (h, w) float32, infinite where nothing is.
+        step: Pixels along a side of the blocks that the mean is made of.
+        taps: (n,) float32 weights at distances of 0, 1, ... blocks.
+        blocks: (2, 2, rows, columns) float32 zeros to work in.
+        reach: Depth at which it is darkest.
+        strength: How much light is then taken.
+    """
+    height, width = depth.shape
+    rows, columns = blocks.shape[2:]
+    for j in range(height):
+        for i in range(width):
+            if depth[j, i] < np.inf:
+                blocks[0, 0, j // step, i // step] += depth[j, i]
+                blocks[0, 1, j // step, i // step] += _F(1)
+    for kind in range(2):
+        for j in range(rows):
+            for k in range(1 - len(taps), len(taps)):
+                if 0 <= j + k < rows:
+                    for i in range(columns):
+                        blocks[1, kind, j, i] += taps[abs(k)] * blocks[0, kind, j + k, i]
+        for j in range(rows):
+            for i in range(columns):
+                blocks[0, kind, j, i] = _F(0)
+            for k in range(1 - len(taps), len(taps)):
+                for i in range(max(0, -k), min(columns, columns - k)):
+                    blocks[0, kind, j, i] += taps[abs(k)] * blocks[1, kind, j, i + k]
+    for j in range(height):
+        down = min(max((j + _F(0.5)) / step - _F(0.5), _F(0)), _F(rows - 1))
+        b = min(int(down), max(rows - 2, 0))
+        below, t = min(b + 1, rows - 1), down - b
+        for i in range(width):
+            if depth[j, i] < np.inf:
+                across = min(max((i + _F(0.5)) / step - _F(0.5), _F(0)), _F(columns - 1))
+                a = min(int(across), max(columns - 2, 0))
+                beside, s = min(a + 1, columns - 1), across - a
+                w0, w1, w2, w3 = (1 - t) * (1 - s), (1 - t) * s, t * (1 - s), t * s
+                total = w0 * blocks[0, 0, b, a] + w1 * blocks[0, 0, b, beside]
+                total += w2 * blocks[0, 0, below, a] + w3 * blocks[0, 0, below, beside]
+                weight = w0 * blocks[0, 1, b, a] + w1 * blocks[0, 1, b, beside]
+                weight += w2 * blocks[0, 1, below, a] + w3 * blocks[0, 1, below, beside]
+                deeper = (depth[j, i] - total / max(weight, _F(1e-6))) / reach
+                sky[j, i] -= strength * min(max(deeper, _F(0)), _F(1))
+
+
+@njit(**FAST)
 def dim_along(kept, edges, points, keys, depths, strength, radius, lift):
     """Lowers `kept` (H, W) to 1 - `strength` where edges of vertices are seen.
 

@@ -45,7 +45,7 @@ class ShadowMap:
         self._cell = max(cell, float((high - low)[:2].max()) / _MAX_CELLS)
         self._low = low[:2] - 3 * self._cell
         width, height = (int(n) for n in np.ceil((high - low)[:2] / self._cell) + 6)
-        points = np.empty((seen.shape[1], 2))
+        points = np.zeros((seen.shape[1], 2))
         for k in range(2):
             np.subtract(seen[k], self._low[k], out=points[:, k])
         points /= self._cell

@@ -68,8 +68,7 @@ class Seen:
     shares: Array
     """(height, width, surfaces) float32 share of each pixel that each surface covers, 0 to 1."""
     face: Array
-    """(height, width) int32 the face at the middle of each pixel, counted through all surfaces in order; -1 for
-    none."""
+    """(height, width) int32 the face at the middle of each pixel, counted through all surfaces; -1 for none."""
 
 
 def render_seen(
@@ -83,7 +82,7 @@ def render_seen(
     floor: bool = True,
     samples: int = 2,
 ) -> Seen:
-    """Draws surfaces as `render_view` does, and says which of them is seen where; the arguments are the same."""
+    """Draws surfaces as `render_view` does, and says which is seen where; the arguments are the same."""
     from swifttailor.render.print_kernels import add_shares
 
     scene = Scene(surfaces)
@@ -106,18 +105,20 @@ def _finish(
     samples: int,
 ) -> tuple[Array, Projection]:
     """The picture of `render_view` and the scene in it."""
+    from swifttailor.render.shading_kernels import put_before
+
     projection = project(scene, camera, size, samples)
     light, coverage = light_figure(projection, size, lighting=lighting, shadows=shadows, samples=samples)
     if background is None:
         alpha = np.round(coverage * 255.0).astype(np.uint8)
         return np.concatenate([encode_srgb(light / np.maximum(coverage, 1e-6)), alpha], axis=2), projection
     backdrop = _backdrop(background, size)
+    kept = np.ones(coverage.shape, np.float32)
     if floor and camera.elevation > 0.0:
         shadow = scene.floor_shadow(camera.height / size[1])
         if shadow is not None:
-            backdrop *= shadow.light(camera, size)
-    backdrop *= 1.0 - coverage
-    backdrop += light
+            kept = shadow.light(camera, size)
+    put_before(backdrop, 0, light, coverage, kept, np.ones(size[0], np.float32))
     return encode_srgb(backdrop), projection
 
 
@@ -251,10 +252,9 @@ def _occlusion(
 ) -> tuple[Array, Array]:
     """Shares (h, w) of the key light and of the room's light, found once per pixel."""
     scene, camera, (height, width) = projection.scene, projection.camera, distance.shape
-    there = np.isfinite(distance)
-    if not there.any():
+    if not len(scene.faces):
         return _all_light((width, height))
-    room = open_sky(distance, there, height / camera.height)
+    room = open_sky(distance, height / camera.height)
     shadow_map = ShadowMap(scene, lighting.key.unit() @ camera.axes, camera.height / height)
     return shadow_map.light(camera, distance, normal, samples), room
 
