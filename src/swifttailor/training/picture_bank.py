@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.arrays import Floats, Ints
+from swifttailor.body.rig import Rig, Weights
+from swifttailor.body.worn import garment_weights
 from swifttailor.data.array_cache import ArrayCache, Arrays, name_with_code
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.sample import Sample
@@ -44,6 +46,8 @@ class WornGarment:
     """(s, 2) edges along seams."""
     borders: Ints
     """(b, 2) edges that have one face."""
+    weights: Weights
+    """Who carries its vertices when the body moves."""
     truth: Truth
 
 
@@ -113,8 +117,14 @@ class PictureBank:
             flat[a["flat_faces"]],
             a["seams"],
             a["borders"],
+            Weights(a["carrier"], a["share"].astype(np.float32)),
             truth,
         )
+
+    def part(self, k: int) -> int:
+        """Number of the part of the body that a garment covers."""
+        number, place = self._places[k]
+        return int(self._caches[number][place]["part"][0])
 
     def truths(self, numbers: Iterable[int]) -> dict[str, NDArray[Any]]:
         """What is true of some garments, joined along a first axis."""
@@ -132,7 +142,7 @@ class PictureBank:
 
 
 def _cache(folder: Path) -> ArrayCache:
-    rooms = ("describing", "panel_mesh", "picture_reader/truth.py", "picture_reader/labels.py")
+    rooms = ("describing", "panel_mesh", "body/rig.py", "body/worn.py", "picture_reader/truth.py", "picture_reader/labels.py")
     name = name_with_code("worn", *rooms, "training/picture_bank.py")
     return ArrayCache(SplitReader(folder), folder / "worn", name, worn_arrays)
 
@@ -140,6 +150,7 @@ def _cache(folder: Path) -> ArrayCache:
 def worn_arrays(sample: Sample) -> Arrays:
     """What is kept of a sample."""
     mesh, truth = sample.mesh, Truth.of(sample.pattern, measure_facts(sample.pattern))
+    carried = garment_weights(Rig.default(), sample.vertices, mesh.faces)
     seams = [np.stack([s.vertices[:-1], s.vertices[1:]], axis=1) for s in mesh.seams]
     return {
         "vertices": _whole(sample.vertices),
@@ -149,6 +160,8 @@ def worn_arrays(sample: Sample) -> Arrays:
         "flat_faces": mesh.flat_faces.astype(np.int32),
         "seams": (np.concatenate(seams) if seams else np.zeros((0, 2))).astype(np.int32),
         "borders": border_edges(mesh.faces).astype(np.int32),
+        "carrier": carried.carrier,
+        "share": carried.share.astype(np.float16),
         "part": np.array([truth.part], np.uint8),
         "statements": truth.statements,
         "measures": truth.measures,

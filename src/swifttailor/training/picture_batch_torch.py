@@ -11,7 +11,7 @@ from torch import Tensor
 from torch.nn import functional as F
 from torch.utils.data import DataLoader
 
-from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS
+from swifttailor.picture_reader.labels import MASK_STRIDE
 from swifttailor.picture_reader.network_torch import scaled
 from swifttailor.picture_reader.truth import TRUE, UNCLEAR
 from swifttailor.training.picture_bank import PictureBank
@@ -85,7 +85,14 @@ class PictureBatches:
         """
         self.config, self.workers = config, workers
         drawn = config.network.image_size
-        self.blocks = Blocks(bank, seed=config.seed, size=drawn, count=config.block, plain=config.plain)
+        self.blocks = Blocks(
+            bank,
+            seed=config.seed,
+            size=drawn,
+            count=config.block,
+            plain=config.plain,
+            studio=config.studio,
+        )
         self.truths = TruthTable(bank)
         self._each = config.block * config.echo // config.batch_size
         self._next, self._loaded = -1, iter(())
@@ -194,11 +201,6 @@ def relit(pictures: Tensor, chance: torch.Generator, strength: float) -> Tensor:
     noise = 0.05 * strength * torch.rand(count, 1, 1, 1, generator=chance) ** 2
     pictures = pictures + noise * torch.randn(pictures.shape, generator=chance)
     return pictures.clamp(0, 1)
-
-
-def part_of(name: str) -> int:
-    """The number of a part."""
-    return PARTS.index(name)
 
 
 def to_device(answers: Answers, device: Any) -> Answers:

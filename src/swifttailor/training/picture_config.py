@@ -67,6 +67,8 @@ class PictureConfig(LoopConfig):
     """How often a picture that was drawn is shown, each time cut, turned and lit otherwise."""
     plain: float = 0.15
     """Share of pictures that look like those of GarmentCodeData."""
+    studio: float = 0.25
+    """Share of pictures of one garment in a studio; the others show people."""
     variation: float = 1.0
     """Strength of the cutting, turning and lighting."""
     validation_garments: int = 150
@@ -75,7 +77,9 @@ class PictureConfig(LoopConfig):
         super().__post_init__()
         require(self, "block", self.block % self.batch_size == 0, f"a multiple of {self.batch_size}")
         require(self, "echo", self.echo >= 1, "at least 1")
-        require(self, "plain", 0 <= self.plain <= 1, "0 to 1")
+        for name in ("plain", "studio"):
+            require(self, name, 0 <= getattr(self, name) <= 1, "0 to 1")
+        require(self, "studio", self.plain + self.studio <= 1, f"at most 1 - plain ({1 - self.plain:g})")
         require(self, "variation", self.variation >= 0, "0 or more")
         require(self, "validation_garments", self.validation_garments >= 1, "at least 1")
         require(self, "compiled", not self.compiled, "false")

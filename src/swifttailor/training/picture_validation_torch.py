@@ -13,11 +13,19 @@ from swifttailor.picture_reader.network_torch import EyesNetwork, Reading
 from swifttailor.picture_reader.truth import FALSE, TRUE
 from swifttailor.training.picture_bank import PictureBank
 from swifttailor.training.picture_batch_torch import TruthTable
-from swifttailor.training.picture_blocks import draw
+from swifttailor.training.picture_blocks import Family, draw
 from swifttailor.training.picture_config import PictureConfig
+from swifttailor.training.picture_scenes import View, Wardrobe
 
-VIEWS = (("front", True), ("front", False), ("back", False), ("free", False))
-"""The pictures of each garment: view, and whether it looks like those of GarmentCodeData."""
+SHOWN: tuple[tuple[Family, View], ...] = (
+    ("plain", "front"),
+    ("studio", "front"),
+    ("studio", "back"),
+    ("people", "front"),
+    ("people", "free"),
+    ("held out", "front"),
+)
+"""The pictures of each garment: how it looks, and from where."""
 _BATCH = 64
 
 
@@ -25,19 +33,20 @@ class ValidationPictures:
     """The same pictures every time."""
 
     def __init__(self, bank: PictureBank, config: PictureConfig) -> None:
-        """Draws four pictures of each of the first garments of a bank."""
+        """Draws the pictures `SHOWN` of each of the first garments of a bank."""
         size = config.network.image_size
         self.garments = min(config.validation_garments, len(bank))
+        wardrobe = Wardrobe(bank)
         made, masks, numbers, parts = [], [], [], []
         for k in range(self.garments):
-            worn = bank[k]
-            for n, (view, plain) in enumerate(VIEWS):
+            part = bank.part(k)
+            for n, (family, view) in enumerate(SHOWN):
                 chance = np.random.default_rng([config.seed, 9, k, n])
-                picture, mask, _ = draw(worn, view, chance, size, plain=plain)
-                made.append(picture)
-                masks.append(mask[:, :, worn.truth.part])
+                scene = draw(wardrobe, k, family, view, chance, size)
+                made.append(scene.pixels)
+                masks.append(scene.masks[:, :, part])
                 numbers.append(k)
-                parts.append(worn.truth.part)
+                parts.append(part)
         self.pictures, self.masks = np.stack(made), np.stack(masks)
         self.numbers, self.parts = np.array(numbers), np.array(parts)
         table = TruthTable(bank)
@@ -64,7 +73,7 @@ def judge(network: EyesNetwork, held: ValidationPictures, device: torch.device) 
 
     Returns:
         ``claims``: of each claim the share of pictures whose likeliest word is not false, of those that show
-        a garment of which one is true; ``not_false``: of all claims together; ``by_view``: the same by view;
+        a garment of which one is true; ``not_false``: of all claims together; ``by_look``: the same by look and view;
         ``panels``: share of pictures with exactly the right panel names; ``mask``: intersection over union.
     """
     reading = read_all(network, held.pictures, device)
@@ -72,7 +81,7 @@ def judge(network: EyesNetwork, held: ValidationPictures, device: torch.device) 
     logits = reading.statements.numpy()[rows, held.parts]
     claims = np.array([claim for claim, _ in statement_labels()])
     right: dict[str, float] = {}
-    of_view: list[list[np.ndarray[Any, Any]]] = [[] for _ in VIEWS]
+    of_look: list[list[np.ndarray[Any, Any]]] = [[] for _ in SHOWN]
     everything = []
     for claim in dict.fromkeys(claims):
         columns = np.flatnonzero(claims == claim)
@@ -83,18 +92,18 @@ def judge(network: EyesNetwork, held: ValidationPictures, device: torch.device) 
         good = held.judged[asked, said] != FALSE
         right[str(claim)] = round(float(good.mean()), 4)
         everything.append(good)
-        for n in range(len(VIEWS)):
-            of_view[n].append(good[asked % len(VIEWS) == n])
+        for n in range(len(SHOWN)):
+            of_look[n].append(good[asked % len(SHOWN) == n])
     panels = (reading.panels.numpy()[rows, held.parts] > 0) == (held.panels > 0)
     mask, shown = reading.masks.numpy()[rows, held.parts] > 0, held.masks > 127
     inside = (mask & shown).sum(axis=(1, 2)) / np.maximum((mask | shown).sum(axis=(1, 2)), 1)
-    names = [f"{'plain ' if plain else ''}{view}" for view, plain in VIEWS]
+    names = [f"{family} {view}" for family, view in SHOWN]
     return {
         "pictures": len(held),
         "not_false": round(float(np.concatenate(everything).mean()), 4),
-        "by_view": {
+        "by_look": {
             name: round(float(np.concatenate(part).mean()), 4)
-            for name, part in zip(names, of_view, strict=True)
+            for name, part in zip(names, of_look, strict=True)
         },
         "panels": round(float(panels.all(axis=1).mean()), 4),
         "mask": round(float(inside.mean()), 4),

@@ -556,3 +556,5 @@ _MAKERS: tuple[Callable[[_Chance], Array], ...] = (
     _park,
     _people,
 )
+MAKER_NAMES = tuple(maker.__name__.strip("_") for maker in _MAKERS)
+"""What the backdrops of the bank show, by their number modulo as many."""

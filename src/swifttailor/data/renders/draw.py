@@ -78,7 +78,7 @@ def draw_body(body: Body, look: Look, size: int = 256) -> Pixels:
         (size, size, 3) uint8 sRGB, row 0 at the top.
     """
     surfaces = [_figure(body, look.body or _GREY)]
-    picture = _drawing(render_view, surfaces, _camera(body.vertices, body, look), look, size)
+    picture = _drawing(render_view, surfaces, look_camera(body.vertices, body, look), look, size)
     return _through_camera(picture, look, size)[0]
 
 
@@ -86,7 +86,7 @@ def _placed(garment: Garment, body: Body, look: Look, rest: Floats | None) -> tu
     surfaces = [_cloth(garment, look, rest)]
     if look.body is not None:
         surfaces.insert(0, _figure(body, look.body))
-    return surfaces, _camera(garment.vertices, body, look)
+    return surfaces, look_camera(garment.vertices, body, look)
 
 
 def _figure(body: Body, color: Rgb) -> Surface:
@@ -171,8 +171,8 @@ def _sewn(mesh: PatternMesh) -> _Sewn:
     return _SEWN[mesh]
 
 
-def _camera(shown: Floats, body: Body, look: Look) -> Camera:
-    """Looks at vertices (n, 3)."""
+def look_camera(shown: Floats, body: Body, look: Look) -> Camera:
+    """The camera of a look, which shows vertices (n, 3) that the body wears."""
     view = look.view
     if view.camera is not None:
         return view.camera
