@@ -1,13 +1,20 @@
+import importlib.util
+from pathlib import Path
+
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
 from plain_carrying import carry_plainly
 
 from swifttailor.body import Body, BodyPart
 from swifttailor.body.body_shape import BodyShape, random_shape
 from swifttailor.body.carrying import carrier_maps, carry, carry_all
 from swifttailor.body.carrying_kernels import carry_points
+from swifttailor.body.limbs import arm, reaching_arm
 from swifttailor.body.mannequin import mannequin
-from swifttailor.body.pose import Pose
+from swifttailor.body.pose import Pose, rotation_matrices, rotation_vectors
 from swifttailor.body.posing import POSES, pose_named, random_pose
 from swifttailor.body.rig import CARRIERS, Rig
 from swifttailor.errors import GeometryError, InputError
@@ -206,6 +213,51 @@ def test_arms_and_hands_stay_outside_the_trunk(rig, skin):
         vertices, faces = surface_without(carried, body.faces, body.vertex_part, arms)
         distance, _ = SurfaceTree.build(vertices, faces).signed_distance(carried[limb])
         assert (distance < -0.5).mean() < 0.01, name
+
+
+def test_the_file_holds_the_joints_of_the_script(rig):
+    script = Path(__file__).parents[2] / "scripts" / "make_rig.py"
+    spec = importlib.util.spec_from_file_location("make_rig", script)
+    assert spec is not None and spec.loader is not None
+    made = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(made)
+    names, parents, joints = made.skeleton()
+    assert (tuple(names), tuple(parents)) == (rig.names, rig.parents)
+    np.testing.assert_array_equal(joints, rig.joints)
+
+
+@given(arrays(float, (1, 3), elements=st.floats(-3.0, 3.0)))
+def test_turns_are_rotations_and_back(vectors):
+    (matrix,) = rotation_matrices(vectors)
+    np.testing.assert_allclose(matrix @ matrix.T, np.eye(3), atol=1e-12)
+    assert np.linalg.det(matrix) == pytest.approx(1.0)
+    np.testing.assert_allclose(rotation_matrices(rotation_vectors(matrix[None]))[0], matrix, atol=1e-7)
+    if np.linalg.norm(vectors) > 1e-6:
+        np.testing.assert_allclose(matrix @ vectors[0], vectors[0], atol=1e-9)
+
+
+@given(st.floats(-89, 89), st.floats(-60, 80), st.floats(0, 90), st.floats(1, 130))
+def test_an_arm_points_where_it_is_told(out, forward, inward, bend):
+    rig = Rig.default()
+    maps = carrier_maps(rig, Pose(arm(rig, out=out, forward=forward, inward=inward, bend=bend))).reshape(
+        -1, 3, 4
+    )
+    own = {name: maps[rig.index(f"left_{name}")] for name in ("arm", "forearm", "hand")}
+    places = [rig.joints[rig.index(f"left_{name}")] for name in own]
+    shoulder, elbow, wrist = (m[:, :3] @ p + m[:, 3] for m, p in zip(own.values(), places, strict=True))
+    upper, fore = elbow - shoulder, wrist - elbow
+    cosine = upper @ fore / np.linalg.norm(upper) / np.linalg.norm(fore)
+    assert np.rad2deg(np.arccos(np.clip(cosine, -1, 1))) == pytest.approx(bend, abs=1.0)
+    assert np.rad2deg(np.arcsin(upper[0] / np.linalg.norm(upper))) == pytest.approx(out, abs=1.0)
+
+
+def test_a_wrist_goes_where_it_is_told(rig):
+    for wrist in ((22.0, 102.0, 2.0), (8.5, 98.0, 21.0), (12.0, 97.0, -20.0)):
+        turns = reaching_arm(rig, wrist=wrist, elbow=(1.0, 0.0, -0.3), roll=20)
+        own = carrier_maps(rig, Pose(turns)).reshape(-1, 3, 4)[rig.index("left_hand")]
+        reached = own[:, :3] @ rig.joints[rig.index("left_hand")] + own[:, 3]
+        # The shoulder girdle gives way a little.
+        assert np.linalg.norm(reached - wrist) < 2.0
 
 
 def test_the_same_seed_gives_the_same_pose_and_shape():

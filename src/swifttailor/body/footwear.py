@@ -1,4 +1,4 @@
-"""Shoes for the default body: the mannequin's feet, pushed outwards and set on a sole."""
+"""Shoes for the default body: hulls of the slices of its feet, one above the other, on a sole."""
 
 from __future__ import annotations
 
@@ -9,8 +9,14 @@ import numpy as np
 
 from swifttailor.arrays import Array, read_only
 from swifttailor.body.body import Body
-from swifttailor.body.mannequin import mannequin
+from swifttailor.body.measuring import slice_points
+from swifttailor.body.parts import BodyPart
 from swifttailor.errors import InputError
+
+AROUND, RINGS = 44, 14
+"""Points around a shoe, and rings from its sole to its border."""
+STEP_CM = 0.6
+"""Between the slices of a foot."""
 
 
 @dataclass(frozen=True)
@@ -28,11 +34,11 @@ class Footwear:
 
 
 FOOTWEAR = {
-    "flats": Footwear(5.0, 3.4, 0.8, 0.5),
-    "shoes": Footwear(6.5, 7.0, 2.0, 0.8),
-    "sneakers": Footwear(8.0, 9.0, 3.0, 1.2),
-    "ankle_boots": Footwear(14.0, 14.0, 3.0, 1.1),
-    "boots": Footwear(33.0, 33.0, 3.0, 1.0),
+    "flats": Footwear(5.5, 3.2, 0.8, 0.4),
+    "shoes": Footwear(7.0, 7.0, 2.0, 0.6),
+    "sneakers": Footwear(9.0, 9.5, 3.0, 0.9),
+    "ankle_boots": Footwear(14.0, 14.0, 3.0, 0.8),
+    "boots": Footwear(33.0, 33.0, 3.0, 0.8),
 }
 
 
@@ -57,27 +63,64 @@ def footwear(kind: str) -> tuple[Array, Array, float]:
 @functools.cache
 def _footwear(kind: str) -> tuple[Array, Array, float]:
     made = FOOTWEAR[kind]
-    figure, faces = mannequin(Body.default())
-    _, y, z = figure.T
-    # Over the foot the border is lower than at the heel; it rises towards the leg.
-    share = np.clip((z + 3.0) / 6.0, 0.0, 1.0)
-    border = made.top + share * (made.instep - made.top)
-    kept = faces[(y < border)[faces].all(axis=1)]
-    used = np.unique(kept)
-    vertices, shoe = figure[used], np.searchsorted(used, kept)
-    normals = _normals(vertices, shoe)
-    height = vertices[:, 1]
-    vertices = vertices + made.thickness * normals
-    # The lowest part becomes the sole: level below, its sides upright.
-    low = np.clip((2.2 - height) / 1.4, 0.0, 1.0)
-    vertices[:, 1] = (1.0 - low) * np.maximum(vertices[:, 1], -made.sole) - low * made.sole
-    return read_only(vertices), read_only(shoe.astype(np.int32)), made.sole
+    levels, rings = _slices(made)
+    # Over the foot the border is lower than at the heel; each point of a ring has its own level.
+    share = np.clip((rings[-1, :, 1] + 5.5) / 5.0, 0.0, 1.0)
+    top = made.top + share * (made.instep - made.top)
+    rows = np.linspace(0.0, 1.0, RINGS)[:, None] * top
+    shell = np.stack([_between(levels, rings[:, k], rows[:, k]) for k in range(AROUND)], axis=1)
+    edge = rings[0].mean(axis=0) + 1.02 * (rings[0] - rings[0].mean(axis=0))
+    sole = np.stack([edge[:, 0], np.full(AROUND, -made.sole), edge[:, 1]], axis=1)
+    middle = sole.mean(axis=0)[None]
+    left = np.concatenate([middle, sole, *shell])
+    k = np.arange(AROUND)
+    beside = (k + 1) % AROUND
+    first = 1 + AROUND * np.arange(RINGS)[:, None]
+    quads = np.stack([first + k, first + AROUND + k, first + AROUND + beside, first + beside], axis=-1)
+    quads = quads.reshape(-1, 4)
+    bottom = np.stack([np.zeros_like(k), 1 + k, 1 + beside], axis=1)
+    faces = np.concatenate([bottom, quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    vertices = np.concatenate([left, left * (-1, 1, 1)])
+    both = np.concatenate([faces[:, ::-1], faces + len(left)])
+    return read_only(vertices), read_only(both.astype(np.int32)), made.sole
 
 
-def _normals(vertices: Array, faces: Array) -> Array:
-    a, b, c = (vertices[faces[:, k]] for k in range(3))
-    across = np.cross(b - a, c - a)
-    total = np.zeros_like(vertices)
-    for k in range(3):
-        np.add.at(total, faces[:, k], across)
-    return total / np.maximum(np.linalg.norm(total, axis=1, keepdims=True), 1e-9)
+def _slices(made: Footwear) -> tuple[Array, Array]:
+    """Levels (L,) from the floor up, and what surrounds the left foot there: (L, AROUND, 2), x and z, cm."""
+    body = Body.default()
+    legs = body.faces[(body.vertex_part == BodyPart.LEFT_LEG)[body.faces].all(axis=1)]
+    up = np.array([0.0, 1.0, 0.0])
+    levels = np.arange(0.0, max(made.top, made.instep) + STEP_CM, STEP_CM)
+    turn = np.linspace(0.0, 2 * np.pi, AROUND, endpoint=False)
+    directions = np.stack([np.sin(turn), np.cos(turn)], axis=1)
+    rings = []
+    for level in levels:
+        # What lies a little lower or higher counts as well: the shell reaches over toes and around the heel.
+        low = max(level - made.thickness - 1.0, 0.3)
+        slab = np.concatenate(
+            [
+                slice_points(body.vertices, legs, up, at)[:, [0, 2]]
+                for at in low + np.array([0.0, 0.5, 1.2, 2.0, 3.0])
+            ]
+        )
+        middle = 0.5 * (slab.min(axis=0) + slab.max(axis=0))
+        rings.append(middle + _reach(slab - middle, directions, made.thickness)[:, None] * directions)
+    smooth = np.stack(rings)
+    smooth[1:-1] = 0.5 * smooth[1:-1] + 0.25 * (smooth[:-2] + smooth[2:])
+    return levels, smooth
+
+
+def _reach(points: Array, directions: Array, thickness: float) -> Array:
+    """How far the thickened hull of points (n, 2) around the origin reaches in directions (k, 2)."""
+    from scipy.spatial import ConvexHull
+
+    sides = ConvexHull(points).equations
+    away = directions @ sides[:, :2].T
+    return np.where(away > 1e-9, (thickness - sides[:, 2]) / np.maximum(away, 1e-9), np.inf).min(axis=1)
+
+
+def _between(levels: Array, ring: Array, wanted: Array) -> Array:
+    """Points (r, 3) at wanted levels of a line that is at ring (L, 2) at the levels (L,)."""
+    return np.stack(
+        [np.interp(wanted, levels, ring[:, 0]), wanted, np.interp(wanted, levels, ring[:, 1])], axis=1
+    )

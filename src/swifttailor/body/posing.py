@@ -158,10 +158,10 @@ def _hands_in_front(rig: Rig, chance: Chance) -> Turns:
 def _arms_crossed(rig: Rig, chance: Chance) -> Turns:
     height = chance.uniform(113.0, 116.0)
     left = reaching_arm(
-        rig, wrist=(-4.0, height, 20.5), elbow=(1.0, -0.8, -0.1), roll=30, fingers=(-1.0, 0.0, -0.35)
+        rig, wrist=(-4.0, height, 21.5), elbow=(1.0, -0.8, -0.1), roll=30, fingers=(-1.0, 0.0, -0.35)
     )
     right = reaching_arm(
-        rig, wrist=(-2.0, height + 2.5, 25.5), elbow=(1.0, -0.8, 0.1), roll=30, fingers=(-1.0, 0.1, -0.4)
+        rig, wrist=(-2.0, height + 2.5, 27.0), elbow=(1.0, -0.8, 0.1), roll=30, fingers=(-1.0, 0.1, -0.4)
     )
     return _stance(chance) | left | other_side(right)
 

@@ -1,6 +1,7 @@
-"""Who carries a garment: the space around the body does, but for legs and skirts.
+"""Who carries a garment: the space around the body does, but for what the body alone does not tell.
 
-Each trouser leg goes with its own leg alone, though it may touch the other, and a skirt hangs from both.
+Each trouser leg goes with its own leg alone, though it may touch the other; a skirt hangs from both; and a
+bodice without sleeves leaves the arms alone, though it may be wide enough to touch them.
 """
 
 from __future__ import annotations
@@ -16,6 +17,12 @@ LEGS_CM = 68.0, 77.0
 """A trouser leg goes with its own leg below the first level, wholly, and above the second as space does."""
 HANGS_CM = 68.0, 90.0
 """A skirt hangs below the first level, wholly, and above the second not at all."""
+ARMHOLE_CM = 127.0, 139.0
+"""A bodice without a sleeve leaves the arm alone below the first level; above the second it lies on the
+shoulder and goes with it."""
+SLEEVE_CM = 7.0, 2.0
+"""A sleeve covers the upper side of the arm: some of it lies further from the shoulder than the first, and
+further above the bone than the second."""
 ONE_SIDE = 0.75
 """A trouser leg has at least this share of its vertices on its own side; wide ones cross the middle."""
 
@@ -41,6 +48,10 @@ def garment_weights(rig: Rig, vertices: Array, faces: Array) -> Weights:
             moved = strength * dense[:, other]
             dense[:, mine] += moved
             dense[:, other] -= moved
+    for sign, own in ((1, "left"), (-1, "right")):
+        if not has_sleeve(rig, vertices, sign):
+            arm = [rig.index(f"{own}_{joint}") for joint in ("arm", "arm_twist", "forearm", "hand")]
+            _leave(dense, arm, _fading(vertices[:, 1], ARMHOLE_CM), rig.index("chest"))
     hanging = np.zeros((len(vertices), len(HANGING)), dense.dtype)
     strength = is_skirt * _fading(vertices[:, 1], HANGS_CM)
     for k, name in enumerate(HANGING):
@@ -85,6 +96,30 @@ def legs_and_skirt(vertices: Array, faces: Array) -> tuple[Array, Array]:
     around = np.bincount(whole[below & (side == 0)], minlength=whole.max() + 1)
     legs = np.bincount(whole[side != 0], minlength=whole.max() + 1)
     return side, (around > legs)[whole]
+
+
+def has_sleeve(rig: Rig, vertices: Array, sign: int) -> bool:
+    """Whether a garment covers an upper arm.
+
+    Args:
+        rig: The body's.
+        vertices: (P, 3) cm.
+        sign: 1 for the left arm, -1 for the right.
+    """
+    shoulder, elbow = rig.joints[rig.index("left_arm")], rig.joints[rig.index("left_forearm")]
+    bone = (elbow - shoulder) / np.linalg.norm(elbow - shoulder)
+    above = np.array([-bone[1], bone[0], 0.0]) / np.hypot(bone[0], bone[1])
+    seen = vertices * (sign, 1.0, 1.0) - shoulder
+    return int(((seen @ bone > SLEEVE_CM[0]) & (seen @ above > SLEEVE_CM[1])).sum()) >= 4
+
+
+def _leave(dense: Array, joints: list[int], strength: Array, rest: int) -> None:
+    """Takes a share (P,) of the weights (P, J) of some joints, and gives it to the others and to `rest`."""
+    taken = strength[:, None] * dense[:, joints]
+    dense[:, joints] -= taken
+    others = np.setdiff1d(np.arange(dense.shape[1]), joints)
+    dense[:, rest] += 1e-3
+    dense[:, others] *= 1.0 + ((taken.sum(axis=1) - 1e-3) / dense[:, others].sum(axis=1))[:, None]
 
 
 def _fading(level: Array, ends: tuple[float, float]) -> Array:
