@@ -66,7 +66,9 @@ def test_odd_pictures_are_read_as_well(file, shape, level):
 
 
 @pytest.mark.needs_torch
-@pytest.mark.parametrize("bad", [np.zeros((4, 4), np.uint8), np.zeros((4, 4, 3)), np.zeros((0, 4, 3), np.uint8)])
+@pytest.mark.parametrize(
+    "bad", [np.zeros((4, 4), np.uint8), np.zeros((4, 4, 3)), np.zeros((0, 4, 3), np.uint8)]
+)
 def test_what_is_no_picture_is_refused(file, bad):
     with pytest.raises(InputError, match=r"\(h, w, 3\)"):
         PictureReader.load(file).read(bad)

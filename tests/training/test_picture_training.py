@@ -14,7 +14,13 @@ def tiny_config(**more):
     from swifttailor.training.picture_config import EyesSize, PictureConfig
 
     network = EyesSize(
-        image_size=32, embedding=8, stages=(8, 16, 32, 32), depths=(1, 1, 1, 1), width=32, heads=2, mask_width=8
+        image_size=32,
+        embedding=8,
+        stages=(8, 16, 32, 32),
+        depths=(1, 1, 1, 1),
+        width=32,
+        heads=2,
+        mask_width=8,
     )
     values = {
         "network": network,
@@ -59,7 +65,9 @@ def test_it_learns_resumes_and_is_written(data, tmp_path):
     totals = [line["total"] for line in lines if "total" in line]
     assert totals[-1] < 110, "far below what random weights lose (173)"
     assert card["data"]["train"]["garments"] == 6 and card["validation"]["pictures"] == 12
-    assert 0 <= card["validation"]["not_false"] <= 1 and set(card["validation"]["by_look"]) >= {"held out front"}
+    assert 0 <= card["validation"]["not_false"] <= 1 and set(card["validation"]["by_look"]) >= {
+        "held out front"
+    }
 
     run_of(data, tmp_path / "again", stop_after=23)
     run_of(data, tmp_path / "again", resume=True)
@@ -157,7 +165,7 @@ def test_the_loss_is_least_where_the_reading_is_true():
     for name in Reading._fields:
         worse = reading._replace(**{name: -getattr(reading, name)})
         assert reading_losses(worse, truth, LossWeights())["total"] > best["total"] + 0.1, name
-    unclear = reading._replace(
-        statements=torch.where(truth.clear, reading.statements, -reading.statements)
+    unclear = reading._replace(statements=torch.where(truth.clear, reading.statements, -reading.statements))
+    assert float(reading_losses(unclear, truth, LossWeights())["statements"]) < 1e-3, (
+        "the border counts nothing"
     )
-    assert float(reading_losses(unclear, truth, LossWeights())["statements"]) < 1e-3, "the border counts nothing"

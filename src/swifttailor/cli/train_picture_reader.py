@@ -25,8 +25,8 @@ class TrainPictureReader(Training):
     validation: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="DIR...")]
     """Folders of splits to validate with."""
     apart: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="DIR...")] = ()
-    """Folders of splits that must not be learnt from, such as DATA/test: equal patterns are left out, whatever
-    their ids. What is validated with is left out as well."""
+    """Folders of splits that must not be learnt from, such as DATA/test: equal patterns are left out. What is
+    validated with is left out as well."""
     config: Annotated[str, tyro.conf.arg(metavar="NAME")] = "small"
     """small, or a JSON file like the config.json of a run."""
     set: Annotated[tuple[str, ...], tyro.conf.arg(metavar="FIELD=VALUE")] = ()

@@ -13,7 +13,7 @@ _CHAINS = ("ResNetConvLayer", "ResNetShortCut")
 
 
 def fold_norms(network: nn.Module) -> int:
-    """Folds every `BatchNorm2d` right after a `Conv2d` in a `Sequential` or its like into its weights, in place.
+    """Folds every `BatchNorm2d` right after a `Conv2d` in a `Sequential` or its like, in place.
 
     Once trained, both are one linear map: the network computes the same as in evaluation mode before, up to
     rounding, and can no longer be trained.

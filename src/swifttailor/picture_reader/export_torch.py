@@ -1,4 +1,4 @@
-"""From trained weights to the model file of a picture reader. Import this where it is needed: it loads torch."""
+"""From trained weights to the model file of a picture reader. Import where needed: it loads torch."""
 
 from __future__ import annotations
 
@@ -46,7 +46,9 @@ def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> 
     return trained_network(lambda: build_network(card["config"]["network"]), weights, half=half)
 
 
-def export(network: EyesNetwork, card: dict[str, Any], path: Path, scales: NDArray[Any] | None = None) -> Path:
+def export(
+    network: EyesNetwork, card: dict[str, Any], path: Path, scales: NDArray[Any] | None = None
+) -> Path:
     """Writes the model file, which `PictureReader.load` opens.
 
     Args:

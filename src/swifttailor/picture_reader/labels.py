@@ -35,8 +35,9 @@ def measure_labels() -> tuple[str, ...]:
 
 @cache
 def topics() -> tuple[str, ...]:
-    """What is looked at together: each claim of words, each dimension, then panels and the garment itself."""
-    return (*dict.fromkeys(claim for claim, _ in statement_labels()), *measure_labels(), "panels", "garment")
+    """What is looked at together: each claim and dimension by its name, panels, and the garment itself."""
+    claims = (claim for claim, _ in statement_labels())
+    return tuple(dict.fromkeys([*claims, *measure_labels(), "panels", "garment"]))
 
 
 def labels_checksum() -> str:

@@ -1,4 +1,4 @@
-"""The network that reads pictures: a convolutional trunk, and a look at its map for every topic. Loads torch."""
+"""The network that reads pictures: a trunk of convolutions, and a look for every topic. It loads torch."""
 
 from __future__ import annotations
 
@@ -196,5 +196,5 @@ class _Rows(nn.Module):
 
 
 def scaled(measures: Tensor) -> Tensor:
-    """Measures as the network predicts them: differences count by the centimetre when small, else by share."""
+    """Measures as the network predicts them: off by the centimetre where they are small, else by share."""
     return torch.asinh(measures / 10.0)

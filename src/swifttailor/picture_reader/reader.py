@@ -137,7 +137,9 @@ def cut_square(pixels: Pixels, square: tuple[int, int, int], size: int) -> Pixel
     columns = np.clip(np.arange(left, left + side), 0, width - 1)
     image = Image.fromarray(pixels[rows[:, None], columns[None]])
     if image.size != (size, size):
-        image = image.resize((size, size), Image.Resampling.BOX if side > 2 * size else Image.Resampling.BICUBIC)
+        image = image.resize(
+            (size, size), Image.Resampling.BOX if side > 2 * size else Image.Resampling.BICUBIC
+        )
     return np.asarray(image)
 
 
@@ -214,5 +216,3 @@ def _share(logits: NDArray[Any]) -> NDArray[Any]:
 def _require_picture(pixels: Pixels) -> None:
     if pixels.ndim != 3 or pixels.shape[2] != 3 or min(pixels.shape) < 1 or pixels.dtype != np.uint8:
         raise InputError(f"A picture is (h, w, 3) of bytes; got {pixels.shape} of {pixels.dtype}.")
-
-

@@ -17,8 +17,8 @@ _USUAL_FIELD = 14.0
 def view_of(camera: Camera, size: int) -> NDArray[np.float32]:
     """`labels.VIEW` of a square picture of `size` pixels.
 
-    Sine and cosine of the azimuth; the elevation in units of 30 degrees; the logarithm of the picture's sides
-    in 80 cm of height; and where between both points the wearer's axis is, from the picture's middle, in sides.
+    Sine and cosine of the azimuth; the elevation in units of 30 degrees; the logarithm of how many sides of
+    the picture 80 cm are; and where from its middle the middle of both points is, in sides.
     """
     low, high = camera.project(np.stack([LOW, HIGH]), (size, size))[:, :2]
     right, down = (low + high) / 2 / size - 0.5

@@ -66,7 +66,9 @@ class PictureBank:
         self._caches = [_cache(folder) for folder in splits]
         self._places = [(n, k) for n, cache in enumerate(self._caches) for k in range(len(cache))]
         if not self._places:
-            raise InputError("There are no garments to draw. Sew some: swifttailor data build --engine network")
+            raise InputError(
+                "There are no garments to draw. Sew some: swifttailor data build --engine network"
+            )
 
     def __len__(self) -> int:
         return len(self._places)
@@ -142,7 +144,14 @@ class PictureBank:
 
 
 def _cache(folder: Path) -> ArrayCache:
-    rooms = ("describing", "panel_mesh", "body/rig.py", "body/worn.py", "picture_reader/truth.py", "picture_reader/labels.py")
+    rooms = (
+        "describing",
+        "panel_mesh",
+        "body/rig.py",
+        "body/worn.py",
+        "picture_reader/truth.py",
+        "picture_reader/labels.py",
+    )
     name = name_with_code("worn", *rooms, "training/picture_bank.py")
     return ArrayCache(SplitReader(folder), folder / "worn", name, worn_arrays)
 

@@ -1,4 +1,4 @@
-"""Pictures to learn to read from, drawn by the block in processes of their own; each block is fixed by its number."""
+"""Pictures to learn to read from, drawn by the block; each block is fixed by its number."""
 
 from __future__ import annotations
 
@@ -78,9 +78,7 @@ class Blocks:
         return "plain" if lot < self.plain else "studio" if lot < self.plain + self.studio else "people"
 
 
-def draw(
-    wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Chance, size: int
-) -> Scene:
+def draw(wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Chance, size: int) -> Scene:
     """A picture of a garment.
 
     Args:
@@ -132,4 +130,3 @@ def _as_garment(worn: WornGarment) -> Any:
 @cache
 def _body() -> Body:
     return Body.default()
-

@@ -68,8 +68,8 @@ def train(
         raise InputError(f"batch_size is {config.batch_size}; a multiple of the processes is accepted.")
     task = PictureTask(config, bank, held, processes, workers=workers)
     report(
-        f"{sum(p.numel() for p in task.network.parameters()) / 1e6:.2f} M parameters; {len(bank)} garments to "
-        f"draw, {len(task.held)} pictures to validate; {processes.device}, {processes.count} process(es)."
+        f"{sum(p.numel() for p in task.network.parameters()) / 1e6:.2f} M parameters; {len(bank)} garments "
+        f"to draw, {len(task.held)} pictures to validate; {processes.device}, {processes.count} process(es)."
     )
     return loop.run(task)
 

@@ -1,4 +1,4 @@
-"""Scenes to learn to read from: people of all shapes, standing and walking, in two garments or one, anywhere."""
+"""Scenes to learn to read from: people of all shapes and poses, in two garments or one, anywhere."""
 
 from __future__ import annotations
 
@@ -24,6 +24,7 @@ from swifttailor.data.renders.camera_effects import random_effects
 from swifttailor.data.renders.cloths import DrawnCloth, Place, random_cloth, random_color
 from swifttailor.data.renders.look import random_lighting
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS, statement_labels
+from swifttailor.picture_reader.truth import TRUE
 from swifttailor.picture_reader.view import view_of
 from swifttailor.render import Camera, LineSet, Surface, to_linear
 from swifttailor.render.color import encode_srgb
@@ -35,14 +36,15 @@ View = Literal["front", "back", "free"]
 VIEWS: tuple[View, ...] = ("front", "back", "free")
 HELD_OUT_BACKDROPS = frozenset({"stairs", "bricks"})
 HELD_OUT_WEAVES = frozenset({"quilt", "cord", "cable"})
-"""A family of looks that training never draws: these backdrops, these cloths, no plain cloth, always a pose."""
+"""A family of looks that training never draws: these backdrops and these cloths, always in a pose."""
 _SKINS = ("#f3d9c6", "#e8c0a4", "#d6a184", "#b57f5c", "#8f5c3e", "#5f3b28", "#3b251a")
 _FIGURES = ("#c9bfb6", "#e9e6e1", "#8d8b89", "#2b2b2d")
 _HAIRS = ("#17120f", "#2e211a", "#4a3222", "#6f4a2c", "#9a7346", "#c9a468", "#7c3a22", "#8d8a88")
 _SHOES = ("#141414", "#f0efec", "#5b3a26", "#232a40", "#b59a77", "#8b1f2a")
 _NOBODY, _STANDING, _USUAL_SHAPE, _MANNEQUIN = 0.08, 0.15, 0.2, 0.08
 _TWO_GARMENTS, _SEAMS, _STUDIO = 0.8, 0.3, 0.15
-_ATTEMPTS = 30
+_LOW_SHOES = ("flats", "shoes", "sneakers")
+_ATTEMPTS, _POSES = 30, 1024
 
 
 class Scene(NamedTuple):
@@ -98,13 +100,13 @@ def draw_scene(
     other = -1 if nobody else wardrobe.companion(number, chance)
     if other >= 0:
         worn.append((other, wardrobe.bank[other]))
-    pose = random_pose(chance)
+    pose = _pose(int(chance.integers(_POSES)))
     if not held_out and chance.random() < _STANDING:
         pose = Pose()
     shape = None if chance.random() < _USUAL_SHAPE else random_shape(chance)
     skin = _linear(chance, _FIGURES if chance.random() < _MANNEQUIN else _SKINS)
     rig = Rig.default()
-    figure, accessories, sole = _figure(skin, chance)
+    figure, accessories, sole = _figure(skin, [garment for _, garment in worn], chance)
     things = [(figure.vertices, figure.weights), *((a.vertices, a.weights) for a in accessories)]
     things += [(g.vertices, g.weights) for _, g in worn]
     carried = carry_all(things, rig, pose, shape, sole=sole)
@@ -117,7 +119,9 @@ def draw_scene(
     for k, ((_, garment), vertices) in enumerate(zip(worn, carried[1 + len(accessories) :], strict=True)):
         is_lower = garment.truth.part == PARTS.index("lower")
         outside = len(worn) == 1 or is_lower == tucked
-        surfaces.append(_cloth(garment, vertices, chance, skin, 1.6 if outside else 0.35, held_out and k == 0))
+        surfaces.append(
+            _cloth(garment, vertices, chance, skin, 1.6 if outside else 0.35, held_out and k == 0)
+        )
     shown = carried[1 + len(accessories)]
     camera = _camera(shown, carried[0], view, chance)
     lighting = random_lighting(chance)
@@ -155,8 +159,10 @@ class _Thing(NamedTuple):
     has_inside: bool = False
 
 
-def _figure(skin: NDArray[np.float64], chance: Chance) -> tuple[_Thing, list[_Thing], float]:
-    """Skin, hair and shoes, and how high the soles are."""
+def _figure(
+    skin: NDArray[np.float64], worn: list[WornGarment], chance: Chance
+) -> tuple[_Thing, list[_Thing], float]:
+    """Skin, hair and shoes, and how high the soles are; hoods and trousers leave little room for either."""
     base = _bare()
     color = np.broadcast_to(skin, (len(base.faces), 3)).copy()
     regions = _face_regions()
@@ -173,13 +179,19 @@ def _figure(skin: NDArray[np.float64], chance: Chance) -> tuple[_Thing, list[_Th
                 color[regions == region] = tights
     accessories, sole = [], 0.0
     if is_person and chance.random() < 0.93:
-        style = str(chance.choice(list(HAIR_STYLES)))
+        style = str(chance.choice(list(HAIR_STYLES))) if not _any(worn, "hood", "hood") else "cropped"
         accessories.append(_hair(style)._replace(color=hair_color * chance.uniform(0.8, 1.2)))
     if chance.random() < 0.75:
-        kind = str(chance.choice(list(FOOTWEAR)))
+        legs = any(_any(worn, "kind", word) for word in ("trousers", "jumpsuit"))
+        kind = str(chance.choice(_LOW_SHOES if legs else list(FOOTWEAR)))
         shoes, sole = _shoes(kind)
         accessories.append(shoes._replace(color=_linear(chance, _SHOES)))
     return base._replace(color=color), accessories, sole
+
+
+def _any(worn: list[WornGarment], claim: str, word: str) -> bool:
+    label = statement_labels().index((claim, word))
+    return any(garment.truth.statements[label] == TRUE for garment in worn)
 
 
 def _surface(vertices: Floats, thing: _Thing) -> Surface:
@@ -249,7 +261,7 @@ def _in_front(pixels: Pixels, chance: Chance, size: int) -> tuple[Pixels, NDArra
 
 
 def _camera(shown: Floats, figure: Floats, view: View, chance: Chance) -> Camera:
-    """Looks at a garment, at the whole figure, or at something between, and cuts off a little now and then."""
+    """Looks at a garment, at the whole figure, or at something between; cuts off a little now and then."""
     turned = {"front": chance.normal(0, 14), "back": 180 + chance.normal(0, 14)}.get(
         view, chance.uniform(0, 360)
     )
@@ -272,6 +284,11 @@ def _camera(shown: Floats, figure: Floats, view: View, chance: Chance) -> Camera
 def _linear(chance: Chance, colors: tuple[str, ...]) -> NDArray[np.float64]:
     base = np.asarray(to_linear(colors[int(chance.integers(len(colors)))]), np.float64)
     return np.clip(base * chance.uniform(0.85, 1.15), 0.004, 0.95)
+
+
+@cache
+def _pose(number: int) -> Pose:
+    return random_pose(np.random.default_rng([17, number]))
 
 
 @cache
