@@ -74,7 +74,8 @@ def judge(network: EyesNetwork, held: ValidationPictures, device: torch.device) 
     Returns:
         ``claims``: of each claim the share of pictures whose likeliest word is not false, of those that show
         a garment of which one is true; ``not_false``: of all claims together; ``by_look``: the same by look
-        and view; ``panels``: share of pictures with exactly the right panel names; ``mask``: intersection over union.
+        and view; ``panels``: share of pictures with exactly the right panel names; ``mask``:
+        intersection over union.
     """
     reading = read_all(network, held.pictures, device)
     rows = np.arange(len(held))
