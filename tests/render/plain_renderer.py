@@ -226,7 +226,7 @@ def open_sky(depth: Array, covered: Array, pixels_per_cm: float) -> Array:
 
 
 def _blur(picture: Array, sigma: float, step: int) -> Array:
-    """Gaussian blur of the sums over blocks of pixels, with nothing beyond the border, then between blocks."""
+    """Gaussian blur of sums over blocks of pixels, with nothing beyond the border, then between blocks."""
     height, width = picture.shape
     sums = np.add.reduceat(np.add.reduceat(picture, np.arange(0, height, step)), np.arange(0, width, step), 1)
     reach = int(2.5 * sigma / step + 0.5)

@@ -58,7 +58,7 @@ def _noise(bank, first, u, v):
 @njit(**FAST)
 def _cell(bank, first, side, u, v):
     """What a picture of the bank, repeated over the plane, has at u and v, each 0 to 1."""
-    i, j = int(math.floor(u * side)) & (side - 1), int(math.floor(v * side)) & (side - 1)
+    i, j = int(np.floor(u * side)) & (side - 1), int(np.floor(v * side)) & (side - 1)
     return int(bank[first + j * side + i])
 
 
@@ -98,7 +98,7 @@ def _height(u, v, table, bank):
     size, along = table[_FOLDS + 1], table[_FOLDS + 2]
     cells = 12.0
     i, j = u / size * cells + table[_FOLDS + 3], v / (size * along) * cells + table[_FOLDS + 4]
-    height = table[_FOLDS] * size * 0.25 * _noise(bank, CREASES, i, j)
+    height = table[_FOLDS] * size * _noise(bank, CREASES, i, j)
     if table[_WEAVE] > 0.0 and table[_WEAVE + 3] > 0.0:
         height += table[_WEAVE + 3] * table[_WEAVE + 1] / math.pi * _relief(u, v, table)
     return height
@@ -117,7 +117,7 @@ def _share(table, n, x, y, u, v):
         up = dy - table[n + 5] * np.rint(dy / table[n + 5])
         return min(max((half - math.hypot(dx, up)) * 4 + 0.5, 0.0), 1.0)
     edge = max(abs(dx) - half, abs(dy) - tall)
-    if kind == 3 and (int(math.floor((u + v) * 2.5)) & 1):
+    if kind == 3 and (int(np.floor((u + v) * 2.5)) & 1):
         return 0.0
     return 0.6 if abs(edge) < 0.25 else 0.0
 
@@ -194,7 +194,7 @@ def color_at(u, v, x, y, z, table, layers, bank, out):
             factor = 1.0
             if table[1] > 0.0:
                 seed = int(table[2])
-                threads, rows = int(math.floor(u / _THREAD_CM)), int(math.floor(v / _THREAD_CM))
+                threads, rows = int(np.floor(u / _THREAD_CM)), int(np.floor(v / _THREAD_CM))
                 factor += table[1] * (_hash(threads, 2 * seed) + _hash(rows, 2 * seed + 1))
             if table[_WEAVE] > 0.0:
                 factor *= 1.0 - table[_WEAVE + 2] * (1.0 - _relief(u, v, table))

@@ -68,7 +68,7 @@ class Seen:
     shares: Array
     """(height, width, surfaces) float32 share of each pixel that each surface covers, 0 to 1."""
     face: Array
-    """(height, width) int32 the face at the middle of each pixel, counted through all surfaces; -1 for none."""
+    """(height, width) int32 the face at the middle of each pixel, counted through all surfaces; -1: none."""
 
 
 def render_seen(
