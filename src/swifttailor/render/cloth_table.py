@@ -32,6 +32,8 @@ MARKS = 73
 MARK = 10
 MOST_MARKS = 6
 LENGTH = MARKS + 1 + MARK * MOST_MARKS
+LAYERS = 8
+"""What `layers` tells apart, before the marks."""
 
 
 @runtime_checkable
@@ -48,3 +50,20 @@ def new_table(kind: int) -> Array:
     table = np.zeros(LENGTH, np.float32)
     table[KIND], table[COS], table[GRAPHIC] = kind, 1.0, -1.0
     return table
+
+
+def layers(table: Array) -> int:
+    """Bits of the layers of colour that a row has, so that the loop need not look at the others."""
+    kind, woven = int(table[KIND]), table[WEAVE] > 0
+    has = (
+        kind > PLAIN,
+        kind == PLAID,
+        table[FADE] > 0,
+        table[BLOCK] > 0,
+        table[WEAR] > 0,
+        table[GRAPHIC] >= 0,
+        table[GRAIN] > 0 or (woven and table[WEAVE_DARK] > 0),
+        woven and table[WEAVE_HOLE] > 0,
+        *[True] * int(table[MARKS]),
+    )
+    return sum(1 << k for k, there in enumerate(has) if there)

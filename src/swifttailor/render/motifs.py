@@ -29,7 +29,7 @@ def bank() -> Array:
     """All patterns in one row of int16, the same in every process.
 
     Two pictures of noise that repeats (soft blotches; long creases), in steps, mean 0; then motifs of SIDE by
-    SIDE numbers of colours, 0 to 3; then graphics of GRAPHIC_SIDE by GRAPHIC_SIDE: 0 the cloth, 1 and 2 colours.
+    SIDE numbers of colours, 0 to 3; then graphics of GRAPHIC_SIDE by GRAPHIC_SIDE: 0 the cloth, or a colour.
     """
     chance = np.random.default_rng(20_240)
     makers = (_flowers, _leaves, _blotches, _spots, _shapes)

@@ -58,7 +58,7 @@ def _noise(bank, first, u, v):
 @njit(**FAST)
 def _cell(bank, first, side, u, v):
     """What a picture of the bank, repeated over the plane, has at u and v, each 0 to 1."""
-    i, j = int(math.floor(u * side)) & (side - 1), int(math.floor(v * side)) & (side - 1)
+    i, j = int(np.floor(u * side)) & (side - 1), int(np.floor(v * side)) & (side - 1)
     return int(bank[first + j * side + i])
 
 
@@ -98,7 +98,7 @@ def _height(u, v, table, bank):
     size, along = table[_FOLDS + 1], table[_FOLDS + 2]
     cells = 12.0
     i, j = u / size * cells + table[_FOLDS + 3], v / (size * along) * cells + table[_FOLDS + 4]
-    height = table[_FOLDS] * size * 0.25 * _noise(bank, CREASES, i, j)
+    height = table[_FOLDS] * size * _noise(bank, CREASES, i, j)
     if table[_WEAVE] > 0.0 and table[_WEAVE + 3] > 0.0:
         height += table[_WEAVE + 3] * table[_WEAVE + 1] / math.pi * _relief(u, v, table)
     return height
@@ -117,13 +117,13 @@ def _share(table, n, x, y, u, v):
         up = dy - table[n + 5] * np.rint(dy / table[n + 5])
         return min(max((half - math.hypot(dx, up)) * 4 + 0.5, 0.0), 1.0)
     edge = max(abs(dx) - half, abs(dy) - tall)
-    if kind == 3 and (int(math.floor((u + v) * 2.5)) & 1):
+    if kind == 3 and (int(np.floor((u + v) * 2.5)) & 1):
         return 0.0
     return 0.6 if abs(edge) < 0.25 else 0.0
 
 
 @njit(**FAST)
-def color_at(u, v, x, y, z, table, bank, out):
+def color_at(u, v, x, y, z, table, layers, bank, out):
     """Linear colour (3,) of cloth at its point u, v, which lies at x, y, z of the standing body, cm."""
     # Colours are put over each other one by one: by number in the row, and how much of the point they cover.
     kind, color, share = int(table[0]), _COLORS, 1.0
@@ -131,6 +131,8 @@ def color_at(u, v, x, y, z, table, bank, out):
     a, b, c = table[_SIZES], table[_SIZES + 1], table[_SIZES + 2]
     r, g, bl = np.float64(table[_COLORS]), np.float64(table[_COLORS + 1]), np.float64(table[_COLORS + 2])
     for layer in range(8 + int(table[_MARKS])):
+        if not (layers >> layer) & 1:
+            continue
         share = 0.0
         if layer == 0:
             color = _COLORS + 3
@@ -192,7 +194,7 @@ def color_at(u, v, x, y, z, table, bank, out):
             factor = 1.0
             if table[1] > 0.0:
                 seed = int(table[2])
-                threads, rows = int(math.floor(u / _THREAD_CM)), int(math.floor(v / _THREAD_CM))
+                threads, rows = int(np.floor(u / _THREAD_CM)), int(np.floor(v / _THREAD_CM))
                 factor += table[1] * (_hash(threads, 2 * seed) + _hash(rows, 2 * seed + 1))
             if table[_WEAVE] > 0.0:
                 factor *= 1.0 - table[_WEAVE + 2] * (1.0 - _relief(u, v, table))
@@ -222,12 +224,12 @@ def color_at(u, v, x, y, z, table, bank, out):
 
 
 @njit(**FAST)
-def color_points(points, table, bank, colors):
+def color_points(points, table, layers, bank, colors):
     """Fills colours (n, 3) float32 at points (n, 5) float64: u, v, x, y, z of `color_at`."""
     color = np.zeros(3, np.float32)
     for n in range(len(points)):
         u, v, x, y, z = points[n, 0], points[n, 1], points[n, 2], points[n, 3], points[n, 4]
-        color_at(u, v, x, y, z, table, bank, color)
+        color_at(u, v, x, y, z, table, layers, bank, color)
         for k in range(3):
             colors[n, k] = color[k]
 
@@ -244,9 +246,12 @@ def paint_samples(
     part,
     print_at,
     table,
+    layers,
     bank,
     paint,
     bumps,
+    samples,
+    few,
 ):
     """Fills what a print shows at the samples of its surface's right side.
 
@@ -261,21 +266,35 @@ def paint_samples(
         part: Three numbers: the surface's first vertex, its first face and the face after its last.
         print_at: (f, 3, 2) float32, see `Surface.print_at`.
         table: See `cloth_table`.
+        layers: See there.
         bank: See `motifs.bank`.
         paint: (H, W, 3) float32 linear colours; of kind `COORDINATES` u, v and 1 or, on the wrong side, -1.
         bumps: (H, W, 3) float32 by which folds tilt unit normals; or (0, 0, 3).
+        samples: Along each side of a pixel.
+        few: Whether a pixel of 2 x 2 samples that shows only this side is looked at along its diagonal alone.
     """
-    height, width = keys.shape
+    height, width = keys.shape[0] // samples, keys.shape[1] // samples
     before, first, last = part[0], part[1], part[2]
     folded = table[_FOLDS] > 0.0 and len(bumps) > 0
     color = np.zeros(3, np.float32)
-    for row in range(height):
-        for column in range(width):
-            if keys[row, column] == NOTHING:
+    few = few and samples == 2 and table[0] != 0.0
+    for row in range(height * samples):
+        for column in range(width * samples):
+            key = keys[row, column]
+            t = np.int32(key)
+            if key == NOTHING or t < first or t >= last:
                 continue
-            t = np.int32(keys[row, column])
-            if t < first or t >= last:
-                continue
+            halved = False
+            if few and front[t]:
+                # The other samples of the pixel; of these, those on its diagonal stand for all.
+                halved = True
+                for n in range(1, 4):
+                    key = keys[row ^ (n & 1), column ^ (n >> 1)]
+                    other = np.int32(key)
+                    if key == NOTHING or other < first or other >= last or not front[other]:
+                        halved = False
+                if halved and (row ^ column) & 1:
+                    continue
             if not front[t]:
                 if table[0] == 0.0:
                     paint[row, column, 2] = -1.0
@@ -292,19 +311,29 @@ def paint_samples(
             x = w0 * rest[ra, 0] + w1 * rest[rb, 0] + w2 * rest[rc, 0]
             y = w0 * rest[ra, 1] + w1 * rest[rb, 1] + w2 * rest[rc, 1]
             z = w0 * rest[ra, 2] + w1 * rest[rb, 2] + w2 * rest[rc, 2]
-            color_at(u, v, x, y, z, table, bank, color)
+            color_at(u, v, x, y, z, table, layers, bank, color)
             for k in range(3):
                 paint[row, column, k] = color[k]
-            if not folded:
+                if halved:
+                    paint[row, column ^ 1, k] = color[k]
+            if not folded or (halved and not row & 1):
                 continue
             # The gradient of the height over the surface, from those of u and v over the triangle.
             u1, v1 = print_at[f, 1, 0] - print_at[f, 0, 0], print_at[f, 1, 1] - print_at[f, 0, 1]
             u2, v2 = print_at[f, 2, 0] - print_at[f, 0, 0], print_at[f, 2, 1] - print_at[f, 0, 1]
             area = u1 * v2 - u2 * v1
             inverse = 1.0 / area if abs(area) > 1e-6 else 0.0
-            here = _height(u, v, table, bank)
-            hu = (_height(u + 0.08, v, table, bank) - here) * 12.5 * inverse
-            hv = (_height(u, v + 0.08, table, bank) - here) * 12.5 * inverse
+            # Differences at three points, by a loop so that the compiler sees the height once.
+            here = there = hu = 0.0
+            for n in range(3):
+                height_n = _height(u + (0.08 if n == 1 else 0.0), v + (0.08 if n == 2 else 0.0), table, bank)
+                if n == 0:
+                    here = height_n
+                elif n == 1:
+                    hu = height_n - here
+                else:
+                    there = height_n - here
+            hu, hv = hu * 12.5 * inverse, there * 12.5 * inverse
             for k in range(3):
                 e1, e2 = vertices[b, k] - vertices[a, k], vertices[c, k] - vertices[a, k]
                 bumps[row, column, k] = -(hu * (e1 * v2 - e2 * v1) + hv * (e2 * u1 - e1 * u2))

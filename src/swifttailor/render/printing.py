@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from swifttailor.arrays import Array
-from swifttailor.render.cloth_table import COORDINATES, FOLDS, TableOfPrint, new_table
+from swifttailor.render.cloth_table import COORDINATES, FOLDS, TableOfPrint, layers, new_table
 from swifttailor.render.scene import Projection
 from swifttailor.render.surface import Surface
 
@@ -24,8 +24,14 @@ class Paint:
     """(H, W, 3) float32 by which folds tilt unit normals, in the world; (0, 0, 3) without any."""
 
 
-def paint_prints(projection: Projection) -> Paint:
-    """Evaluates the prints of a scene at the samples of its picture."""
+def paint_prints(projection: Projection, samples: int, *, few: bool) -> Paint:
+    """Evaluates the prints of a scene at the samples of its picture.
+
+    Args:
+        projection: The scene in the picture.
+        samples: Along each side of a pixel.
+        few: Whether pixels within a print make do with two samples.
+    """
     surfaces = projection.scene.surfaces
     painted = np.zeros(len(surfaces), np.int8)
     tables = {k: _table(s) for k, s in enumerate(surfaces) if s.print is not None}
@@ -36,7 +42,7 @@ def paint_prints(projection: Projection) -> Paint:
         bumps = np.zeros(paint.shape, np.float32)
     for k, table in tables.items():
         painted[k] = 2 if _has_folds(table) else 1
-        _paint(projection, k, table, paint, bumps)
+        _paint(projection, k, table, paint, bumps, samples, few)
     return Paint(painted, paint, bumps)
 
 
@@ -50,7 +56,15 @@ def _has_folds(table: Array) -> bool:
     return bool(table[FOLDS] > 0.0)
 
 
-def _paint(projection: Projection, index: int, table: Array, paint: Array, bumps: Array) -> None:
+def _paint(
+    projection: Projection,
+    index: int,
+    table: Array,
+    paint: Array,
+    bumps: Array,
+    samples: int,
+    few: bool,
+) -> None:
     from swifttailor.render.motifs import bank
     from swifttailor.render.print_kernels import paint_samples
 
@@ -71,9 +85,12 @@ def _paint(projection: Projection, index: int, table: Array, paint: Array, bumps
         np.array([first, scene.first_face[index], scene.first_face[index + 1]]),
         np.ascontiguousarray(surface.print_at, np.float32),
         table,
+        layers(table),
         bank(),
         paint,
         bumps,
+        samples,
+        few,
     )
     if table[0] == COORDINATES and surface.print is not None:
         face = projection.nearest.face

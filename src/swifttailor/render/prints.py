@@ -21,6 +21,7 @@ from swifttailor.render.cloth_table import (
     SIN,
     SIZES,
     STRIPES,
+    layers,
     new_table,
 )
 
@@ -52,7 +53,8 @@ class KnownPrint:
         if rest is not None:
             points[:, 2:] = rest
         colors = np.zeros((len(at), 3), np.float32)
-        color_points(points, self.table(), bank(), colors)
+        table = self.table()
+        color_points(points, table, layers(table), bank(), colors)
         return colors
 
 

@@ -68,6 +68,10 @@ def fill(nearest, front, points, depth, faces, surface, hidden_turn, low_z, step
             points[c, 0],
             points[c, 1],
         )
+        x1, y1, x2, y2 = xb - xa, yb - ya, xc - xa, yc - ya
+        area = x1 * y2 - x2 * y1
+        if area * hidden_turn[surface[t]] > 0.0:
+            continue
         # Row r has its pixel centres at r + 0.5 and is covered when y_min <= r + 0.5 < y_max.
         y_min, y_max = min(ya, yb, yc), max(ya, yb, yc)
         top = int(min(max(math.ceil(y_min - 0.5), 0.0), height))
@@ -76,10 +80,6 @@ def fill(nearest, front, points, depth, faces, surface, hidden_turn, low_z, step
             continue
         least, most = min(xa, xb, xc), max(xa, xb, xc)
         if math.ceil(least - 0.5) >= math.ceil(most - 0.5) or most <= 0.0 or least >= width:
-            continue
-        x1, y1, x2, y2 = xb - xa, yb - ya, xc - xa, yc - ya
-        area = x1 * y2 - x2 * y1
-        if area * hidden_turn[surface[t]] > 0.0:
             continue
         front[t] = area < 0.0
         z0, z1, z2 = (depth[a] - low_z) * steps, (depth[b] - low_z) * steps, (depth[c] - low_z) * steps

@@ -29,7 +29,7 @@ class Triangles:
     surface: Array
     """(m,) int16 which surface a face belongs to."""
     hidden_turn: Array
-    """Of each surface: the sign of the turn, clockwise as seen being 1, whose triangles are left out, or 0."""
+    """Of each surface: the sign of the turn, 1 for clockwise as seen, whose triangles are left out, or 0."""
 
 
 @dataclass(frozen=True, eq=False)

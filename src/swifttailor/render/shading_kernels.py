@@ -77,14 +77,18 @@ def light_samples(
             first_key = keys[top, side]
             before = np.int32(first_key)
             same = first_key != NOTHING
-            for sample in range(1, samples * samples):
-                key = keys[top + sample // samples, side + sample % samples]
-                t = np.int32(key)
-                if t != before:
-                    same = same and once and key != NOTHING
-                    same = same and surface[t] == surface[before] and front[t] == front[before]
+            for row in range(top, top + samples):
+                for column in range(side, side + samples):
+                    key = keys[row, column]
+                    t = np.int32(key)
+                    if t != before:
+                        same = same and once and key != NOTHING
+                        same = same and surface[t] == surface[before] and front[t] == front[before]
+            row, column = top, side - 1
             for sample in range(samples * samples):
-                row, column = top + sample // samples, side + sample % samples
+                column += 1
+                if column == side + samples:
+                    row, column = row + 1, side
                 if keys[row, column] == NOTHING:
                     continue
                 t = np.int32(keys[row, column])
@@ -205,11 +209,14 @@ def darken_deep(sky, depth, step, taps, blocks, reach, strength):
     """
     height, width = depth.shape
     rows, columns = blocks.shape[2:]
+    inverse = _F(1) / _F(step)
     for j in range(height):
+        b = j // step
         for i in range(width):
             if depth[j, i] < np.inf:
-                blocks[0, 0, j // step, i // step] += depth[j, i]
-                blocks[0, 1, j // step, i // step] += _F(1)
+                a = int((i + _F(0.5)) * inverse)
+                blocks[0, 0, b, a] += depth[j, i]
+                blocks[0, 1, b, a] += _F(1)
     for kind in range(2):
         for j in range(rows):
             for k in range(1 - len(taps), len(taps)):
@@ -223,12 +230,12 @@ def darken_deep(sky, depth, step, taps, blocks, reach, strength):
                 for i in range(max(0, -k), min(columns, columns - k)):
                     blocks[0, kind, j, i] += taps[abs(k)] * blocks[1, kind, j, i + k]
     for j in range(height):
-        down = min(max((j + _F(0.5)) / step - _F(0.5), _F(0)), _F(rows - 1))
+        down = min(max((j + _F(0.5)) * inverse - _F(0.5), _F(0)), _F(rows - 1))
         b = min(int(down), max(rows - 2, 0))
         below, t = min(b + 1, rows - 1), down - b
         for i in range(width):
             if depth[j, i] < np.inf:
-                across = min(max((i + _F(0.5)) / step - _F(0.5), _F(0)), _F(columns - 1))
+                across = min(max((i + _F(0.5)) * inverse - _F(0.5), _F(0)), _F(columns - 1))
                 a = min(int(across), max(columns - 2, 0))
                 beside, s = min(a + 1, columns - 1), across - a
                 w0, w1, w2, w3 = (1 - t) * (1 - s), (1 - t) * s, t * (1 - s), t * s

@@ -59,8 +59,8 @@ class Surface:
     """(n, 3) where the vertices lie on a standing body, cm, for what is put on a place of the garment. None:
     where they are."""
     trusted: bool = False
-    """Whether the arrays are known to be sound; then nothing is checked or copied, and `vertices`, `faces` and
-    colours are arrays of their kind already."""
+    """Whether the arrays are known to be sound; then nothing is checked or copied, and what should be an
+    array is one."""
 
     def __post_init__(self) -> None:
         if self.trusted:

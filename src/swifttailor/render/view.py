@@ -68,7 +68,7 @@ class Seen:
     shares: Array
     """(height, width, surfaces) float32 share of each pixel that each surface covers, 0 to 1."""
     face: Array
-    """(height, width) int32 the face at the middle of each pixel, counted through all surfaces; -1 for none."""
+    """(height, width) int32 the face at the middle of each pixel, counted through all surfaces; -1: none."""
 
 
 def render_seen(
@@ -192,7 +192,8 @@ def light_figure(
     key, room = _all_light(size)
     if shadows:
         key, room = _occlusion(projection, distance, normal, samples, lighting)
-    prints = paint_prints(projection)
+    coarse = camera.height / height > _COARSE_CM
+    prints = paint_prints(projection, samples, few=coarse)
     light, coverage = np.zeros((height, width, 3), np.float32), np.zeros((height, width, 1), np.float32)
     light_samples(
         light,
@@ -216,7 +217,7 @@ def light_figure(
         camera.axes[2].astype(np.float32),
         lighting.table(camera.axes),
         samples,
-        camera.height / height > _COARSE_CM,
+        coarse,
     )
     return light, coverage
 

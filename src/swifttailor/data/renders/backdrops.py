@@ -186,8 +186,13 @@ def _soft(chance: _Chance) -> float:
 
 
 def _color(chance: _Chance, low: float = 0.05, high: float = 0.8, vivid: float = 0.25) -> Rgb:
-    grey = chance.uniform(low, high)
-    return _triple(np.clip(grey * (1 + vivid * chance.normal(0, 1, 3)), 0.0, 1.0))
+    """Grey from low to high, coloured as paint is: warm or cool far more often than green or purple."""
+    grey, warm, green = (
+        chance.uniform(low, high),
+        vivid * chance.normal(0.35, 1),
+        0.3 * vivid * chance.normal(),
+    )
+    return _triple(np.clip(grey * (1 + np.array([warm, 0.15 * warm + green, -warm])), 0.0, 1.0))
 
 
 def _mixed(a: Rgb, b: Rgb, share: float) -> Rgb:

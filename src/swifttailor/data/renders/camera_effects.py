@@ -12,6 +12,8 @@ from scipy.ndimage import uniform_filter1d
 from swifttailor.arrays import Array, Pixels
 
 _NOISE_SIDE = 512
+_KNEE = 0.8
+"""Level above which highlights are compressed."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,7 @@ def random_effects(chance: np.random.Generator) -> CameraEffects:
         warmth=float(chance.normal(0.0, 0.07)),
         contrast=float(chance.normal(1.0, 0.10)),
         vignette=float(chance.uniform(0.05, 0.45)) if seldom[3] < 0.25 else 0.0,
-        noise=float(chance.gamma(1.5, 3.0)) if seldom[4] < 0.4 else 0.0,
+        noise=float(chance.gamma(1.5, 2.0)) if seldom[4] < 0.4 else 0.0,
         noise_at=(int(chance.integers(200)), int(chance.integers(200))),
         jpeg=int(chance.integers(30, 92)) if seldom[5] < 0.4 else 0,
     )
@@ -94,7 +96,8 @@ def _curves(exposure: float, warmth: float, contrast: float) -> Array:
     level = np.arange(256) / 255.0
     gains = 2.0**exposure * np.array([[1 + warmth], [1.0], [1 - warmth]])
     bright = np.clip(level[None] * np.maximum(gains, 0.05) ** (1 / 2.2), 0, None)
-    bright = bright / (1 + 0.25 * np.clip(bright - 0.85, 0, None) / 0.15)  # highlights roll off
+    over = np.clip(bright - _KNEE, 0, None)
+    bright = np.minimum(bright, _KNEE) + (1 - _KNEE) * np.tanh(over / (1 - _KNEE))  # highlights roll off
     return np.clip(((bright - 0.5) * contrast + 0.5) * 255 + 0.5, 0, 255).astype(np.uint8)
 
 

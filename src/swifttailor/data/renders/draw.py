@@ -93,7 +93,7 @@ def _figure(body: Body, color: Rgb) -> Surface:
     return Surface(body.vertices, body.faces, np.asarray(color), gloss=0.05, trusted=True)
 
 
-def _drawing(render, surfaces: list[Surface], camera: Camera, look: Look, size: int):  # noqa: ANN001, ANN202
+def _drawing(render, surfaces: list[Surface], camera: Camera, look: Look, size: int):
     return render(
         surfaces,
         camera,
