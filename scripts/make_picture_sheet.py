@@ -2,8 +2,9 @@
 
 ``python scripts/make_picture_sheet.py SPLIT FILE [--columns 20] [--rows 10] [--size 128]``
 
-SPLIT is a folder of garments that GarmentSewer has sewn (`swifttailor data build --engine network`). One picture in
-seven is plain, one in five of the studio, the last row of the family that is held out; the others show people.
+SPLIT is a folder of garments that GarmentSewer has sewn (`swifttailor data build --engine network`). One
+picture in seven is plain, one in five of the studio, the last row of the family that is held out; the others
+show people.
 """
 
 from __future__ import annotations

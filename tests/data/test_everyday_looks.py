@@ -9,9 +9,10 @@ from hypothesis import strategies as st
 
 from swifttailor.body import Body
 from swifttailor.data.renders import Look, draw_look, draw_seen, everyday_look
-from swifttailor.data.renders.backdrops import Before, Scenery, backdrop, random_before
+from swifttailor.data.renders.backdrops import Scenery, backdrop
 from swifttailor.data.renders.camera_effects import CameraEffects, random_effects
 from swifttailor.data.renders.cloths import Place, random_cloth
+from swifttailor.data.renders.foreground import Before, random_before
 from swifttailor.data.renders.look import VIEWS, View
 from swifttailor.draping import drape
 from swifttailor.garment.garment import Garment

@@ -156,11 +156,11 @@ def _around(answers: dict[str, Any], square: tuple[int, int, int]) -> tuple[int,
     cell = side / mask.shape[0]
     low = np.array([columns[0], rows[0]]) * cell
     high = np.array([columns[-1] + 1, rows[-1] + 1]) * cell
-    new = int(round(float((high - low).max()) * (1 + 2 * _MARGIN)))
+    new = round(float((high - low).max()) * (1 + 2 * _MARGIN))
     if not 8 <= new < 0.85 * side:
         return None
-    corner = np.round((low + high) / 2 - new / 2).astype(int) + (left, top)
-    return int(corner[0]), int(corner[1]), new
+    across, down = np.round((low + high) / 2 - new / 2).astype(int)
+    return left + int(across), top + int(down), new
 
 
 def _statements(logits: NDArray[Any]) -> tuple[Statement, ...]:

@@ -19,9 +19,10 @@ from swifttailor.body.pose import Pose
 from swifttailor.body.posing import random_pose
 from swifttailor.body.rig import Rig, Weights
 from swifttailor.body.skin_regions import SkinRegion, skin_regions
-from swifttailor.data.renders.backdrops import MAKER_NAMES, random_before, random_scenery
+from swifttailor.data.renders.backdrops import MAKER_NAMES, random_scenery
 from swifttailor.data.renders.camera_effects import random_effects
 from swifttailor.data.renders.cloths import DrawnCloth, Place, random_cloth, random_color
+from swifttailor.data.renders.foreground import random_before
 from swifttailor.data.renders.look import random_lighting
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS, statement_labels
 from swifttailor.picture_reader.truth import TRUE

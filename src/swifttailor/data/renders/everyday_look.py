@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from swifttailor.data.renders.backdrops import random_before, random_scenery
+from swifttailor.data.renders.backdrops import random_scenery
 from swifttailor.data.renders.camera_effects import random_effects
 from swifttailor.data.renders.cloths import WHOLE, Place, random_cloth
+from swifttailor.data.renders.foreground import random_before
 from swifttailor.data.renders.look import Backdrop, Look, Rgb, random_body, random_lighting, random_view
 from swifttailor.render import to_linear
 

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from swifttailor.data.renders.backdrops import Before, Scenery
+from swifttailor.data.renders.backdrops import Scenery
 from swifttailor.data.renders.camera_effects import CameraEffects
+from swifttailor.data.renders.foreground import Before
 from swifttailor.render import Camera, Checks, Dots, Light, Lighting, Plain, Print, Stripes, to_linear
 from swifttailor.render.lighting import STUDIO
 
