@@ -24,7 +24,8 @@ def build_network(size: dict[str, Any]) -> EyesNetwork:
     Args:
         size: Fields of `EyesConfig`.
     """
-    return EyesNetwork(EyesConfig(**{k: tuple(v) if isinstance(v, list) else v for k, v in size.items()}))
+    fields: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in size.items()}
+    return EyesNetwork(EyesConfig(**fields))
 
 
 def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> EyesNetwork:
