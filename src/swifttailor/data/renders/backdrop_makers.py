@@ -360,21 +360,21 @@ def _people(chance: Chance) -> Array:
     return gaussian_filter(light, (chance.uniform(0.8, 3), chance.uniform(0.8, 3), 0))
 
 
-MAKERS: tuple[Callable[[Chance], Array], ...] = (
-    _room,
-    studio,
-    _street,
-    _bricks,
-    _park,
-    _room,
-    _curtain,
-    _shelves,
-    _texture,
-    _window,
-    studio,
-    _room,
-    _stairs,
-    _bokeh,
-    _park,
-    _people,
+MAKERS: tuple[tuple[str, Callable[[Chance], Array]], ...] = (
+    ("room", _room),
+    ("studio", studio),
+    ("street", _street),
+    ("bricks", _bricks),
+    ("park", _park),
+    ("room", _room),
+    ("curtain", _curtain),
+    ("shelves", _shelves),
+    ("texture", _texture),
+    ("window", _window),
+    ("studio", studio),
+    ("room", _room),
+    ("stairs", _stairs),
+    ("bokeh", _bokeh),
+    ("park", _park),
+    ("people", _people),
 )

@@ -18,7 +18,7 @@ from swifttailor.data.renders.backdrop_makers import MAKERS, SIDE, studio
 
 BANK = 320
 """How many backdrops there are."""
-MAKER_NAMES = tuple(maker.__name__.strip("_") for maker in MAKERS)
+MAKER_NAMES = tuple(name for name, _ in MAKERS)
 """What they show, by their number modulo as many."""
 
 
@@ -64,7 +64,7 @@ def random_scenery(chance: Chance) -> Scenery:
 def backdrop(number: int) -> Array:
     """(SIDE, SIDE, 3) float32 linear light of one of the bank, the same in every process."""
     chance = np.random.default_rng([91, number])
-    maker = MAKERS[number % len(MAKERS)]
+    _, maker = MAKERS[number % len(MAKERS)]
     picture = np.clip(maker(chance), 0.0, 1.0).astype(np.float32)
     picture = picture**2.2  # makers think in what the eye sees
     if maker is not studio:
