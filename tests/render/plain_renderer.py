@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from scipy.ndimage import gaussian_filter, zoom
+from plain_projection import Projection, triangles
+from scipy.ndimage import gaussian_filter, map_coordinates
 
 from swifttailor.arrays import Array
 from swifttailor.render.camera import Camera
 from swifttailor.render.lighting import STUDIO, Light, Lighting
-from swifttailor.render.scene import Projection, Scene
+from swifttailor.render.scene import Scene
 from swifttailor.render.surface import LineSet
 
 _BLOCK = 1 << 15
@@ -210,42 +211,31 @@ _DARKEST = 0.3
 
 
 def open_sky(depth: Array, covered: Array, pixels_per_cm: float) -> Array:
-    """Share (h, w) of the room's light that reaches each pixel.
-
-    A pixel that lies deeper than the mean of its neighbourhood sits in a fold or beside something nearer
-    (unsharp masking of the depth buffer).
-
-    Args:
-        depth: (h, w) distance from the camera, cm; anything where not covered.
-        covered: (h, w) whether something is there.
-        pixels_per_cm: Scale of the picture.
-
-    Returns:
-        (h, w) float32, 1 where nothing is there.
-    """
-    weight = covered.astype(np.float32)
-    value = np.where(covered, depth, 0).astype(np.float32)
+    """Share (h, w) of the room's light that reaches each pixel; see `swifttailor.render.open_sky`."""
+    weight = covered.astype(float)
+    value = np.where(covered, depth, 0).astype(float)
     dark = np.zeros_like(value)
     for radius, reach, strength in _SCALES:
         sigma = radius * pixels_per_cm
         if sigma < 0.4:
             continue
-        mean = _blur(value, sigma) / np.maximum(_blur(weight, sigma), np.float32(1e-3))
-        dark += np.float32(strength) * np.clip((value - mean) / np.float32(reach), 0, 1)
-    return np.where(covered, np.maximum(1 - dark, np.float32(_DARKEST)), np.float32(1))
+        step = max(1, int(sigma / 1.8))
+        mean = _blur(value, sigma, step) / np.maximum(_blur(weight, sigma, step), 1e-6)
+        dark += strength * np.clip((value - mean) / reach, 0, 1)
+    return np.where(covered, np.maximum(1 - dark, _DARKEST), 1.0).astype(np.float32)
 
 
-def _blur(picture: Array, sigma: float) -> Array:
-    """Gaussian blur; wide ones are made on a coarser picture."""
-    step = max(1, int(sigma / 2.5))
-    if step == 1:
-        return gaussian_filter(picture, sigma, truncate=2.5)
+def _blur(picture: Array, sigma: float, step: int) -> Array:
+    """Gaussian blur of sums over blocks of pixels, with nothing beyond the border, then between blocks."""
     height, width = picture.shape
-    padded = np.pad(picture, ((0, -height % step), (0, -width % step)), mode="edge")
-    coarse = box_mean(padded, step)
-    coarse = gaussian_filter(coarse, sigma / step, truncate=2.5)
-    fine = zoom(coarse, step, order=1, mode="nearest", grid_mode=True)
-    return fine[:height, :width]
+    sums = np.add.reduceat(np.add.reduceat(picture, np.arange(0, height, step)), np.arange(0, width, step), 1)
+    reach = int(2.5 * sigma / step + 0.5)
+    wide = gaussian_filter(sums, sigma / step, mode="constant", radius=reach)
+    at = [
+        np.clip((np.arange(n) + 0.5) / step - 0.5, 0, m - 1)
+        for n, m in zip(picture.shape, sums.shape, strict=True)
+    ]
+    return map_coordinates(wide, np.meshgrid(*at, indexing="ij"), order=1, mode="nearest")
 
 
 def box_mean(picture: Array, step: int) -> Array:
@@ -331,14 +321,15 @@ _LINE_LIFT = 0.5
 """A line is seen when it lies less than this behind what the pixel shows, cm."""
 
 
-def draw_lines(light: Array, pixels: Array, line: LineSet, depth: Array, samples: int) -> None:
+def draw_lines(light: Array, pixels: Array, line: LineSet, depth: Array, lift: float, samples: int) -> None:
     """Takes light away along a set of edges, in place.
 
     Args:
         light: (height, width) share of light kept at each sample.
         pixels: (n, 3) projected vertices: x, y in samples and distance from the camera, cm.
         line: The edges.
-        depth: (height, width) distance of what each sample shows, cm.
+        depth: (height, width) distance at which what each sample shows is drawn, cm.
+        lift: By how much nearer the surface of the line is drawn, cm.
         samples: Samples along a side of a finished pixel.
     """
     height, width = depth.shape
@@ -363,7 +354,7 @@ def draw_lines(light: Array, pixels: Array, line: LineSet, depth: Array, samples
             x, y = (points[:, :2] + (dx, dy)).astype(np.int64).T
             on = (x >= 0) & (x < width) & (y >= 0) & (y < height)
             x, y, z = x[on], y[on], points[on, 2]
-            shown = z - _LINE_LIFT <= depth[y, x]
+            shown = z - lift - _LINE_LIFT <= depth[y, x]
             light[y[shown], x[shown]] = np.minimum(light[y[shown], x[shown]], 1.0 - line.strength)
 
 
@@ -381,7 +372,7 @@ def draw_figure(
     projection = Projection(scene, camera, (width * samples, height * samples))
     face = rasterize(projection.corners, projection.size)
     light = np.zeros((*face.shape, 3), np.float32)
-    seen = _find_visible(projection, face)
+    seen = _lit_once(projection, _find_visible(projection, face), face, samples)
     if len(seen.at):
         light.reshape(-1, 3)[seen.at] = _light(projection, seen, face.shape, samples, lighting, shadows)
     coverage = (face >= 0).astype(np.float32)[:, :, None]
@@ -439,6 +430,26 @@ def _find_visible(projection: Projection, face: Array) -> _Visible:
     return _Visible(at, seen, normal, distance, print_at)
 
 
+def _lit_once(projection: Projection, seen: _Visible, face: Array, samples: int) -> _Visible:
+    """Pixels that show one triangle have the normal of their middle sample throughout.
+
+    Where a pixel shows much of the world, those that show one side of one surface, too.
+    """
+    coarse = projection.camera.height / (face.shape[0] // samples) > 0.35
+    kind = face
+    if coarse:
+        kind = np.where(face >= 0, 2 * projection.surface[face] + projection.front[face], -1)
+    step = slice(samples // 2, None, samples)
+    whole = np.repeat(np.repeat(kind[step, step], samples, 0), samples, 1) == kind
+    whole = whole.reshape(kind.shape[0] // samples, samples, -1, samples).all(axis=(1, 3))
+    row, column = np.divmod(seen.at, face.shape[1])
+    index = np.full(face.shape, -1)
+    index[row, column] = np.arange(len(seen.at))
+    middle = index[row // samples * samples + samples // 2, column // samples * samples + samples // 2]
+    once = whole[row // samples, column // samples]
+    return replace(seen, normal=np.where(once[:, None], seen.normal[middle], seen.normal))
+
+
 def _blocks(count: int) -> list[slice]:
     """Consecutive parts of `count` samples, small enough that work on one stays in the caches."""
     return [slice(k, min(k + _BLOCK, count)) for k in range(0, count, _BLOCK)]
@@ -481,10 +492,12 @@ def _light(
             lighting,
         )
     if any(s.lines for s in projection.scene.surfaces):
-        kept = np.ones(shape, np.float32)
+        kept, drawn_at = np.ones(shape, np.float32), depth.copy()
+        lifts = np.array([s.lift for s in projection.scene.surfaces])
+        drawn_at.ravel()[seen.at] -= lifts[projection.surface[seen.face]]
         for surface, pixels in zip(projection.scene.surfaces, projection.pixels, strict=True):
             for line in surface.lines:
-                draw_lines(kept, pixels, line, depth, samples)
+                draw_lines(kept, pixels, line, drawn_at, surface.lift, samples)
         lit *= kept.ravel()[seen.at][:, None]
     return lit
 
@@ -515,7 +528,7 @@ def _occlusion(
         origin, direction = camera.rays(i * samples + middle, j * samples + middle, (width, height))
         along = coarse[j, i] / -(direction @ camera.axes[2])
         normals = seen.normal[index[j, i]] @ camera.axes.astype(np.float32)
-        shadow_map = ShadowMap(projection.scene.triangles, lighting.key.unit() @ camera.axes)
+        shadow_map = ShadowMap(triangles(projection.scene), lighting.key.unit() @ camera.axes)
         key[j, i] = shadow_map.light(origin + direction * along[:, None], normals)
     row, column = np.divmod(seen.at.astype(np.int32), np.int32(width))
     pick = (row // samples) * np.int32(coarse.shape[1]) + column // samples

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-RECIPES = ("wish_reader", "garment_sewer", "pattern_maker")
+RECIPES = ("wish_reader", "garment_sewer", "pattern_maker", "picture_reader")
 
 
 def environment(work: Path, **more: str) -> dict[str, str]:
@@ -40,6 +40,7 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     from swifttailor.garment_sewer.sewer import GarmentSewer
     from swifttailor.pattern.drafts import draft
     from swifttailor.pattern_maker.maker import PatternMaker
+    from swifttailor.picture_reader.reader import PictureReader
     from swifttailor.wishes.reader import WishReader
 
     work = tmp_path / "work"
@@ -50,10 +51,12 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
         "GarmentSewer": work / "garment-sewer/garment_sewer.onnx",
         "PatternMaker": work / "pattern-maker/pattern_maker.zip",
         "WishReader": work / "wish-reader/wish_reader.onnx",
+        "PictureReader": work / "picture-reader/picture_reader.onnx",
     }
     for model, path in files.items():
         card = json.loads(path.with_suffix(".json").read_text())
-        assert card["model"] == model and card["config"]["seed"] == 0 and "start" not in card
+        assert card["model"] == model and card["config"]["seed"] == 0
+        assert ("start" in card) == (model == "PictureReader"), "its second stage begins with its first"
         assert card["command"].startswith("swifttailor train ") and card["file"]["sha256"]
         assert all(len(card["data"][split]) >= 2 for split in ("train", "validation"))
     checksums = json.loads(files["PatternMaker"].with_suffix(".json").read_text())["data"]["files"]
@@ -63,6 +66,8 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     maker = PatternMaker.load(files["PatternMaker"])
     assert maker.model.runtime.plans and maker.model.card["model"] == "PatternMaker"
     WishReader.load(files["WishReader"]).read("a knee-length dress")
+    reader = PictureReader.load(files["PictureReader"])
+    assert reader.size == 64 and reader.card["config"]["start"].endswith("small/weights.safetensors")
 
     again = run("wish_reader", work)
     assert again.returncode == 0

@@ -23,9 +23,14 @@ TRAIN = CommandGroup(
             "swifttailor train wish-reader --patterns FILE... --validation FILE... --out RUN",
             "swifttailor.cli.train_wish_reader:TrainWishReader",
         ),
+        "picture-reader": GroupedCommand(
+            "The network that reads what pictures show.",
+            "swifttailor train picture-reader --data DIR... --validation DIR... --out RUN",
+            "swifttailor.cli.train_picture_reader:TrainPictureReader",
+        ),
         "export": GroupedCommand(
             "A trained network as one file that is used without torch: .onnx of a GarmentSewer\n"
-            "or a wish reader, .zip of a PatternMaker.",
+            "or a reader of wishes or pictures, .zip of a PatternMaker.",
             "swifttailor train export RUN --out FILE",
             "swifttailor.cli.train_export:TrainExport",
         ),

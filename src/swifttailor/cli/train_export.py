@@ -19,13 +19,18 @@ MOST_APART_INT8 = 0.1
 MOST_APART = 1e-3
 """Of the values of a PatternMaker's layers, relative to the largest."""
 MOST_APART_LOGITS = 0.01
-"""Of a wish reader."""
-_MODELS = {"GarmentSewer": ".onnx", "PatternMaker": ".zip", "WishReader": ".onnx"}
+"""Of a reader."""
+_MODELS = {
+    "GarmentSewer": ".onnx",
+    "PatternMaker": ".zip",
+    "WishReader": ".onnx",
+    "PictureReader": ".onnx",
+}
 
 
 @dataclass(frozen=True, kw_only=True)
 class TrainExport:
-    """Write a trained network as one file: .onnx of a GarmentSewer or a wish reader, .zip of a PatternMaker.
+    """Write a trained network as one file: .zip of a PatternMaker, .onnx of any other.
 
     Needs the extra 'train'. The file holds the weights and the card, which is also written beside it as JSON,
     with the file's checksum; it is compared with the network it was made of before it is kept.
@@ -66,6 +71,8 @@ class TrainExport:
             said = _export_sewer(self.source, self.out, self.half, self.int8)
         elif model == "WishReader":
             said = _export_reader(self.source, self.out, self.half)
+        elif model == "PictureReader":
+            said = _export_eyes(self.source, self.out, self.half)
         else:
             said = _export_maker(self.source, self.out, self.half)
             said += f"; {_calibrate(self.out, self.data)}"
@@ -134,7 +141,20 @@ def _export_reader(run: Path, out: Path, half: bool) -> str:
 
     card = json.loads((run / CARD).read_text(encoding="utf-8"))
     network = load_weights(run / WEIGHTS, card, half=half)
-    apart = compare(WishReader.load(export(network, card, out)), network)
+    return _near_logits(compare(WishReader.load(export(network, card, out)), network), out)
+
+
+def _export_eyes(run: Path, out: Path, half: bool) -> str:
+    from swifttailor.picture_reader.export_torch import compare, export, load_weights
+    from swifttailor.picture_reader.reader import PictureReader
+    from swifttailor.training.run_record import CARD, WEIGHTS
+
+    card = json.loads((run / CARD).read_text(encoding="utf-8"))
+    network = load_weights(run / WEIGHTS, card, half=half)
+    return _near_logits(compare(PictureReader.load(export(network, card, out)), network), out)
+
+
+def _near_logits(apart: float, out: Path) -> str:
     if not apart < MOST_APART_LOGITS:
         out.unlink()
         raise InputError(

@@ -99,8 +99,9 @@ def render_preview(
         part = view.width, size[1]
         light, coverage = draw_figure(scene, view.camera, part)
         floor = np.ones(coverage.shape, np.float32)
-        if scene.floor_shadow is not None:
-            floor = scene.floor_shadow.light(view.camera, part)
+        shadow = scene.floor_shadow(view.camera.height / size[1])
+        if shadow is not None:
+            floor = shadow.light(view.camera, part)
         put_before(picture, view.first, light, coverage, floor, _fade(view.width))
     return Image.fromarray(encode_srgb(picture))
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from scipy.ndimage import gaussian_filter
 
 from swifttailor.arrays import Array
 from swifttailor.render.camera import Camera
-from swifttailor.render.rasterize import depth_picture
+from swifttailor.render.rasterize import Triangles, nearest_triangles
 
 
 def wall(size: tuple[int, int], color: Array) -> Array:
@@ -26,21 +28,36 @@ class FloorShadow:
     """Darkness on the floor y = 0 under a scene: sharp where something touches it, wide where it hangs."""
 
     _MARGIN = 40.0
-    _CELL = 1.5
+    _CELL, _LARGEST_CELL = 1.5, 4.0
+    _PIXELS = 2.0
 
-    def __init__(self, triangles: Array) -> None:
-        """Takes world triangles (m, 3, 3), cm."""
-        corners = triangles.reshape(-1, 3).T[[0, 2, 1]].astype(np.float64)
-        self._low = corners[:2].min(axis=1) - self._MARGIN
-        self._high = corners[:2].max(axis=1) + self._MARGIN
+    @classmethod
+    def cell_for(cls, pixel: float) -> float:
+        """Size of a cell, cm, for a picture whose pixels show so many cm."""
+        return min(max(cls._CELL, cls._PIXELS * pixel), cls._LARGEST_CELL)
+
+    def __init__(self, rows: Array, seen_from_afar: Callable[..., Triangles], cell: float) -> None:
+        """Looks at a scene from below.
+
+        Args:
+            rows: (3, n) vertices in the world, cm.
+            seen_from_afar: See `Scene.seen_from_afar`.
+            cell: Size of a cell, cm; grown for wide scenes.
+        """
+        plan = rows[[0, 2]]
+        self._low = plan.min(axis=1) - self._MARGIN
+        self._high = plan.max(axis=1) + self._MARGIN
         extent = self._high - self._low
-        self._cell = max(self._CELL, float(extent.max()) / 300)
+        self._cell = max(cell, float(extent.max()) / 300)
         width, height = (int(n) for n in np.ceil(extent / self._cell))
-        corners[:2] = (corners[:2] - self._low[:, None]) / self._cell
-        seen = corners.T.reshape(-1, 3, 3)
-        above = np.maximum(depth_picture(seen, (width, height), fill=1e6), 0.0)
+        points = np.zeros((rows.shape[1], 2))
+        for k in range(2):
+            np.subtract(plan[k], self._low[k], out=points[:, k])
+        points /= self._cell
+        nearest = nearest_triangles(seen_from_afar(points, rows[1].copy(), cull=-1.0), (width, height))
+        above = np.maximum(nearest.depth(1e6), 0.0).astype(np.float32)
         touching = gaussian_filter(np.exp(-above / 2.5), 2.0 / self._cell, mode="constant")
-        hanging = gaussian_filter(np.exp(-above / 45.0), 12.0 / self._cell, mode="constant")
+        hanging = gaussian_filter(np.exp(-above / 45.0), 12.0 / self._cell, mode="constant", truncate=3.0)
         self._map = np.clip(0.55 * touching + 0.50 * hanging, 0.0, 0.8)
 
     def light(self, camera: Camera, size: tuple[int, int]) -> Array:

@@ -51,19 +51,25 @@ class Lighting:
     ground: tuple[float, float, float] = GROUND
     """Linear RGB from below."""
 
-    def table(self) -> Array:
+    def table(self, axes: Array | None = None) -> Array:
         """(9, 4) float32 as `shading_kernels.light_samples` takes it.
 
         Rows: direction and wrap of key, fill and rim; their colours; sky, ground; direction of the highlight.
+
+        Args:
+            axes: See `Camera.axes`; given, directions are those of the world, else of the camera's frame.
         """
         lights = self.key, self.fill, self.rim
         half = self.key.unit() + np.array([0.0, 0.0, 1.0])
         half = half / max(float(np.linalg.norm(half)), 1e-6)
-        rows = [
-            *((*light.unit(), light.wrap) for light in lights),
-            *((*color, 0.0) for color in (*(light.color for light in lights), self.sky, self.ground, half)),
-        ]
-        return np.array(rows, np.float32)
+        rows = np.zeros((9, 4), np.float32)
+        for k, light in enumerate(lights):
+            rows[k, :3], rows[k, 3], rows[3 + k, :3] = light.unit(), light.wrap, light.color
+        rows[6, :3], rows[7, :3], rows[8, :3] = self.sky, self.ground, half
+        if axes is not None:
+            for k in (0, 1, 2, 8):
+                rows[k, :3] = rows[k, :3] @ axes
+        return rows
 
 
 STUDIO = Lighting()

@@ -2,32 +2,35 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from swifttailor.arrays import Array
 from swifttailor.render.surface import LineSet
 
+if TYPE_CHECKING:
+    from swifttailor.render.scene import Projection
+
 _LIFT = 0.5
 """A line is seen when it lies less than this behind what the pixel shows, cm."""
 
 
-def draw_lines(light: Array, pixels: Array, line: LineSet, depth: Array, samples: int) -> None:
+def draw_lines(kept: Array, projection: Projection, index: int, line: LineSet, samples: int) -> None:
     """Takes light away along a set of edges, in place.
 
     Args:
-        light: (height, width) float32 share of light kept at each sample.
-        pixels: (n, 3) projected vertices: x, y in samples and distance from the camera, cm.
+        kept: (height, width) float32 share of light kept at each sample.
+        projection: The scene in the picture.
+        index: Of the surface that has the line.
         line: The edges.
-        depth: (height, width) distance of what each sample shows, cm.
         samples: Samples along a side of a finished pixel.
     """
     from swifttailor.render.shading_kernels import dim_along
 
-    height, width = depth.shape
-    edges = np.asarray(line.edges).reshape(-1, 2)
-    start, end = pixels[edges[:, 0]], pixels[edges[:, 1]]
-    low, high = np.minimum(start, end), np.maximum(start, end)
-    inside = (high[:, 0] >= 0) & (low[:, 0] < width) & (high[:, 1] >= 0) & (low[:, 1] < height)
-    inside &= low[:, 2] > 0
-    start, end = start[inside], end[inside]
-    dim_along(light, start, end, depth, line.strength, line.width * samples / 2, _LIFT)
+    scene, nearest = projection.scene, projection.nearest
+    edges = np.ascontiguousarray(np.asarray(line.edges).reshape(-1, 2), np.int32)
+    lift = scene.surfaces[index].lift
+    depths = np.array([nearest.low, nearest.steps, projection.camera.perspective, lift])
+    points = projection.points[scene.first_vertex[index] :]
+    dim_along(kept, edges, points, nearest.keys, depths, line.strength, line.width * samples / 2, _LIFT)

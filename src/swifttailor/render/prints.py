@@ -1,4 +1,4 @@
-"""Simple prints and weaves, given by their colours at points of the cloth."""
+"""Prints and weaves, given by their colours at points of the cloth."""
 
 from __future__ import annotations
 
@@ -7,15 +7,59 @@ from dataclasses import dataclass
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.errors import InputError
+from swifttailor.render.cloth_table import (
+    CHECKS,
+    COLORS,
+    COS,
+    DOTS,
+    GRAIN,
+    MOTIF,
+    PLAID,
+    PLAIN,
+    SEED,
+    SIN,
+    SIZES,
+    STRIPES,
+    layers,
+    new_table,
+)
 
 LinearColor = tuple[float, float, float]
 """Linear-light RGB."""
-_SOFT_CM = 0.12
-"""Over this much cloth one colour goes over into the next."""
+MOST_COLORS = 6
+"""Of one print."""
+
+
+class KnownPrint:
+    """What all prints here have in common: a row of numbers for the compiled loop."""
+
+    def table(self) -> Array:
+        """See `cloth_table`."""
+        raise NotImplementedError
+
+    def colors(self, at: Array, rest: Array | None = None) -> Array:
+        """See `Print`.
+
+        Args:
+            at: (n, 2) points of the cloth, cm.
+            rest: (n, 3) where they lie on a standing body, cm; the origin when None.
+        """
+        from swifttailor.render.motifs import bank
+        from swifttailor.render.print_kernels import color_points
+
+        points = np.zeros((len(at), 5))
+        points[:, :2] = at
+        if rest is not None:
+            points[:, 2:] = rest
+        colors = np.zeros((len(at), 3), np.float32)
+        table = self.table()
+        color_points(points, table, layers(table), bank(), colors)
+        return colors
 
 
 @dataclass(frozen=True)
-class Plain:
+class Plain(KnownPrint):
     """One colour with the unevenness of yarn."""
 
     color: LinearColor
@@ -23,13 +67,13 @@ class Plain:
     """Relative unevenness."""
     seed: int = 0
 
-    def colors(self, at: Array) -> Array:
-        """See `Print`."""
-        return np.asarray(self.color, np.float32) * _grain(at, self.grain, self.seed)[:, None]
+    def table(self) -> Array:
+        """See `cloth_table`."""
+        return _table(PLAIN, self.grain, self.seed, 0.0, (), (self.color,))
 
 
 @dataclass(frozen=True)
-class Stripes:
+class Stripes(KnownPrint):
     """Bands of two colours."""
 
     first: LinearColor
@@ -43,14 +87,14 @@ class Stripes:
     grain: float = 0.05
     seed: int = 0
 
-    def colors(self, at: Array) -> Array:
-        """See `Print`."""
-        share = _band(_turned(at, self.angle)[1], self.width, self.gap)
-        return _mix(self.first, self.second, share) * _grain(at, self.grain, self.seed)[:, None]
+    def table(self) -> Array:
+        """See `cloth_table`."""
+        sizes, colors = (self.width, self.gap), (self.first, self.second)
+        return _table(STRIPES, self.grain, self.seed, self.angle, sizes, colors)
 
 
 @dataclass(frozen=True)
-class Checks:
+class Checks(KnownPrint):
     """Bands that cross, darkest where both are: gingham."""
 
     first: LinearColor
@@ -62,15 +106,14 @@ class Checks:
     grain: float = 0.05
     seed: int = 0
 
-    def colors(self, at: Array) -> Array:
-        """See `Print`."""
-        x, y = _turned(at, self.angle)
-        share = (_band(x, self.width, self.width) + _band(y, self.width, self.width)) / 2
-        return _mix(self.first, self.second, share) * _grain(at, self.grain, self.seed)[:, None]
+    def table(self) -> Array:
+        """See `cloth_table`."""
+        colors = self.first, self.second
+        return _table(CHECKS, self.grain, self.seed, self.angle, (self.width,), colors)
 
 
 @dataclass(frozen=True)
-class Dots:
+class Dots(KnownPrint):
     """Dots of one colour on another, every second row shifted."""
 
     ground: LinearColor
@@ -84,46 +127,63 @@ class Dots:
     grain: float = 0.05
     seed: int = 0
 
-    def colors(self, at: Array) -> Array:
-        """See `Print`."""
-        x, y = _turned(at, self.angle)
-        rise = self.spacing * 0.8660254
-        row = np.round(y / rise)
-        across = x - 0.5 * self.spacing * (row % 2)
-        away = np.hypot(across - self.spacing * np.round(across / self.spacing), y - rise * row)
-        share = np.clip((self.radius - away) / _SOFT_CM + 0.5, 0, 1)
-        return _mix(self.dot, self.ground, share) * _grain(at, self.grain, self.seed)[:, None]
+    def table(self) -> Array:
+        """See `cloth_table`."""
+        sizes, colors = (self.spacing, self.radius), (self.ground, self.dot)
+        return _table(DOTS, self.grain, self.seed, self.angle, sizes, colors)
 
 
-def _turned(at: Array, degrees: float) -> tuple[Array, Array]:
-    angle = np.deg2rad(degrees)
-    c, s = np.float32(np.cos(angle)), np.float32(np.sin(angle))
-    return c * at[:, 0] + s * at[:, 1], c * at[:, 1] - s * at[:, 0]
+@dataclass(frozen=True)
+class Plaid(KnownPrint):
+    """Wide bands that cross, with thin lines between: tartan."""
+
+    ground: LinearColor
+    band: LinearColor
+    line: LinearColor
+    spacing: float
+    """From one band to the next, cm."""
+    width: float = 0.4
+    """Share of that which the band takes."""
+    thin: float = 0.06
+    """Share of that which a line takes."""
+    angle: float = 0.0
+    """Degrees."""
+    grain: float = 0.05
+    seed: int = 0
+
+    def table(self) -> Array:
+        """See `cloth_table`."""
+        sizes, colors = (self.spacing, self.width, self.thin), (self.ground, self.band, self.line)
+        return _table(PLAID, self.grain, self.seed, self.angle, sizes, colors)
 
 
-def _band(x: Array, width: float, gap: float) -> Array:
-    """Share (n,) of the band at positions (n,): 1 inside bands, 0 in the gaps between."""
-    period = width + gap
-    from_middle = np.abs(x - period * np.round(x / period))
-    return np.clip((width / 2 - from_middle) / _SOFT_CM + 0.5, 0, 1)
+@dataclass(frozen=True)
+class Motif(KnownPrint):
+    """A pattern of up to four colours that repeats: flowers, leaves, spots, camouflage (`motifs`)."""
+
+    colors_of: tuple[LinearColor, ...]
+    motif: int
+    """Which; counted on from the last one it begins anew."""
+    repeat: float = 20.0
+    """Centimetres after which it repeats."""
+    angle: float = 0.0
+    """Degrees."""
+    grain: float = 0.05
+    seed: int = 0
+
+    def table(self) -> Array:
+        """See `cloth_table`."""
+        colors = [self.colors_of[k % len(self.colors_of)] for k in range(4)]
+        return _table(MOTIF, self.grain, self.seed, self.angle, (self.motif, self.repeat), colors)
 
 
-def _mix(first: LinearColor, second: LinearColor, share: Array) -> Array:
-    a, b = np.asarray(first, np.float32), np.asarray(second, np.float32)
-    return b + share.astype(np.float32)[:, None] * (a - b)
-
-
-def _grain(at: Array, strength: float, seed: int) -> Array:
-    """(n,) factors around 1 that change from thread to thread, in both directions."""
-    threads = np.floor(at / 0.35).astype(np.int64)
-    return (1 + strength * (_noise(threads[:, 0], 2 * seed) + _noise(threads[:, 1], 2 * seed + 1))).astype(
-        np.float32
-    )
-
-
-def _noise(n: Array, seed: int) -> Array:
-    """(n,) values from -0.5 to 0.5 that look random and depend on whole numbers alone."""
-    mixed = (n.astype(np.uint64) + np.uint64(seed * 1_000_003 + 12_345)) * np.uint64(0x9E3779B97F4A7C15)
-    mixed ^= mixed >> np.uint64(29)
-    mixed *= np.uint64(0xBF58476D1CE4E5B9)
-    return (mixed >> np.uint64(40)).astype(np.float64) / 2**24 - 0.5
+def _table(kind, grain, seed, angle, sizes, colors) -> Array:
+    if len(colors) > MOST_COLORS:
+        raise InputError(f"A print has at most {MOST_COLORS} colours, got {len(colors)}.")
+    table = new_table(kind)
+    turn = np.deg2rad(angle)
+    table[GRAIN], table[SEED], table[COS], table[SIN] = grain, seed, np.cos(turn), np.sin(turn)
+    table[SIZES : SIZES + len(sizes)] = sizes
+    for k, color in enumerate(colors):
+        table[COLORS + 3 * k : COLORS + 3 * k + 3] = color
+    return table

@@ -1,4 +1,4 @@
-"""Compiled loops that find what is seen: triangles at pixels, their depth, and what varies across them.
+"""Compiled loops that find what is seen: triangles at samples, and their depth.
 
 All arrays are C-contiguous. Rounding is kept as written in `fill`, so that triangles sharing an edge never
 both claim a pixel nor leave one unclaimed.
@@ -13,45 +13,98 @@ from numba import njit
 
 from swifttailor.render.compile_options import FAST
 
+NOTHING = np.iinfo(np.int64).max
+"""The key of a sample that shows no triangle."""
+
 
 @njit(cache=True, error_model="numpy")
-def fill(nearest, corners, low_z, steps, height, width):
+def add_normals(vertices, faces, normals):
+    """Fills `normals` (n, 3) float32 with unit normals, area-weighted; zero where no face has any area."""
+    for t in range(len(faces)):
+        a, b, c = faces[t, 0], faces[t, 1], faces[t, 2]
+        x1, x2 = vertices[b, 0] - vertices[a, 0], vertices[c, 0] - vertices[a, 0]
+        y1, y2 = vertices[b, 1] - vertices[a, 1], vertices[c, 1] - vertices[a, 1]
+        z1, z2 = vertices[b, 2] - vertices[a, 2], vertices[c, 2] - vertices[a, 2]
+        nx, ny, nz = y1 * z2 - z1 * y2, z1 * x2 - x1 * z2, x1 * y2 - y1 * x2
+        for k in range(3):
+            v = faces[t, k]
+            normals[v, 0] += nx
+            normals[v, 1] += ny
+            normals[v, 2] += nz
+    for v in range(len(normals)):
+        x, y, z = normals[v, 0], normals[v, 1], normals[v, 2]
+        norm = math.sqrt(x * x + y * y + z * z)
+        inverse = 1.0 / norm if norm > 1e-12 else 0.0
+        for k in range(3):
+            normals[v, k] *= inverse
+
+
+@njit(cache=True, error_model="numpy")
+def fill(nearest, front, points, depth, faces, surface, hidden_turn, low_z, steps, height, width):
     """Lowers the keys `nearest` (height x width,) int64 at pixel centres: `rasterize.rasterize`.
 
     A key is a depth, in whole steps of which `steps` make a unit above `low_z`, times 2^32, and a triangle.
+
+    Args:
+        nearest: Keys; `NOTHING` before.
+        front: (m,) bool, set where a face turns anticlockwise in a picture whose rows run down.
+        points: (n, 2 or more) x and y in pixels.
+        depth: (n,) affine over the picture, NaN for what cannot be drawn.
+        faces: (m, 3) int32.
+        surface: (m,) int16 of each face.
+        hidden_turn: Of each surface the sign of the turn whose triangles are left out, or 0.
+        low_z: Depth where steps begin.
+        steps: In a unit of depth.
+        height: Of the picture.
+        width: Of the picture.
     """
-    x, y, z = np.zeros(3), np.zeros(3), np.zeros(3)
-    for t in range(len(corners)):
-        for k in range(3):
-            x[k], y[k], z[k] = corners[t, k, 0], corners[t, k, 1], (corners[t, k, 2] - low_z) * steps
-        least, most = min(x[0], x[1], x[2]), max(x[0], x[1], x[2])
-        # Row r has its pixel centres at r + 0.5 and is covered when y_min <= r + 0.5 < y_max.
-        top = int(min(max(math.ceil(min(y[0], y[1], y[2]) - 0.5), 0.0), height))
-        bottom = int(min(max(math.ceil(max(y[0], y[1], y[2]) - 0.5), 0.0), height))
-        if top >= bottom or most <= 0.0 or least >= width:
-            continue
-        x1, y1, x2, y2 = x[1] - x[0], y[1] - y[0], x[2] - x[0], y[2] - y[0]
+    for t in range(len(faces)):
+        a, b, c = faces[t, 0], faces[t, 1], faces[t, 2]
+        xa, ya, xb, yb, xc, yc = (
+            points[a, 0],
+            points[a, 1],
+            points[b, 0],
+            points[b, 1],
+            points[c, 0],
+            points[c, 1],
+        )
+        x1, y1, x2, y2 = xb - xa, yb - ya, xc - xa, yc - ya
         area = x1 * y2 - x2 * y1
+        if area * hidden_turn[surface[t]] > 0.0:
+            continue
+        # Row r has its pixel centres at r + 0.5 and is covered when y_min <= r + 0.5 < y_max.
+        y_min, y_max = min(ya, yb, yc), max(ya, yb, yc)
+        top = int(min(max(math.ceil(y_min - 0.5), 0.0), height))
+        bottom = int(min(max(math.ceil(y_max - 0.5), 0.0), height))
+        if top >= bottom:
+            continue
+        least, most = min(xa, xb, xc), max(xa, xb, xc)
+        if math.ceil(least - 0.5) >= math.ceil(most - 0.5) or most <= 0.0 or least >= width:
+            continue
+        front[t] = area < 0.0
+        z0, z1, z2 = (depth[a] - low_z) * steps, (depth[b] - low_z) * steps, (depth[c] - low_z) * steps
+        if not (z0 + z1 + z2 < np.inf):
+            continue
         inverse = 1.0 / area if abs(area) > 1e-12 else 0.0
-        slope = ((z[1] - z[0]) * y2 - (z[2] - z[0]) * y1) * inverse
-        down = ((z[2] - z[0]) * x1 - (z[1] - z[0]) * x2) * inverse
-        start = z[0] - slope * x[0] - down * y[0]
-        low, high = min(z[0], z[1], z[2]), max(z[0], z[1], z[2])
-        for a, b in ((0, 1), (1, 2), (0, 1)):  # upper corner first
-            if y[a] > y[b]:
-                x[a], x[b] = x[b], x[a]
-                y[a], y[b] = y[b], y[a]
+        slope = ((z1 - z0) * y2 - (z2 - z0) * y1) * inverse
+        down = ((z2 - z0) * x1 - (z1 - z0) * x2) * inverse
+        start = z0 - slope * xa - down * ya
+        low, high = min(z0, z1, z2), max(z0, z1, z2)
+        # Upper corner first.
+        if ya > yb:
+            xa, ya, xb, yb = xb, yb, xa, ya
+        if yb > yc:
+            xb, yb, xc, yc = xc, yc, xb, yb
+        if ya > yb:
+            xa, ya, xb, yb = xb, yb, xa, ya
         # Each edge runs from its upper to its lower end in every triangle that has it: equal bits.
-        long_slope = (x[2] - x[0]) / (y[2] - y[0])
-        upper_slope = (x[1] - x[0]) / (y[1] - y[0]) if y[1] > y[0] else 0.0
-        lower_slope = (x[2] - x[1]) / (y[2] - y[1]) if y[2] > y[1] else 0.0
+        long_slope = (xc - xa) / (yc - ya)
+        upper_slope = (xb - xa) / (yb - ya) if yb > ya else 0.0
+        lower_slope = (xc - xb) / (yc - yb) if yc > yb else 0.0
         for row in range(top, bottom):
             center = row + 0.5
-            one = x[0] + (center - y[0]) * long_slope
-            if center < y[1]:
-                other = x[0] + (center - y[0]) * upper_slope
-            else:
-                other = x[1] + (center - y[1]) * lower_slope
+            one = xa + (center - ya) * long_slope
+            other = xa + (center - ya) * upper_slope if center < yb else xb + (center - yb) * lower_slope
             first = int(min(max(math.ceil(min(one, other) - 0.5), 0.0), width))
             last = int(min(max(math.ceil(max(one, other) - 0.5), 0.0), width))
             along = slope * (first + 0.5) + down * center + start
@@ -65,49 +118,53 @@ def fill(nearest, corners, low_z, steps, height, width):
 
 
 @njit(**FAST)
-def interpolate(face, corners, distances, normals, front, perspective, distance, normal, weight):
-    """Fills what varies across the triangles (height, width) int32 `face`, wherever a sample shows one.
+def weigh(t, x, y, points, faces, perspective):
+    """Weights of the three corners of triangle t at the picture's x, y."""
+    a, b, c = faces[t, 0], faces[t, 1], faces[t, 2]
+    x0, y0 = points[a, 0], points[a, 1]
+    x1, y1, x2, y2 = points[b, 0] - x0, points[b, 1] - y0, points[c, 0] - x0, points[c, 1] - y0
+    area = x1 * y2 - x2 * y1
+    inverse = 1.0 / area if abs(area) > 1e-12 else 0.0
+    x, y = x - x0, y - y0
+    w1 = min(max((x * y2 - y * x2) * inverse, 0.0), 1.0)
+    w2 = min(max((y * x1 - x * y1) * inverse, 0.0), 1.0)
+    w0 = max(1.0 - w1 - w2, 0.0)
+    if perspective:
+        d0, d1, d2 = points[a, 2], points[b, 2], points[c, 2]
+        w0, w1, w2 = w0 * (d1 * d2), w1 * (d0 * d2), w2 * (d0 * d1)
+    total = 1.0 / (w0 + w1 + w2)
+    return w0 * total, w1 * total, w2 * total
+
+
+@njit(**FAST)
+def find_middles(keys, front, samples, points, faces, normals, perspective, distance, normal):
+    """Fills what lies at the middle sample of each pixel, wherever it shows a triangle.
 
     Args:
-        face: As `rasterize` gives it.
-        corners: As it takes them.
-        distances: (k, 3) of the corners from the camera, cm.
-        normals: (k, 3, 3) float32 unit normals at the corners, in the camera's frame.
-        front: (k,) whether the right side is seen.
+        keys: (H, W) int64 as `fill` makes them.
+        front: (m,) as it makes them.
+        samples: Along each side of a pixel.
+        points: (n, 3) see `scene.Projection`.
+        faces: (m, 3) int32.
+        normals: (n, 3) float32 unit normals in the world.
         perspective: Whether near things look larger.
-        distance: (height, width) float32 from the camera, cm; left alone where nothing is seen.
-        normal: (height, width, 3) float32 unit normals turned towards the camera.
-        weight: (height, width, 2) float32 weights of corners 1 and 2; or (0, 0, 2) where nobody asks.
+        distance: (h, w) float32 from the camera, cm; left alone where nothing is seen.
+        normal: (h, w, 3) float32 unit normals in the world, turned towards the camera.
     """
-    height, width = face.shape
-    for row in range(height):
-        for column in range(width):
-            t = face[row, column]
-            if t < 0:
+    height, width = distance.shape
+    for j in range(height):
+        for i in range(width):
+            row, column = j * samples + samples // 2, i * samples + samples // 2
+            if keys[row, column] == NOTHING:
                 continue
-            x0, y0 = corners[t, 0, 0], corners[t, 0, 1]
-            x1, y1 = corners[t, 1, 0] - x0, corners[t, 1, 1] - y0
-            x2, y2 = corners[t, 2, 0] - x0, corners[t, 2, 1] - y0
-            area = x1 * y2 - x2 * y1
-            inverse = 1.0 / area if abs(area) > 1e-12 else 0.0
-            x, y = column + 0.5 - x0, row + 0.5 - y0
-            w1 = min(max((x * y2 - y * x2) * inverse, 0.0), 1.0)
-            w2 = min(max((y * x1 - x * y1) * inverse, 0.0), 1.0)
-            w0 = max(1.0 - w1 - w2, 0.0)
-            d0, d1, d2 = distances[t, 0], distances[t, 1], distances[t, 2]
-            if perspective:
-                w0, w1, w2 = w0 / d0, w1 / d1, w2 / d2
-            total = 1.0 / (w0 + w1 + w2)
-            w0, w1, w2 = w0 * total, w1 * total, w2 * total
-            distance[row, column] = w0 * d0 + w1 * d1 + w2 * d2
-            if len(weight):
-                weight[row, column, 0], weight[row, column, 1] = w1, w2
-            nx = w0 * normals[t, 0, 0] + w1 * normals[t, 1, 0] + w2 * normals[t, 2, 0]
-            ny = w0 * normals[t, 0, 1] + w1 * normals[t, 1, 1] + w2 * normals[t, 2, 1]
-            nz = w0 * normals[t, 0, 2] + w1 * normals[t, 1, 2] + w2 * normals[t, 2, 2]
+            t = np.int32(keys[row, column])
+            w0, w1, w2 = weigh(t, column + 0.5, row + 0.5, points, faces, perspective)
+            a, b, c = faces[t, 0], faces[t, 1], faces[t, 2]
+            distance[j, i] = w0 * points[a, 2] + w1 * points[b, 2] + w2 * points[c, 2]
+            nx = w0 * normals[a, 0] + w1 * normals[b, 0] + w2 * normals[c, 0]
+            ny = w0 * normals[a, 1] + w1 * normals[b, 1] + w2 * normals[c, 1]
+            nz = w0 * normals[a, 2] + w1 * normals[b, 2] + w2 * normals[c, 2]
             size = 1.0 / max(math.sqrt(nx * nx + ny * ny + nz * nz), 1e-6)
             if not front[t]:
                 size = -size
-            normal[row, column, 0] = nx * size
-            normal[row, column, 1] = ny * size
-            normal[row, column, 2] = nz * size
+            normal[j, i, 0], normal[j, i, 1], normal[j, i, 2] = nx * size, ny * size, nz * size

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -10,96 +11,130 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.render.backdrop import FloorShadow
 from swifttailor.render.camera import NEAR, Camera
+from swifttailor.render.rasterize import DepthKeys, Triangles, nearest_triangles
 from swifttailor.render.surface import Surface
 
 
 class Scene:
-    """Surfaces in the world, with what does not depend on the camera."""
+    """Surfaces in the world as one mesh, with what does not depend on the camera."""
 
     def __init__(self, surfaces: Sequence[Surface]) -> None:
         """Takes the surfaces, in the order in which they are drawn."""
         self.surfaces = tuple(surfaces)
+        counts = [len(s.vertices) for s in self.surfaces]
+        self.first_vertex = np.cumsum([0, *counts])
+        """Where the vertices of each surface begin, and where the last ones end."""
+        face_counts = [len(s.faces) for s in self.surfaces]
+        self.first_face = np.cumsum([0, *face_counts])
+        """Where the faces of each surface begin, and where the last ones end."""
+        self.vertices = np.zeros((self.first_vertex[-1], 3))
+        """(n, 3) of all surfaces, cm."""
+        self.faces = np.zeros((self.first_face[-1], 3), np.int32)
+        """(m, 3) of all surfaces."""
+        self.face_surface = np.repeat(np.arange(len(counts), dtype=np.int16), face_counts)
+        """(m,) which surface each face belongs to."""
+        for k, surface in enumerate(self.surfaces):
+            self.vertices[self.first_vertex[k] : self.first_vertex[k + 1]] = surface.vertices
+            part = self.faces[self.first_face[k] : self.first_face[k + 1]]
+            np.add(surface.faces, self.first_vertex[k], out=part, casting="unsafe")
+        self._floor_shadows: dict[float, FloorShadow] = {}
 
     @cached_property
-    def triangles(self) -> Array:
-        """(m, 3, 3) float32 corners of all triangles, cm."""
-        return _join([s.vertices.astype(np.float32)[s.faces] for s in self.surfaces], (3, 3))
+    def rows(self) -> Array:
+        """(3, n) float64 coordinates of the vertices: least and most are found several times faster."""
+        return np.ascontiguousarray(self.vertices.T)
 
     @cached_property
-    def floor_shadow(self) -> FloorShadow | None:
-        """What the scene does to the floor; None without anything to throw a shadow."""
-        return FloorShadow(self.triangles) if len(self.triangles) else None
+    def normals(self) -> Array:
+        """(n, 3) float32 unit normals of the vertices; zero where a vertex has no face of any area."""
+        from swifttailor.render.raster_kernels import add_normals
+
+        normals = np.zeros((len(self.vertices), 3), np.float32)
+        add_normals(self.vertices, self.faces, normals)
+        return normals
 
     @cached_property
-    def materials(self) -> Array:
-        """(m, 8) float32 values of each triangle: colour, colour of the back, sheen, gloss."""
-        rows = []
-        for s in self.surfaces:
-            row = np.zeros((len(s.faces), 8), np.float32)
+    def closed(self) -> Array:
+        """(surfaces,) 1.0 where the inside of a surface is not drawn, else 0.0."""
+        return np.array([float(s.back_color is None) for s in self.surfaces])
+
+    def floor_shadow(self, pixel: float = 0.0) -> FloorShadow | None:
+        """What the scene does to the floor; None without anything to throw a shadow.
+
+        Args:
+            pixel: Centimetres that a pixel of the picture shows; larger ones need no fine shadow.
+        """
+        if not len(self.faces):
+            return None
+        cell = FloorShadow.cell_for(pixel)
+        if cell not in self._floor_shadows:
+            self._floor_shadows[cell] = FloorShadow(self.rows, self.seen_from_afar, cell)
+        return self._floor_shadows[cell]
+
+    def seen_from_afar(self, points: Array, depth: Array, *, cull: float) -> Triangles:
+        """The triangles in another picture: their vertices (n, 2 or more) there, and the depth (n,).
+
+        Args:
+            points: x and y in cells.
+            depth: Larger farther away.
+            cull: The turn, 1 or -1, of triangles of closed surfaces that face away; 0 to keep them.
+        """
+        return Triangles(points, depth, self.faces, self.face_surface, self.closed * cull)
+
+    @cached_property
+    def materials(self) -> Materials:
+        """What light meets on each triangle."""
+        rows, start, step, count = [], [], [], 0
+        for k, s in enumerate(self.surfaces):
+            many = s.color.ndim == 2 or (s.back_color is not None and s.back_color.ndim == 2)
+            row = np.zeros((len(s.faces) if many else 1, 8), np.float32)
             row[:, 0:3] = s.color
             row[:, 3:6] = s.color if s.back_color is None else s.back_color
             row[:, 6], row[:, 7] = s.sheen, s.gloss
             rows.append(row)
-        return _join(rows, (8,))
+            start.append(count - int(many) * int(self.first_face[k]))
+            step.append(int(many))
+            count += len(row)
+        table = np.concatenate(rows) if rows else np.zeros((0, 8), np.float32)
+        return Materials(table, np.array([start, step], np.int32).reshape(2, -1))
+
+
+@dataclass(frozen=True, eq=False)
+class Materials:
+    """Rows of colours and how triangles find theirs."""
+
+    table: Array
+    """(r, 8) float32: colour, colour of the back, sheen, gloss."""
+    place: Array
+    """(2, surfaces) int32: the row of triangle t is the first number plus t times the second."""
 
 
 class Projection:
-    """The triangles of a scene that a camera could see, in its picture."""
+    """A scene in the picture of a camera."""
 
     def __init__(self, scene: Scene, camera: Camera, size: tuple[int, int]) -> None:
-        """Projects the scene into a picture of `size` (width, height) samples."""
+        """Projects the scene into a picture of `size` (width, height) samples and finds what is nearest."""
         self.scene, self.camera, self.size = scene, camera, size
-        self.pixels: list[Array] = []
-        """Projected vertices (n, 3) of each surface, see `Camera.project`."""
-        corners, normals, lifts, kept, print_at = [], [], [], [], []
-        before = 0
-        for surface in scene.surfaces:
-            pixels = camera.project(surface.vertices, size)
-            self.pixels.append(pixels)
-            drawn = pixels[surface.faces]
-            ahead = pixels[:, 2] > NEAR + surface.lift
-            keep = ahead[surface.faces[:, 0]] & ahead[surface.faces[:, 1]] & ahead[surface.faces[:, 2]]
-            if surface.back_color is None:
-                keep &= _from_right_side(drawn)
-            index = np.flatnonzero(keep)
-            corners.append(drawn[index])
-            in_view = (surface.vertex_normals @ camera.axes.T).astype(np.float32)
-            normals.append(in_view[surface.faces[index]])
-            lifts.append(np.full(len(index), surface.lift))
-            kept.append(index + before)
-            if surface.print is not None and surface.print_at is not None:
-                print_at.append(np.asarray(surface.print_at, np.float32)[index])
-            else:
-                print_at.append(np.zeros((len(index), 3, 2), np.float32))
-            before += len(surface.faces)
-        corners_all = _join(corners, (3, 3))
-        self.normals = _join(normals, (3, 3)).astype(np.float32)
-        """(k, 3, 3) vertex normals in the camera's frame."""
-        self.front = _from_right_side(corners_all)
-        """(k,) whether the right side is seen."""
-        self.materials = scene.materials[_join(kept, ()).astype(np.int64)]
-        """(k, 8) see `Scene.materials`."""
-        self.surface = np.repeat(np.arange(len(kept), dtype=np.int16), [len(index) for index in kept])
-        """(k,) which surface of the scene."""
-        self.print_at = None
-        """(k, 3, 2) see `Surface.print_at`; None where nothing has a print."""
-        if any(s.print is not None for s in scene.surfaces):
-            self.print_at = _join(print_at, (3, 2))
-        self.distance = corners_all[:, :, 2].copy()
-        """(k, 3) distance from the camera, cm."""
-        near = self.distance - _join(lifts, ())[:, None]
+        self.points = np.zeros((len(scene.vertices), 3))
+        """(n, 3) projected vertices, see `Camera.project`."""
+        right, up, nearer = camera.axes @ (scene.rows - np.asarray(camera.target)[:, None])
+        away = camera.distance - nearer
+        lifts = np.repeat([s.lift for s in scene.surfaces], np.diff(scene.first_vertex))
+        scale = size[1] / camera.height
         # 1 / distance is affine over a perspective picture, distance over an orthographic one.
-        corners_all[:, :, 2] = -1.0 / near if camera.perspective else near
-        self.corners = corners_all
-        """(k, 3, 3) as `rasterize` takes them."""
-
-
-def _from_right_side(corners: Array) -> Array:
-    """(m,) whether triangles turn anticlockwise in a picture whose rows run down."""
-    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    turn = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
-    return turn < 0.0
-
-
-def _join(parts: list[Array], shape: tuple[int, ...]) -> Array:
-    return np.concatenate(parts) if parts else np.zeros((0, *shape), np.float32)
+        depth = away - lifts
+        seen = depth > NEAR
+        if camera.perspective:
+            scale = scale * camera.distance / np.maximum(away, NEAR * 1e-3)
+            depth = -1.0 / np.where(seen, depth, np.nan)
+        np.add(right * scale, size[0] / 2, out=self.points[:, 0])
+        np.subtract(size[1] / 2, up * scale, out=self.points[:, 1])
+        self.points[:, 2] = away
+        depths = None
+        if not seen.all():
+            depth[~seen] = np.nan
+            depths = (float(np.nanmin(depth)), float(np.nanmax(depth))) if seen.any() else (1.0, 0.0)
+        self.nearest: DepthKeys = nearest_triangles(
+            scene.seen_from_afar(self.points, depth, cull=1.0), size, depths
+        )
+        """Triangles seen at the samples."""

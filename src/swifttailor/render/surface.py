@@ -55,8 +55,16 @@ class Surface:
     """Takes the place of `color` on the right side, where given."""
     print_at: Array | None = None
     """(m, 3, 2) where on the cloth the corners of the faces lie, cm; goes with `print`."""
+    rest: Array | None = None
+    """(n, 3) where the vertices lie on a standing body, cm, for what is put on a place of the garment. None:
+    where they are."""
+    trusted: bool = False
+    """Whether the arrays are known to be sound; then nothing is checked or copied, and what should be an
+    array is one."""
 
     def __post_init__(self) -> None:
+        if self.trusted:
+            return
         vertices = np.array(self.vertices, dtype=np.float64)
         faces = np.asarray(self.faces)
         if vertices.ndim != 2 or vertices.shape[1] != 3:
@@ -90,6 +98,8 @@ class Surface:
                 raise InputError(
                     f"A surface with a print needs print_at of shape ({len(faces)}, 3, 2), got {shape}."
                 )
+        if self.rest is not None and self.rest.shape != vertices.shape:
+            raise InputError(f"A surface's rest has the shape {vertices.shape}, got {self.rest.shape}.")
         for line in self.lines:
             _require_indices("Lines", np.asarray(line.edges).reshape(-1, 2), len(vertices))
 

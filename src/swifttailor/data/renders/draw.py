@@ -2,20 +2,41 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
 import numpy as np
 from scipy.ndimage import zoom
 
-from swifttailor.arrays import Floats, Pixels
+from swifttailor.arrays import Array, Floats, Ints, Pixels
 from swifttailor.body import Body
 from swifttailor.data.renders.look import Backdrop, Look, Rgb
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.preview import border_edges
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.render import Camera, LineSet, Surface, render_view
+from swifttailor.render.color import encode_srgb
+from swifttailor.render.view import render_seen
 
 _GREY: Rgb = (0.58, 0.52, 0.47)
 
 
-def draw_look(garment: Garment, body: Body, look: Look, size: int = 256) -> Pixels:
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """A picture and what is seen in it."""
+
+    pixels: Pixels
+    """(size, size, 3) uint8 sRGB, row 0 at the top."""
+    shares: Array
+    """(size, size, surfaces) float32 share of each pixel in which a surface is seen: the body first, where
+    there is one, then the garment."""
+    face: Ints
+    """(size, size) the garment's face at the middle of each pixel; -1 for none, -2 for the body."""
+
+
+def draw_look(
+    garment: Garment, body: Body, look: Look, size: int = 256, *, rest: Floats | None = None
+) -> Pixels:
     """Draws a garment as a look wants it.
 
     Args:
@@ -23,14 +44,26 @@ def draw_look(garment: Garment, body: Body, look: Look, size: int = 256) -> Pixe
         body: Who wears it; hidden where the look has no body, but it still says how tall people are.
         look: Everything else.
         size: Pixels along each side.
+        rest: (v, 3) the garment's vertices on the standing body, cm, where it has been posed since.
 
     Returns:
         (size, size, 3) uint8 sRGB, row 0 at the top.
     """
-    surfaces = [_cloth(garment, look)]
-    if look.body is not None:
-        surfaces.insert(0, _figure(body, look.body))
-    return _draw(surfaces, _camera(garment.vertices, body, look), look, size)
+    surfaces, camera = _placed(garment, body, look, rest)
+    return _through_camera(_drawing(render_view, surfaces, camera, look, size), look, size)[0]
+
+
+def draw_seen(
+    garment: Garment, body: Body, look: Look, size: int = 256, *, rest: Floats | None = None
+) -> Drawn:
+    """Draws a garment as `draw_look` does, and says what is seen where; the arguments are the same."""
+    surfaces, camera = _placed(garment, body, look, rest)
+    seen = _drawing(render_seen, surfaces, camera, look, size)
+    pixels, cover = _through_camera(seen.pixels, look, size)
+    bodies = sum(len(s.faces) for s in surfaces[:-1])
+    face = np.where(seen.face >= bodies, seen.face - bodies, np.where(seen.face >= 0, -2, -1))
+    face[cover < 0.5] = -1
+    return Drawn(pixels, seen.shares * cover[:, :, None], face.astype(np.int32))
 
 
 def draw_body(body: Body, look: Look, size: int = 256) -> Pixels:
@@ -45,19 +78,27 @@ def draw_body(body: Body, look: Look, size: int = 256) -> Pixels:
         (size, size, 3) uint8 sRGB, row 0 at the top.
     """
     surfaces = [_figure(body, look.body or _GREY)]
-    return _draw(surfaces, _camera(body.vertices, body, look), look, size)
+    picture = _drawing(render_view, surfaces, look_camera(body.vertices, body, look), look, size)
+    return _through_camera(picture, look, size)[0]
+
+
+def _placed(garment: Garment, body: Body, look: Look, rest: Floats | None) -> tuple[list[Surface], Camera]:
+    surfaces = [_cloth(garment, look, rest)]
+    if look.body is not None:
+        surfaces.insert(0, _figure(body, look.body))
+    return surfaces, look_camera(garment.vertices, body, look)
 
 
 def _figure(body: Body, color: Rgb) -> Surface:
-    return Surface(body.vertices, body.faces, np.asarray(color), gloss=0.05)
+    return Surface(body.vertices, body.faces, np.asarray(color), gloss=0.05, trusted=True)
 
 
-def _draw(surfaces: list[Surface], camera: Camera, look: Look, size: int) -> Pixels:
-    return render_view(
+def _drawing(render, surfaces: list[Surface], camera: Camera, look: Look, size: int):
+    return render(
         surfaces,
         camera,
         (size, size),
-        background=_backdrop(look.backdrop, size),
+        background=_backdrop(look.backdrop, size) if look.scenery is None else look.scenery.light(size),
         lighting=look.lighting,
         shadows=look.shadows,
         floor=look.shadows and look.view.whole_body and look.body is not None,
@@ -65,31 +106,73 @@ def _draw(surfaces: list[Surface], camera: Camera, look: Look, size: int) -> Pix
     )
 
 
-def _cloth(garment: Garment, look: Look) -> Surface:
-    lines = ()
+def _through_camera(picture: Pixels, look: Look, size: int) -> tuple[Pixels, Array]:
+    """The picture with what is before the figure and what the camera does, and what is left to see of it."""
+    cover = np.ones((size, size), np.float32)
+    if look.before:
+        light = _TO_LINEAR[picture]
+        for thing in look.before:
+            thing.put(light, cover)
+        picture = encode_srgb(light)
+    return picture if look.effects is None else look.effects.apply(picture), cover
+
+
+_TO_LINEAR = np.where(
+    np.arange(256) <= 10, np.arange(256) / 255 / 12.92, ((np.arange(256) / 255 + 0.055) / 1.055) ** 2.4
+).astype(np.float32)
+
+
+def _cloth(garment: Garment, look: Look, rest: Floats | None = None) -> Surface:
+    lines, mesh, sewn = (), garment.mesh, _sewn(garment.mesh)
     if look.seams:
-        seams = [np.stack([s.vertices[:-1], s.vertices[1:]], axis=1) for s in garment.seams]
-        along = np.concatenate(seams) if seams else np.zeros((0, 2), np.int32)
         lines = (
-            LineSet(along, strength=look.seams, width=0.8),
-            LineSet(border_edges(garment.faces), strength=look.seams * 0.7, width=0.8),
+            LineSet(sewn.seams, strength=look.seams, width=0.8),
+            LineSet(sewn.borders, strength=look.seams * 0.7, width=0.8),
         )
-    mesh, tones = garment.mesh, np.asarray(look.panel_colors or [(1.0, 1.0, 1.0)])
+    tones = np.asarray(look.panel_colors or [(1.0, 1.0, 1.0)])
+    plain = not look.panel_colors
     return Surface(
         garment.vertices,
-        garment.faces,
-        tones[mesh.face_panel % len(tones)],
+        mesh.faces,
+        tones[0] if len(tones) == 1 else tones[mesh.face_panel % len(tones)],
         np.asarray(look.inside),
         lines=lines,
         lift=0.35,
-        sheen=0.08,
-        print=None if look.panel_colors else look.print,
-        print_at=None if look.panel_colors else mesh.flat_vertices[mesh.flat_faces],
+        sheen=look.sheen,
+        gloss=look.gloss,
+        print=look.print if plain else None,
+        print_at=sewn.print_at if plain else None,
+        rest=rest,
+        trusted=True,
     )
 
 
-def _camera(shown: Floats, body: Body, look: Look) -> Camera:
-    """Looks at vertices (n, 3)."""
+@dataclass(frozen=True, eq=False)
+class _Sewn:
+    """What all pictures of a mesh have in common."""
+
+    seams: Ints
+    borders: Ints
+    print_at: Array
+
+
+_SEWN: WeakKeyDictionary[PatternMesh, _Sewn] = WeakKeyDictionary()
+
+
+def _sewn(mesh: PatternMesh) -> _Sewn:
+    if mesh not in _SEWN:
+        seams = [np.stack([s.vertices[:-1], s.vertices[1:]], axis=1) for s in mesh.seams]
+        along = np.concatenate(seams) if seams else np.zeros((0, 2))
+        _SEWN[mesh] = _Sewn(
+            along.astype(np.int32),
+            border_edges(mesh.faces),
+            mesh.flat_vertices[mesh.flat_faces].astype(np.float32),
+        )
+    return _SEWN[mesh]
+
+
+def look_camera(shown: Floats, body: Body, look: Look) -> Camera:
+    """The camera of a look, which shows vertices (n, 3) that the body wears."""
     view = look.view
     if view.camera is not None:
         return view.camera
@@ -109,6 +192,11 @@ def _camera(shown: Floats, body: Body, look: Look) -> Camera:
 
 def _backdrop(backdrop: Backdrop, size: int) -> np.ndarray:
     """(size, size, 3) linear light."""
+    if backdrop.top == backdrop.bottom and not backdrop.cloudy:
+        even = np.zeros((size, size, 3), np.float32)
+        for k in range(3):
+            even[:, :, k] = min(max(backdrop.top[k], 0.0), 1.0)
+        return even
     down = np.linspace(0, 1, size)[:, None, None]
     light = (1 - down) * np.asarray(backdrop.top) + down * np.asarray(backdrop.bottom)
     light = np.broadcast_to(light, (size, size, 3))

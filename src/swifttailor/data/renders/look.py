@@ -7,6 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from swifttailor.data.renders.backdrops import Scenery
+from swifttailor.data.renders.camera_effects import CameraEffects
+from swifttailor.data.renders.foreground import Before
 from swifttailor.render import Camera, Checks, Dots, Light, Lighting, Plain, Print, Stripes, to_linear
 from swifttailor.render.lighting import STUDIO
 
@@ -79,6 +82,16 @@ class Look:
     shadows: bool = True
     panel_colors: tuple[Rgb, ...] = ()
     """Colours of consecutive panels instead of the print, repeated as needed."""
+    gloss: float = 0.0
+    """Of the cloth, as of satin and leather; see `render.Surface`."""
+    sheen: float = 0.08
+    """Of the cloth; see there."""
+    scenery: Scenery | None = None
+    """Takes the place of `backdrop`, where given."""
+    before: tuple[Before, ...] = ()
+    """Things before the figure."""
+    effects: CameraEffects | None = None
+    """What the camera does to the picture."""
 
 
 def random_look(chance: np.random.Generator, view: str) -> Look:
@@ -95,10 +108,10 @@ def random_look(chance: np.random.Generator, view: str) -> Look:
     return Look(
         print=cloth,
         inside=_rgb(inside),
-        view=_random_view(chance, view),
-        body=_random_body(chance, base),
+        view=random_view(chance, view),
+        body=random_body(chance, base),
         backdrop=_random_backdrop(chance),
-        lighting=_random_lighting(chance),
+        lighting=random_lighting(chance),
         seams=float(chance.uniform(0.1, 0.45)) if chance.random() < 0.6 else 0.0,
     )
 
@@ -129,7 +142,8 @@ def _random_print(chance: np.random.Generator) -> Print:
     return Dots(first, second, spacing, spacing * float(chance.uniform(0.15, 0.38)), angle, grain, seed)
 
 
-def _random_view(chance: np.random.Generator, view: str) -> View:
+def random_view(chance: np.random.Generator, view: str) -> View:
+    """A camera drawn by lot, for one of `VIEWS`."""
     around = {"front": chance.normal(0, 9), "back": 180 + chance.normal(0, 9), "free": chance.uniform(0, 360)}
     return View(
         azimuth=float(around[view]),
@@ -141,7 +155,7 @@ def _random_view(chance: np.random.Generator, view: str) -> View:
     )
 
 
-def _random_body(chance: np.random.Generator, cloth: np.ndarray) -> Rgb | None:
+def random_body(chance: np.random.Generator, cloth: np.ndarray) -> Rgb | None:
     """A skin or a mannequin that can be told from the cloth, or nobody."""
     kind = chance.random()
     if kind < 0.25:
@@ -163,7 +177,8 @@ def _random_backdrop(chance: np.random.Generator) -> Backdrop:
     return Backdrop(_rgb(tint), _rgb(other), float(chance.uniform(0, 0.5)) if kind > 0.8 else 0.0, seed)
 
 
-def _random_lighting(chance: np.random.Generator) -> Lighting:
+def random_lighting(chance: np.random.Generator) -> Lighting:
+    """Light drawn by lot."""
     azimuth, height = np.deg2rad(chance.uniform(-75, 75)), np.deg2rad(chance.uniform(15, 70))
     key = np.array([np.sin(azimuth) * np.cos(height), np.sin(height), np.cos(azimuth) * np.cos(height)])
     warmth = chance.normal(0, 0.06)

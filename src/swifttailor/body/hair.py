@@ -1,0 +1,187 @@
+"""Hair for the default body: a shell over the skull, and what falls from it."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+
+import numpy as np
+
+from swifttailor.arrays import Array, read_only
+from swifttailor.body.body import Body
+from swifttailor.body.mannequin import mannequin
+from swifttailor.errors import InputError
+
+CROWN = np.array([0.0, 160.0, 0.8])
+"""From where the skull is seen, cm."""
+AROUND, ALONG = 48, 26
+"""Strands around the head, and points along each."""
+_FALLS_AT = np.deg2rad(88.0)
+"""Below this angle from straight up a strand no longer follows the skull."""
+BEHIND_CM = 155.0, 144.0
+"""Between these levels long hair goes behind the shoulders."""
+_OFF_BODY_CM = 1.8
+"""What falls on the shoulders stays this far from the skin, so that a garment fits beneath."""
+
+
+@dataclass(frozen=True)
+class HairStyle:
+    """How hair is worn."""
+
+    thickness: float
+    """On the skull, cm."""
+    ends: float | None = None
+    """Level to which it falls, cm above the floor; None: it ends at the hairline."""
+    opening: float = 62.0
+    """Half the angle around the head that falling hair leaves to the face, degrees."""
+    knot: tuple[tuple[float, float, float], ...] = ()
+    """Where hair that is tied goes, from the head to its end: height, depth and radius, cm."""
+
+
+HAIR_STYLES = {
+    "cropped": HairStyle(0.5),
+    "short": HairStyle(1.5),
+    "bob": HairStyle(2.2, 149.0),
+    "shoulder_length": HairStyle(2.0, 140.0, 66.0),
+    "long": HairStyle(1.9, 124.0, 70.0),
+    "bun": HairStyle(
+        0.8,
+        knot=(
+            *((166.0, -7.0, 1.5), (166.2, -8.0, 3.2), (166.4, -9.5, 4.2), (166.5, -11.5, 4.2)),
+            *((166.5, -13.0, 3.0), (166.5, -13.8, 0.8)),
+        ),
+    ),
+    "ponytail": HairStyle(
+        0.8,
+        knot=(
+            *((163.5, -7.5, 1.6), (163.5, -9.5, 1.7), (162.0, -11.8, 2.4), (157.5, -13.4, 3.0)),
+            *((151.5, -14.2, 2.8), (146.0, -14.8, 2.0), (141.5, -15.2, 0.4)),
+        ),
+    ),
+}
+
+
+def hair(style: str) -> tuple[Array, Array]:
+    """The hair of the standing default body, to be carried along with it.
+
+    Args:
+        style: One of `HAIR_STYLES`.
+
+    Returns:
+        Vertices (P, 3) in cm and faces (M, 3), anticlockwise seen from outside; the surface is open, so it
+        has an inside to draw.
+
+    Raises:
+        InputError: There is no such style.
+    """
+    if style not in HAIR_STYLES:
+        raise InputError(f"There is no hair style {style!r}; there are {', '.join(HAIR_STYLES)}.")
+    return _hair(style)
+
+
+@functools.cache
+def _hair(name: str) -> tuple[Array, Array]:
+    style = HAIR_STYLES[name]
+    turn = np.linspace(0.0, 2 * np.pi, AROUND, endpoint=False)  # 0 is the back
+    strands = np.stack([_strand(style, angle) for angle in turn])
+    if style.ends is not None:
+        strands = _off_the_body(strands)
+    rows, columns = np.arange(ALONG - 1), np.arange(AROUND)
+    a = columns[:, None] * ALONG + rows
+    b = (columns[:, None] + 1) % AROUND * ALONG + rows
+    quads = np.stack([a, b, b + 1, a + 1], axis=-1).reshape(-1, 4)
+    vertices, faces = [strands.reshape(-1, 3)], [quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]
+    if style.knot:
+        tail, sides = _tail(np.array(style.knot))
+        faces.append(sides + len(vertices[0]))
+        vertices.append(tail)
+    return read_only(np.concatenate(vertices)), read_only(np.concatenate(faces).astype(np.int32))
+
+
+def _strand(style: HairStyle, turn: float) -> Array:
+    """(ALONG, 3) from the top of the head to the end of the hair."""
+    around = np.array([np.sin(turn), 0.0, -np.cos(turn)])
+    steps = np.linspace(0.0, np.pi, 90)
+    line = CROWN + _radius(around, steps, style.thickness)[:, None] * (
+        np.sin(steps)[:, None] * around + np.cos(steps)[:, None] * (0.0, 1.0, 0.0)
+    )
+    over_hairline = line[:, 1] > 157.0 + 0.95 * line[:, 2]
+    last = int(np.argmin(over_hairline)) if not over_hairline.all() else len(line)
+    # Seen from the front the face is open; beside it the hair falls.
+    to_face = np.pi - abs((turn + np.pi) % (2 * np.pi) - np.pi)
+    if style.ends is not None and to_face > np.deg2rad(style.opening):
+        leaves = int(np.searchsorted(steps, _FALLS_AT))
+        start = line[leaves]
+        down = np.arange(start[1], style.ends, -0.5)[1:]
+        # Below the ears it goes behind the shoulders, and what does not come so far a little inward.
+        behind = np.clip((BEHIND_CM[0] - down) / (BEHIND_CM[0] - BEHIND_CM[1]), 0.0, 1.0)
+        behind = behind * behind * (3 - 2 * behind) if style.ends < BEHIND_CM[1] else 0.25 * behind
+        flat = np.stack(
+            [
+                start[0] * (1.0 - 0.12 * behind),
+                start[2] + behind * np.minimum(-9.0 - 0.25 * abs(start[2]) - start[2], 0.0),
+            ],
+            axis=1,
+        )
+        line = np.concatenate([line[: leaves + 1], np.stack([flat[:, 0], down, flat[:, 1]], axis=1)])
+    else:
+        line = line[:last]
+    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+    even = np.linspace(0.0, along[-1], ALONG)
+    return np.stack([np.interp(even, along, line[:, k]) for k in range(3)], axis=1)
+
+
+def _radius(around: Array, steps: Array, thickness: float) -> Array:
+    """Distance (n,) of the hair from the middle of the head, at angles (n,) from straight up."""
+    directions = np.sin(steps)[:, None] * around + np.cos(steps)[:, None] * (0.0, 1.0, 0.0)
+    tree, radii = _skull()
+    away, nearest = tree.query(directions, k=8)
+    near = np.exp(-((away / 0.12) ** 2))
+    skull = (near * radii[nearest]).sum(axis=1) / near.sum(axis=1)
+    height = skull * directions[:, 1] + CROWN[1]
+    depth = skull * directions[:, 2] + CROWN[2]
+    # Thin at the hairline, full above it.
+    above = np.clip((height - 157.0 - 0.95 * depth) / 6.0, 0.0, 1.0)
+    return skull + 0.25 + thickness * above * (2 - above)
+
+
+@functools.cache
+def _skull():
+    from scipy.spatial import KDTree
+
+    vertices, _ = mannequin(Body.default())
+    head = vertices[vertices[:, 1] > 146.0] - CROWN
+    radii = np.linalg.norm(head, axis=1)
+    return KDTree(head / radii[:, None]), radii
+
+
+def _off_the_body(strands: Array) -> Array:
+    """Strands (n, ALONG, 3) pushed out of the neck, the shoulders and the chest."""
+    body, points = Body.default(), strands.reshape(-1, 3).copy()
+    low = np.flatnonzero(points[:, 1] < BEHIND_CM[0])
+    outward = (points[low] - (0.0, 0.0, -2.0)) * (0.3, 0.0, 1.0)
+    outward /= np.linalg.norm(outward, axis=1)[:, None]
+    for _ in range(12):
+        distance, _ = body.signed_distance(points[low])
+        points[low] += np.maximum(_OFF_BODY_CM - distance, 0.0)[:, None] * outward
+    smooth = points.reshape(strands.shape)
+    for _ in range(6):
+        around = 0.5 * (np.roll(smooth, 1, axis=0) + np.roll(smooth, -1, axis=0))
+        is_free = (np.linalg.norm(around - smooth, axis=-1) < 3.0)[..., None]
+        smooth = np.where(is_free, 0.5 * (smooth + around), smooth)
+    return smooth
+
+
+def _tail(knot: Array) -> tuple[Array, Array]:
+    """A tube in the middle plane around points (n, 3) of height, depth and radius."""
+    columns = 14
+    ahead = np.gradient(knot[:, :2], axis=0)
+    ahead /= np.linalg.norm(ahead, axis=1)[:, None]
+    turn = np.linspace(0.0, 2 * np.pi, columns, endpoint=False)
+    x = knot[:, 2:] * np.sin(turn)
+    across = knot[:, 2:] * np.cos(turn)
+    points = np.stack([x, knot[:, :1] + ahead[:, 1:] * across, knot[:, 1:2] - ahead[:, :1] * across], axis=-1)
+    k = np.arange(len(knot) - 1)[:, None] * columns
+    a, b = k + np.arange(columns), k + (np.arange(columns) + 1) % columns
+    quads = np.stack([a, b, b + columns, a + columns], axis=-1).reshape(-1, 4)
+    return points.reshape(-1, 3), np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])

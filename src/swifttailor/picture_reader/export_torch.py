@@ -1,0 +1,81 @@
+"""From trained weights to the model file of a picture reader. Import where needed: it loads torch."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+
+from swifttailor.errors import InputError
+from swifttailor.networks.model_file import write_graph
+from swifttailor.networks.onnx_export_torch import export_graph
+from swifttailor.networks.trained_weights_torch import trained_network
+from swifttailor.picture_reader.labels import labels_checksum, statement_labels
+from swifttailor.picture_reader.network_torch import EyesConfig, EyesNetwork
+from swifttailor.picture_reader.reader import INPUTS, KIND, OUTPUTS, PictureReader
+
+
+def build_network(size: dict[str, Any]) -> EyesNetwork:
+    """A network with random weights for the labels of this version.
+
+    Args:
+        size: Fields of `EyesConfig`.
+    """
+    fields: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in size.items()}
+    return EyesNetwork(EyesConfig(**fields))
+
+
+def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> EyesNetwork:
+    """A trained network.
+
+    Args:
+        weights: weights.safetensors of a run.
+        card: Its card.
+        half: Whether its weights are rounded to what float16 holds.
+
+    Raises:
+        InputError: The file is missing, damaged, or of another network.
+    """
+    if card.get("labels_sha256") != labels_checksum():
+        raise InputError(
+            f"The weights '{weights}' were trained for other statements than this version's. Export them "
+            "with the version that trained them, or train again."
+        )
+    return trained_network(lambda: build_network(card["config"]["network"]), weights, half=half)
+
+
+def export(
+    network: EyesNetwork, card: dict[str, Any], path: Path, scales: NDArray[Any] | None = None
+) -> Path:
+    """Writes the model file, which `PictureReader.load` opens.
+
+    Args:
+        network: Trained.
+        card: What it was trained on and how good it is.
+        path: File to write, ``.onnx``.
+        scales: (S, 2), see `PictureReader.scales`; as the network says it when None.
+
+    Raises:
+        InputError: The file cannot be written.
+        MissingExtraError: onnx or onnxscript is not installed.
+    """
+    size = network.config.image_size
+    example = torch.zeros(1, 3, size, size)
+    graph = export_graph(network.eval(), (example,), (None,), INPUTS, OUTPUTS)
+    if scales is None:
+        scales = np.tile(np.array([1.0, 0.0]), (len(statement_labels()), 1))
+    said = [[round(float(v), 4) for v in row] for row in scales]
+    return write_graph(path, KIND, graph, card, labels_sha256=labels_checksum(), scales=said)
+
+
+def compare(reader: PictureReader, network: EyesNetwork, *, seed: int = 0) -> float:
+    """Largest difference between what a reader and a network make of the same random picture."""
+    size = network.config.image_size
+    picture = np.random.default_rng(seed).random((1, 3, size, size), np.float32)
+    found = reader.session.run(list(OUTPUTS), {"pictures": picture})
+    with torch.no_grad():
+        made = network.eval()(torch.from_numpy(picture))
+    return max(float(np.abs(f - m.numpy()).max()) for f, m in zip(found, made, strict=True))

@@ -1,0 +1,200 @@
+"""The network that reads pictures: a trunk of convolutions, and a look for every topic. It loads torch."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import torch
+from torch import Tensor, nn
+from torch.nn import functional as F
+
+from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.picture_reader.labels import BOX, PARTS, VIEW, measure_labels, statement_labels, topics
+
+STRIDE = 16
+"""Pixels to a cell of the map that topics look at."""
+
+
+@dataclass(frozen=True)
+class EyesConfig:
+    """Its size."""
+
+    image_size: int = 192
+    """Pixels along each side of a picture."""
+    embedding: int = 32
+    stages: tuple[int, ...] = (32, 64, 160, 320)
+    """Channels of the four stages of a ResNet of basic blocks (He et al. 2016)."""
+    depths: tuple[int, ...] = (2, 2, 2, 2)
+    width: int = 192
+    """Of the map that topics look at."""
+    heads: int = 6
+    mask_width: int = 24
+
+
+class Reading(NamedTuple):
+    """What the network says of B pictures, of both `PARTS`."""
+
+    present: Tensor
+    """(B, 2) logits: whether anything is worn there."""
+    statements: Tensor
+    """(B, 2, S) logits."""
+    has: Tensor
+    """(B, 2, M) logits: whether the garment has what is measured."""
+    measures: Tensor
+    """(B, 2, M, 2) `scaled` measure, and the logarithm of how far off it may be."""
+    panels: Tensor
+    """(B, 2, P) logits."""
+    boxes: Tensor
+    """(B, 2, P, 5) `BOX` in half metres."""
+    view: Tensor
+    """(B, 6) `VIEW`."""
+    masks: Tensor
+    """(B, 2, h, w) logits: where in the picture the garment is, a cell every `MASK_STRIDE` pixels."""
+
+
+class EyesNetwork(nn.Module):
+    """Says of a picture what is worn, what can be said of it, its panels, and where it is."""
+
+    def __init__(self, config: EyesConfig) -> None:
+        """With random weights.
+
+        Args:
+            config: Its size.
+        """
+        from transformers import ResNetConfig, ResNetModel
+
+        super().__init__()
+        self.config = config
+        trunk = ResNetModel(
+            ResNetConfig(
+                embedding_size=config.embedding,
+                hidden_sizes=list(config.stages),
+                depths=list(config.depths),
+                layer_type="basic",
+            )
+        )
+        self.embedder, self.stages = trunk.embedder, trunk.encoder.stages
+        width = config.width
+        self.lateral = nn.ModuleList(nn.Conv2d(c, width, 1) for c in config.stages[2:])
+        self.smooth = nn.Sequential(nn.Conv2d(width, width, 3, padding=1), nn.BatchNorm2d(width), nn.ReLU())
+        side = config.image_size // STRIDE
+        self.places = nn.Parameter(torch.randn(1, side * side, width) * 0.02)
+        self.mask_lateral = nn.ModuleList(
+            nn.Conv2d(c, config.mask_width, 1) for c in (*config.stages[:2], width)
+        )
+        self.mask = nn.Sequential(
+            nn.Conv2d(config.mask_width, config.mask_width, 3, padding=1),
+            nn.BatchNorm2d(config.mask_width),
+            nn.ReLU(),
+            nn.Conv2d(config.mask_width, len(PARTS), 1),
+        )
+        self.looks = _Looks(width, config.heads, len(PARTS) * len(topics()))
+        self.says = _Answers(width)
+
+    def trunk(self, pictures: Tensor) -> tuple[Tensor, Tensor, Tensor]:
+        """Maps of pictures (B, 3, H, W), 0 to 1: of the first two stages, and (B, width, H/16, W/16)."""
+        x = self.embedder((pictures - 0.5) / 0.25)
+        first = self.stages[0](x)
+        second = self.stages[1](first)
+        third = self.stages[2](second)
+        fourth = self.stages[3](third)
+        deep = F.interpolate(self.lateral[1](fourth), scale_factor=2.0, mode="nearest")
+        return first, second, self.smooth(self.lateral[0](third) + deep)
+
+    def forward(self, pictures: Tensor) -> Reading:
+        """Reads pictures.
+
+        Args:
+            pictures: (B, 3, H, W) sRGB from 0 to 1, H and W as configured.
+        """
+        first, second, third = self.trunk(pictures)
+        masks = self.mask_lateral[0](first)
+        masks = masks + F.interpolate(self.mask_lateral[1](second), scale_factor=2.0, mode="nearest")
+        masks = masks + F.interpolate(self.mask_lateral[2](third), scale_factor=4.0, mode="nearest")
+        masks = self.mask(F.relu(masks))
+        tokens = third.flatten(2).transpose(1, 2) + self.places
+        seen = self.looks(tokens)
+        return Reading(*self.says(seen), masks)
+
+
+class _Looks(nn.Module):
+    """Every topic looks at the map with a question of its own."""
+
+    def __init__(self, width: int, heads: int, questions: int) -> None:
+        super().__init__()
+        self.heads = heads
+        self.questions = nn.Parameter(torch.randn(questions, width) * 0.3)
+        self.keys, self.values = nn.Linear(width, width), nn.Linear(width, width)
+        self.made, self.norm = nn.Linear(2 * width, width), nn.LayerNorm(width)
+        self.up, self.down = nn.Linear(width, 2 * width), nn.Linear(2 * width, width)
+
+    def forward(self, tokens: Tensor) -> Tensor:
+        """(B, questions, width) of tokens (B, n, width)."""
+        batch, count, width = tokens.shape
+        part = width // self.heads
+        key = self.keys(tokens).view(batch, count, self.heads, part).permute(0, 2, 3, 1)
+        value = self.values(tokens).view(batch, count, self.heads, part).transpose(1, 2)
+        query = self.questions.view(-1, self.heads, part).transpose(0, 1)
+        share = (query[None] @ key * part**-0.5).softmax(-1)
+        found = (share @ value).transpose(1, 2).reshape(batch, -1, width)
+        everything = tokens.mean(1, keepdim=True).expand(-1, found.shape[1], -1)
+        x = self.made(torch.cat([found, everything], -1)) + self.questions
+        return x + self.down(F.gelu(self.up(self.norm(x))))
+
+
+class _Answers(nn.Module):
+    """From what each topic has seen to the outputs."""
+
+    def __init__(self, width: int) -> None:
+        super().__init__()
+        names = topics()
+        self.count = len(names)
+        of_statement = [names.index(claim) for claim, _ in statement_labels()]
+        of_measure = [names.index(name) for name in measure_labels()]
+        self.register_buffer("of_statement", torch.tensor(of_statement), persistent=False)
+        self.register_buffer("of_measure", torch.tensor(of_measure), persistent=False)
+        self.panels_at, self.garment_at = names.index("panels"), names.index("garment")
+        self.norm = nn.LayerNorm(width)
+        self.statements = _Rows(len(PARTS) * len(of_statement), width, -2.0)
+        self.measures = _Rows(len(PARTS) * len(of_measure) * 3, width)
+        self.panels = nn.Linear(width, len(PANEL_NAMES) * (1 + len(BOX)))
+        self.present, self.view = nn.Linear(width, 1), nn.Linear(2 * width, len(VIEW))
+
+    def forward(self, seen: Tensor) -> tuple[Tensor, ...]:
+        batch, _, width = seen.shape
+        parts = len(PARTS)
+        x = self.norm(seen).view(batch, parts, self.count, width)
+        said = self.statements(x[:, :, self.of_statement].reshape(batch, -1, width)).view(batch, parts, -1)
+        at = x[:, :, self.of_measure].reshape(batch, -1, 1, width).expand(-1, -1, 3, -1)
+        measured = self.measures(at.reshape(batch, -1, width)).view(batch, parts, -1, 3)
+        panels = self.panels(x[:, :, self.panels_at]).view(batch, parts, len(PANEL_NAMES), 1 + len(BOX))
+        garment = x[:, :, self.garment_at]
+        return (
+            self.present(garment)[..., 0],
+            said,
+            measured[..., 0],
+            measured[..., 1:],
+            panels[..., 0],
+            panels[..., 1:],
+            self.view(garment.flatten(1)),
+        )
+
+
+class _Rows(nn.Module):
+    """One output of each of n vectors."""
+
+    def __init__(self, count: int, width: int, bias: float = 0.0) -> None:
+        super().__init__()
+        self.weight = nn.Parameter(torch.randn(count, width) / math.sqrt(width))
+        self.bias = nn.Parameter(torch.full((count,), bias))
+
+    def forward(self, x: Tensor) -> Tensor:
+        """(B, n) of (B, n, width)."""
+        return (x * self.weight).sum(-1) + self.bias
+
+
+def scaled(measures: Tensor) -> Tensor:
+    """Measures as the network predicts them: off by the centimetre where they are small, else by share."""
+    return torch.asinh(measures / 10.0)

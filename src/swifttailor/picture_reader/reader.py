@@ -1,0 +1,218 @@
+"""Reading pictures, with onnxruntime."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.arrays import Pixels
+from swifttailor.describing.claims import CLAIM_TYPES, Claim
+from swifttailor.errors import InputError
+from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
+from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.picture_reader.labels import (
+    PARTS,
+    labels_checksum,
+    measure_labels,
+    statement_labels,
+)
+from swifttailor.picture_reader.reading import Measure, PartReading, PictureReading, SeenPanel, Statement
+from swifttailor.picture_reader.view import camera_of
+
+SHIPPED = Path(__file__).with_name("picture_reader.onnx")
+INPUTS = ("pictures",)
+OUTPUTS = ("present", "statements", "has", "measures", "panels", "boxes", "camera_view", "masks")
+KIND = ModelKind("picture reader", "swifttailor picture-reader 1", 2**28, ({GRAPH: (INPUTS, OUTPUTS)},))
+LEAST_PRESENT = 0.5
+LEAST_CERTAINTY = 0.3
+"""What is less sure is not told."""
+BOX_CM = 50.0
+"""Unit of the boxes."""
+_MARGIN = 0.35
+"""Around the garment, as a share of its larger extent: what hangs where is told by the body around it."""
+_HALF = float(np.log(2))
+"""Median distance from the middle of a Laplace distribution, in its width."""
+
+
+@dataclass(frozen=True, eq=False)
+class PictureReader:
+    """Reads what pictures show."""
+
+    session: Any
+    """Of onnxruntime."""
+    size: int
+    """Pixels along each side of what it is shown."""
+    scales: NDArray[np.float32]
+    """(S, 2) factor and summand that make the logits of statements as sure as they are right."""
+    card: dict[str, Any]
+    """What it was trained on and how good it is."""
+
+    @staticmethod
+    def load(weights: Path | str | None = None, *, threads: int = 1) -> PictureReader:
+        """Opens a model file.
+
+        Args:
+            weights: File; the one that comes with the package when None.
+            threads: CPU cores for the network.
+
+        Raises:
+            InputError: There is no such file, or it is damaged or another.
+        """
+        model = open_model(SHIPPED if weights is None else weights, KIND, threads=threads)
+        with model.says("what it reads"):
+            if model.about["labels_sha256"] != labels_checksum():
+                raise InputError("it was trained for other statements than this version's")
+            scales = np.array(model.about["scales"], np.float32)
+            if scales.shape != (len(statement_labels()), 2) or not np.isfinite(scales).all():
+                raise InputError(f"its scales have the shape {scales.shape}")
+        size = model.shape_given(GRAPH, "pictures")[-1]
+        return PictureReader(model.sessions[GRAPH], int(size), scales, model.about.get("card", {}))
+
+    def read(self, pixels: Pixels) -> PictureReading:
+        """What a picture shows: looked at whole, and once more near the garment.
+
+        Args:
+            pixels: (h, w, 3) sRGB, row 0 at the top.
+
+        Raises:
+            InputError: It is no picture of three colours.
+        """
+        _require_picture(pixels)
+        height, width = pixels.shape[:2]
+        side = max(height, width)
+        whole = ((width - side) // 2, (height - side) // 2, side)
+        answers = self._look(pixels, whole)
+        nearer = _around(answers, whole)
+        if nearer is not None:
+            whole, answers = nearer, self._look(pixels, nearer)
+        return self._reading(answers, whole, (height, width))
+
+    def _look(self, pixels: Pixels, square: tuple[int, int, int]) -> dict[str, Any]:
+        shown = cut_square(pixels, square, self.size)
+        batch = np.ascontiguousarray(shown.transpose(2, 0, 1)[None], np.float32) / 255
+        found = self.session.run(list(OUTPUTS), {"pictures": batch})
+        return {name: value[0] for name, value in zip(OUTPUTS, found, strict=True)}
+
+    def _reading(
+        self, answers: dict[str, Any], square: tuple[int, int, int], shape: tuple[int, int]
+    ) -> PictureReading:
+        present = _share(answers["present"])
+        parts = [
+            PartReading(
+                name,
+                float(present[k]),
+                _statements(answers["statements"][k] * self.scales[:, 0] + self.scales[:, 1]),
+                _measures(answers["has"][k], answers["measures"][k]),
+                _panels(answers["panels"][k], answers["boxes"][k]),
+                _mask(_share(answers["masks"][k]), square, shape),
+            )
+            for k, name in enumerate(PARTS)
+            if present[k] >= LEAST_PRESENT
+        ]
+        left, top, side = square
+        return PictureReading(
+            tuple(sorted(parts, key=lambda part: -part.certainty)),
+            camera_of(answers["camera_view"]),
+            (left, top, left + side, top + side),
+        )
+
+
+def cut_square(pixels: Pixels, square: tuple[int, int, int], size: int) -> Pixels:
+    """(size, size, 3): a square of a picture (left, top, side); outside, its border goes on.
+
+    Args:
+        pixels: (h, w, 3).
+        square: In pixels; may lie outside.
+        size: Pixels along each side of the result.
+    """
+    from PIL import Image
+
+    left, top, side = square
+    height, width = pixels.shape[:2]
+    rows = np.clip(np.arange(top, top + side), 0, height - 1)
+    columns = np.clip(np.arange(left, left + side), 0, width - 1)
+    image = Image.fromarray(pixels[rows[:, None], columns[None]])
+    if image.size != (size, size):
+        image = image.resize(
+            (size, size), Image.Resampling.BOX if side > 2 * size else Image.Resampling.BICUBIC
+        )
+    return np.asarray(image)
+
+
+def _around(answers: dict[str, Any], square: tuple[int, int, int]) -> tuple[int, int, int] | None:
+    """A square around what is worn, where it is a good deal smaller; None where it is not, or nothing is."""
+    present = _share(answers["present"]) >= LEAST_PRESENT
+    if not present.any():
+        return None
+    mask = _share(answers["masks"])[present].max(axis=0) > 0.5
+    rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
+    if len(rows) < 2 or len(columns) < 2:
+        return None
+    left, top, side = square
+    cell = side / mask.shape[0]
+    low = np.array([columns[0], rows[0]]) * cell
+    high = np.array([columns[-1] + 1, rows[-1] + 1]) * cell
+    new = round(float((high - low).max()) * (1 + 2 * _MARGIN))
+    if not 8 <= new < 0.85 * side:
+        return None
+    across, down = np.round((low + high) / 2 - new / 2).astype(int)
+    return left + int(across), top + int(down), new
+
+
+def _statements(logits: NDArray[Any]) -> tuple[Statement, ...]:
+    certain = _share(logits)
+    found = [
+        Statement(Claim(claim, word), float(certain[k]))
+        for k, (claim, word) in enumerate(statement_labels())
+        if certain[k] >= LEAST_CERTAINTY and word in CLAIM_TYPES[claim].words
+    ]
+    return tuple(sorted(found, key=lambda s: -s.certainty))
+
+
+def _measures(has: NDArray[Any], measured: NDArray[Any]) -> tuple[Measure, ...]:
+    certain = _share(has)
+    found = []
+    for k, name in enumerate(measure_labels()):
+        if certain[k] >= LEAST_PRESENT:
+            middle, width = float(measured[k, 0]), float(np.exp(np.clip(measured[k, 1], -5.0, 3.0)))
+            value = 10 * np.sinh(middle)
+            off = 10 * (np.sinh(middle + _HALF * width) - np.sinh(middle - _HALF * width)) / 2
+            found.append(Measure(name, float(value), float(off), float(certain[k])))
+    return tuple(found)
+
+
+def _panels(logits: NDArray[Any], boxes: NDArray[Any]) -> tuple[SeenPanel, ...]:
+    certain = _share(logits)
+    found = []
+    for k in np.flatnonzero(certain >= LEAST_CERTAINTY):
+        x, y, z, width, height = (float(v) * BOX_CM for v in boxes[k])
+        found.append(SeenPanel(PANEL_NAMES[k], float(certain[k]), (x, y, z, width, height)))
+    return tuple(sorted(found, key=lambda panel: -panel.certainty))
+
+
+def _mask(cells: NDArray[Any], square: tuple[int, int, int], shape: tuple[int, int]) -> NDArray[np.float32]:
+    """(h, w) of a whole picture, from the cells of a square of it."""
+    from PIL import Image
+
+    left, top, side = square
+    image = Image.fromarray(cells.astype(np.float32))
+    grown = np.asarray(image.resize((side, side), Image.Resampling.BILINEAR))
+    height, width = shape
+    mask = np.zeros(shape, np.float32)
+    y0, y1, x0, x1 = max(top, 0), min(top + side, height), max(left, 0), min(left + side, width)
+    if y0 < y1 and x0 < x1:
+        mask[y0:y1, x0:x1] = grown[y0 - top : y1 - top, x0 - left : x1 - left]
+    return mask
+
+
+def _share(logits: NDArray[Any]) -> NDArray[Any]:
+    return 1 / (1 + np.exp(-np.clip(logits.astype(np.float64), -60, 60)))
+
+
+def _require_picture(pixels: Pixels) -> None:
+    if pixels.ndim != 3 or pixels.shape[2] != 3 or min(pixels.shape) < 1 or pixels.dtype != np.uint8:
+        raise InputError(f"A picture is (h, w, 3) of bytes; got {pixels.shape} of {pixels.dtype}.")

@@ -1,0 +1,114 @@
+"""What was read of a picture."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.describing.claims import Claim
+from swifttailor.render import Camera
+
+
+@dataclass(frozen=True)
+class Statement:
+    """Something that a picture says of a garment."""
+
+    claim: Claim
+    certainty: float
+    """0 to 1: of what is said with 0.9, nine in ten hold."""
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A dimension as a picture shows it."""
+
+    name: str
+    """Of `describing.dimensions.DIMENSIONS`."""
+    value: float
+    """cm, pieces or a ratio."""
+    off: float
+    """Half of such measures are off by at most this."""
+    certainty: float
+    """That the garment has such a thing at all."""
+
+
+@dataclass(frozen=True)
+class SeenPanel:
+    """A panel that the pattern of the garment has."""
+
+    name: str
+    certainty: float
+    box: tuple[float, float, float, float, float]
+    """Where its middle is placed, x, y, z, and the sides of its flat outline, cm."""
+
+
+@dataclass(frozen=True, eq=False)
+class PartReading:
+    """What is worn on one part of the body."""
+
+    part: str
+    """``upper`` (dresses and jumpsuits too) or ``lower``."""
+    certainty: float
+    """That anything is worn there."""
+    statements: tuple[Statement, ...]
+    """Of each claim the likeliest words, surest first."""
+    measures: tuple[Measure, ...]
+    panels: tuple[SeenPanel, ...]
+    mask: NDArray[np.float32]
+    """(h, w) where in the picture it is, 0 to 1."""
+
+    def certainty_of(self, claim: str, word: str) -> float:
+        """How sure a statement is; 0 where it is not among those that were read."""
+        return next((s.certainty for s in self.statements if s.claim == Claim(claim, word)), 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class PictureReading:
+    """What a picture shows."""
+
+    parts: tuple[PartReading, ...]
+    """Those where something is worn, surest first."""
+    camera: Camera
+    """That shows the wearer as the crop does."""
+    box: tuple[int, int, int, int]
+    """The square of the picture that was read: left, top, right, bottom; may lie outside."""
+
+    @property
+    def face(self) -> str:
+        """Which side of the wearer is seen: ``front``, ``back`` or ``side``."""
+        facing = float(np.cos(np.deg2rad(self.camera.azimuth)))
+        return "front" if facing > _FRONTAL else "back" if facing < -_FRONTAL else "side"
+
+    def to_json(self) -> dict[str, Any]:
+        """For a report."""
+        return {
+            "side": self.face,
+            "box": list(self.box),
+            "parts": [
+                {
+                    "part": part.part,
+                    "certainty": round(part.certainty, 3),
+                    "statements": [
+                        s.claim.to_json() | {"certainty": round(s.certainty, 3)} for s in part.statements
+                    ],
+                    "measures": [
+                        {
+                            "name": m.name,
+                            "value": round(m.value, 1),
+                            "off": round(m.off, 1),
+                            "certainty": round(m.certainty, 3),
+                        }
+                        for m in part.measures
+                    ],
+                    "panels": [{"name": p.name, "certainty": round(p.certainty, 3)} for p in part.panels],
+                }
+                for part in self.parts
+            ],
+        }
+
+
+_FRONTAL = 0.5
+"""Cosine of 60 degrees."""

@@ -1,0 +1,208 @@
+"""Batches of pictures, each time cut, turned and lit otherwise, with what is true of the garments in them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+import torch
+from torch import Tensor
+from torch.nn import functional as F
+from torch.utils.data import DataLoader
+
+from swifttailor.picture_reader.labels import MASK_STRIDE
+from swifttailor.picture_reader.network_torch import scaled
+from swifttailor.picture_reader.truth import TRUE, UNCLEAR
+from swifttailor.training.picture_bank import PictureBank
+from swifttailor.training.picture_blocks import Block, Blocks
+from swifttailor.training.picture_config import PictureConfig
+
+HALF_METRES = 50.0
+"""Boxes are predicted in this many cm."""
+
+
+class Answers(NamedTuple):
+    """What is true of B pictures, as `network_torch.Reading` says it; masks of what counts beside it."""
+
+    present: Tensor
+    """(B, 2) 0 or 1."""
+    statements: Tensor
+    """(B, 2, S) 0 or 1."""
+    clear: Tensor
+    """(B, 2, S) whether that is certain."""
+    has: Tensor
+    """(B, 2, M) 0 or 1."""
+    measures: Tensor
+    """(B, 2, M) `scaled`; 0 where there is none."""
+    panels: Tensor
+    """(B, 2, P) 0 or 1."""
+    boxes: Tensor
+    """(B, 2, P, 5)."""
+    view: Tensor
+    """(B, 6)."""
+    masks: Tensor
+    """(B, 2, h, w) shares."""
+
+
+class TruthTable:
+    """What is true of all garments of a bank, as tensors."""
+
+    def __init__(self, bank: PictureBank) -> None:
+        found = {name: torch.from_numpy(v) for name, v in bank.truths(range(len(bank))).items()}
+        self.statements, self.measures = found["statements"], found["measures"].float()
+        self.panels, self.boxes = found["panels"], found["boxes"]
+
+    def answers(self, garments: Tensor, views: Tensor, masks: Tensor) -> Answers:
+        """For pictures of garments (B, 2), -1 for none; views (B, 6); masks (B, 2, h, w)."""
+        present = garments >= 0
+        k = garments.clamp_min(0)
+        judged, measures, panels = self.statements[k], self.measures[k], self.panels[k]
+        has = measures.isfinite() & present[..., None]
+        return Answers(
+            present.float(),
+            (judged == TRUE).float(),
+            (judged != UNCLEAR) & present[..., None],
+            has.float(),
+            scaled(measures.nan_to_num(0.0)),
+            panels.float() * present[..., None],
+            self.boxes[k].float() / HALF_METRES,
+            views,
+            masks,
+        )
+
+
+class PictureBatches:
+    """Batches of an endless training, each determined by its number."""
+
+    def __init__(self, bank: PictureBank, config: PictureConfig, *, workers: int = 1) -> None:
+        """Prepares to draw.
+
+        Args:
+            bank: Garments.
+            config: Of the training.
+            workers: Processes that draw; 0 draws in this one.
+        """
+        self.config, self.workers = config, workers
+        drawn = config.network.image_size
+        self.blocks = Blocks(
+            bank,
+            seed=config.seed,
+            size=drawn,
+            count=config.block,
+            plain=config.plain,
+            studio=config.studio,
+        )
+        self.truths = TruthTable(bank)
+        self._each = config.block * config.echo // config.batch_size
+        self._next, self._loaded = -1, iter(())
+        self._block: Block | None = None
+
+    def __getitem__(self, step: int) -> tuple[Tensor, Answers]:
+        """Pictures (B, 3, size, size) of the batch of an optimiser step, and what is true of them."""
+        number, place = divmod(step, self._each)
+        block = self._take(number)
+        size, count = self.config.batch_size, self.config.block
+        orders = [
+            np.random.default_rng([self.config.seed, 5, number, e]).permutation(count)
+            for e in range(self.config.echo)
+        ]
+        chosen = np.concatenate(orders)[place * size : (place + 1) * size]
+        chance = torch.Generator().manual_seed(hash((self.config.seed, step)) % (1 << 31))
+        pictures = torch.from_numpy(block.pictures[chosen]).permute(0, 3, 1, 2).float() / 255
+        masks = torch.from_numpy(block.masks[chosen]).permute(0, 3, 1, 2).float() / 255
+        views = torch.from_numpy(block.views[chosen])
+        pictures, masks, views = moved(pictures, masks, views, chance, self.config.variation)
+        pictures = relit(pictures, chance, self.config.variation)
+        garments = torch.from_numpy(block.garments[chosen])
+        return pictures, self.truths.answers(garments, views, masks)
+
+    def _take(self, number: int) -> Block:
+        if self._block is None or self._next != number + 1:
+            if self._next != number:
+                self._loaded = self._load(number)
+            self._block, self._next = next(self._loaded), number + 1
+        return self._block
+
+    def _load(self, first: int) -> Iterator[Block]:
+        if not self.workers:
+            return (self.blocks[k] for k in range(first, 1 << 40))
+        loader = DataLoader(
+            self.blocks,
+            batch_size=None,
+            sampler=range(first, 1 << 40),
+            num_workers=self.workers,
+            prefetch_factor=2,
+            collate_fn=_as_it_is,
+            worker_init_fn=_one_thread,
+            multiprocessing_context="spawn",
+        )
+        return iter(loader)
+
+
+def _as_it_is(block: Block) -> Block:
+    return block
+
+
+def _one_thread(_: int) -> None:
+    torch.set_num_threads(1)
+
+
+def moved(
+    pictures: Tensor, masks: Tensor, views: Tensor, chance: torch.Generator, strength: float
+) -> tuple[Tensor, Tensor, Tensor]:
+    """The same pictures nearer, farther, aside and tilted, each otherwise; masks and views go with them.
+
+    Args:
+        pictures: (B, 3, size, size).
+        masks: (B, 2, size / 4, size / 4).
+        views: (B, 6) `labels.VIEW`.
+        chance: Decides.
+        strength: Factor on how different they are.
+    """
+    count = len(pictures)
+
+    def lots(*shape: int) -> Tensor:
+        return strength * (2 * torch.rand(*shape, generator=chance) - 1)
+
+    scale = torch.exp(0.18 * lots(count))
+    angle = torch.deg2rad(5.0 * lots(count))
+    shift = 0.07 * lots(count, 2)
+    cosine, sine = torch.cos(angle) / scale, torch.sin(angle) / scale
+    # From where in the old picture each point of the new one is taken; both run from -1 to 1.
+    turn = torch.stack([torch.stack([cosine, sine], 1), torch.stack([-sine, cosine], 1)], 1)
+    at = -(turn @ (2 * shift)[:, :, None])
+    theta = torch.cat([turn, at], 2)
+    grid = F.affine_grid(theta, list(pictures.shape), align_corners=False)
+    pictures = F.grid_sample(pictures, grid, padding_mode="border", align_corners=False)
+    coarse = grid[:, MASK_STRIDE // 2 :: MASK_STRIDE, MASK_STRIDE // 2 :: MASK_STRIDE]
+    masks = F.grid_sample(masks, coarse, padding_mode="zeros", align_corners=False)
+    back = torch.linalg.inv(turn)
+    views = views.clone()
+    views[:, 4:6] = (back @ views[:, 4:6, None])[:, :, 0] + shift
+    views[:, 3] += torch.log(scale)
+    return pictures, masks, views
+
+
+def relit(pictures: Tensor, chance: torch.Generator, strength: float) -> Tensor:
+    """The same pictures (B, 3, h, w) brighter, darker, tinted, greyer, blurred or grainy."""
+    count = len(pictures)
+
+    def lots(*shape: int) -> Tensor:
+        return strength * (2 * torch.rand(*shape, generator=chance) - 1)
+
+    gain = torch.exp(0.25 * lots(count, 1, 1, 1) + 0.08 * lots(count, 3, 1, 1))
+    gamma = torch.exp(0.2 * lots(count, 1, 1, 1))
+    pictures = (pictures.clamp_min(1e-4) ** gamma) * gain + 0.06 * lots(count, 1, 1, 1)
+    grey = (torch.rand(count, 1, 1, 1, generator=chance) < 0.08 * strength).float()
+    pictures = pictures + grey * (pictures.mean(1, keepdim=True) - pictures)
+    blur = (torch.rand(count, 1, 1, 1, generator=chance) < 0.2 * strength).float()
+    pictures = pictures + blur * (F.avg_pool2d(pictures, 3, 1, 1) - pictures)
+    noise = 0.05 * strength * torch.rand(count, 1, 1, 1, generator=chance) ** 2
+    pictures = pictures + noise * torch.randn(pictures.shape, generator=chance)
+    return pictures.clamp(0, 1)
+
+
+def to_device(answers: Answers, device: Any) -> Answers:
+    """The same on a device."""
+    return Answers(*(value.to(device, non_blocking=True) for value in answers))

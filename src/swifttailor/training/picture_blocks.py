@@ -1,0 +1,132 @@
+"""Pictures to learn to read from, drawn by the block; each block is fixed by its number."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from types import SimpleNamespace
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.body import Body
+from swifttailor.data.renders.draw import draw_seen, look_camera
+from swifttailor.data.renders.look import random_look
+from swifttailor.data.renders.plain_look import plain_look
+from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS
+from swifttailor.picture_reader.view import view_of
+from swifttailor.training.picture_bank import PictureBank, WornGarment
+from swifttailor.training.picture_scenes import VIEWS, Chance, Scene, View, Wardrobe, draw_scene
+
+Family = Literal["plain", "studio", "people", "held out"]
+"""How a picture looks: like those of GarmentCodeData; a garment in a studio; people; and people in looks that
+training never draws."""
+_VIEW_SHARES = 0.4, 0.3, 0.3
+
+
+@dataclass(frozen=True, eq=False)
+class Block:
+    """Some pictures of some garments."""
+
+    pictures: NDArray[np.uint8]
+    """(n, size, size, 3)."""
+    masks: NDArray[np.uint8]
+    """(n, size / 4, size / 4, 2), see `picture_scenes.Scene`."""
+    views: NDArray[np.float32]
+    """(n, 6)."""
+    garments: NDArray[np.int64]
+    """(n, 2) number of the garment of each part in the bank; -1 for none."""
+
+
+class Blocks:
+    """The blocks of a training."""
+
+    def __init__(
+        self, bank: PictureBank, *, seed: int, size: int, count: int, plain: float, studio: float
+    ) -> None:
+        """Prepares to draw.
+
+        Args:
+            bank: Garments.
+            seed: Of everything.
+            size: Pixels along each side of a picture.
+            count: Pictures in a block.
+            plain: Share of the family ``plain``.
+            studio: Share of the family ``studio``; the others show people.
+        """
+        self.wardrobe, self.seed, self.size, self.count = Wardrobe(bank), seed, size, count
+        self.plain, self.studio = plain, studio
+
+    def __len__(self) -> int:
+        return 1 << 40
+
+    def __getitem__(self, number: int) -> Block:
+        chance = np.random.default_rng([self.seed, number])
+        made = [self._one(number * self.count + k, chance) for k in range(self.count)]
+        pictures, masks, views, garments = (np.stack(column) for column in zip(*made, strict=True))
+        return Block(pictures, masks, views, garments)
+
+    def _one(self, place: int, chance: Chance) -> Scene:
+        epoch, k = divmod(place, len(self.wardrobe.bank))
+        garment = int(_order(self.seed, epoch, len(self.wardrobe.bank))[k])
+        family, view = self._family(chance), VIEWS[int(chance.choice(3, p=_VIEW_SHARES))]
+        return draw(self.wardrobe, garment, family, view, chance, self.size)
+
+    def _family(self, chance: Chance) -> Family:
+        lot = chance.random()
+        return "plain" if lot < self.plain else "studio" if lot < self.plain + self.studio else "people"
+
+
+def draw(wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Chance, size: int) -> Scene:
+    """A picture of a garment.
+
+    Args:
+        wardrobe: What there is.
+        number: Of the garment.
+        family: How it looks.
+        view: From where; of ``plain`` ones there are fronts and backs alone, and ``free`` means either.
+        chance: Decides everything else.
+        size: Pixels along each side.
+    """
+    if family in ("people", "held out"):
+        return draw_scene(wardrobe, number, view, chance, size, held_out=family == "held out")
+    worn = wardrobe.bank[number]
+    if family == "plain":
+        side = view if view != "free" else VIEWS[int(chance.integers(2))]
+        look = plain_look(side)
+    else:
+        look = random_look(chance, view)
+    garment, body = _as_garment(worn), _body()
+    drawn = draw_seen(garment, body, look, size)
+    cells = size // MASK_STRIDE
+    share = drawn.shares[:, :, -1].reshape(cells, MASK_STRIDE, cells, MASK_STRIDE).mean(axis=(1, 3))
+    masks = np.zeros((cells, cells, len(PARTS)), np.uint8)
+    masks[:, :, worn.truth.part] = np.round(255 * share)
+    garments = np.full(len(PARTS), -1)
+    garments[worn.truth.part] = number
+    return Scene(drawn.pixels, masks, view_of(look_camera(garment.vertices, body, look), size), garments)
+
+
+@cache
+def _order(seed: int, epoch: int, count: int) -> NDArray[np.int64]:
+    return np.random.default_rng([seed, 4, epoch]).permutation(count)
+
+
+class _Mesh:
+    """What drawing wants of a `PatternMesh`."""
+
+    def __init__(self, worn: WornGarment) -> None:
+        self.faces, self.face_panel = worn.faces, worn.face_panel
+        self.flat_vertices = worn.cloth_at.reshape(-1, 2)
+        self.flat_faces = np.arange(3 * len(worn.faces)).reshape(-1, 3)
+        self.seams = [SimpleNamespace(vertices=edge) for edge in worn.seams]
+
+
+def _as_garment(worn: WornGarment) -> Any:
+    return SimpleNamespace(vertices=worn.vertices, faces=worn.faces, mesh=_Mesh(worn))
+
+
+@cache
+def _body() -> Body:
+    return Body.default()

@@ -1,0 +1,93 @@
+"""How a picture reader is trained: everything that decides what comes out, in one JSON file."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+from swifttailor.training.config_file import read_config_of, require
+from swifttailor.training.loop_config import LoopConfig
+
+_STRIDE = 32
+
+
+@dataclass(frozen=True)
+class EyesSize:
+    """The size of the network: see `picture_reader.network_torch.EyesConfig`."""
+
+    image_size: int = 192
+    embedding: int = 32
+    stages: tuple[int, ...] = (32, 64, 160, 320)
+    depths: tuple[int, ...] = (2, 2, 2, 2)
+    width: int = 192
+    heads: int = 6
+    mask_width: int = 24
+
+    def __post_init__(self) -> None:
+        sized = self.image_size >= _STRIDE and self.image_size % _STRIDE == 0
+        require(self, "image_size", sized, f"a multiple of {_STRIDE}")
+        require(self, "stages", len(self.stages) == 4 and min(self.stages) >= 1, "four numbers of channels")
+        require(self, "depths", len(self.depths) == 4 and min(self.depths) >= 1, "four numbers of blocks")
+        for name in ("embedding", "width", "heads", "mask_width"):
+            require(self, name, getattr(self, name) >= 1, "at least 1")
+        require(self, "width", self.width % self.heads == 0, f"a multiple of heads ({self.heads})")
+
+
+@dataclass(frozen=True)
+class LossWeights:
+    """What each loss counts."""
+
+    present: float = 1.0
+    statements: float = 1.0
+    measures: float = 0.5
+    panels: float = 1.0
+    boxes: float = 0.5
+    view: float = 0.3
+    masks: float = 0.5
+
+
+@dataclass(frozen=True)
+class PictureConfig(LoopConfig):
+    """Network, pictures, and how the network is optimised."""
+
+    network: EyesSize = field(default_factory=EyesSize)
+    losses: LossWeights = field(default_factory=LossWeights)
+
+    steps: int = 100_000
+    batch_size: int = 64
+    learning_rate: float = 2e-3
+    final_rate: float = 0.01
+    weight_decay: float = 0.05
+    optimizer: Literal["adamw", "muon"] = "adamw"
+    ema: float = 0.998
+    block: int = 256
+    """Pictures that are drawn together; batches are drawn from one block."""
+    echo: int = 2
+    """How often a picture that was drawn is shown, each time cut, turned and lit otherwise."""
+    plain: float = 0.15
+    """Share of pictures that look like those of GarmentCodeData."""
+    studio: float = 0.25
+    """Share of pictures of one garment in a studio; the others show people."""
+    variation: float = 1.0
+    """Strength of the cutting, turning and lighting."""
+    validation_garments: int = 150
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        require(self, "block", self.block % self.batch_size == 0, f"a multiple of {self.batch_size}")
+        require(self, "echo", self.echo >= 1, "at least 1")
+        for name in ("plain", "studio"):
+            require(self, name, 0 <= getattr(self, name) <= 1, "0 to 1")
+        require(self, "studio", self.plain + self.studio <= 1, f"at most 1 - plain ({1 - self.plain:g})")
+        require(self, "variation", self.variation >= 0, "0 or more")
+        require(self, "validation_garments", self.validation_garments >= 1, "at least 1")
+        require(self, "compiled", not self.compiled, "false")
+
+
+CONFIGS: dict[str, PictureConfig] = {"small": PictureConfig()}
+
+
+def read_config(name: str, overrides: Sequence[str] = ()) -> PictureConfig:
+    """One of these, or one from a JSON file that says what differs from ``small``: see `read_config_of`."""
+    return read_config_of(CONFIGS, name, overrides)

@@ -1,0 +1,150 @@
+"""The training of a picture reader. Import this in the function that needs it: it loads torch."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, Unpack
+
+import torch
+from torch import Tensor, nn
+
+from swifttailor.errors import InputError
+from swifttailor.picture_reader.export_torch import build_network
+from swifttailor.picture_reader.labels import labels_checksum
+from swifttailor.picture_reader.network_torch import Reading
+from swifttailor.training.loop_torch import Loop, RunOptions, Task
+from swifttailor.training.master_weights_torch import MasterWeights
+from swifttailor.training.picture_bank import PictureBank
+from swifttailor.training.picture_batch_torch import PictureBatches, to_device
+from swifttailor.training.picture_config import PictureConfig
+from swifttailor.training.picture_losses_torch import reading_losses
+from swifttailor.training.picture_validation_torch import ValidationPictures, judge
+from swifttailor.training.processes_torch import Processes
+from swifttailor.training.start_torch import load_start
+
+
+def train(
+    config: PictureConfig,
+    garments: Sequence[Path],
+    out: Path,
+    *,
+    validation: Sequence[Path],
+    apart: Sequence[Path] = (),
+    workers: int = 1,
+    **options: Unpack[RunOptions],
+) -> dict[str, Any]:
+    """Trains a network, or resumes a training that was interrupted.
+
+    Args:
+        config: Everything that decides the result.
+        garments: Folders of splits of sewn garments to draw.
+        out: Folder of the run; holds weights, card, checkpoint and measurements.
+        validation: Folders of splits to validate with.
+        apart: Folders of splits whose patterns must not be learnt from, nor those of `validation`.
+        workers: Processes that draw; 0 draws between the steps.
+        options: How it is run.
+
+    Returns:
+        The card: what was trained on what, and how good it is.
+
+    Raises:
+        InputError: A file, the folder or the configuration cannot be used.
+        SimulationError: The loss is no number any more.
+    """
+    loop = Loop.start(config, out, **options)
+    processes, report = loop.processes, loop.report
+    held = PictureBank(validation)
+    with processes.first_goes_ahead():
+        held.prepare(workers=max(workers, 1), report=report)
+        others = [PictureBank([folder]) for folder in apart]
+        for other in others:
+            other.prepare(workers=max(workers, 1), report=report)
+        bank = PictureBank(garments)
+        bank.prepare(workers=max(workers, 1), report=report)
+    bank.leave_out(held.digests().union(*(other.digests() for other in others)))
+    if processes.count > 1 and config.batch_size % processes.count:
+        raise InputError(f"batch_size is {config.batch_size}; a multiple of the processes is accepted.")
+    task = PictureTask(config, bank, held, processes, workers=workers)
+    report(
+        f"{sum(p.numel() for p in task.network.parameters()) / 1e6:.2f} M parameters; {len(bank)} garments "
+        f"to draw, {len(task.held)} pictures to validate; {processes.device}, {processes.count} process(es)."
+    )
+    return loop.run(task)
+
+
+class PictureTask(Task):
+    """What pictures show, from the pictures."""
+
+    samples = "pictures"
+
+    def __init__(
+        self,
+        config: PictureConfig,
+        bank: PictureBank,
+        validation: PictureBank,
+        processes: Processes,
+        *,
+        workers: int,
+    ) -> None:
+        """Begins with random weights, or those of ``config.start``.
+
+        Args:
+            config: Of the training.
+            bank: To learn from.
+            validation: To judge by.
+            processes: That train.
+            workers: Processes that draw.
+        """
+        torch.manual_seed(config.seed)
+        self.config, self.device, self.part = config, processes.device, (processes.rank, processes.count)
+        self.network = build_network(asdict(config.network)).to(processes.device)
+        self.network = self.network.to(memory_format=torch.channels_last)
+        if config.start:
+            load_start(self.network, Path(config.start))
+        self.weights = MasterWeights(self.network)
+        lowered = config.precision == "bfloat16" or (config.precision == "auto" and _has_bfloat16())
+        self.precision = "bfloat16" if lowered else "float32"
+        self.batches = PictureBatches(bank, config, workers=workers)
+        self.held = ValidationPictures(validation, config)
+        self.data = {
+            "train": {"garments": len(bank), "sha256": bank.checksum()},
+            "validation": {"garments": self.held.garments, "sha256": validation.checksum()},
+        }
+
+    def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
+        """Of everything that is to be read of a batch, a picture."""
+        pictures, truth = self.batches[step]
+        rank, count = self.part
+        if count > 1:
+            pictures = pictures[rank::count]
+            truth = type(truth)(*(value[rank::count] for value in truth))
+        pictures = pictures.to(self.device).contiguous(memory_format=torch.channels_last)
+        with torch.autocast(self.device.type, torch.bfloat16, enabled=self.precision == "bfloat16"):
+            reading = Reading(*trained(pictures))
+        return reading_losses(reading, to_device(truth, self.device), self.config.losses)
+
+    def validate(self) -> dict[str, Any]:
+        """How well the pictures to validate with are read."""
+        return judge(self.network, self.held, self.device)
+
+    def result_text(self, result: dict[str, Any]) -> str:
+        """In one line."""
+        shown = ("kind", "skirt_hem", "neckline", "waistband", "sleeves", "skirt")
+        some = ", ".join(f"{name} {result['claims'].get(name, float('nan')):.0%}" for name in shown)
+        looks = ", ".join(f"{name} {value:.0%}" for name, value in result["by_look"].items())
+        return (
+            f"validation: not false {result['not_false']:.1%} of all claims ({some}; {looks}); panels all "
+            f"right {result['panels']:.1%}; mask {result['mask']:.1%}"
+        )
+
+    def card(self) -> dict[str, Any]:
+        """Model, labels and data."""
+        return {"model": "PictureReader", "labels_sha256": labels_checksum(), "data": self.data}
+
+
+def _has_bfloat16() -> bool:
+    if torch.cuda.is_available():
+        return torch.cuda.is_bf16_supported()
+    return bool(getattr(torch.cpu, "_is_avx512_bf16_supported", lambda: False)())

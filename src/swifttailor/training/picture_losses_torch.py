@@ -1,0 +1,44 @@
+"""How far a picture reader is off. Import this where it is needed: it loads torch."""
+
+from __future__ import annotations
+
+import torch
+from torch import Tensor
+from torch.nn import functional as F
+
+from swifttailor.picture_reader.network_torch import Reading
+from swifttailor.training.picture_batch_torch import Answers
+from swifttailor.training.picture_config import LossWeights
+
+
+def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> dict[str, Tensor]:
+    """The losses of a batch, a picture; ``total`` is the weighted sum.
+
+    Statements count where they are clear, everything but `present` where a garment is; measures by the
+    likelihood of a Laplace distribution whose width the network says; boxes of panels that are there.
+    """
+    reading = Reading(*(value.float() for value in reading))
+    count, there = len(truth.present), truth.present[..., None]
+    losses = {
+        "present": F.binary_cross_entropy_with_logits(reading.present, truth.present, reduction="sum"),
+        "statements": _cross_entropy(reading.statements, truth.statements, truth.clear),
+        "has": _cross_entropy(reading.has, truth.has, there.expand_as(truth.has)),
+    }
+    value, width = reading.measures[..., 0], reading.measures[..., 1].clamp(-5.0, 3.0)
+    likelihood = (value - truth.measures).abs() * torch.exp(-width) + width
+    losses["measures"] = (likelihood * truth.has).sum()
+    losses["panels"] = _cross_entropy(reading.panels, truth.panels, there.expand_as(truth.panels))
+    apart = F.smooth_l1_loss(reading.boxes, truth.boxes, reduction="none", beta=0.1).sum(-1)
+    losses["boxes"] = (apart * truth.panels).sum()
+    losses["view"] = F.smooth_l1_loss(reading.view, truth.view, reduction="none", beta=0.1).sum()
+    mask = F.binary_cross_entropy_with_logits(reading.masks, truth.masks, reduction="none")
+    losses["masks"] = 10 * mask.mean(dim=(1, 2, 3)).sum()
+    losses = {name: value / count for name, value in losses.items()}
+    factor = {"has": weights.measures} | vars(weights)
+    losses["total"] = torch.stack([factor[name] * value for name, value in losses.items()]).sum()
+    return losses
+
+
+def _cross_entropy(logits: Tensor, truth: Tensor, counts: Tensor) -> Tensor:
+    each = F.binary_cross_entropy_with_logits(logits, truth, reduction="none")
+    return (each * counts).sum()

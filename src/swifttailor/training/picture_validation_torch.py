@@ -1,0 +1,112 @@
+"""How well a picture reader reads garments that it has not learnt from."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from swifttailor.picture_reader.labels import statement_labels
+from swifttailor.picture_reader.network_torch import EyesNetwork, Reading
+from swifttailor.picture_reader.truth import FALSE, TRUE
+from swifttailor.training.picture_bank import PictureBank
+from swifttailor.training.picture_batch_torch import TruthTable
+from swifttailor.training.picture_blocks import Family, draw
+from swifttailor.training.picture_config import PictureConfig
+from swifttailor.training.picture_scenes import View, Wardrobe
+
+SHOWN: tuple[tuple[Family, View], ...] = (
+    ("plain", "front"),
+    ("studio", "front"),
+    ("studio", "back"),
+    ("people", "front"),
+    ("people", "free"),
+    ("held out", "front"),
+)
+"""The pictures of each garment: how it looks, and from where."""
+_BATCH = 64
+
+
+class ValidationPictures:
+    """The same pictures every time."""
+
+    def __init__(self, bank: PictureBank, config: PictureConfig) -> None:
+        """Draws the pictures `SHOWN` of each of the first garments of a bank."""
+        size = config.network.image_size
+        self.garments = min(config.validation_garments, len(bank))
+        wardrobe = Wardrobe(bank)
+        made, masks, numbers, parts = [], [], [], []
+        for k in range(self.garments):
+            part = bank.part(k)
+            for n, (family, view) in enumerate(SHOWN):
+                chance = np.random.default_rng([config.seed, 9, k, n])
+                scene = draw(wardrobe, k, family, view, chance, size)
+                made.append(scene.pixels)
+                masks.append(scene.masks[:, :, part])
+                numbers.append(k)
+                parts.append(part)
+        self.pictures, self.masks = np.stack(made), np.stack(masks)
+        self.numbers, self.parts = np.array(numbers), np.array(parts)
+        table = TruthTable(bank)
+        self.judged = table.statements.numpy()[self.numbers]
+        self.panels = table.panels.numpy()[self.numbers]
+
+    def __len__(self) -> int:
+        return len(self.pictures)
+
+
+@torch.no_grad()
+def read_all(network: EyesNetwork, pictures: np.ndarray[Any, Any], device: torch.device) -> Reading:
+    """What a network says of pictures (n, size, size, 3) uint8."""
+    parts: list[list[Tensor]] = []
+    for start in range(0, len(pictures), _BATCH):
+        batch = torch.from_numpy(pictures[start : start + _BATCH]).permute(0, 3, 1, 2).float() / 255
+        batch = batch.to(device).contiguous(memory_format=torch.channels_last)
+        parts.append([value.float().cpu() for value in network(batch)])
+    return Reading(*(torch.cat(column) for column in zip(*parts, strict=True)))
+
+
+def judge(network: EyesNetwork, held: ValidationPictures, device: torch.device) -> dict[str, Any]:
+    """How well a network reads.
+
+    Returns:
+        ``claims``: of each claim the share of pictures whose likeliest word is not false, of those that show
+        a garment of which one is true; ``not_false``: of all claims together; ``by_look``: the same by look
+        and view; ``panels``: share of pictures with exactly the right panel names; ``mask``:
+        intersection over union.
+    """
+    reading = read_all(network, held.pictures, device)
+    rows = np.arange(len(held))
+    logits = reading.statements.numpy()[rows, held.parts]
+    claims = np.array([claim for claim, _ in statement_labels()])
+    right: dict[str, float] = {}
+    of_look: list[list[np.ndarray[Any, Any]]] = [[] for _ in SHOWN]
+    everything = []
+    for claim in dict.fromkeys(claims):
+        columns = np.flatnonzero(claims == claim)
+        asked = np.flatnonzero((held.judged[:, columns] == TRUE).any(axis=1))
+        if not len(asked):
+            continue
+        said = columns[logits[asked][:, columns].argmax(axis=1)]
+        good = held.judged[asked, said] != FALSE
+        right[str(claim)] = round(float(good.mean()), 4)
+        everything.append(good)
+        for n in range(len(SHOWN)):
+            of_look[n].append(good[asked % len(SHOWN) == n])
+    panels = (reading.panels.numpy()[rows, held.parts] > 0) == (held.panels > 0)
+    mask, shown = reading.masks.numpy()[rows, held.parts] > 0, held.masks > 127
+    inside = (mask & shown).sum(axis=(1, 2)) / np.maximum((mask | shown).sum(axis=(1, 2)), 1)
+    names = [f"{family} {view}" for family, view in SHOWN]
+    return {
+        "pictures": len(held),
+        "not_false": round(float(np.concatenate(everything).mean()), 4),
+        "by_look": {
+            name: round(float(np.concatenate(part).mean()), 4)
+            for name, part in zip(names, of_look, strict=True)
+        },
+        "panels": round(float(panels.all(axis=1).mean()), 4),
+        "mask": round(float(inside.mean()), 4),
+        "claims": right,
+    }

@@ -1,0 +1,122 @@
+"""Looks that leave the studio."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from swifttailor.body import Body
+from swifttailor.data.renders import Look, draw_look, draw_seen, everyday_look
+from swifttailor.data.renders.backdrops import Scenery, backdrop
+from swifttailor.data.renders.camera_effects import CameraEffects, random_effects
+from swifttailor.data.renders.cloths import Place, random_cloth
+from swifttailor.data.renders.foreground import Before, random_before
+from swifttailor.data.renders.look import VIEWS, View
+from swifttailor.draping import drape
+from swifttailor.garment.garment import Garment
+from swifttailor.pattern.drafts import draft
+from swifttailor.render import Plain
+
+SEEDS = st.integers(0, 2**32 - 1)
+
+
+@pytest.fixture(scope="module")
+def dress() -> Garment:
+    return drape(draft("fitted-dress"), edge_length=5.0)
+
+
+@given(SEEDS, st.sampled_from(VIEWS))
+@settings(max_examples=60, deadline=None)
+def test_every_look_is_possible_and_repeatable(seed, view):
+    look = everyday_look(np.random.default_rng(seed), view)
+    assert look == everyday_look(np.random.default_rng(seed), view)
+    points = np.random.default_rng(seed).uniform(-50, 50, (50, 2))
+    rest = np.random.default_rng(seed).uniform((-30, 0, -20), (30, 150, 20), (50, 3))
+    colors = look.print.colors(points, rest)
+    assert np.isfinite(colors).all() and colors.min() >= -0.01 and colors.max() < 1.3
+
+
+def test_cloths_are_of_many_kinds():
+    drawn = [random_cloth(np.random.default_rng(k)) for k in range(400)]
+    assert len({type(d.cloth.base) for d in drawn}) == 6
+    weaves = [d.cloth.weave.kind for d in drawn if d.cloth.weave is not None]
+    assert len(set(weaves)) >= 7 and 0.2 < len(weaves) / 400 < 0.5
+    for part in ("wear", "graphic", "block", "fade"):
+        assert 0.01 < np.mean([getattr(d.cloth, part) is not None for d in drawn]) < 0.25, part
+    assert 0.15 < np.mean([bool(d.cloth.marks) for d in drawn]) < 0.35
+
+
+def test_a_look_is_drawn_alike_each_time_and_unlike_others(dress):
+    body, place = Body.default(), Place.of(dress.vertices)
+    pictures = []
+    for seed in range(6):
+        look = everyday_look(np.random.default_rng(seed), "front", place)
+        pictures.append(draw_look(dress, body, look, 64))
+        assert pictures[-1].shape == (64, 64, 3) and pictures[-1].dtype == np.uint8
+        np.testing.assert_array_equal(pictures[-1], draw_look(dress, body, look, 64))
+        np.testing.assert_array_equal(pictures[-1], draw_seen(dress, body, look, 64).pixels)
+    assert len({p.tobytes() for p in pictures}) == 6
+
+
+def test_the_mask_is_where_the_cloth_is(dress):
+    body = Body.default()
+    look = Look(
+        Plain((0.02, 0.5, 0.03), 0.0), (0.02, 0.5, 0.03), View(whole_body=False), body=(0.5, 0.3, 0.2)
+    )
+    drawn = draw_seen(dress, body, look, 96)
+    green = drawn.pixels[:, :, 1].astype(int) - drawn.pixels[:, :, [0, 2]].max(axis=2) > 20
+    cloth = drawn.shares[:, :, 1]
+    assert green[cloth == 1.0].mean() > 0.98 and green[cloth == 0.0].mean() < 0.001
+    assert ((drawn.face >= 0) & (cloth > 0)).sum() == (drawn.face >= 0).sum() > 500
+    assert drawn.face.max() < len(dress.faces) and (drawn.shares[drawn.face == -2][:, 0] > 0).all()
+    hidden = Look(**{**look.__dict__, "before": (Before((0.5, 0.0), (0.5, 1.0), 0.2, (0.9, 0.1, 0.1), 0.0),)})
+    covered = draw_seen(dress, body, hidden, 96)
+    assert covered.shares[:, 40:56].max() == 0.0 and (covered.face[:, 40:56] == -1).all()
+    np.testing.assert_array_equal(covered.shares[:, :20], drawn.shares[:, :20])
+
+
+def test_backdrops_are_many_and_show_their_part():
+    light = Scenery(3).light(backdrop(3).shape[0])
+    np.testing.assert_allclose(light, backdrop(3), atol=1e-5)
+    np.testing.assert_allclose(Scenery(3, flip=True).light(160), light[:, ::-1], atol=1e-5)
+    corner = Scenery(3, corner=(1.0, 0.0), part=0.5).light(80)
+    np.testing.assert_allclose(corner[-1, 0], backdrop(3)[-1, 0], atol=1e-5)
+    np.testing.assert_allclose(
+        Scenery(3, tint=(0.5, 1, 1)).light(40)[..., 0] * 2, Scenery(3).light(40)[..., 0], rtol=1e-4
+    )
+    bank = [backdrop(k) for k in range(48)]
+    assert all(p.shape == (160, 160, 3) and np.isfinite(p).all() and p.min() >= 0 for p in bank)
+    means = np.array([p.mean(axis=(0, 1)) for p in bank])
+    assert means.std(axis=0).min() > 0.1
+
+
+@given(SEEDS)
+@settings(max_examples=40, deadline=None)
+def test_things_before_the_figure_hide_what_they_cover(seed):
+    for thing in random_before(np.random.default_rng(seed)):
+        picture, cover = np.full((48, 48, 3), np.float32(0.5)), np.ones((48, 48), np.float32)
+        thing.put(picture, cover)
+        assert cover.min() >= 0 and cover.max() == 1 and np.isfinite(picture).all()
+        assert (picture[cover == 1] == 0.5).all()
+
+
+@given(SEEDS)
+@settings(max_examples=30, deadline=None)
+def test_cameras_keep_the_picture_recognisable(seed):
+    y, x = np.mgrid[0:64, 0:64]
+    picture = np.stack([x * 4, y * 4, 255 - 2 * (x + y)], axis=2).astype(np.uint8)
+    effects = random_effects(np.random.default_rng(seed))
+    found = effects.apply(picture)
+    assert found.shape == picture.shape and found.dtype == np.uint8
+    np.testing.assert_array_equal(found, effects.apply(picture))
+    assert np.corrcoef(found.ravel(), picture.ravel())[0, 1] > 0.9
+    np.testing.assert_array_equal(CameraEffects().apply(picture), picture)
+
+
+def test_exposure_never_turns_light_into_dark():
+    ramp = np.repeat(np.arange(256, dtype=np.uint8)[None, :, None], 3, axis=2)
+    for exposure in (-1.0, -0.3, 0.3, 1.0):
+        found = CameraEffects(exposure=exposure).apply(ramp).astype(int)[0, :, 0]
+        assert (np.diff(found) >= 0).all() and np.sign(found[100] - 100) == np.sign(exposure)

@@ -1,0 +1,100 @@
+"""Reading pictures with a network, here one that has learnt nothing."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from swifttailor.errors import InputError
+from swifttailor.picture_reader.labels import labels_checksum, statement_labels
+from swifttailor.picture_reader.reader import LEAST_CERTAINTY, PictureReader, cut_square
+
+TINY = {"image_size": 64, "embedding": 8, "stages": [8, 8, 16, 16], "depths": [1, 1, 1, 1], "width": 24}
+
+
+def test_squares_are_cut_and_the_border_goes_on():
+    picture = np.arange(4 * 6 * 3, dtype=np.uint8).reshape(4, 6, 3)
+    inside = cut_square(picture, (1, 0, 4), 4)
+    np.testing.assert_array_equal(inside, picture[:, 1:5])
+    around = cut_square(picture, (0, -1, 6), 6)
+    np.testing.assert_array_equal(around[0], picture[0])
+    np.testing.assert_array_equal(around[1:5], picture)
+    np.testing.assert_array_equal(around[5], picture[3])
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    pytest.importorskip("torch")
+    import torch
+
+    from swifttailor.picture_reader.export_torch import build_network, compare, export
+
+    torch.manual_seed(0)
+    network = build_network(TINY | {"heads": 2, "mask_width": 8})
+    path = export(network, {"model": "PictureReader"}, tmp_path_factory.mktemp("reader") / "reader.onnx")
+    assert compare(PictureReader.load(path), network) < 1e-4
+    return path
+
+
+@pytest.mark.needs_torch
+def test_what_is_read_is_sorted_and_within_bounds(file):
+    reader = PictureReader.load(file)
+    assert (reader.size, reader.card) == (64, {"model": "PictureReader"})
+    picture = np.random.default_rng(1).integers(0, 256, (90, 50, 3), np.uint8)
+    found = reader.read(picture)
+    assert json.loads(json.dumps(found.to_json()))["side"] in ("front", "back", "side")
+    left, top, right, bottom = found.box
+    assert right - left == bottom - top > 0
+    for part in found.parts:
+        certainties = [s.certainty for s in part.statements]
+        assert certainties == sorted(certainties, reverse=True)
+        assert all(LEAST_CERTAINTY <= c <= 1 for c in certainties)
+        assert part.mask.shape == (90, 50) and 0 <= part.mask.min() <= part.mask.max() <= 1
+        assert all(m.off > 0 for m in part.measures)
+    again = PictureReader.load(file).read(picture)
+    assert again.to_json() == found.to_json()
+
+
+@pytest.mark.needs_torch
+@pytest.mark.parametrize("shape", [(1, 1, 3), (1, 400, 3), (400, 1, 3), (64, 64, 3)])
+@pytest.mark.parametrize("level", [0, 255])
+def test_odd_pictures_are_read_as_well(file, shape, level):
+    found = PictureReader.load(file).read(np.full(shape, level, np.uint8))
+    assert all(np.isfinite(part.mask).all() for part in found.parts)
+
+
+@pytest.mark.needs_torch
+@pytest.mark.parametrize(
+    "bad", [np.zeros((4, 4), np.uint8), np.zeros((4, 4, 3)), np.zeros((0, 4, 3), np.uint8)]
+)
+def test_what_is_no_picture_is_refused(file, bad):
+    with pytest.raises(InputError, match=r"\(h, w, 3\)"):
+        PictureReader.load(file).read(bad)
+
+
+@pytest.mark.needs_torch
+def test_files_for_other_labels_are_refused(file, tmp_path):
+    from swifttailor.networks.model_file import write_graph
+    from swifttailor.picture_reader.reader import KIND
+
+    graph = file.read_bytes()
+    scales = [[1.0, 0.0]] * len(statement_labels())
+    for name, said in {
+        "labels": {"labels_sha256": "0", "scales": scales},
+        "scales": {"labels_sha256": labels_checksum(), "scales": scales[1:]},
+        "nothing": {},
+    }.items():
+        path = write_graph(tmp_path / f"{name}.onnx", KIND, _bare(graph), {}, **said)
+        with pytest.raises(InputError, match="does not say what it reads"):
+            PictureReader.load(path)
+
+
+def _bare(graph: bytes) -> bytes:
+    """The graph without what it says of itself."""
+    import onnx
+
+    model = onnx.load_model_from_string(graph)
+    del model.metadata_props[:]
+    return model.SerializeToString()

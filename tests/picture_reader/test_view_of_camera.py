@@ -1,0 +1,39 @@
+"""Six numbers that say how a camera looks at the wearer."""
+
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from swifttailor.picture_reader.view import HIGH, LOW, camera_of, view_of
+from swifttailor.render import Camera
+
+
+@given(
+    azimuth=st.floats(-180, 180),
+    elevation=st.floats(-20, 30),
+    height=st.floats(60, 400),
+    x=st.floats(-20, 20),
+    y=st.floats(60, 130),
+    field=st.one_of(st.just(0.0), st.floats(1, 40)),
+)
+def test_the_camera_of_a_view_shows_the_wearer_in_the_same_place(azimuth, elevation, height, x, y, field):
+    turned = np.deg2rad(azimuth)
+    target = (x * float(np.cos(turned)), y, -x * float(np.sin(turned)))
+    camera = Camera(target, height, azimuth, elevation, field)
+    found = camera_of(view_of(camera, 100))
+    axis = np.stack([LOW, HIGH])
+    before, after = (c.project(axis, (100, 100))[:, :2] for c in (camera, found))
+    # Another distance of the camera bends the axis a little.
+    assert np.abs(before.mean(axis=0) - after.mean(axis=0)).max() < 1.0 + 0.3 * np.ptp(before[:, 1])
+    assert abs(np.ptp(before[:, 1]) - np.ptp(after[:, 1])) < 0.12 * np.ptp(before[:, 1]) + 0.1
+    assert abs((found.azimuth - azimuth + 180) % 360 - 180) < 0.01
+    assert abs(found.elevation - elevation) < 0.01
+
+
+def test_the_view_says_what_is_seen():
+    view = view_of(Camera((0.0, 100.0, 0.0), 160.0, 90.0, 0.0, 0.0), 64)
+    np.testing.assert_allclose(view, [1, 0, 0, np.log(0.5), 0, 0], atol=1e-6)
+    aside = view_of(Camera((16.0, 116.0, 0.0), 160.0, 0.0, 0.0, 0.0), 64)
+    np.testing.assert_allclose(aside[4:], [-0.1, 0.1], atol=1e-6)

@@ -1,0 +1,171 @@
+"""Training the picture reader."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+pytestmark = pytest.mark.needs_torch
+
+
+def tiny_config(**more):
+    from swifttailor.training.picture_config import EyesSize, PictureConfig
+
+    network = EyesSize(
+        image_size=32,
+        embedding=8,
+        stages=(8, 16, 32, 32),
+        depths=(1, 1, 1, 1),
+        width=32,
+        heads=2,
+        mask_width=8,
+    )
+    values = {
+        "network": network,
+        "steps": 60,
+        "batch_size": 6,
+        "block": 6,
+        "echo": 1,
+        "variation": 0.0,
+        "learning_rate": 4e-3,
+        "warmup_steps": 5,
+        "ema": 0.9,
+        "validate_every": 1000,
+        "validation_garments": 2,
+        "precision": "float32",
+    }
+    return PictureConfig(**(values | more))
+
+
+def run_of(data, out, *, config=None, **options):
+    from swifttailor.training.picture_loop_torch import train
+
+    return train(
+        config or tiny_config(),
+        [data / "train"],
+        out,
+        validation=[data / "validation"],
+        workers=0,
+        threads=1,
+        **options,
+    )
+
+
+def test_it_learns_resumes_and_is_written(data, tmp_path):
+    from safetensors.numpy import load_file
+
+    from swifttailor.cli.train_export import TrainExport
+    from swifttailor.errors import InputError
+    from swifttailor.picture_reader.reader import PictureReader
+
+    card = run_of(data, tmp_path / "run")
+    lines = [json.loads(line) for line in (tmp_path / "run/metrics.jsonl").read_text().splitlines()]
+    totals = [line["total"] for line in lines if "total" in line]
+    assert totals[-1] < 110, "far below what random weights lose (173)"
+    assert card["data"]["train"]["garments"] == 6 and card["validation"]["pictures"] == 12
+    assert 0 <= card["validation"]["not_false"] <= 1 and set(card["validation"]["by_look"]) >= {
+        "held out front"
+    }
+
+    run_of(data, tmp_path / "again", stop_after=23)
+    run_of(data, tmp_path / "again", resume=True)
+    once, again = (load_file(tmp_path / name / "weights.safetensors") for name in ("run", "again"))
+    assert all(np.array_equal(once[name], again[name]) for name in once), "interrupted, and the same"
+
+    path = tmp_path / "reader.onnx"
+    assert TrainExport(source=tmp_path / "run", out=path, half=True).run() == 0
+    reader = PictureReader.load(path)
+    assert reader.card["model"] == "PictureReader" and reader.size == 32
+    written = tmp_path / "run" / "card.json"
+    written.write_text(json.dumps(card | {"labels_sha256": "0"}))
+    with pytest.raises(InputError, match="other statements"):
+        TrainExport(source=tmp_path / "run", out=path).run()
+
+
+def test_garments_that_are_judged_by_are_not_learnt_from(data, tmp_path):
+    from swifttailor.errors import InputError
+    from swifttailor.training.picture_loop_torch import train
+
+    with pytest.raises(InputError, match="no garments to draw"):
+        train(tiny_config(), [data / "validation"], tmp_path, validation=[data / "validation"], workers=0)
+
+
+def test_masks_and_views_move_with_their_picture():
+    import torch
+
+    from swifttailor.training.picture_batch_torch import moved
+
+    size = 64
+    pictures, masks, views = torch.zeros(5, 3, size, size), torch.zeros(5, 2, 16, 16), torch.zeros(5, 6)
+    pictures[:, :, 20:28, 36:44] = 1.0
+    masks[:, 0, 5:7, 9:11] = 1.0
+    views[:, 4], views[:, 5] = 40 / size - 0.5, 24 / size - 0.5
+    seen, covered, found = moved(pictures, masks, views, torch.Generator().manual_seed(1), 1.0)
+    places = (torch.arange(size) + 0.5) / size - 0.5
+    cells = (torch.arange(16) + 0.5) / 16 - 0.5
+    areas = []
+    for k in range(5):
+        weight = seen[k, 0] / seen[k, 0].sum()
+        x, y = float((weight.sum(0) * places).sum()), float((weight.sum(1) * places).sum())
+        np.testing.assert_allclose([x, y], found[k, 4:6].numpy(), atol=0.01)
+        share = covered[k, 0] / covered[k, 0].sum()
+        xm, ym = float((share.sum(0) * cells).sum()), float((share.sum(1) * cells).sum())
+        np.testing.assert_allclose([x, y], [xm, ym], atol=0.035)
+        areas.append(float(seen[k, 0].sum()) / 64)
+    np.testing.assert_allclose(np.sqrt(areas), np.exp(found[:, 3].numpy()), rtol=0.03)
+    assert len({round(a, 3) for a in areas}) == 5
+    same = moved(pictures, masks, views, torch.Generator().manual_seed(1), 0.0)
+    torch.testing.assert_close(same[0], pictures, atol=1e-5, rtol=0)
+    torch.testing.assert_close(same[2], views)
+
+
+def test_the_loss_is_least_where_the_reading_is_true():
+    import torch
+
+    from swifttailor.picture_reader.network_torch import Reading
+    from swifttailor.training.picture_batch_torch import Answers
+    from swifttailor.training.picture_config import LossWeights
+    from swifttailor.training.picture_losses_torch import reading_losses
+
+    chance = torch.Generator().manual_seed(0)
+
+    def lots(*shape):
+        return (torch.rand(*shape, generator=chance) < 0.5).float()
+
+    measures = torch.randn(2, 2, 5, generator=chance)
+    truth = Answers(
+        present=torch.tensor([[1.0, 0.0], [1.0, 1.0]]),
+        statements=lots(2, 2, 7),
+        clear=lots(2, 2, 7).bool(),
+        has=lots(2, 2, 5),
+        measures=measures,
+        panels=lots(2, 2, 4),
+        boxes=torch.randn(2, 2, 4, 5, generator=chance),
+        view=torch.randn(2, 6, generator=chance),
+        masks=lots(2, 2, 3, 3),
+    )
+
+    def sure(values):
+        return 20 * (2 * values - 1)
+
+    reading = Reading(
+        sure(truth.present),
+        sure(truth.statements),
+        sure(truth.has),
+        torch.stack([measures, torch.full_like(measures, -3.0)], -1),
+        sure(truth.panels),
+        truth.boxes,
+        truth.view,
+        sure(truth.masks),
+    )
+    best = reading_losses(reading, truth, LossWeights())
+    assert all(float(best[name]) < 1e-3 for name in best if name not in ("measures", "total"))
+    for name in Reading._fields:
+        worse = reading._replace(**{name: -getattr(reading, name)})
+        assert reading_losses(worse, truth, LossWeights())["total"] > best["total"] + 0.1, name
+    unclear = reading._replace(statements=torch.where(truth.clear, reading.statements, -reading.statements))
+    assert float(reading_losses(unclear, truth, LossWeights())["statements"]) < 1e-3, (
+        "the border counts nothing"
+    )

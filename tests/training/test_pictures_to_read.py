@@ -1,0 +1,139 @@
+"""The pictures that the picture reader learns from."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from swifttailor.data.reader import SplitReader
+from swifttailor.data.renders.backdrops import MAKER_NAMES
+from swifttailor.errors import InputError
+from swifttailor.pattern.digest import pattern_digest
+from swifttailor.picture_reader.labels import PARTS
+from swifttailor.picture_reader.view import camera_of
+from swifttailor.training.picture_bank import PictureBank
+from swifttailor.training.picture_blocks import Blocks, draw
+from swifttailor.training.picture_scenes import (
+    HELD_OUT_BACKDROPS,
+    HELD_OUT_WEAVES,
+    VIEWS,
+    Wardrobe,
+    draw_scene,
+)
+
+SIZE = 64
+
+
+@pytest.fixture(scope="module")
+def bank(data):
+    bank = PictureBank([data / "train"])
+    bank.prepare()
+    return bank
+
+
+@pytest.fixture(scope="module")
+def wardrobe(bank):
+    return Wardrobe(bank)
+
+
+def test_the_bank_keeps_what_is_drawn(bank, data):
+    reader = SplitReader(data / "train")
+    assert len(bank) == len(reader) == 6
+    for k, sample in enumerate(reader):
+        worn = bank[k]
+        assert np.abs(worn.vertices - sample.vertices).max() <= 0.011  # kept in hundredths of a centimetre
+        np.testing.assert_array_equal(worn.faces, sample.mesh.faces)
+        flat = sample.mesh.flat_vertices[sample.mesh.flat_faces]
+        assert np.abs(worn.cloth_at - flat).max() <= 0.006
+        np.testing.assert_allclose(worn.weights.share.sum(axis=1), 1.0, atol=2e-3)
+        assert PARTS[worn.truth.part] == ("upper" if sample.id.startswith("shirt") else "lower")
+        assert bank.part(k) == worn.truth.part
+    assert bank.digests() == {pattern_digest(sample.pattern) for sample in reader}
+
+
+def test_garments_of_others_and_twins_are_left_out(data):
+    bank = PictureBank([data / "train", data / "train"])
+    bank.prepare()
+    assert len(bank) == 12
+    bank.leave_out([])
+    assert len(bank) == 6, "equal patterns are there once"
+    digest = next(iter(bank.digests()))
+    bank.leave_out([digest])
+    assert len(bank) == 5 and digest not in bank.digests()
+
+
+def test_an_empty_bank_is_refused():
+    with pytest.raises(InputError, match="There are no garments to draw"):
+        PictureBank([])
+
+
+@pytest.mark.parametrize("family", ["plain", "studio", "people", "held out"])
+def test_pictures_are_fixed_by_their_lots_and_masks_lie_on_the_garment(wardrobe, family):
+    for number, view in ((0, "front"), (4, "back"), (1, "free")):
+        first, again = (
+            draw(wardrobe, number, family, view, np.random.default_rng(7), SIZE) for _ in range(2)
+        )
+        for a, b in zip(first, again, strict=True):
+            np.testing.assert_array_equal(a, b)
+        other = draw(wardrobe, number, family, view, np.random.default_rng(8), SIZE)
+        assert (first.pixels != other.pixels).any() or family == "plain"
+        part = wardrobe.bank.part(number)
+        assert first.garments[part] == number
+        mask = first.masks[:, :, part]
+        assert mask.max() > 100, "the garment is seen"
+        assert (first.garments[1 - part] >= 0) or not first.masks[:, :, 1 - part].any()
+        camera = camera_of(first.view)
+        middle = camera.project(np.array([[0.0, 120.0 if part == 0 else 70.0, 0.0]]), (SIZE, SIZE))[0, :2]
+        rows, columns = np.nonzero(mask > 100)
+        away = np.abs(np.array([columns.mean(), rows.mean()]) * 4 + 2 - middle)
+        assert away.max() < 0.45 * SIZE, "the camera of the view looks at the mask"
+
+
+def test_two_garments_are_worn_by_one_person(wardrobe):
+    found = [draw_scene(wardrobe, k % 6, "front", np.random.default_rng(k), SIZE) for k in range(24)]
+    both = [scene for scene in found if (scene.garments >= 0).all()]
+    assert 12 <= len(both) < 24
+    for scene in both:
+        upper, lower = scene.garments
+        assert wardrobe.bank.part(upper) == 0 and wardrobe.bank.part(lower) == 1
+    rows = np.arange(SIZE // 4)[:, None]
+    heights = [
+        [(rows * scene.masks[:, :, part]).sum() / scene.masks[:, :, part].sum() for part in (0, 1)]
+        for scene in both
+        if scene.masks.sum(axis=(0, 1)).min() > 2000
+    ]
+    assert len(heights) > 5 and all(upper < lower for upper, lower in heights)
+
+
+def test_looks_that_are_held_out_are_never_learnt_from(wardrobe, monkeypatch):
+    from swifttailor.training import picture_scenes
+
+    drawn = []
+    cloth, scenery = picture_scenes._random_cloth, picture_scenes._background
+
+    def remember(*arguments):
+        made = cloth(*arguments)
+        drawn.append(made.cloth.weave)
+        return made
+
+    monkeypatch.setattr(picture_scenes, "_random_cloth", remember)
+    for k in range(30):
+        draw_scene(wardrobe, k % 6, VIEWS[k % 3], np.random.default_rng(k), 32)
+    assert not any(w is not None and w.kind in HELD_OUT_WEAVES for w in drawn)
+    drawn.clear()
+    for k in range(10):
+        draw_scene(wardrobe, 0, "front", np.random.default_rng(k), 32, held_out=True)
+    assert any(w is not None and w.kind in HELD_OUT_WEAVES for w in drawn)
+    assert set(MAKER_NAMES) > HELD_OUT_BACKDROPS
+    assert scenery(np.random.default_rng(0), 16, True).shape == (16, 16, 3)
+
+
+def test_blocks_are_fixed_by_their_number_and_show_every_garment(bank):
+    blocks = Blocks(bank, seed=3, size=32, count=6, plain=0.2, studio=0.3)
+    first, second, again = blocks[0], blocks[1], blocks[0]
+    for name in ("pictures", "masks", "views", "garments"):
+        np.testing.assert_array_equal(getattr(first, name), getattr(again, name))
+    assert (first.pictures != second.pictures).any()
+    for block in (first, second):
+        assert set(range(6)) <= set(block.garments.ravel())
+    assert first.pictures.shape == (6, 32, 32, 3) and first.masks.shape == (6, 8, 8, 2)
