@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -77,13 +77,9 @@ class GarmentScore:
     seconds: float | None = None
     """That it took to make."""
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain JSON values; `score_of_json` reads them back."""
-        return asdict(self)
-
 
 def score_of_json(value: Any) -> GarmentScore:
-    """Reads what `GarmentScore.to_json` gives.
+    """Reads the JSON values of a `GarmentScore`.
 
     Raises:
         InputError: It is something else.

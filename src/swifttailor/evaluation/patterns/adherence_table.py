@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from swifttailor.evaluation.patterns.adherence import Adherence, Share
-from swifttailor.evaluation.text_table import Column, text_table
+from swifttailor.evaluation.text_table import Column, Row, text_table
 
 
 def adherence_table(rows: Sequence[tuple[str, Adherence]]) -> str:
@@ -25,9 +25,9 @@ def adherence_table(rows: Sequence[tuple[str, Adherence]]) -> str:
         for name, r in rows
         if r.unmeasured
     )
-    return text_table("", columns, lines) + not_measured
+    return text_table(columns, lines) + not_measured
 
 
-def _line(name: str, shares: Sequence[Share]) -> tuple[str, list[float | int | None]]:
+def _line(name: str, shares: Sequence[Share]) -> Row:
     percent = [None if s.share is None else 100 * s.share for s in shares]
     return name, [max((s.made for s in shares), default=0), *percent]
