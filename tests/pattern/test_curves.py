@@ -93,6 +93,20 @@ def test_mirroring_reflects_every_point(edge):
 
 
 @CHECKED
+@given(shaped_edges(), st.sampled_from([0.01, 0.1, 2.54, 100.0]))
+def test_scaling_multiplies_points_and_length(edge, factor):
+    curve, chord = edge
+    scaled = curves.scale(curve, factor)
+    expected = curves.evaluate(curve, chord, T) * factor
+    assert _farthest(curves.evaluate(scaled, chord * factor, T), expected) < 1e-9 * (
+        1 + factor * (_scale(curve, chord) + 200)
+    )
+    assert curves.length(scaled, chord * factor) == pytest.approx(
+        factor * curves.length(curve, chord), rel=1e-9
+    )
+
+
+@CHECKED
 @given(shaped_edges())
 def test_length_is_the_limit_of_polylines(edge):
     curve, chord = edge

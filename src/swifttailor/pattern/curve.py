@@ -210,6 +210,11 @@ def mirror(curve: Curve) -> Curve:
     return replace(curve, right=not curve.right) if isinstance(curve, Arc) else curve
 
 
+def scale(curve: Curve, factor: float) -> Curve:
+    """The shape after its end points have been scaled by `factor`: only absolute radii change."""
+    return replace(curve, radius=curve.radius * factor) if isinstance(curve, Arc) else curve
+
+
 def split(curve: Curve, chord: ArrayLike, parameter: float) -> tuple[Curve, Curve, Floats]:
     """Cuts a curve at a parameter in (0, 1) into two curves that trace exactly the same points.
 

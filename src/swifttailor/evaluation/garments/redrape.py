@@ -24,10 +24,10 @@ from swifttailor.draping import drape
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.evaluation.garments.score import Scored, draw_clouds, score_garment, score_of_json
 from swifttailor.evaluation.garments.sew_split import Made
+from swifttailor.evaluation.kept_settings import keep_settings
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.progress import CountProgress, unwatched
-from swifttailor.workers.work_folder import keep_settings
 
 SETTINGS, RECORDS = "redrapes.json", "redrapes"
 _SETTINGS = ("fabric", "engine")

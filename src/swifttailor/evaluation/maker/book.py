@@ -10,9 +10,10 @@ from typing import Any
 
 from swifttailor.data.builder.code_version import code_version
 from swifttailor.errors import InputError
+from swifttailor.evaluation.kept_settings import keep_settings
 from swifttailor.evaluation.maker.questions import Question
 from swifttailor.workers.interruption import sigterm_as_interrupt
-from swifttailor.workers.work_folder import FolderLock, RecordFile, keep_settings
+from swifttailor.workers.work_folder import FolderLock, RecordFile
 
 SETTINGS, ANSWERS, SAMPLES = "settings.json", "answers.jsonl", "samples.jsonl"
 FORMAT = "swifttailor answers 1"
