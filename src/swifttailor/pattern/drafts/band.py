@@ -60,19 +60,22 @@ def lay_body_waist_band(table: CuttingTable, figure: Figure, height: float, ease
     return lower
 
 
-def lay_sleeve_cuff(table: CuttingTable, figure: Figure, width: float, height: float) -> None:
+def lay_sleeve_cuff(table: CuttingTable, figure: Figure, at: float, ease: float, height: float) -> None:
     """Lays the left cuff below the left sleeve and sews it on; the sleeve may be gathered into it.
 
     Edges of ``sl_left_cuff_f`` and ``sl_left_cuff_b``: under, end, top, join.
 
     Args:
         table: Must already hold the left sleeve.
-        figure: Gives the arm's direction.
-        width: Around the wrist, cm; split like the sleeve's end.
+        figure: Gives the arm's direction and girth.
+        at: Where the cuff begins, from the shoulder along the arm, cm.
+        ease: Room on top of the arm's girth there, cm; the cuff is no wider than the sleeve's end, and split
+            like it.
         height: Along the arm, cm.
     """
     start = table.pieces["left_sleeve_f"].find("hem")[0].end[0] + 4.0
     total = table.length("left_sleeve_f.hem", "left_sleeve_b.hem")
+    width = min(figure.arm_girth(at) + ease, total)
     for side in "fb":
         half = width * table.length(f"left_sleeve_{side}.hem") / total
         outline = Outline(start, -half).line("under", start + height, -half)
