@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import get_args
 
 from swifttailor.describing.claims.judgement import (
     Judgement,
@@ -18,7 +19,7 @@ from swifttailor.describing.claims.judgement import (
     where,
 )
 from swifttailor.describing.dimensions import slit_height
-from swifttailor.describing.facts import GarmentFacts, HemFacts, LandmarkFacts
+from swifttailor.describing.facts import GarmentFacts, HemFacts, LandmarkFacts, Place
 from swifttailor.describing.facts_paths import measure_of
 
 HEM_TOLERANCE_CM = 2.5
@@ -117,10 +118,7 @@ HEM_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
             "none": below(
                 measure_of("skirt", lambda skirt: max((s.height for s in skirt.slits), default=0.0)), 5.0, 3.0
             ),
-            "front": above(slit_height("front"), 5.0, 2.0),
-            "back": above(slit_height("back"), 5.0, 2.0),
-            "left": above(slit_height("left"), 5.0, 2.0),
-            "right": above(slit_height("right"), 5.0, 2.0),
+            **{place: above(slit_height(place), 5.0, 2.0) for place in get_args(Place)},
         },
     ),
     "slit_size": ("how large the slits are", {"high": _high_slit, "wedge": _wedge}),

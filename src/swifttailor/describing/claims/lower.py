@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import get_args
+
 from swifttailor.describing.claims.judgement import (
     Judgement,
     Predicate,
@@ -15,7 +17,7 @@ from swifttailor.describing.claims.judgement import (
     there,
     where,
 )
-from swifttailor.describing.facts import GarmentFacts
+from swifttailor.describing.facts import CuffKind, GarmentFacts
 from swifttailor.describing.facts_paths import measure_of
 
 _ONE_ROW = where("skirt", lambda skirt: skirt.tiers == 1 and not skirt.godets)
@@ -168,9 +170,7 @@ LOWER_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
         "what ends the legs",
         {
             "none": all_of(there("trousers"), missing("trousers.cuff")),
-            "band": is_one_of("trousers.cuff.kind", "band"),
-            "flounce": is_one_of("trousers.cuff.kind", "flounce"),
-            "band and flounce": is_one_of("trousers.cuff.kind", "band and flounce"),
+            **{kind: is_one_of("trousers.cuff.kind", kind) for kind in get_args(CuffKind)},
             "gathered": all_of(there("trousers.cuff"), above("trousers.end_gather", 1.2, 0.05)),
             "deep": above("trousers.cuff.length", 15.0, 2.0),
         },

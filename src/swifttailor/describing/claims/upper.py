@@ -123,11 +123,7 @@ UPPER_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
                 above("front_neck.width", 13.6, 0.6),
                 _wider_than_deep,
             ),
-            "v": _front_shape("v"),
-            "square": _front_shape("square"),
-            "trapezoid": _front_shape("trapezoid"),
-            "s-curve": _front_shape("s-curve"),
-            "pointed": _front_shape("pointed"),
+            **{shape: _front_shape(shape) for shape in ("v", "square", "trapezoid", "s-curve", "pointed")},
             "asymmetric": all_of(_PLAIN, lambda f, by: halves_differ(f.front_neck, by)),
         },
     ),
@@ -149,7 +145,7 @@ UPPER_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
     ),
     "back_neckline": (
         "shape of the back neckline where it is deep enough to have one",
-        {"round": _back_shape("round"), "v": _back_shape("v"), "square": _back_shape("square")},
+        {shape: _back_shape(shape) for shape in ("round", "v", "square")},
     ),
     "back_depth": (
         "how deep the back neckline is, where it is seen",
@@ -178,9 +174,7 @@ UPPER_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
     "armholes": (
         "armholes of a garment without sleeves",
         {
-            "round": _armholes("round"),
-            "square": _armholes("square"),
-            "angled": _armholes("angled"),
+            **{shape: _armholes(shape) for shape in ("round", "square", "angled")},
             "deep": _deep_armholes,
         },
     ),

@@ -19,7 +19,7 @@ from swifttailor.evaluation.paper_rows import (
     GarmentRow,
     PatternRow,
 )
-from swifttailor.evaluation.patterns.adherence_table import adherence_table
+from swifttailor.evaluation.patterns.adherence import adherence_table
 from swifttailor.evaluation.patterns.pattern_table import pattern_tables
 from swifttailor.evaluation.text_table import Column, Row, text_table
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from swifttailor.describing import CLAIM_TYPES, Claim, GarmentFacts, measure_facts
 from swifttailor.describing.differences import Gain
 from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.evaluation.text_table import Column, Row, text_table
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.check.crossings import find_crossing
 from swifttailor.pattern.check.outline import trace_outline
@@ -152,3 +153,28 @@ def _require_pairs(prompts: int, patterns: int) -> None:
         raise InputError(
             f"There are {prompts} prompts and {patterns} patterns; give one, or None, for each prompt."
         )
+
+
+def adherence_table(rows: Sequence[tuple[str, Adherence]]) -> str:
+    """Share of the statements that hold, kind by kind.
+
+    Args:
+        rows: Name and result of each method, all of the same prompts: the true patterns, ours, by chance, ...
+    """
+    columns = [Column("n", "d"), *(Column(f"{name} %", ".1f") for name, _ in rows)]
+    found = [result for _, result in rows]
+    kinds = list(dict.fromkeys(name for result in found for name in result.kinds))
+    lines = [_line("all statements", [r.claims for r in found])]
+    lines.append(_line("prompts of which all hold", [r.whole for r in found]))
+    lines += [_line(kind, [r.kinds.get(kind, Share()) for r in found]) for kind in kinds]
+    not_measured = "".join(
+        f"{name}: {r.unmeasured} patterns are missing or cannot be measured\n"
+        for name, r in rows
+        if r.unmeasured
+    )
+    return text_table(columns, lines) + not_measured
+
+
+def _line(name: str, shares: Sequence[Share]) -> Row:
+    percent = [None if s.share is None else 100 * s.share for s in shares]
+    return name, [max((s.made for s in shares), default=0), *percent]

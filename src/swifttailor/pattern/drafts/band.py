@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, turned
 from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.joins import sew_sides
 from swifttailor.pattern.drafts.outline import Outline, annular_sector
 from swifttailor.pattern.drafts.sleeve import place_on_arm
 
@@ -40,8 +41,7 @@ def lay_waist_band(
         table.lay(name, outline, label="body", at=(0.0, 0.0, z), back=not front)
         if at_waist:
             table.label(f"{name}.top", "lower_interface")
-    table.seam("wb_front.left_side", "wb_back.left_side")
-    table.seam("wb_front.right_side", "wb_back.right_side")
+    sew_sides(table, "wb")
 
 
 def lay_body_waist_band(table: CuttingTable, figure: Figure, height: float, ease: float) -> Halves:
