@@ -9,8 +9,7 @@ from swifttailor.data.edits.pairs import pairs_of
 from swifttailor.describing import Claim, claims_of, measure_facts
 from swifttailor.errors import InputError, PatternError
 from swifttailor.evaluation.patterns import judge_claims, judge_instructions
-from swifttailor.evaluation.patterns.adherence import Share, by_chance
-from swifttailor.evaluation.patterns.adherence_table import adherence_table
+from swifttailor.evaluation.patterns.adherence import Share, adherence_table, by_chance
 from swifttailor.pattern import Edge, Panel, Pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.wording.captions import write_caption

@@ -9,7 +9,7 @@ from swifttailor.body import Body
 from swifttailor.errors import GeometryError
 from swifttailor.evaluation.garment_error import measure_error, summarize
 from swifttailor.evaluation.garment_kind import garment_kind
-from swifttailor.garment_sewer.closing import merge, seam_gaps
+from swifttailor.garment_sewer.closing import seam_gaps
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
@@ -66,7 +66,7 @@ def test_what_is_inside_the_body_is_counted(mesh, body):
 
 def test_merging_takes_the_mean(mesh, drape):
     noise = np.random.default_rng(1).normal(0, 1, (len(mesh.weld), 3))
-    merged = merge(mesh, drape[mesh.weld] + noise)
+    merged = mesh.welded_mean(drape[mesh.weld] + noise)
     for v in range(0, mesh.vertex_count, 7):
         assert np.allclose(merged[v], drape[v] + noise[mesh.weld == v].mean(axis=0))
 

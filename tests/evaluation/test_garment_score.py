@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 import numpy as np
 import pytest
@@ -23,8 +23,9 @@ from swifttailor.evaluation.garments.score import (
     score_garment,
     score_of_json,
 )
-from swifttailor.evaluation.garments.sheet import spread, write_sheets
-from swifttailor.evaluation.garments.summary import means_of, summarize_scores, work
+from swifttailor.evaluation.garments.sheet import chosen, write_sheets
+from swifttailor.evaluation.garments.summary import summarize_scores, work
+from swifttailor.evaluation.mean import means_of
 from swifttailor.evaluation.paper_rows import ABLATION
 from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
@@ -106,7 +107,7 @@ def test_scores_are_repeatable_and_can_be_read_back(drape, body_distance):
     garment = moved(drape, [1, 2, 3])
     first, again = (score_garment("a", garment, drape, body_distance, seed=4, number=9) for _ in range(2))
     assert first.score == again.score
-    assert score_of_json(json.loads(json.dumps(first.score.to_json()))) == first.score
+    assert score_of_json(json.loads(json.dumps(asdict(first.score)))) == first.score
     clouds = draw_clouds(garment.vertices, drape, seed=4, number=9)
     assert np.array_equal(clouds.points.points, first.clouds.points.points)
     assert np.array_equal(clouds.reference.points, first.clouds.reference.points)
@@ -117,8 +118,8 @@ def test_scores_are_repeatable_and_can_be_read_back(drape, body_distance):
         {},
         [],
         None,
-        first.score.to_json() | {"kind": "hat"},
-        first.score.to_json() | {"more": 1},
+        asdict(first.score) | {"kind": "hat"},
+        asdict(first.score) | {"more": 1},
     ):
         with pytest.raises(InputError, match="start anew"):
             score_of_json(broken)
@@ -192,8 +193,8 @@ def test_pictures_are_spread_from_best_to_worst(some, tmp_path):
     from swifttailor.evaluation.garments.sheet import TILE, Shown, caption
 
     scores = [replace(some[0].score, id=str(k), vertex_mean_cm=float(k)) for k in (3, 0, 4, 1, 2)]
-    assert [s.vertex_mean_cm for s in spread(scores, 3)] == [0, 2, 4]
-    assert len(spread(scores, 99)) == 5 and spread(scores, 0) == [] and spread([], 4) == []
+    assert [s.vertex_mean_cm for s in chosen(scores, 3)] == [0, 2, 4]
+    assert len(chosen(scores, 99)) == 5 and chosen(scores, 0) == [] and chosen([], 4) == []
     drape = make_sample("a", "fitted-skirt").garment
     text = caption(some[1].score)
     assert "fitted-skirt, skirt" in text and "2.0 cm" in text

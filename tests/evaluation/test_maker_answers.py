@@ -32,7 +32,7 @@ from swifttailor.evaluation.maker.scores import (
     score_answers,
     summarize_task,
 )
-from swifttailor.evaluation.maker.sheet import Shown, spread, write_sheets
+from swifttailor.evaluation.maker.sheet import Shown, chosen, write_sheets
 from swifttailor.evaluation.maker.tables import sampling_text, task_text
 from swifttailor.evaluation.patterns import summarize_patterns
 from swifttailor.garment_sewer.sewer import GarmentSewer
@@ -392,10 +392,10 @@ def test_sheets_show_answers_from_the_nearest_to_the_farthest(edits, texts, book
 
     maker = StandIn([*texts, *edits], lambda q, s, t: copy(q, s, t) if q.before else refuse(q, s, t))
     scored = score_answers(ask_all(Tailor(maker), [*edits, *texts[:1]], book, HOW))
-    ordered = spread(scored[:4], 4)
+    ordered = chosen(scored[:4], 4)
     distances = [s.score.by_name.vertex_cm for s in ordered]
     assert distances == sorted(distances) and len(ordered) == 4
-    assert spread(scored[:4], 2) == [ordered[0], ordered[-1]] and spread(scored, 0) == spread([], 3) == []
+    assert chosen(scored[:4], 2) == [ordered[0], ordered[-1]] and chosen(scored, 0) == chosen([], 3) == []
     (tmp_path / "sheet-edit-07.png").write_bytes(b"old")
     written = write_sheets(tmp_path, "edit", [Shown(s, None) for s in ordered])
     assert written == [tmp_path / "sheet-edit-01.png"] and not (tmp_path / "sheet-edit-07.png").exists()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 import numpy as np
 import pytest
@@ -320,7 +320,7 @@ def test_summary_over_patterns_counts_who_is_in_each_mean(truth):
     assert means["vertex_cm"] == (round(28 / 81 / 6, 6), 2) and means["stitches"] == (1, 2)
     assert found.by_name["structure_right"].mean == 0.5 and found.by_name["sides"].count == 3
     assert found.by_name["stitch_recall"].mean == pytest.approx((1 + 1 + 2 / 3 + 0) / 4)
-    assert json.loads(json.dumps(found.to_json()))["aipparel"]["panels_right"]["count"] == 4
+    assert json.loads(json.dumps(asdict(found)))["aipparel"]["panels_right"]["count"] == 4
     for wrong in (([], []), ([truth], [])):
         with pytest.raises(InputError, match="equally many"):
             summarize_patterns(*wrong)

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from swifttailor.errors import GeometryError
-from swifttailor.garment_sewer.closing import ClosingSettings, close_seams, merge, seam_gaps
+from swifttailor.garment_sewer.closing import ClosingSettings, close_seams, seam_gaps
 from swifttailor.garment_sewer.pixels.rest_shape import flat_gradients, limit_stretch, rest_shape
 from swifttailor.garment_sewer.pixels.sewn_prior import sew_around_body, vertices_ignoring_arms
 from swifttailor.panel_mesh import mesh_pattern
@@ -47,7 +47,7 @@ def test_gaps_are_spread_into_the_panels(mesh, garment):
     before = edge_lengths(mesh, garment)
     averaged, closed = (
         np.abs(edge_lengths(mesh, x) - before).max()
-        for x in (merge(mesh, flat), close_seams(mesh, flat, None, settings))
+        for x in (mesh.welded_mean(flat), close_seams(mesh, flat, None, settings))
     )
     assert closed < 0.45 * averaged
 
@@ -84,7 +84,7 @@ def test_is_the_solution_of_the_least_squares_problem(mesh, garment):
     stay = np.sqrt(0.1 * np.maximum(shape.vertex_area, 1e-2))
     matrix = np.concatenate([weight[:, None] * shape.gradient.toarray(), np.diag(stay)])
     wanted = flat_gradients(small, shape, flat).reshape(-1, 3)
-    right = np.concatenate([weight[:, None] * wanted, stay[:, None] * merge(small, flat)])
+    right = np.concatenate([weight[:, None] * wanted, stay[:, None] * small.welded_mean(flat)])
     expected = np.linalg.lstsq(matrix, right, rcond=None)[0]
     assert np.allclose(close_seams(small, flat, None, settings), expected, atol=1e-6)
 

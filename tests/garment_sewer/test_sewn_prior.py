@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from swifttailor.draping.placement import place_vertices
 from swifttailor.garment_sewer.pixels.rest_shape import rest_shape
 from swifttailor.garment_sewer.pixels.sewn_prior import (
     SewingSettings,
-    placed_vertices,
     sew_around_body,
     vertices_ignoring_arms,
 )
@@ -39,7 +39,7 @@ def test_is_far_less_stretched_than_the_placed_panels(mesh, sewn):
         return float(np.average(np.abs(size - 1).mean(axis=1), weights=shape.area))
 
     assert stretch(sewn) < 0.12
-    assert stretch(sewn) < 0.5 * stretch(placed_vertices(mesh))
+    assert stretch(sewn) < 0.5 * stretch(place_vertices(mesh))
 
 
 def test_goes_all_around_the_body(mesh, sewn):
@@ -54,7 +54,7 @@ def test_is_the_same_every_time(mesh, sewn, body_distance):
 
 def test_without_iterations_only_moves_out_of_the_body(mesh, body_distance):
     still = sew_around_body(mesh, body_distance, SewingSettings(iterations=0))
-    placed = placed_vertices(mesh)
+    placed = place_vertices(mesh)
     outside = body_distance.sample(placed, vertices_ignoring_arms(mesh))[0] > 0.4
     assert np.array_equal(still[outside], placed[outside])
 

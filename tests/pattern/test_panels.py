@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from hypothesis import strategies as st
-from pattern_strategies import numbers, panels
+from pattern_strategies import panels
 
 from swifttailor.errors import PatternError
 from swifttailor.pattern import Arc, EdgeRef, Line, Panel, Pattern, Placement, Stitch, body_region
@@ -15,29 +14,6 @@ from swifttailor.pattern.panel import Edge
 
 CHECKED = settings(max_examples=60, deadline=None)
 SQUARE = Panel("square", [[0, 0], [10, 0], [10, 10], [0, 10]], (Edge(),) * 4)
-
-
-@CHECKED
-@given(panels(), st.integers(0, 100), st.lists(numbers(0.02, 0.98), min_size=1, max_size=4, unique=True))
-def test_splitting_an_edge_keeps_area_length_and_outline(panel, edge, fractions):
-    edge %= len(panel.edges)
-    fractions = sorted(fractions)
-    split = panel.split_edge(edge, fractions)
-    assert len(split.edges) == len(panel.edges) + len(fractions)
-    assert split.signed_area() == pytest.approx(panel.signed_area(), rel=1e-4, abs=1e-2)
-    assert split.perimeter() == pytest.approx(panel.perimeter(), rel=1e-7)
-    total = panel.edge_length(edge)
-    pieces = [split.edge_length(edge + k) for k in range(len(fractions) + 1)]
-    assert pieces == pytest.approx(np.diff([0.0, *fractions, 1.0]) * total, rel=1e-6, abs=1e-6)
-    assert {e.label for e in split.edges[edge : edge + len(pieces)]} == {panel.edges[edge].label}
-    for k in range(edge):
-        assert split.edges[k] == panel.edges[k]
-
-
-@pytest.mark.parametrize("fractions", [[0.0], [1.0], [0.5, 0.5], [0.7, 0.3], [-0.1], [float("nan")]])
-def test_split_fractions_must_increase_between_zero_and_one(fractions):
-    with pytest.raises(PatternError, match="increase strictly between 0 and 1"):
-        SQUARE.split_edge(1, fractions)
 
 
 @CHECKED
@@ -65,16 +41,6 @@ def test_mirroring_keeps_size_and_edge_numbers(panel):
         flipped = panel.sample_edge(k, 5) * [-1.0, 1.0]
         assert mirrored.sample_edge(k, 5) == pytest.approx(flipped, abs=1e-6)
     assert mirrored.mirrored() == panel
-
-
-@CHECKED
-@given(panels(), st.sampled_from([0.1, 2.54, 100.0]))
-def test_scaling_scales_lengths_radii_and_placement(panel, factor):
-    scaled = panel.scaled(factor)
-    assert scaled.perimeter() == pytest.approx(factor * panel.perimeter(), rel=1e-9)
-    assert scaled.signed_area() == pytest.approx(factor**2 * panel.signed_area(), rel=1e-2)
-    corners = panel.to_world(panel.vertices) * factor
-    assert scaled.to_world(scaled.vertices) == pytest.approx(corners, abs=1e-8 * factor * 300)
 
 
 @CHECKED

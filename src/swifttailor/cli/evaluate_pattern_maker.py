@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -195,8 +195,8 @@ class EvaluatePatternMaker:
         content = {
             "about": about,
             "tasks": {result.task: result.to_json() for result in found.results},
-            "sampling": {task: summary.to_json() for task, summary in found.sampling.items()},
-            "garments": {task: sets.to_json() for task, sets in found.garments.items()},
+            "sampling": {task: asdict(summary) for task, summary in found.sampling.items()},
+            "garments": {task: asdict(sets) for task, sets in found.garments.items()},
         }
         text = self._text(found, about)
         summary = json.dumps(content, indent=1, allow_nan=False) + "\n"
@@ -226,12 +226,12 @@ class EvaluatePatternMaker:
     def _draw(self, found: Evaluation) -> None:
         from swifttailor.cli.item_progress import ItemProgress
         from swifttailor.evaluation.maker.ask import picture_of
-        from swifttailor.evaluation.maker.sheet import Shown, spread, write_sheets
+        from swifttailor.evaluation.maker.sheet import Shown, chosen, write_sheets
 
         with ItemProgress(len(found.scored), "tasks drawn") as progress:
             for task, scored in found.scored.items():
                 shown = []
-                for one in spread(scored, self.pictures):
+                for one in chosen(scored, self.pictures):
                     picture = picture_of(one.answer.question, found.pictures)
                     shown.append(Shown(one, None if picture is None else picture[1]))
                 write_sheets(self.out, task.replace("+", "-"), shown)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -79,7 +79,7 @@ class GarmentReport:
         content = {"about": self.about, "result": summary.to_json()}
         text = self._text(summary)
         if out is not None:
-            lines = [json.dumps(s.score.to_json()) for s in self.made.scored]
+            lines = [json.dumps(asdict(s.score)) for s in self.made.scored]
             lines += [json.dumps({"id": id, "error": e}) for id, e in self.made.errors.items()]
             write_text(out / "garments.jsonl", "".join(line + "\n" for line in lines))
             write_text(out / "summary.json", json.dumps(content, indent=1, allow_nan=False) + "\n")
@@ -88,12 +88,12 @@ class GarmentReport:
 
     def draw(self, reader: SplitReader, out: Path, pictures: int) -> list[Path]:
         """Writes sheet-01.png and so on: garments from the nearest to their drapes to the farthest."""
-        from swifttailor.evaluation.garments.sheet import Shown, caption, spread, write_sheets
+        from swifttailor.evaluation.garments.sheet import Shown, caption, chosen, write_sheets
         from swifttailor.garment.garment import Garment
 
         numbers = {reader.ids[k]: k for k in self.made.vertices}
         shown = []
-        for score in spread([s.score for s in self.made.scored], pictures):
+        for score in chosen([s.score for s in self.made.scored], pictures):
             drape = reader.sample(score.id).garment
             garment = Garment(drape.mesh, self.made.vertices[numbers[score.id]])
             shown.append(Shown(caption(score), garment, drape))

@@ -86,7 +86,7 @@ def _of_both(of: Callable[[Sleeve], float]) -> Measure:
     return measure
 
 
-def _slit(place: Place | None = None) -> Measure:
+def slit_height(place: Place | None = None) -> Measure:
     """Of the highest slit, in one place or anywhere."""
 
     def height(facts: GarmentFacts) -> float | None:
@@ -114,7 +114,8 @@ def _armholes(facts: GarmentFacts) -> float | None:
     return mean([hole.depth for hole in holes if hole])
 
 
-def _shoulders(facts: GarmentFacts) -> float | None:
+def shoulder_length(facts: GarmentFacts) -> float | None:
+    """Mean length of both shoulder seams, cm; None where a shoulder is bare."""
     if facts.torso is None or facts.torso.left_shoulder is None or facts.torso.right_shoulder is None:
         return None
     return (facts.torso.left_shoulder + facts.torso.right_shoulder) / 2
@@ -297,7 +298,7 @@ _TABLE = (
         share=0.1,
         stated=Stated("back_depth_cm", 1.5, 0.08, 4.0),
     ),
-    Dimension("shoulders", "length of the shoulder seam", _shoulders, least=2.0),
+    Dimension("shoulders", "length of the shoulder seam", shoulder_length, least=2.0),
     Dimension("armholes", "depth of the armholes", _armholes, least=3.0),
     Dimension(
         "chest",
@@ -359,11 +360,11 @@ _TABLE = (
         least=4.0,
         stated=Stated("godet_cm", 2.5, 0.1),
     ),
-    Dimension("front slit", "height of the slit in front", _slit("front"), least=4.0),
-    Dimension("back slit", "height of the slit behind", _slit("back"), least=4.0),
-    Dimension("left slit", "height of the slit on the left", _slit("left"), least=4.0),
-    Dimension("right slit", "height of the slit on the right", _slit("right"), least=4.0),
-    Dimension("slits", "height of the highest slit", _slit(), stated=Stated("slit_cm", 2.5, 0.08, 5.0)),
+    Dimension("front slit", "height of the slit in front", slit_height("front"), least=4.0),
+    Dimension("back slit", "height of the slit behind", slit_height("back"), least=4.0),
+    Dimension("left slit", "height of the slit on the left", slit_height("left"), least=4.0),
+    Dimension("right slit", "height of the slit on the right", slit_height("right"), least=4.0),
+    Dimension("slits", "height of the highest slit", slit_height(), stated=Stated("slit_cm", 2.5, 0.08, 5.0)),
     Dimension(
         "base width",
         "around the first row of a tiered or godet skirt",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from operator import attrgetter
+from typing import Any
 
 from swifttailor.describing.facts import GarmentFacts, Sleeve
 
@@ -15,24 +16,39 @@ Imagine = Callable[[GarmentFacts, float], GarmentFacts]
 BOTH_SIDES = ("left", "right")
 
 
-def measure_at(path: str) -> Measure:
-    """Reads one fact.
+def fact_at(place: str) -> Callable[[GarmentFacts], Any]:
+    """Reads one fact; None where the garment has no such thing.
 
     Args:
-        path: Names of fields of `GarmentFacts` and of what it consists of, such as ``hood.depth``.
+        place: Names of fields of `GarmentFacts` and of what it consists of, such as ``hood.depth``.
     """
-    *parts, name = path.split(".")
+    names = place.split(".")
 
-    def measure(facts: GarmentFacts) -> float | None:
-        part: object = facts
-        for each in parts:
-            part = getattr(part, each)
-            if part is None:
-                return None
-        value = getattr(part, name)
-        return None if value is None else float(value)
+    def fact(facts: GarmentFacts) -> Any:
+        found: Any = facts
+        for name in names:
+            found = getattr(found, name)
+            if found is None:
+                break
+        return found
 
-    return measure
+    return fact
+
+
+def measure_at(place: str) -> Measure:
+    """Reads one fact that is a number; see `fact_at`."""
+    return measure_of(place, float)
+
+
+def measure_of(place: str, how: Callable[[Any], float | None]) -> Measure:
+    """A measure of what is in a place; None where there is nothing.
+
+    Args:
+        place: See `fact_at`.
+        how: Measures it.
+    """
+    fact = fact_at(place)
+    return lambda facts: None if (found := fact(facts)) is None else how(found)
 
 
 def imagine_at(*paths: str) -> Imagine:

@@ -62,6 +62,13 @@ class ClothModel:
     mass: Floats
     """(v,) kg"""
 
+    def strain(self, positions: Floats) -> Floats:
+        """Length over rest length, less 1, of the edges that are not gathered; a single 0 without any."""
+        a, b = self.arrays.edges.T
+        lengths = np.linalg.norm(positions[a] - positions[b], axis=1)
+        strain = (lengths / self.arrays.rest - 1)[~self.gathered]
+        return strain if len(strain) else np.zeros(1)
+
 
 def build_cloth(mesh: PatternMesh, fabric: Fabric) -> ClothModel:
     """Takes rest lengths, masses and bending weights from the flat panels.

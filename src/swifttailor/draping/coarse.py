@@ -83,7 +83,7 @@ def drape_coarsely(
         SimulationError: The cloth went to infinity.
     """
     c = settings or CoarseSettings()
-    fabric = get_fabric(fabric) if isinstance(fabric, str) else fabric
+    fabric = get_fabric(fabric)
     cloth = build_cloth(mesh, fabric).arrays
     attachment = find_attachment(mesh, measurements)
     held = HeldArrays(

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from swifttailor.body import Body, BodyPart, DistanceField
+from swifttailor.body import Body, DistanceField
+from swifttailor.body.parts import ARMS
 from swifttailor.draping.field_kernels import FieldArrays
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import body_region
 
 FIELD_SPACING_CM = 1.0
-ARMS = frozenset({BodyPart.LEFT_ARM, BodyPart.RIGHT_ARM})
 
 
 def vertices_ignoring_arms(mesh: PatternMesh) -> np.ndarray:

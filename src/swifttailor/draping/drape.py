@@ -68,7 +68,7 @@ def drape(
     last_stage = find_engine(engine) if isinstance(engine, str) else engine
     if not isinstance(seed, int) or not 0 <= seed < 2**63:
         raise InputError(f"The seed must be a whole number from 0 to 2^63 - 1, got {seed!r}.")
-    fabric = get_fabric(fabric) if isinstance(fabric, str) else fabric
+    fabric = get_fabric(fabric)
     body = Body.default() if body is None else body
     settings = SimulationSettings() if settings is None else settings
     report_progress = progress if progress is not None else (lambda stage, share: None)

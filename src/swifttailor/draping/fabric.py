@@ -51,13 +51,12 @@ FABRICS: dict[str, Fabric] = {
 """The presets by name."""
 
 
-def get_fabric(name: str) -> Fabric:
-    """A preset by name.
+def get_fabric(fabric: Fabric | str) -> Fabric:
+    """A preset by name; a fabric is itself.
 
     Raises:
         InputError: There is no such preset.
     """
-    try:
-        return FABRICS[name]
-    except KeyError:
-        raise InputError(f"There is no fabric '{name}'. Known fabrics: {', '.join(FABRICS)}.") from None
+    if isinstance(fabric, str) and fabric not in FABRICS:
+        raise InputError(f"There is no fabric '{fabric}'. Known fabrics: {', '.join(FABRICS)}.")
+    return FABRICS[fabric] if isinstance(fabric, str) else fabric

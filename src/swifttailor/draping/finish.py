@@ -42,7 +42,7 @@ def finish(
         SimulationError: The cloth went to infinity.
     """
     started = time.perf_counter()
-    fabric = get_fabric(fabric) if isinstance(fabric, str) else fabric
+    fabric = get_fabric(fabric)
     body = Body.default() if body is None else body
     mesh = garment.mesh
     cloth = build_cloth(mesh, fabric)

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Floats, Ints
 from swifttailor.body import Body
-from swifttailor.body.parts import surface_without
+from swifttailor.body.parts import ARMS, surface_without
 from swifttailor.draping.cloth import ClothModel
-from swifttailor.draping.collider import ARMS, FIELD_SPACING_CM
+from swifttailor.draping.collider import FIELD_SPACING_CM
 from swifttailor.draping.simulation import FRAME_RATE, GRAVITY, Simulation
 from swifttailor.draping.xpbd_kernels import EDGE_DISTANCE
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh

@@ -27,9 +27,7 @@ def place_vertices(mesh: PatternMesh, *, sleeves_out: bool = False) -> Floats:
     placed = np.concatenate(
         [p.to_world(mesh.flat_vertices[mesh.flat_panel == k]) for k, p in enumerate(panels)]
     )
-    count = np.bincount(mesh.weld, minlength=mesh.vertex_count)
-    total = [np.bincount(mesh.weld, weights=placed[:, k], minlength=mesh.vertex_count) for k in range(3)]
-    return np.stack(total, axis=1) / count[:, None]
+    return mesh.welded_mean(placed)
 
 
 def _sleeves_moved_out(pattern: Pattern) -> tuple[Panel, ...]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Floats
 from swifttailor.body import Body
+from swifttailor.body.parts import ARMS
 from swifttailor.draping.attachment import lowest_top
 from swifttailor.draping.cloth import ClothModel
 from swifttailor.draping.intersections import mesh_intersections, self_intersections
@@ -80,9 +81,7 @@ def measure_quality(
         ignores_arms: (v,) 1 for vertices that may pass through the arms.
     """
     arrays = cloth.arrays
-    lengths = np.linalg.norm(positions[arrays.edges[:, 0]] - positions[arrays.edges[:, 1]], axis=1)
-    strain = (lengths / arrays.rest - 1)[~cloth.gathered]
-    strain = strain if len(strain) else np.zeros(1)
+    strain = cloth.strain(positions)
     distance = _body_distance(body, positions, ignores_arms)
     top = float(positions[:, 1].max())
     crossings = self_intersections(positions, arrays.edges, arrays.faces)
@@ -151,7 +150,7 @@ def _body_distance(body: Body, positions: Floats, ignores_arms: NDArray[np.uint8
     distance, _ = body.signed_distance(positions)
     inside = (distance < 0) & (ignores_arms == 1)
     if inside.any():
-        from swifttailor.draping.collider import ARMS, FIELD_SPACING_CM
+        from swifttailor.draping.collider import FIELD_SPACING_CM
 
         armless = body.distance_field(spacing=FIELD_SPACING_CM, without=ARMS)
         distance = distance.copy()

@@ -11,7 +11,7 @@ import numpy as np
 from swifttailor.arrays import Floats
 from swifttailor.errors import GeometryError
 from swifttailor.evaluation.garment_kind import KINDS, GarmentKind, garment_kind
-from swifttailor.garment_sewer.closing import merge, seam_gaps
+from swifttailor.garment_sewer.closing import seam_gaps
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pixels.sewn_prior import vertices_ignoring_arms
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
@@ -58,7 +58,7 @@ def measure_error(
             f"A mesh of {len(mesh.weld)} flat and {mesh.vertex_count} welded vertices was given positions of "
             f"the shapes {flat_positions.shape} and {drape.shape}."
         )
-    merged = merge(mesh, flat_positions)
+    merged = mesh.welded_mean(flat_positions)
     distance = np.linalg.norm(merged - drape, axis=1)
     depth, _ = body.sample(merged, vertices_ignoring_arms(mesh))
     gaps = seam_gaps(mesh, flat_positions)

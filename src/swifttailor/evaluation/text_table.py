@@ -17,17 +17,13 @@ class Column:
     format: str = ".2f"
 
 
-def text_table(
-    title: str, columns: Sequence[Column], rows: Sequence[tuple[str, Sequence[float | int | None]]]
-) -> str:
-    """Lays out a table.
+Row = tuple[str, Sequence[float | int | None]]
+"""Name and numbers; None where there is none."""
 
-    Args:
-        title: Above the names of the rows.
-        columns: One for each number.
-        rows: Name and numbers; None where there is none.
-    """
-    cells = [[title, *(c.heading for c in columns)]]
+
+def text_table(columns: Sequence[Column], rows: Sequence[Row]) -> str:
+    """Lays out a table with one column for each number."""
+    cells = [["", *(c.heading for c in columns)]]
     for name, values in rows:
         shown = [NOTHING if v is None else format(v, c.format) for v, c in zip(values, columns, strict=True)]
         cells.append([name, *shown])

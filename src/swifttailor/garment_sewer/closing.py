@@ -61,7 +61,7 @@ def close_seams(
     solve = factorized(csc_array(back @ shape.gradient + diags_array(stay)))
     wanted = limit_stretch(flat_gradients(mesh, shape, flat_positions), settings.longest)
     pull = back @ wanted.reshape(-1, 3)
-    target = merge(mesh, flat_positions)
+    target = mesh.welded_mean(flat_positions)
     vertices = solve(pull + stay[:, None] * target)
     if body is None:
         return vertices
@@ -75,13 +75,6 @@ def close_seams(
         target = target + moved
         vertices = solve(pull + back @ (shape.gradient @ moved) + stay[:, None] * target)
     return body.push_out(vertices, ignores, settings.clearance, rounds=3)
-
-
-def merge(mesh: PatternMesh, flat_positions: Floats) -> Floats:
-    """(v, 3): each welded vertex at the mean of the flat vertices it is made of."""
-    count = np.bincount(mesh.weld, minlength=mesh.vertex_count)
-    sums = [np.bincount(mesh.weld, flat_positions[:, k], mesh.vertex_count) for k in range(3)]
-    return np.stack(sums, axis=1) / count[:, None]
 
 
 def seam_gaps(mesh: PatternMesh, flat_positions: Floats) -> Floats:

@@ -57,6 +57,12 @@ class PatternMesh:
         """Number of welded vertices."""
         return int(self.weld.max()) + 1 if len(self.weld) else 0
 
+    def welded_mean(self, values: Floats) -> Floats:
+        """(v, k): of the values (m, k) of the flat vertices that each welded vertex is made of."""
+        count = np.bincount(self.weld, minlength=self.vertex_count)
+        sums = [np.bincount(self.weld, column, self.vertex_count) for column in values.T]
+        return np.stack(sums, axis=1) / count[:, None]
+
     @cached_property
     def representative(self) -> Ints:
         """(v,) one flat vertex of each welded vertex (the first)."""

@@ -9,7 +9,8 @@ import numpy as np
 from swifttailor.arrays import Floats
 from swifttailor.errors import PatternError
 from swifttailor.pattern.curve import Curve, Line, reverse
-from swifttailor.pattern.finding import Finding, Severity
+from swifttailor.pattern.finding import Finding
+from swifttailor.pattern.finding_kinds import found
 
 COINCIDENT_CM = 1e-3
 """End points closer than this are taken as one vertex: no cloth is cut that exactly."""
@@ -69,28 +70,16 @@ def order_loop(panel: str, vertices: Floats, edges: list[RawEdge]) -> Loop:
         findings.append(_open_loop(panel, gap))
     elif chain != list(range(n)) or any(flipped):
         findings.append(
-            Finding(
+            found(
                 "edge-order",
-                Severity.INFO,
                 "edges are not listed head to tail; they were put in order and stitches renumbered",
                 panel=panel,
-                why="most readers take the list order as the loop",
-                repair="written in order by --repair",
             )
         )
     unused = len(vertices) - len(set(corners) | {first, last})
     if unused:
-        findings.append(
-            Finding(
-                "unused-vertex",
-                Severity.WARNING,
-                f"{unused} vertices belong to no edge and were dropped",
-                panel=panel,
-                value=unused,
-                why="a stray vertex shifts the numbering other tools rely on",
-                repair="dropped by --repair",
-            )
-        )
+        text = f"{unused} vertices belong to no edge and were dropped"
+        findings.append(found("unused-vertex", text, panel=panel, value=unused))
     return Loop(vertices[corners], tuple(ordered), edge_ids, tuple(findings))
 
 
@@ -164,12 +153,5 @@ def _flip(edge: RawEdge) -> RawEdge:
 
 def _open_loop(panel: str, gap: float) -> Finding:
     closing = "closed by a straight edge" if gap > COINCIDENT_CM else "closed by joining the two ends"
-    return Finding(
-        "open-loop",
-        Severity.ERROR,
-        f"the outline is open by {gap:.3g} cm",
-        panel=panel,
-        value=gap,
-        why="cloth can only be cut along a closed line",
-        repair=closing,
-    )
+    text = f"the outline is open by {gap:.3g} cm"
+    return found("open-loop", text, panel=panel, value=gap, repair=closing)

@@ -20,6 +20,7 @@ from swifttailor.pattern import json_values as values
 from swifttailor.pattern.curve import Arc, Cubic, Curve, Line, Quadratic, to_relative
 from swifttailor.pattern.edge_loop import Loop, RawEdge, order_loop
 from swifttailor.pattern.finding import Finding, Severity
+from swifttailor.pattern.finding_kinds import found
 from swifttailor.pattern.panel import Edge, Panel, Placement, RotationReading
 from swifttailor.pattern.pattern import EdgeRef, Pattern, Stitch
 
@@ -154,15 +155,8 @@ def _read_properties(raw: Any, rotation: RotationReading) -> _Context:
         )
     context = _Context(100.0 / units, coordinates == "absolute", rotation)
     if units != 100:
-        context.findings.append(
-            Finding(
-                "other-units",
-                Severity.INFO,
-                f"lengths are in 1/{units:g} m and were converted to cm",
-                value=units,
-                why="GarmentCode's own loader forgets to convert arc radii",
-            )
-        )
+        text = f"lengths are in 1/{units:g} m and were converted to cm"
+        context.findings.append(found("other-units", text, value=units))
     return context
 
 
@@ -269,12 +263,9 @@ def _panel_order(raw: Any, panels: dict[str, Panel], context: _Context) -> list[
     if sorted(order) == sorted(panels):
         return order
     context.findings.append(
-        Finding(
+        found(
             "panel-order",
-            Severity.INFO,
             "panel_order does not name every panel exactly once; the order of the panels object is used",
-            why="tools that walk panel_order would miss or repeat panels",
-            repair="written anew by --repair",
         )
     )
     return list(panels)
@@ -301,14 +292,12 @@ def _read_stitches(
                     f"there is no panel '{panel}'" if panel not in panels else f"'{panel}' has no edge {edge}"
                 )
                 context.findings.append(
-                    Finding(
+                    found(
                         "dangling-stitch",
-                        Severity.ERROR,
                         f"stitch {k} is left out because {missing}",
                         panel=panel,
                         edge=edge,
                         stitch=k,
-                        why="a stitch needs two edges that exist",
                         repair="--repair removes the stitch; the seam stays open",
                     )
                 )
@@ -325,12 +314,5 @@ def _note_unknown(context: _Context, keys: set[str], where: str, panel: str = ""
         if context.unknown_keys > _MAX_UNKNOWN_KEYS:
             return
         shown = key[:60] if key[:60].isprintable() else ascii(key[:60])
-        context.findings.append(
-            Finding(
-                "unknown-key",
-                Severity.INFO,
-                f"{where} has an unknown key {shown!r}, which is not kept",
-                panel=panel,
-                value=shown,
-            )
-        )
+        text = f"{where} has an unknown key {shown!r}, which is not kept"
+        context.findings.append(found("unknown-key", text, panel=panel, value=shown))

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -150,33 +148,6 @@ class Panel:
         """Carries local points (n, 2) cm to where the panel is placed (n, 3) cm."""
         return self.placement.apply(points)
 
-    def split_edge(self, edge: int, fractions: Sequence[float]) -> Panel:
-        """Cuts an edge at increasing fractions of its length; later edges move up by ``len(fractions)``.
-
-        Raises:
-            PatternError: The fractions do not increase strictly between 0 and 1.
-        """
-        if any(not low < high for low, high in pairwise([0.0, *fractions, 1.0])):
-            raise PatternError(
-                f"Panel '{self.name}', edge {edge}: fractions must increase strictly between 0 and 1, "
-                f"got {list(fractions)}."
-            )
-        chord, curve = self.chord(edge), self.edges[edge].curve
-        cuts = curves.parameters_by_length(curve, chord, list(fractions))
-        pieces: list[Edge] = []
-        points: list[Floats] = []
-        done, rest, rest_chord = 0.0, curve, chord
-        for t in cuts:
-            first, rest, point = curves.split(rest, rest_chord, (float(t) - done) / (1 - done))
-            pieces.append(replace(self.edges[edge], curve=first))
-            points.append(point)
-            rest_chord, done = np.array([point, chord[1]]), float(t)
-        pieces.append(replace(self.edges[edge], curve=rest))
-        vertices = np.insert(self.vertices, edge + 1, points, axis=0) if points else self.vertices
-        return replace(
-            self, vertices=vertices, edges=self.edges[:edge] + tuple(pieces) + self.edges[edge + 1 :]
-        )
-
     def reversed(self) -> Panel:
         """The same outline travelled the other way; edge k becomes edge n - 1 - k."""
         vertices = np.roll(self.vertices[::-1], 1, axis=0)
@@ -187,16 +158,6 @@ class Panel:
         """The outline reflected in the local y axis (x -> -x); edges keep their ids, the winding flips."""
         edges = tuple(replace(e, curve=curves.mirror(e.curve)) for e in self.edges)
         return replace(self, vertices=self.vertices * np.array([-1.0, 1.0]), edges=edges)
-
-    def scaled(self, factor: float) -> Panel:
-        """Outline and placement in other units: every length times `factor`, arc radii included."""
-        x, y, z = self.placement.translation
-        return replace(
-            self,
-            vertices=self.vertices * factor,
-            edges=tuple(replace(e, curve=curves.scale(e.curve, factor)) for e in self.edges),
-            placement=replace(self.placement, translation=(x * factor, y * factor, z * factor)),
-        )
 
 
 def _rotation(axis: int, angle: float) -> Floats:

@@ -9,6 +9,7 @@ import numpy as np
 import torch
 import torch.nn.functional as F
 
+from swifttailor.evaluation.spread import spread
 from swifttailor.pattern_maker.asking.foresight import BOX
 from swifttailor.pattern_maker.network.network_torch import PatternMakerNetwork
 from swifttailor.pattern_maker.tokens.normalization import POINT_SCALE, TRANSLATION_SCALE
@@ -46,11 +47,9 @@ class Validation:
             able = [k for k in range(count) if task in self.samples.tasks_of(k)]
             if not able or not getattr(self.config.tasks, task):
                 continue
-            spread = np.linspace(0, len(able) - 1, self.config.validation_samples)
             chance = np.random.default_rng([0, 6, number])
-            plans = [
-                self.samples.plan_task(able[k], task, chance) for k in np.unique(spread.round()).astype(int)
-            ]
+            chosen = spread(able, self.config.validation_samples)
+            plans = [self.samples.plan_task(garment, task, chance) for garment in chosen]
             plans.sort(key=lambda plan: plan.length)
             made = [self.samples.make(plan, clean=True) for plan in plans]
             size = self.config.network.image_size

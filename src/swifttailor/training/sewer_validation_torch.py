@@ -12,8 +12,8 @@ import torch
 
 from swifttailor.body import Body
 from swifttailor.data.reader import SplitReader
-from swifttailor.errors import InputError
 from swifttailor.evaluation.garment_error import GarmentError, measure_error, summarize
+from swifttailor.evaluation.spread import spread
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.closing import close_seams
 from swifttailor.garment_sewer.network_torch import SewerNetwork
@@ -39,8 +39,7 @@ class Validation:
         self, samples: SewerSamples, reader: SplitReader, config: SewerConfig, device: torch.device
     ) -> None:
         self.samples, self.reader, self.config, self.device = samples, reader, config, device
-        count = min(config.validation_garments, len(reader))
-        self.numbers = np.unique(np.linspace(0, max(len(reader) - 1, 0), count).round().astype(int)).tolist()
+        self.numbers = spread(range(len(reader)), config.validation_garments)
         self._known: dict[int, _Known] = {}
 
     @cached_property
@@ -60,12 +59,10 @@ class Validation:
         """Draws garments as they are made of predictions, and their drapes beside them, from three sides.
 
         Raises:
-            InputError: Pillow is missing, or the file cannot be written.
+            InputError: The file cannot be written.
         """
-        try:
-            from PIL import Image
-        except ImportError as error:
-            raise InputError("Pictures need the package 'pillow'; install it or set pictures=0.") from error
+        from PIL import Image
+
         from swifttailor.atomic_files import write_atomically
         from swifttailor.garment.preview import render_preview
 

@@ -83,11 +83,11 @@ class Speech:
         self.kind = next((str(c.value) for c in phrase.claims if c.name == "kind"), "")
         return phrase
 
-    def say_several(self, count: int, *forms: Form, about: Collection[str] | None = None) -> list[Phrase]:
+    def say_several(self, count: int, *forms: Form) -> list[Phrase]:
         """Says up to `count` things."""
         said = []
         for _ in range(count):
-            phrase = self.say(*forms, about=about)
+            phrase = self.say(*forms)
             if phrase is None:
                 break
             said.append(phrase)
@@ -97,12 +97,12 @@ class Speech:
         """One of some texts."""
         return self.rng.choice(options)
 
-    def listed(self, texts: Sequence[str], last: str = "and") -> str:
+    def listed(self, texts: Sequence[str]) -> str:
         """Texts as a list in words; Americans may put a comma before the last."""
         if len(texts) < 3:
-            return f" {last} ".join(texts)
+            return " and ".join(texts)
         comma = "," if self.dialect == "us" and self.rng.random() < 0.7 else ""
-        return f"{', '.join(texts[:-1])}{comma} {last} {texts[-1]}"
+        return f"{', '.join(texts[:-1])}{comma} and {texts[-1]}"
 
     def _fits(self, wording: Wording, about: Collection[str] | None) -> bool:
         """Whether it may be said after what was said so far."""

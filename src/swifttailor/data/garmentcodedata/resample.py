@@ -46,10 +46,7 @@ def resample(mesh: PatternMesh, simulated: SplitMesh, at: PanelCoordinates) -> t
                 "from the nearest triangle). Do mesh and pattern belong to one garment?"
             )
         flat[wanted] = np.einsum("ij,ijk->ik", weights, simulated.vertices[faces[face]])
-    count = np.bincount(mesh.weld, minlength=mesh.vertex_count)
-    vertices = np.stack(
-        [np.bincount(mesh.weld, flat[:, k], mesh.vertex_count) / count for k in range(3)], axis=1
-    )
+    vertices = mesh.welded_mean(flat)
     spread = float(np.linalg.norm(flat - vertices[mesh.weld], axis=1).max())
     return vertices, spread
 

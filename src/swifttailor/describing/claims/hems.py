@@ -4,25 +4,28 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import get_args
 
-from swifttailor.describing.claims.judgement import Judgement, Predicate
-from swifttailor.describing.facts import GarmentFacts, LandmarkFacts, Place, Slit
+from swifttailor.describing.claims.judgement import (
+    Judgement,
+    Predicate,
+    above,
+    all_of,
+    below,
+    between,
+    is_one_of,
+    missing,
+    there,
+    where,
+)
+from swifttailor.describing.dimensions import slit_height
+from swifttailor.describing.facts import GarmentFacts, HemFacts, LandmarkFacts, Place
+from swifttailor.describing.facts_paths import measure_of
 
 HEM_TOLERANCE_CM = 2.5
 """Levels measured on patterns differ from those of drapes by about this much (docs/captions.md)."""
-
-
-def _skirt_like(facts: GarmentFacts) -> bool:
-    return facts.kind in ("dress", "skirt")
-
-
-def _top_like(facts: GarmentFacts) -> bool:
-    return facts.kind == "top"
-
-
-def _legged(facts: GarmentFacts) -> bool:
-    return facts.trousers is not None
-
+WEDGE_CM = 7.0
+"""Above this width a slit is a wedge cut out of the hem."""
 
 Zone = Callable[[LandmarkFacts], tuple[float, float]]
 """Heights of the hem from and to, cm, on a body."""
@@ -57,61 +60,18 @@ _LEG_ZONES: dict[str, Zone] = {
 }
 
 
-def _in_zone(facts: GarmentFacts, by: Judgement, zone: tuple[float, float]) -> bool:
-    return facts.hem is not None and by.between(facts.hem.level, *zone, HEM_TOLERANCE_CM)
+def _ends_in(zones: dict[str, Zone], applies: Predicate) -> dict[str, Predicate]:
+    def test(zone: Zone) -> Predicate:
+        low, high = (lambda f: zone(f.body)[0]), (lambda f: zone(f.body)[1])
+        return all_of(applies, between("hem.level", low, high, HEM_TOLERANCE_CM))
+
+    return {word: test(zone) for word, zone in zones.items()}
 
 
-def _uneven(facts: GarmentFacts) -> float:
-    """Largest difference between the four sides of the hem, cm."""
-    if facts.hem is None:
-        return 0.0
-    sides = (facts.hem.front, facts.hem.back, facts.hem.left, facts.hem.right)
+def _unevenness(hem: HemFacts) -> float:
+    """Largest difference between its four sides, cm."""
+    sides = (hem.front, hem.back, hem.left, hem.right)
     return max(sides) - min(sides)
-
-
-def _level(facts: GarmentFacts, by: Judgement) -> bool:
-    return (
-        facts.hem is not None
-        and by.below(_uneven(facts), 8.0, 2.0)
-        and by.below(abs(facts.hem.dip), 7.0, 2.0)
-    )
-
-
-def _high_low(facts: GarmentFacts, by: Judgement) -> bool:
-    return facts.hem is not None and by.above(facts.hem.front - facts.hem.back, 9.0, 2.5)
-
-
-def _slanted(facts: GarmentFacts, by: Judgement, lower: str) -> bool:
-    if facts.hem is None or facts.trousers is not None:
-        return False
-    fall = facts.hem.right - facts.hem.left if lower == "left" else facts.hem.left - facts.hem.right
-    return by.above(fall, 7.0, 2.0)
-
-
-def _pointed(facts: GarmentFacts, by: Judgement) -> bool:
-    """Corners between the panels hang down, as in a handkerchief hem."""
-    return facts.skirt is not None and facts.hem is not None and by.above(facts.hem.dip, 9.0, 2.0)
-
-
-def _scalloped(facts: GarmentFacts, by: Judgement) -> bool:
-    return (
-        facts.skirt is not None
-        and facts.skirt.gores > 3
-        and facts.hem is not None
-        and by.below(facts.hem.dip, -6.0, 1.5)
-    )
-
-
-def _slits(facts: GarmentFacts) -> tuple[Slit, ...]:
-    return facts.skirt.slits if facts.skirt else ()
-
-
-WEDGE_CM = 7.0
-"""Above this width a slit is a wedge cut out of the hem."""
-
-
-def _has_slit(facts: GarmentFacts, by: Judgement, place: Place) -> bool:
-    return any(s.place == place and by.above(s.height, 5.0, 2.0) for s in _slits(facts))
 
 
 def _high_slit(facts: GarmentFacts, by: Judgement) -> bool:
@@ -122,46 +82,43 @@ def _high_slit(facts: GarmentFacts, by: Judgement) -> bool:
 
 
 def _wedge(facts: GarmentFacts, by: Judgement) -> bool:
-    return any(by.above(s.width, WEDGE_CM + 2.0, 2.0) and by.above(s.height, 8.0, 2.0) for s in _slits(facts))
-
-
-def _no_slit(facts: GarmentFacts, by: Judgement) -> bool:
-    return facts.skirt is not None and all(by.below(s.height, 5.0, 3.0) for s in facts.skirt.slits)
-
-
-def _zone_tests(zones: dict[str, Zone], applies: Callable[[GarmentFacts], bool]) -> dict[str, Predicate]:
-    def test(zone: Zone) -> Predicate:
-        return lambda f, by: applies(f) and _in_zone(f, by, zone(f.body))
-
-    return {word: test(zone) for word, zone in zones.items()}
+    slits = facts.skirt.slits if facts.skirt else ()
+    return any(by.above(s.width, WEDGE_CM + 2.0, 2.0) and by.above(s.height, 8.0, 2.0) for s in slits)
 
 
 HEM_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
     "skirt_hem": (
         "where the hem of a dress or skirt ends",
-        _zone_tests(_SKIRT_ZONES, _skirt_like),
+        _ends_in(_SKIRT_ZONES, is_one_of("kind", "dress", "skirt")),
     ),
-    "top_hem": ("where a top ends", _zone_tests(_TOP_ZONES, _top_like)),
-    "leg_hem": ("where the legs end", _zone_tests(_LEG_ZONES, _legged)),
+    "top_hem": ("where a top ends", _ends_in(_TOP_ZONES, is_one_of("kind", "top"))),
+    "leg_hem": ("where the legs end", _ends_in(_LEG_ZONES, there("trousers"))),
     "hem_shape": (
         "what the hem looks like",
         {
-            "level": _level,
-            "high-low": _high_low,
-            "lower left": lambda f, by: _slanted(f, by, "left"),
-            "lower right": lambda f, by: _slanted(f, by, "right"),
-            "pointed": _pointed,
-            "scalloped": _scalloped,
+            "level": all_of(
+                below(measure_of("hem", _unevenness), 8.0, 2.0),
+                below(measure_of("hem", lambda hem: abs(hem.dip)), 7.0, 2.0),
+            ),
+            "high-low": above(measure_of("hem", lambda hem: hem.front - hem.back), 9.0, 2.5),
+            "lower left": all_of(
+                missing("trousers"), above(measure_of("hem", lambda hem: hem.right - hem.left), 7.0, 2.0)
+            ),
+            "lower right": all_of(
+                missing("trousers"), above(measure_of("hem", lambda hem: hem.left - hem.right), 7.0, 2.0)
+            ),
+            # Corners between the panels hang down, as in a handkerchief hem.
+            "pointed": all_of(there("skirt"), above("hem.dip", 9.0, 2.0)),
+            "scalloped": all_of(where("skirt.gores", lambda gores: gores > 3), below("hem.dip", -6.0, 1.5)),
         },
     ),
     "slit": (
         "open slits in the hem of a skirt",
         {
-            "none": _no_slit,
-            "front": lambda f, by: _has_slit(f, by, "front"),
-            "back": lambda f, by: _has_slit(f, by, "back"),
-            "left": lambda f, by: _has_slit(f, by, "left"),
-            "right": lambda f, by: _has_slit(f, by, "right"),
+            "none": below(
+                measure_of("skirt", lambda skirt: max((s.height for s in skirt.slits), default=0.0)), 5.0, 3.0
+            ),
+            **{place: above(slit_height(place), 5.0, 2.0) for place in get_args(Place)},
         },
     ),
     "slit_size": ("how large the slits are", {"high": _high_slit, "wedge": _wedge}),

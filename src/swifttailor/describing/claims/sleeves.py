@@ -5,8 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from swifttailor.describing.claims.judgement import Judgement, Predicate
-from swifttailor.describing.facts import CuffKind, GarmentFacts, Sleeve
+from swifttailor.describing.claims.judgement import (
+    Judgement,
+    Predicate,
+    above,
+    all_of,
+    below,
+    between,
+    is_one_of,
+    missing,
+    there,
+)
+from swifttailor.describing.facts import GarmentFacts
+from swifttailor.describing.facts_paths import Measure, measure_of
 
 _LENGTHS: dict[str, tuple[float, float]] = {
     "cap": (0.0, 0.24),
@@ -19,143 +30,100 @@ _LENGTHS: dict[str, tuple[float, float]] = {
 """Parts of the arm's length."""
 LENGTH_TOLERANCE = 0.035
 """Part of the arm's length: 2 cm."""
+_LEFT, _RIGHT = "left_sleeve", "right_sleeve"
 
-SleeveTest = Callable[[Sleeve, GarmentFacts, Judgement], bool]
-
-
-def _pair(facts: GarmentFacts) -> tuple[Sleeve, Sleeve] | None:
-    return (facts.left_sleeve, facts.right_sleeve) if facts.left_sleeve and facts.right_sleeve else None
+SleeveTest = Callable[[str], Predicate]
+"""A test of the sleeve in one of these places."""
 
 
 def _both(test: SleeveTest) -> Predicate:
     """True of both sleeves, where there are two."""
-
-    def check(facts: GarmentFacts, by: Judgement) -> bool:
-        pair = _pair(facts)
-        return pair is not None and all(test(s, facts, by) for s in pair)
-
-    return check
-
-
-def _one(side: str, test: SleeveTest) -> Predicate:
-    def check(facts: GarmentFacts, by: Judgement) -> bool:
-        sleeve = facts.left_sleeve if side == "left" else facts.right_sleeve
-        return sleeve is not None and test(sleeve, facts, by)
-
-    return check
+    return all_of(test(_LEFT), test(_RIGHT))
 
 
 def _length(word: str) -> SleeveTest:
     low, high = _LENGTHS[word]
 
-    def test(sleeve: Sleeve, facts: GarmentFacts, by: Judgement) -> bool:
-        return by.between(sleeve.length / facts.body.arm_length, low, high, LENGTH_TOLERANCE)
+    def test(side: str) -> Predicate:
+        length = measure_of(side, lambda sleeve: sleeve.length)
+
+        def of_arm(facts: GarmentFacts) -> float | None:
+            own = length(facts)
+            return None if own is None else own / facts.body.arm_length
+
+        return between(of_arm, low, high, LENGTH_TOLERANCE)
 
     return test
 
 
-def _slim(sleeve: Sleeve, facts: GarmentFacts, by: Judgement) -> bool:
-    return by.below(max(sleeve.upper_width, sleeve.end_width), 1.3 * facts.body.upper_arm_girth, 2.0)
+def _widest(side: str) -> Measure:
+    return measure_of(side, lambda sleeve: max(sleeve.upper_width, sleeve.end_width))
 
 
-def _wide(sleeve: Sleeve, facts: GarmentFacts, by: Judgement) -> bool:
-    return by.above(max(sleeve.upper_width, sleeve.end_width), 1.85 * facts.body.upper_arm_girth, 3.0)
+def _flare(side: str) -> Measure:
+    return measure_of(side, lambda sleeve: sleeve.end_width / max(sleeve.upper_width, 1.0))
 
 
-def _puffed(sleeve: Sleeve, facts: GarmentFacts, by: Judgement) -> bool:
-    return by.above(sleeve.head_gather, 1.22, 0.08)
+def _arms(times: float) -> Callable[[GarmentFacts], float]:
+    return lambda facts: times * facts.body.upper_arm_girth
 
 
-def _ungathered_head(sleeve: Sleeve, facts: GarmentFacts, by: Judgement) -> bool:
-    return by.below(sleeve.head_gather, 1.1, 0.05)
-
-
-def _gathered_end(sleeve: Sleeve, facts: GarmentFacts, by: Judgement) -> bool:
-    return sleeve.cuff is not None and by.above(sleeve.end_gather, 1.25, 0.08)
-
-
-def _balloon(sleeve: Sleeve, facts: GarmentFacts, by: Judgement) -> bool:
-    """Wide, and gathered into a cuff at the end."""
-    return _gathered_end(sleeve, facts, by) and by.above(
-        max(sleeve.upper_width, sleeve.end_width), 1.5 * facts.body.upper_arm_girth, 3.0
-    )
-
-
-def _bell(sleeve: Sleeve, facts: GarmentFacts, by: Judgement) -> bool:
-    return (
-        sleeve.cuff is None
-        and by.above(sleeve.end_width / max(sleeve.upper_width, 1.0), 1.18, 0.06)
-        and by.above(sleeve.end_width, 1.25 * facts.body.upper_arm_girth, 3.0)
-    )
-
-
-def _tapered(sleeve: Sleeve, facts: GarmentFacts, by: Judgement) -> bool:
-    return sleeve.cuff is None and by.below(sleeve.end_width / max(sleeve.upper_width, 1.0), 0.72, 0.06)
-
-
-def _cuff(kind: CuffKind) -> SleeveTest:
-    return lambda sleeve, facts, by: sleeve.cuff is not None and sleeve.cuff.kind == kind
-
-
-def _deep_cuff(sleeve: Sleeve, facts: GarmentFacts, by: Judgement) -> bool:
-    return sleeve.cuff is not None and by.above(sleeve.cuff.length, 12.0, 2.0)
-
-
-def _sleeveless(facts: GarmentFacts, by: Judgement) -> bool:
-    return facts.torso is not None and facts.left_sleeve is None and facts.right_sleeve is None
-
-
-def _only(side: str) -> Predicate:
-    def check(facts: GarmentFacts, by: Judgement) -> bool:
-        own, other = facts.left_sleeve, facts.right_sleeve
-        if side == "right":
-            own, other = other, own
-        return own is not None and other is None
-
-    return check
+def _gathered_end(side: str) -> Predicate:
+    return all_of(there(f"{side}.cuff"), above(f"{side}.end_gather", 1.25, 0.08))
 
 
 def _unequal(facts: GarmentFacts, by: Judgement) -> bool:
-    pair = _pair(facts)
-    return pair is not None and by.above(abs(pair[0].length - pair[1].length), 7.5, 2.0)
+    left, right = facts.left_sleeve, facts.right_sleeve
+    return left is not None and right is not None and by.above(abs(left.length - right.length), 7.5, 2.0)
 
 
 SLEEVE_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
     "sleeves": (
         "how long both sleeves are",
-        {"none": _sleeveless}
+        {"none": all_of(there("torso"), missing(_LEFT), missing(_RIGHT))}
         | {word: _both(_length(word)) for word in _LENGTHS}
-        | {"left only": _only("left"), "right only": _only("right"), "unequal": _unequal},
+        | {
+            "left only": all_of(there(_LEFT), missing(_RIGHT)),
+            "right only": all_of(there(_RIGHT), missing(_LEFT)),
+            "unequal": _unequal,
+        },
     ),
     "left_sleeve": (
         "how long the wearer's left sleeve is",
-        {word: _one("left", _length(word)) for word in _LENGTHS},
+        {word: _length(word)(_LEFT) for word in _LENGTHS},
     ),
     "right_sleeve": (
         "how long the wearer's right sleeve is",
-        {word: _one("right", _length(word)) for word in _LENGTHS},
+        {word: _length(word)(_RIGHT) for word in _LENGTHS},
     ),
     "sleeve_shape": (
         "shape of both sleeves",
         {
-            "slim": _both(_slim),
-            "wide": _both(_wide),
-            "puffed": _both(_puffed),
-            "set smooth": _both(_ungathered_head),
-            "balloon": _both(_balloon),
+            "slim": _both(lambda side: below(_widest(side), _arms(1.3), 2.0)),
+            "wide": _both(lambda side: above(_widest(side), _arms(1.85), 3.0)),
+            "puffed": _both(lambda side: above(f"{side}.head_gather", 1.22, 0.08)),
+            "set smooth": _both(lambda side: below(f"{side}.head_gather", 1.1, 0.05)),
+            # Wide, and gathered into a cuff at the end.
+            "balloon": _both(lambda side: all_of(_gathered_end(side), above(_widest(side), _arms(1.5), 3.0))),
             "gathered end": _both(_gathered_end),
-            "bell": _both(_bell),
-            "tapered": _both(_tapered),
+            "bell": _both(
+                lambda side: all_of(
+                    missing(f"{side}.cuff"),
+                    above(_flare(side), 1.18, 0.06),
+                    above(f"{side}.end_width", _arms(1.25), 3.0),
+                )
+            ),
+            "tapered": _both(lambda side: all_of(missing(f"{side}.cuff"), below(_flare(side), 0.72, 0.06))),
         },
     ),
     "cuffs": (
         "what ends both sleeves",
         {
-            "none": _both(lambda s, f, by: s.cuff is None),
-            "band": _both(_cuff("band")),
-            "flounce": _both(_cuff("flounce")),
-            "band and flounce": _both(_cuff("band and flounce")),
-            "deep": _both(_deep_cuff),
+            "none": _both(lambda side: all_of(there(side), missing(f"{side}.cuff"))),
+            "band": _both(lambda side: is_one_of(f"{side}.cuff.kind", "band")),
+            "flounce": _both(lambda side: is_one_of(f"{side}.cuff.kind", "flounce")),
+            "band and flounce": _both(lambda side: is_one_of(f"{side}.cuff.kind", "band and flounce")),
+            "deep": _both(lambda side: above(f"{side}.cuff.length", 12.0, 2.0)),
         },
     ),
 }

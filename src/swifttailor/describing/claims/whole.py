@@ -2,50 +2,28 @@
 
 from __future__ import annotations
 
-from swifttailor.describing.claims.judgement import Judgement, Predicate
+from swifttailor.describing.claims.judgement import (
+    Judgement,
+    Predicate,
+    above,
+    all_of,
+    below,
+    between,
+    is_one_of,
+    missing,
+    there,
+)
+from swifttailor.describing.claims.upper import halves_differ
 from swifttailor.describing.facts import GarmentFacts
 
-_KNEE_TOLERANCE_CM = 3.0
+_UPPER = all_of(there("torso"), missing("trousers"))
 
 
-def _upper(facts: GarmentFacts) -> bool:
-    return facts.torso is not None and facts.trousers is None and facts.hem is not None
-
-
-def _is_top(facts: GarmentFacts, by: Judgement) -> bool:
-    body = facts.body
-    return _upper(facts) and facts.hem is not None and by.above(facts.hem.level, body.crotch - 5.0, 3.5)
-
-
-def _is_dress(facts: GarmentFacts, by: Judgement) -> bool:
-    body = facts.body
-    return _upper(facts) and facts.hem is not None and by.below(facts.hem.level, body.crotch - 5.0, 3.5)
-
-
-def _is_tunic(facts: GarmentFacts, by: Judgement) -> bool:
-    """Too long for a top, too short for a dress: the hem within a hand of the crotch."""
-    body = facts.body
-    return (
-        _upper(facts)
-        and facts.hem is not None
-        and by.between(facts.hem.level, body.crotch - 12.0, body.crotch + 6.0, 3.0)
-    )
-
-
-def _is_skirt(facts: GarmentFacts, by: Judgement) -> bool:
-    return facts.kind == "skirt"
-
-
-def _legs(facts: GarmentFacts, upper: bool, long: bool, by: Judgement) -> bool:
-    if facts.trousers is None or facts.hem is None or (facts.torso is not None) != upper:
-        return False
-    knee = facts.body.knee
+def _legs(*, upper: bool, long: bool) -> Predicate:
     # Knee-length legs are shorts to most and trousers to some.
-    return (
-        by.below(facts.hem.level, knee - 4.0, _KNEE_TOLERANCE_CM)
-        if long
-        else by.above(facts.hem.level, knee - 4.0, _KNEE_TOLERANCE_CM)
-    )
+    ends = below if long else above
+    level = ends("hem.level", lambda f: f.body.knee - 4.0, 3.0)
+    return all_of(there("trousers"), there("torso") if upper else missing("torso"), level)
 
 
 def _alike(facts: GarmentFacts, by: Judgement) -> bool:
@@ -80,46 +58,35 @@ def _different(facts: GarmentFacts, by: Judgement) -> bool:
         a, b = facts.left_sleeve, facts.right_sleeve
         if by.above(abs(a.length - b.length), 8.0, 2.0):
             return True
-    neck = facts.front_neck
-    if neck and neck.left and neck.right:
-        shapes = {neck.left.shape, neck.right.shape}
-        return len(shapes) == 2 and (by.strictness < 0 or "other" not in shapes)
-    return False
-
-
-def _close(facts: GarmentFacts, by: Judgement) -> bool:
-    return facts.torso is not None and by.below(facts.torso.chest_ease, 4.0, 2.0)
-
-
-def _easy(facts: GarmentFacts, by: Judgement) -> bool:
-    return facts.torso is not None and by.between(facts.torso.chest_ease, 2.0, 13.0, 2.0)
-
-
-def _loose(facts: GarmentFacts, by: Judgement) -> bool:
-    return facts.torso is not None and by.above(facts.torso.chest_ease, 12.0, 2.5)
-
-
-def _oversized(facts: GarmentFacts, by: Judgement) -> bool:
-    return facts.torso is not None and by.above(facts.torso.chest_ease, 26.0, 3.0)
+    return halves_differ(facts.front_neck, by)
 
 
 WHOLE_CLAIMS: dict[str, tuple[str, dict[str, Predicate]]] = {
     "kind": (
         "what the garment is",
         {
-            "top": _is_top,
-            "tunic": _is_tunic,
-            "dress": _is_dress,
-            "skirt": _is_skirt,
-            "trousers": lambda f, by: _legs(f, upper=False, long=True, by=by),
-            "shorts": lambda f, by: _legs(f, upper=False, long=False, by=by),
-            "jumpsuit": lambda f, by: _legs(f, upper=True, long=True, by=by),
-            "playsuit": lambda f, by: _legs(f, upper=True, long=False, by=by),
+            "top": all_of(_UPPER, above("hem.level", lambda f: f.body.crotch - 5.0, 3.5)),
+            # Too long for a top, too short for a dress: the hem within a hand of the crotch.
+            "tunic": all_of(
+                _UPPER,
+                between("hem.level", lambda f: f.body.crotch - 12.0, lambda f: f.body.crotch + 6.0, 3.0),
+            ),
+            "dress": all_of(_UPPER, below("hem.level", lambda f: f.body.crotch - 5.0, 3.5)),
+            "skirt": is_one_of("kind", "skirt"),
+            "trousers": _legs(upper=False, long=True),
+            "shorts": _legs(upper=False, long=False),
+            "jumpsuit": _legs(upper=True, long=True),
+            "playsuit": _legs(upper=True, long=False),
         },
     ),
     "fit": (
         "room at the chest",
-        {"close": _close, "easy": _easy, "loose": _loose, "oversized": _oversized},
+        {
+            "close": below("torso.chest_ease", 4.0, 2.0),
+            "easy": between("torso.chest_ease", 2.0, 13.0, 2.0),
+            "loose": above("torso.chest_ease", 12.0, 2.5),
+            "oversized": above("torso.chest_ease", 26.0, 3.0),
+        },
     ),
     "sides": (
         "whether left and right are cut alike",

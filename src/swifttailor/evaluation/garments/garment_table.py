@@ -7,9 +7,9 @@ from typing import Literal
 
 from swifttailor.evaluation.garments.score import FEW_POINTS, POINTS
 from swifttailor.evaluation.garments.summary import Summary
-from swifttailor.evaluation.mean import Means
+from swifttailor.evaluation.mean import Means, mean_in
 from swifttailor.evaluation.paper_rows import GarmentRow
-from swifttailor.evaluation.text_table import Column, text_table
+from swifttailor.evaluation.text_table import Column, Row, text_table
 
 Cells = Sequence[tuple[str, Column, Literal["mean", "median"], float]]
 
@@ -66,34 +66,28 @@ def paper_table(summary: Summary, name: str, rows: Sequence[GarmentRow]) -> str:
     means, boxed = summary.means, (summary.box_sets, summary.box_sets_floor)
     n = summary.garments
     ours = [
-        (name, _mean(means, "chamfer_cm2"), _mean(means, "emd_cm"), summary.sets),
-        ("  floor", _mean(means, "chamfer_floor_cm2"), _mean(means, "emd_floor_cm"), summary.sets_floor),
-        (f"{name}, unit box", _mean(means, "chamfer_box_e3"), None, boxed[0]),
-        ("  floor", _mean(means, "chamfer_box_floor_e3"), None, boxed[1]),
+        (name, mean_in(means, "chamfer_cm2"), mean_in(means, "emd_cm"), summary.sets),
+        ("  floor", mean_in(means, "chamfer_floor_cm2"), mean_in(means, "emd_floor_cm"), summary.sets_floor),
+        (f"{name}, unit box", mean_in(means, "chamfer_box_e3"), None, boxed[0]),
+        ("  floor", mean_in(means, "chamfer_box_floor_e3"), None, boxed[1]),
     ]
-    lines: list[tuple[str, Sequence[float | int | None]]] = [
-        (label, [cd, emd, found.mmd, found.coverage, n]) for label, cd, emd, found in ours
-    ]
+    lines: list[Row] = [(label, [cd, emd, found.mmd, found.coverage, n]) for label, cd, emd, found in ours]
     lines += [(f"paper: {r.name}", [r.chamfer, r.emd, r.mmd, r.coverage, None]) for r in rows]
     return (
         "CD, MMD in cm2 and EMD in cm; in the unit box times 1000, "
         f"{FEW_POINTS:,} points. COV: share.\n"
         "The paper states neither unit nor number of points, and has other data (GarmentCodeData,\n"
-        "500 garments): compare with care, see docs/evaluation.md.\n\n" + text_table("", columns, lines)
+        "500 garments): compare with care, see docs/evaluation.md.\n\n" + text_table(columns, lines)
     )
 
 
 def _table(cells: Cells, groups: Sequence[tuple[str, int, Means]]) -> str:
     columns = [Column("n", "d"), *(column for _, column, _, _ in cells)]
-    rows: list[tuple[str, Sequence[float | int | None]]] = []
+    rows: list[Row] = []
     for name, count, means in groups:
         values = [
             getattr(means[measure], which) * factor if measure in means else None
             for measure, _, which, factor in cells
         ]
         rows.append((name, [count, *values]))
-    return text_table("", columns, rows)
-
-
-def _mean(means: Means, name: str) -> float | None:
-    return means[name].mean if name in means else None
+    return text_table(columns, rows)

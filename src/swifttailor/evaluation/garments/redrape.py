@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -23,9 +24,10 @@ from swifttailor.draping import drape
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.evaluation.garments.score import Scored, draw_clouds, score_garment, score_of_json
 from swifttailor.evaluation.garments.sew_split import Made
+from swifttailor.evaluation.kept_settings import keep_settings
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
-from swifttailor.progress import CountProgress
+from swifttailor.progress import CountProgress, unwatched
 
 SETTINGS, RECORDS = "redrapes.json", "redrapes"
 _SETTINGS = ("fabric", "engine")
@@ -64,9 +66,16 @@ class Redraper:
             )
         self._body = BodyDistance.of(body)
         self._settings = {name: settings[name] for name in _SETTINGS}
-        self._require_same()
+        identity = {
+            "split": reader.index.split,
+            "settings": settings,
+            "drape_seed": drape_seed,
+            "seed": seed,
+            "code": code_version()["code"],
+        }
+        keep_settings(folder / SETTINGS, identity, "drapes")
 
-    def run(self, numbers: Sequence[int], progress: CountProgress | None = None) -> tuple[Made, int]:
+    def run(self, numbers: Sequence[int], progress: CountProgress = unwatched) -> tuple[Made, int]:
         """Drapes what is missing and measures all.
 
         Args:
@@ -88,8 +97,7 @@ class Redraper:
                 clouds = draw_clouds(vertices, sample.garment, seed=self._seed, number=k)
                 made.scored.append(Scored(score_of_json(record["score"]), clouds))
                 rejected += not record["accepted"]
-            if progress is not None:
-                progress(1)
+            progress(1)
         return made, rejected
 
     def _make(self, sample: Sample, number: int) -> dict[str, Any]:
@@ -104,7 +112,7 @@ class Redraper:
                 sample.id, garment, sample.garment, self._body, seed=self._seed, number=number
             )
             quality = garment.report["quality"]
-            record = {"score": scored.score.to_json(), "accepted": quality["accepted"]}
+            record = {"score": asdict(scored.score), "accepted": quality["accepted"]}
             record |= {"id": sample.id, "reasons": list(quality["reasons"])}
             write_atomically(self._path(number, ".npy"), lambda path: np.save(path, garment.vertices))
         write_text(self._path(number, ".json"), json.dumps(record) + "\n")
@@ -139,27 +147,3 @@ class Redraper:
 
     def _path(self, number: int, ending: str) -> Path:
         return self._folder / RECORDS / f"{number:06d}{ending}"
-
-    def _require_same(self) -> None:
-        """What makes drapes differ must be the same for all in the folder."""
-        path = self._folder / SETTINGS
-        identity = {
-            "split": self._reader.index.split,
-            "settings": self._reader.index.settings,
-            "drape_seed": self._drape_seed,
-            "seed": self._seed,
-            "code": code_version()["code"],
-        }
-        if not path.is_file():
-            write_text(path, json.dumps(identity, indent=1) + "\n")
-            return
-        try:
-            before = json.loads(path.read_text(encoding="utf-8"))
-        except (OSError, ValueError) as error:
-            raise InputError(f"Cannot read '{path}': {error}. Choose another --out.") from error
-        different = [name for name in identity if before.get(name) != identity[name]]
-        if different:
-            raise InputError(
-                f"'{self._folder}' holds drapes made in another way (different: {', '.join(different)}). "
-                "Choose another --out, or give what they were made with."
-            )

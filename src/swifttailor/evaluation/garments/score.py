@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -77,13 +77,9 @@ class GarmentScore:
     seconds: float | None = None
     """That it took to make."""
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain JSON values; `score_of_json` reads them back."""
-        return asdict(self)
-
 
 def score_of_json(value: Any) -> GarmentScore:
-    """Reads what `GarmentScore.to_json` gives.
+    """Reads the JSON values of a `GarmentScore`.
 
     Raises:
         InputError: It is something else.
@@ -215,9 +211,5 @@ def _penetration(
 
 def _strain(vertices: Floats, cloth: ClothModel) -> tuple[float, float]:
     """Median and 95th percentile, as `draping.quality` has them."""
-    edges = cloth.arrays.edges
-    lengths = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
-    strain = np.abs(lengths / cloth.arrays.rest - 1)[~cloth.gathered]
-    if not len(strain):
-        return 0.0, 0.0
-    return float(np.percentile(strain, 50)), float(np.percentile(strain, 95))
+    median, high = np.percentile(np.abs(cloth.strain(vertices)), (50, 95))
+    return float(median), float(high)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from swifttailor.errors import GeometryError
 from swifttailor.evaluation.garments.cloud_distances import chamfer_below
 from swifttailor.evaluation.garments.point_cloud import PointCloud
-from swifttailor.progress import CountProgress
+from swifttailor.progress import CountProgress, unwatched
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class SetDistances:
 def set_distances(
     generated: Sequence[PointCloud | None],
     references: Sequence[PointCloud],
-    progress: CountProgress | None = None,
+    progress: CountProgress = unwatched,
 ) -> SetDistances:
     """Compares two sets.
 
@@ -53,7 +53,6 @@ def set_distances(
             "references. At least one of each is needed."
         )
     pairs = _Pairs(made, references)
-    report = progress if progress is not None else (lambda count: None)
     order = np.linalg.norm(_boxes(made)[:, None] - _boxes(references)[None], axis=2)
     # The pair that belongs together is most often the nearest, and a near one makes the others short.
     places = [k for k, c in enumerate(generated) if c is not None]
@@ -63,11 +62,11 @@ def set_distances(
     smallest = []
     for r in range(len(references)):
         smallest.append(pairs.nearest_generated(r, np.argsort(order[:, r], kind="stable"))[1])
-        report(1)
+        progress(1)
     found = set()
     for s in range(len(made)):
         found.add(pairs.nearest_reference(s, np.argsort(order[s], kind="stable"))[0])
-        report(1)
+        progress(1)
     return SetDistances(
         mmd=float(np.mean(smallest)),
         coverage=len(found) / len(references),

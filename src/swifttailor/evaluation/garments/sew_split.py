@@ -15,7 +15,7 @@ from swifttailor.evaluation.garments.point_cloud import PointCloud
 from swifttailor.evaluation.garments.score import Scored, draw_clouds, score_garment
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer, Prepared
-from swifttailor.progress import CountProgress
+from swifttailor.progress import CountProgress, unwatched
 
 
 @dataclass
@@ -45,7 +45,7 @@ def sew_split(
     resolution: int | None = None,
     finish: bool = False,
     seed: int = 0,
-    progress: CountProgress | None = None,
+    progress: CountProgress = unwatched,
 ) -> Made:
     """Sews and measures.
 
@@ -78,8 +78,7 @@ def sew_split(
                 )
                 made.scored.append(found)
                 made.vertices[work.number] = garment.vertices
-            if progress is not None:
-                progress(1)
+            progress(1)
     return made
 
 

@@ -7,11 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from swifttailor.body import Body
-from swifttailor.errors import InputError
 from swifttailor.evaluation.garments.score import GarmentScore
+from swifttailor.evaluation.spread import spread
 from swifttailor.garment.garment import Garment
 from swifttailor.render.numbered_sheets import write_numbered_sheets
 
@@ -33,27 +31,23 @@ class Shown:
     drape: Garment
 
 
-def spread(scores: Sequence[GarmentScore], count: int) -> list[GarmentScore]:
+def chosen(scores: Sequence[GarmentScore], count: int) -> list[GarmentScore]:
     """At most `count` garments evenly from the nearest to its drape to the farthest."""
-    ordered = sorted(scores, key=lambda s: (s.vertex_mean_cm, s.id))
-    places = np.unique(np.linspace(0, len(ordered) - 1, min(count, len(ordered))).round().astype(int))
-    return [ordered[k] for k in places] if ordered and count > 0 else []
+    return spread(sorted(scores, key=lambda s: (s.vertex_mean_cm, s.id)), count)
 
 
 def write_sheets(folder: Path, shown: Sequence[Shown]) -> list[Path]:
     """Writes sheet-01.png and so on: each garment from three sides, and its drape to the right of it.
 
     Raises:
-        InputError: Pillow is missing, or a file cannot be written.
+        InputError: A file cannot be written.
     """
     return write_numbered_sheets(folder, "sheet", shown, PER_SHEET, _draw)
 
 
 def _draw(shown: Sequence[Shown]) -> Image:
-    try:
-        from PIL import Image, ImageDraw, ImageFont
-    except ImportError as error:
-        raise InputError("Pictures need the package 'pillow'; install it or give --pictures 0.") from error
+    from PIL import Image, ImageDraw, ImageFont
+
     from swifttailor.garment.preview import render_preview
 
     width, height = 2 * TILE[0] + 3 * _MARGIN, TILE[1] + _CAPTION + _MARGIN

@@ -11,8 +11,8 @@ from swifttailor.evaluation.garment_kind import KINDS
 from swifttailor.evaluation.garments.point_cloud import PointCloud
 from swifttailor.evaluation.garments.score import BOX_SCALE, FEW_POINTS, GarmentScore, Scored
 from swifttailor.evaluation.garments.set_distances import SetDistances, set_distances
-from swifttailor.evaluation.mean import Means, mean_of
-from swifttailor.progress import CountProgress
+from swifttailor.evaluation.mean import Means, means_of
+from swifttailor.progress import CountProgress, unwatched
 
 _NOT_MEASURED = ("id", "kind", "vertices", "rejected_for")
 
@@ -46,7 +46,7 @@ class Summary:
 
 
 def summarize_scores(
-    scored: Sequence[Scored], lost: Sequence[PointCloud] = (), progress: CountProgress | None = None
+    scored: Sequence[Scored], lost: Sequence[PointCloud] = (), progress: CountProgress = unwatched
 ) -> Summary:
     """Means and distances between sets.
 
@@ -70,8 +70,8 @@ def summarize_scores(
     return Summary(
         garments=len(scored),
         failed=len(lost),
-        means=means_of(scores),
-        kinds={kind: (len(some), means_of(some)) for kind, some in of_kind.items() if some},
+        means=_means(scores),
+        kinds={kind: (len(some), _means(some)) for kind, some in of_kind.items() if some},
         sets=set_distances(made + nothing, references, progress),
         sets_floor=set_distances(again + nothing, references, progress),
         box_sets=_times(set_distances(_boxed(made) + nothing, boxed_references, progress)),
@@ -84,12 +84,9 @@ def work(garments: int) -> int:
     return 4 * 2 * garments
 
 
-def means_of(scores: Sequence[GarmentScore]) -> Means:
+def _means(scores: Sequence[GarmentScore]) -> Means:
     """Mean and median of every measure over the garments that have it."""
-    rows = [asdict(s) for s in scores]
-    names = [name for name in (rows[0] if rows else ()) if name not in _NOT_MEASURED]
-    found = {name: mean_of(r[name] for r in rows) for name in names}
-    return {name: mean for name, mean in found.items() if mean is not None}
+    return means_of([asdict(s) for s in scores], _NOT_MEASURED)
 
 
 def _boxed(clouds: Sequence[PointCloud | None]) -> list[Any]:

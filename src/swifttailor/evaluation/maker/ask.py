@@ -14,7 +14,7 @@ from swifttailor.evaluation.maker.questions import PICTURED, Question, seed_of
 from swifttailor.pattern import Pattern, Severity, check_pattern, read_specification, to_specification
 from swifttailor.pattern_maker.maker import Request, WrittenPattern
 from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
-from swifttailor.progress import CountProgress
+from swifttailor.progress import CountProgress, unwatched
 from swifttailor.tailor import Order, Tailor
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.protocols import PatternWriter
@@ -84,7 +84,7 @@ def ask_all(
     book: Book,
     asking: Asking,
     pictures: GarmentPictures | None = None,
-    progress: CountProgress | None = None,
+    progress: CountProgress = unwatched,
 ) -> list[KeptAnswer]:
     """Asks what has not been answered yet.
 
@@ -109,8 +109,7 @@ def ask_all(
                 if isinstance(content, SwiftTailorError):
                     content = {"error": str(content)}
                 book.add(question, 0, {"text": question.text} | content)
-        if progress is not None:
-            progress(len(part))
+        progress(len(part))
     answers = []
     for question in questions:
         record = book.get(question)

@@ -8,12 +8,12 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from swifttailor.atomic_files import write_text
 from swifttailor.data.builder.code_version import code_version
 from swifttailor.errors import InputError
+from swifttailor.evaluation.kept_settings import keep_settings
 from swifttailor.evaluation.maker.questions import Question
 from swifttailor.workers.interruption import sigterm_as_interrupt
-from swifttailor.workers.work_folder import FolderLock, RecordFile, differences
+from swifttailor.workers.work_folder import FolderLock, RecordFile
 
 SETTINGS, ANSWERS, SAMPLES = "settings.json", "answers.jsonl", "samples.jsonl"
 FORMAT = "swifttailor answers 1"
@@ -108,29 +108,10 @@ def open_books(folder: Path, settings: dict[str, Any]) -> Generator[tuple[Book, 
             f"Cannot use '{folder}': {error.strerror or error}. Choose another --out."
         ) from error
     with lock, sigterm_as_interrupt():
-        _require_same(folder / SETTINGS, {"format": FORMAT} | settings)
+        keep_settings(folder / SETTINGS, {"format": FORMAT} | settings, "answers")
         answers, samples = Book(folder / ANSWERS), Book(folder / SAMPLES)
         try:
             yield answers, samples
         finally:
             answers.close()
             samples.close()
-
-
-def _require_same(path: Path, settings: dict[str, Any]) -> None:
-    settings = json.loads(json.dumps(settings))
-    if not path.is_file():
-        write_text(path, json.dumps(settings, indent=1) + "\n")
-        return
-    try:
-        before = json.loads(path.read_text(encoding="utf-8"))
-        if not isinstance(before, dict):
-            raise ValueError("it is not a JSON object")
-    except (OSError, ValueError) as error:
-        raise InputError(f"Cannot read '{path}': {error}. Choose another --out.") from error
-    different = differences(before, settings)
-    if different:
-        raise InputError(
-            f"'{path.parent}' holds answers that were made in another way: {different}. Choose another "
-            "--out, or give what they were made with."
-        )

@@ -6,8 +6,7 @@ The paper's tables of generated garments (Sec. 5): MMD and COV.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field
-from typing import Any
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -40,10 +39,6 @@ class GarmentSets:
     """The drapes, their points drawn again."""
     unsewable: dict[str, str]
     """Questions whose answer gave no garment, and why."""
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain JSON values."""
-        return asdict(self)
 
 
 @dataclass

@@ -20,7 +20,7 @@ from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.digest import pattern_digest
 from swifttailor.pattern_maker.tokens.encode import encode
-from swifttailor.progress import CountProgress
+from swifttailor.progress import CountProgress, unwatched
 from swifttailor.wording.captions import write_caption
 from swifttailor.wording.instructions.writer import Instruction
 
@@ -119,7 +119,7 @@ def generation_questions(
     tasks: Sequence[Task],
     pictured: Callable[[str], bool],
     seed: int,
-    progress: CountProgress | None = None,
+    progress: CountProgress = unwatched,
 ) -> list[Question]:
     """Asks for patterns by text, by picture and by both.
 
@@ -149,8 +149,7 @@ def generation_questions(
                 if task == "text" or pictured(id):
                     text = "" if task == "image" else caption.text
                     questions.append(Question(task, id, truth, facts, text, caption.claims))
-        if progress is not None:
-            progress(1)
+        progress(1)
     return [question for questions in by_task.values() for question in questions]
 
 
@@ -193,7 +192,7 @@ class EditSet:
 
 
 def edit_questions(
-    edits: EditSet, ids: Sequence[str], patterns: PatternSet, seed: int, progress: CountProgress | None = None
+    edits: EditSet, ids: Sequence[str], patterns: PatternSet, seed: int, progress: CountProgress = unwatched
 ) -> list[Question]:
     """Asks for edits, there and back.
 
@@ -213,8 +212,7 @@ def edit_questions(
             questions += _both_ways(id, edits, patterns, seed)
         except SwiftTailorError as error:
             edits.skipped[id] = str(error)
-        if progress is not None:
-            progress(1)
+        progress(1)
     return questions
 
 

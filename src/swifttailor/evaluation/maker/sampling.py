@@ -23,7 +23,7 @@ from swifttailor.evaluation.patterns.validity import validity
 from swifttailor.pattern import to_specification
 from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.pattern_maker.tokens.decode import decode
-from swifttailor.progress import CountProgress
+from swifttailor.progress import CountProgress, unwatched
 from swifttailor.tailor.protocols import PatternWriter
 
 TEMPERATURE = 1.0
@@ -61,10 +61,6 @@ class SamplingSummary:
     sound_mended: int
     """Which can when what is safe to mend is mended."""
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain JSON values."""
-        return asdict(self)
-
 
 def sample_all(
     writer: PatternWriter,
@@ -73,7 +69,7 @@ def sample_all(
     limit: int,
     seed: int,
     pictures: GarmentPictures | None = None,
-    progress: CountProgress | None = None,
+    progress: CountProgress = unwatched,
 ) -> list[Sampled]:
     """Draws what was not drawn yet, of each question until a pattern is sound, as written and mended.
 
@@ -106,8 +102,7 @@ def sample_all(
             if len(counted) == len(part):
                 break
         sampled += [counted[q.key] for q in part]
-        if progress is not None:
-            progress(len(part))
+        progress(len(part))
     return sampled
 
 

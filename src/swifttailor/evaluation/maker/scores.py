@@ -29,7 +29,7 @@ from swifttailor.evaluation.patterns.pattern_table import (
 from swifttailor.pattern import Pattern
 from swifttailor.pattern_maker.tokens.decode import decode
 from swifttailor.pattern_maker.tokens.encode import encode
-from swifttailor.progress import CountProgress
+from swifttailor.progress import CountProgress, unwatched
 
 AdherenceRows = list[tuple[str, Adherence]]
 
@@ -92,7 +92,7 @@ class TaskResult:
     def to_json(self) -> dict[str, Any]:
         """Plain JSON values."""
         return {
-            "patterns": {name: found.to_json() for name, found in self.patterns},
+            "patterns": {name: asdict(found) for name, found in self.patterns},
             "adherence": {name: asdict(found) for name, found in self.adherence},
             "attempts": self.attempts,
             "mended": self.mended,
@@ -111,14 +111,13 @@ OURS, TOKENS, OTHER, INPUT, TRUTH, CHANCE = (
 )
 
 
-def score_answers(answers: Sequence[KeptAnswer], progress: CountProgress | None = None) -> list[Scored]:
+def score_answers(answers: Sequence[KeptAnswer], progress: CountProgress = unwatched) -> list[Scored]:
     """Compares each answer with the truth and measures it; calls `progress` with 1 after each."""
     scored = []
     for answer in answers:
         score = score_pattern(answer.pattern, answer.question.truth)
         scored.append(Scored(answer, score, measured(answer.pattern)))
-        if progress is not None:
-            progress(1)
+        progress(1)
     return scored
 
 

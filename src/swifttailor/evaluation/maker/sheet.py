@@ -7,12 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from swifttailor.arrays import Pixels
 from swifttailor.data.stats.sheets import wrapped
-from swifttailor.errors import InputError
 from swifttailor.evaluation.maker.scores import Scored
+from swifttailor.evaluation.spread import spread
 from swifttailor.pattern import Pattern
 from swifttailor.render.numbered_sheets import write_numbered_sheets
 
@@ -35,27 +33,23 @@ class Shown:
     """What the network was shown."""
 
 
-def spread(scored: Sequence[Scored], count: int) -> list[Scored]:
+def chosen(scored: Sequence[Scored], count: int) -> list[Scored]:
     """At most `count` answers evenly from the nearest to the truth to the farthest."""
-    ordered = sorted(scored, key=lambda s: (s.score.by_name.vertex_cm, s.answer.question.key))
-    places = np.unique(np.linspace(0, len(ordered) - 1, min(count, len(ordered))).round().astype(int))
-    return [ordered[k] for k in places] if ordered and count > 0 else []
+    return spread(sorted(scored, key=lambda s: (s.score.by_name.vertex_cm, s.answer.question.key)), count)
 
 
 def write_sheets(folder: Path, name: str, shown: Sequence[Shown]) -> list[Path]:
     """Writes sheet-<name>-01.png and so on; older ones of that name go.
 
     Raises:
-        InputError: Pillow is missing, or a file cannot be written.
+        InputError: A file cannot be written.
     """
     return write_numbered_sheets(folder, f"sheet-{name}", shown, PER_SHEET, _draw)
 
 
 def _draw(shown: Sequence[Shown]) -> Any:
-    try:
-        from PIL import Image, ImageDraw, ImageFont
-    except ImportError as error:
-        raise InputError("Pictures need the package 'pillow'; install it or give --pictures 0.") from error
+    from PIL import Image, ImageDraw, ImageFont
+
     edit = any(s.scored.answer.question.before is not None for s in shown)
     columns = 3 if edit else 2
     width = _TEXT_WIDTH + columns * (TILE[0] + _MARGIN) + 2 * _MARGIN

@@ -19,9 +19,9 @@ from swifttailor.evaluation.paper_rows import (
     GarmentRow,
     PatternRow,
 )
-from swifttailor.evaluation.patterns.adherence_table import adherence_table
+from swifttailor.evaluation.patterns.adherence import adherence_table
 from swifttailor.evaluation.patterns.pattern_table import pattern_tables
-from swifttailor.evaluation.text_table import Column, text_table
+from swifttailor.evaluation.text_table import Column, Row, text_table
 
 _PATTERNS: Mapping[Task, Sequence[PatternRow]] = {
     "text": (),
@@ -75,7 +75,7 @@ def task_text(result: TaskResult) -> str:
 
 def sampling_text(found: Mapping[Task, SamplingSummary], limit: int) -> str:
     """Table of #Sampling and validity, task by task, beside the paper's."""
-    rows: list[tuple[str, list[float | int | None]]] = []
+    rows: list[Row] = []
     for task, s in found.items():
         shares = (s.closed, s.paired, s.checked, s.sound, s.sound_mended)
         of_all = 100 * s.written.succeeded / s.written.inputs
@@ -96,14 +96,14 @@ def sampling_text(found: Mapping[Task, SamplingSummary], limit: int) -> str:
         "mend is mended first; 'found': share of the questions with success. The shares after that are\n"
         "of first attempts: all panels closed, all stitches in pairs, no error found by the checker, can\n"
         "be made into a garment as written, and mended.\n\n"
-        f"{text_table('', _SAMPLING, rows)}\n{''.join(failures)}"
+        f"{text_table(_SAMPLING, rows)}\n{''.join(failures)}"
     )
 
 
 def garments_text(found: Mapping[Task, GarmentSets]) -> str:
     """Table of the garments of the answers, task by task, beside the paper's."""
     columns = [Column("CD"), Column("MMD"), Column("COV"), Column("not sewn", "d"), Column("n", "d")]
-    rows: list[tuple[str, list[float | int | None]]] = []
+    rows: list[Row] = []
     for task, g in found.items():
         for name, chamfer, sets in (
             (f"PatternMaker + GarmentSewer, {task}", g.chamfer, g.answers),
@@ -119,7 +119,7 @@ def garments_text(found: Mapping[Task, GarmentSets]) -> str:
         "== Garments of the answers ==\n\n"
         "CD (to the drape of the pattern asked for) and MMD in cm2, COV: share; 10,000 points. Floor: the\n"
         "drapes themselves, their points drawn again. The paper states neither unit nor number of points,\n"
-        "and has other data: see docs/evaluation.md.\n\n" + text_table("", columns, rows)
+        "and has other data: see docs/evaluation.md.\n\n" + text_table(columns, rows)
     )
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from swifttailor.describing import CLAIM_TYPES, Claim, GarmentFacts, measure_facts
 from swifttailor.describing.differences import Gain
 from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.evaluation.text_table import Column, Row, text_table
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.check.crossings import find_crossing
 from swifttailor.pattern.check.outline import trace_outline
@@ -30,10 +31,6 @@ class Share:
     def share(self) -> float | None:
         """None where none were made."""
         return self.held / self.made if self.made else None
-
-    def plus(self, holds: bool) -> Share:
-        """One more."""
-        return Share(self.held + holds, self.made + 1)
 
 
 @dataclass(frozen=True)
@@ -90,21 +87,21 @@ def judge_instructions(
     """
     _require_pairs(len(instructions), len(before))
     _require_pairs(len(instructions), len(after))
-    total, whole, unmeasured = Share(), Share(), 0
-    kinds: dict[str, Share] = {}
+    verdicts, unmeasured = [], 0
     for instruction, base, edited in zip(instructions, before, after, strict=True):
         first, second = measured(base), measured(edited)
         unmeasured += first is None or second is None
-        verdicts = [
-            first is not None and second is not None and change.holds(first, second)
-            for change in instruction.changes
-        ]
-        for change, holds in zip(instruction.changes, verdicts, strict=True):
-            topic = change.claim.name if isinstance(change, Gain) else change.quantity
-            total = total.plus(holds)
-            kinds[topic] = kinds.get(topic, Share()).plus(holds)
-        whole = whole.plus(all(verdicts))
-    return Adherence(total, dict(sorted(kinds.items())), whole, unmeasured)
+        verdicts.append(
+            [
+                (
+                    change.claim.name if isinstance(change, Gain) else change.quantity,
+                    first is not None and second is not None and change.holds(first, second),
+                )
+                for change in instruction.changes
+            ]
+        )
+    topics = sorted({topic for each in verdicts for topic, _ in each})
+    return _adherence(verdicts, topics, unmeasured)
 
 
 def measured(pattern: Measurable | None) -> GarmentFacts | None:
@@ -125,16 +122,30 @@ def measured(pattern: Measurable | None) -> GarmentFacts | None:
 
 
 def _judge(prompts: Sequence[Sequence[Claim]], facts: Sequence[GarmentFacts | None]) -> Adherence:
-    total, whole = Share(), Share()
-    kinds: dict[str, Share] = {}
-    for claims, found in zip(prompts, facts, strict=True):
-        verdicts = [found is not None and claim.holds(found) for claim in claims]
-        for claim, holds in zip(claims, verdicts, strict=True):
-            total = total.plus(holds)
-            kinds[claim.name] = kinds.get(claim.name, Share()).plus(holds)
-        whole = whole.plus(all(verdicts))
-    ordered = {name: kinds[name] for name in CLAIM_TYPES if name in kinds}
-    return Adherence(total, ordered, whole, sum(f is None for f in facts))
+    verdicts = [
+        [(claim.name, found is not None and claim.holds(found)) for claim in claims]
+        for claims, found in zip(prompts, facts, strict=True)
+    ]
+    return _adherence(verdicts, CLAIM_TYPES, sum(f is None for f in facts))
+
+
+def _adherence(
+    verdicts: Sequence[Sequence[tuple[str, bool]]], topics: Iterable[str], unmeasured: int
+) -> Adherence:
+    """From what each prompt says, by topic, and whether it holds; topics come in the order given."""
+    said = [one for each in verdicts for one in each]
+    kinds = {name: _share(holds for topic, holds in said if topic == name) for name in topics}
+    return Adherence(
+        _share(holds for _, holds in said),
+        {name: share for name, share in kinds.items() if share.made},
+        _share(all(holds for _, holds in each) for each in verdicts),
+        unmeasured,
+    )
+
+
+def _share(verdicts: Iterable[bool]) -> Share:
+    listed = list(verdicts)
+    return Share(sum(listed), len(listed))
 
 
 def _require_pairs(prompts: int, patterns: int) -> None:
@@ -142,3 +153,28 @@ def _require_pairs(prompts: int, patterns: int) -> None:
         raise InputError(
             f"There are {prompts} prompts and {patterns} patterns; give one, or None, for each prompt."
         )
+
+
+def adherence_table(rows: Sequence[tuple[str, Adherence]]) -> str:
+    """Share of the statements that hold, kind by kind.
+
+    Args:
+        rows: Name and result of each method, all of the same prompts: the true patterns, ours, by chance, ...
+    """
+    columns = [Column("n", "d"), *(Column(f"{name} %", ".1f") for name, _ in rows)]
+    found = [result for _, result in rows]
+    kinds = list(dict.fromkeys(name for result in found for name in result.kinds))
+    lines = [_line("all statements", [r.claims for r in found])]
+    lines.append(_line("prompts of which all hold", [r.whole for r in found]))
+    lines += [_line(kind, [r.kinds.get(kind, Share()) for r in found]) for kind in kinds]
+    not_measured = "".join(
+        f"{name}: {r.unmeasured} patterns are missing or cannot be measured\n"
+        for name, r in rows
+        if r.unmeasured
+    )
+    return text_table(columns, lines) + not_measured
+
+
+def _line(name: str, shares: Sequence[Share]) -> Row:
+    percent = [None if s.share is None else 100 * s.share for s in shares]
+    return name, [max((s.made for s in shares), default=0), *percent]

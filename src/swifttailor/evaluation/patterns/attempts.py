@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
-from typing import Any, Literal, get_args
+from dataclasses import dataclass
+from typing import Literal, get_args
 
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.panel_mesh import mesh_pattern
@@ -60,10 +60,6 @@ class AttemptsSummary:
     succeeded: int
     failures: dict[Gate, int]
     """Failed attempts at each gate."""
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain JSON values."""
-        return asdict(self)
 
 
 def summarize_attempts(attempts: Sequence[Attempts]) -> AttemptsSummary:

@@ -7,11 +7,11 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from swifttailor.errors import InputError
-from swifttailor.evaluation.mean import Means, mean_of
+from swifttailor.evaluation.mean import Means, mean_in, means_of
 from swifttailor.evaluation.paper_rows import PatternRow
 from swifttailor.evaluation.patterns.aipparel import AipparelScore, aipparel_score
 from swifttailor.evaluation.patterns.by_name import NameScore, name_score
-from swifttailor.evaluation.text_table import Column, text_table
+from swifttailor.evaluation.text_table import Column, Row, text_table
 from swifttailor.pattern import Pattern
 
 
@@ -27,10 +27,6 @@ class PatternSummary:
     by_name: Means
     """Of `NameScore`: panels, edges, kinds, vertex_cm, translation_cm, rotation, stitch_precision,
     stitch_recall, stitch_f1, sides, structure_right."""
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain JSON values."""
-        return asdict(self)
 
 
 @dataclass(frozen=True)
@@ -83,8 +79,8 @@ def summarize_scores(scores: Sequence[PatternScore]) -> PatternSummary:
     return PatternSummary(
         patterns=len(scores),
         missing=sum(s.missing for s in scores),
-        aipparel=_means([asdict(s.aipparel) for s in scores]),
-        by_name=_means([_values(s.by_name) for s in scores]),
+        aipparel=means_of([asdict(s.aipparel) for s in scores]),
+        by_name=means_of([_values(s.by_name) for s in scores]),
     )
 
 
@@ -125,19 +121,19 @@ def pattern_tables(rows: Sequence[tuple[str, PatternSummary]], paper: Sequence[P
         Column("n", "d"),
         Column("n of right count", "d"),
     ]
-    lines: list[tuple[str, Sequence[float | int | None]]] = []
+    lines: list[Row] = []
     for name, found in rows:
         right = found.aipparel["stitches"].count if "stitches" in found.aipparel else 0
-        values = [_value(found.aipparel, key, factor) for key, (_, factor) in _AIPPAREL.items()]
+        values = [mean_in(found.aipparel, key, factor) for key, (_, factor) in _AIPPAREL.items()]
         lines.append((name, [*values, None, found.patterns, right]))
     for r in paper:
         shape = (r.vertex_cm, r.panel_accuracy, None, None, r.rotation, r.translation_cm, r.stitch_accuracy)
         lines.append((f"paper: {r.name}", [*shape, r.edge_accuracy, None, None]))
-    free: list[tuple[str, Sequence[float | int | None]]] = [
+    free: list[Row] = [
         (
             name,
             [
-                *(_value(found.by_name, key, factor) for key, (_, factor) in _BY_NAME.items()),
+                *(mean_in(found.by_name, key, factor) for key, (_, factor) in _BY_NAME.items()),
                 found.missing,
                 found.patterns,
             ],
@@ -148,9 +144,9 @@ def pattern_tables(rows: Sequence[tuple[str, PatternSummary]], paper: Sequence[P
     return (
         "AIpparel's metrics. Vertex, rot, transl, stitch and edges in order: only patterns with the right\n"
         "number of panels. The paper does not say which of the edge accuracies it lists.\n\n"
-        f"{text_table('', columns, lines)}\n"
+        f"{text_table(columns, lines)}\n"
         "Without conditions: panels paired by name, a panel that only one pattern has is a failure\n\n"
-        f"{text_table('', free_columns, free)}"
+        f"{text_table(free_columns, free)}"
     )
 
 
@@ -168,12 +164,3 @@ def _values(score: NameScore) -> dict[str, Any]:
         "sides": score.sides,
         "structure_right": score.structure_right,
     }
-
-
-def _means(rows: Sequence[dict[str, Any]]) -> Means:
-    found = {name: mean_of(r[name] for r in rows) for name in rows[0]}
-    return {name: mean for name, mean in found.items() if mean is not None}
-
-
-def _value(means: Means, name: str, factor: float) -> float | None:
-    return means[name].mean * factor if name in means else None

@@ -17,6 +17,7 @@ from scipy.sparse import csc_array, diags_array
 from scipy.sparse.linalg import splu
 
 from swifttailor.arrays import Floats
+from swifttailor.draping.placement import place_vertices
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance, panels_ignoring_arms
 from swifttailor.garment_sewer.pixels.rest_shape import nearest_unstretched, rest_shape
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
@@ -33,16 +34,6 @@ class SewingSettings:
     """Weight per cm^2 with which a vertex stays where it was, against one for its faces' gradients."""
     clearance: float = 0.4
     """Distance that vertices keep from the body, cm."""
-
-
-def placed_vertices(mesh: PatternMesh) -> Floats:
-    """(v, 3) cm: every welded vertex at the mean of where its panels are placed."""
-    placed = np.concatenate(
-        [p.to_world(mesh.flat_vertices[mesh.flat_panel == k]) for k, p in enumerate(mesh.pattern.panels)]
-    )
-    count = np.bincount(mesh.weld, minlength=mesh.vertex_count)
-    total = [np.bincount(mesh.weld, weights=placed[:, k], minlength=mesh.vertex_count) for k in range(3)]
-    return np.stack(total, axis=1) / count[:, None]
 
 
 def vertices_ignoring_arms(mesh: PatternMesh) -> NDArray[np.bool_]:
@@ -77,7 +68,7 @@ def sew_around_body(mesh: PatternMesh, body: BodyDistance, settings: SewingSetti
     # A vertex without faces of any size keeps its place by a weight of its own.
     stay = settings.inertia * np.maximum(shape.vertex_area, 1e-2)
     solve = factorized(csc_array(back @ shape.gradient + diags_array(stay)))
-    vertices = placed_vertices(mesh)
+    vertices = place_vertices(mesh)
     for _ in range(settings.iterations):
         target = body.push_out(vertices, ignores, settings.clearance)
         unstretched = nearest_unstretched(shape.gradients(vertices))

@@ -13,6 +13,7 @@ from swifttailor.errors import PatternError
 from swifttailor.pattern.check.outline import Outline
 from swifttailor.pattern.check.seam_direction import Directions
 from swifttailor.pattern.finding import Finding, Severity
+from swifttailor.pattern.finding_kinds import found
 from swifttailor.pattern.pattern import Pattern
 
 SignedDistance = Callable[[Floats], Floats]
@@ -56,27 +57,18 @@ def check_size(pattern: Pattern, outlines: dict[str, Outline]) -> list[Finding]:
     largest = max((o.size for o in outlines.values()), default=0.0)
     if not pattern.panels or largest >= TINY_CM:
         return []
-    return [
-        Finding(
-            "tiny-pattern",
-            Severity.ERROR if largest < ABSURDLY_TINY_CM else Severity.WARNING,
-            f"the largest panel is only {largest:.2g} cm long",
-            value=largest,
-            why="no garment is that small; lengths in metres look like this when read as cm",
-            repair="set properties.units_in_meter to 1 for metres, 39.37 for inches",
-        )
-    ]
+    text = f"the largest panel is only {largest:.2g} cm long"
+    severity = Severity.ERROR if largest < ABSURDLY_TINY_CM else Severity.WARNING
+    return [found("tiny-pattern", text, value=largest, severity=severity)]
 
 
 def _facing(directions: Directions) -> list[Finding]:
     findings = [
-        Finding(
+        found(
             "inside-out-panel",
-            Severity.WARNING,
             "the right side of the cloth faces the body",
             panel=p.panel,
             value=round(p.outward, 3),
-            why="the loop's direction decides the right side, and with it which ends of its seams meet",
             repair="--repair reverses the loop, which also sets its seams right"
             if p.reversible
             else "turn the panel's placement, or reverse its loop if its seams are wrong too",
@@ -84,14 +76,11 @@ def _facing(directions: Directions) -> list[Finding]:
         for p in directions.inward
     ]
     findings += [
-        Finding(
+        found(
             "turned-panel",
-            Severity.WARNING,
             "every seam of the panel runs against the placement, though the seams fit each other",
             panel=name,
             value=round(agreement, 3),
-            why="it seems to stand upside down or the wrong way round, and would twist when sewn",
-            repair="turn the placement by 180 degrees in the panel's plane",
         )
         for name, agreement in directions.turned_panels
     ]
@@ -105,17 +94,8 @@ def _far(outline: Outline, probe: BodyProbe | None) -> list[Finding]:
     distance = max(sideways, float(heights.min()) - top, bottom - float(heights.max()))
     if distance <= FAR_CM:
         return []
-    return [
-        Finding(
-            "far-placement",
-            Severity.WARNING,
-            f"the panel is placed {distance:.0f} cm away from the body",
-            panel=outline.panel.name,
-            value=distance,
-            why="its seams are stretched over metres before sewing and catch on the body",
-            repair="move its translation closer; check properties.units_in_meter",
-        )
-    ]
+    text = f"the panel is placed {distance:.0f} cm away from the body"
+    return [found("far-placement", text, panel=outline.panel.name, value=distance)]
 
 
 def _inside(outline: Outline, probe: BodyProbe) -> list[Finding]:
@@ -129,17 +109,8 @@ def _inside(outline: Outline, probe: BodyProbe) -> list[Finding]:
     share = float((distances < -DEEP_CM).mean())
     if share <= INSIDE_SHARE:
         return []
-    return [
-        Finding(
-            "inside-body",
-            Severity.WARNING,
-            f"{share:.0%} of the panel is placed inside the body, up to {-distances.min():.1f} cm deep",
-            panel=outline.panel.name,
-            value=share,
-            why="cloth that starts inside the body is hard to get out by draping",
-            repair="move its translation outward",
-        )
-    ]
+    text = f"{share:.0%} of the panel is placed inside the body, up to {-distances.min():.1f} cm deep"
+    return [found("inside-body", text, panel=outline.panel.name, value=share)]
 
 
 def _spread_points(outline: Outline) -> Floats:

@@ -9,6 +9,7 @@ from swifttailor.pattern.check.outline import Outline
 from swifttailor.pattern.check.seam_direction import Directions
 from swifttailor.pattern.check.seam_topology import SeamTopology
 from swifttailor.pattern.finding import Finding, Severity
+from swifttailor.pattern.finding_kinds import found
 from swifttailor.pattern.pattern import EdgeRef, Pattern, Stitch
 
 EASE_RATIO = 1.05
@@ -92,27 +93,12 @@ def _broken(pattern: Pattern, usable: list[int]) -> list[Finding]:
             continue
         missing = next((ref for ref in s.sides if not pattern.has_edge(ref)), None)
         if missing is not None:
-            code, text = "dangling-stitch", f"'{missing.panel}' has no edge {missing.edge}"
-            why = "a stitch needs two edges that exist"
-            place = missing
+            code, text, place = "dangling-stitch", f"'{missing.panel}' has no edge {missing.edge}", missing
         elif s.first == s.second:
             code, text, place = "self-stitched-edge", "the edge is stitched to itself", s.first
-            why = "a seam joins two edges; to fold one in half, split it first"
         else:
             code, text, place = "duplicate-stitch", f"repeats an earlier stitch of {_name(s)}", s.first
-            why = "each edge may be in one stitch only; other programs refuse the pattern"
-        findings.append(
-            Finding(
-                code,
-                Severity.ERROR,
-                text,
-                panel=place.panel,
-                edge=place.edge,
-                stitch=k,
-                why=why,
-                repair="--repair removes the stitch",
-            )
-        )
+        findings.append(found(code, text, panel=place.panel, edge=place.edge, stitch=k))
     return findings
 
 
@@ -122,16 +108,13 @@ def _used_twice(pattern: Pattern, usable: list[int]) -> list[Finding]:
         for ref in pattern.stitches[k].sides:
             uses.setdefault(ref, []).append(k)
     return [
-        Finding(
+        found(
             "edge-stitched-twice",
-            Severity.ERROR,
             f"the edge is in {len(at)} stitches ({', '.join(map(str, at[:6]))})",
             panel=ref.panel,
             edge=ref.edge,
             stitch=at[1],
             value=len(at),
-            why="an edge can be sewn to one other edge; which one is meant cannot be told",
-            repair="remove all but one of these stitches, or split the edge where its partners meet",
         )
         for ref, at in uses.items()
         if len(at) > 1
@@ -148,16 +131,14 @@ def _uneven(pattern: Pattern, outlines: dict[str, Outline], usable: list[int]) -
             continue
         ratio = max(a, b) / max(min(a, b), 1e-9)
         findings.append(
-            Finding(
+            found(
                 "uneven-seam",
-                Severity.ERROR if fit == "absurd" else Severity.WARNING,
                 f"{_name(s)}: {a:.1f} cm meet {b:.1f} cm (ratio {ratio:.3g})",
                 panel=s.first.panel,
                 edge=s.first.edge,
                 stitch=k,
                 value=ratio,
-                why="gathers of real garments stay below 3; this much cloth does not fit into one seam",
-                repair="sew it to another edge, split the longer edge, or change its length",
+                severity=Severity.ERROR if fit == "absurd" else Severity.WARNING,
             )
         )
     return findings
@@ -174,15 +155,13 @@ def _twisted(pattern: Pattern, directions: Directions) -> list[Finding]:
         reasons += ["the placed edges run the other way"] if t.agreement < -0.2 else []
         mend = "adding 'right_wrong'" if not s.right_wrong else "removing 'right_wrong'"
         findings.append(
-            Finding(
+            found(
                 "twisted-seam",
-                Severity.WARNING,
                 f"{_name(s)} is sewn {now}, but should be {then}: {' and '.join(reasons)}",
                 panel=s.first.panel,
                 edge=s.first.edge,
                 stitch=t.stitch,
                 value=round(t.agreement, 3),
-                why="the cloth is turned over within the seam and the garment cannot close",
                 repair=f"--repair turns it by {mend}"
                 if t.certain
                 else f"turn it by {mend}, unless its partner is wrong (not certain enough for --repair)",
@@ -197,15 +176,12 @@ def _collapsed(
     topology = SeamTopology(pattern, single_stitches(pattern, usable))
     topology.flip([t.stitch for t in directions.twisted])
     return [
-        Finding(
+        found(
             "collapsed-edge",
-            Severity.WARNING,
             f"the stitches join both ends of the edge ({outlines[ref.panel].lengths[ref.edge]:.2g} cm)",
             panel=ref.panel,
             edge=ref.edge,
             value=float(outlines[ref.panel].lengths[ref.edge]),
-            why="it becomes a loop too small to mesh, or a point",
-            repair="look for a wrong partner among the stitches of its neighbours",
         )
         for ref in topology.collapsed_edges()
         if outlines[ref.panel].lengths[ref.edge] < COLLAPSED_CM
@@ -219,14 +195,11 @@ def _disconnected(pattern: Pattern) -> list[Finding]:
     loose = Counter(len(g) for g in groups)[1]
     listed = "; ".join(", ".join(g[:3]) + (", ..." if len(g) > 3 else "") for g in groups[:4])
     return [
-        Finding(
+        found(
             "disconnected",
-            Severity.WARNING,
             f"the stitches leave {len(groups)} separate pieces ({loose} of a single panel): {listed}"
             + ("; ..." if len(groups) > 4 else ""),
             value=len(groups),
-            why="a garment is one piece; a missing seam lets a part of it fall off",
-            repair="add the missing stitches, or keep the garments in files of their own",
         )
     ]
 

@@ -6,13 +6,25 @@ does not load all garments.
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from swifttailor.first_use import loaded_on_first_use
 
 if TYPE_CHECKING:
     from swifttailor.pattern.drafts.measurements import DraftMeasurements, Measurements
     from swifttailor.pattern.drafts.options import Option, OptionField
     from swifttailor.pattern.drafts.registry import DraftInfo, draft, find_draft, list_drafts
+
+_PUBLIC = {
+    "DraftInfo": "registry",
+    "DraftMeasurements": "measurements",
+    "Measurements": "measurements",
+    "Option": "options",
+    "OptionField": "options",
+    "draft": "registry",
+    "find_draft": "registry",
+    "list_drafts": "registry",
+}
 
 __all__ = [
     "DraftInfo",
@@ -25,16 +37,4 @@ __all__ = [
     "list_drafts",
 ]
 
-_FILES = {
-    "DraftMeasurements": "measurements",
-    "Measurements": "measurements",
-    "Option": "options",
-    "OptionField": "options",
-}
-
-
-def __getattr__(name: str) -> Any:
-    """Imports a public name when it is first used (PEP 562)."""
-    if name in __all__:
-        return getattr(importlib.import_module(f"{__name__}.{_FILES.get(name, 'registry')}"), name)
-    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
+__getattr__ = loaded_on_first_use(__name__, _PUBLIC)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, turned
 from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.joins import sew_sides
 from swifttailor.pattern.drafts.outline import Outline, annular_sector
 from swifttailor.pattern.drafts.sleeve import place_on_arm
 
@@ -40,8 +41,7 @@ def lay_waist_band(
         table.lay(name, outline, label="body", at=(0.0, 0.0, z), back=not front)
         if at_waist:
             table.label(f"{name}.top", "lower_interface")
-    table.seam("wb_front.left_side", "wb_back.left_side")
-    table.seam("wb_front.right_side", "wb_back.right_side")
+    sew_sides(table, "wb")
 
 
 def lay_body_waist_band(table: CuttingTable, figure: Figure, height: float, ease: float) -> Halves:
@@ -60,19 +60,22 @@ def lay_body_waist_band(table: CuttingTable, figure: Figure, height: float, ease
     return lower
 
 
-def lay_sleeve_cuff(table: CuttingTable, figure: Figure, width: float, height: float) -> None:
+def lay_sleeve_cuff(table: CuttingTable, figure: Figure, at: float, ease: float, height: float) -> None:
     """Lays the left cuff below the left sleeve and sews it on; the sleeve may be gathered into it.
 
     Edges of ``sl_left_cuff_f`` and ``sl_left_cuff_b``: under, end, top, join.
 
     Args:
         table: Must already hold the left sleeve.
-        figure: Gives the arm's direction.
-        width: Around the wrist, cm; split like the sleeve's end.
+        figure: Gives the arm's direction and girth.
+        at: Where the cuff begins, from the shoulder along the arm, cm.
+        ease: Room on top of the arm's girth there, cm; the cuff is no wider than the sleeve's end, and split
+            like it.
         height: Along the arm, cm.
     """
     start = table.pieces["left_sleeve_f"].find("hem")[0].end[0] + 4.0
     total = table.length("left_sleeve_f.hem", "left_sleeve_b.hem")
+    width = min(figure.arm_girth(at) + ease, total)
     for side in "fb":
         half = width * table.length(f"left_sleeve_{side}.hem") / total
         outline = Outline(start, -half).line("under", start + height, -half)

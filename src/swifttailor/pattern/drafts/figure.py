@@ -33,15 +33,6 @@ class Halves:
         """With `ease` cm more around, spread evenly over front and back."""
         return Halves(self.front + ease / 4, self.back + ease / 4)
 
-    def evened(self) -> Halves:
-        """The same girth with the side seams moved so that front and back are equal."""
-        quarter = self.girth / 4
-        return Halves(quarter, quarter)
-
-    def scaled(self, factor: float) -> Halves:
-        """Both halves times `factor`."""
-        return Halves(self.front * factor, self.back * factor)
-
 
 @dataclass(frozen=True)
 class Figure:
@@ -71,7 +62,6 @@ class Figure:
     arm_angle: float
     """Arm below the horizontal, degrees."""
     head_length: float
-    seat_x: float
 
     @classmethod
     def of(cls, m: Measurements) -> Figure:
@@ -108,7 +98,6 @@ class Figure:
             arm_length=m.arm_length,
             arm_angle=m.arm_pose_angle,
             head_length=m.head_l,
-            seat_x=m.bum_points / 2,
         )
 
     def shoulder_line(self, x: float) -> float:

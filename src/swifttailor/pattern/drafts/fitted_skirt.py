@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.joins import sew_sides
 from swifttailor.pattern.drafts.outline import Outline
 from swifttailor.pattern.drafts.suppression import dart_places, suppress, waist_darts
 
@@ -75,8 +76,7 @@ def lay_fitted_skirt(
         _draw_hem(whole, corner, corner_y, slant, lift)
         at = (0.0, 0.0, SKIRT_FRONT_Z if front else SKIRT_BACK_Z)
         table.lay(name, whole.closed(), label="leg", at=at, back=not front)
-    table.seam("skirt_front.left_side", "skirt_back.left_side")
-    table.seam("skirt_front.right_side", "skirt_back.right_side")
+    sew_sides(table, "skirt")
 
 
 def _draw_hem(outline: Outline, corner: float, corner_y: float, slant: float, lift: float) -> None:

@@ -7,6 +7,7 @@ import math
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Halves
 from swifttailor.pattern.drafts.fitted_skirt import SKIRT_BACK_Z, SKIRT_FRONT_Z
+from swifttailor.pattern.drafts.joins import sew_sides
 from swifttailor.pattern.drafts.outline import Outline, annular_sector
 
 LARGEST_TURN = 0.93
@@ -34,7 +35,7 @@ def lay_flared_skirt(
         lower = upper + 2 * math.pi * turn * length
         outline = annular_sector("waist", upper, lower, length, top_y)
         _lay(table, name, outline, name == "skirt_front")
-    _sew_sides(table)
+    sew_sides(table, "skirt")
 
 
 def lay_gathered_skirt(
@@ -47,14 +48,9 @@ def lay_gathered_skirt(
     for name, half in (("skirt_front", waist.front), ("skirt_back", waist.back)):
         width = 2 * half * fullness
         _lay(table, name, annular_sector("waist", width, width, length, top_y), name == "skirt_front")
-    _sew_sides(table)
+    sew_sides(table, "skirt")
 
 
 def _lay(table: CuttingTable, name: str, outline: Outline, front: bool) -> None:
     at = (0.0, 0.0, SKIRT_FRONT_Z if front else SKIRT_BACK_Z)
     table.lay(name, outline, label="leg", at=at, back=not front)
-
-
-def _sew_sides(table: CuttingTable) -> None:
-    table.seam("skirt_front.left_side", "skirt_back.left_side")
-    table.seam("skirt_front.right_side", "skirt_back.right_side")

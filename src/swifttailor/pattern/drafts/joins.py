@@ -10,6 +10,12 @@ SKIRT_WHOLE = ("waist",)
 """Upper edge of a skirt panel drawn in one piece."""
 
 
+def sew_sides(table: CuttingTable, part: str) -> None:
+    """Sews front and back of a skirt or band together at both sides."""
+    for side in ("left_side", "right_side"):
+        table.seam(f"{part}_front.{side}", f"{part}_back.{side}")
+
+
 def sew_skirt_to_bodice(table: CuttingTable, edges: tuple[str, ...], *, gathered: bool = False) -> None:
     """Sews the skirt's upper edges to both halves of the bodice's waist; labels the skirt's edges."""
     for part, halves in (("front", ("left", "right")), ("back", ("right", "left"))):

@@ -5,19 +5,10 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, get_type_hints
 
 from swifttailor.errors import PatternError
-from swifttailor.pattern.drafts.garments.circle_skirt import CircleSkirtOptions, draft_circle_skirt
-from swifttailor.pattern.drafts.garments.fitted_dress import FittedDressOptions, draft_fitted_dress
-from swifttailor.pattern.drafts.garments.fitted_skirt import FittedSkirtOptions, draft_fitted_skirt
-from swifttailor.pattern.drafts.garments.gathered_skirt import GatheredSkirtOptions, draft_gathered_skirt
-from swifttailor.pattern.drafts.garments.hoodie import HoodieOptions, draft_hoodie
-from swifttailor.pattern.drafts.garments.jumpsuit import JumpsuitOptions, draft_jumpsuit
-from swifttailor.pattern.drafts.garments.shirt_dress import ShirtDressOptions, draft_shirt_dress
-from swifttailor.pattern.drafts.garments.t_shirt import TShirtOptions, draft_t_shirt
-from swifttailor.pattern.drafts.garments.tank_top import TankTopOptions, draft_tank_top
-from swifttailor.pattern.drafts.garments.trousers import TrousersOptions, draft_trousers
+from swifttailor.pattern.drafts.garments import fitted_garments, skirts, tops, trousers
 from swifttailor.pattern.drafts.measurements import Measurements, checked
 from swifttailor.pattern.drafts.options import OptionField, make_options, option_fields
 from swifttailor.pattern.pattern import Pattern
@@ -31,10 +22,13 @@ class DraftInfo:
     """Such as ``t-shirt``."""
     summary: str
     """What it is, in one line."""
-    options_class: type
-    """A frozen dataclass; every field declares unit, range and help."""
     function: Callable[[Any, Measurements], Pattern]
     """Makes the pattern from filled-in options and body measurements."""
+
+    @property
+    def options_class(self) -> type:
+        """A frozen dataclass; every field declares unit, range and help."""
+        return get_type_hints(self.function)["options"]
 
     @property
     def options(self) -> tuple[OptionField, ...]:
@@ -43,28 +37,24 @@ class DraftInfo:
 
 
 _DRAFTS = (
-    DraftInfo("t-shirt", "Loose top with set-in sleeves", TShirtOptions, draft_t_shirt),
-    DraftInfo("tank-top", "Sleeveless top with straps", TankTopOptions, draft_tank_top),
-    DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", HoodieOptions, draft_hoodie),
+    DraftInfo("t-shirt", "Loose top with set-in sleeves", tops.draft_t_shirt),
+    DraftInfo("tank-top", "Sleeveless top with straps", tops.draft_tank_top),
+    DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", tops.draft_hoodie),
     DraftInfo(
         "fitted-dress",
         "Sleeveless dress with darts, waist seam, pencil or A-line skirt",
-        FittedDressOptions,
-        draft_fitted_dress,
+        fitted_garments.draft_fitted_dress,
     ),
     DraftInfo(
         "shirt-dress",
         "Easy bodice, sleeves with cuffs, waist seam, flared skirt",
-        ShirtDressOptions,
-        draft_shirt_dress,
+        fitted_garments.draft_shirt_dress,
     ),
-    DraftInfo("jumpsuit", "Bodice and trousers joined at the waist", JumpsuitOptions, draft_jumpsuit),
-    DraftInfo("trousers", "Long or short legs, back darts, waistband", TrousersOptions, draft_trousers),
-    DraftInfo("fitted-skirt", "Pencil or A-line skirt, waistband", FittedSkirtOptions, draft_fitted_skirt),
-    DraftInfo("circle-skirt", "Part of a circle on a waistband", CircleSkirtOptions, draft_circle_skirt),
-    DraftInfo(
-        "gathered-skirt", "Rectangles gathered into a waistband", GatheredSkirtOptions, draft_gathered_skirt
-    ),
+    DraftInfo("jumpsuit", "Bodice and trousers joined at the waist", fitted_garments.draft_jumpsuit),
+    DraftInfo("trousers", "Long or short legs, back darts, waistband", trousers.draft_trousers),
+    DraftInfo("fitted-skirt", "Pencil or A-line skirt, waistband", skirts.draft_fitted_skirt),
+    DraftInfo("circle-skirt", "Part of a circle on a waistband", skirts.draft_circle_skirt),
+    DraftInfo("gathered-skirt", "Rectangles gathered into a waistband", skirts.draft_gathered_skirt),
 )
 
 

@@ -1,4 +1,4 @@
-"""Hoodie: wide torso, long sleeves, two-panel hood, cuffs and hem band."""
+"""Tops with a loose torso: t-shirt, tank top, hoodie."""
 
 from __future__ import annotations
 
@@ -16,6 +16,76 @@ from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 from swifttailor.pattern.pattern import Pattern
+
+
+@dataclass(frozen=True)
+class TShirtOptions:
+    """Options of the t-shirt."""
+
+    length: declared.TopLength = 20.0
+    chest_ease: declared.ChestEase = 10.0
+    flare: declared.HemFlare = 0.0
+    neckline: declared.NeckShapeOption = "round"
+    neck_widening: declared.NeckWidening = 1.5
+    neck_depth: declared.NeckDepth = 9.5
+    back_neck_depth: declared.BackNeckDepth = 2.5
+    armhole_drop: declared.ArmholeDrop = 2.5
+    sleeve_length: declared.SleeveLength = 22.0
+    arm_ease: declared.ArmEase = 7.0
+    sleeve_end: declared.SleeveEnd = 34.0
+    cap_ease: declared.CapEase = 1.0
+
+
+def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern:
+    """Drafts the t-shirt for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("t-shirt")
+    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
+    bodice = LooseBodice(
+        neckline, options.chest_ease, options.length, options.armhole_drop, flare=options.flare
+    )
+    lay_loose_bodice(table, figure, bodice)
+    sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
+    lay_sleeve(table, figure, sleeve)
+    table.mirror()
+    sew_centres(table)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class TankTopOptions:
+    """Options of the tank top."""
+
+    length: declared.TopLength = 18.0
+    chest_ease: declared.ChestEase = 5.0
+    flare: declared.HemFlare = 0.0
+    neckline: declared.NeckShapeOption = "round"
+    neck_widening: declared.NeckWidening = 2.5
+    neck_depth: declared.NeckDepth = 15.0
+    back_neck_depth: declared.BackNeckDepth = 7.0
+    strap_width: Annotated[float, Option("Width of the straps on the shoulder.", "cm", 3.0, 9.0)] = 4.0
+    armhole_drop: declared.ArmholeDrop = 2.0
+
+
+def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Pattern:
+    """Drafts the tank top for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("tank-top")
+    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
+    strap_end = neckline.start_x(figure) + options.strap_width
+    bodice = LooseBodice(
+        neckline,
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        flare=options.flare,
+        hip_ease=6.0,
+        shoulder_extension=min(strap_end - figure.shoulder_x, 0.0),
+    )
+    lay_loose_bodice(table, figure, bodice)
+    table.mirror()
+    sew_centres(table)
+    return table.finish()
 
 
 @dataclass(frozen=True)
@@ -40,7 +110,7 @@ class HoodieOptions:
     hood_height: Annotated[float, Option("Height of the hood over the head length.", "cm", 4.0, 18.0)] = 6.0
     hood_depth: Annotated[float, Option("Depth of the hood on top of the head's own.", "cm", 2.0, 14.0)] = 5.0
     cuffs: Annotated[bool, Option("Sew ribbed cuffs to the sleeves.")] = True
-    cuff_height: Annotated[float, Option("Height of the cuffs.", "cm", 3.0, 10.0)] = 6.0
+    cuff_height: declared.CuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
     hem_band: Annotated[bool, Option("Sew a ribbed band to the hem.")] = True
     hem_band_height: Annotated[float, Option("Height of the hem band.", "cm", 3.0, 10.0)] = 6.0
@@ -75,9 +145,7 @@ def draft_hoodie(options: HoodieOptions, measurements: Measurements) -> Pattern:
     )
     lay_sleeve(table, figure, sleeve)
     if options.cuffs:
-        end = table.length("left_sleeve_f.hem", "left_sleeve_b.hem")
-        at_cuff = figure.arm_girth(options.sleeve_length - cuff)
-        lay_sleeve_cuff(table, figure, min(at_cuff + options.cuff_ease, end), cuff)
+        lay_sleeve_cuff(table, figure, options.sleeve_length - cuff, options.cuff_ease, cuff)
     lay_hood(table, figure, Hood(options.hood_height, options.hood_depth))
     table.mirror()
     sew_centres(table)

@@ -1,0 +1,151 @@
+"""Garments with a darted bodice: fitted dress, shirt dress, jumpsuit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.band import lay_sleeve_cuff
+from swifttailor.pattern.drafts.bodice import sew_centres
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.fitted_bodice import FittedBodice, lay_fitted_bodice
+from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
+from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt
+from swifttailor.pattern.drafts.joins import (
+    SKIRT_HALVES,
+    SKIRT_WHOLE,
+    sew_skirt_to_bodice,
+    sew_trousers_to_bodice,
+)
+from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neckline import Neckline
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
+from swifttailor.pattern.pattern import Pattern
+
+
+@dataclass(frozen=True)
+class FittedDressOptions:
+    """Options of the fitted dress."""
+
+    bust_ease: declared.BustEase = 5.0
+    waist_ease: declared.WaistEase = 3.5
+    hip_ease: declared.HipEase = 4.0
+    skirt_length: declared.SkirtLength = 60.0
+    skirt_flare: declared.SkirtFlare = 2.0
+    neckline: declared.NeckShapeOption = "round"
+    neck_widening: declared.NeckWidening = 3.0
+    neck_depth: declared.NeckDepth = 11.0
+    back_neck_depth: declared.BackNeckDepth = 4.0
+    shoulder_inset: Annotated[
+        float, Option("How far the armhole lies inside the shoulder tip.", "cm", 0.0, 5.0)
+    ] = 1.5
+    armhole_drop: declared.ArmholeDrop = 2.0
+
+
+def draft_fitted_dress(options: FittedDressOptions, measurements: Measurements) -> Pattern:
+    """Drafts the fitted dress for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("fitted-dress")
+    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
+    bodice = FittedBodice(
+        neckline, options.bust_ease, options.waist_ease, options.armhole_drop, -options.shoulder_inset
+    )
+    waist = lay_fitted_bodice(table, figure, bodice)
+    table.mirror()
+    sew_centres(table)
+    skirt = FittedSkirt(options.skirt_length, options.hip_ease, options.skirt_flare)
+    lay_fitted_skirt(table, figure, skirt, waist, figure.waist_y)
+    sew_skirt_to_bodice(table, SKIRT_HALVES)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class ShirtDressOptions:
+    """Options of the shirt dress."""
+
+    bust_ease: declared.BustEase = 9.0
+    waist_ease: declared.WaistEase = 7.0
+    skirt_length: declared.SkirtLength = 62.0
+    skirt_fraction: declared.CircleFraction = 0.5
+    neckline: declared.NeckShapeOption = "v"
+    neck_widening: declared.NeckWidening = 1.0
+    neck_depth: declared.NeckDepth = 15.0
+    back_neck_depth: declared.BackNeckDepth = 2.0
+    armhole_drop: declared.ArmholeDrop = 3.5
+    sleeve_length: declared.SleeveLength = 56.0
+    arm_ease: declared.ArmEase = 7.0
+    sleeve_end: declared.SleeveEnd = 27.0
+    cap_ease: declared.CapEase = 3.0
+    cuffs: Annotated[bool, Option("Sew cuffs to the sleeves.")] = True
+    cuff_height: declared.CuffHeight = 6.0
+    cuff_ease: declared.CuffWidth = 5.0
+
+
+def draft_shirt_dress(options: ShirtDressOptions, measurements: Measurements) -> Pattern:
+    """Drafts the shirt dress for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("shirt-dress")
+    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
+    bodice = FittedBodice(neckline, options.bust_ease, options.waist_ease, options.armhole_drop)
+    waist = lay_fitted_bodice(table, figure, bodice)
+    cuff = min(options.cuff_height, options.sleeve_length - 9.0) if options.cuffs else 0.0
+    sleeve = Sleeve(
+        options.sleeve_length - cuff, options.arm_ease, options.sleeve_end, options.cap_ease / 100
+    )
+    lay_sleeve(table, figure, sleeve)
+    if options.cuffs:
+        lay_sleeve_cuff(table, figure, options.sleeve_length - cuff, options.cuff_ease, cuff)
+    table.mirror()
+    sew_centres(table)
+    lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
+    sew_skirt_to_bodice(table, SKIRT_WHOLE)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class JumpsuitOptions:
+    """Options of the jumpsuit."""
+
+    bust_ease: declared.BustEase = 7.0
+    waist_ease: declared.WaistEase = 6.0
+    hip_ease: declared.HipEase = 6.0
+    neckline: declared.NeckShapeOption = "v"
+    neck_widening: declared.NeckWidening = 2.5
+    neck_depth: declared.NeckDepth = 14.0
+    back_neck_depth: declared.BackNeckDepth = 4.0
+    armhole_drop: declared.ArmholeDrop = 2.5
+    sleeves: Annotated[bool, Option("Set in sleeves.")] = False
+    sleeve_length: declared.SleeveLength = 24.0
+    arm_ease: declared.ArmEase = 6.0
+    sleeve_end: declared.SleeveEnd = 33.0
+    cap_ease: declared.CapEase = 3.0
+    length: declared.TrouserLength = 100.0
+    leg_ease: declared.LegEase = 12.0
+    flare: declared.LegFlare = 4.0
+    crotch_drop: Annotated[
+        float, Option("Crotch below the body's; the room to sit down in.", "cm", 1.5, 8.0)
+    ] = 3.0
+
+
+def draft_jumpsuit(options: JumpsuitOptions, measurements: Measurements) -> Pattern:
+    """Drafts the jumpsuit for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("jumpsuit")
+    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
+    inset = 0.0 if options.sleeves else 1.5
+    bodice = FittedBodice(neckline, options.bust_ease, options.waist_ease, options.armhole_drop, -inset)
+    waist = lay_fitted_bodice(table, figure, bodice)
+    if options.sleeves:
+        sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
+        lay_sleeve(table, figure, sleeve)
+    legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
+    lay_trousers(table, figure, legs, waist, figure.waist_y)
+    table.mirror()
+    sew_centres(table)
+    sew_legs(table)
+    sew_trousers_to_bodice(table)
+    return table.finish()

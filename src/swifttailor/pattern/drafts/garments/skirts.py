@@ -1,0 +1,81 @@
+"""Skirts on a waistband shaped to the body: fitted, cut from a circle, gathered."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.band import lay_body_waist_band
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
+from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt, lay_gathered_skirt
+from swifttailor.pattern.drafts.joins import SKIRT_HALVES, SKIRT_WHOLE, sew_skirt_to_band
+from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.pattern import Pattern
+
+
+@dataclass(frozen=True)
+class FittedSkirtOptions:
+    """Options of the fitted skirt."""
+
+    length: declared.SkirtLength = 58.0
+    flare: declared.SkirtFlare = 0.0
+    hip_ease: declared.HipEase = 4.0
+    band_height: declared.BandHeight = 4.0
+    waist_ease: declared.BandEase = 0.0
+
+
+def draft_fitted_skirt(options: FittedSkirtOptions, measurements: Measurements) -> Pattern:
+    """Drafts the fitted skirt for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("fitted-skirt")
+    lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
+    skirt = FittedSkirt(options.length, options.hip_ease, options.flare)
+    lay_fitted_skirt(table, figure, skirt, lower, figure.waist_y - options.band_height)
+    sew_skirt_to_band(table, SKIRT_HALVES)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class CircleSkirtOptions:
+    """Options of the circle skirt."""
+
+    length: declared.SkirtLength = 60.0
+    fraction: declared.CircleFraction = 0.75
+    band_height: declared.BandHeight = 4.0
+    waist_ease: declared.BandEase = 0.0
+
+
+def draft_circle_skirt(options: CircleSkirtOptions, measurements: Measurements) -> Pattern:
+    """Drafts the circle skirt for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("circle-skirt")
+    lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
+    top_y = figure.waist_y - options.band_height - 3.0
+    lay_flared_skirt(table, lower, options.length - options.band_height, top_y, options.fraction)
+    sew_skirt_to_band(table, SKIRT_WHOLE)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class GatheredSkirtOptions:
+    """Options of the gathered skirt."""
+
+    length: declared.SkirtLength = 58.0
+    fullness: Annotated[float, Option("Width of the skirt over the waistband.", "times", 1.25, 3.0)] = 1.8
+    band_height: declared.BandHeight = 4.0
+    waist_ease: declared.BandEase = 0.0
+
+
+def draft_gathered_skirt(options: GatheredSkirtOptions, measurements: Measurements) -> Pattern:
+    """Drafts the gathered skirt for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("gathered-skirt")
+    lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
+    top_y = figure.waist_y - options.band_height - 3.0
+    lay_gathered_skirt(table, lower, options.length - options.band_height, top_y, options.fullness)
+    sew_skirt_to_band(table, SKIRT_WHOLE, gathered=True)
+    return table.finish()
