@@ -40,4 +40,5 @@ eyes() {
 out=$work/picture-reader
 step eyes-small eyes "$out/small" "${STAGE:-600}" "${small[@]}" "${settings[@]}"
 step eyes-large eyes "$out/run" "${MINUTES:-600}" "${large[@]}" "${settings[@]}" start="$out/small/weights.safetensors"
-step eyes-exported swifttailor train export "$out/run" --out "$out/picture_reader.onnx" --half
+step eyes-exported swifttailor train export "$out/run" --out "$out/picture_reader.onnx" --half \
+    --data "$sewn/validation"

@@ -53,7 +53,7 @@ def run_of(data, out, *, config=None, **options):
     )
 
 
-def test_it_learns_resumes_and_is_written(data, tmp_path):
+def test_it_learns_resumes_and_is_written(data, tmp_path, capsys):
     from safetensors.numpy import load_file
 
     from swifttailor.cli.train_export import TrainExport
@@ -78,6 +78,11 @@ def test_it_learns_resumes_and_is_written(data, tmp_path):
     assert TrainExport(source=tmp_path / "run", out=path, half=True).run() == 0
     reader = PictureReader.load(path)
     assert reader.card["model"] == "PictureReader" and reader.size == 32
+    assert (reader.scales == (1.0, 0.0)).all()
+    assert TrainExport(source=tmp_path / "run", out=path, data=data / "validation").run() == 0
+    assert "certainties are off by" in capsys.readouterr().out
+    scales = PictureReader.load(path).scales
+    assert (scales != (1.0, 0.0)).any() and np.isfinite(scales).all()
     written = tmp_path / "run" / "card.json"
     written.write_text(json.dumps(card | {"labels_sha256": "0"}))
     with pytest.raises(InputError, match="other statements"):
@@ -88,7 +93,7 @@ def test_garments_that_are_judged_by_are_not_learnt_from(data, tmp_path):
     from swifttailor.errors import InputError
     from swifttailor.training.picture_loop_torch import train
 
-    with pytest.raises(InputError, match="no garments to draw"):
+    with pytest.raises(InputError, match="no garments to draw: all 2 are among"):
         train(tiny_config(), [data / "validation"], tmp_path, validation=[data / "validation"], workers=0)
 
 

@@ -60,7 +60,7 @@ def footwear(kind: str) -> tuple[Array, Array, float]:
     return _footwear(kind)
 
 
-@functools.cache
+@functools.lru_cache(maxsize=16)
 def _footwear(kind: str) -> tuple[Array, Array, float]:
     made = FOOTWEAR[kind]
     levels, rings = _slices(made)

@@ -79,7 +79,7 @@ def hair(style: str) -> tuple[Array, Array]:
     return _hair(style)
 
 
-@functools.cache
+@functools.lru_cache(maxsize=16)
 def _hair(name: str) -> tuple[Array, Array]:
     style = HAIR_STYLES[name]
     turn = np.linspace(0.0, 2 * np.pi, AROUND, endpoint=False)  # 0 is the back

@@ -6,7 +6,7 @@ import hashlib
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import tyro
 
@@ -46,8 +46,8 @@ class TrainExport:
     """Compute a GarmentSewer's matrix products with 8-bit integers, which takes half the time on a CPU, and
     round the other weights to 16 bits; evaluate it beside --half before use."""
     data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
-    """Data set with renders that a PatternMaker was trained on: measures how sure the network is of pictures,
-    so that those without a garment can be told; part of the file."""
+    """What to measure certainties with, part of the file: the data set with renders that a PatternMaker was
+    trained on, or a split of garments that a picture reader was not trained on."""
 
     def run(self) -> int:
         """Exports, prints how far both are apart, and returns the exit code.
@@ -63,8 +63,10 @@ class TrainExport:
         model = _model_of(self.source)
         if self.out.suffix != _MODELS[model]:
             raise InputError(f"The file of a {model} ends in {_MODELS[model]}; choose another --out.")
-        if self.data is not None and model != "PatternMaker":
-            raise InputError(f"--data is for a PatternMaker; a {model} is shown no pictures.")
+        if self.data is not None and model not in ("PatternMaker", "PictureReader"):
+            raise InputError(
+                f"--data is for a PatternMaker or a PictureReader; a {model} is shown no pictures."
+            )
         if self.int8 and model != "GarmentSewer":
             raise InputError(f"--int8 is for a GarmentSewer; choose --half for a {model}.")
         if model == "GarmentSewer":
@@ -72,7 +74,7 @@ class TrainExport:
         elif model == "WishReader":
             said = _export_reader(self.source, self.out, self.half)
         elif model == "PictureReader":
-            said = _export_eyes(self.source, self.out, self.half)
+            said = _export_eyes(self.source, self.out, self.half, self.data)
         else:
             said = _export_maker(self.source, self.out, self.half)
             said += f"; {_calibrate(self.out, self.data)}"
@@ -144,14 +146,35 @@ def _export_reader(run: Path, out: Path, half: bool) -> str:
     return _near_logits(compare(WishReader.load(export(network, card, out)), network), out)
 
 
-def _export_eyes(run: Path, out: Path, half: bool) -> str:
+def _export_eyes(run: Path, out: Path, half: bool, data: Path | None) -> str:
     from swifttailor.picture_reader.export_torch import compare, export, load_weights
     from swifttailor.picture_reader.reader import PictureReader
     from swifttailor.training.run_record import CARD, WEIGHTS
 
     card = json.loads((run / CARD).read_text(encoding="utf-8"))
     network = load_weights(run / WEIGHTS, card, half=half)
-    return _near_logits(compare(PictureReader.load(export(network, card, out)), network), out)
+    scales, said = None, "how sure it is was not measured (--data)"
+    if data is not None:
+        found = _calibrated(network, card, data)
+        scales = found.scales
+        said = f"its certainties are off by {found.after:.3f} on average, before {found.before:.3f}"
+    apart = compare(PictureReader.load(export(network, card, out, scales)), network)
+    return f"{_near_logits(apart, out)}; {said}"
+
+
+def _calibrated(network: Any, card: dict[str, Any], data: Path) -> Any:
+    import torch
+
+    from swifttailor.cli.progress import print_line
+    from swifttailor.training.config_file import changed_config
+    from swifttailor.training.picture_bank import PictureBank
+    from swifttailor.training.picture_config import PictureConfig
+    from swifttailor.training.picture_validation_torch import ValidationPictures, calibrate
+
+    bank = PictureBank([data])
+    bank.prepare(report=print_line)
+    config = changed_config(PictureConfig(), card["config"])
+    return calibrate(network, ValidationPictures(bank, config), torch.device("cpu"))
 
 
 def _near_logits(apart: float, out: Path) -> str:

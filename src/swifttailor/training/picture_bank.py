@@ -86,7 +86,11 @@ class PictureBank:
                     report(f"measuring garments: {done} of {of} files of '{cache.reader.folder}'")
 
     def leave_out(self, digests: Iterable[str]) -> None:
-        """Forgets the patterns of some digests, and all but the first of equal ones; after `prepare`."""
+        """Forgets the patterns of some digests, and all but the first of equal ones; after `prepare`.
+
+        Raises:
+            InputError: None is left.
+        """
         known = set(digests)
         kept = []
         for place in self._places:
@@ -94,6 +98,11 @@ class PictureBank:
             if digest not in known:
                 known.add(digest)
                 kept.append(place)
+        if not kept:
+            raise InputError(
+                f"There are no garments to draw: all {len(self._places)} are among those to validate with or "
+                "to keep apart. Sew others: swifttailor data build --engine network"
+            )
         self._places = kept
 
     def checksum(self) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from types import SimpleNamespace
 from typing import Any, Literal
 
@@ -108,7 +108,7 @@ def draw(wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Ch
     return Scene(drawn.pixels, masks, view_of(look_camera(garment.vertices, body, look), size), garments)
 
 
-@cache
+@lru_cache(maxsize=2)
 def _order(seed: int, epoch: int, count: int) -> NDArray[np.int64]:
     return np.random.default_rng([seed, 4, epoch]).permutation(count)
 

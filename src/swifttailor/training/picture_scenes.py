@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -287,7 +287,7 @@ def _linear(chance: Chance, colors: tuple[str, ...]) -> NDArray[np.float64]:
     return np.clip(base * chance.uniform(0.85, 1.15), 0.004, 0.95)
 
 
-@cache
+@lru_cache(maxsize=_POSES)
 def _pose(number: int) -> Pose:
     return random_pose(np.random.default_rng([17, number]))
 
@@ -304,13 +304,13 @@ def _face_regions() -> NDArray[np.uint8]:
     return skin_regions(base.vertices[base.faces].mean(axis=1))
 
 
-@cache
+@lru_cache(maxsize=16)
 def _hair(style: str) -> _Thing:
     vertices, faces = hair(style)
     return _Thing(vertices, faces, np.zeros(3), Rig.default().weights_at(vertices), has_inside=True)
 
 
-@cache
+@lru_cache(maxsize=16)
 def _shoes(kind: str) -> tuple[_Thing, float]:
     vertices, faces, sole = footwear(kind)
     return _Thing(vertices, faces, np.zeros(3), Rig.default().weights_at(vertices)), sole

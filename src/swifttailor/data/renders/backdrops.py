@@ -7,7 +7,7 @@ round and tinted.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
+from functools import lru_cache
 
 import numpy as np
 from scipy.ndimage import gaussian_filter
@@ -60,7 +60,7 @@ def random_scenery(chance: Chance) -> Scenery:
     )
 
 
-@cache
+@lru_cache(maxsize=BANK)
 def backdrop(number: int) -> Array:
     """(SIDE, SIDE, 3) float32 linear light of one of the bank, the same in every process."""
     chance = np.random.default_rng([91, number])
