@@ -9,7 +9,7 @@ import numpy as np
 import torch
 from torch import Tensor
 from torch.nn import functional as F
-from torch.utils.data import DataLoader
+from torch.utils.data import DataLoader, Dataset
 
 from swifttailor.picture_reader.labels import MASK_STRIDE
 from swifttailor.picture_reader.network_torch import scaled
@@ -128,7 +128,7 @@ class PictureBatches:
         if not self.workers:
             return (self.blocks[k] for k in range(first, 1 << 40))
         loader = DataLoader(
-            self.blocks,
+            _Drawn(self.blocks),
             batch_size=None,
             sampler=range(first, 1 << 40),
             num_workers=self.workers,
@@ -140,7 +140,17 @@ class PictureBatches:
         return iter(loader)
 
 
-def _as_it_is(block: Block) -> Block:
+class _Drawn(Dataset[Block]):
+    """Blocks as torch's processes ask for them."""
+
+    def __init__(self, blocks: Blocks) -> None:
+        self.blocks = blocks
+
+    def __getitem__(self, index: int) -> Block:
+        return self.blocks[index]
+
+
+def _as_it_is(block: Any) -> Any:
     return block
 
 

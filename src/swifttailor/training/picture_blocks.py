@@ -58,9 +58,6 @@ class Blocks:
         self.wardrobe, self.seed, self.size, self.count = Wardrobe(bank), seed, size, count
         self.plain, self.studio = plain, studio
 
-    def __len__(self) -> int:
-        return 1 << 40
-
     def __getitem__(self, number: int) -> Block:
         chance = np.random.default_rng([self.seed, number])
         made = [self._one(number * self.count + k, chance) for k in range(self.count)]
