@@ -15,9 +15,9 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from swifttailor.training.picture_bank import PictureBank
-from swifttailor.training.picture_blocks import Family, draw
-from swifttailor.training.picture_scenes import VIEWS, Wardrobe
+from swifttailor.data.pictures.bank import PictureBank
+from swifttailor.data.pictures.blocks import Family, draw
+from swifttailor.data.pictures.scenes import VIEWS, Wardrobe
 
 
 def main() -> None:

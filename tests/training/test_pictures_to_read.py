@@ -5,21 +5,21 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from swifttailor.data.reader import SplitReader
-from swifttailor.data.renders.backdrops import MAKER_NAMES
-from swifttailor.errors import InputError
-from swifttailor.pattern.digest import pattern_digest
-from swifttailor.picture_reader.labels import PARTS
-from swifttailor.picture_reader.view import camera_of
-from swifttailor.training.picture_bank import PictureBank
-from swifttailor.training.picture_blocks import Blocks, draw
-from swifttailor.training.picture_scenes import (
+from swifttailor.data.pictures.bank import PictureBank
+from swifttailor.data.pictures.blocks import Blocks, draw
+from swifttailor.data.pictures.scenes import (
     HELD_OUT_BACKDROPS,
     HELD_OUT_WEAVES,
     VIEWS,
     Wardrobe,
     draw_scene,
 )
+from swifttailor.data.reader import SplitReader
+from swifttailor.data.renders.backdrops import MAKER_NAMES
+from swifttailor.errors import InputError
+from swifttailor.pattern.digest import pattern_digest
+from swifttailor.picture_reader.labels import PARTS
+from swifttailor.picture_reader.view import camera_of
 
 SIZE = 64
 
@@ -106,7 +106,7 @@ def test_two_garments_are_worn_by_one_person(wardrobe):
 
 
 def test_looks_that_are_held_out_are_never_learnt_from(wardrobe, monkeypatch):
-    from swifttailor.training import picture_scenes
+    from swifttailor.data.pictures import scenes as picture_scenes
 
     drawn = []
     cloth, scenery = picture_scenes._random_cloth, picture_scenes._background

@@ -166,8 +166,8 @@ def _calibrated(network: Any, card: dict[str, Any], data: Path) -> Any:
     import torch
 
     from swifttailor.cli.progress import print_line
+    from swifttailor.data.pictures.bank import PictureBank
     from swifttailor.training.config_file import changed_config
-    from swifttailor.training.picture_bank import PictureBank
     from swifttailor.training.picture_config import PictureConfig
     from swifttailor.training.picture_validation_torch import ValidationPictures, calibrate
 

@@ -11,11 +11,11 @@ from torch import Tensor
 from torch.nn import functional as F
 from torch.utils.data import DataLoader, Dataset
 
+from swifttailor.data.pictures.bank import PictureBank
+from swifttailor.data.pictures.blocks import Block, Blocks
 from swifttailor.picture_reader.labels import MASK_STRIDE
 from swifttailor.picture_reader.network_torch import scaled
 from swifttailor.picture_reader.truth import TRUE, UNCLEAR
-from swifttailor.training.picture_bank import PictureBank
-from swifttailor.training.picture_blocks import Block, Blocks
 from swifttailor.training.picture_config import PictureConfig
 
 HALF_METRES = 50.0

@@ -10,13 +10,13 @@ from typing import Any, Unpack
 import torch
 from torch import Tensor, nn
 
+from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.errors import InputError
 from swifttailor.picture_reader.export_torch import build_network
 from swifttailor.picture_reader.labels import labels_checksum
 from swifttailor.picture_reader.network_torch import Reading
 from swifttailor.training.loop_torch import Loop, RunOptions, Task
 from swifttailor.training.master_weights_torch import MasterWeights
-from swifttailor.training.picture_bank import PictureBank
 from swifttailor.training.picture_batch_torch import PictureBatches, to_device
 from swifttailor.training.picture_config import PictureConfig
 from swifttailor.training.picture_losses_torch import reading_losses

@@ -8,15 +8,15 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from swifttailor.data.pictures.bank import PictureBank
+from swifttailor.data.pictures.blocks import Family, draw
+from swifttailor.data.pictures.scenes import View, Wardrobe
 from swifttailor.picture_reader.labels import statement_labels
 from swifttailor.picture_reader.network_torch import EyesNetwork, Reading
 from swifttailor.picture_reader.truth import FALSE, TRUE, UNCLEAR
-from swifttailor.training.picture_bank import PictureBank
 from swifttailor.training.picture_batch_torch import TruthTable
-from swifttailor.training.picture_blocks import Family, draw
 from swifttailor.training.picture_calibration import calibration_error, fit_scales
 from swifttailor.training.picture_config import PictureConfig
-from swifttailor.training.picture_scenes import View, Wardrobe
 
 SHOWN: tuple[tuple[Family, View], ...] = (
     ("plain", "front"),

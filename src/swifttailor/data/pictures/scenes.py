@@ -19,6 +19,7 @@ from swifttailor.body.pose import Pose
 from swifttailor.body.posing import random_pose
 from swifttailor.body.rig import Rig, Weights
 from swifttailor.body.skin_regions import SkinRegion, skin_regions
+from swifttailor.data.pictures.bank import PictureBank, WornGarment
 from swifttailor.data.renders.backdrops import MAKER_NAMES, random_scenery
 from swifttailor.data.renders.camera_effects import random_effects
 from swifttailor.data.renders.cloths import DrawnCloth, Place, random_cloth, random_color
@@ -30,7 +31,6 @@ from swifttailor.picture_reader.view import view_of
 from swifttailor.render import Camera, LineSet, Surface, to_linear
 from swifttailor.render.color import encode_srgb
 from swifttailor.render.view import render_seen
-from swifttailor.training.picture_bank import PictureBank, WornGarment
 
 Chance = np.random.Generator
 View = Literal["front", "back", "free"]

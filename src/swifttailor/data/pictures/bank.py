@@ -161,7 +161,7 @@ def _cache(folder: Path) -> ArrayCache:
         "picture_reader/truth.py",
         "picture_reader/labels.py",
     )
-    name = name_with_code("worn", *rooms, "training/picture_bank.py")
+    name = name_with_code("worn", *rooms, "data/pictures/bank.py")
     return ArrayCache(SplitReader(folder), folder / "worn", name, worn_arrays)
 
 

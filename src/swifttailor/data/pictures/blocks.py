@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.body import Body
+from swifttailor.data.pictures.bank import PictureBank, WornGarment
+from swifttailor.data.pictures.scenes import VIEWS, Chance, Scene, View, Wardrobe, draw_scene
 from swifttailor.data.renders.draw import draw_seen, look_camera
 from swifttailor.data.renders.look import random_look
 from swifttailor.data.renders.plain_look import plain_look
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS
 from swifttailor.picture_reader.view import view_of
-from swifttailor.training.picture_bank import PictureBank, WornGarment
-from swifttailor.training.picture_scenes import VIEWS, Chance, Scene, View, Wardrobe, draw_scene
 
 Family = Literal["plain", "studio", "people", "held out"]
 """How a picture looks: like those of GarmentCodeData; a garment in a studio; people; and people in looks that
@@ -32,7 +32,7 @@ class Block:
     pictures: NDArray[np.uint8]
     """(n, size, size, 3)."""
     masks: NDArray[np.uint8]
-    """(n, size / 4, size / 4, 2), see `picture_scenes.Scene`."""
+    """(n, size / 4, size / 4, 2), see `scenes.Scene`."""
     views: NDArray[np.float32]
     """(n, 6)."""
     garments: NDArray[np.int64]
