@@ -18,6 +18,11 @@ EVALUATE = CommandGroup(
             "swifttailor evaluate pattern-maker --patterns FILE --data DIR --edits FILE --out DIR",
             "swifttailor.cli.evaluate_pattern_maker:EvaluatePatternMaker",
         ),
+        "picture-reader": GroupedCommand(
+            "What a picture reader reads of pictures of garments, against their patterns.",
+            "swifttailor evaluate picture-reader --weights FILE --data DIR --out DIR",
+            "swifttailor.cli.evaluate_picture_reader:EvaluatePictureReader",
+        ),
         "drape-floor": GroupedCommand(
             "Drapes against drapes of the same patterns: how near anything can come.",
             "swifttailor evaluate drape-floor --data DIR --split validation --limit 30 --out DIR",

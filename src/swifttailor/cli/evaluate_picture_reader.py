@@ -1,0 +1,67 @@
+"""``swifttailor evaluate picture-reader``: how well pictures are read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+
+@dataclass(frozen=True, kw_only=True)
+class EvaluatePictureReader:
+    """Draw garments in all looks and views, read the pictures, and compare with what is true of the patterns.
+
+    Writes summary.json and tables.txt. A claim counts where one of its words is clearly true of the garment;
+    it is read right where the likeliest word is not false, whether it can be seen in that view or not.
+    """
+
+    weights: Annotated[Path, tyro.conf.arg(metavar="FILE")]
+    """The picture reader's model file."""
+    data: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    """Data set of sewn garments (swifttailor data build --engine network)."""
+    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    """Folder for the results; created when missing."""
+    split: Annotated[str, tyro.conf.arg(metavar="NAME")] = "validation"
+    """Which of its splits."""
+    limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """Only N garments, chosen by --seed."""
+    seed: int = 0
+    """Decides which garments, and their looks."""
+
+    def run(self) -> int:
+        """Draws, reads, prints, writes and returns the exit code.
+
+        Raises:
+            SwiftTailorError: The data, the weights or an option cannot be used.
+        """
+        import json
+        import sys
+
+        from swifttailor.atomic_files import write_text
+        from swifttailor.cli.evaluation_report import open_split
+        from swifttailor.cli.item_progress import ItemProgress
+        from swifttailor.cli.option_checks import require_writable_folder
+        from swifttailor.cli.progress import print_line
+        from swifttailor.data.pictures.bank import PictureBank
+        from swifttailor.evaluation.pictures.reading import SHOWN, read_pictures
+        from swifttailor.evaluation.pictures.tables import summary, tables
+        from swifttailor.evaluation.provenance import choose_samples, provenance, provenance_lines
+        from swifttailor.picture_reader.reader import PictureReader
+
+        require_writable_folder(self.out)
+        reader = PictureReader.load(self.weights)
+        split = open_split(self.data, self.split)
+        numbers = choose_samples(split, self.limit, self.seed)
+        bank = PictureBank([split.folder])
+        bank.prepare(report=print_line)
+        about = provenance(split, numbers, self.seed)
+        with ItemProgress(len(numbers) * len(SHOWN), "pictures read") as progress:
+            pictures = list(read_pictures(reader, bank, numbers, seed=self.seed, done=progress.add))
+        result = summary(pictures)
+        text = provenance_lines(about) + "\n" + tables(result)
+        write_text(self.out / "summary.json", json.dumps({"about": about, "result": result}, indent=1) + "\n")
+        write_text(self.out / "tables.txt", text)
+        sys.stdout.write(text)
+        return 0

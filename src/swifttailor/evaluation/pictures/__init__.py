@@ -1,0 +1,1 @@
+"""How well pictures are read: statements, panels and masks, by look and view."""
