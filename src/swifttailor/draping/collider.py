@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from swifttailor.body import Body, BodyPart, DistanceField
-from swifttailor.draping.field_kernels import FieldArrays
+from swifttailor.draping.loop_arguments import FieldArrays
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import body_region
 

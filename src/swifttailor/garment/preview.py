@@ -8,6 +8,7 @@ import numpy as np
 
 from swifttailor.arrays import Array
 from swifttailor.body.mannequin import mannequin
+from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.render.backdrop import wall
 from swifttailor.render.color import BACKGROUND, BODY, Color, encode_srgb, to_linear
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
 
     from swifttailor.body import Body
     from swifttailor.garment.garment import Garment
+
+_put_before = CompiledLoop("swifttailor.render.shading_kernels", "put_before")
 
 
 def cloth_surface(
@@ -88,8 +91,6 @@ def render_preview(
     """
     from PIL import Image
 
-    from swifttailor.render.shading_kernels import put_before
-
     surfaces = [cloth_surface(garment, color)]
     if body is not None:
         surfaces.insert(0, body_surface(body, cloth=garment.vertices))
@@ -101,7 +102,7 @@ def render_preview(
         floor = np.ones(coverage.shape, np.float32)
         if scene.floor_shadow is not None:
             floor = scene.floor_shadow.light(view.camera, part)
-        put_before(picture, view.first, light, coverage, floor, _fade(view.width))
+        _put_before(picture, view.first, light, coverage, floor, _fade(view.width))
     return Image.fromarray(encode_srgb(picture))
 
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.ndimage import gaussian_filter
 
 from swifttailor.arrays import Array
+from swifttailor.render.blur import gaussian_blur
 from swifttailor.render.camera import Camera
 from swifttailor.render.rasterize import depth_picture
 
@@ -39,8 +39,8 @@ class FloorShadow:
         corners[:2] = (corners[:2] - self._low[:, None]) / self._cell
         seen = corners.T.reshape(-1, 3, 3)
         above = np.maximum(depth_picture(seen, (width, height), fill=1e6), 0.0)
-        touching = gaussian_filter(np.exp(-above / 2.5), 2.0 / self._cell, mode="constant")
-        hanging = gaussian_filter(np.exp(-above / 45.0), 12.0 / self._cell, mode="constant")
+        touching = gaussian_blur(np.exp(-above / 2.5), 2.0 / self._cell, reflects=False)
+        hanging = gaussian_blur(np.exp(-above / 45.0), 12.0 / self._cell, reflects=False)
         self._map = np.clip(0.55 * touching + 0.50 * hanging, 0.0, 0.8)
 
     def light(self, camera: Camera, size: tuple[int, int]) -> Array:

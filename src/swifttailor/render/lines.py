@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.render.surface import LineSet
 
+_dim_along = CompiledLoop("swifttailor.render.shading_kernels", "dim_along")
 _LIFT = 0.5
 """A line is seen when it lies less than this behind what the pixel shows, cm."""
 
@@ -21,8 +23,6 @@ def draw_lines(light: Array, pixels: Array, line: LineSet, depth: Array, samples
         depth: (height, width) distance of what each sample shows, cm.
         samples: Samples along a side of a finished pixel.
     """
-    from swifttailor.render.shading_kernels import dim_along
-
     height, width = depth.shape
     edges = np.asarray(line.edges).reshape(-1, 2)
     start, end = pixels[edges[:, 0]], pixels[edges[:, 1]]
@@ -30,4 +30,4 @@ def draw_lines(light: Array, pixels: Array, line: LineSet, depth: Array, samples
     inside = (high[:, 0] >= 0) & (low[:, 0] < width) & (high[:, 1] >= 0) & (low[:, 1] < height)
     inside &= low[:, 2] > 0
     start, end = start[inside], end[inside]
-    dim_along(light, start, end, depth, line.strength, line.width * samples / 2, _LIFT)
+    _dim_along(light, start, end, depth, line.strength, line.width * samples / 2, _LIFT)

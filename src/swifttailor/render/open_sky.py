@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import gaussian_filter
 
 from swifttailor.arrays import Array
+from swifttailor.render.blur import gaussian_blur
 
 _SCALES = ((1.1, 1.4, 0.50), (4.5, 6.0, 0.45))
 """Neighbourhood cm, depth in cm at which it is darkest, and how dark: for folds; for arms, hems and chin."""
@@ -44,9 +44,9 @@ def _blur(picture: Array, sigma: float) -> Array:
     """Gaussian blur; wide ones are made on a coarser picture."""
     step = max(1, int(sigma / 2.5))
     if step == 1:
-        return gaussian_filter(picture, sigma, truncate=2.5)
+        return gaussian_blur(picture, sigma, truncate=2.5)
     down, across = (_blocks(length, step) for length in picture.shape)
-    coarse = gaussian_filter(down.means @ picture @ across.means.T, sigma / step, truncate=2.5)
+    coarse = gaussian_blur(down.means @ picture @ across.means.T, sigma / step, truncate=2.5)
     return down.between @ coarse @ across.between.T
 
 

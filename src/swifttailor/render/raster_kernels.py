@@ -15,12 +15,13 @@ from swifttailor.render.compile_options import FAST
 
 
 @njit(cache=True, error_model="numpy")
-def fill(nearest, corners, low_z, steps, height, width):
+def fill(nearest, corners, low_z, steps, height, width, work):
     """Lowers the keys `nearest` (height x width,) int64 at pixel centres: `rasterize.rasterize`.
 
-    A key is a depth, in whole steps of which `steps` make a unit above `low_z`, times 2^32, and a triangle.
+    A key is a depth, in whole steps of which `steps` make a unit above `low_z`, times 2^32, and a
+    triangle. `work` (3, 3) is overwritten.
     """
-    x, y, z = np.zeros(3), np.zeros(3), np.zeros(3)
+    x, y, z = work[0], work[1], work[2]
     for t in range(len(corners)):
         for k in range(3):
             x[k], y[k], z[k] = corners[t, k, 0], corners[t, k, 1], (corners[t, k, 2] - low_z) * steps

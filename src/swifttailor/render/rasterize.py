@@ -9,7 +9,9 @@ from __future__ import annotations
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.compiled_loop import CompiledLoop
 
+_fill = CompiledLoop("swifttailor.render.raster_kernels", "fill")
 _NOTHING = np.iinfo(np.int64).max
 _DEPTH_STEPS = float(2**31 - 1)
 
@@ -38,8 +40,6 @@ def depth_picture(corners: Array, size: tuple[int, int], *, fill: float) -> Arra
 
 def _nearest(corners: Array, size: tuple[int, int]) -> tuple[Array, float, float]:
     """Keys (height, width) as the loop makes them, the depth where steps begin, and steps in a unit."""
-    from swifttailor.render.raster_kernels import fill
-
     width, height = size
     keys = np.full((height, width), _NOTHING)
     if not len(corners):
@@ -47,5 +47,5 @@ def _nearest(corners: Array, size: tuple[int, int]) -> tuple[Array, float, float
     corners = np.ascontiguousarray(corners, np.float64)
     low, high = float(corners[:, :, 2].min()), float(corners[:, :, 2].max())
     steps = _DEPTH_STEPS / max(high - low, 1e-12)
-    fill(keys.reshape(-1), corners, low, steps, height, width)
+    _fill(keys.reshape(-1), corners, low, steps, height, width, np.zeros((3, 3)))
     return keys, low, steps

@@ -16,7 +16,20 @@ _F = np.float32
 
 @njit(**FAST)
 def light_samples(
-    light, coverage, face, normal, materials, front, printed, kept, shadow, room, up_axis, lights, samples
+    light,
+    coverage,
+    face,
+    normal,
+    materials,
+    front,
+    printed,
+    kept,
+    shadow,
+    room,
+    up_axis,
+    lights,
+    samples,
+    color,
 ):
     """Adds up the light that the samples of each pixel send (`lighting` says from where).
 
@@ -34,9 +47,9 @@ def light_samples(
         up_axis: (3,) float32, the world's up in the camera's frame.
         lights: (9, 4) float32, see `lighting.Lighting.table`.
         samples: Samples along each side of a pixel.
+        color: (3,) float32 to work with.
     """
     height, width = light.shape[:2]
-    color = np.zeros(3, np.float32)
     share = _F(1) / _F(samples * samples)
     half, one, zero = _F(0.5), _F(1), _F(0)
     for j in range(height):

@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.render.camera import Camera
 from swifttailor.render.rasterize import depth_picture
 
+_arriving_key_light = CompiledLoop("swifttailor.render.shading_kernels", "arriving_key_light")
 _CELL = 0.6
 """Size of a cell, cm; grown for wide scenes."""
 _MAX_CELLS = 450
@@ -44,8 +46,6 @@ class ShadowMap:
             normal: (H, W, 3) float32 of each sample, in the camera's frame.
             samples: Samples along each side of a pixel.
         """
-        from swifttailor.render.shading_kernels import arriving_key_light
-
         to_map = self._axes @ camera.axes.T
         origin = self._axes @ (np.asarray(camera.target) + camera.distance * camera.axes[2])
         origin[:2] -= self._low
@@ -54,7 +54,7 @@ class ShadowMap:
         perspective = camera.distance if camera.perspective else 0.0
         geometry = camera.height / distance.shape[0], perspective, _OFFSET, _BIAS
         key = np.ones((distance.shape[0] // samples, distance.shape[1] // samples), np.float32)
-        arriving_key_light(key, distance, normal, samples, geometry, to_map, origin, self._depth, _FADE)
+        _arriving_key_light(key, distance, normal, samples, geometry, to_map, origin, self._depth, _FADE)
         return key
 
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.errors import InputError
 from swifttailor.render.backdrop import wall
 from swifttailor.render.camera import Camera
@@ -19,6 +20,8 @@ from swifttailor.render.scene import Projection, Scene
 from swifttailor.render.shadow_map import ShadowMap
 from swifttailor.render.surface import Surface
 
+_interpolate = CompiledLoop("swifttailor.render.raster_kernels", "interpolate")
+_light_samples = CompiledLoop("swifttailor.render.shading_kernels", "light_samples")
 MAX_SAMPLES = 64_000_000
 """Most samples in one picture."""
 
@@ -104,15 +107,12 @@ def draw_figure(
             f"A picture has 1 to {MAX_SAMPLES} samples in all, got {width} x {height} pixels "
             f"with {samples} x {samples} samples each."
         )
-    from swifttailor.render.raster_kernels import interpolate
-    from swifttailor.render.shading_kernels import light_samples
-
     projection = Projection(scene, camera, (width * samples, height * samples))
     face = rasterize(projection.corners, projection.size)
     distance = np.full(face.shape, np.float32(np.inf))
     normal = np.zeros((*face.shape, 3), np.float32)
     weights = np.zeros((0, 0, 2) if projection.print_at is None else (*face.shape, 2), np.float32)
-    interpolate(
+    _interpolate(
         face,
         projection.corners,
         projection.distance,
@@ -127,7 +127,7 @@ def draw_figure(
         _occlusion(scene, camera, distance, normal, samples, lighting) if shadows else _all_light(size)
     )
     light, coverage = np.zeros((height, width, 3), np.float32), np.zeros((height, width, 1), np.float32)
-    light_samples(
+    _light_samples(
         light,
         coverage,
         face,
@@ -141,6 +141,7 @@ def draw_figure(
         camera.axes[:, 1].astype(np.float32),
         lighting.table(),
         samples,
+        np.zeros(3, np.float32),
     )
     return light, coverage
 
