@@ -77,6 +77,20 @@ def render_preview(
     color: Color | None = None,
     background: Color = BACKGROUND,
 ) -> Image:
+    """What `draw_preview` draws, as a picture of Pillow's."""
+    from PIL import Image
+
+    return Image.fromarray(draw_preview(garment, body, size=size, color=color, background=background))
+
+
+def draw_preview(
+    garment: Garment,
+    body: Body | None,
+    *,
+    size: tuple[int, int] = (1500, 900),
+    color: Color | None = None,
+    background: Color = BACKGROUND,
+) -> Array:
     """Draws a garment from the front, the back and the wearer's left side by side.
 
     Args:
@@ -87,10 +101,8 @@ def render_preview(
         background: Backdrop.
 
     Returns:
-        An RGB picture.
+        (height, width, 3) uint8 sRGB.
     """
-    from PIL import Image
-
     surfaces = [cloth_surface(garment, color)]
     if body is not None:
         surfaces.insert(0, body_surface(body, cloth=garment.vertices))
@@ -103,7 +115,7 @@ def render_preview(
         if scene.floor_shadow is not None:
             floor = scene.floor_shadow.light(view.camera, part)
         _put_before(picture, view.first, light, coverage, floor, _fade(view.width))
-    return Image.fromarray(encode_srgb(picture))
+    return encode_srgb(picture)
 
 
 def _fade(width: int) -> Array:
