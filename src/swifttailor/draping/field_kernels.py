@@ -7,6 +7,10 @@ import math
 from numba import njit
 
 from swifttailor.draping.compile_options import FAST
+from swifttailor.draping.loop_arguments import FieldArrays
+
+# numba reads what an older version has compiled before it finds it out of date; there it is named so.
+__all__ = ["FieldArrays", "body_distance", "sample_distance", "sample_field"]
 
 
 @njit(**FAST)

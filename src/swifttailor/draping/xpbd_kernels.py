@@ -20,7 +20,11 @@ from swifttailor.draping.contact_kernels import (
     shrink_crossings,
 )
 from swifttailor.draping.field_kernels import body_distance, sample_distance, sample_field
+from swifttailor.draping.loop_arguments import ContactArrays, HeldArrays, StepSettings
 from swifttailor.draping.neighbor_lists import has_moved, list_neighbors
+
+# numba reads what an older version has compiled before it finds it out of date; there they are named so.
+__all__ = ["ContactArrays", "HeldArrays", "StepSettings", "advance_frame"]
 
 ON_BODY, NEAR_BODY = 0.3, 1.2
 """Edges are held off the body when one end is nearer to contact than the first and the other than the second,
