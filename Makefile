@@ -106,7 +106,7 @@ lock:  ## pin the newest development packages in requirements/dev.txt and networ
 		$(NOT_ON_CPU:%=--no-emit-package %)
 
 clean-cache:  ## delete numba's compiled code: it does not see changes in modules that a kernel calls
-	find src tests -name '*.nb[ic]' -delete
+	find src tests \( -name '*.nb[ic]' -o -name '*.loop' \) -delete
 
 clean: clean-cache  ## delete everything that was made, .venv included
 	rm -rf .venv .venv-networks .uv demo out .pytest_cache .ruff_cache .hypothesis dist build

@@ -15,9 +15,9 @@ from swifttailor.draping.coarse_kernels import advance_freely
 from swifttailor.draping.collider import ARMS, join_fields, vertices_ignoring_arms
 from swifttailor.draping.fabric import get_fabric
 from swifttailor.draping.field_kernels import sample_field
+from swifttailor.draping.loop_arguments import StepSettings, coarse_work
 from swifttailor.draping.placement import place_vertices
 from swifttailor.draping.simulation import Simulation, SimulationSettings
-from swifttailor.draping.xpbd_kernels import StepSettings
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
 
@@ -84,7 +84,9 @@ def test_frames_are_those_of_the_drape_without_self_collision():
     attachment = find_attachment(mesh, body.measurements)
     settings = SimulationSettings(substeps=8, self_collision=False)
     plain = Simulation(mesh, cloth, body, fabric, attachment, place_vertices(mesh), settings)
-    x, v = plain.positions.copy(), plain.velocities.copy()
+    x = plain.positions.copy()
+    work = coarse_work(len(x), len(cloth.arrays.edges), len(cloth.arrays.hinges))
+    work.v[:] = plain.velocities
     step = StepSettings(
         substeps=8,
         step=1 / 480,
@@ -103,8 +105,8 @@ def test_frames_are_those_of_the_drape_without_self_collision():
     )
     for _ in range(5):
         plain.frame(gravity=981.0, damping=2.0, friction=fabric.friction, self_collision=False)
-        clearance = np.zeros(len(x))
-        advance_freely(x, v, x.copy(), cloth.arrays, plain.field, plain.held, clearance, step)
+        work.clearance[:] = 0.0
+        advance_freely(x, cloth.arrays, plain.field, plain.held, step, work)
     assert np.abs(x - plain.positions).max() < 1e-9
 
 

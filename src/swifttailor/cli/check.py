@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-import tyro
+from swifttailor.cli.postponed_imports import tyro
 
 if TYPE_CHECKING:
     from rich.console import Console

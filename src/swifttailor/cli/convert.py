@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
-import tyro
-
+from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError
 from swifttailor.pattern.panel import RotationReading
 

@@ -9,8 +9,6 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
-import tyro
-
 from swifttailor.cli.option_checks import (
     require_edge_length,
     require_limit,
@@ -18,6 +16,7 @@ from swifttailor.cli.option_checks import (
     require_time_limit,
     worker_count,
 )
+from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
-import tyro
+from swifttailor.cli.postponed_imports import tyro
 
 MAX_COUNT = 46
 """Topics of `recutting.random_cuts`."""

@@ -8,8 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
-import tyro
-
+from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:

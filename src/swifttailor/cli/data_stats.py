@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import tyro
+from swifttailor.cli.postponed_imports import tyro
 
 if TYPE_CHECKING:
     from swifttailor.data.stats import Shown, SplitNumbers

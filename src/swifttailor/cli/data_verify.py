@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Annotated
 
-import tyro
+from swifttailor.cli.postponed_imports import tyro
 
 FAULTS = 1
 

@@ -9,8 +9,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-import tyro
-
 from swifttailor.cli.option_checks import (
     require_edge_length,
     require_limit,
@@ -19,6 +17,7 @@ from swifttailor.cli.option_checks import (
     require_writable_folder,
     worker_count,
 )
+from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Literal
 
-import tyro
-
 from swifttailor.cli.making import Making
 from swifttailor.cli.own_folders import read_report
+from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError
 
 

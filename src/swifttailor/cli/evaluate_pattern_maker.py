@@ -8,14 +8,13 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-import tyro
-
 from swifttailor.cli.option_checks import (
     in_range,
     require_limit,
     require_threads,
     require_writable_folder,
 )
+from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:

@@ -162,9 +162,14 @@ def _runner(kind: Any, name: str) -> Runner:
     """Runs a command that is a dataclass of options with a `run` method."""
 
     def runner(arguments: list[str]) -> int:
-        import tyro
+        from swifttailor.cli.plain_options import read_plain
+        from swifttailor.cli.postponed_imports import postpone_parts_of_numpy, tyro
 
-        return tyro.cli(kind, args=arguments, prog=f"swifttailor {name}").run()
+        options = read_plain(kind, arguments)
+        if options is None:
+            options = tyro.cli(kind, args=arguments, prog=f"swifttailor {name}")
+        postpone_parts_of_numpy()
+        return options.run()
 
     return runner
 

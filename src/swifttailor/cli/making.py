@@ -9,8 +9,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import tyro
-
 from swifttailor.cli.option_checks import (
     in_range,
     require_edge_length,
@@ -19,6 +17,7 @@ from swifttailor.cli.option_checks import (
     require_writable_folder,
 )
 from swifttailor.cli.own_folders import require_own_files
+from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:

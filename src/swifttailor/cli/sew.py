@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-import tyro
-
 from swifttailor.cli.option_checks import require_edge_length, require_threads, require_writable_folder
+from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
-import tyro
-
 from swifttailor.atomic_files import write_text
+from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError
 
 MOST_APART_CM = 0.01

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
-import tyro
-
 from swifttailor.cli.option_checks import MAX_WORKERS, in_range
+from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.training import TrainingOnPatterns
 
 

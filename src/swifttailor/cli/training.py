@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
-import tyro
-
 from swifttailor.cli.option_checks import (
     MAX_WORKERS,
     in_range,
@@ -16,6 +14,7 @@ from swifttailor.cli.option_checks import (
     require_threads,
     require_writable_folder,
 )
+from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.progress import print_line
 
 Config = TypeVar("Config")

@@ -15,18 +15,18 @@ import numpy as np
 
 from swifttailor.arrays import Floats
 from swifttailor.body import BodyMeasurements, DistanceField
+from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.draping.attachment import find_attachment
 from swifttailor.draping.cloth import build_cloth
-from swifttailor.draping.coarse_kernels import sew_and_hang
 from swifttailor.draping.collider import join_fields, vertices_ignoring_arms
 from swifttailor.draping.fabric import Fabric, get_fabric
+from swifttailor.draping.loop_arguments import FRAME_RATE, GRAVITY, HeldArrays, StepSettings, coarse_work
 from swifttailor.draping.placement import place_vertices
-from swifttailor.draping.simulation import FRAME_RATE, GRAVITY
-from swifttailor.draping.xpbd_kernels import HeldArrays, StepSettings
 from swifttailor.errors import SimulationError
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
 
+_sew_and_hang = CompiledLoop("swifttailor.draping.coarse_kernels", "sew_and_hang")
 _SEWING_BENDING = 20.0
 _VERTEX_CM2 = math.sqrt(3) / 2
 """Area of cloth for each vertex of a regular mesh with edges of 1 cm."""
@@ -116,7 +116,7 @@ def drape_coarsely(
     )
     caught = min(15, c.hanging_frames)
     positions = np.ascontiguousarray(place_vertices(mesh), dtype=np.float64)
-    sew_and_hang(
+    _sew_and_hang(
         positions,
         cloth._replace(rest=cloth.rest.copy()),
         cloth.rest,
@@ -127,6 +127,7 @@ def drape_coarsely(
         sewing,
         hanging._replace(long_edges=True),
         hanging,
+        coarse_work(len(positions), len(cloth.edges), len(cloth.hinges)),
     )
     if not np.isfinite(positions).all():
         raise SimulationError(

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numba import njit
 
 from swifttailor.draping.compile_options import FAST
 from swifttailor.draping.xpbd_kernels import (
-    hinge_pulls,
+    find_hinge_pulls,
+    find_spring_shares,
     hold_up,
     predict,
     push_edges_off_body,
@@ -15,17 +18,18 @@ from swifttailor.draping.xpbd_kernels import (
     push_off_body,
     solve_hinges,
     solve_springs,
-    spring_shares,
 )
 
 
 @njit(**FAST)
-def advance_freely(x, v, previous, cloth, field, held, clearance, settings):
-    """Advances positions x and velocities v (both (n, 3), changed in place) by one frame."""
+def advance_freely(x, cloth, field, held, settings, work):
+    """Advances positions x (n, 3) and velocities by one frame, in place; `work` is a `CoarseWork`."""
+    v, previous, clearance, shares, pulls = work.v, work.previous, work.clearance, work.shares, work.pulls
     inverse_dt2 = 1.0 / (settings.step * settings.step)
-    shares = spring_shares(cloth, inverse_dt2)
+    find_spring_shares(shares, cloth, inverse_dt2)
     bends = settings.bending_factor > 0.0
-    pulls = hinge_pulls(cloth, inverse_dt2, settings.bending_factor) if bends else cloth.hinge_weights
+    if bends:
+        find_hinge_pulls(pulls, cloth, inverse_dt2, settings.bending_factor)
     for s in range(settings.substeps):
         predict(x, v, previous, settings)
         solve_springs(x, cloth, shares)
@@ -44,7 +48,7 @@ def advance_freely(x, v, previous, cloth, field, held, clearance, settings):
 
 
 @njit(**FAST)
-def sew_and_hang(x, cloth, rest, field, held, at_first, frames, sewing, catching, hanging):
+def sew_and_hang(x, cloth, rest, field, held, at_first, frames, sewing, catching, hanging, work):
     """Moves x (n, 3) from the placed panels to about where the garment comes to rest.
 
     Args:
@@ -59,22 +63,20 @@ def sew_and_hang(x, cloth, rest, field, held, at_first, frames, sewing, catching
         sewing: Settings of the first two.
         catching: Of the third.
         hanging: Of the fourth.
+        work: A `CoarseWork`.
     """
-    v = np.zeros_like(x)
-    previous = x.copy()
-    clearance = np.zeros(x.shape[0])
-    edges = cloth.edges
-    initial = np.zeros(edges.shape[0])
+    edges, initial, clearance = cloth.edges, work.initial, work.clearance
     for e in range(edges.shape[0]):
-        d = x[edges[e, 0]] - x[edges[e, 1]]
-        initial[e] = np.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
+        a, b = edges[e, 0], edges[e, 1]
+        dx, dy, dz = x[a, 0] - x[b, 0], x[a, 1] - x[b, 1], x[a, 2] - x[b, 2]
+        initial[e] = math.sqrt(dx * dx + dy * dy + dz * dz)
     closing, calming, caught, free = frames
     for f in range(closing + calming):
         share = min(1.0, (f + 1) / closing)
         for e in range(edges.shape[0]):
             cloth.rest[e] = max(rest[e], initial[e] * (1 - share) + rest[e] * share)
         clearance[:] = 0.0
-        advance_freely(x, v, previous, cloth, field, held, clearance, sewing)
+        advance_freely(x, cloth, field, held, sewing, work)
     for q in range(held.vertices.shape[0]):
         held.levels[q] = min(held.levels[q], x[held.vertices[q], 1])
     for f in range(caught + free):
@@ -83,4 +85,4 @@ def sew_and_hang(x, cloth, rest, field, held, at_first, frames, sewing, catching
                 if at_first[q]:
                     held.levels[q] = -np.inf
         clearance[:] = 0.0
-        advance_freely(x, v, previous, cloth, field, held, clearance, catching if f < caught else hanging)
+        advance_freely(x, cloth, field, held, catching if f < caught else hanging, work)

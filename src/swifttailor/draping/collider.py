@@ -6,7 +6,7 @@ import numpy as np
 
 from swifttailor.body import Body, DistanceField
 from swifttailor.body.parts import ARMS
-from swifttailor.draping.field_kernels import FieldArrays
+from swifttailor.draping.loop_arguments import FieldArrays
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import body_region
 

@@ -64,8 +64,8 @@ def load_coarse_drape(
 ) -> CoarseDrapeLoading:
     """Begins to load the coarse drape's loops, or to compile them, in the background.
 
-    Loading numba takes half a second of every first garment, compiling several: meanwhile a network can write
-    the pattern, since it does not hold Python's lock while it runs.
+    Compiling takes several seconds of the first garment ever, loading a few hundredths of one: meanwhile a
+    network can write the pattern, since it does not hold Python's lock while it runs.
 
     Args:
         full: Distance to the body, as the drape will be given it: what the loops are called with decides what

@@ -3,26 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
-import numpy as np
 from numba import njit
 
 from swifttailor.draping.compile_options import FAST
+from swifttailor.draping.loop_arguments import FieldArrays
 
-
-class FieldArrays(NamedTuple):
-    """Distance fields of the body for the solver (see `swifttailor.body.DistanceField`)."""
-
-    full: np.ndarray
-    """(nx, ny, nz) float32, cm, the whole body."""
-    armless: np.ndarray
-    """The same without arms, for vertices of panels that cover the legs."""
-    origin: np.ndarray
-    """(3,) of both fields, cm."""
-    spacing: float
-    ignores_arms: np.ndarray
-    """(v,) uint8"""
+# numba reads what an older version has compiled before it finds it out of date; there it is named so.
+__all__ = ["FieldArrays", "body_distance", "sample_distance", "sample_field"]
 
 
 @njit(**FAST)

@@ -20,7 +20,8 @@ from swifttailor.body import Body
 from swifttailor.body.parts import ARMS, surface_without
 from swifttailor.draping.cloth import ClothModel
 from swifttailor.draping.collider import FIELD_SPACING_CM
-from swifttailor.draping.simulation import FRAME_RATE, GRAVITY, Simulation
+from swifttailor.draping.loop_arguments import FRAME_RATE, GRAVITY
+from swifttailor.draping.simulation import Simulation
 from swifttailor.draping.xpbd_kernels import EDGE_DISTANCE
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 

@@ -13,20 +13,20 @@ from swifttailor.draping.attachment import Attachment, lowest_top
 from swifttailor.draping.cloth import ClothArrays, ClothModel
 from swifttailor.draping.collider import build_field_arrays
 from swifttailor.draping.fabric import Fabric
-from swifttailor.draping.field_kernels import FieldArrays
-from swifttailor.draping.neighbor_lists import no_neighbors
-from swifttailor.draping.xpbd_kernels import (
+from swifttailor.draping.loop_arguments import (
+    FRAME_RATE,
+    GRAVITY,
     ContactArrays,
+    FieldArrays,
     HeldArrays,
     StepSettings,
-    advance_frame,
 )
+from swifttailor.draping.neighbor_lists import no_neighbors
+from swifttailor.draping.xpbd_kernels import advance_frame
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import body_region
 from swifttailor.progress import StageProgress
 
-FRAME_RATE = 60.0
-GRAVITY = 981.0
 _FOOTPRINT_LEVEL = 2.0
 _SEWING_BENDING = 20.0
 _UNTANGLING = 0.1

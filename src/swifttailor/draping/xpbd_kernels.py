@@ -8,7 +8,6 @@ per substep. Lengths in cm, masses in kg, times in s.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 from numba import njit
@@ -21,66 +20,17 @@ from swifttailor.draping.contact_kernels import (
     shrink_crossings,
 )
 from swifttailor.draping.field_kernels import body_distance, sample_distance, sample_field
+from swifttailor.draping.loop_arguments import ContactArrays, HeldArrays, StepSettings
 from swifttailor.draping.neighbor_lists import has_moved, list_neighbors
+
+# numba reads what an older version has compiled before it finds it out of date; there they are named so.
+__all__ = ["ContactArrays", "HeldArrays", "StepSettings", "advance_frame"]
 
 ON_BODY, NEAR_BODY = 0.3, 1.2
 """Edges are held off the body when one end is nearer to contact than the first and the other than the second,
 cm."""
 EDGE_DISTANCE = 0.15
 """Distance from the body kept by edges between their ends, cm."""
-
-
-class HeldArrays(NamedTuple):
-    """Vertices that may not slide down."""
-
-    vertices: np.ndarray
-    """(k,)"""
-    levels: np.ndarray
-    """(k,) lowest height of each, cm."""
-
-
-class StepSettings(NamedTuple):
-    """Numbers of one frame."""
-
-    substeps: int
-    step: float
-    """Substep length, s."""
-    gravity: float
-    """cm/s^2"""
-    damping: float
-    """Velocity decay, 1/s."""
-    friction: float
-    thickness: float
-    """Distance kept from the body, cm."""
-    max_speed: float
-    """cm/s"""
-    bending_factor: float
-    """Multiplies the bending stiffness (the sewing stage keeps panels flat)."""
-    lowest_level: float
-    """Below this height the body is continued straight down, cm."""
-    long_edges: bool
-    """Whether stretched edges are also held off the body between their vertices."""
-    self_collision: bool
-    untangling: float
-    """Largest motion of a crossing edge against the face per substep, cm."""
-    contact_interval: int
-    """Substeps between searches for contacts."""
-    still: float
-    """A vertex that moves less than this per frame is at rest, cm."""
-
-
-class ContactArrays(NamedTuple):
-    """Buffers for self-collision, filled and emptied by the kernels."""
-
-    vertex: np.ndarray
-    face: np.ndarray
-    side: np.ndarray
-    crossing_edge: np.ndarray
-    crossing_face: np.ndarray
-    crossing_push: np.ndarray
-    """(k, 3) direction in which the edge has to move."""
-    tangled: np.ndarray
-    """(v,) uint8, vertices next to a crossing."""
 
 
 @njit(**FAST)
@@ -107,25 +57,37 @@ def predict(x, v, previous, settings):
 @njit(**FAST)
 def spring_shares(cloth, inverse_dt2):
     """(e,) share of a spring's error that a unit of inverse mass takes: divisions done once for all."""
+    shares = np.zeros(cloth.edges.shape[0])
+    find_spring_shares(shares, cloth, inverse_dt2)
+    return shares
+
+
+@njit(**FAST)
+def find_spring_shares(shares, cloth, inverse_dt2):
+    """Fills the `spring_shares`."""
     edges, compliance, im = cloth.edges, cloth.compliance, cloth.inverse_mass
-    shares = np.zeros(edges.shape[0])
     for e in range(edges.shape[0]):
         shares[e] = 1.0 / (im[edges[e, 0]] + im[edges[e, 1]] + compliance[e] * inverse_dt2)
-    return shares
 
 
 @njit(**FAST)
 def hinge_pulls(cloth, inverse_dt2, factor):
     """(h, 4) how far each vertex of a hinge moves for a unit of bending; `factor` times as stiff."""
+    pulls = np.zeros(cloth.hinge_weights.shape)
+    find_hinge_pulls(pulls, cloth, inverse_dt2, factor)
+    return pulls
+
+
+@njit(**FAST)
+def find_hinge_pulls(pulls, cloth, inverse_dt2, factor):
+    """Fills the `hinge_pulls`."""
     hinges, weights, im = cloth.hinges, cloth.hinge_weights, cloth.inverse_mass
-    pulls = np.zeros(weights.shape)
     for e in range(hinges.shape[0]):
         total = cloth.hinge_compliance[e] * inverse_dt2 / factor
         for k in range(4):
             total += im[hinges[e, k]] * weights[e, k] * weights[e, k]
         for k in range(4):
             pulls[e, k] = -im[hinges[e, k]] * weights[e, k] / total
-    return pulls
 
 
 @njit(**FAST)

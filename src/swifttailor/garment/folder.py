@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -63,13 +62,11 @@ def save_folder(
     write_obj(mesh, folder / OBJ)
     if preview:
         from swifttailor.body import Body as BodyClass
-        from swifttailor.garment.preview import render_preview
+        from swifttailor.garment.preview import draw_preview
+        from swifttailor.render.png import encode_png
 
         body = body if body is not None else BodyClass.default()
-        picture = render_preview(garment, body, size=preview_size)
-        encoded = io.BytesIO()
-        picture.save(encoded, "PNG", compress_level=6)
-        write_bytes(folder / PREVIEW, encoded.getvalue())
+        write_bytes(folder / PREVIEW, encode_png(draw_preview(garment, body, size=preview_size)))
     write_text(folder / REPORT, json.dumps(plain(garment.report), indent=2, allow_nan=False) + "\n")
     return folder
 

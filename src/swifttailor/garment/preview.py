@@ -8,6 +8,7 @@ import numpy as np
 
 from swifttailor.arrays import Array
 from swifttailor.body.mannequin import mannequin
+from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.render.backdrop import wall
 from swifttailor.render.color import BACKGROUND, BODY, Color, encode_srgb, to_linear
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
 
     from swifttailor.body import Body
     from swifttailor.garment.garment import Garment
+
+_put_before = CompiledLoop("swifttailor.render.shading_kernels", "put_before")
 
 
 def cloth_surface(
@@ -74,6 +77,20 @@ def render_preview(
     color: Color | None = None,
     background: Color = BACKGROUND,
 ) -> Image:
+    """What `draw_preview` draws, as a picture of Pillow's."""
+    from PIL import Image
+
+    return Image.fromarray(draw_preview(garment, body, size=size, color=color, background=background))
+
+
+def draw_preview(
+    garment: Garment,
+    body: Body | None,
+    *,
+    size: tuple[int, int] = (1500, 900),
+    color: Color | None = None,
+    background: Color = BACKGROUND,
+) -> Array:
     """Draws a garment from the front, the back and the wearer's left side by side.
 
     Args:
@@ -84,12 +101,8 @@ def render_preview(
         background: Backdrop.
 
     Returns:
-        An RGB picture.
+        (height, width, 3) uint8 sRGB.
     """
-    from PIL import Image
-
-    from swifttailor.render.shading_kernels import put_before
-
     surfaces = [cloth_surface(garment, color)]
     if body is not None:
         surfaces.insert(0, body_surface(body, cloth=garment.vertices))
@@ -102,8 +115,8 @@ def render_preview(
         shadow = scene.floor_shadow(view.camera.height / size[1])
         if shadow is not None:
             floor = shadow.light(view.camera, part)
-        put_before(picture, view.first, light, coverage, floor, _fade(view.width))
-    return Image.fromarray(encode_srgb(picture))
+        _put_before(picture, view.first, light, coverage, floor, _fade(view.width))
+    return encode_srgb(picture)
 
 
 def _fade(width: int) -> Array:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from scipy.ndimage import maximum_filter1d
+from numpy.lib.stride_tricks import sliding_window_view
 
 from swifttailor.arrays import Longs
 
@@ -55,8 +55,8 @@ def pack_skyline(sizes: Longs, side: int) -> Longs | None:
     for w, h in sizes.tolist():
         if w > side:
             return None
-        # Entry x of the filtered skyline is the highest of the columns x to x + w - 1.
-        rests = maximum_filter1d(skyline, w, origin=-(w // 2), mode="nearest")[: side - w + 1]
+        # Entry x is the highest of the columns x to x + w - 1.
+        rests = sliding_window_view(skyline, w).max(axis=1)
         x = int(rests.argmin())
         y = int(rests[x])
         if y + h > side:

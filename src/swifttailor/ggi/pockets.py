@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from swifttailor.ggi.stitching import StitchingImage
 
@@ -32,6 +31,8 @@ def fill_pockets(
     Returns:
         Panel indices and positions with the holes filled.
     """
+    from scipy import ndimage  # takes a twentieth of a second to load
+
     panel, geometry = panel.astype(np.int64), geometry.astype(np.float64)
     empty = panel < 0
     # What touches at a corner hangs together: between two such pixels there is no triangle.

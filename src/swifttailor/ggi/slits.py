@@ -11,7 +11,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
@@ -253,6 +252,8 @@ def _of_large_pieces(
     # Pixels inside hang together wherever they touch, so that only the faces at the rim need to be walked.
     image = np.zeros(grid.resolution**2, np.bool_)
     image[grid.pixels[inside]] = True
+    from scipy import ndimage  # takes a twentieth of a second to load
+
     blobs, blob_count = ndimage.label(image.reshape(grid.numbers.shape), np.ones((3, 3)))
     blob = blobs.ravel()[grid.pixels[vertex_pixel]].astype(np.int64) - 1
     node = np.where(np.arange(len(vertex_pixel)) < fan_count, np.arange(len(vertex_pixel)), fan_count + blob)

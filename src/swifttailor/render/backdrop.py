@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from scipy.ndimage import gaussian_filter
 
 from swifttailor.arrays import Array
+from swifttailor.render.blur import gaussian_blur
 from swifttailor.render.camera import Camera
 from swifttailor.render.rasterize import Triangles, nearest_triangles
 
@@ -56,8 +56,8 @@ class FloorShadow:
         points /= self._cell
         nearest = nearest_triangles(seen_from_afar(points, rows[1].copy(), cull=-1.0), (width, height))
         above = np.maximum(nearest.depth(1e6), 0.0).astype(np.float32)
-        touching = gaussian_filter(np.exp(-above / 2.5), 2.0 / self._cell, mode="constant")
-        hanging = gaussian_filter(np.exp(-above / 45.0), 12.0 / self._cell, mode="constant", truncate=3.0)
+        touching = gaussian_blur(np.exp(-above / 2.5), 2.0 / self._cell, reflects=False)
+        hanging = gaussian_blur(np.exp(-above / 45.0), 12.0 / self._cell, truncate=3.0, reflects=False)
         self._map = np.clip(0.55 * touching + 0.50 * hanging, 0.0, 0.8)
 
     def light(self, camera: Camera, size: tuple[int, int]) -> Array:

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.render.surface import LineSet
 
 if TYPE_CHECKING:
     from swifttailor.render.scene import Projection
 
+_dim_along = CompiledLoop("swifttailor.render.shading_kernels", "dim_along")
 _LIFT = 0.5
 """A line is seen when it lies less than this behind what the pixel shows, cm."""
 
@@ -26,11 +28,9 @@ def draw_lines(kept: Array, projection: Projection, index: int, line: LineSet, s
         line: The edges.
         samples: Samples along a side of a finished pixel.
     """
-    from swifttailor.render.shading_kernels import dim_along
-
     scene, nearest = projection.scene, projection.nearest
     edges = np.ascontiguousarray(np.asarray(line.edges).reshape(-1, 2), np.int32)
     lift = scene.surfaces[index].lift
     depths = np.array([nearest.low, nearest.steps, projection.camera.perspective, lift])
     points = projection.points[scene.first_vertex[index] :]
-    dim_along(kept, edges, points, nearest.keys, depths, line.strength, line.width * samples / 2, _LIFT)
+    _dim_along(kept, edges, points, nearest.keys, depths, line.strength, line.width * samples / 2, _LIFT)

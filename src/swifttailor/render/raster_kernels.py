@@ -11,13 +11,13 @@ import math
 import numpy as np
 from numba import njit
 
-from swifttailor.render.compile_options import FAST
+from swifttailor.render.compile_options import EXACT, FAST, HELPER
 
 NOTHING = np.iinfo(np.int64).max
 """The key of a sample that shows no triangle."""
 
 
-@njit(cache=True, error_model="numpy")
+@njit(**EXACT)
 def add_normals(vertices, faces, normals):
     """Fills `normals` (n, 3) float32 with unit normals, area-weighted; zero where no face has any area."""
     for t in range(len(faces)):
@@ -39,7 +39,7 @@ def add_normals(vertices, faces, normals):
             normals[v, k] *= inverse
 
 
-@njit(cache=True, error_model="numpy")
+@njit(**EXACT)
 def fill(nearest, front, points, depth, faces, surface, hidden_turn, low_z, steps, height, width):
     """Lowers the keys `nearest` (height x width,) int64 at pixel centres: `rasterize.rasterize`.
 
@@ -117,7 +117,7 @@ def fill(nearest, front, points, depth, faces, surface, hidden_turn, low_z, step
                     nearest[at] = key
 
 
-@njit(**FAST)
+@njit(**HELPER)
 def weigh(t, x, y, points, faces, perspective):
     """Weights of the three corners of triangle t at the picture's x, y."""
     a, b, c = faces[t, 0], faces[t, 1], faces[t, 2]

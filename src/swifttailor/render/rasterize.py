@@ -11,7 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.compiled_loop import CompiledLoop
 
+_fill = CompiledLoop("swifttailor.render.raster_kernels", "fill")
 _NOTHING = np.iinfo(np.int64).max
 _DEPTH_STEPS = float(2**31 - 1)
 
@@ -65,8 +67,6 @@ def nearest_triangles(
         size: Width and height in pixels.
         depths: The least and the most depth; found here when None.
     """
-    from swifttailor.render.raster_kernels import fill
-
     width, height = size
     keys, front = np.full((height, width), _NOTHING), np.zeros(len(triangles.faces), np.bool_)
     if not len(triangles.faces):
@@ -77,7 +77,7 @@ def nearest_triangles(
     if not low <= high:
         return DepthKeys(keys, front, 0.0, 1.0)
     steps = _DEPTH_STEPS / max(high - low, 1e-12)
-    fill(
+    _fill(
         keys.reshape(-1),
         front,
         triangles.points,

@@ -9,10 +9,13 @@ from functools import cached_property
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.render.backdrop import FloorShadow
 from swifttailor.render.camera import NEAR, Camera
 from swifttailor.render.rasterize import DepthKeys, Triangles, nearest_triangles
 from swifttailor.render.surface import Surface
+
+_add_normals = CompiledLoop("swifttailor.render.raster_kernels", "add_normals")
 
 
 class Scene:
@@ -47,10 +50,8 @@ class Scene:
     @cached_property
     def normals(self) -> Array:
         """(n, 3) float32 unit normals of the vertices; zero where a vertex has no face of any area."""
-        from swifttailor.render.raster_kernels import add_normals
-
         normals = np.zeros((len(self.vertices), 3), np.float32)
-        add_normals(self.vertices, self.faces, normals)
+        _add_normals(self.vertices, self.faces, normals)
         return normals
 
     @cached_property

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numba import njit
 
-from swifttailor.render.compile_options import FAST
+from swifttailor.render.compile_options import FAST, HELPER
 from swifttailor.render.raster_kernels import NOTHING, weigh
 
 _STEP = 0.6
@@ -39,6 +39,7 @@ def light_samples(
     lights,
     samples,
     once,
+    shade,
 ):
     """Adds up the light that the samples of each pixel send (`lighting` says from where).
 
@@ -66,9 +67,10 @@ def light_samples(
         samples: Samples along each side of a pixel.
         once: Pixels whose samples all show one side of one surface, too, are lit once, by their middle's
             normal; else only those that show one triangle.
+        shade: (2, 3) float32 to work with.
     """
     height, width = light.shape[:2]
-    gain, base = np.zeros(3, np.float32), np.zeros(3, np.float32)
+    gain, base = shade[0], shade[1]
     share = _F(1) / _F(samples * samples)
     half, one, zero = _F(0.5), _F(1), _F(0)
     for j in range(height):
@@ -126,9 +128,9 @@ def light_samples(
                     highlight = glint * glint * glint * materials[place, 7] * arriving
                     velvet = edge * (one - facing) * materials[place, 6] * open_sky
                     for k in range(3):
-                        shade = key_part * lights[3, k] + fill * lights[4, k]
-                        shade += sky * (lights[6, k] - lights[7, k]) + open_sky * lights[7, k]
-                        gain[k] = shade + _F(0.65) * rim * lights[5, k] + _F(0.7) * velvet
+                        lit = key_part * lights[3, k] + fill * lights[4, k]
+                        lit += sky * (lights[6, k] - lights[7, k]) + open_sky * lights[7, k]
+                        gain[k] = lit + _F(0.65) * rim * lights[5, k] + _F(0.7) * velvet
                         base[k] = highlight + _F(0.35) * rim * lights[5, k] + _F(0.3) * velvet
                 coverage[j, i, 0] += share
                 left = share if len(kept) == 0 else share * kept[row, column]
@@ -138,7 +140,7 @@ def light_samples(
                     light[j, i, k] += (color * gain[k] + base[k]) * left
 
 
-@njit(**FAST)
+@njit(**HELPER)
 def _diffuse(nx, ny, nz, light):
     facing = nx * light[0] + ny * light[1] + nz * light[2]
     return max((facing + light[3]) / (_F(1) + light[3]), _F(0))
@@ -195,56 +197,53 @@ def arriving_key_light(key, distance, normal, geometry, to_map, out, origin, dep
 
 
 @njit(**FAST)
-def darken_deep(sky, depth, step, taps, blocks, reach, strength):
-    """Takes light from what lies deeper than its neighbourhood, a Gaussian mean over what is seen.
+def add_blocks(sums, counts, depth, step):
+    """Adds up the depth of what is seen in square blocks of pixels.
+
+    Args:
+        sums: (rows, columns) float32 depth, zeros before.
+        counts: (rows, columns) float32 pixels that show something, zeros before.
+        depth: (h, w) float32, infinite where nothing is.
+        step: Pixels along a side of a block.
+    """
+    for j in range(depth.shape[0]):
+        for i in range(depth.shape[1]):
+            if depth[j, i] < np.inf:
+                sums[j // step, i // step] += depth[j, i]
+                counts[j // step, i // step] += _F(1)
+
+
+@njit(**FAST)
+def darken_deep(sky, depth, step, sums, counts, reach, strength):
+    """Takes light from what lies deeper than the mean of its neighbourhood.
 
     Args:
         sky: (h, w) float32 share of light, lowered in place.
         depth: (h, w) float32, infinite where nothing is.
-        step: Pixels along a side of the blocks that the mean is made of.
-        taps: (n,) float32 weights at distances of 0, 1, ... blocks.
-        blocks: (2, 2, rows, columns) float32 zeros to work in.
+        step: Pixels along a side of a block.
+        sums: (rows, columns) float32 of `add_blocks`, blurred.
+        counts: (rows, columns) float32 of `add_blocks`, blurred in the same way.
         reach: Depth at which it is darkest.
         strength: How much light is then taken.
     """
-    height, width = depth.shape
-    rows, columns = blocks.shape[2:]
-    inverse = _F(1) / _F(step)
-    for j in range(height):
-        b = j // step
-        for i in range(width):
-            if depth[j, i] < np.inf:
-                a = int((i + _F(0.5)) * inverse)
-                blocks[0, 0, b, a] += depth[j, i]
-                blocks[0, 1, b, a] += _F(1)
-    for kind in range(2):
-        for j in range(rows):
-            for k in range(1 - len(taps), len(taps)):
-                if 0 <= j + k < rows:
-                    for i in range(columns):
-                        blocks[1, kind, j, i] += taps[abs(k)] * blocks[0, kind, j + k, i]
-        for j in range(rows):
-            for i in range(columns):
-                blocks[0, kind, j, i] = _F(0)
-            for k in range(1 - len(taps), len(taps)):
-                for i in range(max(0, -k), min(columns, columns - k)):
-                    blocks[0, kind, j, i] += taps[abs(k)] * blocks[1, kind, j, i + k]
-    for j in range(height):
-        down = min(max((j + _F(0.5)) * inverse - _F(0.5), _F(0)), _F(rows - 1))
+    rows, columns = sums.shape
+    inverse, half = _F(1) / _F(step), _F(0.5)
+    for j in range(depth.shape[0]):
+        down = min(max((j + half) * inverse - half, _F(0)), _F(rows - 1))
         b = min(int(down), max(rows - 2, 0))
         below, t = min(b + 1, rows - 1), down - b
-        for i in range(width):
+        for i in range(depth.shape[1]):
             if depth[j, i] < np.inf:
-                across = min(max((i + _F(0.5)) * inverse - _F(0.5), _F(0)), _F(columns - 1))
+                across = min(max((i + half) * inverse - half, _F(0)), _F(columns - 1))
                 a = min(int(across), max(columns - 2, 0))
                 beside, s = min(a + 1, columns - 1), across - a
                 w0, w1, w2, w3 = (1 - t) * (1 - s), (1 - t) * s, t * (1 - s), t * s
-                total = w0 * blocks[0, 0, b, a] + w1 * blocks[0, 0, b, beside]
-                total += w2 * blocks[0, 0, below, a] + w3 * blocks[0, 0, below, beside]
-                weight = w0 * blocks[0, 1, b, a] + w1 * blocks[0, 1, b, beside]
-                weight += w2 * blocks[0, 1, below, a] + w3 * blocks[0, 1, below, beside]
-                deeper = (depth[j, i] - total / max(weight, _F(1e-6))) / reach
-                sky[j, i] -= strength * min(max(deeper, _F(0)), _F(1))
+                total = w0 * sums[b, a] + w1 * sums[b, beside]
+                total += w2 * sums[below, a] + w3 * sums[below, beside]
+                weight = w0 * counts[b, a] + w1 * counts[b, beside]
+                weight += w2 * counts[below, a] + w3 * counts[below, beside]
+                deeper = (depth[j, i] - total / max(weight, _F(1e-6))) / _F(reach)
+                sky[j, i] -= _F(strength) * min(max(deeper, _F(0)), _F(1))
 
 
 @njit(**FAST)

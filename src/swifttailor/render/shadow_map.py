@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.render.camera import Camera
 from swifttailor.render.rasterize import nearest_triangles
 
 if TYPE_CHECKING:
     from swifttailor.render.scene import Scene
 
+_arriving_key_light = CompiledLoop("swifttailor.render.shading_kernels", "arriving_key_light")
 _CELL = 0.6
 """Size of a cell, cm; grown for wide scenes and for small pictures."""
 _PIXELS, _LARGEST_CELL = 1.0, 1.2
@@ -63,8 +65,6 @@ class ShadowMap:
             normal: (h, w, 3) float32 of each, in the world.
             samples: Along each side of a pixel.
         """
-        from swifttailor.render.shading_kernels import arriving_key_light
-
         to_map = self._axes @ camera.axes.T
         origin = self._axes @ (np.asarray(camera.target) + camera.distance * camera.axes[2])
         out = self._axes * _OFFSET
@@ -73,9 +73,9 @@ class ShadowMap:
             rows[:2] /= self._cell
         perspective = camera.distance if camera.perspective else 0.0
         middle = (samples // 2 + 0.5) / samples
-        geometry = camera.height / distance.shape[0], perspective, middle, _BIAS
+        geometry = float(camera.height / distance.shape[0]), float(perspective), middle, _BIAS
         key = np.ones(distance.shape, np.float32)
-        arriving_key_light(key, distance, normal, geometry, to_map, out, origin, self._depth, _FADE)
+        _arriving_key_light(key, distance, normal, geometry, to_map, out, origin, self._depth, _FADE)
         return key
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.errors import InputError
 from swifttailor.render.backdrop import wall
 from swifttailor.render.camera import Camera
@@ -20,6 +21,9 @@ from swifttailor.render.scene import Projection, Scene
 from swifttailor.render.shadow_map import ShadowMap
 from swifttailor.render.surface import Surface
 
+_find_middles = CompiledLoop("swifttailor.render.raster_kernels", "find_middles")
+_light_samples = CompiledLoop("swifttailor.render.shading_kernels", "light_samples")
+_put_before = CompiledLoop("swifttailor.render.shading_kernels", "put_before")
 MAX_SAMPLES = 64_000_000
 """Most samples in one picture."""
 _COARSE_CM = 0.35
@@ -105,8 +109,6 @@ def _finish(
     samples: int,
 ) -> tuple[Array, Projection]:
     """The picture of `render_view` and the scene in it."""
-    from swifttailor.render.shading_kernels import put_before
-
     projection = project(scene, camera, size, samples)
     light, coverage = light_figure(projection, size, lighting=lighting, shadows=shadows, samples=samples)
     if background is None:
@@ -118,7 +120,7 @@ def _finish(
         shadow = scene.floor_shadow(camera.height / size[1])
         if shadow is not None:
             kept = shadow.light(camera, size)
-    put_before(backdrop, 0, light, coverage, kept, np.ones(size[0], np.float32))
+    _put_before(backdrop, 0, light, coverage, kept, np.ones(size[0], np.float32))
     return encode_srgb(backdrop), projection
 
 
@@ -185,17 +187,15 @@ def light_figure(
     samples: int = 2,
 ) -> tuple[Array, Array]:
     """Lights what a projection shows; arguments and result are those of `draw_figure`."""
-    from swifttailor.render.shading_kernels import light_samples
-
     (width, height), scene, camera = size, projection.scene, projection.camera
     normal, distance = _middles(projection, size, samples)
     key, room = _all_light(size)
     if shadows:
         key, room = _occlusion(projection, distance, normal, samples, lighting)
-    coarse = camera.height / height > _COARSE_CM
+    coarse = bool(camera.height / height > _COARSE_CM)
     prints = paint_prints(projection, samples, few=coarse)
     light, coverage = np.zeros((height, width, 3), np.float32), np.zeros((height, width, 1), np.float32)
-    light_samples(
+    _light_samples(
         light,
         coverage,
         projection.nearest.keys,
@@ -218,6 +218,7 @@ def light_figure(
         lighting.table(camera.axes),
         samples,
         coarse,
+        np.zeros((2, 3), np.float32),
     )
     return light, coverage
 
@@ -229,12 +230,10 @@ def _all_light(size: tuple[int, int]) -> tuple[Array, Array]:
 
 def _middles(projection: Projection, size: tuple[int, int], samples: int) -> tuple[Array, Array]:
     """Normals (h, w, 3) in the world, and distances (h, w) from the camera, at the middles of pixels."""
-    from swifttailor.render.raster_kernels import find_middles
-
     width, height = size
     distance = np.full((height, width), np.float32(np.inf))
     normal = np.zeros((height, width, 3), np.float32)
-    find_middles(
+    _find_middles(
         projection.nearest.keys,
         projection.nearest.front,
         samples,

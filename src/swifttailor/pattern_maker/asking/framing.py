@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from swifttailor.arrays import Floats, Pixels
 from swifttailor.pattern_maker.asking.pictures import require_picture
@@ -161,6 +160,8 @@ def _fit_backdrop(small: Floats) -> _Backdrop | None:
 
 def _find_figure(small: Floats, backdrop: _Backdrop) -> NDArray[np.bool_] | None:
     """(h, w) where something stands before the background; None where nothing does, or everything."""
+    from scipy import ndimage  # takes a twentieth of a second to load
+
     height, width = small.shape[:2]
     x, y = _places(height, width)
     behind = backdrop.at(x.ravel(), y.ravel()).reshape(small.shape)
