@@ -98,3 +98,21 @@ def _bare(graph: bytes) -> bytes:
     model = onnx.load_model_from_string(graph)
     del model.metadata_props[:]
     return model.SerializeToString()
+
+
+@pytest.mark.needs_torch
+def test_weights_fit_pictures_of_any_size():
+    import torch
+
+    from swifttailor.picture_reader.export_torch import build_network
+
+    torch.manual_seed(0)
+    size = TINY | {"heads": 2, "mask_width": 8}
+    small, large = build_network(size).eval(), build_network(size | {"image_size": 192}).eval()
+    large.load_state_dict(small.state_dict())
+    picture = torch.rand(1, 3, 192, 192)
+    with torch.no_grad():
+        first, again = small(picture), large(picture)
+        assert all(torch.equal(a, b) for a, b in zip(first, again, strict=True))
+        reduced = small(torch.nn.functional.avg_pool2d(picture, 3))
+    assert reduced.masks.shape == (1, 2, 16, 16) and first.masks.shape == (1, 2, 48, 48)

@@ -15,6 +15,8 @@ from swifttailor.picture_reader.labels import BOX, PARTS, VIEW, measure_labels, 
 
 STRIDE = 16
 """Pixels to a cell of the map that topics look at."""
+GRID = 12
+"""Cells along each side for which there are learnt places; between them for maps of another size."""
 
 
 @dataclass(frozen=True)
@@ -79,8 +81,7 @@ class EyesNetwork(nn.Module):
         width = config.width
         self.lateral = nn.ModuleList(nn.Conv2d(c, width, 1) for c in config.stages[2:])
         self.smooth = nn.Sequential(nn.Conv2d(width, width, 3, padding=1), nn.BatchNorm2d(width), nn.ReLU())
-        side = config.image_size // STRIDE
-        self.places = nn.Parameter(torch.randn(1, side * side, width) * 0.02)
+        self.places = nn.Parameter(torch.randn(1, width, GRID, GRID) * 0.02)
         self.mask_lateral = nn.ModuleList(
             nn.Conv2d(c, config.mask_width, 1) for c in (*config.stages[:2], width)
         )
@@ -114,8 +115,10 @@ class EyesNetwork(nn.Module):
         masks = masks + F.interpolate(self.mask_lateral[1](second), scale_factor=2.0, mode="nearest")
         masks = masks + F.interpolate(self.mask_lateral[2](third), scale_factor=4.0, mode="nearest")
         masks = self.mask(F.relu(masks))
-        tokens = third.flatten(2).transpose(1, 2) + self.places
-        seen = self.looks(tokens)
+        places = self.places
+        if third.shape[-2:] != places.shape[-2:]:
+            places = F.interpolate(places, third.shape[-2:], mode="bilinear", align_corners=False)
+        seen = self.looks((third + places).flatten(2).transpose(1, 2))
         return Reading(*self.says(seen), masks)
 
 
