@@ -12,6 +12,7 @@ from torch.nn import functional as F
 
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.picture_reader.labels import BOX, PARTS, VIEW, measure_labels, statement_labels, topics
+from swifttailor.picture_reader.units import MEASURE_CM
 
 STRIDE = 16
 """Pixels to a cell of the map that topics look at."""
@@ -49,7 +50,7 @@ class Reading(NamedTuple):
     panels: Tensor
     """(B, 2, P) logits."""
     boxes: Tensor
-    """(B, 2, P, 5) `BOX` in half metres."""
+    """(B, 2, P, 5) `BOX` in units of `units.BOX_CM`."""
     view: Tensor
     """(B, 6) `VIEW`."""
     masks: Tensor
@@ -200,4 +201,4 @@ class _Rows(nn.Module):
 
 def scaled(measures: Tensor) -> Tensor:
     """Measures as the network predicts them: off by the centimetre where they are small, else by share."""
-    return torch.asinh(measures / 10.0)
+    return torch.asinh(measures / MEASURE_CM)

@@ -21,6 +21,7 @@ from swifttailor.picture_reader.labels import (
     statement_labels,
 )
 from swifttailor.picture_reader.reading import Measure, PartReading, PictureReading, SeenPanel, Statement
+from swifttailor.picture_reader.units import BOX_CM, MEASURE_CM, NARROWEST, WIDEST
 from swifttailor.picture_reader.view import camera_of
 
 SHIPPED = Path(__file__).with_name("picture_reader.onnx")
@@ -30,8 +31,6 @@ KIND = ModelKind("picture reader", "swifttailor picture-reader 1", 2**28, ({GRAP
 LEAST_PRESENT = 0.5
 LEAST_CERTAINTY = 0.3
 """What is less sure is not told."""
-BOX_CM = 50.0
-"""Unit of the boxes."""
 _MARGIN = 0.35
 """Around the garment, as a share of its larger extent: what hangs where is told by the body around it."""
 _HALF = float(np.log(2))
@@ -178,9 +177,9 @@ def _measures(has: NDArray[Any], measured: NDArray[Any]) -> tuple[Measure, ...]:
     found = []
     for k, name in enumerate(measure_labels()):
         if certain[k] >= LEAST_PRESENT:
-            middle, width = float(measured[k, 0]), float(np.exp(np.clip(measured[k, 1], -5.0, 3.0)))
-            value = 10 * np.sinh(middle)
-            off = 10 * (np.sinh(middle + _HALF * width) - np.sinh(middle - _HALF * width)) / 2
+            middle, width = float(measured[k, 0]), float(np.exp(np.clip(measured[k, 1], NARROWEST, WIDEST)))
+            value = MEASURE_CM * np.sinh(middle)
+            off = MEASURE_CM * (np.sinh(middle + _HALF * width) - np.sinh(middle - _HALF * width)) / 2
             found.append(Measure(name, float(value), float(off), float(certain[k])))
     return tuple(found)
 

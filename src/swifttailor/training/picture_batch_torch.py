@@ -16,10 +16,8 @@ from swifttailor.data.pictures.blocks import Block, Blocks
 from swifttailor.picture_reader.labels import MASK_STRIDE
 from swifttailor.picture_reader.network_torch import scaled
 from swifttailor.picture_reader.truth import TRUE, UNCLEAR
+from swifttailor.picture_reader.units import BOX_CM
 from swifttailor.training.picture_config import PictureConfig
-
-HALF_METRES = 50.0
-"""Boxes are predicted in this many cm."""
 
 
 class Answers(NamedTuple):
@@ -66,7 +64,7 @@ class TruthTable:
             has.float(),
             scaled(measures.nan_to_num(0.0)),
             panels.float() * present[..., None],
-            self.boxes[k].float() / HALF_METRES,
+            self.boxes[k].float() / BOX_CM,
             views,
             masks,
         )

@@ -7,6 +7,7 @@ from torch import Tensor
 from torch.nn import functional as F
 
 from swifttailor.picture_reader.network_torch import Reading
+from swifttailor.picture_reader.units import NARROWEST, WIDEST
 from swifttailor.training.picture_batch_torch import Answers
 from swifttailor.training.picture_config import LossWeights
 
@@ -24,7 +25,7 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
         "statements": _cross_entropy(reading.statements, truth.statements, truth.clear),
         "has": _cross_entropy(reading.has, truth.has, there.expand_as(truth.has)),
     }
-    value, width = reading.measures[..., 0], reading.measures[..., 1].clamp(-5.0, 3.0)
+    value, width = reading.measures[..., 0], reading.measures[..., 1].clamp(NARROWEST, WIDEST)
     likelihood = (value - truth.measures).abs() * torch.exp(-width) + width
     losses["measures"] = (likelihood * truth.has).sum()
     losses["panels"] = _cross_entropy(reading.panels, truth.panels, there.expand_as(truth.panels))

@@ -11,9 +11,9 @@ from torch import Tensor
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Family, draw
 from swifttailor.data.pictures.scenes import View, Wardrobe
-from swifttailor.picture_reader.labels import statement_labels
+from swifttailor.evaluation.pictures.reading import claims_read
 from swifttailor.picture_reader.network_torch import EyesNetwork, Reading
-from swifttailor.picture_reader.truth import FALSE, TRUE, UNCLEAR
+from swifttailor.picture_reader.truth import TRUE, UNCLEAR
 from swifttailor.training.picture_batch_torch import TruthTable
 from swifttailor.training.picture_calibration import calibration_error, fit_scales
 from swifttailor.training.picture_config import PictureConfig
@@ -91,18 +91,11 @@ def judge(network: EyesNetwork, held: ValidationPictures, device: torch.device) 
     reading = read_all(network, held.pictures, device)
     rows = np.arange(len(held))
     logits = reading.statements.numpy()[rows, held.parts]
-    claims = np.array([claim for claim, _ in statement_labels()])
     right: dict[str, float] = {}
     of_look: list[list[np.ndarray[Any, Any]]] = [[] for _ in SHOWN]
     everything = []
-    for claim in dict.fromkeys(claims):
-        columns = np.flatnonzero(claims == claim)
-        asked = np.flatnonzero((held.judged[:, columns] == TRUE).any(axis=1))
-        if not len(asked):
-            continue
-        said = columns[logits[asked][:, columns].argmax(axis=1)]
-        good = held.judged[asked, said] != FALSE
-        right[str(claim)] = round(float(good.mean()), 4)
+    for claim, (asked, good) in claims_read(logits, held.judged).items():
+        right[claim] = round(float(good.mean()), 4)
         everything.append(good)
         for n in range(len(SHOWN)):
             of_look[n].append(good[asked % len(SHOWN) == n])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -136,15 +137,36 @@ class Share:
 
 
 def claim_shares(pictures: list[ReadPicture]) -> dict[str, Share]:
-    """Of each claim: in how many pictures the likeliest word is not false, of those where a word is true."""
+    """`claims_read` of some pictures, as shares."""
+    certain, judged = np.stack([p.certain for p in pictures]), np.stack([p.judged for p in pictures])
+    found = np.array([p.found for p in pictures])
+    return {
+        claim: Share(int((good & found[asked]).sum()), len(asked))
+        for claim, (asked, good) in claims_read(certain, judged).items()
+    }
+
+
+def claims_read(
+    certain: NDArray[Any], judged: NDArray[np.uint8]
+) -> dict[str, tuple[NDArray[np.intp], NDArray[np.bool_]]]:
+    """How each claim is read, of the pictures of garments of which one of its words is clearly true.
+
+    Args:
+        certain: (n, S) certainties or logits of the statements.
+        judged: (n, S) `truth.FALSE`, `TRUE` or `UNCLEAR`.
+
+    Returns:
+        By claim: which pictures those are, and whether the likeliest word is not false in each.
+    """
     claims = np.array([claim for claim, _ in statement_labels()])
-    shares = {}
+    read = {}
     for claim in dict.fromkeys(claims):
         columns = np.flatnonzero(claims == claim)
-        asked = [p for p in pictures if (p.judged[columns] == TRUE).any()]
-        good = sum(p.found and p.judged[columns[p.certain[columns].argmax()]] != FALSE for p in asked)
-        shares[str(claim)] = Share(int(good), len(asked))
-    return {name: share for name, share in shares.items() if share.of}
+        asked = np.flatnonzero((judged[:, columns] == TRUE).any(axis=1))
+        if len(asked):
+            said = columns[certain[asked][:, columns].argmax(axis=1)]
+            read[str(claim)] = asked, judged[asked, said] != FALSE
+    return read
 
 
 def stated_shares(pictures: list[ReadPicture], least: float) -> tuple[Share, Share]:
