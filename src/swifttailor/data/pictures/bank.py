@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.arrays import Floats, Ints
+from swifttailor.arrays import Floats
 from swifttailor.body.rig import Rig, Weights
 from swifttailor.body.worn import garment_weights
 from swifttailor.data.array_cache import ArrayCache, Arrays, name_with_code
 from swifttailor.data.reader import SplitReader
+from swifttailor.data.renders.draw import ClothMesh
 from swifttailor.data.sample import Sample
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError
@@ -31,21 +32,9 @@ Report = Callable[[str], None]
 
 
 @dataclass(frozen=True, eq=False)
-class WornGarment:
-    """A garment as it is drawn, and what is true of it."""
+class WornGarment(ClothMesh):
+    """A garment as it is drawn on the default body, and what is true of it."""
 
-    vertices: Floats
-    """(v, 3) at rest on the default body, cm."""
-    faces: Ints
-    """(f, 3)."""
-    face_panel: Ints
-    """(f,) panel of each face."""
-    cloth_at: Floats
-    """(f, 3, 2) where on their panel the corners of the faces lie, cm."""
-    seams: Ints
-    """(s, 2) edges along seams."""
-    borders: Ints
-    """(b, 2) edges that have one face."""
     weights: Weights
     """Who carries its vertices when the body moves."""
     truth: Truth

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from types import SimpleNamespace
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.body import Body
-from swifttailor.data.pictures.bank import PictureBank, WornGarment
+from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.scenes import VIEWS, Chance, Scene, View, Wardrobe, draw_scene
-from swifttailor.data.renders.draw import draw_seen, look_camera
+from swifttailor.data.renders.draw import draw_seen
 from swifttailor.data.renders.look import random_look
 from swifttailor.data.renders.plain_look import plain_look
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS
@@ -94,34 +93,19 @@ def draw(wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Ch
         look = plain_look(side)
     else:
         look = random_look(chance, view)
-    garment, body = _as_garment(worn), _body()
-    drawn = draw_seen(garment, body, look, size)
+    drawn = draw_seen(worn, _body(), look, size)
     cells = size // MASK_STRIDE
     share = drawn.shares[:, :, -1].reshape(cells, MASK_STRIDE, cells, MASK_STRIDE).mean(axis=(1, 3))
     masks = np.zeros((cells, cells, len(PARTS)), np.uint8)
     masks[:, :, worn.truth.part] = np.round(255 * share)
     garments = np.full(len(PARTS), -1)
     garments[worn.truth.part] = number
-    return Scene(drawn.pixels, masks, view_of(look_camera(garment.vertices, body, look), size), garments)
+    return Scene(drawn.pixels, masks, view_of(drawn.camera, size), garments)
 
 
 @lru_cache(maxsize=2)
 def _order(seed: int, epoch: int, count: int) -> NDArray[np.int64]:
     return np.random.default_rng([seed, 4, epoch]).permutation(count)
-
-
-class _Mesh:
-    """What drawing wants of a `PatternMesh`."""
-
-    def __init__(self, worn: WornGarment) -> None:
-        self.faces, self.face_panel = worn.faces, worn.face_panel
-        self.flat_vertices = worn.cloth_at.reshape(-1, 2)
-        self.flat_faces = np.arange(3 * len(worn.faces)).reshape(-1, 3)
-        self.seams = [SimpleNamespace(vertices=edge) for edge in worn.seams]
-
-
-def _as_garment(worn: WornGarment) -> Any:
-    return SimpleNamespace(vertices=worn.vertices, faces=worn.faces, mesh=_Mesh(worn))
 
 
 @cache

@@ -15,10 +15,36 @@ from swifttailor.garment.garment import Garment
 from swifttailor.garment.preview import border_edges
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.render import Camera, LineSet, Surface, render_view
-from swifttailor.render.color import encode_srgb
 from swifttailor.render.view import render_seen
 
 _GREY: Rgb = (0.58, 0.52, 0.47)
+
+
+@dataclass(frozen=True, eq=False)
+class ClothMesh:
+    """A garment as pictures show it."""
+
+    vertices: Floats
+    """(v, 3) cm."""
+    faces: Ints
+    """(f, 3) vertex indices."""
+    face_panel: Ints
+    """(f,) panel of each face."""
+    cloth_at: Array
+    """(f, 3, 2) where on their panel the corners of the faces lie, cm."""
+    seams: Ints
+    """(s, 2) edges along seams."""
+    borders: Ints
+    """(b, 2) edges that have one face."""
+
+    @staticmethod
+    def of(garment: Garment) -> ClothMesh:
+        """Of any garment."""
+        sewn = _sewn(garment.mesh)
+        mesh = garment.mesh
+        return ClothMesh(
+            garment.vertices, mesh.faces, mesh.face_panel, sewn.cloth_at, sewn.seams, sewn.borders
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,13 +56,11 @@ class Drawn:
     shares: Array
     """(size, size, surfaces) float32 share of each pixel in which a surface is seen: the body first, where
     there is one, then the garment."""
-    face: Ints
-    """(size, size) the garment's face at the middle of each pixel; -1 for none, -2 for the body."""
+    camera: Camera
+    """That saw it."""
 
 
-def draw_look(
-    garment: Garment, body: Body, look: Look, size: int = 256, *, rest: Floats | None = None
-) -> Pixels:
+def draw_look(garment: Garment, body: Body, look: Look, size: int = 256) -> Pixels:
     """Draws a garment as a look wants it.
 
     Args:
@@ -44,26 +68,19 @@ def draw_look(
         body: Who wears it; hidden where the look has no body, but it still says how tall people are.
         look: Everything else.
         size: Pixels along each side.
-        rest: (v, 3) the garment's vertices on the standing body, cm, where it has been posed since.
 
     Returns:
         (size, size, 3) uint8 sRGB, row 0 at the top.
     """
-    surfaces, camera = _placed(garment, body, look, rest)
-    return _through_camera(_drawing(render_view, surfaces, camera, look, size), look, size)[0]
+    surfaces, camera = _placed(ClothMesh.of(garment), body, look)
+    return _drawing(render_view, surfaces, camera, look, size)
 
 
-def draw_seen(
-    garment: Garment, body: Body, look: Look, size: int = 256, *, rest: Floats | None = None
-) -> Drawn:
-    """Draws a garment as `draw_look` does, and says what is seen where; the arguments are the same."""
-    surfaces, camera = _placed(garment, body, look, rest)
+def draw_seen(cloth: ClothMesh, body: Body, look: Look, size: int = 256) -> Drawn:
+    """Draws a garment as `draw_look` does, and says where it is seen; the other arguments are the same."""
+    surfaces, camera = _placed(cloth, body, look)
     seen = _drawing(render_seen, surfaces, camera, look, size)
-    pixels, cover = _through_camera(seen.pixels, look, size)
-    bodies = sum(len(s.faces) for s in surfaces[:-1])
-    face = np.where(seen.face >= bodies, seen.face - bodies, np.where(seen.face >= 0, -2, -1))
-    face[cover < 0.5] = -1
-    return Drawn(pixels, seen.shares * cover[:, :, None], face.astype(np.int32))
+    return Drawn(seen.pixels, seen.shares, camera)
 
 
 def draw_body(body: Body, look: Look, size: int = 256) -> Pixels:
@@ -78,15 +95,14 @@ def draw_body(body: Body, look: Look, size: int = 256) -> Pixels:
         (size, size, 3) uint8 sRGB, row 0 at the top.
     """
     surfaces = [_figure(body, look.body or _GREY)]
-    picture = _drawing(render_view, surfaces, look_camera(body.vertices, body, look), look, size)
-    return _through_camera(picture, look, size)[0]
+    return _drawing(render_view, surfaces, _camera(body.vertices, body, look), look, size)
 
 
-def _placed(garment: Garment, body: Body, look: Look, rest: Floats | None) -> tuple[list[Surface], Camera]:
-    surfaces = [_cloth(garment, look, rest)]
+def _placed(cloth: ClothMesh, body: Body, look: Look) -> tuple[list[Surface], Camera]:
+    surfaces = [_cloth(cloth, look)]
     if look.body is not None:
         surfaces.insert(0, _figure(body, look.body))
-    return surfaces, look_camera(garment.vertices, body, look)
+    return surfaces, _camera(cloth.vertices, body, look)
 
 
 def _figure(body: Body, color: Rgb) -> Surface:
@@ -98,7 +114,7 @@ def _drawing(render, surfaces: list[Surface], camera: Camera, look: Look, size: 
         surfaces,
         camera,
         (size, size),
-        background=_backdrop(look.backdrop, size) if look.scenery is None else look.scenery.light(size),
+        background=_backdrop(look.backdrop, size),
         lighting=look.lighting,
         shadows=look.shadows,
         floor=look.shadows and look.view.whole_body and look.body is not None,
@@ -106,43 +122,25 @@ def _drawing(render, surfaces: list[Surface], camera: Camera, look: Look, size: 
     )
 
 
-def _through_camera(picture: Pixels, look: Look, size: int) -> tuple[Pixels, Array]:
-    """The picture with what is before the figure and what the camera does, and what is left to see of it."""
-    cover = np.ones((size, size), np.float32)
-    if look.before:
-        light = _TO_LINEAR[picture]
-        for thing in look.before:
-            thing.put(light, cover)
-        picture = encode_srgb(light)
-    return picture if look.effects is None else look.effects.apply(picture), cover
-
-
-_TO_LINEAR = np.where(
-    np.arange(256) <= 10, np.arange(256) / 255 / 12.92, ((np.arange(256) / 255 + 0.055) / 1.055) ** 2.4
-).astype(np.float32)
-
-
-def _cloth(garment: Garment, look: Look, rest: Floats | None = None) -> Surface:
-    lines, mesh, sewn = (), garment.mesh, _sewn(garment.mesh)
+def _cloth(cloth: ClothMesh, look: Look) -> Surface:
+    lines: tuple[LineSet, ...] = ()
     if look.seams:
         lines = (
-            LineSet(sewn.seams, strength=look.seams, width=0.8),
-            LineSet(sewn.borders, strength=look.seams * 0.7, width=0.8),
+            LineSet(cloth.seams, strength=look.seams, width=0.8),
+            LineSet(cloth.borders, strength=look.seams * 0.7, width=0.8),
         )
     tones = np.asarray(look.panel_colors or [(1.0, 1.0, 1.0)])
     plain = not look.panel_colors
     return Surface(
-        garment.vertices,
-        mesh.faces,
-        tones[0] if len(tones) == 1 else tones[mesh.face_panel % len(tones)],
+        cloth.vertices,
+        cloth.faces,
+        tones[0] if len(tones) == 1 else tones[cloth.face_panel % len(tones)],
         np.asarray(look.inside),
         lines=lines,
         lift=0.35,
-        sheen=look.sheen,
-        gloss=look.gloss,
+        sheen=0.08,
         print=look.print if plain else None,
-        print_at=sewn.print_at if plain else None,
-        rest=rest,
+        print_at=cloth.cloth_at if plain else None,
         trusted=True,
     )
 
@@ -153,7 +151,7 @@ class _Sewn:
 
     seams: Ints
     borders: Ints
-    print_at: Array
+    cloth_at: Array
 
 
 _SEWN: WeakKeyDictionary[PatternMesh, _Sewn] = WeakKeyDictionary()
@@ -171,8 +169,8 @@ def _sewn(mesh: PatternMesh) -> _Sewn:
     return _SEWN[mesh]
 
 
-def look_camera(shown: Floats, body: Body, look: Look) -> Camera:
-    """The camera of a look, which shows vertices (n, 3) that the body wears."""
+def _camera(shown: Floats, body: Body, look: Look) -> Camera:
+    """Shows vertices (n, 3) that the body wears."""
     view = look.view
     if view.camera is not None:
         return view.camera

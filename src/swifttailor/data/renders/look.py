@@ -7,9 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from swifttailor.data.renders.backdrops import Scenery
-from swifttailor.data.renders.camera_effects import CameraEffects
-from swifttailor.data.renders.foreground import Before
 from swifttailor.render import Camera, Checks, Dots, Light, Lighting, Plain, Print, Stripes, to_linear
 from swifttailor.render.lighting import STUDIO
 
@@ -82,16 +79,6 @@ class Look:
     shadows: bool = True
     panel_colors: tuple[Rgb, ...] = ()
     """Colours of consecutive panels instead of the print, repeated as needed."""
-    gloss: float = 0.0
-    """Of the cloth, as of satin and leather; see `render.Surface`."""
-    sheen: float = 0.08
-    """Of the cloth; see there."""
-    scenery: Scenery | None = None
-    """Takes the place of `backdrop`, where given."""
-    before: tuple[Before, ...] = ()
-    """Things before the figure."""
-    effects: CameraEffects | None = None
-    """What the camera does to the picture."""
 
 
 def random_look(chance: np.random.Generator, view: str) -> Look:
@@ -108,8 +95,8 @@ def random_look(chance: np.random.Generator, view: str) -> Look:
     return Look(
         print=cloth,
         inside=_rgb(inside),
-        view=random_view(chance, view),
-        body=random_body(chance, base),
+        view=_random_view(chance, view),
+        body=_random_body(chance, base),
         backdrop=_random_backdrop(chance),
         lighting=random_lighting(chance),
         seams=float(chance.uniform(0.1, 0.45)) if chance.random() < 0.6 else 0.0,
@@ -142,7 +129,7 @@ def _random_print(chance: np.random.Generator) -> Print:
     return Dots(first, second, spacing, spacing * float(chance.uniform(0.15, 0.38)), angle, grain, seed)
 
 
-def random_view(chance: np.random.Generator, view: str) -> View:
+def _random_view(chance: np.random.Generator, view: str) -> View:
     """A camera drawn by lot, for one of `VIEWS`."""
     around = {"front": chance.normal(0, 9), "back": 180 + chance.normal(0, 9), "free": chance.uniform(0, 360)}
     return View(
@@ -155,7 +142,7 @@ def random_view(chance: np.random.Generator, view: str) -> View:
     )
 
 
-def random_body(chance: np.random.Generator, cloth: np.ndarray) -> Rgb | None:
+def _random_body(chance: np.random.Generator, cloth: np.ndarray) -> Rgb | None:
     """A skin or a mannequin that can be told from the cloth, or nobody."""
     kind = chance.random()
     if kind < 0.25:
