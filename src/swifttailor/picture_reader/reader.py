@@ -23,6 +23,7 @@ from swifttailor.picture_reader.labels import (
 from swifttailor.picture_reader.reading import Measure, PartReading, PictureReading, SeenPanel, Statement
 from swifttailor.picture_reader.units import BOX_CM, MEASURE_CM, NARROWEST, WIDEST
 from swifttailor.picture_reader.view import camera_of
+from swifttailor.render.pixels import require_picture
 
 SHIPPED = Path(__file__).with_name("picture_reader.onnx")
 INPUTS = ("pictures",)
@@ -80,7 +81,7 @@ class PictureReader:
         Raises:
             InputError: It is no picture of three colours.
         """
-        _require_picture(pixels)
+        require_picture(pixels)
         height, width = pixels.shape[:2]
         side = max(height, width)
         whole = ((width - side) // 2, (height - side) // 2, side)
@@ -210,8 +211,3 @@ def _mask(cells: NDArray[Any], square: tuple[int, int, int], shape: tuple[int, i
 
 def _share(logits: NDArray[Any]) -> NDArray[Any]:
     return 1 / (1 + np.exp(-np.clip(logits.astype(np.float64), -60, 60)))
-
-
-def _require_picture(pixels: Pixels) -> None:
-    if pixels.ndim != 3 or pixels.shape[2] != 3 or min(pixels.shape) < 1 or pixels.dtype != np.uint8:
-        raise InputError(f"A picture is (h, w, 3) of bytes; got {pixels.shape} of {pixels.dtype}.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,12 +32,12 @@ MOST_COLORS = 6
 """Of one print."""
 
 
-class KnownPrint:
+class KnownPrint(ABC):
     """What all prints here have in common: a row of numbers for the compiled loop."""
 
+    @abstractmethod
     def table(self) -> Array:
         """See `cloth_table`."""
-        raise NotImplementedError
 
     def colors(self, at: Array, rest: Array | None = None) -> Array:
         """See `Print`.

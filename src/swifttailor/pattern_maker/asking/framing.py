@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.arrays import Floats, Pixels
-from swifttailor.pattern_maker.asking.pictures import require_picture
+from swifttailor.render.pixels import require_picture
 
 MARGIN = 0.11
 """Free space on each side of the figure, as a share of its larger extent: the middle of what renders have."""

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Pixels
 from swifttailor.errors import InputError
+from swifttailor.render.pixels import require_picture
 
 _MEAN = np.array([0.485, 0.456, 0.406], np.float32)
 _SPREAD = np.array([0.229, 0.224, 0.225], np.float32)
@@ -59,16 +60,6 @@ def picture_for_network(pixels: Pixels, size: int) -> NDArray[np.float32]:
         image = image.resize((size, size), Image.Resampling.BICUBIC)
     values = (np.asarray(image, np.float32) / 255 - _MEAN) / _SPREAD
     return np.ascontiguousarray(values.transpose(2, 0, 1), np.float32)
-
-
-def require_picture(pixels: Pixels) -> None:
-    """Refuses arrays that are no picture.
-
-    Raises:
-        InputError: It is no picture of three colours.
-    """
-    if pixels.ndim != 3 or pixels.shape[2] != 3 or min(pixels.shape) < 1 or pixels.dtype != np.uint8:
-        raise InputError(f"A picture is (h, w, 3) of bytes; got {pixels.shape} of {pixels.dtype}.")
 
 
 def read_picture(path: Path | str) -> Pixels:
