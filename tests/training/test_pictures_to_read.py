@@ -82,7 +82,7 @@ def test_pictures_are_fixed_by_their_lots_and_masks_lie_on_the_garment(wardrobe,
         mask = first.masks[:, :, part]
         assert mask.max() > 100, "the garment is seen"
         assert (first.garments[1 - part] >= 0) or not first.masks[:, :, 1 - part].any()
-        camera = camera_of(first.view)
+        camera = camera_of(first.views)
         middle = camera.project(np.array([[0.0, 120.0 if part == 0 else 70.0, 0.0]]), (SIZE, SIZE))[0, :2]
         rows, columns = np.nonzero(mask > 100)
         away = np.abs(np.array([columns.mean(), rows.mean()]) * 4 + 2 - middle)

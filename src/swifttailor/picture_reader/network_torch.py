@@ -11,6 +11,7 @@ from torch import Tensor, nn
 from torch.nn import functional as F
 
 from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import BOX, PARTS, VIEW, measure_labels, statement_labels, topics
 from swifttailor.picture_reader.units import MEASURE_CM
 
@@ -53,6 +54,8 @@ class Reading(NamedTuple):
     """(B, 2, P, 5) `BOX` in units of `units.BOX_CM`."""
     view: Tensor
     """(B, 6) `VIEW`."""
+    figures: Tensor
+    """(B, 3) logits: how many people there are, by `FIGURES`."""
     masks: Tensor
     """(B, 2, h, w) logits: where in the picture the garment is, a cell every `MASK_STRIDE` pixels."""
 
@@ -165,6 +168,7 @@ class _Answers(nn.Module):
         self.measures = _Rows(len(PARTS) * len(of_measure) * 3, width)
         self.panels = nn.Linear(width, len(PANEL_NAMES) * (1 + len(BOX)))
         self.present, self.view = nn.Linear(width, 1), nn.Linear(2 * width, len(VIEW))
+        self.figures = nn.Linear(2 * width, len(FIGURES))
 
     def forward(self, seen: Tensor) -> tuple[Tensor, ...]:
         batch, _, width = seen.shape
@@ -183,6 +187,7 @@ class _Answers(nn.Module):
             panels[..., 0],
             panels[..., 1:],
             self.view(garment.flatten(1)),
+            self.figures(garment.flatten(1)),
         )
 
 

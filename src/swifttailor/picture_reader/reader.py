@@ -27,7 +27,7 @@ from swifttailor.render.pixels import require_picture
 
 SHIPPED = Path(__file__).with_name("picture_reader.onnx")
 INPUTS = ("pictures",)
-OUTPUTS = ("present", "statements", "has", "measures", "panels", "boxes", "camera_view", "masks")
+OUTPUTS = ("present", "statements", "has", "measures", "panels", "boxes", "camera_view", "figures", "masks")
 KIND = ModelKind("picture reader", "swifttailor picture-reader 1", 2**28, ({GRAPH: (INPUTS, OUTPUTS)},))
 LEAST_PRESENT = 0.5
 LEAST_CERTAINTY = 0.3

@@ -39,6 +39,8 @@ class Answers(NamedTuple):
     """(B, 2, P, 5)."""
     view: Tensor
     """(B, 6)."""
+    figures: Tensor
+    """(B,) number of `FIGURES`."""
     masks: Tensor
     """(B, 2, h, w) shares."""
 
@@ -51,8 +53,8 @@ class TruthTable:
         self.statements, self.measures = found["statements"], found["measures"].float()
         self.panels, self.boxes = found["panels"], found["boxes"]
 
-    def answers(self, garments: Tensor, views: Tensor, masks: Tensor) -> Answers:
-        """For pictures of garments (B, 2), -1 for none; views (B, 6); masks (B, 2, h, w)."""
+    def answers(self, garments: Tensor, views: Tensor, figures: Tensor, masks: Tensor) -> Answers:
+        """For pictures of garments (B, 2), -1 for none; views (B, 6); figures (B,); masks (B, 2, h, w)."""
         present = garments >= 0
         k = garments.clamp_min(0)
         judged, measures, panels = self.statements[k], self.measures[k], self.panels[k]
@@ -66,6 +68,7 @@ class TruthTable:
             panels.float() * present[..., None],
             self.boxes[k].float() / BOX_CM,
             views,
+            figures,
             masks,
         )
 
@@ -88,8 +91,7 @@ class PictureBatches:
             seed=config.seed,
             size=drawn,
             count=config.block,
-            plain=config.plain,
-            studio=config.studio,
+            shares={name: getattr(config, name) for name in ("plain", "studio", "nothing", "several")},
         )
         self.truths = TruthTable(bank)
         self._each = config.block * config.echo // config.batch_size
@@ -107,13 +109,14 @@ class PictureBatches:
         ]
         chosen = np.concatenate(orders)[place * size : (place + 1) * size]
         chance = torch.Generator().manual_seed(hash((self.config.seed, step)) % (1 << 31))
-        pictures = torch.from_numpy(block.pictures[chosen]).permute(0, 3, 1, 2).float() / 255
+        pictures = torch.from_numpy(block.pixels[chosen]).permute(0, 3, 1, 2).float() / 255
         masks = torch.from_numpy(block.masks[chosen]).permute(0, 3, 1, 2).float() / 255
         views = torch.from_numpy(block.views[chosen])
         pictures, masks, views = moved(pictures, masks, views, chance, self.config.variation)
         pictures = relit(pictures, chance, self.config.variation)
         garments = torch.from_numpy(block.garments[chosen])
-        return pictures, self.truths.answers(garments, views, masks)
+        figures = torch.from_numpy(block.figures[chosen])
+        return pictures, self.truths.answers(garments, views, figures, masks)
 
     def _take(self, number: int) -> Block:
         if self._block is None or self._next != number + 1:

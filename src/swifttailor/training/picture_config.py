@@ -38,6 +38,7 @@ class EyesSize:
 class LossWeights:
     """What each loss counts."""
 
+    figures: float = 1.0
     present: float = 1.0
     statements: float = 1.0
     measures: float = 0.5
@@ -69,6 +70,10 @@ class PictureConfig(LoopConfig):
     """Share of pictures that look like those of GarmentCodeData."""
     studio: float = 0.25
     """Share of pictures of one garment in a studio; the others show people."""
+    nothing: float = 0.03
+    """Share of pictures without any garment: places, plain colours, drawings."""
+    several: float = 0.04
+    """Share of pictures of several people."""
     variation: float = 1.0
     """Strength of the cutting, turning and lighting."""
     validation_garments: int = 150
@@ -77,9 +82,11 @@ class PictureConfig(LoopConfig):
         super().__post_init__()
         require(self, "block", self.block % self.batch_size == 0, f"a multiple of {self.batch_size}")
         require(self, "echo", self.echo >= 1, "at least 1")
-        for name in ("plain", "studio"):
+        families = ("plain", "studio", "nothing", "several")
+        for name in families:
             require(self, name, 0 <= getattr(self, name) <= 1, "0 to 1")
-        require(self, "studio", self.plain + self.studio <= 1, f"at most 1 - plain ({1 - self.plain:g})")
+        total = sum(getattr(self, name) for name in families)
+        require(self, "studio", total <= 1, f"such that {', '.join(families)} are at most 1 together")
         require(self, "variation", self.variation >= 0, "0 or more")
         require(self, "validation_garments", self.validation_garments >= 1, "at least 1")
         require(self, "compiled", not self.compiled, "false")

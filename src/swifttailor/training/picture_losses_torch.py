@@ -6,6 +6,7 @@ import torch
 from torch import Tensor
 from torch.nn import functional as F
 
+from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.network_torch import Reading
 from swifttailor.picture_reader.units import NARROWEST, WIDEST
 from swifttailor.training.picture_batch_torch import Answers
@@ -16,12 +17,15 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     """The losses of a batch, a picture; ``total`` is the weighted sum.
 
     Statements count where they are clear, everything but `present` where a garment is; measures by the
-    likelihood of a Laplace distribution whose width the network says; boxes of panels that are there.
+    likelihood of a Laplace distribution whose width the network says; boxes of panels that are there. Of a
+    group nothing counts but that it is one.
     """
     reading = Reading(*(value.float() for value in reading))
     count, there = len(truth.present), truth.present[..., None]
+    several, one = (truth.figures == FIGURES.index(name) for name in ("several", "one"))
     losses = {
-        "present": F.binary_cross_entropy_with_logits(reading.present, truth.present, reduction="sum"),
+        "figures": F.cross_entropy(reading.figures, truth.figures, reduction="sum"),
+        "present": _cross_entropy(reading.present, truth.present, (~several)[:, None]),
         "statements": _cross_entropy(reading.statements, truth.statements, truth.clear),
         "has": _cross_entropy(reading.has, truth.has, there.expand_as(truth.has)),
     }
@@ -31,9 +35,10 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     losses["panels"] = _cross_entropy(reading.panels, truth.panels, there.expand_as(truth.panels))
     apart = F.smooth_l1_loss(reading.boxes, truth.boxes, reduction="none", beta=0.1).sum(-1)
     losses["boxes"] = (apart * truth.panels).sum()
-    losses["view"] = F.smooth_l1_loss(reading.view, truth.view, reduction="none", beta=0.1).sum()
+    turned = F.smooth_l1_loss(reading.view, truth.view, reduction="none", beta=0.1)
+    losses["view"] = (turned * one[:, None]).sum()
     mask = F.binary_cross_entropy_with_logits(reading.masks, truth.masks, reduction="none")
-    losses["masks"] = 10 * mask.mean(dim=(1, 2, 3)).sum()
+    losses["masks"] = 10 * (mask.mean(dim=(1, 2, 3)) * ~several).sum()
     losses = {name: value / count for name, value in losses.items()}
     factor = {"has": weights.measures} | vars(weights)
     losses["total"] = torch.stack([factor[name] * value for name, value in losses.items()]).sum()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import Literal
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from swifttailor.body import Body
 from swifttailor.data.pictures.bank import PictureBank
+from swifttailor.data.pictures.odd_scenes import draw_group, draw_nothing
 from swifttailor.data.pictures.scenes import VIEWS, Chance, Scene, View, Wardrobe, draw_scene
 from swifttailor.data.renders.draw import draw_seen
 from swifttailor.data.renders.look import random_look
@@ -18,9 +20,9 @@ from swifttailor.data.renders.plain_look import plain_look
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS
 from swifttailor.picture_reader.view import view_of
 
-Family = Literal["plain", "studio", "people", "held out"]
-"""How a picture looks: like those of GarmentCodeData; a garment in a studio; people; and people in looks that
-training never draws."""
+Family = Literal["plain", "studio", "people", "held out", "nothing", "several"]
+"""How a picture looks: like those of GarmentCodeData; a garment in a studio; people; people in looks that
+training never draws; no garment at all; and several people."""
 _VIEW_SHARES = 0.4, 0.3, 0.3
 
 
@@ -28,21 +30,23 @@ _VIEW_SHARES = 0.4, 0.3, 0.3
 class Block:
     """Some pictures of some garments."""
 
-    pictures: NDArray[np.uint8]
+    pixels: NDArray[np.uint8]
     """(n, size, size, 3)."""
+    figures: NDArray[np.int64]
+    """(n,) number of `FIGURES`."""
     masks: NDArray[np.uint8]
     """(n, size / 4, size / 4, 2), see `scenes.Scene`."""
     views: NDArray[np.float32]
     """(n, 6)."""
     garments: NDArray[np.int64]
-    """(n, 2) number of the garment of each part in the bank; -1 for none."""
+    """(n, 2) number of the garment of each part in the bank; -1 for none, and of groups."""
 
 
 class Blocks:
     """The blocks of a training."""
 
     def __init__(
-        self, bank: PictureBank, *, seed: int, size: int, count: int, plain: float, studio: float
+        self, bank: PictureBank, *, seed: int, size: int, count: int, shares: Mapping[Family, float]
     ) -> None:
         """Prepares to draw.
 
@@ -51,17 +55,15 @@ class Blocks:
             seed: Of everything.
             size: Pixels along each side of a picture.
             count: Pictures in a block.
-            plain: Share of the family ``plain``.
-            studio: Share of the family ``studio``; the others show people.
+            shares: Of families; the others show people.
         """
         self.wardrobe, self.seed, self.size, self.count = Wardrobe(bank), seed, size, count
-        self.plain, self.studio = plain, studio
+        self.shares = dict(shares)
 
     def __getitem__(self, number: int) -> Block:
         chance = np.random.default_rng([self.seed, number])
         made = [self._one(number * self.count + k, chance) for k in range(self.count)]
-        pictures, masks, views, garments = (np.stack(column) for column in zip(*made, strict=True))
-        return Block(pictures, masks, views, garments)
+        return Block(**{name: np.stack([getattr(scene, name) for scene in made]) for name in _COLUMNS})
 
     def _one(self, place: int, chance: Chance) -> Scene:
         epoch, k = divmod(place, len(self.wardrobe.bank))
@@ -71,7 +73,11 @@ class Blocks:
 
     def _family(self, chance: Chance) -> Family:
         lot = chance.random()
-        return "plain" if lot < self.plain else "studio" if lot < self.plain + self.studio else "people"
+        for family, share in self.shares.items():
+            if lot < share:
+                return family
+            lot -= share
+        return "people"
 
 
 def draw(wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Chance, size: int) -> Scene:
@@ -85,6 +91,10 @@ def draw(wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Ch
         chance: Decides everything else.
         size: Pixels along each side.
     """
+    if family == "nothing":
+        return draw_nothing(chance, size)
+    if family == "several":
+        return draw_group(wardrobe, number, chance, size)
     if family in ("people", "held out"):
         return draw_scene(wardrobe, number, view, chance, size, held_out=family == "held out")
     worn = wardrobe.bank[number]
@@ -101,6 +111,9 @@ def draw(wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Ch
     garments = np.full(len(PARTS), -1)
     garments[worn.truth.part] = number
     return Scene(drawn.pixels, masks, view_of(drawn.camera, size), garments)
+
+
+_COLUMNS = ("pixels", "masks", "views", "garments", "figures")
 
 
 @lru_cache(maxsize=2)

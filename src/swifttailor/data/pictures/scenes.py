@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache, lru_cache
 from typing import Literal, NamedTuple
 
@@ -25,6 +26,7 @@ from swifttailor.data.renders.camera_effects import random_effects
 from swifttailor.data.renders.cloths import DrawnCloth, Place, random_cloth, random_color
 from swifttailor.data.renders.foreground import random_before
 from swifttailor.data.renders.look import random_lighting
+from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS, statement_labels
 from swifttailor.picture_reader.truth import TRUE
 from swifttailor.picture_reader.view import view_of
@@ -55,10 +57,12 @@ class Scene(NamedTuple):
     """(size, size, 3)."""
     masks: NDArray[np.uint8]
     """(size / 4, size / 4, 2) share of each cell where the garment of each part is seen, of 255."""
-    view: NDArray[np.float32]
+    views: NDArray[np.float32]
     """(6,) `labels.VIEW`."""
     garments: NDArray[np.int64]
     """(2,) number of the garment of each part in the bank; -1 for none."""
+    figures: int = FIGURES.index("one")
+    """Number of `FIGURES`."""
 
 
 class Wardrobe:
@@ -84,7 +88,15 @@ class Wardrobe:
 
 
 def draw_scene(
-    wardrobe: Wardrobe, number: int, view: View, chance: Chance, size: int, *, held_out: bool = False
+    wardrobe: Wardrobe,
+    number: int,
+    view: View,
+    chance: Chance,
+    size: int,
+    *,
+    held_out: bool = False,
+    behind: NDArray[np.float32] | None = None,
+    aside: tuple[float, float] | None = None,
 ) -> Scene:
     """Draws somebody who wears a garment.
 
@@ -95,6 +107,9 @@ def draw_scene(
         chance: Decides everything else.
         size: Pixels along each side.
         held_out: Whether the look is of the family that is kept for judging; else of all others.
+        behind: (size, size, 3) linear light behind the figure; a place by lot when None.
+        aside: How far from the middle the figure stands, in sides of the picture, and how many centimetres
+            the picture is high there; the garment fills the picture when None.
     """
     worn = [(number, wardrobe.bank[number])]
     nobody = not held_out and chance.random() < _NOBODY
@@ -125,15 +140,17 @@ def draw_scene(
         )
     shown = carried[1 + len(accessories)]
     camera = _camera(shown, carried[0], view, chance)
+    if aside is not None:
+        camera = _aside(camera, *aside)
     lighting = random_lighting(chance)
     seen = render_seen(
         surfaces,
         camera,
         (size, size),
-        background=_background(chance, size, held_out),
+        background=_background(chance, size, held_out) if behind is None else behind,
         lighting=lighting,
         shadows=True,
-        floor=not nobody and chance.random() < 0.7,
+        floor=not nobody and behind is None and chance.random() < 0.7,
         samples=2,
     )
     pixels, cover = _in_front(seen.pixels, chance, size)
@@ -254,11 +271,16 @@ def _in_front(pixels: Pixels, chance: Chance, size: int) -> tuple[Pixels, NDArra
     cover = np.ones((size, size), np.float32)
     before = random_before(chance)
     if before:
-        light = _TO_LINEAR[pixels]
+        light = linear_light(pixels)
         for thing in before:
             thing.put(light, cover)
         pixels = encode_srgb(light)
     return pixels, cover
+
+
+def linear_light(pixels: Pixels) -> NDArray[np.float32]:
+    """(h, w, 3) linear light of sRGB pixels."""
+    return _TO_LINEAR[pixels]
 
 
 def _camera(shown: Floats, figure: Floats, view: View, chance: Chance) -> Camera:
@@ -280,6 +302,12 @@ def _camera(shown: Floats, figure: Floats, view: View, chance: Chance) -> Camera
     x, y, z = (float(v) for v in middle + right * shift[0] + (0.0, shift[1], 0.0))
     elevation = float(np.clip(chance.normal(4, 6), -14, 30))
     return Camera((x, y, z), seen, float(turned), elevation, float(chance.uniform(6, 40)))
+
+
+def _aside(camera: Camera, right: float, height: float) -> Camera:
+    """A view of the whole figure from the same side, off the middle by so many sides of the picture."""
+    x, y, z = (float(v) for v in np.array([0.0, 90.0, 0.0]) - camera.axes[0] * right * height)
+    return replace(camera, target=(x, y, z), height=height)
 
 
 def _linear(chance: Chance, colors: tuple[str, ...]) -> NDArray[np.float64]:
