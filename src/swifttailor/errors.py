@@ -18,6 +18,12 @@ class InputError(SwiftTailorError):
     """A file or an argument cannot be read, is of the wrong kind, or lies outside what is accepted."""
 
 
+class NothingSeenError(SwiftTailorError):
+    """A picture shows no garment that could be made."""
+
+    exit_code = 1
+
+
 class PatternError(SwiftTailorError):
     """A sewing pattern breaks the rules of the format or cannot be sewn."""
 

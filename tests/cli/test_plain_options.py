@@ -26,7 +26,7 @@ PLAIN = [
     (Sew, ["--out", "d", "a.json", "b/c.json"]),
     (Sew, ["a", "--out", "d", "--json", "--repair", "--edge-length", "3", "--rotation", "extrinsic"]),
     (Generate, ["a long dress", "--out", "d"]),
-    (Generate, ["--out", "d", "--image", "p.png", "--no-crop", "--seed", "7", "--temperature", "0.5"]),
+    (Generate, ["--out", "d", "--no-crop", "--seed", "7", "--temperature", "0.5"]),
     (Generate, ["a dress", "--out", "d", "--preview", "--samples", "3"]),
     (Edit, ["p.json", "make it longer", "--out", "d", "--no-alter"]),
 ]

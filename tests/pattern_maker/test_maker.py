@@ -17,11 +17,12 @@ from swifttailor.errors import InputError, PatternError
 from swifttailor.pattern import Pattern, check_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.tidying.mending import mend
-from swifttailor.pattern_maker.asking.pictures import picture_for_network, read_picture
+from swifttailor.pattern_maker.asking.pictures import picture_for_network
 from swifttailor.pattern_maker.maker import PatternMaker, Request
 from swifttailor.pattern_maker.network.model_file import load_model
 from swifttailor.pattern_maker.tokens.decode import decode
 from swifttailor.pattern_maker.tokens.encode import encode
+from swifttailor.render.picture_file import read_picture
 
 TINY = Path(__file__).with_name("tiny_maker.zip")
 

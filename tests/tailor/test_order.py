@@ -53,9 +53,9 @@ def test_patterns_are_named_after_what_was_asked_for(order, title):
 def test_what_is_told_of_an_order_holds_no_paths_and_is_json():
     told = Order("\ud800\0 长", "/home/me/secret/photo.png", edit=draft("t-shirt")).to_json()
     assert "secret" not in json.dumps(told)
-    assert (told["image"], told["edited"], told["attempts"]) == ("photo.png", "t-shirt", 4)
+    assert (told["images"], told["edited"], told["attempts"]) == (["photo.png"], "t-shirt", 4)
     assert Order("x", temperature=0.0).to_json()["attempts"] == 1
-    assert Order("x", np.zeros((4, 4, 3), np.uint8)).to_json()["image"] is True
+    assert Order("x", np.zeros((4, 4, 3), np.uint8)).to_json()["images"] == [True]
 
 
 @pytest.mark.parametrize(

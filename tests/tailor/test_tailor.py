@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from scripted_maker import crossed, scripted_maker, sure_of
+from seeing import Seeing, worn
 
 import swifttailor
 from swifttailor.describing import measure_facts
@@ -256,8 +257,10 @@ def photo(tmp_path: Path, color=(200, 30, 30), background=(240, 240, 240), size=
 
 def shown_for(image, sewer, **order):
     maker = scripted_maker([SKIRT])
-    (made,) = Tailor.load(maker, sewer).make(Order("", image, **order))
-    return made, maker.model.runtime.pictures[0]
+    eyes = Seeing((worn("lower", {"kind": ("skirt", 0.95)}),))
+    tailor = Tailor.load(maker, sewer, picture_reader=eyes)
+    (made,) = tailor.make(Order("", image, **order))
+    return made, next(iter(maker.model.runtime.pictures), None)
 
 
 def cloth_share(shown: np.ndarray) -> float:
@@ -272,27 +275,30 @@ def test_a_picture_is_cropped_to_the_garment_unless_told_otherwise(tmp_path, sew
     assert shown.shape == (3, 32, 32)
     assert cloth_share(shown) > 0.3 > 0.12 > cloth_share(whole)
     assert any("cropped" in n for n in made.notes)
-    assert any("was not judged" in n for n in made.notes), "without a measure none is made up"
     assert made.confidence is None and made.report["confidence"] is None
-    assert made.report["order"]["image"] == "photo.png" and made.pattern.name == "photo"
+    assert made.report["order"]["images"] == ["photo.png"] and made.pattern.name == "photo"
     array, same = shown_for(np.asarray(Image.open(path)), sewer)
-    assert np.array_equal(same, shown) and array.report["order"]["image"] is True
+    assert np.array_equal(same, shown) and array.report["order"]["images"] == [True]
 
 
 @pytest.mark.parametrize("background", ["noise", "plain"])
-def test_what_could_not_be_cropped_is_said(background, tmp_path, sewer):
+def test_what_could_not_be_cropped_is_said_where_it_is_shown_to_the_network(background, tmp_path, sewer):
     pixels = np.random.default_rng(0).integers(0, 255, (80, 60, 3), np.uint8)
     pixels = pixels if background == "noise" else np.full_like(pixels, 200)
-    made, _ = shown_for(pixels, sewer)
+    made, shown = shown_for(pixels, sewer)
+    assert shown is None, "words say what was read; the network knows no such backgrounds"
     said = "not plain" if background == "noise" else "Nothing stands out"
-    assert any(said in n for n in made.notes)
+    made, shown = shown_for(pixels, sewer, alter=False)
+    assert shown is not None and any(said in n for n in made.notes)
+    assert any("was not judged" in n for n in made.notes), "without a measure none is made up"
 
 
 def test_a_picture_unlike_all_that_are_known_is_doubted(tmp_path, sewer):
     _, shown = shown_for(photo(tmp_path), sewer)
     usual = sure_of(tuple(shown.mean(axis=(1, 2))))
     maker = scripted_maker([SKIRT], calibration=usual)
-    tailor = Tailor.load(maker, sewer)
+    eyes = Seeing((worn("lower", {}),))
+    tailor = Tailor.load(maker, sewer, picture_reader=eyes)
     trusted = tailor.generate(image=photo(tmp_path))
     assert trusted.confidence.value > 0.5 and not trusted.warnings
     assert trusted.report["confidence"]["measure"] == "familiarity"
@@ -301,14 +307,15 @@ def test_a_picture_unlike_all_that_are_known_is_doubted(tmp_path, sewer):
     assert "may show no garment" in doubted.warnings[0] and "confidence 0.000" in doubted.warnings[0]
     assert doubted.report["confidence"]["doubtful"] is True
     assert tailor.generate("a skirt").confidence is None
-    helpless = Tailor.load(scripted_maker([crossed(SKIRT)], calibration=usual), sewer)
+    crossing = scripted_maker([crossed(SKIRT)], calibration=usual)
+    helpless = Tailor.load(crossing, sewer, picture_reader=eyes)
     with pytest.raises(PatternError, match=r"crosses itself .* may show no garment"):
         helpless.generate(image=photo(tmp_path, (10, 10, 10), (20, 120, 20)))
 
 
 def test_a_picture_that_cannot_be_read_is_refused(tmp_path, sewer):
     (tmp_path / "text.png").write_text("a long dress")
-    tailor = Tailor.load(scripted_maker([SKIRT]), sewer)
+    tailor = Tailor.load(scripted_maker([SKIRT]), sewer, picture_reader=Seeing())
     with pytest.raises(InputError, match="is not a readable picture"):
         tailor.generate(image=tmp_path / "text.png")
     with pytest.raises(InputError, match="of bytes"):

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from swifttailor.cli.making import Making
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError
 
+if TYPE_CHECKING:
+    from swifttailor.tailor import Order, Tailor
+
 _PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".gif", ".tif", ".tiff")
+_BOTH = ("upper", "lower")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -18,17 +22,27 @@ class Generate(Making):
     """Make a sewing pattern and its garment from a description, a picture, or both.
 
     Writes pattern.json, pattern.svg, garment.glb, garment.obj, preview.png, ggi.npz and report.json into a
-    folder.
+    folder; with a picture also seen.png, what was looked at.
 
-    Exit code 0: made; 1: made, but read what it says, or some samples failed; 2: nothing was made.
+    Exit code 0: made; 1: made, but read what it says, or some samples failed, or no garment was found in the
+    picture; 2: nothing was made.
     """
 
     text: Annotated[tyro.conf.Positional[str], tyro.conf.arg(metavar="TEXT")] = ""
     """What the garment should be, in English: "a knee-length sleeveless dress with a V neck"."""
-    image: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Picture of one garment, best against a plain background: PNG, JPEG, WEBP, BMP, GIF or TIFF."""
+    image: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE")] = ()
+    """Picture of a garment, or of one person: PNG, JPEG, WEBP, BMP, GIF or TIFF. Give two for the front and
+    the back of one garment. What TEXT says outranks it."""
+    part: Literal["upper", "lower", "whole"] | None = None
+    """Which garment in the picture: on the upper body, on the lower, or one dress or jumpsuit. Default: all
+    that are seen; two get a folder each in DIR."""
+    read: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Only read the picture: print what it shows, write seen.png and reading.json."""
     crop: bool = True
-    """Crop the picture to its figure where the background is plain."""
+    """Show PatternMaker the picture cropped to its figure where the background is plain."""
+
+    picture_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Model file (.onnx) of a trained picture reader. Default: the one in the package."""
 
     def run(self) -> int:
         """Makes what is asked for, prints what came of it, and returns the exit code.
@@ -36,15 +50,59 @@ class Generate(Making):
         Raises:
             SwiftTailorError: Nothing could be made.
         """
-        if not self.text.strip() and self.image is None:
+        self._require_request()
+        self.require_options()
+        if self.read:
+            from swifttailor.cli.read_pictures import read_pictures
+
+            return read_pictures(self)
+        order = self.order(self.text, image=self.image or None, crop=self.crop, part=self.part)
+        return self.make(order)
+
+    def tailor(self, **networks: Path | None) -> Tailor:
+        """Who makes the garments, and reads the pictures."""
+        return super().tailor(picture_reader=self.picture_reader_weights, **networks)
+
+    def several(self, tailor: Tailor, order: Order) -> dict[str, Order]:
+        """Both garments of a picture that shows two, unless one is asked for.
+
+        Raises:
+            InputError: A picture cannot be read.
+        """
+        if not self.image or not self.alter:
+            return {"": order}
+        from dataclasses import replace
+
+        from swifttailor.tailor.looking import parts_seen
+
+        pictures = tuple(tailor.look(path) for path in self.image)
+        order = replace(order, image=pictures)
+        seen = parts_seen(pictures)
+        if self.part is not None or len(seen) < 2 or self.text.strip():
+            return {"": order}
+        return {name: replace(order, part=name) for name in seen}
+
+    def folders_within(self) -> tuple[str, ...]:
+        """Of the garments of a picture that shows two."""
+        return ("", *_BOTH) if self.image and self.part is None else ("",)
+
+    def _require_request(self) -> None:
+        if not self.text.strip() and not self.image:
             raise InputError(
                 'Nothing was requested. Describe a garment: swifttailor generate "a long dress" --out DIR, '
                 "or give a picture of one: --image FILE"
             )
-        if self.image is None and Path(self.text.strip()).suffix.lower() in _PICTURES:
+        if not self.image and Path(self.text.strip()).suffix.lower() in _PICTURES:
             raise InputError(
                 f"'{self.text}' looks like a picture's name and was given as the text. To use the picture: "
                 f"--image {self.text}"
             )
-        self.require_options()
-        return self.make(self.order(self.text, image=self.image, crop=self.crop))
+        for path in self.image[1:]:
+            if path.suffix.lower() not in _PICTURES and not path.exists():
+                raise InputError(
+                    f"'{path}' was given as a picture, and there is no such file. Put the text before "
+                    f'--image: swifttailor generate "{path}" --image {self.image[0]} --out {self.out}'
+                )
+        for option, given in (("--part", self.part is not None), ("--read", self.read)):
+            if given and not self.image:
+                raise InputError(f"{option} is about a picture, and there is none. Give one: --image FILE")

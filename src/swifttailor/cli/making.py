@@ -21,7 +21,7 @@ from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
-    from swifttailor.tailor import Order, Tailored
+    from swifttailor.tailor import Order, Tailor, Tailored
 
 SOMETHING_TO_LOOK_AT = 1
 UNUSABLE = 2
@@ -77,16 +77,46 @@ class Making:
         require_edge_length(self.edge_length)
         require_threads(self.threads)
         require_writable_folder(self.out)
-        for folder in self.folders():
-            require_own_files(folder, (PATTERN, DRAWING, GLB, OBJ, PREVIEW, "report.json", "ggi.npz"))
-        if self.samples > 1 and (self.out / SHEET).exists() and not any(f.exists() for f in self.folders()):
+        files = (PATTERN, DRAWING, GLB, OBJ, PREVIEW, "report.json", "ggi.npz", "seen.png")
+        possible = [folder for within in self.folders_within() for folder in self.folders(within)]
+        for folder in possible:
+            require_own_files(folder, files)
+        if (self.out / SHEET).exists() and not any(f.exists() for f in possible if f != self.out):
             raise InputError(f"'{self.out / SHEET}' would be replaced. Choose another --out.")
 
-    def folders(self) -> list[Path]:
-        """Of the samples."""
+    def folders(self, within: str = "") -> list[Path]:
+        """Of the samples of an order.
+
+        Args:
+            within: Folder of the order in DIR; DIR itself when empty.
+        """
+        out = self.out / within
         if self.samples == 1:
-            return [self.out]
-        return [self.out / f"seed-{self.seed + k}" for k in range(self.samples)]
+            return [out]
+        return [out / f"seed-{self.seed + k}" for k in range(self.samples)]
+
+    def folders_within(self) -> tuple[str, ...]:
+        """Folders of orders in DIR that there may be."""
+        return ("",)
+
+    def tailor(self, **networks: Path | None) -> Tailor:
+        """Who makes the garments.
+
+        Args:
+            networks: Model files of others than both commands need, as `Tailor.load` names them.
+        """
+        from swifttailor.tailor import Tailor
+
+        given: dict[str, Any] = networks
+        return Tailor.load(self.maker_weights, self.sewer_weights, threads=self.threads, **given)
+
+    def several(self, tailor: Tailor, order: Order) -> dict[str, Order]:
+        """The orders that one is, by their folder in DIR.
+
+        Raises:
+            SwiftTailorError: It cannot be read.
+        """
+        return {"": order}
 
     def order(self, text: str, **asked: Any) -> Order:
         """What is wanted, and how to make it.
@@ -120,14 +150,20 @@ class Making:
         """
         from swifttailor.cli.progress import StageProgress
         from swifttailor.garment.folder import PREVIEW
-        from swifttailor.tailor import Tailor, Tailored
+        from swifttailor.tailor import Tailored
 
         started = time.perf_counter()
-        tailor = Tailor.load(self.maker_weights, self.sewer_weights, threads=self.threads)
+        tailor = self.tailor()
         with StageProgress() as progress:
             for note in tailor.compile_notes(finish=self.finish):
                 progress.note(note)
-            outcomes = dict(zip(self.folders(), tailor.make(order, progress=progress), strict=True))
+            outcomes = {
+                folder: one
+                for within, part in self.several(tailor, order).items()
+                for folder, one in zip(
+                    self.folders(within), tailor.make(part, progress=progress), strict=True
+                )
+            }
             made = {folder: one for folder, one in outcomes.items() if isinstance(one, Tailored)}
             if not made:
                 raise next(one for one in outcomes.values() if isinstance(one, SwiftTailorError))
@@ -136,7 +172,7 @@ class Making:
                 one.save(folder, preview=self.preview)
                 if not self.preview:  # one of the garment that was here before
                     (folder / PREVIEW).unlink(missing_ok=True)
-            if self.preview and self.samples > 1:
+            if self.preview and len(outcomes) > 1:
                 _write_sheet(self.out / SHEET, made)
         if self.json:
             _print_json(outcomes)
@@ -144,8 +180,8 @@ class Making:
             shared = _shared(list(made.values()))
             print("".join(f"{line}\n" for line in shared), end="")  # noqa: T201
             for folder, one in outcomes.items():
-                _say(folder, one, shared, alone=self.samples == 1)
-            look = self.out / (SHEET if self.samples > 1 else "preview.png")
+                _say(folder, one, shared, alone=len(outcomes) == 1)
+            look = self.out / (SHEET if len(outcomes) > 1 else "preview.png")
             seconds = time.perf_counter() - started
             where = f"; look at {look}" if self.preview else ""
             print(f"{seconds:.1f} s in all{where}.")  # noqa: T201

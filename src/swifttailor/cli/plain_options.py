@@ -74,6 +74,8 @@ def _given(options: dict[str, _Option], arguments: list[str]) -> dict[str, Any]:
             name, value = flags[argument]
         elif argument in names:
             name, text = names[argument], next(waiting, "-")
+            if options[name].several:  # where they end, tyro says
+                raise _NotPlain
             value = _value(options[name].kind, text)
         else:
             raise _NotPlain
@@ -124,7 +126,7 @@ def _option(field: Field[Any]) -> _Option:
     if configured - {"Positional", "FlagCreatePairsOff", ""}:
         raise _NotPlain
     kind, positional = ast.unparse(node), "Positional" in configured
-    several = positional and kind == "tuple[Path, ...]"
+    several = kind == "tuple[Path, ...]"
     kind = "Path" if several else kind.removesuffix(" | None")
     if kind.startswith("Literal["):
         kind = f"({kind.removeprefix('Literal[').removesuffix(']')},)"

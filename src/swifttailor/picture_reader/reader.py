@@ -14,6 +14,7 @@ from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.errors import InputError
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
 from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import (
     PARTS,
     labels_checksum,
@@ -88,7 +89,8 @@ class PictureReader:
         answers = self._look(pixels, whole)
         nearer = _around(answers, whole)
         if nearer is not None:
-            whole, answers = nearer, self._look(pixels, nearer)
+            # Who else is there, the nearer look does not show.
+            whole, answers = nearer, self._look(pixels, nearer) | {"figures": answers["figures"]}
         return self._reading(answers, whole, (height, width))
 
     def _look(self, pixels: Pixels, square: tuple[int, int, int]) -> dict[str, Any]:
@@ -114,10 +116,14 @@ class PictureReader:
             if present[k] >= LEAST_PRESENT
         ]
         left, top, side = square
+        raised = np.exp(answers["figures"].astype(np.float64) - answers["figures"].max())
+        figures = raised / raised.sum()
         return PictureReading(
             tuple(sorted(parts, key=lambda part: -part.certainty)),
             camera_of(answers["camera_view"]),
             (left, top, left + side, top + side),
+            FIGURES[int(figures.argmax())],
+            float(figures.max()),
         )
 
 

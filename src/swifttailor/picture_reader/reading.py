@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.describing.claims import Claim
+from swifttailor.picture_reader.figures import Figures
 from swifttailor.render import Camera
 
 
@@ -75,6 +76,9 @@ class PictureReading:
     """That shows the wearer as the crop does."""
     box: tuple[int, int, int, int]
     """The square of the picture that was read: left, top, right, bottom; may lie outside."""
+    figures: Figures = "one"
+    """How many people there are; ``none`` where there is no garment either."""
+    figures_certainty: float = 1.0
 
     @property
     def face(self) -> str:
@@ -85,6 +89,8 @@ class PictureReading:
     def to_json(self) -> dict[str, Any]:
         """For a report."""
         return {
+            "figures": self.figures,
+            "figures_certainty": round(self.figures_certainty, 3),
             "side": self.face,
             "box": list(self.box),
             "parts": [

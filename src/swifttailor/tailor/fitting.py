@@ -46,7 +46,7 @@ def fit(written: WrittenPattern, wanted: Wanted) -> Answer:
     findings = written.findings if pattern is written.pattern else None
     if unsaid and leaves_hem_unsaid((*changes, *maybe)):
         pattern, level = level_hem(pattern)  # what is lengthened next stays level
-    alters = bool(changes) or unsaid
+    alters = bool(changes) or unsaid or wanted.part is not None
     taken, of_edit = _best_alteration(pattern, level, wanted) if alters else (None, False)
     if taken is not None and (taken.cuts or of_edit):
         pattern, findings = taken.pattern, None
@@ -77,9 +77,10 @@ def _best_alteration(pattern: Pattern, level: str, wanted: Wanted) -> tuple[Alte
     written = None
     if recut is None or recut.open or remade:
         written = altered(pattern, changes, wanted.original)
-        if written is not None and wanted.unsaid:
+        if written is not None and (wanted.unsaid or wanted.part is not None):
             written = replace(written, cuts=(*filter(None, [level]), *written.cuts))
-            written = _finished(written, changes, tuple(wish.change for wish in wanted.likely))
+            maybe = tuple(wish.change for wish in wanted.likely)
+            written = _finished(written, changes, maybe, unsaid=wanted.unsaid)
     # Of two that do as much, the one that leaves the rest as it was; but for another kind of garment.
     if recut is not None and len(recut.open) < len(changes):
         if written is None or len(recut.open) + remade <= len(written.open):
@@ -87,12 +88,15 @@ def _best_alteration(pattern: Pattern, level: str, wanted: Wanted) -> tuple[Alte
     return written, False
 
 
-def _finished(before: Alteration, changes: tuple[Change, ...], maybe: tuple[Change, ...]) -> Alteration:
+def _finished(
+    before: Alteration, changes: tuple[Change, ...], maybe: tuple[Change, ...], *, unsaid: bool
+) -> Alteration:
     """Does what is likely meant and what goes without saying, where that costs nothing asked for."""
     said = (*changes, *maybe)
     maybe = tuple(wish for wish in maybe if not is_of_one_side(wish))  # easily mistaken for each other
-    pattern, level = level_hem(before.pattern) if leaves_hem_unsaid(said) else (before.pattern, "")
-    more = (*maybe, *unsaid_wishes(said, before.facts))
+    level = unsaid and leaves_hem_unsaid(said)
+    pattern, level = level_hem(before.pattern) if level else (before.pattern, "")
+    more = (*maybe, *(unsaid_wishes(said, before.facts) if unsaid else ()))
     after = altered(pattern, (*changes, *more))
     if after is None or not (after.cuts or level) or set(after.open) & set(changes) - set(before.open):
         return before

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import unicodedata
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,11 +15,17 @@ from swifttailor.errors import InputError
 from swifttailor.pattern import Pattern
 from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 
+if TYPE_CHECKING:
+    from swifttailor.tailor.looking import SeenPicture
+
 MOST_SAMPLES = MOST_ATTEMPTS = 64
 USUAL_ATTEMPTS = 4
 LONGEST_TITLE = 60
 
 Image = NDArray[np.uint8] | Path | str
+Part = Literal["upper", "lower", "whole"]
+"""Where a garment in a picture is worn; ``whole`` is one dress or jumpsuit."""
+MOST_PICTURES = 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,10 +34,13 @@ class Order:
 
     text: str = ""
     """Description; the instruction where there is a pattern to edit."""
-    image: Image | None = None
-    """(h, w, 3) sRGB with row 0 at the top, or a file."""
+    image: Image | SeenPicture | Sequence[Image | SeenPicture] | None = None
+    """(h, w, 3) sRGB with row 0 at the top, a file, or what was read of one (`Tailor.look`); or two of the
+    same garment, front and back."""
     edit: Pattern | None = None
     """Pattern to change."""
+    part: Part | None = None
+    """Which of the garments in the picture; the one that covers most of it when None."""
     crop: bool = True
     """Whether a picture with a plain background is cropped to what stands before it (`framing`)."""
     samples: int = 1
@@ -50,6 +61,14 @@ class Order:
     """Whether the garment hangs to rest by physics in the end."""
 
     def __post_init__(self) -> None:
+        if len(self.images) > MOST_PICTURES:
+            raise InputError(
+                f"{len(self.images)} pictures were given; one is accepted, or a front and a back."
+            )
+        if self.part is not None and self.image is None:
+            raise InputError(f"part is '{self.part}' and there is no picture; give one, or leave part out.")
+        if self.part not in (None, *get_args(Part)):
+            raise InputError(f"part is {self.part!r}; {', '.join(get_args(Part))} are accepted.")
         if not 1 <= self.samples <= MOST_SAMPLES:
             raise InputError(f"samples is {self.samples}; 1 to {MOST_SAMPLES} is accepted.")
         if self.attempts is not None and not 1 <= self.attempts <= MOST_ATTEMPTS:
@@ -57,6 +76,14 @@ class Order:
         if self.temperature == 0 and max(self.samples, self.attempts or 1) > 1:
             many = "samples" if self.samples > 1 else "attempts"
             raise InputError(f"At temperature 0 all {many} are the same. Give a temperature above 0.")
+
+    @property
+    def images(self) -> tuple[Image | SeenPicture, ...]:
+        """All pictures."""
+        if self.image is None:
+            return ()
+        many = isinstance(self.image, Sequence) and not isinstance(self.image, str)
+        return tuple(self.image) if many else (self.image,)
 
     @property
     def most_attempts(self) -> int:
@@ -71,21 +98,30 @@ class Order:
         asked = one_line(self.text)
         if self.edit is not None:
             asked = f"{one_line(self.edit.name)}: {asked}"
-        if not asked and isinstance(self.image, Path | str):
-            asked = one_line(Path(self.image).stem)
+        if not asked and self.images:
+            asked = one_line(Path(_name(self.images[0]) or "").stem)
+            asked = f"{asked} {self.part}".strip() if self.part else asked
         return asked or "pattern"
 
     def to_json(self) -> dict[str, object]:
         """For a report: what was given, and all that decides what comes of it; no paths."""
         return {
             "text": self.text,
-            "image": Path(self.image).name if isinstance(self.image, Path | str) else self.image is not None,
+            "images": [_name(one) or True for one in self.images],
+            "part": self.part,
             "edited": self.edit.name if self.edit is not None else None,
             "crop": self.crop,
             "temperature": self.temperature,
             "attempts": self.most_attempts,
             "alter": self.alter,
         }
+
+
+def _name(image: Image | SeenPicture) -> str | None:
+    """Of its file; None where it came as an array."""
+    if isinstance(image, Path | str):
+        return Path(image).name
+    return None if isinstance(image, np.ndarray) else image.name or None
 
 
 def one_line(text: str, longest: int = LONGEST_TITLE) -> str:

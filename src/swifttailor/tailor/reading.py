@@ -12,14 +12,17 @@ from swifttailor.arrays import Pixels
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
-from swifttailor.errors import SwiftTailorError
+from swifttailor.errors import NothingSeenError, SwiftTailorError
 from swifttailor.pattern import Pattern, check_pattern
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
-from swifttailor.pattern_maker.asking.pictures import read_picture
 from swifttailor.pattern_maker.maker import Request
+from swifttailor.picture_reader.reading import PartReading
 from swifttailor.recutting.alter import Alteration, alter
 from swifttailor.recutting.one_sided import asks_for_one_side
+from swifttailor.render.picture_file import read_picture
+from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted
 from swifttailor.tailor.order import Order
+from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
 from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.spelling import put_right
@@ -48,16 +51,31 @@ class Wanted:
     image: Pixels | None = None
     """(h, w, 3) as the network is shown it."""
     wishes: tuple[Wish, ...] = ()
-    """What the text asks for, as far as it was understood for certain."""
+    """What text and pictures ask for, as far as it was understood for certain."""
     likely: tuple[Wish, ...] = ()
-    """What it may ask for, to be done last, where that costs nothing else."""
+    """What they may ask for, to be done last, where that costs nothing else."""
     notes: tuple[str, ...] = ()
-    """What was done to the picture."""
+    """What was done to the pictures."""
+    pictures: tuple[SeenPicture, ...] = ()
+    """As they were read; none where nothing is to be altered to them."""
+    part: PartReading | None = None
+    """What they say of the garment."""
+    seen: tuple[Wish, ...] = ()
+    """The wishes that are the pictures', sure and likely ones."""
+    overruled: tuple[Wish, ...] = ()
+    """What the pictures say and the text says otherwise."""
+    warnings: tuple[str, ...] = ()
+    """What is doubtful about the pictures."""
+
+    @property
+    def said(self) -> tuple[Wish, ...]:
+        """The wishes that are the text's, as far as it was understood for certain."""
+        return tuple(wish for wish in self.wishes if wish not in self.seen)
 
     @property
     def unsaid(self) -> bool:
         """Whether words are all there is to go by, so that what they do not speak of is to be as usual."""
-        return self.order.alter and self.order.edit is None and self.image is None
+        return self.order.alter and self.order.edit is None and self.image is None and self.part is None
 
     @cached_property
     def tolerated(self) -> frozenset[str]:
@@ -77,7 +95,14 @@ class Wanted:
         return altered(self.order.edit, [wish.change for wish in self.wishes], self.original)
 
     def request(self, attempt: int) -> Request:
-        """What the network is asked; of a description every second time in words that it was taught."""
+        """What the network is asked.
+
+        Of a picture it is told in words what was read of it; of a description it is asked every second time
+        in words that it was taught.
+        """
+        if self.part is not None:
+            text = self._seen_words(attempt)
+            return Request(text, self.image if text or self.image is not None else self.pictures[0].pixels)
         return Request(self._own_words(attempt) or self.text, self.image, self.order.edit)
 
     def _own_words(self, attempt: int) -> str:
@@ -88,32 +113,89 @@ class Wanted:
             return ""  # easily mistaken for each other
         return in_own_words(changes, attempt)
 
+    def _seen_words(self, attempt: int) -> str:
+        if self.text.strip() and attempt % 2 == 0:
+            return f"{self.text.strip().rstrip('.')}. {in_own_words([w.change for w in self.seen], attempt)}"
+        return in_own_words([w.change for w in (*self.wishes, *self.likely)], attempt) or self.text
 
-def read_order(order: Order, reader: WishReader | None) -> Wanted:
+
+def read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | None = None) -> Wanted:
     """Reads what an order asks for.
 
     Args:
         order: What is wanted.
         reader: Of the text; None where nothing is to be altered.
+        eyes: Reads the pictures; None where nothing is to be altered, or there are none.
 
     Raises:
-        InputError: The picture cannot be read.
+        InputError: A picture cannot be read.
+        NothingSeenError: There is no garment in a picture, and no text.
     """
-    image, notes = _picture(order)
-    if reader is None:
-        return Wanted(order, order.text, image, notes=notes)
+    if reader is None or eyes is None or not order.images:
+        image, notes = _picture(order)
+        if reader is None:
+            return Wanted(order, order.text, image, notes=notes)
+        text, found = _said(order, reader)
+        return Wanted(order, text, image, sure_wishes(found), likely_wishes(found), notes)
+    text, found = _said(order, reader)
+    sure, likely = sure_wishes(found), likely_wishes(found)
+    pictures = tuple(look_at(one, eyes) for one in order.images)
+    try:
+        part = part_wanted(pictures, order.part)
+    except NothingSeenError as error:
+        if not order.text.strip():
+            raise
+        return Wanted(order, text, None, sure, likely, pictures=pictures, warnings=(str(error),))
+    kept, overruled = not_overruled(seen_wishes(part), (*sure, *likely))
+    image, notes = _shown(pictures[0], order.crop)
+    return Wanted(
+        order,
+        text,
+        image,
+        (*sure, *(w for w in kept if w.certainty >= LEAST_CERTAINTY)),
+        (*likely, *(w for w in kept if w.certainty < LEAST_CERTAINTY)),
+        notes,
+        pictures,
+        part,
+        kept,
+        overruled,
+        _doubts(pictures),
+    )
+
+
+def _said(order: Order, reader: WishReader) -> tuple[str, tuple[Wish, ...]]:
     text = put_right(order.text)
-    found = reader.read(text, instruction=order.edit is not None)
-    return Wanted(order, text, image, sure_wishes(found), likely_wishes(found), notes)
+    return text, reader.read(text, instruction=order.edit is not None)
+
+
+def _doubts(pictures: Sequence[SeenPicture]) -> tuple[str, ...]:
+    if all(one.reading.figures == "one" for one in pictures):
+        return ()
+    return ("The picture seems to show several people. What was read may be of any of them: crop it to one.",)
 
 
 def _picture(order: Order) -> tuple[Pixels | None, tuple[str, ...]]:
-    if order.image is None:
+    """The first picture as the network is shown it, where nobody reads it."""
+    if not order.images:
         return None, ()
-    pixels = order.image if isinstance(order.image, np.ndarray) else read_picture(order.image)
+    image = order.images[0]
+    if isinstance(image, SeenPicture):
+        pixels = image.pixels
+    else:
+        pixels = image if isinstance(image, np.ndarray) else read_picture(image)
     if not order.crop:
         return pixels, ()
     framed = frame_figure(pixels)
+    return framed.pixels, _FRAMING_NOTES[framed.framing]
+
+
+def _shown(picture: SeenPicture, crop: bool) -> tuple[Pixels | None, tuple[str, ...]]:
+    """A picture that was read as the network is shown it: none before a background that it does not know."""
+    if not crop:
+        return picture.pixels, ()
+    framed = frame_figure(picture.pixels)
+    if framed.framing in (Framing.BUSY, Framing.EMPTY):
+        return None, ()
     return framed.pixels, _FRAMING_NOTES[framed.framing]
 
 

@@ -2,20 +2,66 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from swifttailor.clock import DIGITS, Clock
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern import Finding
 from swifttailor.pattern.check import Change
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.order import one_line
+from swifttailor.tailor.provenance import versions, weights
 
 if TYPE_CHECKING:
     from swifttailor.tailor.reading import Wanted
+    from swifttailor.tailor.tailor import Tailor
+    from swifttailor.tailor.tailored import Tailored
+    from swifttailor.wishes.reader import Wish
 
 LONGEST_NOTE = 200
 """Letters of a text that a note says again."""
 NOTHING_UNDERSTOOD = "Nothing measurable was understood from the text with certainty, so nothing was altered."
+
+
+def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
+    """A garment with all that is known of it in its report, its notes and its warnings.
+
+    Args:
+        sewn: As the sewer made it.
+        tailor: Who made it.
+        clock: The seconds of what was done for all garments of an order together.
+    """
+    answer, garment = sewn.answer, sewn.garment
+    wanted = answer.wanted
+    seconds = ({} if clock is None else clock.seconds) | garment.report["seconds"]
+    facts: dict[str, Any] = {} if wanted is None else order_report(answer, wanted)
+    notes = [] if wanted is None else order_notes(answer, wanted)
+    notes += finishing_notes(garment)
+    report = garment.report | {
+        "seconds": {name: round(value, DIGITS) for name, value in seconds.items()},
+        **facts,
+        "findings": [finding_entry(f) for f in sewn.findings],
+        "versions": versions(),
+        "weights": weights(
+            pattern_maker=tailor.pattern_maker if wanted is not None else None,
+            wish_reader=tailor.wish_reader if wanted is not None and wanted.said else None,
+            picture_reader=tailor.picture_reader if wanted is not None and wanted.pictures else None,
+            garment_sewer=tailor.garment_sewer,
+        ),
+    }
+    if tailor.body is not None:
+        report["body"] = tailor.body.name
+    if sewn.changes:
+        report["mended"] = [change_line(c) for c in sewn.changes]
+    warnings = order_warnings(answer)
+    if wanted is not None:
+        report["warnings"] = warnings
+    if wanted is not None or notes:
+        report["notes"] = notes
+    garment = replace(garment, report=report)
+    return replace(sewn, garment=garment, notes=tuple(notes), warnings=tuple(warnings))
 
 
 def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
@@ -43,12 +89,29 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
             {
                 "wish": wish_line(w.change),
                 "certainty": round(w.certainty, 3),
+                "from": "picture" if w in wanted.seen else "text",
                 "holds": w.change not in answer.verdict.open,
             }
             for w in wanted.wishes
         ],
+        **({"pictures": _pictures(wanted)} if wanted.pictures else {}),
         "alterations": {"of_the_pattern_to_edit": answer.of_edit, "cuts": list(answer.cuts)},
         "confidence": answer.confidence.to_json() if answer.confidence is not None else None,
+    }
+
+
+def _pictures(wanted: Wanted) -> dict[str, Any]:
+    """What was read of pictures, and what came of it."""
+    from swifttailor.wording.wish_lines import wish_line
+
+    def lines(wishes: Sequence[Wish]) -> list[dict[str, Any]]:
+        return [{"wish": wish_line(w.change), "certainty": round(w.certainty, 3)} for w in wishes]
+
+    return {
+        "read": [{"name": one.name} | one.reading.to_json() for one in wanted.pictures],
+        "part": None if wanted.part is None else wanted.part.part,
+        "likely": lines([w for w in wanted.likely if w in wanted.seen]),
+        "overruled_by_text": lines(wanted.overruled),
     }
 
 
@@ -60,14 +123,19 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     if answer.failures:
         count = len(answer.failures) + 1
         found.append(f"{count} patterns were written; number {answer.attempt + 1} was taken.")
-    if order.image is not None and answer.confidence is None:
+    if wanted.part is not None:
+        found.append(_read_line(wanted))
+    if wanted.overruled:
+        said = "; ".join(wish_line(w.change) for w in wanted.overruled)
+        found.append(f"The text overruled what the picture shows: {said}.")
+    if wanted.image is not None and wanted.part is None and answer.confidence is None:
         found.append(
             "Whether the picture shows a garment was not judged: these weights have no measure for that."
         )
     found += [f"Look at the pattern: {oddity}." for oddity in answer.verdict.oddities]
     if wanted.text != order.text:
         found.append(f"Read as: {one_line(wanted.text, LONGEST_NOTE)}")
-    if order.alter and order.text.strip() and not wanted.wishes:
+    if order.alter and order.text.strip() and not wanted.said:
         found.append(NOTHING_UNDERSTOOD)
     if answer.cuts:
         found.append(f"Altered: {'; '.join(answer.cuts)}.")
@@ -78,7 +146,18 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
 
 def order_warnings(answer: Answer) -> list[str]:
     """What of an order was not used or understood, or is doubtful."""
-    return [*answer.doubts, *(() if answer.written is None else answer.written.notes)]
+    seen = () if answer.wanted is None else answer.wanted.warnings
+    return [*seen, *answer.doubts, *(() if answer.written is None else answer.written.notes)]
+
+
+def _read_line(wanted: Wanted) -> str:
+    """What was read of a picture, on one line."""
+    from swifttailor.wording.wish_lines import wish_line
+
+    assert wanted.part is not None
+    sides = " and ".join(one.reading.face for one in wanted.pictures)
+    said = "; ".join(f"{wish_line(w.change)} ({w.certainty:.0%})" for w in wanted.seen)
+    return f"Read in the picture ({sides}, {wanted.part.part} garment): {said or 'nothing for certain'}."
 
 
 def finishing_notes(garment: Garment) -> list[str]:

@@ -7,9 +7,9 @@ from dataclasses import replace
 from functools import cached_property
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from swifttailor.clock import DIGITS, Clock
+from swifttailor.clock import Clock
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer
 from swifttailor.pattern import Pattern
@@ -17,23 +17,17 @@ from swifttailor.pattern.panel import RotationReading
 from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.progress import StageProgress
 from swifttailor.tailor.answer import Answer
-from swifttailor.tailor.order import Image, Order
+from swifttailor.tailor.order import Image, Order, Part
 from swifttailor.tailor.protocols import PatternWriter, Sewer
-from swifttailor.tailor.provenance import versions, weights
-from swifttailor.tailor.reporting import (
-    change_line,
-    finding_entry,
-    finishing_notes,
-    order_notes,
-    order_report,
-    order_warnings,
-)
+from swifttailor.tailor.reporting import described
 from swifttailor.tailor.sewing import SewingOptions, read_and_prepare, sew_answers
 from swifttailor.tailor.tailored import Tailored
 
 if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.draping.fabric import Fabric
+    from swifttailor.tailor.looking import ReadsPictures, SeenPicture
+    from swifttailor.tailor.reading import Wanted
     from swifttailor.wishes.reader import WishReader
 
 Outcome = Tailored | SwiftTailorError
@@ -49,6 +43,7 @@ class Tailor:
         garment_sewer: Sewer | Path | str | None = None,
         *,
         wish_reader: WishReader | Path | str | None = None,
+        picture_reader: ReadsPictures | Path | str | None = None,
         body: Body | None = None,
         fabric: Fabric | str = "cotton",
         threads: int = 1,
@@ -62,6 +57,8 @@ class Tailor:
                 `protocols.Sewer` says; the one that comes with the package when None.
             wish_reader: The network that reads what texts ask for, or its model file; the one that comes with
                 the package when None.
+            picture_reader: The network that reads what pictures show, its model file, or anything that does
+                what `looking.ReadsPictures` says; the one that comes with the package when None.
             body: Who wears the garments: a `GarmentSewer` sews them around it and keeps them out of it,
                 physics hangs them on it (`finish`), and previews show it. Somebody else's sewer has to know
                 it by itself, and patterns are written for the default body whoever wears them. The default
@@ -70,6 +67,7 @@ class Tailor:
             threads: CPU cores for the networks.
         """
         self._maker, self._sewer, self._reader = pattern_maker, garment_sewer, wish_reader
+        self._eyes = picture_reader
         self.body, self.fabric = body, fabric
         self._threads = threads
 
@@ -80,6 +78,7 @@ class Tailor:
         garment_sewer: Sewer | Path | str | None = None,
         *,
         wish_reader: WishReader | Path | str | None = None,
+        picture_reader: ReadsPictures | Path | str | None = None,
         body: Body | None = None,
         fabric: Fabric | str = "cotton",
         threads: int = 1,
@@ -89,6 +88,7 @@ class Tailor:
             pattern_maker,
             garment_sewer,
             wish_reader=wish_reader,
+            picture_reader=picture_reader,
             body=body,
             fabric=fabric,
             threads=threads,
@@ -136,6 +136,32 @@ class Tailor:
             return WishReader.load(self._reader, threads=self._threads)
         return self._reader
 
+    @cached_property
+    def picture_reader(self) -> ReadsPictures:
+        """The network that reads what pictures show.
+
+        Raises:
+            InputError: There are no such weights, or they are damaged.
+        """
+        if self._eyes is None or isinstance(self._eyes, Path | str):
+            from swifttailor.picture_reader.reader import PictureReader
+
+            return PictureReader.load(self._eyes, threads=self._threads)
+        return self._eyes
+
+    def look(self, image: Image) -> SeenPicture:
+        """What a picture shows: garments, what can be said of each, and where they are.
+
+        Args:
+            image: (h, w, 3) sRGB with row 0 at the top, or a file.
+
+        Raises:
+            InputError: The picture or the weights cannot be used.
+        """
+        from swifttailor.tailor.looking import look_at
+
+        return look_at(image, self.picture_reader)
+
     def compile_notes(self, *, finish: bool) -> list[str]:
         """What the first garment waits for on a machine where it is not compiled yet, in words.
 
@@ -157,8 +183,9 @@ class Tailor:
     def generate(
         self,
         text: str = "",
-        image: Image | None = None,
+        image: Image | SeenPicture | Sequence[Image | SeenPicture] | None = None,
         *,
+        part: Part | None = None,
         seed: int = 0,
         temperature: float = USUAL_TEMPERATURE,
         attempts: int | None = None,
@@ -171,7 +198,9 @@ class Tailor:
 
         Args:
             text: Description.
-            image: (h, w, 3) sRGB with row 0 at the top, or a file.
+            image: (h, w, 3) sRGB with row 0 at the top, a file, or what was read of one (`look`); or two of
+                the same garment.
+            part: See `Order`.
             seed: Decides what is drawn.
             temperature: See `Order`.
             attempts: See `Order`.
@@ -187,6 +216,7 @@ class Tailor:
         order = Order(
             text,
             image,
+            part=part,
             seed=seed,
             temperature=temperature,
             attempts=attempts,
@@ -276,19 +306,26 @@ class Tailor:
             SwiftTailorError: The orders cannot be answered at all.
         """
         # Sewing alone does without them, and starts a fifth of a second earlier.
-        from swifttailor.tailor.reading import read_order
         from swifttailor.tailor.writing import write_patterns
 
         clock = clock or Clock()
         clock.restart()
-        wanted = [read_order(order, self.wish_reader if order.alter else None) for order in orders]
+        wanted = [self._read(order) for order in orders]
         clock.stop("reading")
         samples = [(one, one.order.seed + k) for one in wanted for k in range(one.order.samples)]
         return write_patterns(self.pattern_maker, self.garment_sewer, samples, clock)
 
+    def _read(self, order: Order) -> Wanted:
+        from swifttailor.tailor.reading import read_order
+
+        if not order.alter:
+            return read_order(order, None)
+        return read_order(order, self.wish_reader, self.picture_reader if order.images else None)
+
     def _open(self, order: Order) -> None:
         """Opens the networks that an order needs, so that their time is not another stage's."""
         _ = self.pattern_maker, self.garment_sewer, self.wish_reader if order.alter else None
+        _ = self.picture_reader if order.alter and order.images else None
         if isinstance(self.garment_sewer, GarmentSewer):
             import swifttailor.tailor.writing  # noqa: F401  modules are loaded by one thread at a time
 
@@ -356,37 +393,7 @@ class Tailor:
         for sewn in sew_answers(
             self.garment_sewer, answers, options, body=self.body, fabric=self.fabric, progress=progress
         ):
-            yield self._described(sewn, clock) if isinstance(sewn, Tailored) else sewn
-
-    def _described(self, sewn: Tailored, clock: Clock | None) -> Tailored:
-        answer, garment = sewn.answer, sewn.garment
-        wanted = answer.wanted
-        seconds = ({} if clock is None else clock.seconds) | garment.report["seconds"]
-        facts: dict[str, Any] = {} if wanted is None else order_report(answer, wanted)
-        notes = [] if wanted is None else order_notes(answer, wanted)
-        notes += finishing_notes(garment)
-        report = garment.report | {
-            "seconds": {name: round(value, DIGITS) for name, value in seconds.items()},
-            **facts,
-            "findings": [finding_entry(f) for f in sewn.findings],
-            "versions": versions(),
-            "weights": weights(
-                pattern_maker=self.pattern_maker if wanted is not None else None,
-                wish_reader=self.wish_reader if wanted is not None and wanted.wishes else None,
-                garment_sewer=self.garment_sewer,
-            ),
-        }
-        if self.body is not None:
-            report["body"] = self.body.name
-        if sewn.changes:
-            report["mended"] = [change_line(c) for c in sewn.changes]
-        warnings = order_warnings(answer)
-        if wanted is not None:
-            report["warnings"] = warnings
-        if wanted is not None or notes:
-            report["notes"] = notes
-        garment = replace(garment, report=report)
-        return replace(sewn, garment=garment, notes=tuple(notes), warnings=tuple(warnings))
+            yield described(sewn, self, clock) if isinstance(sewn, Tailored) else sewn
 
 
 def _only(outcomes: list[Outcome]) -> Tailored:

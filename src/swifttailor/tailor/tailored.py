@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 RESOLUTION = 256
 """Of the images of a garment that was sewn without any."""
+SEEN = "seen.png"
 PREVIEW_SIZE = 1000, 600
 """Pixels; drawing twice as many takes longer than everything else together."""
 
@@ -107,7 +108,8 @@ class Tailored:
         """Writes everything into a folder.
 
         pattern.json, pattern.svg, garment.glb, garment.obj, report.json, and where wanted ggi.npz and
-        preview.png. Each file is written whole or not at all, report.json as the last.
+        preview.png; seen.png where a picture was read. Each file is written whole or not at all, report.json
+        as the last.
 
         Args:
             folder: Created when missing; files of these names in it are replaced, others left alone.
@@ -124,8 +126,25 @@ class Tailored:
         from swifttailor.ggi.file import GGI_FILE, write_ggi
 
         folder = Path(folder)
+        self._save_seen(folder)
         if images:
             write_ggi(self.images, folder / GGI_FILE)
         elif (folder / REPORT).is_file():
             (folder / GGI_FILE).unlink(missing_ok=True)
         return save_folder(self.garment, folder, body=self.body, preview=preview, preview_size=PREVIEW_SIZE)
+
+    def _save_seen(self, folder: Path) -> None:
+        """What was looked at in pictures; that of an earlier garment is removed."""
+        from swifttailor.garment.folder import REPORT
+
+        wanted = self.answer.wanted
+        if wanted is None or not wanted.pictures:
+            if (folder / REPORT).is_file():
+                (folder / SEEN).unlink(missing_ok=True)
+            return
+        from swifttailor.garment.binary_file import write_bytes
+        from swifttailor.render.png import encode_png
+        from swifttailor.tailor.seen_sheet import draw_seen
+
+        part = None if wanted.part is None else wanted.part.part
+        write_bytes(folder / SEEN, encode_png(draw_seen(wanted.pictures, part)))

@@ -16,6 +16,10 @@ _OF_LEGS = frozenset({"legs", "leg_hem", "leg_cuffs", "inseam_cm", "leg_cuff_cm"
 _OF_SKIRTS = frozenset({"skirt", "skirt_hem", "skirt_length_cm", "slit", "slit_size", "tiers", "hem_cm"})
 _OF_WAISTS = frozenset({"rise", "waistband", "waistband_cm", "hips", "hem_shape", "sides", "length_cm"})
 
+_WITH_LEGS = frozenset({"trousers", "shorts", "jumpsuit", "playsuit"})
+_WITH_SKIRTS = frozenset({"skirt", "dress"})
+_LOWER = frozenset({"skirt", "trousers", "shorts"})
+
 
 def in_own_words(wishes: Sequence[Change], seed: int = 0) -> str:
     """Writes a text that asks for the same; empty if there is nothing to say.
@@ -30,6 +34,17 @@ def in_own_words(wishes: Sequence[Change], seed: int = 0) -> str:
     if all(claim.name != "kind" for claim in claims):
         claims += [Claim("kind", kind) for kind in implied_kind(claims)]
     return write_claims(claims, seed).text
+
+
+def fits_kind(claim: str, kind: str) -> bool:
+    """Whether a garment of a kind can have what a claim is about: skirts have no sleeves."""
+    if claim in _OF_LEGS:
+        return kind in _WITH_LEGS
+    if claim in _OF_SKIRTS:
+        return kind in _WITH_SKIRTS
+    if claim in _OF_WAISTS or claim == "kind":
+        return True
+    return kind not in _LOWER
 
 
 def implied_kind(claims: Iterable[Claim]) -> tuple[str, ...]:

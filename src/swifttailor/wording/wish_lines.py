@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from swifttailor.describing.claims import CLAIM_TYPES
+from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.describing.differences import QUANTITIES, Change, Step
 
 
@@ -13,7 +13,11 @@ def wish_line(change: Change) -> str:
         quantity = QUANTITIES[change.quantity]
         by = "" if change.amount is None else f" by {change.amount:g}{' cm' if quantity.in_cm else ''}"
         return f"{quantity.about}: {more}{by}"
-    claim = change.claim
+    return claim_line(change.claim)
+
+
+def claim_line(claim: Claim) -> str:
+    """A claim on one line."""
     about = CLAIM_TYPES[claim.name].about
     if isinstance(claim.value, str):
         return f"{about}: {claim.value}"

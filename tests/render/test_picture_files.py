@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from swifttailor.errors import InputError
-from swifttailor.pattern_maker.asking.pictures import LONGEST_SIDE, MOST_PIXELS, read_picture
+from swifttailor.render.picture_file import LONGEST_SIDE, MOST_PIXELS, read_picture
 
 GREEN, RED = (30, 160, 60), (200, 30, 20)
 
@@ -179,7 +179,7 @@ import resource, sys
 import numpy as np
 from PIL import Image, ImageOps
 from swifttailor.errors import InputError
-from swifttailor.pattern_maker.asking.pictures import read_picture
+from swifttailor.render.picture_file import read_picture
 base = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (base + 10**9, base + 10**9))
 print(read_picture(sys.argv[1]).shape)

@@ -1,0 +1,58 @@
+"""``swifttailor generate --read``: what a picture shows, without making anything."""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from swifttailor.cli.generate import Generate
+
+READING = "reading.json"
+
+
+def read_pictures(asked: Generate) -> int:
+    """Prints what pictures show, and writes it beside what was looked at.
+
+    Returns:
+        The exit code: 1 where no garment was found.
+
+    Raises:
+        SwiftTailorError: A picture cannot be read, or the folder not be written.
+    """
+    from swifttailor.atomic_files import write_text
+    from swifttailor.garment.binary_file import write_bytes
+    from swifttailor.picture_reader.together import together
+    from swifttailor.render.png import encode_png
+    from swifttailor.tailor.looking import parts_seen
+    from swifttailor.tailor.seen_sheet import draw_seen
+    from swifttailor.tailor.tailored import SEEN
+    from swifttailor.wording.wish_lines import claim_line
+
+    tailor = asked.tailor()
+    pictures = [tailor.look(path) for path in asked.image]
+    seen = parts_seen(pictures)
+    told = [{"file": one.name} | one.reading.to_json() for one in pictures]
+    write_text(asked.out / READING, json.dumps(told, indent=2) + "\n")
+    write_bytes(asked.out / SEEN, encode_png(draw_seen(pictures, next(iter(seen), None))))
+    if asked.json:
+        sys.stdout.write(json.dumps(told, indent=2) + "\n")
+        return 0 if seen else 1
+    lines = [
+        f"{one.name}: seen from the {one.reading.face}; people: {one.reading.figures}" for one in pictures
+    ]
+    for name in seen:
+        part = together([next(p for p in one.reading.parts if p.part == name) for one in pictures])
+        lines.append(f"{name} ({part.certainty:.0%}):")
+        lines += [f"  {claim_line(s.claim)} ({s.certainty:.0%})" for s in part.statements]
+        lines += [
+            f"  {m.name}: {m.value:.1f}, give or take {m.off:.1f}" for m in part.measures if m.certainty > 0.5
+        ]
+        panels = [p.name for p in part.panels if p.certainty > 0.5]
+        lines.append(f"  panels: {', '.join(panels)}")
+    if not seen:
+        lines.append("No garment was found in the picture.")
+    lines.append(f"Wrote {asked.out / SEEN} and {asked.out / READING}.")
+    print("\n".join(lines))  # noqa: T201
+    return 0 if seen else 1

@@ -1,0 +1,181 @@
+"""What a picture says becomes part of what is asked, and of what the pattern is cut to."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+from scripted_maker import scripted_maker
+from seeing import Seeing, worn
+
+from swifttailor.cli.main import run
+from swifttailor.describing import Claim, measure_facts
+from swifttailor.describing.differences import Gain
+from swifttailor.errors import InputError, NothingSeenError
+from swifttailor.pattern.drafts import draft
+from swifttailor.picture_reader.reading import Measure
+from swifttailor.picture_reader.together import together
+from swifttailor.tailor import Order, Tailor
+from swifttailor.tailor.looking import part_wanted, parts_seen
+from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
+from swifttailor.wishes.reader import Wish
+
+PHOTO = np.random.default_rng(0).integers(0, 255, (90, 60, 3), np.uint8)
+SHIRT = worn("upper", {"kind": ("top", 0.98), "sleeves": ("long", 0.95), "top_hem": ("hip", 0.6)})
+TROUSERS = worn("lower", {"kind": ("trousers", 0.97), "leg_hem": ("full", 0.93)}, covers=0.3)
+
+
+def tailor(sewer, *readings, pattern="t-shirt", figures="one"):
+    return Tailor(
+        scripted_maker([draft(pattern)]), sewer, picture_reader=Seeing(*readings, figures=figures)
+    )
+
+
+def test_a_garment_is_cut_to_what_its_picture_shows(sewer):
+    made = tailor(sewer, (SHIRT,)).generate(image=PHOTO)
+    assert Claim("sleeves", "short").holds(measure_facts(draft("t-shirt")))
+    assert Claim("sleeves", "long").holds(measure_facts(made.pattern))
+    wishes = {w["wish"]: w for w in made.report["wishes"]}
+    assert len(wishes) == 2 and all(w["from"] == "picture" and w["holds"] for w in wishes.values())
+    (likely,) = made.report["pictures"]["likely"]
+    assert "hip" in likely["wish"] and made.report["pictures"]["part"] == "upper"
+    assert any("Read in the picture" in n and "long (95%)" in n for n in made.notes)
+    assert made.report["weights"]["picture_reader"] == {"model": "PictureReader", "parameters": 5}
+    assert "wish_reader" not in made.report["weights"]
+
+
+def test_words_outrank_the_picture_and_that_is_said(sewer):
+    made = tailor(sewer, (SHIRT,)).generate("a sleeveless top", PHOTO)
+    assert Claim("sleeves", "none").holds(measure_facts(made.pattern))
+    (overruled,) = (w for w in made.report["pictures"]["overruled_by_text"] if "sleeves" in w["wish"])
+    assert overruled["certainty"] == 0.95
+    assert any("overruled" in n and "long" in n for n in made.notes)
+
+
+def test_without_alterations_no_picture_is_read(sewer):
+    asked = tailor(sewer, (SHIRT,))
+    made = asked.generate(image=PHOTO, alter=False)
+    assert not asked.picture_reader.shown and "pictures" not in made.report
+    assert made.pattern == draft("t-shirt").canonical() or made.pattern.panels
+
+
+def test_the_garment_that_covers_most_is_made_unless_another_is_asked_for(sewer):
+    asked = tailor(sewer, (TROUSERS, SHIRT))
+    seen = asked.look(PHOTO)
+    assert parts_seen([seen]) == ("upper", "lower")
+    assert part_wanted([seen], None).part == "upper" and part_wanted([seen], "lower").part == "lower"
+    whole = part_wanted([seen], "whole")
+    assert whole.part == "upper" and whole.certainty_of("kind", "dress") > 0.9
+    assert whole.certainty_of("kind", "top") == 0
+    alone = tailor(sewer, (TROUSERS,), pattern="trousers")
+    made = alone.generate(image=seen, part="lower")
+    assert not alone.picture_reader.shown, "what was read is not read again"
+    assert measure_facts(made.pattern).kind == "trousers"
+    with pytest.raises(NothingSeenError, match=r"on this part of the body.* What is seen: lower"):
+        alone.generate(image=PHOTO, part="upper")
+    with pytest.raises(InputError, match="there is no picture"):
+        Order("a dress", part="upper")
+    with pytest.raises(InputError, match="front and a back"):
+        Order(image=[PHOTO] * 3)
+
+
+@pytest.mark.parametrize("readings", [(), (SHIRT,)])
+def test_nothing_is_invented_for_a_picture_without_a_garment(readings, sewer):
+    empty = tailor(sewer, readings, figures="none" if readings else "one")
+    with pytest.raises(NothingSeenError, match="No garment was found in the picture") as error:
+        empty.generate(image=PHOTO)
+    assert error.value.exit_code == 1
+    made = empty.generate("a long-sleeved top", PHOTO)
+    assert any("No garment was found" in w for w in made.warnings) and made.needs_a_look
+    assert Claim("sleeves", "long").holds(measure_facts(made.pattern))
+
+
+def test_a_group_is_said_to_be_one(sewer):
+    made = tailor(sewer, (SHIRT,), figures="several").generate(image=PHOTO)
+    assert any("several people" in w for w in made.warnings) and made.needs_a_look
+
+
+def test_of_front_and_back_each_says_what_it_shows_best(sewer):
+    front = worn("upper", {"kind": ("top", 0.9), "neckline": ("v", 0.9), "back_depth": ("high", 0.4)})
+    back = worn("upper", {"kind": ("tunic", 0.6), "neckline": ("round", 0.5), "back_depth": ("open", 0.8)})
+    both = together([front, back])
+    said = {s.claim.name: s.claim.value for s in both.statements}
+    assert said == {"kind": "top", "neckline": "v", "back_depth": "open"}
+    assert together([front]) is front
+    asked = tailor(sewer, (front,), (back,))
+    made = asked.generate(image=(PHOTO, PHOTO))
+    assert len(asked.picture_reader.shown) == 2 and len(made.report["pictures"]["read"]) == 2
+    assert Claim("back_depth", "open").holds(measure_facts(made.pattern))
+
+
+def test_measures_are_asked_for_as_far_as_they_are_certain():
+    sure = Measure("sleeve length", 58.04, 0.8, 0.99)
+    vague = Measure("length", 66.0, 9.0, 0.99)
+    absent = Measure("skirt length", 60.0, 0.5, 0.2)
+    flat = Measure("tiers", 2.8, 0.1, 0.95)
+    found = {
+        w.change.claim.name: w for w in seen_wishes(worn("upper", {}, (sure, vague, absent, flat)))
+    }
+    assert set(found) == {"sleeve_cm", "tiers"}
+    assert found["sleeve_cm"].change.claim.value == 58.0 and found["tiers"].change.claim.value == 3
+    # Off by 0.8 cm in half of all cases: a Laplace distribution of width 0.8 / ln 2, and 3.48 cm are granted.
+    expected = 0.99 * (1 - 0.5 ** (0.06 * 58.0 / 0.8))
+    assert abs(found["sleeve_cm"].certainty - expected) < 1e-9
+
+
+def test_a_thing_said_in_words_is_not_taken_from_the_picture_in_centimetres():
+    seen = [Wish(Gain(Claim("sleeve_cm", 58.0)), 0.9), Wish(Gain(Claim("skirt_hem", "knee")), 0.9)]
+    kept, gone = not_overruled(seen, [Wish(Gain(Claim("sleeves", "short")), 0.95)])
+    assert kept == (seen[1],) and gone == (seen[0],)
+    kept, gone = not_overruled(seen, [Wish(Gain(Claim("kind", "jumpsuit")), 0.95)])
+    assert kept == (seen[0],) and gone == (seen[1],)
+    kept, _ = not_overruled(seen, [])
+    assert kept == tuple(seen)
+
+
+@pytest.fixture
+def shown(monkeypatch, sewer, tmp_path):
+    """The command line with eyes that see a shirt above trousers, and a picture for it."""
+    Image.fromarray(PHOTO).save(tmp_path / "photo.png")
+
+    def load(*_, **__):
+        return tailor(sewer, (SHIRT, TROUSERS))
+
+    monkeypatch.setattr(Tailor, "load", load)
+    return ["generate", "--image", str(tmp_path / "photo.png"), "--out", str(tmp_path / "out")]
+
+
+def test_both_garments_of_a_picture_get_a_folder_each(shown, tmp_path, capsys):
+    run([*shown, "--no-preview"])
+    for name in ("upper", "lower"):
+        report = json.loads((tmp_path / "out" / name / "report.json").read_text())
+        assert report["pictures"]["part"] == name and report["order"]["part"] == name
+        assert Image.open(tmp_path / "out" / name / "seen.png").size == (384, 384)
+    printed = capsys.readouterr().out
+    assert "upper: " in printed and "lower: " in printed
+    run([*shown, "--no-preview", "--part", "upper"])
+    assert (tmp_path / "out" / "pattern.json").is_file()
+
+
+def test_reading_alone_makes_nothing(shown, tmp_path, capsys):
+    assert run([*shown, "--read"]) == 0
+    printed = capsys.readouterr().out
+    assert "how long both sleeves are: long (95%)" in printed and "lower (97%)" in printed
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["reading.json", "seen.png"]
+    (told,) = json.loads((tmp_path / "out" / "reading.json").read_text())
+    assert told["file"] == "photo.png" and [p["part"] for p in told["parts"]] == ["upper", "lower"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["generate", "a top", "--read"], "--read is about a picture"),
+        (["generate", "a top", "--part", "upper"], "--part is about a picture"),
+        (["generate", "--image", "none.png", "a top"], "Put the text before --image"),
+    ],
+)
+def test_options_for_pictures_need_one(arguments, said, tmp_path, capsys):
+    assert run([*arguments, "--out", str(tmp_path / "out")]) == 2
+    assert said in capsys.readouterr().err
