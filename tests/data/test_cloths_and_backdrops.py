@@ -36,7 +36,7 @@ def test_every_cloth_is_possible_and_repeatable(seed):
     points = np.random.default_rng(seed).uniform(-50, 50, (50, 2))
     rest = np.random.default_rng(seed).uniform((-30, 0, -20), (30, 150, 20), (50, 3))
     colors = drawn.cloth.colors(points, rest)
-    assert np.isfinite(colors).all() and colors.min() >= -0.01 and colors.max() < 1.3
+    assert np.isfinite(colors).all() and colors.min() >= -0.01 and colors.max() < 1.5
 
 
 def test_cloths_are_of_many_kinds():

@@ -31,9 +31,8 @@ def worn(
 class Seeing:
     """Answers with the next of its readings each time, and with the last from then on."""
 
-    card = {"model": "PictureReader", "parameters": 5}
-
     def __init__(self, *readings: tuple[PartReading, ...], figures: Figures = "one") -> None:
+        self.card = {"model": "PictureReader", "parameters": 5}
         self.readings, self.figures = list(readings), figures
         self.shown: list[np.ndarray] = []
 

@@ -28,9 +28,7 @@ TROUSERS = worn("lower", {"kind": ("trousers", 0.97), "leg_hem": ("full", 0.93)}
 
 
 def tailor(sewer, *readings, pattern="t-shirt", figures="one"):
-    return Tailor(
-        scripted_maker([draft(pattern)]), sewer, picture_reader=Seeing(*readings, figures=figures)
-    )
+    return Tailor(scripted_maker([draft(pattern)]), sewer, picture_reader=Seeing(*readings, figures=figures))
 
 
 def test_a_garment_is_cut_to_what_its_picture_shows(sewer):
@@ -115,9 +113,7 @@ def test_measures_are_asked_for_as_far_as_they_are_certain():
     vague = Measure("length", 66.0, 9.0, 0.99)
     absent = Measure("skirt length", 60.0, 0.5, 0.2)
     flat = Measure("tiers", 2.8, 0.1, 0.95)
-    found = {
-        w.change.claim.name: w for w in seen_wishes(worn("upper", {}, (sure, vague, absent, flat)))
-    }
+    found = {w.change.claim.name: w for w in seen_wishes(worn("upper", {}, (sure, vague, absent, flat)))}
     assert set(found) == {"sleeve_cm", "tiers"}
     assert found["sleeve_cm"].change.claim.value == 58.0 and found["tiers"].change.claim.value == 3
     # Off by 0.8 cm in half of all cases: a Laplace distribution of width 0.8 / ln 2, and 3.48 cm are granted.
@@ -179,3 +175,22 @@ def test_reading_alone_makes_nothing(shown, tmp_path, capsys):
 def test_options_for_pictures_need_one(arguments, said, tmp_path, capsys):
     assert run([*arguments, "--out", str(tmp_path / "out")]) == 2
     assert said in capsys.readouterr().err
+
+
+@pytest.fixture
+def blind(monkeypatch, sewer, tmp_path):
+    """A tailor of a version without weights to read pictures with."""
+    from swifttailor.picture_reader import reader
+
+    monkeypatch.setattr(reader, "SHIPPED", tmp_path / "none.onnx")
+    return Tailor(scripted_maker([draft("t-shirt")]), sewer)
+
+
+def test_without_a_reader_the_network_alone_sees_the_picture_and_that_is_said(blind):
+    made = blind.generate(image=PHOTO)
+    assert any("not read" in n for n in made.notes) and "pictures" not in made.report
+    assert len(blind.pattern_maker.model.runtime.pictures) == 1
+    with pytest.raises(InputError, match="without weights of a picture reader"):
+        blind.look(PHOTO)
+    with pytest.raises(InputError, match="--picture-reader-weights"):
+        blind.generate(image=PHOTO, part="upper")

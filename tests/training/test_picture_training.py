@@ -149,6 +149,7 @@ def test_the_loss_is_least_where_the_reading_is_true():
         panels=lots(2, 2, 4),
         boxes=torch.randn(2, 2, 4, 5, generator=chance),
         view=torch.randn(2, 6, generator=chance),
+        figures=torch.tensor([1, 1]),
         masks=lots(2, 2, 3, 3),
     )
 
@@ -163,6 +164,7 @@ def test_the_loss_is_least_where_the_reading_is_true():
         sure(truth.panels),
         truth.boxes,
         truth.view,
+        sure(torch.nn.functional.one_hot(truth.figures, 3).float()),
         sure(truth.masks),
     )
     best = reading_losses(reading, truth, LossWeights())
@@ -170,6 +172,9 @@ def test_the_loss_is_least_where_the_reading_is_true():
     for name in Reading._fields:
         worse = reading._replace(**{name: -getattr(reading, name)})
         assert reading_losses(worse, truth, LossWeights())["total"] > best["total"] + 0.1, name
+    group = truth._replace(figures=torch.tensor([2, 2]))
+    lost = reading_losses(reading._replace(masks=-reading.masks, view=-reading.view), group, LossWeights())
+    assert float(lost["figures"]) > 10 and float(lost["masks"]) == float(lost["view"]) == 0
     unclear = reading._replace(statements=torch.where(truth.clear, reading.statements, -reading.statements))
     assert float(reading_losses(unclear, truth, LossWeights())["statements"]) < 1e-3, (
         "the border counts nothing"

@@ -129,11 +129,21 @@ def test_looks_that_are_held_out_are_never_learnt_from(wardrobe, monkeypatch):
 
 
 def test_blocks_are_fixed_by_their_number_and_show_every_garment(bank):
-    blocks = Blocks(bank, seed=3, size=32, count=6, plain=0.2, studio=0.3)
+    blocks = Blocks(bank, seed=3, size=32, count=6, shares={"plain": 0.2, "studio": 0.3})
     first, second, again = blocks[0], blocks[1], blocks[0]
-    for name in ("pictures", "masks", "views", "garments"):
+    for name in ("pixels", "masks", "views", "garments", "figures"):
         np.testing.assert_array_equal(getattr(first, name), getattr(again, name))
-    assert (first.pictures != second.pictures).any()
+    assert (first.pixels != second.pixels).any()
     for block in (first, second):
         assert set(range(6)) <= set(block.garments.ravel())
-    assert first.pictures.shape == (6, 32, 32, 3) and first.masks.shape == (6, 8, 8, 2)
+    assert first.pixels.shape == (6, 32, 32, 3) and first.masks.shape == (6, 8, 8, 2)
+
+
+def test_pictures_that_nothing_can_be_read_from_say_so(bank):
+    nothing = Blocks(bank, seed=3, size=32, count=6, shares={"nothing": 1.0})[0]
+    group = Blocks(bank, seed=3, size=32, count=6, shares={"several": 1.0})[0]
+    people = Blocks(bank, seed=3, size=32, count=6, shares={})[0]
+    assert (nothing.figures == 0).all() and (people.figures == 1).all() and (group.figures == 2).all()
+    assert (nothing.garments == -1).all() and (group.garments == -1).all()
+    assert not nothing.masks.any() and people.masks.any()
+    assert len(np.unique(group.pixels)) > 50

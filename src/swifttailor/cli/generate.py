@@ -69,7 +69,7 @@ class Generate(Making):
         Raises:
             InputError: A picture cannot be read.
         """
-        if not self.image or not self.alter:
+        if not self.image or not self.alter or tailor.picture_reader is None:
             return {"": order}
         from dataclasses import replace
 

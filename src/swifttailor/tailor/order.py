@@ -26,6 +26,10 @@ Image = NDArray[np.uint8] | Path | str
 Part = Literal["upper", "lower", "whole"]
 """Where a garment in a picture is worn; ``whole`` is one dress or jumpsuit."""
 MOST_PICTURES = 2
+NO_READER = (
+    "Pictures cannot be read: this version comes without weights of a picture reader. Train one (see "
+    "docs/picture-reader.md) and give its model file, as --picture-reader-weights or picture_reader=."
+)
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,7 +12,7 @@ from swifttailor.arrays import Pixels
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
-from swifttailor.errors import NothingSeenError, SwiftTailorError
+from swifttailor.errors import InputError, NothingSeenError, SwiftTailorError
 from swifttailor.pattern import Pattern, check_pattern
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
 from swifttailor.pattern_maker.maker import Request
@@ -21,7 +21,7 @@ from swifttailor.recutting.alter import Alteration, alter
 from swifttailor.recutting.one_sided import asks_for_one_side
 from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted
-from swifttailor.tailor.order import Order
+from swifttailor.tailor.order import NO_READER, Order
 from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
 from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import Wish, WishReader
@@ -30,6 +30,11 @@ from swifttailor.wishes.spelling import put_right
 LEAST_CERTAINTY = 0.9
 """What the reader is less sure of is not asked for: what the network wrote may be as right."""
 _NONE = "none"
+_UNREAD = (
+    "The picture was shown to PatternMaker and not read: this version comes without weights of a picture "
+    "reader, so nothing was altered to it."
+)
+_NOT_READ = "A garment in a picture can be chosen only where patterns are altered: leave part out."
 _FRAMING_NOTES = {
     Framing.KEPT: (),
     Framing.CROPPED: ("The picture was cropped to its figure: the background is plain.",),
@@ -128,11 +133,15 @@ def read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | No
         eyes: Reads the pictures; None where nothing is to be altered, or there are none.
 
     Raises:
-        InputError: A picture cannot be read.
+        InputError: A picture cannot be read, or there is nothing to read it with.
         NothingSeenError: There is no garment in a picture, and no text.
     """
     if reader is None or eyes is None or not order.images:
+        if order.part is not None or any(isinstance(one, SeenPicture) for one in order.images):
+            raise InputError(NO_READER if reader is not None else _NOT_READ)
         image, notes = _picture(order)
+        if reader is not None and order.images:
+            notes = (*notes, _UNREAD)
         if reader is None:
             return Wanted(order, order.text, image, notes=notes)
         text, found = _said(order, reader)
@@ -179,10 +188,8 @@ def _picture(order: Order) -> tuple[Pixels | None, tuple[str, ...]]:
     if not order.images:
         return None, ()
     image = order.images[0]
-    if isinstance(image, SeenPicture):
-        pixels = image.pixels
-    else:
-        pixels = image if isinstance(image, np.ndarray) else read_picture(image)
+    assert not isinstance(image, SeenPicture)
+    pixels = image if isinstance(image, np.ndarray) else read_picture(image)
     if not order.crop:
         return pixels, ()
     framed = frame_figure(pixels)

@@ -10,14 +10,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from swifttailor.clock import Clock
-from swifttailor.errors import SwiftTailorError
+from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.panel import RotationReading
 from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.progress import StageProgress
 from swifttailor.tailor.answer import Answer
-from swifttailor.tailor.order import Image, Order, Part
+from swifttailor.tailor.order import NO_READER, Image, Order, Part
 from swifttailor.tailor.protocols import PatternWriter, Sewer
 from swifttailor.tailor.reporting import described
 from swifttailor.tailor.sewing import SewingOptions, read_and_prepare, sew_answers
@@ -137,15 +137,17 @@ class Tailor:
         return self._reader
 
     @cached_property
-    def picture_reader(self) -> ReadsPictures:
-        """The network that reads what pictures show.
+    def picture_reader(self) -> ReadsPictures | None:
+        """The network that reads what pictures show; None where none was given and the package has none.
 
         Raises:
             InputError: There are no such weights, or they are damaged.
         """
         if self._eyes is None or isinstance(self._eyes, Path | str):
-            from swifttailor.picture_reader.reader import PictureReader
+            from swifttailor.picture_reader.reader import SHIPPED, PictureReader
 
+            if self._eyes is None and not SHIPPED.is_file():
+                return None
             return PictureReader.load(self._eyes, threads=self._threads)
         return self._eyes
 
@@ -160,6 +162,8 @@ class Tailor:
         """
         from swifttailor.tailor.looking import look_at
 
+        if self.picture_reader is None:
+            raise InputError(NO_READER)
         return look_at(image, self.picture_reader)
 
     def compile_notes(self, *, finish: bool) -> list[str]:
