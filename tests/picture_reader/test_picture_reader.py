@@ -110,9 +110,30 @@ def test_weights_fit_pictures_of_any_size():
     size = TINY | {"heads": 2, "mask_width": 8}
     small, large = build_network(size).eval(), build_network(size | {"image_size": 192}).eval()
     large.load_state_dict(small.state_dict())
-    picture = torch.rand(1, 3, 192, 192)
+    picture, guess = torch.rand(1, 3, 192, 192), torch.tensor([[0.0, 1.0, 0.0, -0.7, 0.1, 0.0, 1.0]])
     with torch.no_grad():
-        first, again = small(picture), large(picture)
+        first, again = small(picture, guess), large(picture, guess)
         assert all(torch.equal(a, b) for a, b in zip(first, again, strict=True))
-        reduced = small(torch.nn.functional.avg_pool2d(picture, 3))
+        reduced = small(torch.nn.functional.avg_pool2d(picture, 3), guess)
     assert reduced.masks.shape == (1, 2, 16, 16) and first.masks.shape == (1, 2, 48, 48)
+
+
+@pytest.mark.needs_torch
+def test_pixels_are_told_where_on_the_wearer_they_are():
+    import torch
+
+    from swifttailor.picture_reader.network_torch import places_of
+    from swifttailor.picture_reader.view import view_of
+    from swifttailor.render import Camera
+
+    size = 96
+    camera = Camera((5.0, 90.0, 0.0), 190.0, 0.0, 0.0, 0.0)
+    view = torch.from_numpy(view_of(camera, size))
+    guess = torch.cat([view, torch.ones(1)])[None]
+    found = places_of(torch.zeros(1, 3, size, size), guess)[0]
+    for x, y in ((0.0, 100.0), (20.0, 150.0), (-30.0, 40.0)):
+        column, row = (int(v) for v in camera.project(np.array([[x, y, 0.0]]), (size, size))[0, :2])
+        aside, level = float(found[1, row, column]) * 100, float(found[0, row, column]) * 100
+        np.testing.assert_allclose([aside, level], [x, y - 100.0], atol=2.1)
+    assert (found[2] == 1).all()
+    assert not places_of(torch.zeros(1, 3, size, size), torch.zeros(1, 7)).any()

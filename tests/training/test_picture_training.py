@@ -104,10 +104,12 @@ def test_masks_and_views_move_with_their_picture():
 
     size = 64
     pictures, masks, views = torch.zeros(5, 3, size, size), torch.zeros(5, 2, 16, 16), torch.zeros(5, 6)
+    places = torch.full((5, 3, 16, 16), torch.nan)
+    places[:, :, 5:7, 9:11] = torch.tensor([0.1, 0.2, 0.3])[:, None, None]
     pictures[:, :, 20:28, 36:44] = 1.0
     masks[:, 0, 5:7, 9:11] = 1.0
     views[:, 4], views[:, 5] = 40 / size - 0.5, 24 / size - 0.5
-    seen, covered, found = moved(pictures, masks, views, torch.Generator().manual_seed(1), 1.0)
+    seen, covered, there, found = moved(pictures, masks, places, views, torch.Generator().manual_seed(1), 1.0)
     places = (torch.arange(size) + 0.5) / size - 0.5
     cells = (torch.arange(16) + 0.5) / 16 - 0.5
     areas = []
@@ -119,11 +121,29 @@ def test_masks_and_views_move_with_their_picture():
         xm, ym = float((share.sum(0) * cells).sum()), float((share.sum(1) * cells).sum())
         np.testing.assert_allclose([x, y], [xm, ym], atol=0.035)
         areas.append(float(seen[k, 0].sum()) / 64)
+        assert (covered[k, 0][there[k, 0].isfinite()] > 0.2).all() and there[k, 0].isfinite().any()
+        np.testing.assert_allclose(there[k, 2][there[k, 2].isfinite()], 0.3, atol=1e-6)
     np.testing.assert_allclose(np.sqrt(areas), np.exp(found[:, 3].numpy()), rtol=0.03)
     assert len({round(a, 3) for a in areas}) == 5
-    same = moved(pictures, masks, views, torch.Generator().manual_seed(1), 0.0)
+    same = moved(pictures, masks, places, views, torch.Generator().manual_seed(1), 0.0)
     torch.testing.assert_close(same[0], pictures, atol=1e-5, rtol=0)
-    torch.testing.assert_close(same[2], views)
+    torch.testing.assert_close(same[2], places, equal_nan=True)
+    torch.testing.assert_close(same[3], views)
+
+
+def test_guesses_are_about_right_and_lacking_now_and_then():
+    import torch
+
+    from swifttailor.training.picture_batch_torch import guessed
+
+    views = torch.tensor([[0.0, 1.0, 0.1, -0.7, 0.05, -0.02]]).expand(4000, 6)
+    figures = torch.ones(4000, dtype=torch.long)
+    guess = guessed(views, figures, torch.Generator().manual_seed(0), 0.3)
+    known = guess[:, 6] == 1
+    assert 0.27 < float((~known).float().mean()) < 0.33 and not guess[~known].any()
+    off = (guess[known, :6] - views[known]).abs()
+    assert 0.01 < float(off[:, 3].median()) < 0.06 and float(off[:, 4].median()) < 0.02
+    assert float(off[:, 3].max()) > 0.12
 
 
 def test_the_loss_is_least_where_the_reading_is_true():
@@ -151,6 +171,7 @@ def test_the_loss_is_least_where_the_reading_is_true():
         view=torch.randn(2, 6, generator=chance),
         figures=torch.tensor([1, 1]),
         masks=lots(2, 2, 3, 3),
+        places=torch.randn(2, 3, 3, 3, generator=chance),
     )
 
     def sure(values):
@@ -166,9 +187,10 @@ def test_the_loss_is_least_where_the_reading_is_true():
         truth.view,
         sure(torch.nn.functional.one_hot(truth.figures, 3).float()),
         sure(truth.masks),
+        truth.places,
     )
     best = reading_losses(reading, truth, LossWeights())
-    assert all(float(best[name]) < 1e-3 for name in best if name not in ("measures", "total"))
+    assert all(float(best[name]) < 1e-3 for name in best if name not in ("widths", "total"))
     for name in Reading._fields:
         worse = reading._replace(**{name: -getattr(reading, name)})
         assert reading_losses(worse, truth, LossWeights())["total"] > best["total"] + 0.1, name

@@ -85,6 +85,11 @@ def test_pictures_are_fixed_by_their_lots_and_masks_lie_on_the_garment(wardrobe,
         camera = camera_of(first.views)
         middle = camera.project(np.array([[0.0, 120.0 if part == 0 else 70.0, 0.0]]), (SIZE, SIZE))[0, :2]
         rows, columns = np.nonzero(mask > 100)
+        at = first.places[rows, columns].astype(float) * 100
+        seen = at[np.isfinite(at).all(axis=1)]
+        worn = wardrobe.bank[number].vertices
+        assert len(seen) > 0.6 * len(rows)
+        assert (seen > worn.min(axis=0) - 25).all() and (seen < worn.max(axis=0) + 25).all()
         away = np.abs(np.array([columns.mean(), rows.mean()]) * 4 + 2 - middle)
         assert away.max() < 0.45 * SIZE, "the camera of the view looks at the mask"
 
@@ -131,7 +136,7 @@ def test_looks_that_are_held_out_are_never_learnt_from(wardrobe, monkeypatch):
 def test_blocks_are_fixed_by_their_number_and_show_every_garment(bank):
     blocks = Blocks(bank, seed=3, size=32, count=6, shares={"plain": 0.2, "studio": 0.3})
     first, second, again = blocks[0], blocks[1], blocks[0]
-    for name in ("pixels", "masks", "views", "garments", "figures"):
+    for name in ("pixels", "masks", "places", "views", "garments", "figures"):
         np.testing.assert_array_equal(getattr(first, name), getattr(again, name))
     assert (first.pixels != second.pixels).any()
     for block in (first, second):

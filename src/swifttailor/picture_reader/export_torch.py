@@ -13,7 +13,7 @@ from swifttailor.errors import InputError
 from swifttailor.networks.model_file import write_graph
 from swifttailor.networks.onnx_export_torch import export_graph
 from swifttailor.networks.trained_weights_torch import trained_network
-from swifttailor.picture_reader.labels import labels_checksum, statement_labels
+from swifttailor.picture_reader.labels import GUESS, labels_checksum, statement_labels
 from swifttailor.picture_reader.network_torch import EyesConfig, EyesNetwork
 from swifttailor.picture_reader.reader import INPUTS, KIND, OUTPUTS, PictureReader
 
@@ -63,8 +63,8 @@ def export(
         MissingExtraError: onnx or onnxscript is not installed.
     """
     size = network.config.image_size
-    example = torch.zeros(1, 3, size, size)
-    graph = export_graph(network.eval(), (example,), (None,), INPUTS, OUTPUTS)
+    example = torch.zeros(1, 3, size, size), torch.zeros(1, len(GUESS))
+    graph = export_graph(network.eval(), example, (None, None), INPUTS, OUTPUTS)
     if scales is None:
         scales = np.tile(np.array([1.0, 0.0]), (len(statement_labels()), 1))
     said = [[round(float(v), 4) for v in row] for row in scales]
@@ -74,8 +74,9 @@ def export(
 def compare(reader: PictureReader, network: EyesNetwork, *, seed: int = 0) -> float:
     """Largest difference between what a reader and a network make of the same random picture."""
     size = network.config.image_size
-    picture = np.random.default_rng(seed).random((1, 3, size, size), np.float32)
-    found = reader.session.run(list(OUTPUTS), {"pictures": picture})
+    chance = np.random.default_rng(seed)
+    picture, guess = chance.random((1, 3, size, size), np.float32), chance.random((1, 7), np.float32)
+    found = reader.session.run(list(OUTPUTS), {"pictures": picture, "guess": guess})
     with torch.no_grad():
-        made = network.eval()(torch.from_numpy(picture))
+        made = network.eval()(torch.from_numpy(picture), torch.from_numpy(guess))
     return max(float(np.abs(f - m.numpy()).max()) for f, m in zip(found, made, strict=True))

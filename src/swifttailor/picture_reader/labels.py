@@ -15,6 +15,8 @@ PARTS: tuple[str, ...] = ("upper", "lower")
 and trousers."""
 VIEW: tuple[str, ...] = ("sine", "cosine", "elevation", "scale", "right", "down")
 """How the camera looks at the wearer; see `picture_reader.view`."""
+GUESS: tuple[str, ...] = (*VIEW, "known")
+"""What the network is told of the camera before it looks: where it was seen to be and 1, or zeros."""
 MASK_STRIDE = 4
 """Pixels of a picture to a cell of the masks."""
 BOX: tuple[str, ...] = ("x", "y", "z", "width", "height")

@@ -12,8 +12,16 @@ from torch.nn import functional as F
 
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.picture_reader.figures import FIGURES
-from swifttailor.picture_reader.labels import BOX, PARTS, VIEW, measure_labels, statement_labels, topics
-from swifttailor.picture_reader.units import MEASURE_CM
+from swifttailor.picture_reader.labels import (
+    BOX,
+    MASK_STRIDE,
+    PARTS,
+    VIEW,
+    measure_labels,
+    statement_labels,
+    topics,
+)
+from swifttailor.picture_reader.units import MEASURE_CM, VIEW_CM
 
 STRIDE = 16
 """Pixels to a cell of the map that topics look at."""
@@ -58,6 +66,8 @@ class Reading(NamedTuple):
     """(B, 3) logits: how many people there are, by `FIGURES`."""
     masks: Tensor
     """(B, 2, h, w) logits: where in the picture the garment is, a cell every `MASK_STRIDE` pixels."""
+    places: Tensor
+    """(B, 3, h, w) where on the wearer as he stands each cell looks, metres; anything where nobody is."""
 
 
 class EyesNetwork(nn.Module):
@@ -75,6 +85,7 @@ class EyesNetwork(nn.Module):
         self.config = config
         trunk = ResNetModel(
             ResNetConfig(
+                num_channels=3 + 3,
                 embedding_size=config.embedding,
                 hidden_sizes=list(config.stages),
                 depths=list(config.depths),
@@ -93,14 +104,15 @@ class EyesNetwork(nn.Module):
             nn.Conv2d(config.mask_width, config.mask_width, 3, padding=1),
             nn.BatchNorm2d(config.mask_width),
             nn.ReLU(),
-            nn.Conv2d(config.mask_width, len(PARTS), 1),
+            nn.Conv2d(config.mask_width, len(PARTS) + 3, 1),
         )
+        self.told = nn.Sequential(nn.Conv2d(_Told.COUNT, width, 1), nn.ReLU(), nn.Conv2d(width, width, 1))
         self.looks = _Looks(width, config.heads, len(PARTS) * len(topics()))
         self.says = _Answers(width)
 
-    def trunk(self, pictures: Tensor) -> tuple[Tensor, Tensor, Tensor]:
+    def trunk(self, pictures: Tensor, guess: Tensor) -> tuple[Tensor, Tensor, Tensor]:
         """Maps of pictures (B, 3, H, W), 0 to 1: of the first two stages, and (B, width, H/16, W/16)."""
-        x = self.embedder((pictures - 0.5) / 0.25)
+        x = self.embedder(torch.cat([(pictures - 0.5) / 0.25, places_of(pictures, guess)], 1))
         first = self.stages[0](x)
         second = self.stages[1](first)
         third = self.stages[2](second)
@@ -108,22 +120,64 @@ class EyesNetwork(nn.Module):
         deep = F.interpolate(self.lateral[1](fourth), scale_factor=2.0, mode="nearest")
         return first, second, self.smooth(self.lateral[0](third) + deep)
 
-    def forward(self, pictures: Tensor) -> Reading:
+    def forward(self, pictures: Tensor, guess: Tensor) -> Reading:
         """Reads pictures.
 
         Args:
             pictures: (B, 3, H, W) sRGB from 0 to 1, H and W as configured.
+            guess: (B, 7) `labels.GUESS`.
         """
-        first, second, third = self.trunk(pictures)
+        first, second, third = self.trunk(pictures, guess)
         masks = self.mask_lateral[0](first)
         masks = masks + F.interpolate(self.mask_lateral[1](second), scale_factor=2.0, mode="nearest")
         masks = masks + F.interpolate(self.mask_lateral[2](third), scale_factor=4.0, mode="nearest")
         masks = self.mask(F.relu(masks))
+        third = third + self.told(_Told.of(masks, STRIDE // MASK_STRIDE))
         places = self.places
         if third.shape[-2:] != places.shape[-2:]:
             places = F.interpolate(places, third.shape[-2:], mode="bilinear", align_corners=False)
         seen = self.looks((third + places).flatten(2).transpose(1, 2))
-        return Reading(*self.says(seen), masks)
+        return Reading(*self.says(seen), masks[:, : len(PARTS)], masks[:, len(PARTS) :])
+
+
+def places_of(pictures: Tensor, guess: Tensor) -> Tensor:
+    """Where on the wearer each pixel is: a hem ends at a level, wherever the camera was.
+
+    Args:
+        pictures: (B, 3, H, W).
+        guess: (B, 7) `labels.GUESS`.
+
+    Returns:
+        (B, 3, H, W): level above that of `view`'s middle and distance from the wearer's axis, in metres, and
+        whether they are known; zeros where they are not.
+    """
+    size_down, size_across = pictures.shape[-2:]
+    known = guess[:, 6, None, None]
+    cm = VIEW_CM * torch.exp(-guess[:, 3, None, None])  # to a side of the picture
+    down = (torch.arange(size_down, device=pictures.device) + 0.5) / size_down - 0.5
+    across = (torch.arange(size_across, device=pictures.device) + 0.5) / size_across - 0.5
+    level = -(down[None, :, None] - guess[:, 5, None, None]) * cm
+    aside = (across[None, None, :] - guess[:, 4, None, None]) * cm
+    shape = (-1, size_down, size_across)
+    found = [level.expand(shape) / 100, aside.expand(shape) / 100, torch.ones_like(pictures[:, 0])]
+    return torch.stack([known * one.clamp(-3, 3) for one in found], 1)
+
+
+class _Told:
+    """What the cells under each token were said to show: whose pixels, and where on the wearer they are."""
+
+    WAVES = 2.0, 8.0, 24.0
+    COUNT = len(PARTS) + 3 * 2 * len(WAVES) + 3 * len(PARTS)
+
+    @staticmethod
+    def of(masks: Tensor, cells: int) -> Tensor:
+        """(B, COUNT, h / cells, w / cells) of masks and places (B, 2 + 3, h, w)."""
+        shares, at = torch.sigmoid(masks[:, : len(PARTS)]), masks[:, len(PARTS) :]
+        anybody = shares.sum(1, keepdim=True).clamp(max=1.0)
+        rows = [shares]
+        rows += [anybody * wave(at * k) for k in _Told.WAVES for wave in (torch.sin, torch.cos)]
+        rows += [shares[:, k : k + 1] * at for k in range(len(PARTS))]
+        return F.avg_pool2d(torch.cat(rows, 1), cells)
 
 
 class _Looks(nn.Module):
@@ -134,8 +188,9 @@ class _Looks(nn.Module):
         self.heads = heads
         self.questions = nn.Parameter(torch.randn(questions, width) * 0.3)
         self.keys, self.values = nn.Linear(width, width), nn.Linear(width, width)
-        self.made, self.norm = nn.Linear(2 * width, width), nn.LayerNorm(width)
-        self.up, self.down = nn.Linear(width, 2 * width), nn.Linear(2 * width, width)
+        self.found, self.whole = nn.Linear(width, width), nn.Linear(width, width)
+        self.norm = nn.LayerNorm(width)
+        self.up, self.down = nn.Linear(width, width), nn.Linear(width, width)
 
     def forward(self, tokens: Tensor) -> Tensor:
         """(B, questions, width) of tokens (B, n, width)."""
@@ -146,8 +201,7 @@ class _Looks(nn.Module):
         query = self.questions.view(-1, self.heads, part).transpose(0, 1)
         share = (query[None] @ key * part**-0.5).softmax(-1)
         found = (share @ value).transpose(1, 2).reshape(batch, -1, width)
-        everything = tokens.mean(1, keepdim=True).expand(-1, found.shape[1], -1)
-        x = self.made(torch.cat([found, everything], -1)) + self.questions
+        x = self.found(found) + self.whole(tokens.mean(1, keepdim=True)) + self.questions
         return x + self.down(F.gelu(self.up(self.norm(x))))
 
 
@@ -175,7 +229,9 @@ class _Answers(nn.Module):
         parts = len(PARTS)
         x = self.norm(seen).view(batch, parts, self.count, width)
         said = self.statements(x[:, :, self.of_statement].reshape(batch, -1, width)).view(batch, parts, -1)
-        at = x[:, :, self.of_measure].reshape(batch, -1, 1, width).expand(-1, -1, 3, -1)
+        at = x[:, :, self.of_measure].reshape(batch, -1, width)
+        # How far off a measure may be is learnt of what is seen, and does not change what is looked at.
+        at = torch.stack([at, at, at.detach()], 2)
         measured = self.measures(at.reshape(batch, -1, width)).view(batch, parts, -1, 3)
         panels = self.panels(x[:, :, self.panels_at]).view(batch, parts, len(PANEL_NAMES), 1 + len(BOX))
         garment = x[:, :, self.garment_at]

@@ -16,6 +16,7 @@ from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import (
+    GUESS,
     PARTS,
     labels_checksum,
     measure_labels,
@@ -23,12 +24,23 @@ from swifttailor.picture_reader.labels import (
 )
 from swifttailor.picture_reader.reading import Measure, PartReading, PictureReading, SeenPanel, Statement
 from swifttailor.picture_reader.units import BOX_CM, MEASURE_CM, NARROWEST, WIDEST
-from swifttailor.picture_reader.view import camera_of
+from swifttailor.picture_reader.view import Square, camera_of, view_in
 from swifttailor.render.pixels import require_picture
 
 SHIPPED = Path(__file__).with_name("picture_reader.onnx")
-INPUTS = ("pictures",)
-OUTPUTS = ("present", "statements", "has", "measures", "panels", "boxes", "camera_view", "figures", "masks")
+INPUTS = ("pictures", "guess")
+OUTPUTS = (
+    "present",
+    "statements",
+    "has",
+    "measures",
+    "panels",
+    "boxes",
+    "camera_view",
+    "figures",
+    "masks",
+    "places",
+)
 KIND = ModelKind("picture reader", "swifttailor picture-reader 1", 2**28, ({GRAPH: (INPUTS, OUTPUTS)},))
 LEAST_PRESENT = 0.5
 LEAST_CERTAINTY = 0.3
@@ -74,7 +86,7 @@ class PictureReader:
         return PictureReader(model.sessions[GRAPH], int(size), scales, model.about.get("card", {}))
 
     def read(self, pixels: Pixels) -> PictureReading:
-        """What a picture shows: looked at whole, and once more near the garment.
+        """What a picture shows: looked at whole for where the wearer is, and once more near the garment.
 
         Args:
             pixels: (h, w, 3) sRGB, row 0 at the top.
@@ -86,17 +98,19 @@ class PictureReader:
         height, width = pixels.shape[:2]
         side = max(height, width)
         whole = ((width - side) // 2, (height - side) // 2, side)
-        answers = self._look(pixels, whole)
-        nearer = _around(answers, whole)
-        if nearer is not None:
-            # Who else is there, the nearer look does not show.
-            whole, answers = nearer, self._look(pixels, nearer) | {"figures": answers["figures"]}
-        return self._reading(answers, whole, (height, width))
+        first = self._look(pixels, whole, None)
+        square = _around(first, whole) or whole
+        answers = self._look(pixels, square, view_in(first["camera_view"], whole, square))
+        # Who else is there, the nearer look does not show.
+        return self._reading(answers | {"figures": first["figures"]}, square, (height, width))
 
-    def _look(self, pixels: Pixels, square: tuple[int, int, int]) -> dict[str, Any]:
+    def _look(self, pixels: Pixels, square: Square, view: NDArray[np.float32] | None) -> dict[str, Any]:
         shown = cut_square(pixels, square, self.size)
         batch = np.ascontiguousarray(shown.transpose(2, 0, 1)[None], np.float32) / 255
-        found = self.session.run(list(OUTPUTS), {"pictures": batch})
+        guess = np.zeros((1, len(GUESS)), np.float32)
+        if view is not None:
+            guess[0] = (*view, 1)
+        found = self.session.run(list(OUTPUTS), {"pictures": batch, "guess": guess})
         return {name: value[0] for name, value in zip(OUTPUTS, found, strict=True)}
 
     def _reading(

@@ -13,6 +13,7 @@ from torch.utils.data import DataLoader, Dataset
 
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Block, Blocks
+from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import MASK_STRIDE
 from swifttailor.picture_reader.network_torch import scaled
 from swifttailor.picture_reader.truth import TRUE, UNCLEAR
@@ -43,6 +44,8 @@ class Answers(NamedTuple):
     """(B,) number of `FIGURES`."""
     masks: Tensor
     """(B, 2, h, w) shares."""
+    places: Tensor
+    """(B, 3, h, w) metres; NaN where nobody is."""
 
 
 class TruthTable:
@@ -53,8 +56,10 @@ class TruthTable:
         self.statements, self.measures = found["statements"], found["measures"].float()
         self.panels, self.boxes = found["panels"], found["boxes"]
 
-    def answers(self, garments: Tensor, views: Tensor, figures: Tensor, masks: Tensor) -> Answers:
-        """For pictures of garments (B, 2), -1 for none; views (B, 6); figures (B,); masks (B, 2, h, w)."""
+    def answers(
+        self, garments: Tensor, views: Tensor, figures: Tensor, masks: Tensor, places: Tensor
+    ) -> Answers:
+        """For pictures of garments (B, 2), -1 for none; the others are as `Answers` has them."""
         present = garments >= 0
         k = garments.clamp_min(0)
         judged, measures, panels = self.statements[k], self.measures[k], self.panels[k]
@@ -70,6 +75,7 @@ class TruthTable:
             views,
             figures,
             masks,
+            places,
         )
 
 
@@ -98,8 +104,8 @@ class PictureBatches:
         self._next, self._loaded = -1, iter(())
         self._block: Block | None = None
 
-    def __getitem__(self, step: int) -> tuple[Tensor, Answers]:
-        """Pictures (B, 3, size, size) of the batch of an optimiser step, and what is true of them."""
+    def __getitem__(self, step: int) -> tuple[Tensor, Tensor, Answers]:
+        """Of a step pictures (B, 3, size, size), guesses at their cameras (B, 7), and the truth."""
         number, place = divmod(step, self._each)
         block = self._take(number)
         size, count = self.config.batch_size, self.config.block
@@ -112,11 +118,13 @@ class PictureBatches:
         pictures = torch.from_numpy(block.pixels[chosen]).permute(0, 3, 1, 2).float() / 255
         masks = torch.from_numpy(block.masks[chosen]).permute(0, 3, 1, 2).float() / 255
         views = torch.from_numpy(block.views[chosen])
-        pictures, masks, views = moved(pictures, masks, views, chance, self.config.variation)
+        places = torch.from_numpy(block.places[chosen]).permute(0, 3, 1, 2).float()
+        pictures, masks, places, views = moved(pictures, masks, places, views, chance, self.config.variation)
         pictures = relit(pictures, chance, self.config.variation)
         garments = torch.from_numpy(block.garments[chosen])
         figures = torch.from_numpy(block.figures[chosen])
-        return pictures, self.truths.answers(garments, views, figures, masks)
+        guess = guessed(views, figures, chance, self.config.unguessed)
+        return pictures, guess, self.truths.answers(garments, views, figures, masks, places)
 
     def _take(self, number: int) -> Block:
         if self._block is None or self._next != number + 1:
@@ -160,13 +168,19 @@ def _one_thread(_: int) -> None:
 
 
 def moved(
-    pictures: Tensor, masks: Tensor, views: Tensor, chance: torch.Generator, strength: float
-) -> tuple[Tensor, Tensor, Tensor]:
-    """The same pictures nearer, farther, aside and tilted, each otherwise; masks and views go with them.
+    pictures: Tensor,
+    masks: Tensor,
+    places: Tensor,
+    views: Tensor,
+    chance: torch.Generator,
+    strength: float,
+) -> tuple[Tensor, Tensor, Tensor, Tensor]:
+    """The same pictures nearer, farther, aside and tilted, each otherwise; all else goes with them.
 
     Args:
         pictures: (B, 3, size, size).
         masks: (B, 2, size / 4, size / 4).
+        places: (B, 3, size / 4, size / 4); NaN where nobody is.
         views: (B, 6) `labels.VIEW`.
         chance: Decides.
         strength: Factor on how different they are.
@@ -188,11 +202,37 @@ def moved(
     pictures = F.grid_sample(pictures, grid, padding_mode="border", align_corners=False)
     coarse = grid[:, MASK_STRIDE // 2 :: MASK_STRIDE, MASK_STRIDE // 2 :: MASK_STRIDE]
     masks = F.grid_sample(masks, coarse, padding_mode="zeros", align_corners=False)
+    places = F.grid_sample(places, coarse, mode="nearest", padding_mode="border", align_corners=False)
+    outside = (coarse.abs() > 1).any(-1)[:, None]
+    places = torch.where(outside, torch.nan, places)
     back = torch.linalg.inv(turn)
     views = views.clone()
     views[:, 4:6] = (back @ views[:, 4:6, None])[:, :, 0] + shift
     views[:, 3] += torch.log(scale)
-    return pictures, masks, views
+    return pictures, masks, places, views
+
+
+def guessed(views: Tensor, figures: Tensor, chance: torch.Generator, unguessed: float) -> Tensor:
+    """`labels.GUESS` (B, 7) as a first look may have it: about right, far off now and then, or none yet.
+
+    Args:
+        views: (B, 6) true ones.
+        figures: (B,) number of `FIGURES`; where there is not one, the guess is anything.
+        chance: Decides.
+        unguessed: Share without.
+    """
+    count = len(views)
+    one = (figures == FIGURES.index("one"))[:, None]
+    off = torch.randn(count, 1, generator=chance).abs() * torch.tensor([_OFF])
+    found = torch.where(one, views, torch.tensor([_ANYWHERE])) + off * torch.randn(count, 6, generator=chance)
+    known = (torch.rand(count, 1, generator=chance) >= unguessed).float()
+    return known * torch.cat([found, torch.ones(count, 1)], 1)
+
+
+_OFF = (0.2, 0.2, 0.1, 0.06, 0.025, 0.03)
+"""How far off guesses usually are, in the units of `VIEW`."""
+_ANYWHERE = (0.0, 1.0, 0.0, -0.8, 0.0, 0.0)
+"""A view where nobody is."""
 
 
 def relit(pictures: Tensor, chance: torch.Generator, strength: float) -> Tensor:

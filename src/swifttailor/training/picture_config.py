@@ -45,7 +45,8 @@ class LossWeights:
     panels: float = 1.0
     boxes: float = 0.5
     view: float = 0.3
-    masks: float = 0.5
+    masks: float = 3.0
+    places: float = 4.0
 
 
 @dataclass(frozen=True)
@@ -76,6 +77,8 @@ class PictureConfig(LoopConfig):
     """Share of pictures of several people."""
     variation: float = 1.0
     """Strength of the cutting, turning and lighting."""
+    unguessed: float = 0.35
+    """Share of pictures of which the network is not told where the wearer is, as at a first look."""
     validation_garments: int = 150
 
     def __post_init__(self) -> None:
@@ -87,6 +90,7 @@ class PictureConfig(LoopConfig):
             require(self, name, 0 <= getattr(self, name) <= 1, "0 to 1")
         total = sum(getattr(self, name) for name in families)
         require(self, "studio", total <= 1, f"such that {', '.join(families)} are at most 1 together")
+        require(self, "unguessed", 0 <= self.unguessed <= 1, "0 to 1")
         require(self, "variation", self.variation >= 0, "0 or more")
         require(self, "validation_garments", self.validation_garments >= 1, "at least 1")
         require(self, "compiled", not self.compiled, "false")

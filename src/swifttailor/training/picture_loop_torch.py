@@ -115,14 +115,14 @@ class PictureTask(Task):
 
     def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
         """Of everything that is to be read of a batch, a picture."""
-        pictures, truth = self.batches[step]
+        pictures, guess, truth = self.batches[step]
         rank, count = self.part
         if count > 1:
-            pictures = pictures[rank::count]
+            pictures, guess = pictures[rank::count], guess[rank::count]
             truth = type(truth)(*(value[rank::count] for value in truth))
         pictures = pictures.to(self.device).contiguous(memory_format=torch.channels_last)
         with torch.autocast(self.device.type, torch.bfloat16, enabled=self.precision == "bfloat16"):
-            reading = Reading(*trained(pictures))
+            reading = Reading(*trained(pictures, guess.to(self.device)))
         return reading_losses(reading, to_device(truth, self.device), self.config.losses)
 
     def validate(self) -> dict[str, Any]:

@@ -12,13 +12,17 @@ from swifttailor.picture_reader.units import NARROWEST, WIDEST
 from swifttailor.training.picture_batch_torch import Answers
 from swifttailor.training.picture_config import LossWeights
 
+_NEAR = 0.2
+"""Measures that are nearer than this, in the unit of `scaled`, hardly count any more."""
+
 
 def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> dict[str, Tensor]:
     """The losses of a batch, a picture; ``total`` is the weighted sum.
 
-    Statements count where they are clear, everything but `present` where a garment is; measures by the
-    likelihood of a Laplace distribution whose width the network says; boxes of panels that are there. Of a
-    group nothing counts but that it is one.
+    Statements count where they are clear, everything but `present` where a garment is; boxes of panels that
+    are there. ``widths`` is the likelihood of a Laplace distribution around each measure; the measures
+    themselves have a loss of their own, for where widths are small the likelihood has gradients beside which
+    all others vanish. Of a group nothing counts but that it is one.
     """
     reading = Reading(*(value.float() for value in reading))
     count, there = len(truth.present), truth.present[..., None]
@@ -30,8 +34,10 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
         "has": _cross_entropy(reading.has, truth.has, there.expand_as(truth.has)),
     }
     value, width = reading.measures[..., 0], reading.measures[..., 1].clamp(NARROWEST, WIDEST)
-    likelihood = (value - truth.measures).abs() * torch.exp(-width) + width
-    losses["measures"] = (likelihood * truth.has).sum()
+    off = F.smooth_l1_loss(value, truth.measures, reduction="none", beta=_NEAR)
+    losses["measures"] = (off * truth.has).sum()
+    likelihood = (value - truth.measures).abs().detach() * torch.exp(-width) + width
+    losses["widths"] = (likelihood * truth.has).sum()
     losses["panels"] = _cross_entropy(reading.panels, truth.panels, there.expand_as(truth.panels))
     apart = F.smooth_l1_loss(reading.boxes, truth.boxes, reduction="none", beta=0.1).sum(-1)
     losses["boxes"] = (apart * truth.panels).sum()
@@ -39,8 +45,12 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     losses["view"] = (turned * one[:, None]).sum()
     mask = F.binary_cross_entropy_with_logits(reading.masks, truth.masks, reduction="none")
     losses["masks"] = 10 * (mask.mean(dim=(1, 2, 3)) * ~several).sum()
+    known = truth.places.isfinite()
+    off = F.smooth_l1_loss(reading.places, truth.places.nan_to_num(0.0), reduction="none", beta=0.05)
+    cells = known[:, 0].sum(dim=(1, 2)).clamp_min(1)
+    losses["places"] = 10 * ((off * known).sum(dim=(1, 2, 3)) / cells).sum()
     losses = {name: value / count for name, value in losses.items()}
-    factor = {"has": weights.measures} | vars(weights)
+    factor = {"has": weights.measures, "widths": weights.measures} | vars(weights)
     losses["total"] = torch.stack([factor[name] * value for name, value in losses.items()]).sum()
     return losses
 

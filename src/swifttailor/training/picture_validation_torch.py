@@ -12,6 +12,7 @@ from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Family, draw
 from swifttailor.data.pictures.scenes import View, Wardrobe
 from swifttailor.evaluation.pictures.reading import claims_read
+from swifttailor.picture_reader.labels import GUESS
 from swifttailor.picture_reader.network_torch import EyesNetwork, Reading
 from swifttailor.picture_reader.truth import TRUE, UNCLEAR
 from swifttailor.training.picture_batch_torch import TruthTable
@@ -70,12 +71,15 @@ class Calibration(NamedTuple):
 
 @torch.no_grad()
 def read_all(network: EyesNetwork, pictures: np.ndarray[Any, Any], device: torch.device) -> Reading:
-    """What a network says of pictures (n, size, size, 3) uint8."""
+    """What a network says of pictures (n, size, size, 3) uint8, told where it saw the wearer at first."""
     parts: list[list[Tensor]] = []
     for start in range(0, len(pictures), _BATCH):
         batch = torch.from_numpy(pictures[start : start + _BATCH]).permute(0, 3, 1, 2).float() / 255
         batch = batch.to(device).contiguous(memory_format=torch.channels_last)
-        parts.append([value.float().cpu() for value in network(batch)])
+        guess = torch.zeros(len(batch), len(GUESS), device=device)
+        guess[:, :-1] = network(batch, guess).view
+        guess[:, -1] = 1
+        parts.append([value.float().cpu() for value in network(batch, guess)])
     return Reading(*(torch.cat(column) for column in zip(*parts, strict=True)))
 
 

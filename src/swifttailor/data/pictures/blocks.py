@@ -14,6 +14,7 @@ from swifttailor.body import Body
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.odd_scenes import draw_group, draw_nothing
 from swifttailor.data.pictures.scenes import VIEWS, Chance, Scene, View, Wardrobe, draw_scene
+from swifttailor.data.pictures.worn_places import worn_places
 from swifttailor.data.renders.draw import draw_seen
 from swifttailor.data.renders.look import random_look
 from swifttailor.data.renders.plain_look import plain_look
@@ -36,6 +37,8 @@ class Block:
     """(n,) number of `FIGURES`."""
     masks: NDArray[np.uint8]
     """(n, size / 4, size / 4, 2), see `scenes.Scene`."""
+    places: NDArray[np.float16]
+    """(n, size / 4, size / 4, 3), see `worn_places`."""
     views: NDArray[np.float32]
     """(n, 6)."""
     garments: NDArray[np.int64]
@@ -110,10 +113,11 @@ def draw(wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Ch
     masks[:, :, worn.truth.part] = np.round(255 * share)
     garments = np.full(len(PARTS), -1)
     garments[worn.truth.part] = number
-    return Scene(drawn.pixels, masks, view_of(drawn.camera, size), garments)
+    places = worn_places(drawn.face, [(s.vertices, s.faces) for s in drawn.surfaces])
+    return Scene(drawn.pixels, masks, places, view_of(drawn.camera, size), garments)
 
 
-_COLUMNS = ("pixels", "masks", "views", "garments", "figures")
+_COLUMNS = ("pixels", "masks", "places", "views", "garments", "figures")
 
 
 @lru_cache(maxsize=2)

@@ -77,8 +77,9 @@ def draw_group(wardrobe: Wardrobe, number: int, chance: Chance, size: int) -> Sc
 def _unread(pixels: Pixels, figures: str) -> Scene:
     cells = len(pixels) // MASK_STRIDE
     masks = np.zeros((cells, cells, len(PARTS)), np.uint8)
+    nowhere = np.full((cells, cells, 3), np.float16(np.nan))
     none = np.full(len(PARTS), -1)
-    return Scene(pixels, masks, np.zeros(len(VIEW), np.float32), none, FIGURES.index(figures))
+    return Scene(pixels, masks, nowhere, np.zeros(len(VIEW), np.float32), none, FIGURES.index(figures))
 
 
 def _shades(chance: Chance, size: int) -> Pixels:

@@ -21,6 +21,7 @@ from swifttailor.body.posing import random_pose
 from swifttailor.body.rig import Rig, Weights
 from swifttailor.body.skin_regions import SkinRegion, skin_regions
 from swifttailor.data.pictures.bank import PictureBank, WornGarment
+from swifttailor.data.pictures.worn_places import worn_places
 from swifttailor.data.renders.backdrops import MAKER_NAMES, random_scenery
 from swifttailor.data.renders.camera_effects import random_effects
 from swifttailor.data.renders.cloths import DrawnCloth, Place, random_cloth, random_color
@@ -48,6 +49,7 @@ _NOBODY, _STANDING, _USUAL_SHAPE, _MANNEQUIN = 0.08, 0.15, 0.2, 0.08
 _TWO_GARMENTS, _SEAMS, _STUDIO = 0.8, 0.3, 0.15
 _LOW_SHOES = ("flats", "shoes", "sneakers")
 _ATTEMPTS, _POSES = 30, 1024
+_COVERED = 0.5
 
 
 class Scene(NamedTuple):
@@ -57,6 +59,8 @@ class Scene(NamedTuple):
     """(size, size, 3)."""
     masks: NDArray[np.uint8]
     """(size / 4, size / 4, 2) share of each cell where the garment of each part is seen, of 255."""
+    places: NDArray[np.float16]
+    """(size / 4, size / 4, 3), see `worn_places`."""
     views: NDArray[np.float32]
     """(6,) `labels.VIEW`."""
     garments: NDArray[np.int64]
@@ -126,10 +130,11 @@ def draw_scene(
     things = [(figure.vertices, figure.weights), *((a.vertices, a.weights) for a in accessories)]
     things += [(g.vertices, g.weights) for _, g in worn]
     carried = carry_all(things, rig, pose, shape, sole=sole)
-    surfaces = []
+    surfaces, at_rest = [], []
     if not nobody:
         for thing, vertices in zip([figure, *accessories], carried, strict=False):
             surfaces.append(_surface(vertices, thing))
+            at_rest.append((thing.vertices, thing.faces))
     bodies = len(surfaces)
     tucked = chance.random() < 0.4
     for k, ((_, garment), vertices) in enumerate(zip(worn, carried[1 + len(accessories) :], strict=True)):
@@ -138,6 +143,7 @@ def draw_scene(
         surfaces.append(
             _cloth(garment, vertices, chance, skin, 1.6 if outside else 0.35, held_out and k == 0)
         )
+        at_rest.append((garment.vertices, garment.faces))
     shown = carried[1 + len(accessories)]
     camera = _camera(shown, carried[0], view, chance)
     if aside is not None:
@@ -163,7 +169,8 @@ def draw_scene(
         share = (seen.shares[:, :, bodies + k] * cover).reshape(cells, MASK_STRIDE, cells, MASK_STRIDE)
         masks[:, :, garment.truth.part] = np.round(255 * share.mean(axis=(1, 3)))
         garments[garment.truth.part] = which
-    return Scene(pixels, masks, view_of(camera, size), garments)
+    places = worn_places(np.where(cover > _COVERED, seen.face, -1), at_rest)
+    return Scene(pixels, masks, places, view_of(camera, size), garments)
 
 
 class _Thing(NamedTuple):

@@ -56,6 +56,9 @@ class Drawn:
     shares: Array
     """(size, size, surfaces) float32 share of each pixel in which a surface is seen: the body first, where
     there is one, then the garment."""
+    face: Array
+    """(size, size) int32, see `render.view.Seen`."""
+    surfaces: tuple[Surface, ...]
     camera: Camera
     """That saw it."""
 
@@ -80,7 +83,7 @@ def draw_seen(cloth: ClothMesh, body: Body, look: Look, size: int = 256) -> Draw
     """Draws a garment as `draw_look` does, and says where it is seen; the other arguments are the same."""
     surfaces, camera = _placed(cloth, body, look)
     seen = _drawing(render_seen, surfaces, camera, look, size)
-    return Drawn(seen.pixels, seen.shares, camera)
+    return Drawn(seen.pixels, seen.shares, seen.face, tuple(surfaces), camera)
 
 
 def draw_body(body: Body, look: Look, size: int = 256) -> Pixels:
