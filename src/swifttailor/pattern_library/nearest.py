@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.pattern_library.sought import Sought
+from swifttailor.pattern import Pattern
+from swifttailor.pattern_library.known import PatternLibrary
+from swifttailor.pattern_library.sought import EXACT, SURE, Sought
 from swifttailor.pattern_library.truth_table import TruthTable
 from swifttailor.picture_reader.truth import Truth
 
@@ -15,7 +17,7 @@ MOST_OFF = 4.0
 """Widths of a measure or of a box that count at most: beyond it is another thing, however far."""
 BOX_CM = (4.0, 4.0, 6.0, 6.0, 8.0)
 """Width of the distribution of `BOX`."""
-NARROWEST_MEASURE = 0.02
+NARROWEST_MEASURE, _LEAST = 0.02, 1e-6
 
 
 @dataclass(frozen=True)
@@ -23,11 +25,11 @@ class Weights:
     """What the four sources count for; statements of one garment are far from independent of each other."""
 
     statements: float = 1.0
-    measures: float = 1.0
-    panels: float = 1.0
-    boxes: float = 0.1
-    alike: float = 0.3
-    """What the garments that fit are like counts for, where little is known; see `alike`."""
+    measures: float = 0.3
+    panels: float = 2.0
+    boxes: float = 0.3
+    alike: float = 0.1
+    """What the garments that fit are like; see `alike`."""
 
 
 CHOSEN = Weights()
@@ -86,7 +88,7 @@ def alike(table: TruthTable, log_likelihood: NDArray[np.float64]) -> Sought:
 
     Args:
         table: N patterns.
-        log_likelihood: (N,) how well they fit.
+        log_likelihood: (N,) how well they fit, and how common they are.
     """
     share = np.exp(log_likelihood - log_likelihood.max()).astype(np.float32)
     share /= share.sum()
@@ -94,29 +96,86 @@ def alike(table: TruthTable, log_likelihood: NDArray[np.float64]) -> Sought:
     found.statements[:], found.said[:] = _certain(share @ table.true), 1.0
     has = share @ table.has
     found.has[:], found.measures[:] = _certain(has), 1.0
-    least = np.maximum(has, 1e-6)
+    least = np.maximum(has, _LEAST)
     found.measured[:, 0] = share @ (table.has * table.scaled) / least
     off = np.abs(table.scaled - found.measured[:, 0])
-    found.measured[:, 1] = np.maximum(share @ (table.has * off) / least, 0.05)
-    found.panels[:], found.named[:] = _certain(share @ table.named), 1.0
+    found.measured[:, 1] = np.maximum(share @ (table.has * off) / least, EXACT)
+    named = share @ table.named
+    found.panels[:], found.named[:], found.placed[:] = _certain(named), 1.0, named
     of_row = share[table.owner]
     for column in range(found.boxes.shape[1]):
-        summed = np.bincount(table.name, of_row * table.boxes[:, column], len(found.panels))
-        found.boxes[:, column] = summed / np.maximum(share @ table.named, 1e-6)
-    found.placed[:] = share @ table.named
+        summed = np.bincount(table.name, of_row * table.boxes[:, column], len(named))
+        found.boxes[:, column] = summed / np.maximum(named, _LEAST)
     return found
 
 
 def _certain(share: NDArray[np.float32]) -> NDArray[np.float32]:
-    return np.clip(share, 0.02, 0.98)
+    return np.clip(share, 1 - SURE, SURE)
 
 
-def fit_of(truth: Truth, sought: Sought, weights: Weights = CHOSEN) -> float:
-    """How well any pattern fits what is sought, by the number that those of a library are compared by.
+@dataclass(frozen=True, eq=False)
+class Found:
+    """A known pattern that fits what is sought."""
+
+    id: str
+    """Of `PatternLibrary.ids`."""
+    number: int
+    """In the library."""
+    fit: float
+    """How well it fits; see `Search.fit_of`."""
+    pattern: Pattern
+
+
+class Search:
+    """What is sought, asked of a library; judges patterns of other sources by the same number."""
+
+    def __init__(self, library: PatternLibrary, sought: Sought, weights: Weights = CHOSEN) -> None:
+        """Compares all patterns of a library.
+
+        Args:
+            library: Known patterns.
+            sought: What is known of what is wanted.
+            weights: What counts for how much.
+        """
+        self.library, self.sought, self.weights = library, sought, weights
+        fits = log_likelihoods(library.table, sought, weights)
+        common = np.log(library.stands_for + 1.0)
+        self.usual = alike(library.table, fits + common)
+        """What garments are like that fit."""
+        if weights.alike:
+            fits = fits + weights.alike * log_likelihoods(library.table, self.usual, weights)
+        self.fits = fits
+        """(N,) of each pattern of the library."""
+
+    def nearest(self, count: int = 1) -> list[Found]:
+        """The patterns that fit best, the best first.
+
+        Raises:
+            InputError: The file of the library is damaged.
+        """
+        best = np.argsort(-self.fits, kind="stable")[:count]
+        ids, pattern = self.library.ids, self.library.pattern
+        return [Found(ids[k], int(k), float(self.fits[k]), pattern(int(k))) for k in best]
+
+    def fit_of(self, truth: Truth) -> float:
+        """How well any pattern fits what is sought: a log likelihood, of which only differences count.
+
+        Args:
+            truth: What is true of it (`Truth.of`).
+        """
+        table = TruthTable.of([truth])
+        fit = log_likelihoods(table, self.sought, self.weights)
+        if self.weights.alike:
+            fit = fit + self.weights.alike * log_likelihoods(table, self.usual, self.weights)
+        return float(fit[0])
+
+
+def nearest(library: PatternLibrary, sought: Sought, count: int = 1) -> list[Found]:
+    """The known patterns that fit best what is sought, the best first.
 
     Args:
-        truth: What is true of it (`Truth.of`).
+        library: Known patterns.
         sought: What is known of what is wanted.
-        weights: What counts for how much.
+        count: How many, at most.
     """
-    return float(log_likelihoods(TruthTable.of([truth]), sought, weights)[0])
+    return Search(library, sought).nearest(count)
