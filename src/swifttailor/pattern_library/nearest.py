@@ -26,8 +26,8 @@ class Weights:
 
     statements: float = 1.0
     measures: float = 0.3
-    panels: float = 2.0
-    boxes: float = 0.3
+    panels: float = 1.0
+    boxes: float = 0.5
     alike: float = 0.1
     """What the garments that fit are like; see `alike`."""
 
