@@ -3,8 +3,8 @@
 python scripts/make_pattern_library.py --patterns train.jsonl.gz --usual usual-00.jsonl.gz
     --apart validation.jsonl.gz test.jsonl.gz --out known_patterns.zip
 
-Half of the library is taken from --usual, half from --patterns. Passed over are patterns of which a check finds
-an error or a warning, before or after they are rounded, and twins of each other and of those --apart.
+Half of the library is taken from --usual, half from --patterns. Passed over are patterns in which a check
+finds an error or a warning, before or after they are rounded, and twins of each other and of those --apart.
 The same files, seed and version give the same bytes.
 """
 
@@ -46,7 +46,7 @@ def main() -> None:
     parser.add_argument("--usual", type=Path, nargs="*", default=[], help="the same, of what people wear")
     parser.add_argument("--apart", type=Path, nargs="*", default=[], help="patterns that must not be in it")
     parser.add_argument("--count", type=int, default=3000, help="patterns of the library")
-    parser.add_argument("--wanted", type=int, default=3000, help="garments that it is chosen for")
+    parser.add_argument("--wanted", type=int, default=6000, help="garments that it is chosen for")
     parser.add_argument("--seed", type=int, default=0, help="of which garments these are")
     parser.add_argument("--cache", type=Path, help="folder that keeps what was measured")
     parser.add_argument(

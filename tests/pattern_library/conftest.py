@@ -11,7 +11,7 @@ from swifttailor.picture_reader.truth import Truth
 @pytest.fixture(scope="session")
 def known(shipped_patterns, drafts) -> list[KnownPattern]:
     """The 20 real patterns beside the tests, and all drafts."""
-    found = {**shipped_patterns, **{name: pattern for name, pattern in drafts.items()}}
+    found = {**shipped_patterns, **drafts}
     return [KnownPattern(name, pattern.canonical()) for name, pattern in found.items()]
 
 

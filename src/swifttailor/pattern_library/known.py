@@ -41,8 +41,8 @@ class PatternLibrary:
     digests: tuple[str, ...]
     """`pattern_digest` of each as it was before it was rounded."""
     stands_for: NDArray[np.int64]
-    """(N,) for how many garments each was the nearest when it was chosen: patterns of a library lie apart even
-    where garments are many."""
+    """(N,) for how many garments each was the nearest when it was chosen: patterns of a library lie
+    apart even where garments are many."""
     card: dict[str, Any]
     """What it was made of, and how."""
     _packed: bytes
