@@ -62,6 +62,7 @@ def test_patterns_serve_who_wants_one_like_them(library):
     assert use.shape == (3, len(library))
     for row, k in enumerate((0, 3, 5)):
         assert use[row, k] == 0  # none serves who wants itself
+        assert use[row].max() == 1
         fits = log_likelihoods(library.table, Sought.of_truth(library.table[k]), weights)
         order = np.argsort(-fits)
         assert np.argsort(-use[row], kind="stable")[0] == order[order != k][0]

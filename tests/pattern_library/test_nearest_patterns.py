@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -75,6 +77,30 @@ def test_any_pattern_is_judged_by_the_same_number(library):
     search = Search(library, Sought.of_claims([Claim("kind", "dress"), Claim("sleeves", "none")]))
     for k in range(0, len(library), 3):
         assert search.fit_of(library.table[k]) == pytest.approx(search.fits[k], abs=0.05)
+
+
+def test_what_is_usual_counts_where_no_panels_are_known(library, truths):
+    words, picture = Sought.of_claims([Claim("kind", "dress")]), Sought.of_truth(truths[0])
+    assert Search(library, picture).usual is None
+    np.testing.assert_array_equal(
+        Search(library, picture).fits, log_likelihoods(library.table, picture, CHOSEN)
+    )
+    fits = log_likelihoods(library.table, words, CHOSEN)
+    usual = alike(library.table, fits + np.log(library.stands_for + 1.0))
+    expected = fits + CHOSEN.alike * log_likelihoods(library.table, usual, CHOSEN)
+    np.testing.assert_allclose(Search(library, words).fits, expected, rtol=1e-6)
+
+
+def test_how_common_patterns_are_decides_what_is_usual(library):
+    """Where one pattern stands for very many garments, what is not said is as in that one."""
+    sought = Sought.of_claims([Claim("sleeves", "none")])
+    fits = log_likelihoods(library.table, sought)
+    candidates = np.flatnonzero(fits == fits.max())
+    assert len(candidates) > 2
+    for k in candidates[:4]:
+        stands = np.zeros(len(library), np.int64)
+        stands[k] = 10**9
+        assert Search(replace(library, stands_for=stands), sought).nearest()[0].number == k
 
 
 def test_what_is_asked_for_is_found(library):

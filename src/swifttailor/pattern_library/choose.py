@@ -13,6 +13,8 @@ from swifttailor.pattern_library.sought import Sought
 from swifttailor.pattern_library.truth_table import TruthTable
 
 Progress = Callable[[int, int], None]
+_NEAR = 3.0
+"""Log likelihood: patterns that differ by less are as good as each other."""
 
 
 def usefulness(
@@ -20,28 +22,28 @@ def usefulness(
     wanted: Sequence[int],
     weights: Weights,
     *,
-    softness: float | None = None,
     progress: Progress = lambda done, of: None,
 ) -> NDArray[np.float32]:
-    """(W, N) how well each of N patterns serves who wants another: 1 where nothing is different, towards 0.
+    """(W, N) how well each of N patterns serves who wants another: 1 for the nearest of all, towards 0.
+
+    What differs is counted in units of how far the nearest is, so that garments count equally that many others
+    are like, and that are like few.
 
     Args:
         table: N patterns.
         wanted: W of them, as if they were asked for; none serves who wants itself.
         weights: See `nearest`.
-        softness: Difference of log likelihoods at which a pattern is of use by 1/e; the median of the nearest
-            when None.
         progress: Called with how many are done, and of how many.
     """
-    near = np.zeros((len(wanted), len(table)), np.float32)
+    use = np.zeros((len(wanted), len(table)), np.float32)
     for row, k in enumerate(wanted):
-        found = log_likelihoods(table, Sought.of_truth(table[k]), weights)
-        near[row] = np.maximum(found[k] - found, 0.0)
-        near[row, k] = np.inf
+        fits = log_likelihoods(table, Sought.of_truth(table[k]), weights)
+        off = np.maximum(fits[k] - fits, 0.0)
+        off[k] = np.inf
+        least = off.min()
+        use[row] = np.exp((least - off) / max(least, _NEAR))
         progress(row + 1, len(wanted))
-    if softness is None:
-        softness = max(float(np.median(near.min(axis=1))), 1e-3)
-    return np.exp(-near / np.float32(softness))
+    return use
 
 
 def choose(use: NDArray[np.float32], groups: NDArray[np.integer], count: int) -> list[int]:

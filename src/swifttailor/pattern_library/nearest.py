@@ -29,7 +29,7 @@ class Weights:
     panels: float = 1.0
     boxes: float = 0.5
     alike: float = 0.1
-    """What the garments that fit are like; see `alike`."""
+    """What garments that fit are like (`alike`), where nothing is known of panels: words leave much open."""
 
 
 CHOSEN = Weights()
@@ -139,10 +139,10 @@ class Search:
         """
         self.library, self.sought, self.weights = library, sought, weights
         fits = log_likelihoods(library.table, sought, weights)
-        common = np.log(library.stands_for + 1.0)
-        self.usual = alike(library.table, fits + common)
-        """What garments are like that fit."""
-        if weights.alike:
+        self.usual: Sought | None = None
+        """What garments are like that fit; None where panels are known."""
+        if weights.alike and not sought.named.any():
+            self.usual = alike(library.table, fits + np.log(library.stands_for + 1.0))
             fits = fits + weights.alike * log_likelihoods(library.table, self.usual, weights)
         self.fits = fits
         """(N,) of each pattern of the library."""
@@ -165,7 +165,7 @@ class Search:
         """
         table = TruthTable.of([truth])
         fit = log_likelihoods(table, self.sought, self.weights)
-        if self.weights.alike:
+        if self.usual is not None:
             fit = fit + self.weights.alike * log_likelihoods(table, self.usual, self.weights)
         return float(fit[0])
 
