@@ -201,5 +201,7 @@ def test_parts_of_what_is_sought(library, truths):
         only = full.only(**flags)
         weights = Weights(**{**dict.fromkeys(flags, 0.0), name: 1.0})
         np.testing.assert_allclose(
-            log_likelihoods(library.table, only), log_likelihoods(library.table, full, weights), rtol=1e-5
+            log_likelihoods(library.table, only, Weights(1.0, 1.0, 1.0, 1.0)),
+            log_likelihoods(library.table, full, weights),
+            rtol=1e-5,
         )

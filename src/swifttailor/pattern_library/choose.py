@@ -26,8 +26,8 @@ def usefulness(
 ) -> NDArray[np.float32]:
     """(W, N) how well each of N patterns serves who wants another: 1 for the nearest of all, towards 0.
 
-    What differs is counted in units of how far the nearest is, so that garments count equally that many others
-    are like, and that are like few.
+    What differs is counted in units of how far the nearest is, so that garments that are like many others and
+    garments that are like few count equally.
 
     Args:
         table: N patterns.
