@@ -1,0 +1,4 @@
+"""Patterns that are known already: those that fit best what a picture shows and what words ask for.
+
+May import picture_reader, wishes, describing, pattern and what lies below them; numpy is all it needs.
+"""
