@@ -82,15 +82,21 @@ class TruthTable:
 class PictureBatches:
     """Batches of an endless training, each determined by its number."""
 
-    def __init__(self, bank: PictureBank, config: PictureConfig, *, workers: int = 1) -> None:
+    def __init__(
+        self, bank: PictureBank, config: PictureConfig, *, workers: int = 1, part: tuple[int, int] = (0, 1)
+    ) -> None:
         """Prepares to draw.
 
         Args:
             bank: Garments.
             config: Of the training.
             workers: Processes that draw; 0 draws in this one.
+            part: Number of this process among those that train, and how many these are: each draws
+                blocks of its own, and has its share of a batch.
         """
         self.config, self.workers = config, workers
+        self._rank, self._count = part
+        self._size = config.batch_size // self._count
         drawn = config.network.image_size
         self.blocks = Blocks(
             bank,
@@ -100,21 +106,22 @@ class PictureBatches:
             shares={name: getattr(config, name) for name in ("plain", "studio", "nothing", "several")},
         )
         self.truths = TruthTable(bank)
-        self._each = config.block * config.echo // config.batch_size
+        self._each = config.block * config.echo // self._size
         self._next, self._loaded = -1, iter(())
         self._block: Block | None = None
 
     def __getitem__(self, step: int) -> tuple[Tensor, Tensor, Answers]:
         """Of a step pictures (B, 3, size, size), guesses at their cameras (B, 7), and the truth."""
         number, place = divmod(step, self._each)
+        number = number * self._count + self._rank
         block = self._take(number)
-        size, count = self.config.batch_size, self.config.block
+        size, count = self._size, self.config.block
         orders = [
             np.random.default_rng([self.config.seed, 5, number, e]).permutation(count)
             for e in range(self.config.echo)
         ]
         chosen = np.concatenate(orders)[place * size : (place + 1) * size]
-        chance = torch.Generator().manual_seed(hash((self.config.seed, step)) % (1 << 31))
+        chance = torch.Generator().manual_seed(hash((self.config.seed, self._rank, step)) % (1 << 31))
         pictures = torch.from_numpy(block.pixels[chosen]).permute(0, 3, 1, 2).float() / 255
         masks = torch.from_numpy(block.masks[chosen]).permute(0, 3, 1, 2).float() / 255
         views = torch.from_numpy(block.views[chosen])
@@ -127,19 +134,19 @@ class PictureBatches:
         return pictures, guess, self.truths.answers(garments, views, figures, masks, places)
 
     def _take(self, number: int) -> Block:
-        if self._block is None or self._next != number + 1:
+        if self._block is None or self._next != number + self._count:
             if self._next != number:
                 self._loaded = self._load(number)
-            self._block, self._next = next(self._loaded), number + 1
+            self._block, self._next = next(self._loaded), number + self._count
         return self._block
 
     def _load(self, first: int) -> Iterator[Block]:
         if not self.workers:
-            return (self.blocks[k] for k in range(first, 1 << 40))
+            return (self.blocks[k] for k in range(first, 1 << 40, self._count))
         loader = DataLoader(
             _Drawn(self.blocks),
             batch_size=None,
-            sampler=range(first, 1 << 40),
+            sampler=range(first, 1 << 40, self._count),
             num_workers=self.workers,
             prefetch_factor=2,
             collate_fn=_as_it_is,

@@ -98,7 +98,7 @@ class PictureTask(Task):
             workers: Processes that draw.
         """
         torch.manual_seed(config.seed)
-        self.config, self.device, self.part = config, processes.device, (processes.rank, processes.count)
+        self.config, self.device = config, processes.device
         self.network = build_network(asdict(config.network)).to(processes.device)
         self.network = self.network.to(memory_format=torch.channels_last)
         if config.start:
@@ -106,7 +106,7 @@ class PictureTask(Task):
         self.weights = MasterWeights(self.network)
         lowered = config.precision == "bfloat16" or (config.precision == "auto" and _has_bfloat16())
         self.precision = "bfloat16" if lowered else "float32"
-        self.batches = PictureBatches(bank, config, workers=workers)
+        self.batches = PictureBatches(bank, config, workers=workers, part=(processes.rank, processes.count))
         self.held = ValidationPictures(validation, config)
         self.data = {
             "train": {"garments": len(bank), "sha256": bank.checksum()},
@@ -116,10 +116,6 @@ class PictureTask(Task):
     def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
         """Of everything that is to be read of a batch, a picture."""
         pictures, guess, truth = self.batches[step]
-        rank, count = self.part
-        if count > 1:
-            pictures, guess = pictures[rank::count], guess[rank::count]
-            truth = type(truth)(*(value[rank::count] for value in truth))
         pictures = pictures.to(self.device).contiguous(memory_format=torch.channels_last)
         with torch.autocast(self.device.type, torch.bfloat16, enabled=self.precision == "bfloat16"):
             reading = Reading(*trained(pictures, guess.to(self.device)))
