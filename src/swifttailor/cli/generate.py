@@ -38,11 +38,16 @@ class Generate(Making):
     that are seen; two get a folder each in DIR."""
     read: tyro.conf.FlagCreatePairsOff[bool] = False
     """Only read the picture: print what it shows, write seen.png and reading.json."""
+    source: Literal["both", "library", "writer"] = "both"
+    """Where patterns come from. both: from the library of known patterns, and where none of the nearest will
+    do PatternMaker writes one; or one of them alone."""
     crop: bool = True
     """Show PatternMaker the picture cropped to its figure where the background is plain."""
 
     picture_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Model file (.onnx) of a trained picture reader. Default: the one in the package."""
+    pattern_library: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Library (.zip) of known patterns. Default: the one in the package."""
 
     def run(self) -> int:
         """Makes what is asked for, prints what came of it, and returns the exit code.
@@ -56,12 +61,16 @@ class Generate(Making):
             from swifttailor.cli.read_pictures import read_pictures
 
             return read_pictures(self)
-        order = self.order(self.text, image=self.image or None, crop=self.crop, part=self.part)
+        order = self.order(
+            self.text, image=self.image or None, crop=self.crop, part=self.part, source=self.source
+        )
         return self.make(order)
 
     def tailor(self, **networks: Path | None) -> Tailor:
         """Who makes the garments, and reads the pictures."""
-        return super().tailor(picture_reader=self.picture_reader_weights, **networks)
+        return super().tailor(
+            picture_reader=self.picture_reader_weights, pattern_library=self.pattern_library, **networks
+        )
 
     def several(self, tailor: Tailor, order: Order) -> dict[str, Order]:
         """Both garments of a picture that shows two, unless one is asked for.

@@ -29,7 +29,9 @@ class Answer:
     seed: int = 0
     """Of its sample of the order."""
     written: WrittenPattern | None = None
-    """What the network wrote for it; None of a pattern that was given to be sewn."""
+    """What the network wrote for it, or a known pattern; None of a pattern that was given to be sewn."""
+    known: str = ""
+    """Id of the known pattern that it is cut from; empty where it was written."""
     cuts: tuple[str, ...] = ()
     """What was altered, in words."""
     of_edit: bool = False

@@ -23,6 +23,8 @@ USUAL_ATTEMPTS = 4
 LONGEST_TITLE = 60
 
 Image = NDArray[np.uint8] | Path | str
+Source = Literal["both", "library", "writer"]
+"""Where patterns come from: known ones, and written ones where none of these will do; or one alone."""
 Part = Literal["upper", "lower", "whole"]
 """Where a garment in a picture is worn; ``whole`` is one dress or jumpsuit."""
 MOST_PICTURES = 2
@@ -55,8 +57,10 @@ class Order:
     """0 takes the likeliest token always, 1 draws tokens by their probability. Each attempt is
     drawn at 0.15 more than the one before."""
     attempts: int | None = None
-    """Patterns that are written at most until one can be sewn (the paper's sampling attempts); 4, or 1 at
+    """Patterns that are tried at most until one can be sewn (the paper's sampling attempts); 4, or 1 at
     temperature 0, when None."""
+    source: Source = "both"
+    """Edits are always written."""
     alter: bool = True
     """Whether patterns are recut until what the text asks for holds, as far as that can be cut."""
     edge_length: float = 2.0
@@ -73,6 +77,10 @@ class Order:
             raise InputError(f"part is '{self.part}' and there is no picture; give one, or leave part out.")
         if self.part not in (None, *get_args(Part)):
             raise InputError(f"part is {self.part!r}; {', '.join(get_args(Part))} are accepted.")
+        if self.source not in get_args(Source):
+            raise InputError(f"source is {self.source!r}; {', '.join(get_args(Source))} are accepted.")
+        if self.source == "library" and (self.edit is not None or not self.alter):
+            raise InputError("Known patterns are found to be altered, and not for edits: leave source out.")
         if not 1 <= self.samples <= MOST_SAMPLES:
             raise InputError(f"samples is {self.samples}; 1 to {MOST_SAMPLES} is accepted.")
         if self.attempts is not None and not 1 <= self.attempts <= MOST_ATTEMPTS:
@@ -117,6 +125,7 @@ class Order:
             "crop": self.crop,
             "temperature": self.temperature,
             "attempts": self.most_attempts,
+            "source": self.source,
             "alter": self.alter,
         }
 

@@ -14,6 +14,7 @@ from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError, NothingSeenError, SwiftTailorError
 from swifttailor.pattern import Pattern, check_pattern
+from swifttailor.pattern_library.sought import Sought
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
 from swifttailor.pattern_maker.maker import Request
 from swifttailor.picture_reader.reading import PartReading
@@ -76,6 +77,11 @@ class Wanted:
     def said(self) -> tuple[Wish, ...]:
         """The wishes that are the text's, as far as it was understood for certain."""
         return tuple(wish for wish in self.wishes if wish not in self.seen)
+
+    @cached_property
+    def sought(self) -> Sought:
+        """What is known of the garment, to be looked up among known patterns."""
+        return Sought.of(self.part, [w for w in (*self.wishes, *self.likely) if w not in self.seen])
 
     @property
     def unsaid(self) -> bool:

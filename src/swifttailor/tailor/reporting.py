@@ -45,7 +45,8 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
         "findings": [finding_entry(f) for f in sewn.findings],
         "versions": versions(),
         "weights": weights(
-            pattern_maker=tailor.pattern_maker if wanted is not None else None,
+            pattern_maker=tailor.pattern_maker if wanted is not None and not answer.known else None,
+            pattern_library=tailor.pattern_library if answer.known else None,
             wish_reader=tailor.wish_reader if wanted is not None and wanted.said else None,
             picture_reader=tailor.picture_reader if wanted is not None and wanted.pictures else None,
             garment_sewer=tailor.garment_sewer,
@@ -73,6 +74,7 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
         {}
         if written is None
         else {
+            "source": "writer",
             "tokens": written.tokens,
             "log_likelihood": written.log_likelihood,
             "certainty": written.certainty,
@@ -80,7 +82,7 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
     )
     return {
         "order": wanted.order.to_json() | {"seed": answer.seed},
-        "writing": writing
+        "writing": ({"source": "library", "known_pattern": answer.known} if answer.known else writing)
         | {
             "attempt": answer.attempt + 1,
             "failed_attempts": list(answer.failures),
@@ -122,7 +124,9 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     order, found = wanted.order, list(wanted.notes)
     if answer.failures:
         count = len(answer.failures) + 1
-        found.append(f"{count} patterns were written; number {answer.attempt + 1} was taken.")
+        found.append(f"{count} patterns were tried; number {answer.attempt + 1} was taken.")
+    if answer.known:
+        found.append(f"Cut from a known pattern: {answer.known}.")
     if wanted.part is not None:
         found.append(_read_line(wanted))
     if wanted.overruled:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
-from functools import cached_property
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,15 +15,17 @@ from swifttailor.pattern.panel import RotationReading
 from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.progress import StageProgress
 from swifttailor.tailor.answer import Answer
-from swifttailor.tailor.order import NO_READER, Image, Order, Part
+from swifttailor.tailor.order import NO_READER, Image, Order, Part, Source
 from swifttailor.tailor.protocols import PatternWriter, Sewer
 from swifttailor.tailor.reporting import described
 from swifttailor.tailor.sewing import SewingOptions, read_and_prepare, sew_answers
 from swifttailor.tailor.tailored import Tailored
+from swifttailor.tailor.workshop import Workshop
 
 if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.draping.fabric import Fabric
+    from swifttailor.pattern_library.known import PatternLibrary
     from swifttailor.tailor.looking import ReadsPictures, SeenPicture
     from swifttailor.tailor.reading import Wanted
     from swifttailor.wishes.reader import WishReader
@@ -34,42 +34,8 @@ Outcome = Tailored | SwiftTailorError
 """A garment, or why there is none."""
 
 
-class Tailor:
+class Tailor(Workshop):
     """Makes garments from words, pictures and patterns."""
-
-    def __init__(
-        self,
-        pattern_maker: PatternWriter | Path | str | None = None,
-        garment_sewer: Sewer | Path | str | None = None,
-        *,
-        wish_reader: WishReader | Path | str | None = None,
-        picture_reader: ReadsPictures | Path | str | None = None,
-        body: Body | None = None,
-        fabric: Fabric | str = "cotton",
-        threads: int = 1,
-    ) -> None:
-        """Prepares to work; a network is opened when it is first needed.
-
-        Args:
-            pattern_maker: What writes patterns: a `PatternMaker`, the model file of one, or anything that
-                does what `protocols.PatternWriter` says; the one that comes with the package when None.
-            garment_sewer: What sews them: a `GarmentSewer`, the model file of one, or anything that does what
-                `protocols.Sewer` says; the one that comes with the package when None.
-            wish_reader: The network that reads what texts ask for, or its model file; the one that comes with
-                the package when None.
-            picture_reader: The network that reads what pictures show, its model file, or anything that does
-                what `looking.ReadsPictures` says; the one that comes with the package when None.
-            body: Who wears the garments: a `GarmentSewer` sews them around it and keeps them out of it,
-                physics hangs them on it (`finish`), and previews show it. Somebody else's sewer has to know
-                it by itself, and patterns are written for the default body whoever wears them. The default
-                body when None.
-            fabric: What hangs where garments are finished by physics: a `Fabric` or the name of a preset.
-            threads: CPU cores for the networks.
-        """
-        self._maker, self._sewer, self._reader = pattern_maker, garment_sewer, wish_reader
-        self._eyes = picture_reader
-        self.body, self.fabric = body, fabric
-        self._threads = threads
 
     @classmethod
     def load(
@@ -79,6 +45,7 @@ class Tailor:
         *,
         wish_reader: WishReader | Path | str | None = None,
         picture_reader: ReadsPictures | Path | str | None = None,
+        pattern_library: PatternLibrary | Path | str | None = None,
         body: Body | None = None,
         fabric: Fabric | str = "cotton",
         threads: int = 1,
@@ -89,67 +56,11 @@ class Tailor:
             garment_sewer,
             wish_reader=wish_reader,
             picture_reader=picture_reader,
+            pattern_library=pattern_library,
             body=body,
             fabric=fabric,
             threads=threads,
         )
-
-    @cached_property
-    def pattern_maker(self) -> PatternWriter:
-        """What writes patterns.
-
-        Raises:
-            InputError: There are no such weights, or they are damaged.
-        """
-        if self._maker is None or isinstance(self._maker, Path | str):
-            from swifttailor.pattern_maker.maker import PatternMaker
-
-            return PatternMaker.load(self._maker, threads=self._threads)
-        return self._maker
-
-    @cached_property
-    def garment_sewer(self) -> Sewer:
-        """What sews them.
-
-        Raises:
-            InputError: There are no such weights, or they are damaged.
-        """
-        sewer = self._sewer
-        if sewer is None or isinstance(sewer, Path | str):
-            sewer = GarmentSewer.load(sewer, threads=self._threads)
-        if self.body is not None and isinstance(sewer, GarmentSewer):
-            from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
-
-            return replace(sewer, body=BodyDistance.of(self.body))
-        return sewer
-
-    @cached_property
-    def wish_reader(self) -> WishReader:
-        """The network that reads what texts ask for.
-
-        Raises:
-            InputError: There are no such weights, or they are damaged.
-        """
-        from swifttailor.wishes.reader import WishReader
-
-        if self._reader is None or isinstance(self._reader, Path | str):
-            return WishReader.load(self._reader, threads=self._threads)
-        return self._reader
-
-    @cached_property
-    def picture_reader(self) -> ReadsPictures | None:
-        """The network that reads what pictures show; None where none was given and the package has none.
-
-        Raises:
-            InputError: There are no such weights, or they are damaged.
-        """
-        if self._eyes is None or isinstance(self._eyes, Path | str):
-            from swifttailor.picture_reader.reader import SHIPPED, PictureReader
-
-            if self._eyes is None and not SHIPPED.is_file():
-                return None
-            return PictureReader.load(self._eyes, threads=self._threads)
-        return self._eyes
 
     def look(self, image: Image) -> SeenPicture:
         """What a picture shows: garments, what can be said of each, and where they are.
@@ -166,24 +77,6 @@ class Tailor:
             raise InputError(NO_READER)
         return look_at(image, self.picture_reader)
 
-    def compile_notes(self, *, finish: bool) -> list[str]:
-        """What the first garment waits for on a machine where it is not compiled yet, in words.
-
-        Args:
-            finish: Whether garments hang to rest by physics in the end.
-
-        Raises:
-            InputError: There are no weights to sew with, or they are damaged.
-        """
-        from swifttailor.draping.compiled_code import COARSE_COMPILE_NOTE, COMPILE_NOTE, solver_is_compiled
-
-        sewer = self.garment_sewer
-        waits = {
-            COARSE_COMPILE_NOTE: isinstance(sewer, GarmentSewer) and sewer.must_compile,
-            COMPILE_NOTE: finish and not solver_is_compiled(),
-        }
-        return [note for note, must_wait in waits.items() if must_wait]
-
     def generate(
         self,
         text: str = "",
@@ -193,6 +86,7 @@ class Tailor:
         seed: int = 0,
         temperature: float = USUAL_TEMPERATURE,
         attempts: int | None = None,
+        source: Source = "both",
         alter: bool = True,
         edge_length: float = 2.0,
         finish: bool = False,
@@ -208,6 +102,7 @@ class Tailor:
             seed: Decides what is drawn.
             temperature: See `Order`.
             attempts: See `Order`.
+            source: See `Order`.
             alter: See `Order`.
             edge_length: Of the mesh, cm.
             finish: Whether it hangs to rest by physics in the end.
@@ -224,6 +119,7 @@ class Tailor:
             seed=seed,
             temperature=temperature,
             attempts=attempts,
+            source=source,
             alter=alter,
             edge_length=edge_length,
             finish=finish,
@@ -317,7 +213,9 @@ class Tailor:
         wanted = [self._read(order) for order in orders]
         clock.stop("reading")
         samples = [(one, one.order.seed + k) for one in wanted for k in range(one.order.samples)]
-        return write_patterns(self.pattern_maker, self.garment_sewer, samples, clock)
+        return write_patterns(
+            lambda: self.pattern_maker, self.garment_sewer, samples, clock, self.library_for(orders)
+        )
 
     def _read(self, order: Order) -> Wanted:
         from swifttailor.tailor.reading import read_order
@@ -328,7 +226,9 @@ class Tailor:
 
     def _open(self, order: Order) -> None:
         """Opens the networks that an order needs, so that their time is not another stage's."""
-        _ = self.pattern_maker, self.garment_sewer, self.wish_reader if order.alter else None
+        _ = self.garment_sewer, self.wish_reader if order.alter else None
+        if self.library_for([order]) is None:
+            _ = self.pattern_maker
         _ = self.picture_reader if order.alter and order.images else None
         if isinstance(self.garment_sewer, GarmentSewer):
             import swifttailor.tailor.writing  # noqa: F401  modules are loaded by one thread at a time

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from swifttailor.clock import Clock
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
+from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.pattern_maker.temperatures import HIGHEST_TEMPERATURE
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fitting import fit
+from swifttailor.tailor.known import known_candidates
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.protocols import PatternWriter, Sewer
 from swifttailor.tailor.reading import Wanted
@@ -24,19 +26,27 @@ Sample = tuple[Wanted, int]
 
 
 def write_patterns(
-    writer: PatternWriter, sewer: Sewer, samples: Sequence[Sample], clock: Clock
+    writer: Callable[[], PatternWriter],
+    sewer: Sewer,
+    samples: Sequence[Sample],
+    clock: Clock,
+    library: PatternLibrary | None = None,
 ) -> list[Answer | SwiftTailorError]:
-    """Writes a pattern for each sample, all together, until each is sound or had its attempts.
+    """Finds a pattern for each sample, all together, until each is sound or had its attempts.
+
+    The first attempts are with known patterns, where anything is known of what is wanted; the others are
+    written.
 
     Sound are those of which a check doubts nothing but what it doubted of the pattern to edit before, which
     can be sewn, and of which everything holds that was asked for. Where none is, the best is taken that can
     be sewn.
 
     Args:
-        writer: Writes them.
+        writer: Gives who writes them; called when that is first needed.
         sewer: Says whether one can be sewn.
         samples: At least one; their orders have one temperature and number of attempts.
         clock: Takes the seconds of the stages.
+        library: Known patterns; None where all are to be written.
 
     Returns:
         For each sample its pattern, prepared to be sewn, or why there is none.
@@ -48,21 +58,30 @@ def write_patterns(
     if len(manners) != 1:
         raise InputError("Orders that are written together need one temperature and number of attempts.")
     ((temperature, attempts),) = manners
+    clock.restart()
+    known = known_candidates(library, samples)
+    clock.stop("searching")
     tried: list[list[Answer]] = [[] for _ in samples]
     for attempt in range(attempts):
         waiting = [k for k, answers in enumerate(tried) if not answers or answers[-1].verdict.fault]
         if not waiting:
             break
         clock.restart()
-        written = writer.generate_all(
-            [samples[k][0].request(attempt) for k in waiting],
-            seed=[samples[k][1] for k in waiting],
-            temperature=min(temperature + WARMER * attempt, HIGHEST_TEMPERATURE),
-            draw=attempt,
-        )
-        _take_time(written, clock)
-        for k, one in zip(waiting, written, strict=True):
-            answer = replace(fit(one, samples[k][0]), seed=samples[k][1])
+        found = {k: known[k].take(attempt) for k in waiting if attempt < len(known[k])}
+        clock.stop("searching")
+        for draw in sorted({attempt - len(known[k]) for k in waiting if k not in found}):
+            asked = [k for k in waiting if k not in found and attempt - len(known[k]) == draw]
+            written = writer().generate_all(
+                [samples[k][0].request(draw) for k in asked],
+                seed=[samples[k][1] for k in asked],
+                temperature=min(temperature + WARMER * draw, HIGHEST_TEMPERATURE),
+                draw=draw,
+            )
+            _take_time(written, clock)
+            found |= {k: ("", one) for k, one in zip(asked, written, strict=True)}
+        for k in waiting:
+            name, one = found[k]
+            answer = replace(fit(one, samples[k][0]), seed=samples[k][1], known=name)
             clock.stop("altering")
             if not answer.verdict.unsound:
                 answer = _prepared(answer, sewer, samples[k][0].order)
@@ -109,8 +128,8 @@ def _chosen(tried: Sequence[Answer], sewer: Sewer, order: Order) -> Answer | Swi
 
 def _refusal(best: Answer, count: int) -> PatternError:
     fault = best.verdict.fault.rstrip(".")
-    said = f"None of the {count} patterns that were written can be sewn; the best has {fault}"
+    said = f"None of the {count} patterns that were tried can be sewn; the best has {fault}"
     if count == 1:
-        said = f"The pattern that was written cannot be sewn: {fault}"
+        said = f"The pattern that was {'found' if best.known else 'written'} cannot be sewn: {fault}"
     hints = f"Try another seed than {best.seed}, more attempts, or other words."
     return PatternError(" ".join([f"{said}.", *best.doubts, hints]))

@@ -1,0 +1,81 @@
+"""Patterns that are known already, as a source of candidates beside the writer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from swifttailor.errors import InputError
+from swifttailor.pattern_library.known import PatternLibrary
+from swifttailor.pattern_library.nearest import Search
+from swifttailor.pattern_maker.maker import WrittenPattern
+from swifttailor.tailor.reading import Wanted
+
+KNOWN_ATTEMPTS = 2
+"""So many of the attempts at a garment are with known patterns, before any is written."""
+CLOSE, MOST_CLOSE = 2.0, 32
+"""Patterns whose likelihood is at most by this (its logarithm) below that of the best are as good: the seed
+says which of them is taken. At most so many."""
+_NOTHING_SOUGHT = (
+    "Known patterns are found by what is understood of a text or read in a picture, and nothing was. Say "
+    "more of the garment, or let the pattern be written: --source writer"
+)
+
+
+class KnownCandidates:
+    """What a library has for one garment that is wanted, the best first."""
+
+    def __init__(self, search: Search, *, seed: int, temperature: float, most: int) -> None:
+        """Puts the patterns in order.
+
+        Args:
+            search: What is wanted, asked of a library.
+            seed: Which of those that fit as well comes first.
+            temperature: 0 takes the best whatever the seed.
+            most: How many at most.
+        """
+        best = np.argsort(-search.fits, kind="stable")[: MOST_CLOSE + most]
+        close = int((search.fits[best[:MOST_CLOSE]] >= search.fits[best[0]] - CLOSE).sum())
+        first = seed % close if temperature > 0 else 0
+        self._library = search.library
+        self._order = np.concatenate([np.roll(best[:close], -first), best[close:]])[:most]
+
+    def __len__(self) -> int:
+        return len(self._order)
+
+    def take(self, number: int) -> tuple[str, WrittenPattern]:
+        """The id in the library of one of them, and the pattern.
+
+        Raises:
+            InputError: The file of the library is damaged.
+        """
+        k = int(self._order[number])
+        return self._library.ids[k], WrittenPattern(self._library.pattern(k))
+
+
+def known_candidates(
+    library: PatternLibrary | None, samples: Sequence[tuple[Wanted, int]]
+) -> list[KnownCandidates | tuple[()]]:
+    """What a library has for each sample; nothing where its pattern is to be written.
+
+    Raises:
+        InputError: Nothing may be written, and nothing is known of what is wanted.
+    """
+    searches: dict[int, Search] = {}
+    found: list[KnownCandidates | tuple[()]] = []
+    for wanted, seed in samples:
+        order = wanted.order
+        may_be_known = order.source != "writer" and order.edit is None and order.alter
+        if library is None or not may_be_known or wanted.sought.is_empty:
+            if order.source == "library":
+                raise InputError(_NOTHING_SOUGHT)
+            found.append(())
+            continue
+        if id(wanted) not in searches:
+            searches[id(wanted)] = Search(library, wanted.sought)
+        most = order.most_attempts if order.source == "library" else KNOWN_ATTEMPTS
+        found.append(
+            KnownCandidates(searches[id(wanted)], seed=seed, temperature=order.temperature, most=most)
+        )
+    return found

@@ -1,0 +1,155 @@
+"""What a tailor works with: networks and the library, each opened when it is first needed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from swifttailor.garment_sewer.sewer import GarmentSewer
+from swifttailor.tailor.order import Order
+from swifttailor.tailor.protocols import PatternWriter, Sewer
+
+if TYPE_CHECKING:
+    from swifttailor.body import Body
+    from swifttailor.draping.fabric import Fabric
+    from swifttailor.pattern_library.known import PatternLibrary
+    from swifttailor.tailor.looking import ReadsPictures
+    from swifttailor.wishes.reader import WishReader
+
+
+class Workshop:
+    """Networks, the library of known patterns, and who wears what is made."""
+
+    def __init__(
+        self,
+        pattern_maker: PatternWriter | Path | str | None = None,
+        garment_sewer: Sewer | Path | str | None = None,
+        *,
+        wish_reader: WishReader | Path | str | None = None,
+        picture_reader: ReadsPictures | Path | str | None = None,
+        pattern_library: PatternLibrary | Path | str | None = None,
+        body: Body | None = None,
+        fabric: Fabric | str = "cotton",
+        threads: int = 1,
+    ) -> None:
+        """Prepares to work; a network is opened when it is first needed.
+
+        Args:
+            pattern_maker: What writes patterns: a `PatternMaker`, the model file of one, or anything that
+                does what `protocols.PatternWriter` says; the one that comes with the package when None.
+            garment_sewer: What sews them: a `GarmentSewer`, the model file of one, or anything that does what
+                `protocols.Sewer` says; the one that comes with the package when None.
+            wish_reader: The network that reads what texts ask for, or its model file; the one that comes with
+                the package when None.
+            picture_reader: The network that reads what pictures show, its model file, or anything that does
+                what `looking.ReadsPictures` says; the one that comes with the package when None.
+            pattern_library: Known patterns, tried before any is written, or their file; those that come with
+                the package when None, unless a writer of your own is given: that one writes them all.
+            body: Who wears the garments: a `GarmentSewer` sews them around it and keeps them out of it,
+                physics hangs them on it (`finish`), and previews show it. Somebody else's sewer has to know
+                it by itself, and patterns are written for the default body whoever wears them. The default
+                body when None.
+            fabric: What hangs where garments are finished by physics: a `Fabric` or the name of a preset.
+            threads: CPU cores for the networks.
+        """
+        self._maker, self._sewer, self._reader = pattern_maker, garment_sewer, wish_reader
+        self._eyes, self._library = picture_reader, pattern_library
+        self.body, self.fabric = body, fabric
+        self._threads = threads
+
+    @cached_property
+    def pattern_maker(self) -> PatternWriter:
+        """What writes patterns.
+
+        Raises:
+            InputError: There are no such weights, or they are damaged.
+        """
+        if self._maker is None or isinstance(self._maker, Path | str):
+            from swifttailor.pattern_maker.maker import PatternMaker
+
+            return PatternMaker.load(self._maker, threads=self._threads)
+        return self._maker
+
+    @cached_property
+    def garment_sewer(self) -> Sewer:
+        """What sews them.
+
+        Raises:
+            InputError: There are no such weights, or they are damaged.
+        """
+        sewer = self._sewer
+        if sewer is None or isinstance(sewer, Path | str):
+            sewer = GarmentSewer.load(sewer, threads=self._threads)
+        if self.body is not None and isinstance(sewer, GarmentSewer):
+            from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
+
+            return replace(sewer, body=BodyDistance.of(self.body))
+        return sewer
+
+    @cached_property
+    def wish_reader(self) -> WishReader:
+        """The network that reads what texts ask for.
+
+        Raises:
+            InputError: There are no such weights, or they are damaged.
+        """
+        from swifttailor.wishes.reader import WishReader
+
+        if self._reader is None or isinstance(self._reader, Path | str):
+            return WishReader.load(self._reader, threads=self._threads)
+        return self._reader
+
+    @cached_property
+    def picture_reader(self) -> ReadsPictures | None:
+        """The network that reads what pictures show; None where none was given and the package has none.
+
+        Raises:
+            InputError: There are no such weights, or they are damaged.
+        """
+        if self._eyes is None or isinstance(self._eyes, Path | str):
+            from swifttailor.picture_reader.reader import SHIPPED, PictureReader
+
+            if self._eyes is None and not SHIPPED.is_file():
+                return None
+            return PictureReader.load(self._eyes, threads=self._threads)
+        return self._eyes
+
+    @cached_property
+    def pattern_library(self) -> PatternLibrary | None:
+        """Known patterns; None where a writer of your own writes them all.
+
+        Raises:
+            InputError: There is no such file, or it is damaged.
+        """
+        if self._library is None or isinstance(self._library, Path | str):
+            from swifttailor.pattern_library.known import PatternLibrary
+
+            own = self._maker is not None and not isinstance(self._maker, Path | str)
+            return None if self._library is None and own else PatternLibrary.load(self._library)
+        return self._library
+
+    def library_for(self, orders: Sequence[Order]) -> PatternLibrary | None:
+        """Known patterns, where any order may be answered by one."""
+        asked = any(one.source != "writer" and one.edit is None and one.alter for one in orders)
+        return self.pattern_library if asked else None
+
+    def compile_notes(self, *, finish: bool) -> list[str]:
+        """What the first garment waits for on a machine where it is not compiled yet, in words.
+
+        Args:
+            finish: Whether garments hang to rest by physics in the end.
+
+        Raises:
+            InputError: There are no weights to sew with, or they are damaged.
+        """
+        from swifttailor.draping.compiled_code import COARSE_COMPILE_NOTE, COMPILE_NOTE, solver_is_compiled
+
+        sewer = self.garment_sewer
+        waits = {
+            COARSE_COMPILE_NOTE: isinstance(sewer, GarmentSewer) and sewer.must_compile,
+            COMPILE_NOTE: finish and not solver_is_compiled(),
+        }
+        return [note for note, must_wait in waits.items() if must_wait]
