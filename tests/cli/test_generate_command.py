@@ -250,7 +250,7 @@ def test_real_model_files_end_to_end(tmp_path, capsys):
     ]
     assert command(*arguments, "--seed", 1) == 2
     said = capsys.readouterr().err
-    assert "None of the 2 patterns that were written can be sewn" in said and "Traceback" not in said
+    assert "None of the 2 patterns that were tried can be sewn" in said and "Traceback" not in said
     assert not (tmp_path / "out").exists()
 
 

@@ -164,7 +164,7 @@ class Mannequin:
 def answer(writer, order: Order, reader=None, sewer=None) -> Answer:
     """What comes of the one sample of an order."""
     samples = [(read_order(order, reader), order.seed)]
-    (one,) = write_patterns(writer, sewer or Mannequin(), samples, Clock())
+    (one,) = write_patterns(lambda: writer, sewer or Mannequin(), samples, Clock())
     assert isinstance(one, Answer)
     return one
 
@@ -190,7 +190,10 @@ def test_what_cannot_be_sewn_is_written_again_and_of_all_the_best_is_taken(shirt
     assert fitted.attempt == 1 and fitted.failures == ("no room on the mannequin",)
     assert [w.claim.value for w in fitted.verdict.open] == ["darted"]
     (refused,) = write_patterns(
-        Scripted(trousers, trousers), Mannequin(trousers), [(read_order(order, Reading()), 3)], Clock()
+        lambda: Scripted(trousers, trousers),
+        Mannequin(trousers),
+        [(read_order(order, Reading()), 3)],
+        Clock(),
     )
     assert "None of the 2 patterns" in str(refused) and "no room on the mannequin" in str(refused)
     assert "seed than 3" in str(refused)
@@ -202,12 +205,12 @@ def test_orders_are_written_together_and_each_until_it_is_sound(dress, shirt):
     reader = Reading(Wish(Gain(Claim("bodice", "darted")), 0.9))
     maker = Scripted(shirt, shirt, swifttailor.draft("fitted-dress"))
     samples = [(read_order(sound, None), 1), (read_order(darted, reader), 8)]
-    first, second = write_patterns(maker, Mannequin(), samples, Clock())
+    first, second = write_patterns(lambda: maker, Mannequin(), samples, Clock())
     assert maker.asked == [([1, 8], 0), ([8], 1), ([8], 2)]
     assert (first.attempt, second.attempt) == (0, 2) and (first.seed, second.seed) == (1, 8)
     cold = Order("anything", temperature=0.0)
     with pytest.raises(InputError, match="one temperature"):
-        write_patterns(maker, Mannequin(), [samples[0], (read_order(cold, None), 0)], Clock())
+        write_patterns(lambda: maker, Mannequin(), [samples[0], (read_order(cold, None), 0)], Clock())
 
 
 def test_a_text_is_read_and_a_pattern_to_edit_altered_once_for_all_samples_and_attempts(shirt, monkeypatch):
@@ -222,7 +225,7 @@ def test_a_text_is_read_and_a_pattern_to_edit_altered_once_for_all_samples_and_a
     reader = Reading(wish)
     order = Order("with darts", edit=shirt, samples=2, attempts=3)
     one = read_order(order, reader)
-    answers = write_patterns(maker, Mannequin(), [(one, 0), (one, 1)], Clock())
+    answers = write_patterns(lambda: maker, Mannequin(), [(one, 0), (one, 1)], Clock())
     assert all(a.verdict.open == (wish.change,) for a in answers) and len(maker.asked) == 3
     assert altered.count(shirt) == len(altered) == 7  # the pattern to edit, and what was written 3 times 2
     assert reader.texts == ["with darts"]

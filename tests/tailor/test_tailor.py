@@ -176,7 +176,7 @@ def test_a_pattern_that_cannot_be_sewn_is_written_again(sewer):
     assert maker.model.runtime.asked == [1, 1, 1]
     assert made.report["writing"]["attempt"] == 3
     assert [f.split(" ")[0] for f in made.report["writing"]["failed_attempts"]] == ["self-crossing"] * 2
-    assert made.notes == ("3 patterns were written; number 3 was taken.",)
+    assert made.notes == ("3 patterns were tried; number 3 was taken.",)
     assert not made.needs_a_look
 
 
@@ -425,7 +425,7 @@ def test_networks_are_opened_when_they_are_needed(monkeypatch):
     monkeypatch.setattr(sewer_module, "SHIPPED", Path("/nowhere/garment_sewer.onnx"))
     tailor = swifttailor.Tailor.load()
     with pytest.raises(InputError, match="without weights for a PatternMaker"):
-        tailor.generate("a dress")
+        _ = tailor.pattern_maker
     with pytest.raises(InputError, match="without weights for a GarmentSewer"):
         tailor.sew(SHIRT)
     with pytest.raises(InputError, match="Cannot read the weights"):

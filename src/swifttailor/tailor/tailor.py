@@ -110,7 +110,7 @@ class Tailor(Workshop):
 
         Raises:
             InputError: An argument, the picture or the weights cannot be used.
-            PatternError: None of the patterns that were written can be sewn.
+            PatternError: None of the patterns that were tried can be sewn.
         """
         order = Order(
             text,
@@ -226,9 +226,9 @@ class Tailor(Workshop):
 
     def _open(self, order: Order) -> None:
         """Opens the networks that an order needs, so that their time is not another stage's."""
-        _ = self.garment_sewer, self.wish_reader if order.alter else None
         if self.library_for([order]) is None:
             _ = self.pattern_maker
+        _ = self.garment_sewer, self.wish_reader if order.alter else None
         _ = self.picture_reader if order.alter and order.images else None
         if isinstance(self.garment_sewer, GarmentSewer):
             import swifttailor.tailor.writing  # noqa: F401  modules are loaded by one thread at a time

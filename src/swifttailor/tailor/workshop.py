@@ -47,7 +47,7 @@ class Workshop:
             picture_reader: The network that reads what pictures show, its model file, or anything that does
                 what `looking.ReadsPictures` says; the one that comes with the package when None.
             pattern_library: Known patterns, tried before any is written, or their file; those that come with
-                the package when None, unless a writer of your own is given: that one writes them all.
+                the package when None, unless a writer or weights of your own are given: these write them all.
             body: Who wears the garments: a `GarmentSewer` sews them around it and keeps them out of it,
                 physics hangs them on it (`finish`), and previews show it. Somebody else's sewer has to know
                 it by itself, and patterns are written for the default body whoever wears them. The default
@@ -119,7 +119,7 @@ class Workshop:
 
     @cached_property
     def pattern_library(self) -> PatternLibrary | None:
-        """Known patterns; None where a writer of your own writes them all.
+        """Known patterns; None where a writer or weights of your own write them all.
 
         Raises:
             InputError: There is no such file, or it is damaged.
@@ -127,7 +127,7 @@ class Workshop:
         if self._library is None or isinstance(self._library, Path | str):
             from swifttailor.pattern_library.known import PatternLibrary
 
-            own = self._maker is not None and not isinstance(self._maker, Path | str)
+            own = self._maker is not None
             return None if self._library is None and own else PatternLibrary.load(self._library)
         return self._library
 

@@ -60,7 +60,8 @@ def write_patterns(
     ((temperature, attempts),) = manners
     clock.restart()
     known = known_candidates(library, samples)
-    clock.stop("searching")
+    if library is not None:
+        clock.stop("searching")
     tried: list[list[Answer]] = [[] for _ in samples]
     for attempt in range(attempts):
         waiting = [k for k, answers in enumerate(tried) if not answers or answers[-1].verdict.fault]
@@ -68,7 +69,8 @@ def write_patterns(
             break
         clock.restart()
         found = {k: known[k].take(attempt) for k in waiting if attempt < len(known[k])}
-        clock.stop("searching")
+        if found:
+            clock.stop("searching")
         for draw in sorted({attempt - len(known[k]) for k in waiting if k not in found}):
             asked = [k for k in waiting if k not in found and attempt - len(known[k]) == draw]
             written = writer().generate_all(

@@ -1,0 +1,129 @@
+"""Known patterns are tried before any is written."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+import numpy as np
+import pytest
+from scripted_maker import scripted_maker
+from seeing import Seeing, worn
+
+from swifttailor.describing import measure_facts
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.errors import InputError
+from swifttailor.pattern.drafts import draft
+from swifttailor.pattern_library.known import KnownPattern, PatternLibrary, write_library
+from swifttailor.pattern_library.nearest import Search
+from swifttailor.pattern_library.sought import Sought
+from swifttailor.pattern_library.truth_table import TruthTable
+from swifttailor.picture_reader.truth import Truth
+from swifttailor.tailor import Order, Tailor
+from swifttailor.tailor.known import KNOWN_ATTEMPTS, KnownCandidates
+from swifttailor.wishes.reader import Wish
+
+DRAFTS = {
+    "mini": draft("fitted-skirt", length=40.0),
+    "midi": draft("fitted-skirt", length=75.0),
+    "midi again": draft("fitted-skirt", length=75.5),
+    "shirt": draft("t-shirt"),
+    "trousers": draft("trousers"),
+}
+WRITTEN = draft("fitted-dress")
+
+
+class Darts:
+    """Understands one thing, which no cutting makes and no known pattern has."""
+
+    card: ClassVar[dict[str, Any]] = {}
+
+    def read(self, text, *, instruction):
+        return (Wish(Gain(Claim("bodice", "darted")), 0.97),)
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory) -> PatternLibrary:
+    known = [KnownPattern(name, pattern.canonical()) for name, pattern in DRAFTS.items()]
+    truths = [Truth.of(one.pattern, measure_facts(one.pattern)) for one in known]
+    path = tmp_path_factory.mktemp("known") / "known.zip"
+    write_library(path, known, TruthTable.of(truths), np.ones(len(known), np.int64), {"model": "library"})
+    return PatternLibrary.load(path)
+
+
+@pytest.fixture
+def tailor(library, sewer):
+    return Tailor(scripted_maker([WRITTEN]), sewer, pattern_library=library)
+
+
+def test_what_is_asked_for_is_found_and_said(tailor, tmp_path):
+    made = tailor.generate("a midi skirt")
+    assert made.answer.known in ("midi", "midi again") and made.answer.attempt == 0
+    assert made.report["writing"] == {
+        "source": "library",
+        "known_pattern": made.answer.known,
+        "attempt": 1,
+        "failed_attempts": [],
+    }
+    assert f"Cut from a known pattern: {made.answer.known}." in made.notes
+    assert "pattern_maker" not in made.report["weights"] and "pattern_library" in made.report["weights"]
+    assert made.pattern.name == "a midi skirt"
+    assert "searching" in made.seconds and "writing" not in made.seconds
+    made.save(tmp_path, preview=False)
+
+
+def test_where_none_will_do_a_pattern_is_written(library, sewer):
+    tailor = Tailor(scripted_maker([WRITTEN]), sewer, pattern_library=library, wish_reader=Darts())
+    made = tailor.generate("a darted one", attempts=KNOWN_ATTEMPTS + 1)
+    assert not made.answer.known and made.answer.attempt == KNOWN_ATTEMPTS
+    assert made.report["writing"]["source"] == "writer" and len(made.answer.failures) == KNOWN_ATTEMPTS
+    assert tailor.pattern_maker.model.runtime.asked == [1]
+
+
+def test_one_source_can_be_chosen(tailor):
+    assert not tailor.generate("a midi skirt", source="writer", attempts=1).answer.known
+    found = tailor.generate("long trousers", source="library")
+    assert found.answer.known and tailor.pattern_maker.model.runtime.asked == [1]
+    with pytest.raises(InputError, match="Known patterns are found by what is understood"):
+        tailor.generate("zzz", source="library")
+    with pytest.raises(InputError, match="both, library, writer are accepted"):
+        Order("a skirt", source="shop")
+    with pytest.raises(InputError, match="not for edits"):
+        Order("longer", edit=DRAFTS["mini"], source="library")
+
+
+def test_what_is_not_understood_is_written_and_so_are_edits_and_what_is_not_altered(tailor):
+    assert not tailor.generate("zzz", attempts=1).answer.known
+    assert not tailor.generate("a midi skirt", alter=False, attempts=1).answer.known
+    assert not tailor.edit(DRAFTS["mini"], "make it longer", attempts=1).answer.known
+
+
+def test_a_writer_of_your_own_writes_them_all(sewer):
+    tailor = Tailor(scripted_maker([DRAFTS["mini"]]), sewer)
+    assert tailor.pattern_library is None
+    assert not tailor.generate("a midi skirt").answer.known
+
+
+def test_seeds_choose_among_those_that_fit_as_well(library, tailor):
+    seen = {made.answer.known for made in tailor.make(Order("a midi skirt", samples=4))}
+    assert seen == {"midi", "midi again"}
+    cold = {tailor.generate("a midi skirt", temperature=0.0, seed=k).answer.known for k in range(3)}
+    assert len(cold) == 1
+    search = Search(library, Sought.nothing())
+    search.fits = np.array([-9.0, -1.0, -2.5, 0.0, -50.0])
+    orders = [
+        [KnownCandidates(search, seed=seed, temperature=0.2, most=5).take(k)[0] for k in range(5)]
+        for seed in range(3)
+    ]
+    assert orders[0] == ["shirt", "midi", "midi again", "mini", "trousers"]
+    assert orders[1] == ["midi", "shirt", "midi again", "mini", "trousers"]
+    assert orders[2] == orders[0], "two are as good as each other"
+
+
+def test_a_picture_is_looked_up_by_what_was_read_of_it(library, sewer):
+    eyes = Seeing((worn("lower", {"kind": ("skirt", 0.99), "skirt_hem": ("midi", 0.97)}),))
+    tailor = Tailor(scripted_maker([WRITTEN]), sewer, picture_reader=eyes, pattern_library=library)
+    picture = np.full((64, 64, 3), 200, np.uint8)
+    assert tailor.generate(image=picture).answer.known in ("midi", "midi again")
+    overruled = tailor.generate("a mini skirt", image=picture)
+    assert overruled.answer.known == "mini"
