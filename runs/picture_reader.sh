@@ -4,23 +4,30 @@
 #
 #   GARMENTCODE=FOLDER runs/picture_reader.sh
 #
-# steps.sh lists the environment, data.sh says how long the patterns take. Then they are sewn, 0.3 s of a core each, and
-# measured, 0.1 s each. Trained in two stages, so that most pictures are small: STAGE minutes (600) of 128 pixels, then
-# MINUTES (600) of 192, on a GPU where there is one, else on one core while others draw; each goes on where it was
-# interrupted. Ends with $WORK/picture-reader/picture_reader.onnx and its card beside it.
+# steps.sh lists the environment, data.sh says how long the patterns take. USUAL is a list of files of patterns that
+# people wear, to be learnt from beside the training patterns. All are sewn, 0.3 s of a core each, and measured, 0.1 s
+# each. Trained for MINUTES (1200) in three stages of growing pictures, so that most pictures are small and easy: 64
+# pixels for a sixth of the time, 96 for a third, 128 for half of it; each begins with the weights of the one before, and
+# goes on where it was interrupted. Where there is no GPU each core trains a process, which draws its own pictures. Ends
+# with $WORK/picture-reader/picture_reader.onnx and its card beside it.
 source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
 
-small=(network.image_size=128) large=(network.image_size=192 learning_rate=0.001)
+minutes=${MINUTES:-1200}
+both=(batch_size=64 ema=0.999 echo=3 validate_every=1000 nothing=0.02)
+easy=(network.image_size=64 learning_rate=0.002 final_rate=0.3 plain=0.3 studio=0.35 several=0.02)
+middle=(network.image_size=96 learning_rate=0.0015 final_rate=0.1 plain=0.25 studio=0.3 several=0.03)
+full=(network.image_size=128 learning_rate=0.001)
 length=2.5
 if [ -n "$rehearse" ]; then
-    tiny=(steps=2 batch_size=4 block=4 echo=1 validate_every=1 log_every=1 validation_garments=2 network.embedding=8
+    both=(steps=2 batch_size=4 block=4 echo=1 validate_every=1 log_every=1 validation_garments=2 network.embedding=8
         "network.stages=[8,8,16,16]" "network.depths=[1,1,1,1]" network.width=24 network.heads=2 network.mask_width=8)
-    small=(network.image_size=32 "${tiny[@]}") large=(network.image_size=64 "${tiny[@]}")
+    easy=(network.image_size=32) middle=(network.image_size=32) full=(network.image_size=64)
     length=6
 fi
 
 runs/data.sh patterns
 mapfile -t files < <(training_files)
+read -ra usual <<< "${USUAL:-}"
 sewn=$work/worn
 sew() {
     swifttailor data build --engine network --edge-length "$length" --workers "$cores" --out "$sewn" "$@" || [ $? -eq 1 ]
@@ -28,17 +35,23 @@ sew() {
 for split in validation test; do
     step "worn-$split" sew --split "$split" --patterns "$work/patterns/$split.jsonl.gz"
 done
-step worn-train sew --split train --patterns "${files[@]}"
+step worn-train sew --split train --patterns "${files[@]}" "${usual[@]}"
+gpu=$("$python" -c "import torch; print(int(torch.cuda.is_available()))")
 drawing=$((cores > 1 ? cores - 1 : 1))
+if [ "$gpu" = 0 ] && [ "$cores" -gt 1 ]; then
+    launch=("$python" -m torch.distributed.run --standalone --nproc_per_node "$cores" -m swifttailor)
+    drawing=1
+fi
 given=(--data "$sewn/train" --validation "$sewn/validation" --apart "$sewn/test" --threads 1)
-eyes() {
-    local out=$1 minutes=$2 more=()
-    [ -f "$out/checkpoint.pt" ] && more+=(--resume)
-    swifttailor train picture-reader "${given[@]}" --out "$out" --workers "$drawing" --max-minutes "$minutes" \
-        "${more[@]}" --set "${@:3}"
-}
 out=$work/picture-reader
-step eyes-small eyes "$out/small" "${STAGE:-600}" "${small[@]}" "${settings[@]}"
-step eyes-large eyes "$out/run" "${MINUTES:-600}" "${large[@]}" "${settings[@]}" start="$out/small/weights.safetensors"
+eyes() { # name, sixths of the time, settings
+    local run=$out/$1 share=$2 more=()
+    [ -f "$run/checkpoint.pt" ] && more+=(--resume)
+    OMP_NUM_THREADS=1 "${launch[@]}" train picture-reader "${given[@]}" --out "$run" --workers "$drawing" \
+        --max-minutes $(((minutes * share + 5) / 6)) "${more[@]}" --set "${both[@]}" "${@:3}"
+}
+step eyes-easy eyes easy 1 "${easy[@]}" "${settings[@]}"
+step eyes-middle eyes middle 2 "${middle[@]}" "${settings[@]}" start="$out/easy/weights.safetensors"
+step eyes-full eyes run 3 "${full[@]}" "${settings[@]}" start="$out/middle/weights.safetensors"
 step eyes-exported swifttailor train export "$out/run" --out "$out/picture_reader.onnx" --half \
     --data "$sewn/validation"

@@ -96,7 +96,7 @@ class StandIn:
         raise AssertionError(f"nobody asked '{request.text}'")
 
     def _picture(self, question: Question) -> np.ndarray:
-        return self.pictures.picture(question.id)[1]
+        return self.pictures.picture(question.id)[1][0]
 
 
 def truth(question: Question, seed: int, temperature: float) -> Pattern:

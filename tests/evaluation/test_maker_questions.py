@@ -13,6 +13,7 @@ from maker_standins import DRAFTS, EDITS, write_edits, write_patterns
 from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.files import RenderSettings, SplitRenders, draw_render
 from swifttailor.errors import InputError
+from swifttailor.evaluation.maker.looks import LookPictures
 from swifttailor.evaluation.maker.pictures import GarmentPictures
 from swifttailor.evaluation.maker.questions import (
     BACK,
@@ -177,7 +178,7 @@ def test_pictures_are_drawn_of_drapes_or_read(data, tmp_path, monkeypatch):
     monkeypatch.setattr(module, "RenderSettings", lambda **values: replace(small, **values))
     drawn = GarmentPictures(data, seed=5)
     assert drawn.drawn == ("validation",) and "shirt" in drawn and "trousers" not in drawn
-    name, picture = drawn.picture("shirt")
+    name, (picture,) = drawn.picture("shirt")
     reader = SplitReader(data / "validation")
     assert np.array_equal(picture, draw_render(reader.sample("shirt"), name, small).pixels())
     names = {GarmentPictures(data, seed=s).picture(id)[0] for s in range(4) for id in reader.ids}
@@ -189,5 +190,29 @@ def test_pictures_are_drawn_of_drapes_or_read(data, tmp_path, monkeypatch):
     assert read.drawn == () and read.identity() == drawn.identity()
     assert json.loads(json.dumps(read.identity())) == read.identity()
     for id in reader.ids:
-        (name, picture), (other_name, other) = drawn.picture(id), read.picture(id)
+        (name, (picture,)), (other_name, (other,)) = drawn.picture(id), read.picture(id)
         assert name == other_name and np.array_equal(picture, other)
+
+
+def test_pictures_in_one_look_show_the_same_person_from_both_sides(data):
+    front, both = (LookPictures(data, 5, "people", view) for view in ("front", "both"))
+    name, pictures = both.picture("shirt")
+    assert name == "people, both" and [p.shape for p in pictures] == [(320, 320, 3)] * 2
+    assert np.array_equal(front.picture("shirt")[1][0], pictures[0])
+    assert not np.array_equal(*pictures)
+    other = LookPictures(data, 6, "people", "front").picture("shirt")[1][0]
+    assert not np.array_equal(other, pictures[0]), "the seed decides the rest"
+    assert both.drawn == ("validation",) and "trousers" not in both
+    assert both.identity() == {"look": "people", "view": "both", "size": 320}
+    with pytest.raises(InputError, match="plain, studio, people, held out and front, back, free, both"):
+        LookPictures(data, 5, "several", "front")
+
+
+def test_a_picture_is_asked_for_what_it_shows(patterns):
+    def names(view):
+        (question,) = generation_questions(patterns, ["shirt"], ("image",), lambda id: True, 0, view=view)
+        return {claim.name for claim in question.claims}
+
+    everything = names("free")
+    assert names("both") == everything
+    assert names("back") == {n for n in everything if n not in ("neckline", "neck_depth")} < everything

@@ -44,6 +44,11 @@ class EvaluatePatternMaker:
     data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
     """Data set, or a split of one, with drapes of these patterns: its renders are the pictures, or pictures
     are drawn of its drapes where it has none."""
+    look: Literal["plain", "studio", "people", "held out"] | None = None
+    """Draw the pictures of --data in this look: plain as GarmentCodeData's, a studio, people anywhere, or
+    people in looks that no picture reader was trained on."""
+    view: Literal["front", "back", "free", "both"] = "front"
+    """From where they are seen, with --look; both: two pictures of the same person, front and back."""
     edits: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Edited versions of these patterns, each with the id of its base."""
     tasks: tuple[Literal["text", "image", "text+image", "edit"], ...] = ()
@@ -60,6 +65,8 @@ class EvaluatePatternMaker:
     --network-alone."""
     attempts: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Patterns to write at most until one is as asked for; 4 without it, or 1 at temperature 0."""
+    source: Literal["both", "library", "writer"] = "both"
+    """Where patterns come from, as swifttailor generate has it."""
     alter: bool = True
     """Recut the patterns until what the texts ask for holds, as far as that can be cut."""
     crop: bool = True
@@ -70,6 +77,10 @@ class EvaluatePatternMaker:
     """Sew the answers and compare them, as a set, with the drapes of --data."""
     sewer_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """GarmentSewer's model file; the one of the package without it. It says which patterns can be sewn."""
+    picture_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Model file (.onnx) of a picture reader; the one of the package without it."""
+    pattern_library: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Library (.zip) of known patterns; the one of the package without it, unless --weights are given."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
     """CPU cores for the network."""
     pictures: Annotated[int, tyro.conf.arg(metavar="N")] = 12
@@ -92,8 +103,14 @@ class EvaluatePatternMaker:
         plan = self._plan()
         plan.chosen_tasks()
         sewer = self._sewer()
-        tailor = Tailor(self.weights, sewer, threads=self.threads)
-        _ = tailor.pattern_maker  # refused before any pattern is read
+        tailor = Tailor(
+            self.weights,
+            sewer,
+            picture_reader=self.picture_reader_weights,
+            pattern_library=self.pattern_library,
+            threads=self.threads,
+        )
+        _ = tailor.pattern_maker, tailor.picture_reader  # refused before any pattern is read
         try:
             garments = sewer if self.garments else None
             found = evaluate(tailor, plan, self.out, self._weights(), ItemProgress, garments)
@@ -117,10 +134,21 @@ class EvaluatePatternMaker:
             attempts=self.attempts,
             alter=self.alter,
             crop=self.crop,
+            source=self.source,
             network_alone=self.network_alone,
             seed=self.seed,
         )
-        return Plan(self.patterns, self.data, self.edits, self.tasks, self.limit, asking, self.samples)
+        return Plan(
+            self.patterns,
+            self.data,
+            self.edits,
+            self.tasks,
+            self.limit,
+            asking,
+            look=self.look,
+            view=self.view,
+            samples=self.samples,
+        )
 
     @property
     def _temperature(self) -> float:
@@ -133,12 +161,19 @@ class EvaluatePatternMaker:
     def _weights(self) -> dict[str, Any]:
         """The files of all networks that decide the answers."""
         from swifttailor.evaluation.provenance import file_identity
+        from swifttailor.pattern_library.known import SHIPPED as LIBRARY
         from swifttailor.pattern_maker.maker import SHIPPED
+        from swifttailor.picture_reader.reader import SHIPPED as EYES
         from swifttailor.wishes.reader import SHIPPED as READER
 
         found: dict[str, Any] = dict(file_identity(SHIPPED if self.weights is None else self.weights))
         if self.alter and not self.network_alone:
             found["altered_by"] = file_identity(READER)
+            eyes = self.picture_reader_weights or (EYES if EYES.is_file() else None)
+            if eyes is not None and self.data is not None:
+                found["read_by"] = file_identity(eyes)
+            if self.source != "writer" and (self.weights is None or self.pattern_library is not None):
+                found["known_from"] = file_identity(self.pattern_library or LIBRARY)
         if not self.network_alone:
             found["sewn_by"] = file_identity(self._sewer_file())
         return found
@@ -161,6 +196,12 @@ class EvaluatePatternMaker:
 
         if not self.patterns:
             raise InputError("No patterns were given. Give at least one file: --patterns FILE")
+        if self.look is not None and self.data is None:
+            raise InputError("--look is about pictures: give the data set that has the garments, --data DIR.")
+        if self.view != "front" and self.look is None:
+            raise InputError(f"--view {self.view} goes with --look: say how the pictures are to look.")
+        if self.source == "library" and not self.alter:
+            raise InputError("Known patterns are found to be altered: leave --source or --no-alter out.")
         if self.garments and self.data is None:
             raise InputError("--garments compares with drapes: give the data set that has them, --data DIR.")
         if self.network_alone:
@@ -168,6 +209,7 @@ class EvaluatePatternMaker:
                 ("--attempts", self.attempts is not None),
                 ("--no-alter", not self.alter),
                 ("--no-crop", not self.crop),
+                ("--source", self.source != "both"),
                 ("--sewer-weights", self.sewer_weights is not None and not self.garments),
             ):
                 if given:
@@ -232,6 +274,6 @@ class EvaluatePatternMaker:
                 shown = []
                 for one in chosen(scored, self.pictures):
                     picture = picture_of(one.answer.question, found.pictures)
-                    shown.append(Shown(one, None if picture is None else picture[1]))
+                    shown.append(Shown(one, None if picture is None else picture[1][0]))
                 write_sheets(self.out, task.replace("+", "-"), shown)
                 progress.add(1)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
+from swifttailor.arrays import Pixels
 from swifttailor.clock import Clock
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.evaluation.maker.book import Book
@@ -17,6 +18,7 @@ from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.progress import CountProgress, unwatched
 from swifttailor.tailor import Order, Tailor
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.order import Source
 from swifttailor.tailor.protocols import PatternWriter
 from swifttailor.tailor.verdict import Verdict
 
@@ -39,6 +41,8 @@ class Asking:
     """See `Order`."""
     crop: bool = True
     """See `Order`."""
+    source: Source = "both"
+    """See `Order`."""
     network_alone: bool = False
     """Whether the first pattern that the network writes is the answer, whatever is wrong with it: nothing is
     altered, cropped, tried to be sewn, or written again."""
@@ -55,6 +59,7 @@ class Asking:
             seed=seed_of(self.seed, question.key, "answer"),
             temperature=self.temperature,
             attempts=self.attempts,
+            source=self.source if question.before is None and self.alter else "both",
             alter=self.alter,
         )
 
@@ -64,6 +69,7 @@ class Asking:
         if not self.network_alone:
             order = Order(temperature=self.temperature, attempts=self.attempts)
             decides |= {"attempts": order.most_attempts, "alter": self.alter, "crop": self.crop}
+            decides |= {"source": self.source}
         return decides | {"seed": self.seed}
 
 
@@ -140,7 +146,7 @@ def ask_network(
     Args:
         writer: Is asked.
         questions: Of any tasks.
-        pictures: For questions with one; shown as they are.
+        pictures: For questions with one; shown as they are, and of two the first.
         temperature: Of the draws.
         seeds: One for each question.
 
@@ -149,7 +155,7 @@ def ask_network(
     """
     shown = [picture_of(question, pictures) for question in questions]
     requests = [
-        Request(question.text, None if picture is None else picture[1], question.before)
+        Request(question.text, None if picture is None else picture[1][0], question.before)
         for question, picture in zip(questions, shown, strict=True)
     ]
     return writer.generate_all(requests, seed=seeds, temperature=temperature, draw=0)
@@ -207,8 +213,8 @@ def pattern_of(record: dict[str, Any], name: str) -> Pattern | None:
         ) from error
 
 
-def picture_of(question: Question, pictures: GarmentPictures | None) -> tuple[str, Any] | None:
-    """Look and pixels of the picture that goes with a question; None where it has none."""
+def picture_of(question: Question, pictures: GarmentPictures | None) -> tuple[str, tuple[Pixels, ...]] | None:
+    """Look and pixels of the pictures that go with a question; None where it has none."""
     if question.task not in PICTURED:
         return None
     if pictures is None:
@@ -227,6 +233,7 @@ def _content(answer: Answer) -> dict[str, Any]:
         "tokens": written.tokens,
         "log_likelihood": written.log_likelihood,
         "attempts": len(answer.failures) + 1,
+        **({"known": answer.known} if answer.known else {}),
         "mended": [change.code for change in answer.changes],
         "altered": list(answer.cuts),
         "not_so": [wish_line(wish) for wish in answer.verdict.open],

@@ -53,8 +53,8 @@ class GarmentPictures:
         split, number = self._places[id]
         return self._readers[split][number]
 
-    def picture(self, id: str) -> tuple[str, Pixels]:
-        """The look and the pixels of the picture of a garment.
+    def picture(self, id: str) -> tuple[str, tuple[Pixels, ...]]:
+        """The look and the pixels of the pictures of a garment, here one.
 
         Raises:
             InputError: The data set is damaged, or its renders were not drawn to the end.
@@ -65,9 +65,9 @@ class GarmentPictures:
         names = settings.names()
         place = seed_of(self.seed, id, "picture") % len(names)
         if renders is not None:
-            return names[place], renders[number][place].pixels()
+            return names[place], (renders[number][place].pixels(),)
         sample = self._readers[split][number]
-        return names[place], draw_render(sample, names[place], settings).pixels()
+        return names[place], (draw_render(sample, names[place], settings).pixels(),)
 
     @property
     def drawn(self) -> tuple[str, ...]:

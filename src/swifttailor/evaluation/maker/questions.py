@@ -17,6 +17,7 @@ from swifttailor.data.edits.pairs import is_reversed, pairs_of
 from swifttailor.data.pattern_source import parsed_pattern, patterns_of
 from swifttailor.describing import Claim, GarmentFacts, measure_facts
 from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.evaluation.pictures.visible import ShownFrom, can_be_seen
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.digest import pattern_digest
 from swifttailor.pattern_maker.tokens.encode import encode
@@ -120,6 +121,7 @@ def generation_questions(
     pictured: Callable[[str], bool],
     seed: int,
     progress: CountProgress = unwatched,
+    view: ShownFrom = "free",
 ) -> list[Question]:
     """Asks for patterns by text, by picture and by both.
 
@@ -132,6 +134,7 @@ def generation_questions(
         pictured: Whether there is a picture of the pattern of an id.
         seed: Of the captions.
         progress: Called with 1 after each pattern.
+        view: From where pictures show garments; a picture alone is asked for what can be seen.
 
     Returns:
         The questions of the first task, then those of the next.
@@ -148,9 +151,14 @@ def generation_questions(
             for task, questions in by_task.items():
                 if task == "text" or pictured(id):
                     text = "" if task == "image" else caption.text
-                    questions.append(Question(task, id, truth, facts, text, caption.claims))
+                    claims = caption.claims if text else _seen(caption.claims, view)
+                    questions.append(Question(task, id, truth, facts, text, claims))
         progress(1)
     return [question for questions in by_task.values() for question in questions]
+
+
+def _seen(claims: Sequence[Claim], view: ShownFrom) -> tuple[Claim, ...]:
+    return tuple(claim for claim in claims if can_be_seen(claim, view))
 
 
 @dataclass

@@ -8,10 +8,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
+from swifttailor.data.pictures.blocks import Family
 from swifttailor.errors import InputError
 from swifttailor.evaluation.maker.ask import Asking, KeptAnswer, ask_all
 from swifttailor.evaluation.maker.book import Book, open_books
 from swifttailor.evaluation.maker.garments import Garments, GarmentSets
+from swifttailor.evaluation.maker.looks import LookPictures
 from swifttailor.evaluation.maker.pictures import GarmentPictures
 from swifttailor.evaluation.maker.questions import (
     PICTURED,
@@ -27,6 +29,7 @@ from swifttailor.evaluation.maker.questions import (
 from swifttailor.evaluation.maker.sampling import SamplingSummary, sample_all, summarize_samples
 from swifttailor.evaluation.maker.scores import Scored, TaskResult, score_answers, summarize_task
 from swifttailor.evaluation.patterns.attempts import MAX_ATTEMPTS
+from swifttailor.evaluation.pictures.visible import ShownFrom
 
 if TYPE_CHECKING:
     from swifttailor.garment_sewer.sewer import GarmentSewer
@@ -61,6 +64,10 @@ class Plan:
     limit: int | None = None
     """Of the patterns, and of the edits."""
     asking: Asking = field(default_factory=Asking)
+    look: Family | None = None
+    """How the pictures look; as the renders of the data set when None."""
+    view: ShownFrom = "front"
+    """From where they are seen, where they have a look."""
     samples: int = MAX_ATTEMPTS
     """Attempts of #Sampling; 0 leaves it out."""
 
@@ -128,7 +135,7 @@ def evaluate(
     """
     tasks, seed = plan.chosen_tasks(), plan.asking.seed
     patterns = PatternSet.read(plan.patterns)
-    pictures = None if plan.data is None else GarmentPictures(plan.data, seed)
+    pictures = _pictures(plan)
     edits = None if plan.edits is None or "edit" not in tasks else EditSet.read(plan.edits, patterns)
     questions = _questions(plan, tasks, patterns, pictures, edits, show)
     settings = {
@@ -161,6 +168,14 @@ def evaluate(
         "answered_by_commits": commits,
     }
     return Evaluation(scored, results, sampling, garments, skipped, pictures, about)
+
+
+def _pictures(plan: Plan) -> GarmentPictures | None:
+    if plan.data is None:
+        return None
+    if plan.look is None:
+        return GarmentPictures(plan.data, plan.asking.seed)
+    return LookPictures(plan.data, plan.asking.seed, plan.look, plan.view)
 
 
 def _sew(
@@ -197,7 +212,8 @@ def _questions(
         ids = choose(list(patterns.patterns), plan.limit, seed)
         with show(len(ids), "patterns measured") as progress:
             pictured = (lambda id: False) if pictures is None else pictures.__contains__
-            questions += generation_questions(patterns, ids, tasks, pictured, seed, progress.add)
+            view: ShownFrom = "free" if plan.look is None else plan.view
+            questions += generation_questions(patterns, ids, tasks, pictured, seed, progress.add, view)
     if edits is not None:
         ids = choose(list(edits.versions), plan.limit, seed)
         with show(len(ids), "edits measured") as progress:

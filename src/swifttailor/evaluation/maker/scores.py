@@ -59,7 +59,7 @@ class Scored:
         """Plain JSON values."""
         question, record = self.answer.question, self.answer.record
         kept = (
-            *("tokens", "log_likelihood", "attempts", "mended", "altered", "not_so"),
+            *("tokens", "log_likelihood", "attempts", "known", "mended", "altered", "not_so"),
             *("errors", "warnings", "error"),
         )
         return {
@@ -81,7 +81,9 @@ class TaskResult:
     """Ours first; then the true patterns through tokens and back, and another pattern or the input."""
     adherence: AdherenceRows
     attempts: float
-    """Patterns that were written for an answer, in the mean."""
+    """Patterns that were tried for an answer, in the mean."""
+    known: int
+    """Answers that were cut from known patterns."""
     mended: int
     """Answers in which something was mended."""
     faulty: int
@@ -95,6 +97,7 @@ class TaskResult:
             "patterns": {name: asdict(found) for name, found in self.patterns},
             "adherence": {name: asdict(found) for name, found in self.adherence},
             "attempts": self.attempts,
+            "known": self.known,
             "mended": self.mended,
             "faulty": self.faulty,
             "seconds": self.seconds,
@@ -137,6 +140,7 @@ def summarize_task(task: Task, scored: Sequence[Scored]) -> TaskResult:
         rows,
         _edit_adherence(questions, scored) if task == "edit" else _caption_adherence(questions, scored),
         attempts=float(np.mean([r["attempts"] for r in records if "attempts" in r] or [0])),
+        known=sum("known" in r for r in records),
         mended=sum(bool(r.get("mended")) for r in records),
         faulty=sum(r.get("errors", 0) > 0 for r in records),
         seconds=_seconds(records),

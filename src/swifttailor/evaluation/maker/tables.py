@@ -67,7 +67,8 @@ def task_text(result: TaskResult) -> str:
         f"== {_TITLES[result.task]}: {count} questions ==\n\n"
         f"{pattern_tables(result.patterns, _PATTERNS[result.task])}\n"
         f"{said}\n\n{adherence_table(result.adherence)}\n"
-        f"{result.attempts:.2f} patterns were written for an answer\n"
+        f"{result.attempts:.2f} patterns were tried for an answer; {result.known} of {count} answers were cut "
+        "from known patterns\n"
         f"{result.mended} of {count} answers were mended; in {result.faulty} a check still finds errors\n"
         f"seconds of an answer, among others answered together: {seconds or 'none'}\n"
     )
@@ -130,6 +131,8 @@ def _manner(about: Mapping[str, Any]) -> str:
         return f"answers of the network alone, {temperature}, one pattern each"
     usual = "answers as swifttailor generate and edit give them"
     without = [name for name in ("alter", "crop") if not about[name]]
+    if about["source"] != "both":
+        usual += f", {'known' if about['source'] == 'library' else 'written'} patterns alone"
     return ", ".join(
         [usual, temperature, f"at most {about['attempts']} attempts", *(f"no {w}" for w in without)]
     )
