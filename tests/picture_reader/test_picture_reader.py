@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from swifttailor.errors import InputError
-from swifttailor.picture_reader.labels import labels_checksum, statement_labels
+from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.picture_reader.labels import labels_checksum, measure_labels, statement_labels
 from swifttailor.picture_reader.reader import LEAST_CERTAINTY, PictureReader, cut_square
 
 TINY = {"image_size": 64, "embedding": 8, "stages": [8, 8, 16, 16], "depths": [1, 1, 1, 1], "width": 24}
@@ -137,3 +138,45 @@ def test_pixels_are_told_where_on_the_wearer_they_are():
         np.testing.assert_allclose([aside, level], [x, y - 100.0], atol=2.1)
     assert (found[2] == 1).all()
     assert not places_of(torch.zeros(1, 3, size, size), torch.zeros(1, 7)).any()
+
+
+class Looking:
+    """A network that sees one garment in the middle, and remembers what it was told of the camera."""
+
+    def __init__(self) -> None:
+        self.guesses: list[np.ndarray] = []
+
+    def run(self, names, feeds):
+        self.guesses.append(feeds["guess"][0])
+        statements, measures, panels = len(statement_labels()), len(measure_labels()), len(PANEL_NAMES)
+        mask = np.full((1, 2, 16, 16), -9.0, np.float32)
+        mask[:, 0, 6:10, 6:10] = 9.0
+        look = np.float32(len(self.guesses))
+        found = {
+            "present": np.array([[9.0, -9.0]]),
+            "statements": np.full((1, 2, statements), look),
+            "has": np.full((1, 2, measures), -9.0),
+            "measures": np.zeros((1, 2, measures, 2)),
+            "panels": np.full((1, 2, panels), -9.0),
+            "boxes": np.zeros((1, 2, panels, 5)),
+            "camera_view": np.array([[0.0, 1.0, 0.0, -0.7, 0.02, -0.01]]),
+            "figures": np.array([[0.0, 9.0 if look == 1 else -9.0, 0.0]]),
+            "masks": mask,
+            "places": np.zeros((1, 3, 16, 16)),
+        }
+        return [found[name].astype(np.float32) for name in names]
+
+
+def test_it_looks_at_the_whole_and_then_told_the_camera_thrice_at_the_garment():
+    looking = Looking()
+    reader = PictureReader(looking, 64, np.tile([1.0, 0.0], (len(statement_labels()), 1)), {})
+    found = reader.read(np.zeros((640, 640, 3), np.uint8))
+    assert len(looking.guesses) == 4 and not looking.guesses[0].any()
+    left, _, right, _ = found.box
+    assert right - left == round(160 * 1.7)  # the garment is 160 pixels wide and high
+    for guess, scale in zip(looking.guesses[1:], (1.0, 0.87, 1.15), strict=True):
+        assert guess[6] == 1 and abs(guess[3] - (-0.7 + np.log(640 / (272 * scale)))) < 0.01
+        assert abs(guess[4] - 0.02 * 640 / (272 * scale)) < 0.01
+    assert found.figures == "one", "only the whole picture shows who else is there"
+    (part,) = found.parts
+    assert abs(part.statements[0].certainty - 1 / (1 + np.exp(-3.0))) < 1e-6  # the mean of 2, 3 and 4

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from swifttailor.picture_reader.view import HIGH, LOW, camera_of, view_of
+from swifttailor.picture_reader.view import HIGH, LOW, camera_of, view_in, view_of
 from swifttailor.render import Camera
 
 
@@ -38,3 +38,26 @@ def test_the_view_says_what_is_seen():
     np.testing.assert_allclose(view, [1, 0, 0, np.log(0.5), 0, 0], atol=1e-6)
     aside = view_of(Camera((16.0, 116.0, 0.0), 160.0, 0.0, 0.0, 0.0), 64)
     np.testing.assert_allclose(aside[4:], [-0.1, 0.1], atol=1e-6)
+
+
+@given(
+    height=st.floats(120, 300),
+    x=st.floats(-20, 20),
+    y=st.floats(60, 130),
+    left=st.integers(-30, 60),
+    top=st.integers(-30, 60),
+    side=st.integers(40, 180),
+)
+def test_a_view_is_told_for_another_frame_of_the_picture(height, x, y, left, top, side):
+    view = view_of(Camera((x, y, 0.0), height, 0.0, 0.0, 0.0), 100)
+    found = view_in(view, (0, 0, 100), (left, top, side))
+    per_pixel = height / 100
+    middle = Camera(
+        (x + (left + side / 2 - 50) * per_pixel, y - (top + side / 2 - 50) * per_pixel, 0.0),
+        side * per_pixel,
+        0.0,
+        0.0,
+        0.0,
+    )
+    np.testing.assert_allclose(found, view_of(middle, 200), atol=1e-4)
+    np.testing.assert_allclose(view_in(found, (left, top, side), (0, 0, 100)), view, atol=1e-4)

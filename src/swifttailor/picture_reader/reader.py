@@ -45,6 +45,9 @@ KIND = ModelKind("picture reader", "swifttailor picture-reader 1", 2**28, ({GRAP
 LEAST_PRESENT = 0.5
 LEAST_CERTAINTY = 0.3
 """What is less sure is not told."""
+_SCALES = (1.0, 0.87, 1.15)
+"""Sides of the frames of the nearer looks, in that around the garment."""
+_OF_A_FRAME = ("camera_view", "masks", "places")
 _MARGIN = 0.35
 """Around the garment, as a share of its larger extent: what hangs where is told by the body around it."""
 _HALF = float(np.log(2))
@@ -100,9 +103,12 @@ class PictureReader:
         whole = ((width - side) // 2, (height - side) // 2, side)
         first = self._look(pixels, whole, None)
         square = _around(first, whole) or whole
-        answers = self._look(pixels, square, view_in(first["camera_view"], whole, square))
-        # Who else is there, the nearer look does not show.
-        return self._reading(answers | {"figures": first["figures"]}, square, (height, width))
+        squares = [_scaled(square, scale) for scale in _SCALES]
+        looks = [self._look(pixels, one, view_in(first["camera_view"], whole, one)) for one in squares]
+        # A mean is steadier than one look. Where things are is of one frame; who else is there, of the whole.
+        answers = {name: np.mean([look[name] for look in looks], axis=0) for name in OUTPUTS}
+        answers |= {name: looks[0][name] for name in _OF_A_FRAME} | {"figures": first["figures"]}
+        return self._reading(answers, square, (height, width))
 
     def _look(self, pixels: Pixels, square: Square, view: NDArray[np.float32] | None) -> dict[str, Any]:
         shown = cut_square(pixels, square, self.size)
@@ -181,6 +187,13 @@ def _around(answers: dict[str, Any], square: tuple[int, int, int]) -> tuple[int,
         return None
     across, down = np.round((low + high) / 2 - new / 2).astype(int)
     return left + int(across), top + int(down), new
+
+
+def _scaled(square: Square, scale: float) -> Square:
+    """A square with the same middle."""
+    left, top, side = square
+    new = max(round(side * scale), 8)
+    return left + (side - new) // 2, top + (side - new) // 2, new
 
 
 def _statements(logits: NDArray[Any]) -> tuple[Statement, ...]:

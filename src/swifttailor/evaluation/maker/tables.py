@@ -67,8 +67,8 @@ def task_text(result: TaskResult) -> str:
         f"== {_TITLES[result.task]}: {count} questions ==\n\n"
         f"{pattern_tables(result.patterns, _PATTERNS[result.task])}\n"
         f"{said}\n\n{adherence_table(result.adherence)}\n"
-        f"{result.attempts:.2f} patterns were tried for an answer; {result.known} of {count} answers were cut "
-        "from known patterns\n"
+        f"{result.attempts:.2f} patterns were tried for an answer; {result.known} of {count} were cut from "
+        "known patterns\n"
         f"{result.mended} of {count} answers were mended; in {result.faulty} a check still finds errors\n"
         f"seconds of an answer, among others answered together: {seconds or 'none'}\n"
     )
