@@ -162,7 +162,7 @@ class Looking:
             "camera_view": np.array([[0.0, 1.0, 0.0, -0.7, 0.02, -0.01]]),
             "figures": np.array([[0.0, 9.0 if look == 1 else -9.0, 0.0]]),
             "masks": mask,
-            "places": np.zeros((1, 3, 16, 16)),
+            "worn_places": np.zeros((1, 3, 16, 16)),
         }
         return [found[name].astype(np.float32) for name in names]
 
