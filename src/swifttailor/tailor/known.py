@@ -14,9 +14,10 @@ from swifttailor.tailor.reading import Wanted
 
 KNOWN_ATTEMPTS = 2
 """So many of the attempts at a garment are with known patterns, before any is written."""
-CLOSE, MOST_CLOSE = 2.0, 32
+CLOSE, LEAST_CLOSE, MOST_CLOSE = 2.0, 4, 32
 """Patterns whose likelihood is at most by this (its logarithm) below that of the best are as good: the seed
-says which of them is taken. At most so many."""
+says which of them is taken. At least and at most so many, for who asks with several seeds wants several
+garments."""
 _NOTHING_SOUGHT = (
     "Known patterns are found by what is understood of a text or read in a picture, and nothing was. Say "
     "more of the garment, or let the pattern be written: --source writer"
@@ -36,7 +37,8 @@ class KnownCandidates:
             most: How many at most.
         """
         best = np.argsort(-search.fits, kind="stable")[: MOST_CLOSE + most]
-        close = int((search.fits[best[:MOST_CLOSE]] >= search.fits[best[0]] - CLOSE).sum())
+        alike = int((search.fits[best[:MOST_CLOSE]] >= search.fits[best[0]] - CLOSE).sum())
+        close = min(max(alike, LEAST_CLOSE), len(best))
         first = seed % close if temperature > 0 else 0
         self._library = search.library
         self._order = np.concatenate([np.roll(best[:close], -first), best[close:]])[:most]
