@@ -23,6 +23,7 @@ def read_pictures(asked: Generate) -> int:
     """
     from swifttailor.atomic_files import write_text
     from swifttailor.garment.binary_file import write_bytes
+    from swifttailor.picture_reader.reading import TOLD
     from swifttailor.picture_reader.together import together
     from swifttailor.render.png import encode_png
     from swifttailor.tailor.looking import parts_seen
@@ -45,7 +46,8 @@ def read_pictures(asked: Generate) -> int:
     for name in seen:
         part = together([next(p for p in one.reading.parts if p.part == name) for one in pictures])
         lines.append(f"{name} ({part.certainty:.0%}):")
-        lines += [f"  {claim_line(s.claim)} ({s.certainty:.0%})" for s in part.statements]
+        told = [s for s in part.statements if s.certainty >= TOLD]
+        lines += [f"  {claim_line(s.claim)} ({s.certainty:.0%})" for s in told]
         lines += [
             f"  {m.name}: {m.value:.1f}, give or take {m.off:.1f}" for m in part.measures if m.certainty > 0.5
         ]

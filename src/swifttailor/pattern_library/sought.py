@@ -28,7 +28,7 @@ ASKED = 0.999
 """What words ask for with certainty."""
 WORDS = 4.0
 """A statement of words counts as much as so many of a picture."""
-UNTOLD, UNTOLD_PANEL, UNTOLD_MEASURE = 0.05, 0.03, 0.1
+UNTOLD, UNTOLD_PANEL, UNTOLD_MEASURE = 0.02, 0.02, 0.02
 """Probability of what a reading leaves out (`reader.LEAST_CERTAINTY`)."""
 EXACT = 0.05
 """Width of a measure that is true, `scaled`."""

@@ -43,8 +43,8 @@ OUTPUTS = (
 )
 KIND = ModelKind("picture reader", "swifttailor picture-reader 1", 2**28, ({GRAPH: (INPUTS, OUTPUTS)},))
 LEAST_PRESENT = 0.5
-LEAST_CERTAINTY = 0.3
-"""What is less sure is not told."""
+LEAST_CERTAINTY = 0.03
+"""What is less sure is not told; what is hardly likely still tells known patterns apart."""
 _SCALES = (1.0, 0.87, 1.15)
 """Sides of the frames of the nearer looks, in that around the garment."""
 _OF_A_FRAME = ("camera_view", "masks", "worn_places")
@@ -210,7 +210,7 @@ def _measures(has: NDArray[Any], measured: NDArray[Any]) -> tuple[Measure, ...]:
     certain = _share(has)
     found = []
     for k, name in enumerate(measure_labels()):
-        if certain[k] >= LEAST_PRESENT:
+        if certain[k] >= LEAST_CERTAINTY:
             middle, width = float(measured[k, 0]), float(np.exp(np.clip(measured[k, 1], NARROWEST, WIDEST)))
             value = MEASURE_CM * np.sinh(middle)
             off = MEASURE_CM * (np.sinh(middle + _HALF * width) - np.sinh(middle - _HALF * width)) / 2

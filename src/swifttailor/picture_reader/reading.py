@@ -12,6 +12,9 @@ from swifttailor.describing.claims import Claim
 from swifttailor.picture_reader.figures import Figures
 from swifttailor.render import Camera
 
+TOLD = 0.3
+"""What is less sure is not told to people."""
+
 
 @dataclass(frozen=True)
 class Statement:
@@ -98,7 +101,9 @@ class PictureReading:
                     "part": part.part,
                     "certainty": round(part.certainty, 3),
                     "statements": [
-                        s.claim.to_json() | {"certainty": round(s.certainty, 3)} for s in part.statements
+                        s.claim.to_json() | {"certainty": round(s.certainty, 3)}
+                        for s in part.statements
+                        if s.certainty >= TOLD
                     ],
                     "measures": [
                         {
@@ -108,8 +113,13 @@ class PictureReading:
                             "certainty": round(m.certainty, 3),
                         }
                         for m in part.measures
+                        if m.certainty >= TOLD
                     ],
-                    "panels": [{"name": p.name, "certainty": round(p.certainty, 3)} for p in part.panels],
+                    "panels": [
+                        {"name": p.name, "certainty": round(p.certainty, 3)}
+                        for p in part.panels
+                        if p.certainty >= TOLD
+                    ],
                 }
                 for part in self.parts
             ],

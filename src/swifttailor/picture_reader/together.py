@@ -6,13 +6,15 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
-from swifttailor.picture_reader.reading import PartReading, Statement
+from swifttailor.picture_reader.reading import PartReading, SeenPanel, Statement
 
 T = TypeVar("T")
 
 
 def together(parts: Sequence[PartReading]) -> PartReading:
     """Of each subject what the picture says that is surest of it: a front shows the neckline, a back the zip.
+
+    Whether there is a panel, all pictures say, each as much as the others.
 
     Args:
         parts: Of the same part of the body, one a picture; at least one. The mask is that of the first.
@@ -29,8 +31,19 @@ def together(parts: Sequence[PartReading]) -> PartReading:
         certainty=max(part.certainty for part in parts),
         statements=tuple(sorted(said, key=lambda s: -s.certainty)),
         measures=_best((m for part in parts for m in part.measures), lambda m: m.name, lambda m: -m.off),
-        panels=_best((p for part in parts for p in part.panels), lambda p: p.name, lambda p: p.certainty),
+        panels=_panels(parts),
     )
+
+
+def _panels(parts: Sequence[PartReading]) -> tuple[SeenPanel, ...]:
+    """The box of the surest, and the mean of how sure all are."""
+    best = _best((p for part in parts for p in part.panels), lambda p: p.name, lambda p: p.certainty)
+    sure: dict[str, float] = {}
+    for part in parts:
+        for panel in part.panels:
+            sure[panel.name] = sure.get(panel.name, 0.0) + panel.certainty / len(parts)
+    found = (replace(panel, certainty=sure[panel.name]) for panel in best)
+    return tuple(sorted(found, key=lambda panel: -panel.certainty))
 
 
 def _best(found: Iterable[T], name: Callable[[T], str], worth: Callable[[T], float]) -> tuple[T, ...]:
