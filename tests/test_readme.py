@@ -144,7 +144,7 @@ def test_the_readme_from_top_to_bottom(tmp_path, monkeypatch, coarse, shipped_pa
     for block in blocks("README.md", "python"):
         exec(compile(block, "README.md", "exec"), {})
     text = (ROOT / "README.md").read_text()
-    folder = {p.name for p in (tmp_path / "flared").iterdir()}
+    folder = {p.name for p in (tmp_path / "longer-dress").iterdir()}
     assert folder == {p.name for p in (tmp_path / "longer").iterdir()}
     assert all(f"`{name}`" in text for name in folder)
     assert json.loads((tmp_path / "skirt" / "report.json").read_text())["fabric"] == "silk"

@@ -50,7 +50,7 @@ def command(*arguments) -> int:
 
 def test_words_to_a_folder(write, tmp_path, capsys):
     write([draft("t-shirt")])
-    assert command("generate", "a T-shirt", "--out", tmp_path / "out") == 0
+    assert command("generate", "a T-shirt", "--source", "writer", "--out", tmp_path / "out") == 0
     said = capsys.readouterr()
     assert "8 panels, 14 stitches" in said.out and "preview.png" in said.out
     assert "writing" in said.err and "saving" in said.err
@@ -113,7 +113,8 @@ def test_a_sheet_that_others_have_made_is_never_replaced(write, tmp_path, capsys
 def test_nothing_made_is_exit_code_2_and_leaves_nothing(write, tmp_path, capsys):
     write([crossed(draft("t-shirt"))])
     for samples in (1, 2):
-        assert command("generate", "a T-shirt", "--out", tmp_path / "out", "--samples", samples) == 2
+        asked = ("generate", "a T-shirt", "--source", "writer", "--out", tmp_path / "out")
+        assert command(*asked, "--samples", samples) == 2
         assert "None of the 4 patterns" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
 
@@ -230,7 +231,7 @@ def test_what_cannot_work_is_refused(arguments, said, tmp_path, capsys, monkeypa
 
 def test_without_weights_it_says_how_to_get_them(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(maker_module, "SHIPPED", tmp_path / "none.zip")
-    assert run(["generate", "a dress", "--out", str(tmp_path / "out")]) == 2
+    assert run(["generate", "a dress", "--source", "writer", "--out", str(tmp_path / "out")]) == 2
     said = capsys.readouterr().err
     assert "without weights for a PatternMaker" in said and "--maker-weights" in said
     assert not (tmp_path / "out").exists()

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-RECIPES = ("wish_reader", "garment_sewer", "pattern_maker", "picture_reader")
+RECIPES = ("wish_reader", "garment_sewer", "pattern_maker", "picture_reader", "pattern_library")
 
 
 def environment(work: Path, **more: str) -> dict[str, str]:
@@ -39,6 +39,7 @@ def run(name: str, work: Path, *arguments: str, **more: str) -> subprocess.Compl
 def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     from swifttailor.garment_sewer.sewer import GarmentSewer
     from swifttailor.pattern.drafts import draft
+    from swifttailor.pattern_library.known import PatternLibrary
     from swifttailor.pattern_maker.maker import PatternMaker
     from swifttailor.picture_reader.reader import PictureReader
     from swifttailor.wishes.reader import WishReader
@@ -56,7 +57,7 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     for model, path in files.items():
         card = json.loads(path.with_suffix(".json").read_text())
         assert card["model"] == model and card["config"]["seed"] == 0
-        assert ("start" in card) == (model == "PictureReader"), "its second stage begins with its first"
+        assert ("start" in card) == (model == "PictureReader"), "its stages begin with one another"
         assert card["command"].startswith("swifttailor train ") and card["file"]["sha256"]
         assert all(len(card["data"][split]) >= 2 for split in ("train", "validation"))
     checksums = json.loads(files["PatternMaker"].with_suffix(".json").read_text())["data"]["files"]
@@ -67,7 +68,8 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     assert maker.model.runtime.plans and maker.model.card["model"] == "PatternMaker"
     WishReader.load(files["WishReader"]).read("a knee-length dress")
     reader = PictureReader.load(files["PictureReader"])
-    assert reader.size == 64 and reader.card["config"]["start"].endswith("small/weights.safetensors")
+    assert reader.size == 64 and reader.card["config"]["start"].endswith("middle/weights.safetensors")
+    assert len(PatternLibrary.load(work / "pattern-library/known_patterns.zip")) == 6
 
     again = run("wish_reader", work)
     assert again.returncode == 0
