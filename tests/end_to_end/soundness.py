@@ -19,8 +19,8 @@ MADE_FILES = SEWN_FILES | {"ggi.npz"}
 BORDER = (0.2, 1.2)
 """Length of the open borders of a sewn garment, in lengths of the edges that are not sewn.
 
-A seam that is open would add twice its own; the network lets hems of small garments stand up to a fifth wider. The hems of the fullest skirts (one of 59 m) lose length to
-folds that the network does not make.
+A seam that is open would add twice its own. The network lets hems of small garments stand out up to a fifth
+wider; those of the fullest skirts (one of 59 m) lose length to folds that it does not make.
 """
 
 
