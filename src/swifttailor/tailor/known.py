@@ -58,21 +58,21 @@ class KnownCandidates:
 
 def known_candidates(
     library: PatternLibrary | None, samples: Sequence[tuple[Wanted, int]]
-) -> list[KnownCandidates | tuple[()]]:
-    """What a library has for each sample; nothing where its pattern is to be written.
+) -> list[KnownCandidates | None]:
+    """What a library has for each sample; None where its pattern is to be written.
 
     Raises:
         InputError: Nothing may be written, and nothing is known of what is wanted.
     """
     searches: dict[int, Search] = {}
-    found: list[KnownCandidates | tuple[()]] = []
+    found: list[KnownCandidates | None] = []
     for wanted, seed in samples:
         order = wanted.order
         may_be_known = order.source != "writer" and order.edit is None and order.alter
         if library is None or not may_be_known or wanted.sought.is_empty:
             if order.source == "library":
                 raise InputError(_NOTHING_SOUGHT)
-            found.append(())
+            found.append(None)
             continue
         if id(wanted) not in searches:
             searches[id(wanted)] = Search(library, wanted.sought)

@@ -60,6 +60,7 @@ def write_patterns(
     ((temperature, attempts),) = manners
     clock.restart()
     known = known_candidates(library, samples)
+    counts = [0 if one is None else len(one) for one in known]
     if library is not None:
         clock.stop("searching")
     tried: list[list[Answer]] = [[] for _ in samples]
@@ -68,11 +69,15 @@ def write_patterns(
         if not waiting:
             break
         clock.restart()
-        found = {k: known[k].take(attempt) for k in waiting if attempt < len(known[k])}
+        found: dict[int, tuple[str, WrittenPattern]] = {}
+        for k in waiting:
+            candidates = known[k]
+            if candidates is not None and attempt < counts[k]:
+                found[k] = candidates.take(attempt)
         if found:
             clock.stop("searching")
-        for draw in sorted({attempt - len(known[k]) for k in waiting if k not in found}):
-            asked = [k for k in waiting if k not in found and attempt - len(known[k]) == draw]
+        for draw in sorted({attempt - counts[k] for k in waiting if k not in found}):
+            asked = [k for k in waiting if k not in found and attempt - counts[k] == draw]
             written = writer().generate_all(
                 [samples[k][0].request(draw) for k in asked],
                 seed=[samples[k][1] for k in asked],
