@@ -9,6 +9,7 @@ from functools import cache
 from swifttailor.describing.claims import CLAIM_TYPES
 from swifttailor.describing.dimensions import DIMENSIONS
 from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 
 PARTS: tuple[str, ...] = ("upper", "lower")
 """What a person wears: a garment that covers the upper body, whole dresses and jumpsuits included; and skirts
@@ -37,12 +38,19 @@ def measure_labels() -> tuple[str, ...]:
 
 @cache
 def topics() -> tuple[str, ...]:
-    """What is looked at together: each claim and dimension by its name, panels, and the garment itself."""
+    """What is looked at together: each claim and dimension by its name, each kind of panels (`panel_topic`), and
+    the garment itself."""
     claims = (claim for claim, _ in statement_labels())
-    return tuple(dict.fromkeys([*claims, *measure_labels(), "panels", "garment"]))
+    kinds = map(panel_topic, PANEL_KINDS)
+    return tuple(dict.fromkeys([*claims, *measure_labels(), *kinds, "garment"]))
+
+
+def panel_topic(kind: str) -> str:
+    """The topic of a kind of panels."""
+    return f"panels: {kind}"
 
 
 def labels_checksum() -> str:
     """Of all labels in their order."""
-    said = [PARTS, statement_labels(), measure_labels(), PANEL_NAMES, BOX, VIEW]
+    said = [PARTS, statement_labels(), measure_labels(), PANEL_NAMES, PANEL_KINDS, BOX, VIEW]
     return hashlib.sha256(json.dumps(said).encode()).hexdigest()

@@ -18,9 +18,11 @@ from swifttailor.picture_reader.labels import (
     PARTS,
     VIEW,
     measure_labels,
+    panel_topic,
     statement_labels,
     topics,
 )
+from swifttailor.picture_reader.panel_kinds import PANEL_KINDS, kinds_of_panels
 from swifttailor.picture_reader.units import MEASURE_CM, VIEW_CM
 
 STRIDE = 16
@@ -68,6 +70,14 @@ class Reading(NamedTuple):
     """(B, 2, h, w) logits: where in the picture the garment is, a cell every `MASK_STRIDE` pixels."""
     places: Tensor
     """(B, 3, h, w) where on the wearer as he stands each cell looks, metres; anything where nobody is."""
+    kinds: Tensor
+    """(B, K, h, w) logits: of which of `PANEL_KINDS` the panel in each cell is; anything where none is."""
+    seams: Tensor
+    """(B, 1, h, w) logits: whether two panels of one garment meet in it; anything where none is."""
+
+
+_DENSE = (len(PARTS), 3, len(PANEL_KINDS), 1)
+"""Channels of masks, places, kinds and seams."""
 
 
 class EyesNetwork(nn.Module):
@@ -104,7 +114,7 @@ class EyesNetwork(nn.Module):
             nn.Conv2d(config.mask_width, config.mask_width, 3, padding=1),
             nn.BatchNorm2d(config.mask_width),
             nn.ReLU(),
-            nn.Conv2d(config.mask_width, len(PARTS) + 3, 1),
+            nn.Conv2d(config.mask_width, sum(_DENSE), 1),
         )
         self.told = nn.Sequential(nn.Conv2d(_Told.COUNT, width, 1), nn.ReLU(), nn.Conv2d(width, width, 1))
         self.looks = _Looks(width, config.heads, len(PARTS) * len(topics()))
@@ -137,7 +147,7 @@ class EyesNetwork(nn.Module):
         if third.shape[-2:] != places.shape[-2:]:
             places = F.interpolate(places, third.shape[-2:], mode="bilinear", align_corners=False)
         seen = self.looks((third + places).flatten(2).transpose(1, 2))
-        return Reading(*self.says(seen), masks[:, : len(PARTS)], masks[:, len(PARTS) :])
+        return Reading(*self.says(seen), *masks.split(_DENSE, 1))
 
 
 def places_of(pictures: Tensor, guess: Tensor) -> Tensor:
@@ -164,19 +174,22 @@ def places_of(pictures: Tensor, guess: Tensor) -> Tensor:
 
 
 class _Told:
-    """What the cells under each token were said to show: whose pixels, and where on the wearer they are."""
+    """What the cells under each token were said to show: whose pixels, where on the wearer they are, which kind
+    of panel is there, and whether panels meet."""
 
     WAVES = 2.0, 8.0, 24.0
-    COUNT = len(PARTS) + 3 * 2 * len(WAVES) + 3 * len(PARTS)
+    COUNT = len(PARTS) + 3 * 2 * len(WAVES) + 3 * len(PARTS) + len(PANEL_KINDS) + 1
 
     @staticmethod
     def of(masks: Tensor, cells: int) -> Tensor:
-        """(B, COUNT, h / cells, w / cells) of masks and places (B, 2 + 3, h, w)."""
-        shares, at = torch.sigmoid(masks[:, : len(PARTS)]), masks[:, len(PARTS) :]
+        """(B, COUNT, h / cells, w / cells) of masks, places, kinds and seams (B, sum(_DENSE), h, w)."""
+        shares, at, kinds, seams = masks.split(_DENSE, 1)
+        shares = torch.sigmoid(shares)
         anybody = shares.sum(1, keepdim=True).clamp(max=1.0)
         rows = [shares]
         rows += [anybody * wave(at * k) for k in _Told.WAVES for wave in (torch.sin, torch.cos)]
         rows += [shares[:, k : k + 1] * at for k in range(len(PARTS))]
+        rows += [anybody * torch.softmax(kinds, 1), anybody * torch.sigmoid(seams)]
         return F.avg_pool2d(torch.cat(rows, 1), cells)
 
 
@@ -216,11 +229,15 @@ class _Answers(nn.Module):
         of_measure = [names.index(name) for name in measure_labels()]
         self.register_buffer("of_statement", torch.tensor(of_statement), persistent=False)
         self.register_buffer("of_measure", torch.tensor(of_measure), persistent=False)
-        self.panels_at, self.garment_at = names.index("panels"), names.index("garment")
+        of_kind = [names.index(panel_topic(kind)) for kind in PANEL_KINDS]
+        of_panel = [of_kind[kind] for kind in kinds_of_panels()]
+        self.register_buffer("of_panel", torch.tensor(of_panel), persistent=False)
+        self.garment_at = names.index("garment")
         self.norm = nn.LayerNorm(width)
         self.statements = _Rows(len(PARTS) * len(of_statement), width, -2.0)
         self.measures = _Rows(len(PARTS) * len(of_measure) * 3, width)
-        self.panels = nn.Linear(width, len(PANEL_NAMES) * (1 + len(BOX)))
+        self.panels = nn.Parameter(torch.randn(len(PANEL_NAMES), width, 1 + len(BOX)) / math.sqrt(width))
+        self.panels_bias = nn.Parameter(torch.zeros(len(PANEL_NAMES), 1 + len(BOX)))
         self.present, self.view = nn.Linear(width, 1), nn.Linear(2 * width, len(VIEW))
         self.figures = nn.Linear(2 * width, len(FIGURES))
 
@@ -233,7 +250,7 @@ class _Answers(nn.Module):
         # How far off a measure may be is learnt of what is seen, and does not change what is looked at.
         at = torch.stack([at, at, at.detach()], 2)
         measured = self.measures(at.reshape(batch, -1, width)).view(batch, parts, -1, 3)
-        panels = self.panels(x[:, :, self.panels_at]).view(batch, parts, len(PANEL_NAMES), 1 + len(BOX))
+        panels = torch.einsum("bqpw,pwo->bqpo", x[:, :, self.of_panel], self.panels) + self.panels_bias
         garment = x[:, :, self.garment_at]
         return (
             self.present(garment)[..., 0],

@@ -40,6 +40,8 @@ OUTPUTS = (
     "figures",
     "masks",
     "worn_places",
+    "panel_kinds",
+    "seams",
 )
 KIND = ModelKind("picture reader", "swifttailor picture-reader 1", 2**28, ({GRAPH: (INPUTS, OUTPUTS)},))
 LEAST_PRESENT = 0.5
@@ -47,7 +49,7 @@ LEAST_CERTAINTY = 0.03
 """What is less sure is not told; what is hardly likely still tells known patterns apart."""
 _SCALES = (1.0, 0.87, 1.15)
 """Sides of the frames of the nearer looks, in that around the garment."""
-_OF_A_FRAME = ("camera_view", "masks", "worn_places")
+_OF_A_FRAME = ("camera_view", "masks", "worn_places", "panel_kinds", "seams")
 _MARGIN = 0.35
 """Around the garment, as a share of its larger extent: what hangs where is told by the body around it."""
 _HALF = float(np.log(2))

@@ -13,6 +13,7 @@ from torch.utils.data import DataLoader, Dataset
 
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Block, Blocks
+from swifttailor.data.pictures.panel_cells import SEAM
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import MASK_STRIDE
 from swifttailor.picture_reader.network_torch import scaled
@@ -46,6 +47,10 @@ class Answers(NamedTuple):
     """(B, 2, h, w) shares."""
     places: Tensor
     """(B, 3, h, w) metres; NaN where nobody is."""
+    kinds: Tensor
+    """(B, h, w) number of `PANEL_KINDS`; -1 where no garment is."""
+    seams: Tensor
+    """(B, h, w) 0 or 1."""
 
 
 class TruthTable:
@@ -57,9 +62,25 @@ class TruthTable:
         self.panels, self.boxes = found["panels"], found["boxes"]
 
     def answers(
-        self, garments: Tensor, views: Tensor, figures: Tensor, masks: Tensor, places: Tensor
+        self,
+        garments: Tensor,
+        views: Tensor,
+        figures: Tensor,
+        masks: Tensor,
+        places: Tensor,
+        cells: Tensor,
     ) -> Answers:
-        """For pictures of garments (B, 2), -1 for none; the others are as `Answers` has them."""
+        """For pictures of garments (B, 2), -1 for none.
+
+        Args:
+            garments: Numbers in the bank.
+            views: The others are as `Answers` has them.
+            figures: The same.
+            masks: The same.
+            places: The same.
+            cells: (B, h, w) as `panel_cells` has them; NaN outside the picture.
+        """
+        cells = cells.nan_to_num(0.0).long()
         present = garments >= 0
         k = garments.clamp_min(0)
         judged, measures, panels = self.statements[k], self.measures[k], self.panels[k]
@@ -76,6 +97,8 @@ class TruthTable:
             figures,
             masks,
             places,
+            cells % SEAM - 1,
+            (cells >= SEAM).float(),
         )
 
 
@@ -126,12 +149,18 @@ class PictureBatches:
         masks = torch.from_numpy(block.masks[chosen]).permute(0, 3, 1, 2).float() / 255
         views = torch.from_numpy(block.views[chosen])
         places = torch.from_numpy(block.places[chosen]).permute(0, 3, 1, 2).float()
-        pictures, masks, places, views = moved(pictures, masks, places, views, chance, self.config.variation)
+        cells = torch.from_numpy(block.cells[chosen])[:, None].float()
+        on_cells = torch.cat([places, cells], 1)
+        pictures, masks, on_cells, views = moved(
+            pictures, masks, on_cells, views, chance, self.config.variation
+        )
         pictures = relit(pictures, chance, self.config.variation)
         garments = torch.from_numpy(block.garments[chosen])
         figures = torch.from_numpy(block.figures[chosen])
         guess = guessed(views, figures, chance, self.config.unguessed)
-        return pictures, guess, self.truths.answers(garments, views, figures, masks, places)
+        return pictures, guess, self.truths.answers(
+            garments, views, figures, masks, on_cells[:, :3], on_cells[:, 3]
+        )
 
     def _take(self, number: int) -> Block:
         if self._block is None or self._next != number + self._count:
@@ -177,7 +206,7 @@ def _one_thread(_: int) -> None:
 def moved(
     pictures: Tensor,
     masks: Tensor,
-    places: Tensor,
+    on_cells: Tensor,
     views: Tensor,
     chance: torch.Generator,
     strength: float,
@@ -187,7 +216,7 @@ def moved(
     Args:
         pictures: (B, 3, size, size).
         masks: (B, 2, size / 4, size / 4).
-        places: (B, 3, size / 4, size / 4); NaN where nobody is.
+        on_cells: (B, n, size / 4, size / 4) what is true of whole cells; NaN comes in from outside.
         views: (B, 6) `labels.VIEW`.
         chance: Decides.
         strength: Factor on how different they are.
@@ -209,14 +238,14 @@ def moved(
     pictures = F.grid_sample(pictures, grid, padding_mode="border", align_corners=False)
     coarse = grid[:, MASK_STRIDE // 2 :: MASK_STRIDE, MASK_STRIDE // 2 :: MASK_STRIDE]
     masks = F.grid_sample(masks, coarse, padding_mode="zeros", align_corners=False)
-    places = F.grid_sample(places, coarse, mode="nearest", padding_mode="border", align_corners=False)
+    on_cells = F.grid_sample(on_cells, coarse, mode="nearest", padding_mode="border", align_corners=False)
     outside = (coarse.abs() > 1).any(-1)[:, None]
-    places = torch.where(outside, torch.nan, places)
+    on_cells = torch.where(outside, torch.nan, on_cells)
     back = torch.linalg.inv(turn)
     views = views.clone()
     views[:, 4:6] = (back @ views[:, 4:6, None])[:, :, 0] + shift
     views[:, 3] += torch.log(scale)
-    return pictures, masks, places, views
+    return pictures, masks, on_cells, views
 
 
 def guessed(views: Tensor, figures: Tensor, chance: torch.Generator, unguessed: float) -> Tensor:

@@ -47,6 +47,8 @@ class LossWeights:
     view: float = 0.3
     masks: float = 3.0
     places: float = 4.0
+    kinds: float = 4.0
+    seams: float = 2.0
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,14 @@ from torch.nn import functional as F
 
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.network_torch import Reading
+from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.units import NARROWEST, WIDEST
 from swifttailor.training.picture_batch_torch import Answers
 from swifttailor.training.picture_config import LossWeights
 
+_SMALL = ("cuff", "cuff flounce", "leg cuff", "leg cuff flounce", "collar", "waistband", "inset", "tier")
+_KIND_WEIGHTS = [3.0 if kind in _SMALL else 1.0 for kind in PANEL_KINDS]
+"""Kinds of panels that are small, or seldom there."""
 _NEAR = 0.2
 """Measures that are nearer than this, in the unit of `scaled`, hardly count any more."""
 
@@ -49,6 +53,13 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     off = F.smooth_l1_loss(reading.places, truth.places.nan_to_num(0.0), reduction="none", beta=0.05)
     cells = known[:, 0].sum(dim=(1, 2)).clamp_min(1)
     losses["places"] = 10 * ((off * known).sum(dim=(1, 2, 3)) / cells).sum()
+    cloth = truth.kinds >= 0
+    weight = torch.tensor(_KIND_WEIGHTS, device=cloth.device)
+    kinds = F.cross_entropy(reading.kinds, truth.kinds.clamp_min(0), weight, reduction="none")
+    cells = cloth.sum(dim=(1, 2)).clamp_min(1)
+    losses["kinds"] = ((kinds * cloth).sum(dim=(1, 2)) / cells).sum()
+    seams = F.binary_cross_entropy_with_logits(reading.seams[:, 0], truth.seams, reduction="none")
+    losses["seams"] = ((seams * cloth).sum(dim=(1, 2)) / cells).sum()
     losses = {name: value / count for name, value in losses.items()}
     factor = {"has": weights.measures, "widths": weights.measures} | vars(weights)
     losses["total"] = torch.stack([factor[name] * value for name, value in losses.items()]).sum()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from typing import Literal
 
@@ -13,11 +13,13 @@ from numpy.typing import NDArray
 from swifttailor.body import Body
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.odd_scenes import draw_group, draw_nothing
+from swifttailor.data.pictures.panel_cells import panel_cells
 from swifttailor.data.pictures.scenes import VIEWS, Chance, Scene, View, Wardrobe, draw_scene
 from swifttailor.data.pictures.worn_places import worn_places
 from swifttailor.data.renders.draw import draw_seen
+from swifttailor.data.renders.look import View as LookView
 from swifttailor.data.renders.look import random_look
-from swifttailor.data.renders.plain_look import plain_look
+from swifttailor.data.renders.plain_look import plain_camera, plain_look
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS
 from swifttailor.picture_reader.view import view_of
 
@@ -25,6 +27,9 @@ Family = Literal["plain", "studio", "people", "held out", "nothing", "several"]
 """How a picture looks: like those of GarmentCodeData; a garment in a studio; people; people in looks that
 training never draws; no garment at all; and several people."""
 _VIEW_SHARES = 0.4, 0.3, 0.3
+_NEAR_SHARE, _NEAR_MARGIN, _NEAR_SHIFT = 0.65, (0.08, 0.45), 0.06
+"""Plain pictures that the garment fills, as the second look at one does; the space around it; and by how much it
+is off the middle, in heights of the picture."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +44,8 @@ class Block:
     """(n, size / 4, size / 4, 2), see `scenes.Scene`."""
     places: NDArray[np.float16]
     """(n, size / 4, size / 4, 3), see `worn_places`."""
+    cells: NDArray[np.uint8]
+    """(n, size / 4, size / 4), see `panel_cells`."""
     views: NDArray[np.float32]
     """(n, 6)."""
     garments: NDArray[np.int64]
@@ -72,7 +79,8 @@ class Blocks:
         epoch, k = divmod(place, len(self.wardrobe.bank))
         garment = int(_order(self.seed, epoch, len(self.wardrobe.bank))[k])
         family, view = self._family(chance), VIEWS[int(chance.choice(3, p=_VIEW_SHARES))]
-        return draw(self.wardrobe, garment, family, view, chance, self.size)
+        near = family == "plain" and chance.random() < _NEAR_SHARE
+        return draw(self.wardrobe, garment, family, view, chance, self.size, near=near)
 
     def _family(self, chance: Chance) -> Family:
         lot = chance.random()
@@ -83,7 +91,16 @@ class Blocks:
         return "people"
 
 
-def draw(wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Chance, size: int) -> Scene:
+def draw(
+    wardrobe: Wardrobe,
+    number: int,
+    family: Family,
+    view: View,
+    chance: Chance,
+    size: int,
+    *,
+    near: bool = False,
+) -> Scene:
     """A picture of a garment.
 
     Args:
@@ -93,6 +110,7 @@ def draw(wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Ch
         view: From where; of ``plain`` ones there are fronts and backs alone, and ``free`` means either.
         chance: Decides everything else.
         size: Pixels along each side.
+        near: Whether a garment that is shown plainly fills the picture.
     """
     if family == "nothing":
         return draw_nothing(chance, size)
@@ -104,6 +122,8 @@ def draw(wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Ch
     if family == "plain":
         side = view if view != "free" else VIEWS[int(chance.integers(2))]
         look = plain_look(side)
+        if near:
+            look = replace(look, view=_nearer(chance, side))
     else:
         look = random_look(chance, view)
     drawn = draw_seen(worn, _body(), look, size)
@@ -114,10 +134,22 @@ def draw(wardrobe: Wardrobe, number: int, family: Family, view: View, chance: Ch
     garments = np.full(len(PARTS), -1)
     garments[worn.truth.part] = number
     places = worn_places(drawn.face, [(s.vertices, s.faces) for s in drawn.surfaces])
-    return Scene(drawn.pixels, masks, places, view_of(drawn.camera, size), garments)
+    bare = sum(len(s.faces) for s in drawn.surfaces[:-1])
+    panels = panel_cells(drawn.face, bare, [worn])
+    return Scene(drawn.pixels, masks, places, panels, view_of(drawn.camera, size), garments)
 
 
-_COLUMNS = ("pixels", "masks", "places", "views", "garments", "figures")
+def _nearer(chance: Chance, side: str) -> LookView:
+    """From where a plain picture is seen, but of the garment alone."""
+    camera = plain_camera(side)
+    right, up = (float(v) for v in chance.normal(0, _NEAR_SHIFT, 2))
+    margin = float(chance.uniform(*_NEAR_MARGIN))
+    # A smaller picture of the same camera opens as much less.
+    opened = camera.field_of_view * float(chance.uniform(0.3, 0.8))
+    return LookView(camera.azimuth, camera.elevation, opened, False, margin, (right, up))
+
+
+_COLUMNS = ("pixels", "masks", "places", "cells", "views", "garments", "figures")
 
 
 @lru_cache(maxsize=2)

@@ -21,6 +21,7 @@ from swifttailor.body.posing import random_pose
 from swifttailor.body.rig import Rig, Weights
 from swifttailor.body.skin_regions import SkinRegion, skin_regions
 from swifttailor.data.pictures.bank import PictureBank, WornGarment
+from swifttailor.data.pictures.panel_cells import panel_cells
 from swifttailor.data.pictures.worn_places import worn_places
 from swifttailor.data.renders.backdrops import MAKER_NAMES, random_scenery
 from swifttailor.data.renders.camera_effects import random_effects
@@ -61,6 +62,8 @@ class Scene(NamedTuple):
     """(size / 4, size / 4, 2) share of each cell where the garment of each part is seen, of 255."""
     places: NDArray[np.float16]
     """(size / 4, size / 4, 3), see `worn_places`."""
+    cells: NDArray[np.uint8]
+    """(size / 4, size / 4), see `panel_cells`."""
     views: NDArray[np.float32]
     """(6,) `labels.VIEW`."""
     garments: NDArray[np.int64]
@@ -169,8 +172,11 @@ def draw_scene(
         share = (seen.shares[:, :, bodies + k] * cover).reshape(cells, MASK_STRIDE, cells, MASK_STRIDE)
         masks[:, :, garment.truth.part] = np.round(255 * share.mean(axis=(1, 3)))
         garments[garment.truth.part] = which
-    places = worn_places(np.where(cover > _COVERED, seen.face, -1), at_rest)
-    return Scene(pixels, masks, places, view_of(camera, size), garments)
+    face = np.where(cover > _COVERED, seen.face, -1)
+    places = worn_places(face, at_rest)
+    bare = sum(len(faces) for _, faces in at_rest[:bodies])
+    panels = panel_cells(face, bare, [garment for _, garment in worn])
+    return Scene(pixels, masks, places, panels, view_of(camera, size), garments)
 
 
 class _Thing(NamedTuple):
