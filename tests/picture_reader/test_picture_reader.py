@@ -10,9 +10,27 @@ import pytest
 from swifttailor.errors import InputError
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.picture_reader.labels import labels_checksum, measure_labels, statement_labels
+from swifttailor.picture_reader.panel_kinds import PANEL_KINDS, kinds_of_panels
 from swifttailor.picture_reader.reader import LEAST_CERTAINTY, PictureReader, cut_square
 
 TINY = {"image_size": 64, "embedding": 8, "stages": [8, 8, 16, 16], "depths": [1, 1, 1, 1], "width": 24}
+
+
+def test_every_panel_of_garmentcode_is_of_a_kind():
+    kinds = dict(zip(PANEL_NAMES, (PANEL_KINDS[k] for k in kinds_of_panels()), strict=True))
+    assert set(kinds.values()) == set(PANEL_KINDS)
+    some = {
+        "left_ftorso": "front bodice",
+        "sl_right_cuff_skirt_b": "cuff flounce",
+        "sl_left_cuff_f": "cuff",
+        "skirt_front": "skirt",
+        "skirt_back_3": "tier",
+        "skirt_panel_14": "gore",
+        "ins_skirt_back_5": "inset",
+        "pant_l_cuff_f": "leg cuff",
+        "pant_b_r": "leg",
+    }
+    assert {name: kinds[name] for name in some} == some
 
 
 def test_squares_are_cut_and_the_border_goes_on():
@@ -163,6 +181,8 @@ class Looking:
             "figures": np.array([[0.0, 9.0 if look == 1 else -9.0, 0.0]]),
             "masks": mask,
             "worn_places": np.zeros((1, 3, 16, 16)),
+            "panel_kinds": np.zeros((1, len(PANEL_KINDS), 16, 16)),
+            "seams": np.zeros((1, 1, 16, 16)),
         }
         return [found[name].astype(np.float32) for name in names]
 

@@ -110,12 +110,12 @@ def test_masks_and_views_move_with_their_picture():
     masks[:, 0, 5:7, 9:11] = 1.0
     views[:, 4], views[:, 5] = 40 / size - 0.5, 24 / size - 0.5
     seen, covered, there, found = moved(pictures, masks, places, views, torch.Generator().manual_seed(1), 1.0)
-    places = (torch.arange(size) + 0.5) / size - 0.5
+    across = (torch.arange(size) + 0.5) / size - 0.5
     cells = (torch.arange(16) + 0.5) / 16 - 0.5
     areas = []
     for k in range(5):
         weight = seen[k, 0] / seen[k, 0].sum()
-        x, y = float((weight.sum(0) * places).sum()), float((weight.sum(1) * places).sum())
+        x, y = float((weight.sum(0) * across).sum()), float((weight.sum(1) * across).sum())
         np.testing.assert_allclose([x, y], found[k, 4:6].numpy(), atol=0.01)
         share = covered[k, 0] / covered[k, 0].sum()
         xm, ym = float((share.sum(0) * cells).sum()), float((share.sum(1) * cells).sum())
@@ -150,6 +150,7 @@ def test_the_loss_is_least_where_the_reading_is_true():
     import torch
 
     from swifttailor.picture_reader.network_torch import Reading
+    from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
     from swifttailor.training.picture_batch_torch import Answers
     from swifttailor.training.picture_config import LossWeights
     from swifttailor.training.picture_losses_torch import reading_losses
@@ -172,6 +173,8 @@ def test_the_loss_is_least_where_the_reading_is_true():
         figures=torch.tensor([1, 1]),
         masks=lots(2, 2, 3, 3),
         places=torch.randn(2, 3, 3, 3, generator=chance),
+        kinds=torch.randint(0, 4, (2, 3, 3), generator=chance),
+        seams=lots(2, 3, 3),
     )
 
     def sure(values):
@@ -188,6 +191,8 @@ def test_the_loss_is_least_where_the_reading_is_true():
         sure(torch.nn.functional.one_hot(truth.figures, 3).float()),
         sure(truth.masks),
         truth.places,
+        sure(torch.nn.functional.one_hot(truth.kinds, len(PANEL_KINDS)).float()).permute(0, 3, 1, 2),
+        sure(truth.seams)[:, None],
     )
     best = reading_losses(reading, truth, LossWeights())
     assert all(float(best[name]) < 1e-3 for name in best if name not in ("widths", "total"))
@@ -196,6 +201,9 @@ def test_the_loss_is_least_where_the_reading_is_true():
         assert reading_losses(worse, truth, LossWeights())["total"] > best["total"] + 0.1, name
     group = truth._replace(figures=torch.tensor([2, 2]))
     lost = reading_losses(reading._replace(masks=-reading.masks, view=-reading.view), group, LossWeights())
+    bare = truth._replace(kinds=torch.full((2, 3, 3), -1))
+    lost_on_bare = reading_losses(reading._replace(seams=-reading.seams), bare, LossWeights())
+    assert float(lost_on_bare["kinds"]) == float(lost_on_bare["seams"]) == 0, "no garment, no panels"
     assert float(lost["figures"]) > 10 and float(lost["masks"]) == float(lost["view"]) == 0
     unclear = reading._replace(statements=torch.where(truth.clear, reading.statements, -reading.statements))
     assert float(reading_losses(unclear, truth, LossWeights())["statements"]) < 1e-3, (

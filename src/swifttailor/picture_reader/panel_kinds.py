@@ -34,6 +34,7 @@ PANEL_KINDS: tuple[str, ...] = tuple(kind for kind, _ in _BEGINNINGS)
 def kinds_of_panels() -> NDArray[np.uint8]:
     """(P,) number of `PANEL_KINDS` of each of `PANEL_NAMES`."""
     found = [
-        next(k for k, (_, starts) in enumerate(_BEGINNINGS) if name.startswith(starts)) for name in PANEL_NAMES
+        next(k for k, (_, starts) in enumerate(_BEGINNINGS) if name.startswith(starts))
+        for name in PANEL_NAMES
     ]
     return np.array(found, np.uint8)

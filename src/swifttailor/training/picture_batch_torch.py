@@ -158,8 +158,10 @@ class PictureBatches:
         garments = torch.from_numpy(block.garments[chosen])
         figures = torch.from_numpy(block.figures[chosen])
         guess = guessed(views, figures, chance, self.config.unguessed)
-        return pictures, guess, self.truths.answers(
-            garments, views, figures, masks, on_cells[:, :3], on_cells[:, 3]
+        return (
+            pictures,
+            guess,
+            self.truths.answers(garments, views, figures, masks, on_cells[:, :3], on_cells[:, 3]),
         )
 
     def _take(self, number: int) -> Block:

@@ -80,7 +80,9 @@ def _unread(pixels: Pixels, figures: str) -> Scene:
     nowhere = np.full((cells, cells, 3), np.float16(np.nan))
     none = np.full(len(PARTS), -1)
     no_panel = np.zeros((cells, cells), np.uint8)
-    return Scene(pixels, masks, nowhere, no_panel, np.zeros(len(VIEW), np.float32), none, FIGURES.index(figures))
+    return Scene(
+        pixels, masks, nowhere, no_panel, np.zeros(len(VIEW), np.float32), none, FIGURES.index(figures)
+    )
 
 
 def _shades(chance: Chance, size: int) -> Pixels:
