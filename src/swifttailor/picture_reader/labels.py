@@ -38,8 +38,7 @@ def measure_labels() -> tuple[str, ...]:
 
 @cache
 def topics() -> tuple[str, ...]:
-    """What is looked at together: each claim and dimension by its name, each kind of panels (`panel_topic`), and
-    the garment itself."""
+    """What is looked at together: each claim, dimension and kind of panels, and the garment itself."""
     claims = (claim for claim, _ in statement_labels())
     kinds = map(panel_topic, PANEL_KINDS)
     return tuple(dict.fromkeys([*claims, *measure_labels(), *kinds, "garment"]))

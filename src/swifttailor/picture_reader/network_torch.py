@@ -174,8 +174,10 @@ def places_of(pictures: Tensor, guess: Tensor) -> Tensor:
 
 
 class _Told:
-    """What the cells under each token were said to show: whose pixels, where on the wearer they are, which kind
-    of panel is there, and whether panels meet."""
+    """What the cells under each token were said to show.
+
+    Whose pixels, where on the wearer they are, which kind of panel is there, and whether panels meet.
+    """
 
     WAVES = 2.0, 8.0, 24.0
     COUNT = len(PARTS) + 3 * 2 * len(WAVES) + 3 * len(PARTS) + len(PANEL_KINDS) + 1

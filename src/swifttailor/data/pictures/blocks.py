@@ -28,8 +28,8 @@ Family = Literal["plain", "studio", "people", "held out", "nothing", "several"]
 training never draws; no garment at all; and several people."""
 _VIEW_SHARES = 0.4, 0.3, 0.3
 _NEAR_SHARE, _NEAR_MARGIN, _NEAR_SHIFT = 0.65, (0.08, 0.45), 0.06
-"""Plain pictures that the garment fills, as the second look at one does; the space around it; and by how much it
-is off the middle, in heights of the picture."""
+"""Plain pictures that the garment fills, as the second look at one does; the space around it; and by how much
+it is off the middle, in heights of the picture."""
 
 
 @dataclass(frozen=True, eq=False)
