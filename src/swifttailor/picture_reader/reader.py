@@ -22,7 +22,14 @@ from swifttailor.picture_reader.labels import (
     measure_labels,
     statement_labels,
 )
-from swifttailor.picture_reader.reading import Measure, PartReading, PictureReading, SeenPanel, Statement
+from swifttailor.picture_reader.reading import (
+    Measure,
+    PartReading,
+    PictureReading,
+    SeenCells,
+    SeenPanel,
+    Statement,
+)
 from swifttailor.picture_reader.units import BOX_CM, MEASURE_CM, NARROWEST, WIDEST
 from swifttailor.picture_reader.view import Square, camera_of, view_in
 from swifttailor.render.pixels import require_picture
@@ -52,6 +59,7 @@ _SCALES = (1.0, 0.87, 1.15)
 _OF_A_FRAME = ("camera_view", "masks", "worn_places", "panel_kinds", "seams")
 _MARGIN = 0.35
 """Around the garment, as a share of its larger extent: what hangs where is told by the body around it."""
+_CM = 100.0
 _HALF = float(np.log(2))
 """Median distance from the middle of a Laplace distribution, in its width."""
 
@@ -146,6 +154,11 @@ class PictureReader:
             (left, top, left + side, top + side),
             FIGURES[int(figures.argmax())],
             float(figures.max()),
+            SeenCells(
+                _share(answers["masks"]).astype(np.float32),
+                answers["worn_places"].transpose(1, 2, 0) * _CM,
+                answers["panel_kinds"].argmax(axis=0).astype(np.uint8),
+            ),
         )
 
 

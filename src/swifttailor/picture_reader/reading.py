@@ -70,6 +70,18 @@ class PartReading:
 
 
 @dataclass(frozen=True, eq=False)
+class SeenCells:
+    """What each cell of the square that was read shows; row 0 at the top."""
+
+    masks: NDArray[np.float32]
+    """(2, n, n) 0 to 1: where the garment of each of `labels.PARTS` is."""
+    places: NDArray[np.float32]
+    """(n, n, 3) where on the wearer it looks, cm, as on the default body that stands: docs/conventions.md."""
+    kinds: NDArray[np.uint8]
+    """(n, n) number of the likeliest of `panel_kinds.PANEL_KINDS`; anything where no garment is."""
+
+
+@dataclass(frozen=True, eq=False)
 class PictureReading:
     """What a picture shows."""
 
@@ -82,6 +94,7 @@ class PictureReading:
     figures: Figures = "one"
     """How many people there are; ``none`` where there is no garment either."""
     figures_certainty: float = 1.0
+    cells: SeenCells | None = None
 
     @property
     def face(self) -> str:

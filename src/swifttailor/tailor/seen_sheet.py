@@ -1,4 +1,4 @@
-"""What was looked at, to look at: the crop of a picture with the garment that was read set off."""
+"""What was looked at, to look at: the garment that was read set off, and which panel was seen where."""
 
 from __future__ import annotations
 
@@ -8,22 +8,31 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.arrays import Pixels
+from swifttailor.picture_reader.labels import PARTS
+from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.reader import cut_square
 from swifttailor.tailor.looking import SeenPicture
 
 SIZE = 384
 """Pixels along each side of a crop."""
 _DIM, _LINE = 0.45, (255, 64, 0)
+_LEAST_CELLS = 3
+"""Kinds of panels that fewer cells show have no name in the picture."""
+_KIND_COLORS = (
+    *("#0072b2", "#56b4e9", "#009e73", "#cc79a7", "#d55e00", "#e69f00", "#5b3a26", "#f0e442"),
+    *("#7f3c8d", "#3969ac", "#80ba5a", "#e73f74", "#a5aa99", "#e68310", "#008695"),
+)
 
 
 def draw_seen(pictures: Sequence[SeenPicture], part: str | None) -> Pixels:
-    """The crops side by side; what is not the garment is dimmed, its outline drawn.
+    """The crops side by side, what is not the garment dimmed; and which kind of panel each cell shows.
 
     Args:
         pictures: At least one.
         part: Of the body; without it nothing is set off.
     """
-    return np.concatenate([_drawn(one, part) for one in pictures], axis=1)
+    tiles = [tile for one in pictures for tile in (_drawn(one, part), _panels_drawn(one, part))]
+    return np.concatenate([tile for tile in tiles if tile is not None], axis=1)
 
 
 def _drawn(picture: SeenPicture, part: str | None) -> Pixels:
@@ -42,6 +51,30 @@ def _drawn(picture: SeenPicture, part: str | None) -> Pixels:
             grown |= np.roll(inside, step, axis)
     shown[grown & ~inside] = _LINE
     return shown
+
+
+def _panels_drawn(picture: SeenPicture, part: str | None) -> Pixels | None:
+    """The crop with its cells in the colours of the kinds of panels, and their names."""
+    from PIL import Image, ImageColor, ImageDraw
+
+    reading = picture.reading
+    if reading.cells is None or part not in PARTS or all(p.part != part for p in reading.parts):
+        return None
+    left, top, right, _ = reading.box
+    shown = cut_square(picture.pixels, (left, top, right - left), SIZE)
+    paper = np.repeat(shown.mean(axis=2, keepdims=True) * _DIM + 255 * (1 - _DIM) * 0.6, 3, axis=2)
+    there = reading.cells.masks[PARTS.index(part)] > 0.5
+    rows = np.arange(SIZE) * len(there) // SIZE
+    colors = np.array([ImageColor.getrgb(color) for color in _KIND_COLORS], np.float64)
+    tinted = 0.35 * paper + 0.65 * colors[reading.cells.kinds[rows[:, None], rows]]
+    image = Image.fromarray(np.where(there[rows[:, None], rows, None], tinted, paper).astype(np.uint8))
+    pen = ImageDraw.Draw(image)
+    kinds = np.bincount(reading.cells.kinds[there], minlength=len(PANEL_KINDS))
+    for line, kind in enumerate(k for k in np.argsort(-kinds) if kinds[k] >= _LEAST_CELLS):
+        y = 8 + 17 * line
+        pen.rectangle((8, y, 20, y + 12), fill=_KIND_COLORS[kind])
+        pen.text((26, y), PANEL_KINDS[kind], fill=(20, 20, 20))
+    return np.asarray(image)
 
 
 def _crop(mask: NDArray[np.float32], square: tuple[int, int, int]) -> NDArray[np.float32]:
