@@ -15,6 +15,7 @@ from swifttailor.networks.onnx_export_torch import export_graph
 from swifttailor.networks.trained_weights_torch import trained_network
 from swifttailor.picture_reader.labels import GUESS, labels_checksum, statement_labels
 from swifttailor.picture_reader.network_torch import EyesConfig, EyesNetwork
+from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.reader import INPUTS, KIND, OUTPUTS, PictureReader
 
 
@@ -68,7 +69,9 @@ def export(
     if scales is None:
         scales = np.tile(np.array([1.0, 0.0]), (len(statement_labels()), 1))
     said = [[round(float(v), 4) for v in row] for row in scales]
-    return write_graph(path, KIND, graph, card, labels_sha256=labels_checksum(), scales=said)
+    return write_graph(
+        path, KIND, graph, card, labels_sha256=labels_checksum(), panel_kinds=PANEL_KINDS, scales=said
+    )
 
 
 def compare(reader: PictureReader, network: EyesNetwork, *, seed: int = 0) -> float:

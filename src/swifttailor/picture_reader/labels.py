@@ -51,5 +51,5 @@ def panel_topic(kind: str) -> str:
 
 def labels_checksum() -> str:
     """Of all labels in their order."""
-    said = [PARTS, statement_labels(), measure_labels(), PANEL_NAMES, PANEL_KINDS, BOX, VIEW]
+    said = [PARTS, statement_labels(), measure_labels(), PANEL_NAMES, BOX, VIEW]
     return hashlib.sha256(json.dumps(said).encode()).hexdigest()

@@ -22,6 +22,7 @@ from swifttailor.picture_reader.labels import (
     measure_labels,
     statement_labels,
 )
+from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.reading import (
     Measure,
     PartReading,
@@ -92,6 +93,8 @@ class PictureReader:
         with model.says("what it reads"):
             if model.about["labels_sha256"] != labels_checksum():
                 raise InputError("it was trained for other statements than this version's")
+            if tuple(model.about["panel_kinds"]) != PANEL_KINDS:
+                raise InputError("it was trained for other kinds of panels than this version's")
             scales = np.array(model.about["scales"], np.float32)
             if scales.shape != (len(statement_labels()), 2) or not np.isfinite(scales).all():
                 raise InputError(f"its scales have the shape {scales.shape}")
