@@ -8,7 +8,13 @@ import numpy as np
 
 from swifttailor.describing.claims import Claim
 from swifttailor.picture_reader.figures import Figures
-from swifttailor.picture_reader.reading import Measure, PartReading, PictureReading, Statement
+from swifttailor.picture_reader.reading import (
+    Measure,
+    PartReading,
+    PictureReading,
+    SeenCells,
+    Statement,
+)
 from swifttailor.render import Camera
 
 
@@ -31,7 +37,10 @@ def worn(
 class Seeing:
     """Answers with the next of its readings each time, and with the last from then on."""
 
-    def __init__(self, *readings: tuple[PartReading, ...], figures: Figures = "one") -> None:
+    def __init__(
+        self, *readings: tuple[PartReading, ...], figures: Figures = "one", cells: SeenCells | None = None
+    ) -> None:
+        self.cells = cells
         self.card = {"model": "PictureReader", "parameters": 5}
         self.readings, self.figures = list(readings), figures
         self.shown: list[np.ndarray] = []
@@ -45,4 +54,4 @@ class Seeing:
             mask = np.zeros((height, width), np.float32)
             mask[: round(height * float(part.mask[0, 0]))] = 1
             found.append(replace(part, mask=mask))
-        return PictureReading(tuple(found), Camera(), (0, 0, width, height), self.figures, 0.9)
+        return PictureReading(tuple(found), Camera(), (0, 0, width, height), self.figures, 0.9, self.cells)

@@ -67,6 +67,8 @@ class EvaluatePatternMaker:
     """Patterns to write at most until one is as asked for; 4 without it, or 1 at temperature 0."""
     source: Literal["both", "library", "writer"] = "both"
     """Where patterns come from, as swifttailor generate has it."""
+    refine: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """Known patterns that are compared with a picture, as swifttailor generate has it."""
     alter: bool = True
     """Recut the patterns until what the texts ask for holds, as far as that can be cut."""
     crop: bool = True
@@ -135,6 +137,7 @@ class EvaluatePatternMaker:
             alter=self.alter,
             crop=self.crop,
             source=self.source,
+            refine=self.refine,
             network_alone=self.network_alone,
             seed=self.seed,
         )
@@ -210,6 +213,7 @@ class EvaluatePatternMaker:
                 ("--no-alter", not self.alter),
                 ("--no-crop", not self.crop),
                 ("--source", self.source != "both"),
+                ("--refine", self.refine is not None),
                 ("--sewer-weights", self.sewer_weights is not None and not self.garments),
             ):
                 if given:
@@ -221,6 +225,7 @@ class EvaluatePatternMaker:
         in_range("--seed", self.seed, 0, 2**31)
         in_range("--temperature", self.temperature, 0.0, 10.0)
         in_range("--attempts", self.attempts, 1, 64)
+        in_range("--refine", self.refine, 0, 32)
         if (self.attempts or 1) > 1 and self.temperature == 0:
             raise InputError(
                 f"At temperature 0 all {self.attempts} attempts are the same. Give a --temperature above 0."

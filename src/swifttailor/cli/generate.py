@@ -41,6 +41,9 @@ class Generate(Making):
     source: Literal["both", "library", "writer"] = "both"
     """Where patterns come from. both: from the library of known patterns, and where none of the nearest will
     do PatternMaker writes one; or one of them alone."""
+    refine: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
+    """Known patterns that are sewn and compared with the picture, of which the most alike is taken; 4 without
+    it, and 0 to compare none."""
     crop: bool = True
     """Show PatternMaker the picture cropped to its figure where the background is plain."""
 
@@ -62,7 +65,12 @@ class Generate(Making):
 
             return read_pictures(self)
         order = self.order(
-            self.text, image=self.image or None, crop=self.crop, part=self.part, source=self.source
+            self.text,
+            image=self.image or None,
+            crop=self.crop,
+            part=self.part,
+            source=self.source,
+            refine=self.refine,
         )
         return self.make(order)
 
@@ -112,6 +120,10 @@ class Generate(Making):
                     f"'{path}' was given as a picture, and there is no such file. Put the text before "
                     f'--image: swifttailor generate "{path}" --image {self.image[0]} --out {self.out}'
                 )
-        for option, given in (("--part", self.part is not None), ("--read", self.read)):
+        for option, given in (
+            ("--part", self.part is not None),
+            ("--read", self.read),
+            ("--refine", self.refine is not None),
+        ):
             if given and not self.image:
                 raise InputError(f"{option} is about a picture, and there is none. Give one: --image FILE")

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from swifttailor.pattern_maker.asking.confidence import Confidence
     from swifttailor.pattern_maker.maker import WrittenPattern
     from swifttailor.tailor.reading import Wanted
+    from swifttailor.tailor.refining import Refinement
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +41,8 @@ class Answer:
     """Which of the attempts it is, from 0."""
     failures: tuple[str, ...] = ()
     """What is wrong with the attempts that were not taken, in order."""
+    refinement: Refinement | None = None
+    """What came of looking again; None where that was not done."""
     prepared: Any = None
     """What the sewer made of it; None where it was not prepared to be sewn."""
     seconds: dict[str, float] = field(default_factory=dict)

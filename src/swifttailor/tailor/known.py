@@ -77,6 +77,8 @@ def known_candidates(
         if id(wanted) not in searches:
             searches[id(wanted)] = Search(library, wanted.sought)
         most = order.most_attempts if order.source == "library" else KNOWN_ATTEMPTS
+        if wanted.part is not None:
+            most = max(most, order.most_refined)
         found.append(
             KnownCandidates(searches[id(wanted)], seed=seed, temperature=order.temperature, most=most)
         )

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 MOST_SAMPLES = MOST_ATTEMPTS = 64
 USUAL_ATTEMPTS = 4
+USUAL_REFINED, MOST_REFINED = 4, 32
 LONGEST_TITLE = 60
 
 Image = NDArray[np.uint8] | Path | str
@@ -59,6 +60,9 @@ class Order:
     attempts: int | None = None
     """Patterns that are tried at most until one can be sewn (the paper's sampling attempts); 4, or 1 at
     temperature 0, when None."""
+    refine: int | None = None
+    """Known patterns that are sewn and compared with the pictures, of which the most alike is taken; 4 when
+    None, and 0 takes the one that fits best what was read."""
     source: Source = "both"
     """Edits are always written."""
     alter: bool = True
@@ -85,6 +89,12 @@ class Order:
             raise InputError(f"samples is {self.samples}; 1 to {MOST_SAMPLES} is accepted.")
         if self.attempts is not None and not 1 <= self.attempts <= MOST_ATTEMPTS:
             raise InputError(f"attempts is {self.attempts}; 1 to {MOST_ATTEMPTS} is accepted.")
+        if self.refine is not None and not 0 <= self.refine <= MOST_REFINED:
+            raise InputError(f"refine is {self.refine}; 0 to {MOST_REFINED} is accepted.")
+        if self.refine and self.image is None:
+            raise InputError(
+                f"refine is {self.refine} and there is no picture to compare with: leave it out."
+            )
         if self.temperature == 0 and max(self.samples, self.attempts or 1) > 1:
             many = "samples" if self.samples > 1 else "attempts"
             raise InputError(f"At temperature 0 all {many} are the same. Give a temperature above 0.")
@@ -103,6 +113,11 @@ class Order:
         if self.attempts is not None:
             return self.attempts
         return USUAL_ATTEMPTS if self.temperature > 0 else 1
+
+    @property
+    def most_refined(self) -> int:
+        """`refine`, or what is usual."""
+        return USUAL_REFINED if self.refine is None else self.refine
 
     @property
     def title(self) -> str:
@@ -125,6 +140,7 @@ class Order:
             "crop": self.crop,
             "temperature": self.temperature,
             "attempts": self.most_attempts,
+            "refine": self.most_refined if self.images else 0,
             "source": self.source,
             "alter": self.alter,
         }

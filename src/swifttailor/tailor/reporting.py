@@ -86,6 +86,7 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
         | {
             "attempt": answer.attempt + 1,
             "failed_attempts": list(answer.failures),
+            **({} if answer.refinement is None else {"refinement": vars(answer.refinement)}),
         },
         "wishes": [
             {
@@ -125,6 +126,12 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     if answer.failures:
         count = len(answer.failures) + 1
         found.append(f"{count} patterns were tried; number {answer.attempt + 1} was taken.")
+    if answer.refinement is not None:
+        again = answer.refinement
+        found.append(
+            f"{again.compared} garments were compared with the picture; the one that was taken lies "
+            f"{again.distance_cm:.1f} cm from it on average."
+        )
     if answer.known:
         found.append(f"Cut from a known pattern: {answer.known}.")
     if wanted.part is not None:

@@ -86,6 +86,7 @@ class Tailor(Workshop):
         seed: int = 0,
         temperature: float = USUAL_TEMPERATURE,
         attempts: int | None = None,
+        refine: int | None = None,
         source: Source = "both",
         alter: bool = True,
         edge_length: float = 2.0,
@@ -102,6 +103,7 @@ class Tailor(Workshop):
             seed: Decides what is drawn.
             temperature: See `Order`.
             attempts: See `Order`.
+            refine: See `Order`.
             source: See `Order`.
             alter: See `Order`.
             edge_length: Of the mesh, cm.
@@ -119,6 +121,7 @@ class Tailor(Workshop):
             seed=seed,
             temperature=temperature,
             attempts=attempts,
+            refine=refine,
             source=source,
             alter=alter,
             edge_length=edge_length,

@@ -12,10 +12,11 @@ from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.pattern_maker.temperatures import HIGHEST_TEMPERATURE
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fitting import fit
-from swifttailor.tailor.known import known_candidates
+from swifttailor.tailor.known import KNOWN_ATTEMPTS, KnownCandidates, known_candidates
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.protocols import PatternWriter, Sewer
 from swifttailor.tailor.reading import Wanted
+from swifttailor.tailor.refining import refined
 from swifttailor.tailor.sewing import SewingOptions, prepare
 
 WARMER = 0.15
@@ -60,7 +61,10 @@ def write_patterns(
     ((temperature, attempts),) = manners
     clock.restart()
     known = known_candidates(library, samples)
-    counts = [0 if one is None else len(one) for one in known]
+    counts = [
+        0 if one is None else min(len(one), attempts if wanted.order.source == "library" else KNOWN_ATTEMPTS)
+        for one, (wanted, _) in zip(known, samples, strict=True)
+    ]
     if library is not None:
         clock.stop("searching")
     tried: list[list[Answer]] = [[] for _ in samples]
@@ -99,7 +103,27 @@ def write_patterns(
         _chosen(answers, sewer, wanted.order) for answers, (wanted, _) in zip(tried, samples, strict=True)
     ]
     clock.stop("drawing")
+    if any(wanted.part is not None and wanted.order.most_refined for wanted, _ in samples):
+        chosen = [_refined(answer, tried[k], known[k], samples[k], sewer) for k, answer in enumerate(chosen)]
+        clock.stop("refining")
     return chosen
+
+
+def _refined(
+    answer: Answer | SwiftTailorError,
+    tried: Sequence[Answer],
+    candidates: KnownCandidates | None,
+    sample: Sample,
+    sewer: Sewer,
+) -> Answer | SwiftTailorError:
+    """After looking again; of several samples of one order each is another of those that are most alike."""
+    if not isinstance(answer, Answer):
+        return answer
+    wanted, seed = sample
+    found = refined(answer, tried, candidates, wanted, sewer, place=seed - wanted.order.seed)
+    if found.prepared is None:
+        found = _prepared(found, sewer, wanted.order)
+    return found if found.prepared is not None else answer
 
 
 def _take_time(written: Sequence[WrittenPattern], clock: Clock) -> None:

@@ -43,6 +43,8 @@ class Asking:
     """See `Order`."""
     source: Source = "both"
     """See `Order`."""
+    refine: int | None = None
+    """See `Order`."""
     network_alone: bool = False
     """Whether the first pattern that the network writes is the answer, whatever is wrong with it: nothing is
     altered, cropped, tried to be sewn, or written again."""
@@ -59,6 +61,7 @@ class Asking:
             seed=seed_of(self.seed, question.key, "answer"),
             temperature=self.temperature,
             attempts=self.attempts,
+            refine=None if shown is None else self.refine,
             source=self.source if question.before is None and self.alter else "both",
             alter=self.alter,
         )
@@ -69,7 +72,7 @@ class Asking:
         if not self.network_alone:
             order = Order(temperature=self.temperature, attempts=self.attempts)
             decides |= {"attempts": order.most_attempts, "alter": self.alter, "crop": self.crop}
-            decides |= {"source": self.source}
+            decides |= {"source": self.source, "refine": order.most_refined}
         return decides | {"seed": self.seed}
 
 
