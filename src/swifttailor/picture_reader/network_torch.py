@@ -117,6 +117,8 @@ class EyesNetwork(nn.Module):
             nn.Conv2d(config.mask_width, sum(_DENSE), 1),
         )
         self.told = nn.Sequential(nn.Conv2d(_Told.COUNT, width, 1), nn.ReLU(), nn.Conv2d(width, width, 1))
+        self.summed = nn.Linear(2 * len(PARTS) * len(PANEL_KINDS), width)
+        nn.init.zeros_(self.summed.weight)
         self.looks = _Looks(width, config.heads, len(PARTS) * len(topics()))
         self.says = _Answers(width)
 
@@ -146,7 +148,7 @@ class EyesNetwork(nn.Module):
         places = self.places
         if third.shape[-2:] != places.shape[-2:]:
             places = F.interpolate(places, third.shape[-2:], mode="bilinear", align_corners=False)
-        seen = self.looks((third + places).flatten(2).transpose(1, 2))
+        seen = self.looks((third + places).flatten(2).transpose(1, 2), self.summed(panels_of(masks)))
         return Reading(*self.says(seen), *masks.split(_DENSE, 1))
 
 
@@ -195,6 +197,21 @@ class _Told:
         return F.avg_pool2d(torch.cat(rows, 1), cells)
 
 
+def panels_of(masks: Tensor) -> Tensor:
+    """How much of a picture each kind of panel of each part takes, and how surely it is anywhere.
+
+    Args:
+        masks: (B, sum(_DENSE), h, w) logits.
+
+    Returns:
+        (B, 2 * 2 * K) from 0 to 1.
+    """
+    whose, _, kinds, _ = masks.split(_DENSE, 1)
+    found = (torch.sigmoid(whose)[:, :, None] * torch.softmax(kinds, 1)[:, None]).flatten(1, 2)
+    surest = F.avg_pool2d(found, (1, 3), 1, (0, 1)).amax(dim=(2, 3))
+    return torch.cat([found.mean(dim=(2, 3)).sqrt(), surest], 1)
+
+
 class _Looks(nn.Module):
     """Every topic looks at the map with a question of its own."""
 
@@ -207,8 +224,8 @@ class _Looks(nn.Module):
         self.norm = nn.LayerNorm(width)
         self.up, self.down = nn.Linear(width, width), nn.Linear(width, width)
 
-    def forward(self, tokens: Tensor) -> Tensor:
-        """(B, questions, width) of tokens (B, n, width)."""
+    def forward(self, tokens: Tensor, summary: Tensor) -> Tensor:
+        """(B, questions, width) of tokens (B, n, width) and what all questions are told (B, width)."""
         batch, count, width = tokens.shape
         part = width // self.heads
         key = self.keys(tokens).view(batch, count, self.heads, part).permute(0, 2, 3, 1)
@@ -216,7 +233,8 @@ class _Looks(nn.Module):
         query = self.questions.view(-1, self.heads, part).transpose(0, 1)
         share = (query[None] @ key * part**-0.5).softmax(-1)
         found = (share @ value).transpose(1, 2).reshape(batch, -1, width)
-        x = self.found(found) + self.whole(tokens.mean(1, keepdim=True)) + self.questions
+        whole = self.whole(tokens.mean(1)) + summary
+        x = self.found(found) + whole[:, None] + self.questions
         return x + self.down(F.gelu(self.up(self.norm(x))))
 
 
