@@ -44,7 +44,7 @@ class EvaluatePatternMaker:
     data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
     """Data set, or a split of one, with drapes of these patterns: its renders are the pictures, or pictures
     are drawn of its drapes where it has none."""
-    look: Literal["plain", "studio", "people", "held out"] | None = None
+    look: Literal["plain", "seamless", "studio", "people", "held out"] | None = None
     """Draw the pictures of --data in this look: plain as GarmentCodeData's, a studio, people anywhere, or
     people in looks that no picture reader was trained on."""
     view: Literal["front", "back", "free", "both"] = "front"

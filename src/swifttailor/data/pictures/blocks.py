@@ -22,11 +22,14 @@ from swifttailor.data.renders.look import random_look
 from swifttailor.data.renders.plain_look import plain_camera, plain_look
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS
 from swifttailor.picture_reader.view import view_of
+from swifttailor.render import Plain
 
-Family = Literal["plain", "studio", "people", "held out", "nothing", "several"]
-"""How a picture looks: like those of GarmentCodeData; a garment in a studio; people; people in looks that
-training never draws; no garment at all; and several people."""
+Family = Literal["plain", "seamless", "studio", "people", "held out", "nothing", "several"]
+"""How a picture looks: like those of GarmentCodeData; the same in one colour and without seams, which
+training never draws; a garment in a studio; people; people in looks that training never draws; no garment at
+all; and several people."""
 _VIEW_SHARES = 0.4, 0.3, 0.3
+_ONE_TONE = 3
 _NEAR_SHARE, _NEAR_MARGIN, _NEAR_SHIFT = 0.65, (0.08, 0.45), 0.06
 """Plain pictures that the garment fills, as the second look at one does; the space around it; and by how much
 it is off the middle, in heights of the picture."""
@@ -107,7 +110,7 @@ def draw(
         wardrobe: What there is.
         number: Of the garment.
         family: How it looks.
-        view: From where; of ``plain`` ones there are fronts and backs alone, and ``free`` means either.
+        view: From where; plain and seamless ones show fronts and backs alone, and ``free`` means either.
         chance: Decides everything else.
         size: Pixels along each side.
         near: Whether a garment that is shown plainly fills the picture.
@@ -119,9 +122,11 @@ def draw(
     if family in ("people", "held out"):
         return draw_scene(wardrobe, number, view, chance, size, held_out=family == "held out")
     worn = wardrobe.bank[number]
-    if family == "plain":
+    if family in ("plain", "seamless"):
         side = view if view != "free" else VIEWS[int(chance.integers(2))]
         look = plain_look(side)
+        if family == "seamless":
+            look = replace(look, print=Plain(look.panel_colors[_ONE_TONE], 0.0), panel_colors=(), seams=0.0)
         if near:
             look = replace(look, view=_nearer(chance, side))
     else:
