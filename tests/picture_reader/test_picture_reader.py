@@ -159,19 +159,23 @@ def test_pixels_are_told_where_on_the_wearer_they_are():
 
 
 class Looking:
-    """A network that sees one garment in the middle, and remembers what it was told of the camera."""
+    """A network that sees a garment in the middle, or one above another, and remembers what it was told."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, two: bool = False) -> None:
         self.guesses: list[np.ndarray] = []
+        self.two = two
 
     def run(self, names, feeds):
         self.guesses.append(feeds["guess"][0])
         statements, measures, panels = len(statement_labels()), len(measure_labels()), len(PANEL_NAMES)
         mask = np.full((1, 2, 16, 16), -9.0, np.float32)
         mask[:, 0, 6:10, 6:10] = 9.0
+        if self.two:
+            mask[:] = -9.0
+            mask[:, 0, 2:6, 5:9] = mask[:, 1, 9:15, 6:8] = 9.0
         look = np.float32(len(self.guesses))
         found = {
-            "present": np.array([[9.0, -9.0]]),
+            "present": np.array([[9.0, 9.0 if self.two else -9.0]]),
             "statements": np.full((1, 2, statements), look),
             "has": np.full((1, 2, measures), -9.0),
             "measures": np.zeros((1, 2, measures, 2)),
@@ -200,3 +204,16 @@ def test_it_looks_at_the_whole_and_then_told_the_camera_thrice_at_the_garment():
     assert found.figures == "one", "only the whole picture shows who else is there"
     (part,) = found.parts
     assert abs(part.statements[0].certainty - 1 / (1 + np.exp(-3.0))) < 1e-6  # the mean of 2, 3 and 4
+
+
+def test_each_of_two_garments_is_looked_at_nearer():
+    looking = Looking(two=True)
+    reader = PictureReader(looking, 64, np.tile([1.0, 0.0], (len(statement_labels()), 1)), {})
+    found = reader.read(np.zeros((640, 640, 3), np.uint8))
+    assert len(looking.guesses) == 1 + 3 + 3
+    boxes = {part.part: part.cells.box for part in found.parts}
+    assert set(boxes) == {"upper", "lower"}
+    for part, height, middle in (("upper", 160, (280, 160)), ("lower", 240, (280, 480))):
+        left, top, right, bottom = boxes[part]
+        assert right - left == bottom - top == round(height * 1.7)
+        assert abs((left + right) / 2 - middle[0]) <= 1 and abs((top + bottom) / 2 - middle[1]) <= 1

@@ -53,5 +53,5 @@ class Seeing:
         for part in parts:
             mask = np.zeros((height, width), np.float32)
             mask[: round(height * float(part.mask[0, 0]))] = 1
-            found.append(replace(part, mask=mask))
-        return PictureReading(tuple(found), Camera(), (0, 0, width, height), self.figures, 0.9, self.cells)
+            found.append(replace(part, mask=mask, cells=self.cells))
+        return PictureReading(tuple(found), Camera(), (0, 0, width, height), self.figures, 0.9)

@@ -29,11 +29,11 @@ CELLS = 24
 
 def cells_of(vertices: np.ndarray) -> SeenCells:
     """As a reader would see a garment on the lower body: some of its places."""
-    masks, places = np.zeros((2, CELLS, CELLS), np.float32), np.zeros((CELLS, CELLS, 3), np.float32)
+    mask, places = np.zeros((CELLS, CELLS), np.float32), np.zeros((CELLS, CELLS, 3), np.float32)
     chosen = vertices[np.random.default_rng(0).choice(len(vertices), CELLS * 12, replace=False)]
-    masks[1, :12] = 1.0
+    mask[:12] = 1.0
     places[:12] = chosen.reshape(12, CELLS, 3)
-    return SeenCells(masks, places, np.zeros((CELLS, CELLS), np.uint8))
+    return SeenCells((0, 0, 64, 64), mask, places, np.zeros((CELLS, CELLS), np.uint8))
 
 
 @pytest.fixture(scope="module")
@@ -74,7 +74,7 @@ def test_nothing_is_compared_where_that_is_not_wanted_or_not_possible(sewer, lib
     cells = cells_of(sewer.sew(SKIRTS["60 cm"]).vertices)
     none = tailor(sewer, library, cells).generate(image=PICTURE, refine=0)
     assert none.answer.refinement is None and "refining" not in none.seconds
-    few = replace(cells, masks=cells.masks * (np.arange(CELLS * CELLS).reshape(CELLS, CELLS) < 5))
+    few = replace(cells, mask=cells.mask * (np.arange(CELLS * CELLS).reshape(CELLS, CELLS) < 5))
     for unclear in (None, few):
         assert tailor(sewer, library, unclear).generate(image=PICTURE).answer.refinement is None
     written = tailor(sewer, library, cells).generate(image=PICTURE, source="writer", attempts=1)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 from seeing import Seeing, worn
 
@@ -16,8 +14,7 @@ from swifttailor.tailor.seen_sheet import _KIND_COLORS, SIZE, draw_seen
 def seen_picture(cells: SeenCells | None) -> SeenPicture:
     """White, with a garment in its upper half."""
     pixels = np.full((64, 64, 3), 255, np.uint8)
-    reading = Seeing((worn("upper", {"kind": ("top", 0.9)}),)).read(pixels)
-    return SeenPicture(pixels, replace(reading, cells=cells))
+    return SeenPicture(pixels, Seeing((worn("upper", {"kind": ("top", 0.9)}),), cells=cells).read(pixels))
 
 
 def test_what_is_not_the_garment_is_dimmed():
@@ -29,10 +26,10 @@ def test_what_is_not_the_garment_is_dimmed():
 
 def test_panels_are_tinted_by_their_kind_and_named_in_the_picture():
     sleeve, hood = PANEL_KINDS.index("sleeve"), PANEL_KINDS.index("hood")
-    masks, kinds = np.zeros((2, 8, 8), np.float32), np.full((8, 8), sleeve, np.uint8)
-    masks[0, 4:] = 1.0
+    mask, kinds = np.zeros((8, 8), np.float32), np.full((8, 8), sleeve, np.uint8)
+    mask[4:] = 1.0
     kinds[6:] = hood
-    cells = SeenCells(masks, np.zeros((8, 8, 3), np.float32), kinds)
+    cells = SeenCells((0, 0, 64, 64), mask, np.zeros((8, 8, 3), np.float32), kinds)
     shown = draw_seen([seen_picture(cells), seen_picture(None)], "upper")
     assert shown.shape == (SIZE, 3 * SIZE, 3), "two crops and the panels of one"
     tile = shown[:, SIZE : 2 * SIZE].astype(int)

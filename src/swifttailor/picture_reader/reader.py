@@ -102,7 +102,7 @@ class PictureReader:
         return PictureReader(model.sessions[GRAPH], int(size), scales, model.about.get("card", {}))
 
     def read(self, pixels: Pixels) -> PictureReading:
-        """What a picture shows: looked at whole for where the wearer is, and once more near the garment.
+        """What a picture shows: looked at whole for where the wearer is, and then near each garment.
 
         Args:
             pixels: (h, w, 3) sRGB, row 0 at the top.
@@ -115,13 +115,22 @@ class PictureReader:
         side = max(height, width)
         whole = ((width - side) // 2, (height - side) // 2, side)
         first = self._look(pixels, whole, None)
-        square = _around(first, whole) or whole
+        seen: dict[int, tuple[Square, dict[str, Any]]] = {}
+        waiting = [(k, whole, first) for k in _present(first)]
+        while waiting:
+            part, square, look = waiting.pop(0)
+            if part not in seen:
+                square = _around(look, part, square) or whole
+                seen[part] = square, self._nearer(pixels, square, whole, first)
+                waiting += [(k, *seen[part]) for k in _present(seen[part][1])]
+        return self._reading(first, whole, seen, (height, width))
+
+    def _nearer(self, pixels: Pixels, square: Square, whole: Square, first: dict[str, Any]) -> dict[str, Any]:
+        """Three looks at much the same: a mean is steadier. Where things are is of the first alone."""
         squares = [_scaled(square, scale) for scale in _SCALES]
         looks = [self._look(pixels, one, view_in(first["camera_view"], whole, one)) for one in squares]
-        # A mean is steadier than one look. Where things are is of one frame; who else is there, of the whole.
         answers = {name: np.mean([look[name] for look in looks], axis=0) for name in OUTPUTS}
-        answers |= {name: looks[0][name] for name in _OF_A_FRAME} | {"figures": first["figures"]}
-        return self._reading(answers, square, (height, width))
+        return answers | {name: looks[0][name] for name in _OF_A_FRAME}
 
     def _look(self, pixels: Pixels, square: Square, view: NDArray[np.float32] | None) -> dict[str, Any]:
         shown = cut_square(pixels, square, self.size)
@@ -133,32 +142,42 @@ class PictureReader:
         return {name: value[0] for name, value in zip(OUTPUTS, found, strict=True)}
 
     def _reading(
-        self, answers: dict[str, Any], square: tuple[int, int, int], shape: tuple[int, int]
+        self,
+        first: dict[str, Any],
+        whole: Square,
+        seen: dict[int, tuple[Square, dict[str, Any]]],
+        shape: tuple[int, int],
     ) -> PictureReading:
-        present = _share(answers["present"])
         parts = [
-            PartReading(
-                name,
-                float(present[k]),
-                _statements(answers["statements"][k] * self.scales[:, 0] + self.scales[:, 1]),
-                _measures(answers["has"][k], answers["measures"][k]),
-                _panels(answers["panels"][k], answers["boxes"][k]),
-                _mask(_share(answers["masks"][k]), square, shape),
-            )
-            for k, name in enumerate(PARTS)
-            if present[k] >= LEAST_PRESENT
+            self._part(k, square, answers, shape)
+            for k, (square, answers) in seen.items()
+            if _share(answers["present"][k]) >= LEAST_PRESENT
         ]
-        left, top, side = square
-        raised = np.exp(answers["figures"].astype(np.float64) - answers["figures"].max())
+        parts.sort(key=lambda part: -part.certainty)
+        square, view = whole, first["camera_view"]
+        if parts:
+            square, answers = seen[PARTS.index(parts[0].part)]
+            view = answers["camera_view"]
+        raised = np.exp(first["figures"].astype(np.float64) - first["figures"].max())
         figures = raised / raised.sum()
         return PictureReading(
-            tuple(sorted(parts, key=lambda part: -part.certainty)),
-            camera_of(answers["camera_view"]),
-            (left, top, left + side, top + side),
-            FIGURES[int(figures.argmax())],
-            float(figures.max()),
+            tuple(parts), camera_of(view), _box(square), FIGURES[int(figures.argmax())], float(figures.max())
+        )
+
+    def _part(
+        self, number: int, square: Square, answers: dict[str, Any], shape: tuple[int, int]
+    ) -> PartReading:
+        mask = _share(answers["masks"][number])
+        return PartReading(
+            PARTS[number],
+            float(_share(answers["present"][number])),
+            _statements(answers["statements"][number] * self.scales[:, 0] + self.scales[:, 1]),
+            _measures(answers["has"][number], answers["measures"][number]),
+            _panels(answers["panels"][number], answers["boxes"][number]),
+            _mask(mask, square, shape),
             SeenCells(
-                _share(answers["masks"]).astype(np.float32),
+                _box(square),
+                mask.astype(np.float32),
                 answers["worn_places"].transpose(1, 2, 0) * _CM,
                 answers["panel_kinds"].argmax(axis=0).astype(np.uint8),
             ),
@@ -187,12 +206,19 @@ def cut_square(pixels: Pixels, square: tuple[int, int, int], size: int) -> Pixel
     return np.asarray(image)
 
 
-def _around(answers: dict[str, Any], square: tuple[int, int, int]) -> tuple[int, int, int] | None:
-    """A square around what is worn, where it is a good deal smaller; None where it is not, or nothing is."""
-    present = _share(answers["present"]) >= LEAST_PRESENT
-    if not present.any():
-        return None
-    mask = _share(answers["masks"])[present].max(axis=0) > 0.5
+def _present(answers: dict[str, Any]) -> list[int]:
+    """Numbers of the parts on which anything is worn."""
+    return [int(k) for k in np.flatnonzero(_share(answers["present"]) >= LEAST_PRESENT)]
+
+
+def _box(square: Square) -> tuple[int, int, int, int]:
+    left, top, side = square
+    return left, top, left + side, top + side
+
+
+def _around(answers: dict[str, Any], part: int, square: Square) -> Square | None:
+    """A square around a garment, where it is a good deal smaller; None where it is not, or none is seen."""
+    mask = _share(answers["masks"][part]) > 0.5
     rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
     if len(rows) < 2 or len(columns) < 2:
         return None

@@ -50,6 +50,20 @@ class SeenPanel:
 
 
 @dataclass(frozen=True, eq=False)
+class SeenCells:
+    """What each cell of the square around a garment shows; row 0 at the top."""
+
+    box: tuple[int, int, int, int]
+    """The square of the picture: left, top, right, bottom; may lie outside."""
+    mask: NDArray[np.float32]
+    """(n, n) 0 to 1: where the garment is."""
+    places: NDArray[np.float32]
+    """(n, n, 3) where on the wearer it looks, cm, as on the default body that stands: docs/conventions.md."""
+    kinds: NDArray[np.uint8]
+    """(n, n) number of the likeliest of `panel_kinds.PANEL_KINDS`; anything where no garment is."""
+
+
+@dataclass(frozen=True, eq=False)
 class PartReading:
     """What is worn on one part of the body."""
 
@@ -63,22 +77,12 @@ class PartReading:
     panels: tuple[SeenPanel, ...]
     mask: NDArray[np.float32]
     """(h, w) where in the picture it is, 0 to 1."""
+    cells: SeenCells | None = None
+    """The same and more, of the square that was looked at."""
 
     def certainty_of(self, claim: str, word: str) -> float:
         """How sure a statement is; 0 where it is not among those that were read."""
         return next((s.certainty for s in self.statements if s.claim == Claim(claim, word)), 0.0)
-
-
-@dataclass(frozen=True, eq=False)
-class SeenCells:
-    """What each cell of the square that was read shows; row 0 at the top."""
-
-    masks: NDArray[np.float32]
-    """(2, n, n) 0 to 1: where the garment of each of `labels.PARTS` is."""
-    places: NDArray[np.float32]
-    """(n, n, 3) where on the wearer it looks, cm, as on the default body that stands: docs/conventions.md."""
-    kinds: NDArray[np.uint8]
-    """(n, n) number of the likeliest of `panel_kinds.PANEL_KINDS`; anything where no garment is."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,11 +94,10 @@ class PictureReading:
     camera: Camera
     """That shows the wearer as the crop does."""
     box: tuple[int, int, int, int]
-    """The square of the picture that was read: left, top, right, bottom; may lie outside."""
+    """The square of the picture that the camera shows: left, top, right, bottom; may lie outside."""
     figures: Figures = "one"
     """How many people there are; ``none`` where there is no garment either."""
     figures_certainty: float = 1.0
-    cells: SeenCells | None = None
 
     @property
     def face(self) -> str:

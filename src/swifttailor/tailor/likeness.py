@@ -8,7 +8,6 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from swifttailor.arrays import Floats
-from swifttailor.picture_reader.labels import PARTS
 from swifttailor.tailor.looking import SeenPicture
 
 LEAST_CELLS = 6
@@ -31,7 +30,7 @@ def distance_cm(pictures: Sequence[SeenPicture], part: str, vertices: Floats) ->
 
     Args:
         pictures: As they were read.
-        part: Of `labels.PARTS`.
+        part: Of the body.
         vertices: (v, 3) of the garment on the default body, cm.
 
     Returns:
@@ -53,10 +52,10 @@ def distance_cm(pictures: Sequence[SeenPicture], part: str, vertices: Floats) ->
 
 def _seen_places(picture: SeenPicture, part: str) -> Floats | None:
     """(n, 3) places of the wearer at which the garment is seen, cm."""
-    cells = picture.reading.cells
+    cells = next((p.cells for p in picture.reading.parts if p.part == part), None)
     if cells is None:
         return None
-    there = cells.masks[PARTS.index(part)] > _INSIDE
+    there = cells.mask > _INSIDE
     return cells.places[there].astype(np.float64) if there.sum() >= LEAST_CELLS else None
 
 

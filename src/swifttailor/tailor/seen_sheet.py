@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.arrays import Pixels
-from swifttailor.picture_reader.labels import PARTS
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.reader import cut_square
 from swifttailor.tailor.looking import SeenPicture
@@ -36,10 +35,10 @@ def draw_seen(pictures: Sequence[SeenPicture], part: str | None) -> Pixels:
 
 
 def _drawn(picture: SeenPicture, part: str | None) -> Pixels:
-    left, top, right, _ = picture.reading.box
+    found = next((p for p in picture.reading.parts if p.part == part), None)
+    left, top, right, _ = picture.reading.box if found is None or found.cells is None else found.cells.box
     square = left, top, right - left
     shown = cut_square(picture.pixels, square, SIZE).copy()
-    found = next((p for p in picture.reading.parts if p.part == part), None)
     if found is None:
         return shown
     inside = _crop(found.mask, square) > 0.5
@@ -57,19 +56,19 @@ def _panels_drawn(picture: SeenPicture, part: str | None) -> Pixels | None:
     """The crop with its cells in the colours of the kinds of panels, and their names."""
     from PIL import Image, ImageColor, ImageDraw
 
-    reading = picture.reading
-    if reading.cells is None or part not in PARTS or all(p.part != part for p in reading.parts):
+    cells = next((p.cells for p in picture.reading.parts if p.part == part), None)
+    if cells is None:
         return None
-    left, top, right, _ = reading.box
+    left, top, right, _ = cells.box
     shown = cut_square(picture.pixels, (left, top, right - left), SIZE)
     paper = np.repeat(shown.mean(axis=2, keepdims=True) * _DIM + 255 * (1 - _DIM) * 0.6, 3, axis=2)
-    there = reading.cells.masks[PARTS.index(part)] > 0.5
+    there = cells.mask > 0.5
     rows = np.arange(SIZE) * len(there) // SIZE
     colors = np.array([ImageColor.getrgb(color) for color in _KIND_COLORS], np.float64)
-    tinted = 0.35 * paper + 0.65 * colors[reading.cells.kinds[rows[:, None], rows]]
+    tinted = 0.35 * paper + 0.65 * colors[cells.kinds[rows[:, None], rows]]
     image = Image.fromarray(np.where(there[rows[:, None], rows, None], tinted, paper).astype(np.uint8))
     pen = ImageDraw.Draw(image)
-    kinds = np.bincount(reading.cells.kinds[there], minlength=len(PANEL_KINDS))
+    kinds = np.bincount(cells.kinds[there], minlength=len(PANEL_KINDS))
     for line, kind in enumerate(k for k in np.argsort(-kinds) if kinds[k] >= _LEAST_CELLS):
         y = 8 + 17 * line
         pen.rectangle((8, y, 20, y + 12), fill=_KIND_COLORS[kind])
