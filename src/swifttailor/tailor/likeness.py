@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 
 from swifttailor.arrays import Floats
 from swifttailor.tailor.looking import SeenPicture
@@ -45,7 +45,7 @@ def distance_cm(pictures: Sequence[SeenPicture], part: str, vertices: Floats) ->
         right = np.array([np.cos(turned), 0.0, -np.sin(turned)])
         shown, made = (np.stack([p @ right, p[:, 1]], axis=1) for p in (places, vertices))
         made = _inside_picture(made, shown, picture, part)
-        there, back = cKDTree(made).query(shown)[0], cKDTree(shown).query(made)[0]
+        there, back = KDTree(made).query(shown)[0], KDTree(shown).query(made)[0]
         found.append(float(there.mean() + back.mean()) / 2)
     return float(np.mean(found)) if found else 0.0
 
