@@ -20,6 +20,10 @@ _FALLS_AT = np.deg2rad(88.0)
 """Below this angle from straight up a strand no longer follows the skull."""
 BEHIND_CM = 155.0, 144.0
 """Between these levels long hair goes behind the shoulders."""
+_BEFORE_CM = 8.0
+"""In front of the middle of the head: where hair that falls on the chest starts to lie."""
+_SPREAD_CM = 4.5, 13.0
+"""From and to where it lies beside the middle."""
 _OFF_BODY_CM = 1.8
 """What falls on the shoulders stays this far from the skin, so that a garment fits beneath."""
 
@@ -34,6 +38,8 @@ class HairStyle:
     """Level to which it falls, cm above the floor; None: it ends at the hairline."""
     opening: float = 62.0
     """Half the angle around the head that falling hair leaves to the face, degrees."""
+    before: float = 0.0
+    """Hair that starts within this angle from the face falls before the shoulders, degrees."""
     knot: tuple[tuple[float, float, float], ...] = ()
     """Where hair that is tied goes, from the head to its end: height, depth and radius, cm."""
 
@@ -44,6 +50,8 @@ HAIR_STYLES = {
     "bob": HairStyle(2.2, 149.0),
     "shoulder_length": HairStyle(2.0, 140.0, 66.0),
     "long": HairStyle(1.9, 124.0, 70.0),
+    "loose": HairStyle(2.3, 131.0, 62.0, before=108.0),
+    "long_loose": HairStyle(2.1, 118.0, 64.0, before=112.0),
     "bun": HairStyle(
         0.8,
         knot=(
@@ -116,13 +124,13 @@ def _strand(style: HairStyle, turn: float) -> Array:
         # Below the ears it goes behind the shoulders, and what does not come so far a little inward.
         behind = np.clip((BEHIND_CM[0] - down) / (BEHIND_CM[0] - BEHIND_CM[1]), 0.0, 1.0)
         behind = behind * behind * (3 - 2 * behind) if style.ends < BEHIND_CM[1] else 0.25 * behind
-        flat = np.stack(
-            [
-                start[0] * (1.0 - 0.12 * behind),
-                start[2] + behind * np.minimum(-9.0 - 0.25 * abs(start[2]) - start[2], 0.0),
-            ],
-            axis=1,
-        )
+        aside, depth = start[0] * (1.0 - 0.12 * behind), min(-9.0 - 0.25 * abs(start[2]) - start[2], 0.0)
+        if to_face < np.deg2rad(style.before):
+            # Those next to the face come farthest to the middle of the chest.
+            share = (np.rad2deg(to_face) - style.opening) / (style.before - style.opening)
+            fallen = np.sign(start[0]) * (_SPREAD_CM[0] + share * (_SPREAD_CM[1] - _SPREAD_CM[0]))
+            aside, depth = start[0] + behind * (fallen - start[0]), max(_BEFORE_CM - start[2], 0.0)
+        flat = np.stack([aside, start[2] + behind * depth], axis=1)
         line = np.concatenate([line[: leaves + 1], np.stack([flat[:, 0], down, flat[:, 1]], axis=1)])
     else:
         line = line[:last]
