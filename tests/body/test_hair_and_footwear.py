@@ -46,6 +46,19 @@ def test_longer_hair_is_longer():
     assert all(shorter > longer + 3 for shorter, longer in pairwise(ends))
 
 
+def test_loose_hair_lies_on_the_chest_and_the_back():
+    for style in HAIR_STYLES:
+        vertices, _ = hair(style)
+        before = vertices[(vertices[:, 1] < 142) & (vertices[:, 2] > 4)]
+        assert (len(before) > 20) == style.endswith("loose")
+        if len(before):
+            beside = np.abs(before[:, 0])
+            assert beside.min() > 2 and beside.max() < 20, "the middle of the chest stays free"
+            distance, _ = Body.default().signed_distance(before)
+            assert (distance > 0.5).mean() > 0.9, "a garment fits beneath"
+            assert (vertices[vertices[:, 1] < 142][:, 2] < -6).any()
+
+
 @pytest.mark.parametrize("kind", FOOTWEAR)
 def test_shoes_hold_the_feet(kind):
     vertices, faces, sole = footwear(kind)
