@@ -21,7 +21,8 @@ from swifttailor.tailor.looking import SeenPicture, parts_seen
 from swifttailor.tailor.seen_sheet import draw_seen
 from swifttailor.wording.wish_lines import wish_line
 
-SIDE, GARMENT, TEXT = 300, (500, 300), 420
+SIDE, SEEN, GARMENT, TEXT = 300, (600, 300), (500, 300), 420
+WIDE = SIDE + SEEN[0] + GARMENT[0]
 _PAPER, _INK, _RED = (250, 249, 247), (40, 40, 40), (176, 58, 46)
 _MOST_LINES = 14
 
@@ -34,7 +35,7 @@ def main() -> None:
     options = parser.parse_args()
     tailor = Tailor(picture_reader=options.picture_reader_weights)
     rows = [row for path in options.pictures for row in rows_of(tailor, path)]
-    sheet = Image.new("RGB", (2 * SIDE + GARMENT[0] + TEXT, SIDE * len(rows)), _PAPER)
+    sheet = Image.new("RGB", (WIDE + TEXT, SIDE * len(rows)), _PAPER)
     for k, row in enumerate(rows):
         sheet.paste(row, (0, SIDE * k))
     sheet.save(options.out, quality=85)
@@ -55,16 +56,16 @@ def rows_of(tailor: Tailor, path: Path) -> list[Image.Image]:
 
 def row_of(seen: SeenPicture, part: str | None, made: Tailored | SwiftTailorError) -> Image.Image:
     """A picture, what was looked at, the garment, what was read."""
-    row = Image.new("RGB", (2 * SIDE + GARMENT[0] + TEXT, SIDE), _PAPER)
+    row = Image.new("RGB", (WIDE + TEXT, SIDE), _PAPER)
     pen, font = ImageDraw.Draw(row), ImageFont.load_default(14)
     row.paste(_fitted(Image.fromarray(seen.pixels), (SIDE, SIDE)), (0, 0))
-    row.paste(_fitted(Image.fromarray(draw_seen([seen], part)), (SIDE, SIDE)), (SIDE, 0))
-    left = 2 * SIDE + GARMENT[0] + 10
+    row.paste(_fitted(Image.fromarray(draw_seen([seen], part)), SEEN), (SIDE, 0))
+    left = WIDE + 10
     if isinstance(made, SwiftTailorError):
         pen.multiline_text((left, 10), _wrapped(str(made)), _RED, font)
         return row
     drawn = draw_preview(made.garment, Body.default(), size=GARMENT)
-    row.paste(_fitted(Image.fromarray(drawn), GARMENT), (2 * SIDE, 0))
+    row.paste(_fitted(Image.fromarray(drawn), GARMENT), (SIDE + SEEN[0], 0))
     wanted = made.answer.wanted
     assert wanted is not None
     lines = [f"{wish_line(w.change)} ({w.certainty:.0%})" for w in wanted.seen][:_MOST_LINES]
