@@ -14,10 +14,12 @@ from swifttailor.errors import InputError
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_library.known import KnownPattern, PatternLibrary, write_library
+from swifttailor.pattern_library.nearest import Search
+from swifttailor.pattern_library.sought import Sought
 from swifttailor.pattern_library.truth_table import TruthTable
 from swifttailor.picture_reader.reading import SeenCells
 from swifttailor.picture_reader.truth import Truth
-from swifttailor.tailor import Order, Tailor
+from swifttailor.tailor import Order, Tailor, refining
 from swifttailor.tailor.likeness import can_be_compared, distance_cm
 from swifttailor.tailor.looking import look_at
 
@@ -51,7 +53,8 @@ def tailor(sewer: GarmentSewer, library: PatternLibrary, cells: SeenCells | None
 
 
 @pytest.mark.parametrize("name", SKIRTS)
-def test_of_garments_that_do_the_one_like_the_picture_is_taken(sewer, library, name):
+def test_of_garments_that_do_the_one_like_the_picture_is_taken(sewer, library, name, monkeypatch):
+    monkeypatch.setattr(refining, "CM_WORTH", 1e3)  # places alone
     shown = sewer.sew(SKIRTS[name]).vertices
     asked = tailor(sewer, library, cells_of(shown))
     for seed in (0, 5):
@@ -64,7 +67,19 @@ def test_of_garments_that_do_the_one_like_the_picture_is_taken(sewer, library, n
     assert "refining" in made.seconds
 
 
-def test_several_samples_are_those_that_are_most_alike(sewer, library):
+def test_how_well_patterns_fit_what_was_read_counts_too(sewer, library, monkeypatch):
+    search = Search(library, Sought.of_reading(SEEN))
+    best = library.ids[int(np.argmax(search.fits))]
+    other = next(name for name in SKIRTS if name != best)
+    asked = tailor(sewer, library, cells_of(sewer.sew(SKIRTS[other]).vertices))
+    monkeypatch.setattr(refining, "CM_WORTH", 1e-6)
+    assert asked.generate(image=PICTURE).answer.known == best
+    monkeypatch.setattr(refining, "CM_WORTH", 1e3)
+    assert asked.generate(image=PICTURE).answer.known == other
+
+
+def test_several_samples_are_those_that_are_most_alike(sewer, library, monkeypatch):
+    monkeypatch.setattr(refining, "CM_WORTH", 1e3)
     asked = tailor(sewer, library, cells_of(sewer.sew(SKIRTS["60 cm"]).vertices))
     made = asked.make(Order(image=PICTURE, samples=4, seed=3))
     assert [one.answer.known for one in made] == ["60 cm", "64 cm", "68 cm", "72 cm"]

@@ -40,11 +40,15 @@ class KnownCandidates:
         alike = int((search.fits[best[:MOST_CLOSE]] >= search.fits[best[0]] - CLOSE).sum())
         close = min(max(alike, LEAST_CLOSE), len(best))
         first = seed % close if temperature > 0 else 0
-        self._library = search.library
+        self._library, self._fits = search.library, search.fits
         self._order = np.concatenate([np.roll(best[:close], -first), best[close:]])[:most]
 
     def __len__(self) -> int:
         return len(self._order)
+
+    def fit(self, number: int) -> float:
+        """How well one of them fits what is wanted: a log likelihood, see `Search`."""
+        return float(self._fits[self._order[number]])
 
     def take(self, number: int) -> tuple[str, WrittenPattern]:
         """The id in the library of one of them, and the pattern.

@@ -1,4 +1,4 @@
-"""Looking again: of several patterns that do, the one whose garment lies where the pictures show it."""
+"""Looking again: of several patterns that do, the one that fits and lies best where the pictures show it."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ from swifttailor.tailor.sewing import SewingOptions, prepare
 
 EDGE_CM = 4.0
 """Edge length of the meshes that are compared."""
+CM_WORTH = 3.0
+"""A centimetre nearer to what the pictures show counts as much as this in the logarithm of the likelihood."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +50,7 @@ def refined(
         candidates: Known patterns, the first of which may have been tried.
         wanted: What is wanted.
         sewer: Makes the garments that are compared.
-        place: 0 takes the most alike, 1 the next, and so on.
+        place: 0 takes the best, 1 the next, and so on.
 
     Returns:
         What was taken; as it was given where there is nothing to compare, or to compare with.
@@ -57,14 +59,17 @@ def refined(
     if candidates is None or part is None or not count or not can_be_compared(wanted.pictures, part.part):
         return answer
     known = {one.known: one for one in tried if one.known}
-    others = []
+    others, fits = [], {}
     for number in range(min(count, len(candidates))):
         name, written = candidates.take(number)
+        fits[name] = candidates.fit(number)
         one = known.get(name) or replace(fit(written, wanted), seed=answer.seed, known=name)
         if name != answer.known and not one.verdict.unsound and one.verdict.rank <= answer.verdict.rank:
             others.append(one)
     distances = _distances([answer, *others], wanted, part.part, sewer)
-    best = sorted(distances, key=lambda k: distances[k])
+    names = [one.known for one in (answer, *others)]
+    usual = max(fits.values(), default=0.0)  # of what was written nothing is known
+    best = sorted(distances, key=lambda k: CM_WORTH * distances[k] - fits.get(names[k], usual))
     if len(best) < 2 or 0 not in distances:
         return answer
     chosen = best[min(place, len(best) - 1)]
