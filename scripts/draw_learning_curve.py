@@ -12,14 +12,15 @@ import json
 from pathlib import Path
 
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 700, 400, 60, 150, 24, 50
-COLORS = ("#3b6ea5", "#b4513a", "#4f8a52", "#8a6bb0", "#b58a2a", "#555555")
+COLORS = ("#3b6ea5", "#b4513a", "#4f8a52", "#8a6bb0", "#b58a2a", "#555555", "#008695")
 SHOWN = {
     "plain, front": ("by_look", "plain front"),
-    "studio, front": ("by_look", "studio front"),
     "people, front": ("by_look", "people front"),
     "held out, front": ("by_look", "held out front"),
     "hem of skirts": ("claims", "skirt_hem"),
     "sleeves": ("claims", "sleeves"),
+    "necklines": ("claims", "neckline"),
+    "waistbands": ("claims", "waistband"),
 }
 
 
@@ -39,7 +40,9 @@ def curves(runs: list[Path]) -> tuple[list[float], list[tuple[float, str]], dict
     for run in runs:
         card = json.loads((run / "card.json").read_text())
         cores = card["training"]["processes"] * card["training"]["threads"]
-        stages.append((begun, f"{card['config']['network']['image_size']} pixels"))
+        name = f"{card['config']['network']['image_size']} pixels"
+        if all(name != other for _, other in stages):
+            stages.append((begun, name))
         last = 0.0
         for line in (run / "metrics.jsonl").read_text().splitlines():
             record = json.loads(line)
