@@ -6,6 +6,8 @@ import json
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from swifttailor.errors import InputError
 from swifttailor.pattern.names import PANEL_NAMES
@@ -41,6 +43,20 @@ def test_squares_are_cut_and_the_border_goes_on():
     np.testing.assert_array_equal(around[0], picture[0])
     np.testing.assert_array_equal(around[1:5], picture)
     np.testing.assert_array_equal(around[5], picture[3])
+
+
+@given(
+    st.tuples(*[st.integers(1, 20)] * 2),
+    st.tuples(*[st.integers(-40, 40)] * 2),
+    st.integers(1, 30),
+    st.data(),
+)
+def test_squares_are_as_if_the_border_went_on_for_ever(shape, corner, side, data):
+    picture = np.random.default_rng(data.draw(st.integers(0, 9))).integers(0, 256, (*shape, 3), np.uint8)
+    (left, top), (height, width) = corner, shape
+    rows, columns = np.arange(top, top + side), np.arange(left, left + side)
+    expected = picture[rows.clip(0, height - 1)[:, None], columns.clip(0, width - 1)]
+    np.testing.assert_array_equal(cut_square(picture, (left, top, side), side), expected)
 
 
 @pytest.fixture(scope="module")
