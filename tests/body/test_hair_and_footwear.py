@@ -6,7 +6,7 @@ import pytest
 from swifttailor.body import Body, BodyPart
 from swifttailor.body.carrying import carry_all
 from swifttailor.body.footwear import FOOTWEAR, footwear
-from swifttailor.body.hair import HAIR_STYLES, hair
+from swifttailor.body.hair import HAIR_STYLES, hair, strand_shades
 from swifttailor.body.mannequin import mannequin
 from swifttailor.body.parts import fill_holes
 from swifttailor.body.posing import random_pose
@@ -44,6 +44,16 @@ def test_hair_covers_the_scalp_and_not_the_face(style):
 def test_longer_hair_is_longer():
     ends = [hair(style)[0][:, 1].min() for style in ("short", "bob", "shoulder_length", "long")]
     assert all(shorter > longer + 3 for shorter, longer in pairwise(ends))
+
+
+def test_strands_are_of_many_shades():
+    for style in HAIR_STYLES:
+        faces = hair(style)[1]
+        shades = strand_shades(style, 0.3, np.random.default_rng(0))
+        assert shades.shape == (len(faces),) and (shades > 0).all() and shades.std() > 0.1
+        assert (strand_shades(style, 0.0, np.random.default_rng(0)) == 1).all()
+        strands = shades[: 48 * 25].reshape(48, 25)
+        assert np.abs(np.diff(strands, axis=1)).mean() < np.abs(np.diff(strands, axis=0)).mean()
 
 
 def test_loose_hair_lies_on_the_chest_and_the_back():

@@ -89,7 +89,8 @@ def test_pictures_are_fixed_by_their_lots_and_masks_lie_on_the_garment(wardrobe,
         seen = at[np.isfinite(at).all(axis=1)]
         worn = wardrobe.bank[number].vertices
         assert len(seen) >= 0.4 * len(rows)
-        assert (seen > worn.min(axis=0) - 25).all() and (seen < worn.max(axis=0) + 25).all()
+        near = ((seen > worn.min(axis=0) - 25) & (seen < worn.max(axis=0) + 25)).all(axis=1)
+        assert near.mean() > 0.9, "but for hair and hands before it"
         away = np.abs(np.array([columns.mean(), rows.mean()]) * 4 + 2 - middle)
         assert away.max() < 0.45 * SIZE, "the camera of the view looks at the mask"
 

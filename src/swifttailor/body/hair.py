@@ -87,6 +87,28 @@ def hair(style: str) -> tuple[Array, Array]:
     return _hair(style)
 
 
+def strand_shades(style: str, strength: float, chance: np.random.Generator) -> Array:
+    """How light each face of some hair is, strand by strand: what tells hair from cloth.
+
+    Args:
+        style: One of `HAIR_STYLES`.
+        strength: 0 makes all faces alike.
+        chance: Decides.
+
+    Returns:
+        (M,) factors on the colour of its faces.
+
+    Raises:
+        InputError: There is no such style.
+    """
+    count = len(hair(style)[1])
+    of_strand = chance.normal(0.0, strength, AROUND)
+    along = np.cumsum(chance.normal(0.0, 0.3 * strength, (AROUND, ALONG - 1)), axis=1)
+    shades = np.exp(np.clip(of_strand[:, None] + along, -1.5, 1.0)).ravel()
+    rest = count - 2 * len(shades)  # of a knot or a tail
+    return np.concatenate([shades, shades, np.exp(chance.normal(0.0, strength, rest))])
+
+
 @functools.lru_cache(maxsize=16)
 def _hair(name: str) -> tuple[Array, Array]:
     style = HAIR_STYLES[name]

@@ -14,7 +14,7 @@ from swifttailor.body import Body
 from swifttailor.body.body_shape import random_shape
 from swifttailor.body.carrying import carry_all
 from swifttailor.body.footwear import FOOTWEAR, footwear
-from swifttailor.body.hair import HAIR_STYLES, hair
+from swifttailor.body.hair import HAIR_STYLES, hair, strand_shades
 from swifttailor.body.mannequin import mannequin
 from swifttailor.body.pose import Pose
 from swifttailor.body.posing import random_pose
@@ -211,7 +211,9 @@ def _figure(
     accessories, sole = [], 0.0
     if is_person and chance.random() < 0.93:
         style = str(chance.choice(list(HAIR_STYLES))) if not _any(worn, "hood", "hood") else "cropped"
-        accessories.append(_hair(style)._replace(color=hair_color * chance.uniform(0.8, 1.2)))
+        worn_hair = _hair(style)
+        shades = strand_shades(style, chance.uniform(0.0, 0.45), chance)
+        accessories.append(worn_hair._replace(color=np.clip(hair_color * shades[:, None], 0.002, 0.95)))
     if chance.random() < 0.75:
         legs = any(_any(worn, "kind", word) for word in ("trousers", "jumpsuit"))
         kind = str(chance.choice(_LOW_SHOES if legs else list(FOOTWEAR)))
