@@ -24,7 +24,7 @@ from swifttailor.render.pattern_picture import pattern_picture
 
 FOLDER = Path("docs/images")
 WORDS = "a knee-length sleeveless dress with a V neck"
-INSTRUCTION = "give it long sleeves and make it 20 cm longer"
+INSTRUCTION = "give it long sleeves and lengthen the dress by 20 cm"
 PICTURE = FOLDER / "striped-top.png"
 SIZE = 1280, 768
 SEWN = (

@@ -138,6 +138,7 @@ def test_a_picture_to_a_folder(write, tmp_path, capsys):
         "--out",
         tmp_path / "out",
         "--no-preview",
+        "--no-alter",
     )
     assert command(*arguments) == 0
     assert "was cropped" in capsys.readouterr().out

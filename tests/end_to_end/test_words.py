@@ -74,8 +74,10 @@ def test_a_picture_alone_and_with_words(tmp_path, shipped_patterns, capsys):
     Image.fromarray(seen).save(tmp_path / "trousers.png")
     photo = str(tmp_path / "trousers.png")
     assert run(["generate", "--image", photo, "--out", str(tmp_path / "alone"), "--no-preview"]) in (0, 1)
-    assert_sound(tmp_path / "alone", MADE_FILES)
+    _, facts, report = assert_sound(tmp_path / "alone", MADE_FILES | {"seen.png"})
+    assert Claim("kind", "trousers").holds(facts)
+    assert report["pictures"]["part"] == "lower" and report["writing"]["refinement"]["compared"] >= 2
     arguments = ["trousers to the knee", "--image", photo, "--out", str(tmp_path / "both"), "--no-preview"]
     assert run(["generate", *arguments]) == 0
-    _, facts, _ = assert_sound(tmp_path / "both", MADE_FILES)
+    _, facts, _ = assert_sound(tmp_path / "both", MADE_FILES | {"seen.png"})
     assert Claim("leg_hem", "knee").holds(facts)

@@ -17,8 +17,8 @@ class EvaluatePictureReader:
     it is read right where the likeliest word is not false, whether it can be seen in that view or not.
     """
 
-    weights: Annotated[Path, tyro.conf.arg(metavar="FILE")]
-    """The picture reader's model file."""
+    weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """The picture reader's model file; the one of the package without it."""
     data: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """Data set of sewn garments (swifttailor data build --engine network)."""
     out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
