@@ -122,7 +122,9 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     """What was done for an order, for a person."""
     from swifttailor.wording.wish_lines import wish_line
 
-    order, found = wanted.order, list(wanted.notes)
+    order = wanted.order
+    # How the picture was framed for PatternMaker is of no interest where that wrote nothing.
+    found = [] if answer.known and wanted.part is not None else list(wanted.notes)
     if answer.failures:
         count = len(answer.failures) + 1
         found.append(f"{count} patterns were tried; number {answer.attempt + 1} was taken.")
