@@ -13,7 +13,10 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-RECIPES = ("wish_reader", "garment_sewer", "pattern_maker", "picture_reader", "pattern_library")
+RECIPES = (
+    *("wish_reader", "garment_sewer", "pattern_maker", "picture_reader", "pattern_library"),
+    "picture_reader_on_gpu",
+)
 
 
 def environment(work: Path, **more: str) -> dict[str, str]:
@@ -70,6 +73,7 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     reader = PictureReader.load(files["PictureReader"])
     assert reader.size == 64 and reader.card["config"]["start"].endswith("large/weights.safetensors")
     assert len(PatternLibrary.load(work / "pattern-library/known_patterns.zip")) == 6
+    assert PictureReader.load(work / "gpu/picture_reader.onnx").size == 64
 
     again = run("wish_reader", work)
     assert again.returncode == 0
