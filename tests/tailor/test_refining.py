@@ -6,19 +6,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from own_library import library_of
 from scripted_maker import scripted_maker
 from seeing import Seeing, worn
 
-from swifttailor.describing import measure_facts
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern.drafts import draft
-from swifttailor.pattern_library.known import KnownPattern, PatternLibrary, write_library
+from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_library.nearest import Search
 from swifttailor.pattern_library.sought import Sought
-from swifttailor.pattern_library.truth_table import TruthTable
 from swifttailor.picture_reader.reading import SeenCells
-from swifttailor.picture_reader.truth import Truth
 from swifttailor.tailor import Order, Tailor, refining
 from swifttailor.tailor.likeness import can_be_compared, distance_cm
 from swifttailor.tailor.looking import look_at
@@ -40,11 +38,7 @@ def cells_of(vertices: np.ndarray) -> SeenCells:
 
 @pytest.fixture(scope="module")
 def library(tmp_path_factory) -> PatternLibrary:
-    known = [KnownPattern(name, pattern.canonical()) for name, pattern in SKIRTS.items()]
-    truths = [Truth.of(one.pattern, measure_facts(one.pattern)) for one in known]
-    path = tmp_path_factory.mktemp("known") / "known.zip"
-    write_library(path, known, TruthTable.of(truths), np.ones(len(known), np.int64), {"model": "library"})
-    return PatternLibrary.load(path)
+    return library_of(SKIRTS, tmp_path_factory.mktemp("known"))
 
 
 def tailor(sewer: GarmentSewer, library: PatternLibrary, cells: SeenCells | None) -> Tailor:

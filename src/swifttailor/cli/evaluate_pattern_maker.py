@@ -45,8 +45,8 @@ class EvaluatePatternMaker:
     """Data set, or a split of one, with drapes of these patterns: its renders are the pictures, or pictures
     are drawn of its drapes where it has none."""
     look: Literal["plain", "seamless", "studio", "people", "held out"] | None = None
-    """Draw the pictures of --data in this look: plain as GarmentCodeData's, a studio, people anywhere, or
-    people in looks that no picture reader was trained on."""
+    """Draw the pictures of --data in this look: plain as GarmentCodeData's, the same in one colour without
+    seams, a studio, people anywhere, or people in looks that no picture reader was trained on."""
     view: Literal["front", "back", "free", "both"] = "front"
     """From where they are seen, with --look; both: two pictures of the same person, front and back."""
     edits: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None

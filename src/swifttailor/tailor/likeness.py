@@ -8,6 +8,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from swifttailor.arrays import Floats
+from swifttailor.picture_reader.reading import PartReading
 from swifttailor.tailor.looking import SeenPicture
 
 LEAST_CELLS = 6
@@ -52,18 +53,22 @@ def distance_cm(pictures: Sequence[SeenPicture], part: str, vertices: Floats) ->
 
 def _seen_places(picture: SeenPicture, part: str) -> Floats | None:
     """(n, 3) places of the wearer at which the garment is seen, cm."""
-    cells = next((p.cells for p in picture.reading.parts if p.part == part), None)
-    if cells is None:
+    read = _read_part(picture, part)
+    if read is None or read.cells is None:
         return None
-    there = cells.mask > _INSIDE
-    return cells.places[there].astype(np.float64) if there.sum() >= LEAST_CELLS else None
+    there = read.cells.mask > _INSIDE
+    return read.cells.places[there].astype(np.float64) if there.sum() >= LEAST_CELLS else None
+
+
+def _read_part(picture: SeenPicture, part: str) -> PartReading | None:
+    return next((p for p in picture.reading.parts if p.part == part), None)
 
 
 def _inside_picture(made: Floats, shown: Floats, picture: SeenPicture, part: str) -> Floats:
     """Without what lies above or below where the picture ends, if the garment goes on there."""
-    mask = next((p.mask for p in picture.reading.parts if p.part == part), None)
-    if mask is None or not mask.size:
-        return made
+    read = _read_part(picture, part)
+    assert read is not None
+    mask = read.mask
     kept = np.ones(len(made), bool)
     if (mask[-1] > _INSIDE).any():
         kept &= made[:, 1] > shown[:, 1].min() - _EDGE_CM

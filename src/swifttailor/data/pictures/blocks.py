@@ -30,6 +30,7 @@ training never draws; a garment in a studio; people; people in looks that traini
 all; and several people."""
 _VIEW_SHARES = 0.4, 0.3, 0.3
 _ONE_TONE = 3
+"""Of the colours of plain panels the one that seamless pictures have: not white on white."""
 _NEAR_SHARE, _NEAR_MARGIN, _NEAR_SHIFT = 0.65, (0.08, 0.45), 0.06
 """Plain pictures that the garment fills, as the second look at one does; the space around it; and by how much
 it is off the middle, in heights of the picture."""
