@@ -10,6 +10,7 @@ import pytest
 from PIL import Image
 
 from swifttailor.cli.main import run
+from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern import load_pattern, write_pattern
 from swifttailor.pattern.drafts import draft
@@ -263,3 +264,72 @@ def test_finished_by_physics(write, tmp_path, capsys):
     report = Garment.load(tmp_path).report
     assert report["quality"]["static"] and report["seconds"]["finishing"] > 0
     assert code == (0 if report["quality"]["accepted"] else 1)
+
+
+# What is answered is so
+
+
+def test_an_edit_of_which_nothing_is_understood_is_exit_code_1_and_the_same_bytes(write, tmp_path, capsys):
+    write([draft("t-shirt")])
+    assert command("generate", "a T-shirt", "--out", tmp_path / "before") == 0
+    before = (tmp_path / "before" / "pattern.json").read_bytes()
+    capsys.readouterr()
+    given = ["edit", tmp_path / "before", "make it red and of denim", "--out", tmp_path / "after"]
+    assert command(*given, "--no-preview") == 1
+    said = capsys.readouterr().out
+    assert 'Not understood: "red", "denim".' in said and "is the one that was given" in said
+    assert (tmp_path / "after" / "pattern.json").read_bytes() == before
+
+
+def test_unmet_wishes_are_exit_code_1(write, tmp_path, capsys):
+    write([draft("t-shirt")])
+    shirt = write_pattern(draft("t-shirt"), tmp_path / "shirt.json") or tmp_path / "shirt.json"
+    quiet = ["--out", tmp_path / "out", "--no-preview"]
+    assert command("generate", "a top with darts", "--source", "writer", *quiet) == 1
+    assert "Requested but not met" in capsys.readouterr().out
+    assert command("edit", shirt, "make it 300 cm longer", *quiet) == 1
+    assert "Requested but not met" in capsys.readouterr().out
+    assert command("edit", shirt, "make it 5 cm longer", *quiet) == 0
+    assert "Changed: from top to hem" in capsys.readouterr().out
+
+
+def test_a_garment_keeps_its_colour_through_edits(write, tmp_path):
+    write([draft("t-shirt")])
+    shirt = write_pattern(draft("fitted-dress"), tmp_path / "dress.json") or tmp_path / "dress.json"
+    command("edit", shirt, "give it a V neck", "--out", tmp_path / "one", "--no-preview")
+    command("edit", tmp_path / "one", "give it a hood", "--out", tmp_path / "two", "--no-preview")
+    colors = {json.loads((tmp_path / n / "report.json").read_text())["color"] for n in ("one", "two")}
+    assert colors == {cloth_color(draft("fitted-dress"))}
+    edited = load_pattern(tmp_path / "two" / "pattern.json")
+    assert cloth_color(edited) not in colors, "else the test shows nothing"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["generate"], 'For example: swifttailor generate "a knee-length dress with a V neck" --out dress'),
+        (["edit"], 'For example: swifttailor edit dress "make it 10 cm longer" --out longer'),
+        (
+            ["generate", "a", "knee", "length", "dress"],
+            'Put the words in quotes: swifttailor generate "a knee length dress"',
+        ),
+        (
+            ["generate", "--samples", "3", "--out", "d", "a", "dress"],
+            'Put the words in quotes: swifttailor generate "a dress" --out d',
+        ),
+        (
+            ["edit", "dress", "make", "it", "longer", "--out", "d"],
+            'Put the words in quotes: swifttailor edit dress "make it longer" --out d',
+        ),
+    ],
+)
+def test_forgotten_words_and_quotes_are_told_with_an_example(arguments, said, capsys):
+    assert run(arguments) == 2
+    error = capsys.readouterr().err.strip()
+    assert error.startswith("Error: ") and error.endswith(said)
+
+
+def test_other_mistakes_are_told_as_before(capsys, tmp_path):
+    assert run(["generate", "a dress", "--no-such-option"]) == 2
+    assert "quotes" not in capsys.readouterr().err
+    assert run(["generate", "--help"]) == 0

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 import sys
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 from swifttailor.cli.option_checks import (
     in_range,
@@ -17,6 +17,7 @@ from swifttailor.cli.option_checks import (
     require_writable_folder,
 )
 from swifttailor.cli.own_folders import require_own_files
+from swifttailor.cli.plain_options import operands
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError, SwiftTailorError
 
@@ -28,11 +29,16 @@ UNUSABLE = 2
 SHEET = "sheet.png"
 MOST_SAMPLES = MOST_ATTEMPTS = 64
 HIGHEST_TEMPERATURE = 10.0
+PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".gif", ".tif", ".tiff")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Making:
     """Options of both commands."""
+
+    asks_for: ClassVar[str]
+    """What is missing where nothing is given."""
+    example: ClassVar[str]
 
     out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """Folder to write; created when missing."""
@@ -60,6 +66,28 @@ class Making:
     """CPU cores for the networks."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
     """Print a list of the reports as JSON."""
+
+    @classmethod
+    def refuse_unquoted(cls, arguments: list[str]) -> None:
+        """Says where quotes were forgotten, or nothing was given at all.
+
+        Args:
+            arguments: Of the command line.
+
+        Raises:
+            InputError: There are more words than operands, or there are no arguments.
+        """
+        name = cls.__name__.lower()
+        if not arguments:
+            raise InputError(f"{cls.asks_for} For example: swifttailor {name} {cls.example}")
+        words = [word for word in operands(cls, arguments) if Path(word).suffix.lower() not in PICTURES]
+        count = sum("Positional" in str(field.type) for field in fields(cls))
+        if {"-h", "--help"}.isdisjoint(arguments) and len(words) > count:
+            before = "".join(f"{word} " for word in words[: count - 1])
+            text = " ".join(words[count - 1 :])
+            out = arguments.index("--out") if "--out" in arguments[:-1] else None
+            where = "" if out is None else f" --out {arguments[out + 1]}"
+            raise InputError(f'Put the words in quotes: swifttailor {name} {before}"{text}"{where}')
 
     def require_options(self) -> None:
         """Refuses what cannot work before anything is loaded.
@@ -213,7 +241,9 @@ def _say(folder: Path, outcome: Tailored | SwiftTailorError, said: list[str], *,
         lines += [line for line in _remarks(outcome) if line not in said]
         lines += [finding_line(finding) for finding in outcome.findings]
         if "quality" in report and not report["quality"]["accepted"]:
-            lines.append(f"not accepted: {'; '.join(report['quality']['reasons'])}")
+            from swifttailor.draping.quality import not_accepted_line
+
+            lines.append(not_accepted_line(report["quality"]))
         stages = ", ".join(f"{name} {value:.2f}" for name, value in outcome.seconds.items() if value >= 0.005)
         lines.append(
             f"{report['panels']} panels, {report['stitches']} stitches, {report['vertices']} vertices; "

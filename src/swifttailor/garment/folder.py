@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Generator, Iterable
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +26,29 @@ REPORT, PREVIEW = "report.json", "preview.png"
 
 PREVIEW_SIZE = 1500, 900
 """Pixels."""
+
+
+@contextmanager
+def undone_if_it_fails(folder: Path, names: Iterable[str] = ()) -> Generator[None]:
+    """Takes back what was written into a garment's folder where not all of it could be.
+
+    Half a garment would be taken for a foreign folder, or for a whole one. What was there before stays.
+
+    Args:
+        folder: To be written into; may not exist.
+        names: Of files besides those of `save_folder`.
+    """
+    own = [folder / name for name in (PATTERN, DRAWING, GLB, OBJ, REPORT, PREVIEW, *names)]
+    was_there, before = folder.exists(), {path for path in own if path.exists()}
+    try:
+        yield
+    except BaseException:
+        for path in own:
+            if path not in before:
+                path.unlink(missing_ok=True)
+        if not was_there and folder.is_dir() and not any(folder.iterdir()):
+            folder.rmdir()
+        raise
 
 
 def save_folder(
@@ -50,9 +75,17 @@ def save_folder(
     Raises:
         InputError: The folder cannot be written.
     """
+    folder = Path(folder)
+    with undone_if_it_fails(folder):
+        _write(garment, folder, body, preview, preview_size)
+    return folder
+
+
+def _write(
+    garment: Garment, folder: Path, body: Body | None, preview: bool, preview_size: tuple[int, int]
+) -> None:
     from swifttailor.pattern.svg import write_svg
 
-    folder = Path(folder)
     mesh = mesh_of_garment(garment)
     if not preview and (folder / REPORT).is_file():
         (folder / PREVIEW).unlink(missing_ok=True)
@@ -68,7 +101,6 @@ def save_folder(
         body = body if body is not None else BodyClass.default()
         write_bytes(folder / PREVIEW, encode_png(draw_preview(garment, body, size=preview_size)))
     write_text(folder / REPORT, json.dumps(plain(garment.report), indent=2, allow_nan=False) + "\n")
-    return folder
 
 
 def plain(value: Any) -> Any:

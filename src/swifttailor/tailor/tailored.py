@@ -81,8 +81,10 @@ class Tailored:
 
     @property
     def needs_a_look(self) -> bool:
-        """Whether something is wrong with it, or may be."""
-        faulty = any(f.severity is not Severity.INFO for f in self.findings)
+        """Whether something is wrong with it, or may be, or it is not all that was asked for."""
+        faulty = (
+            any(f.severity is not Severity.INFO for f in self.findings) or self.answer.is_other_than_wanted
+        )
         return faulty or bool(self.warnings) or not self.report.get("quality", {"accepted": True})["accepted"]
 
     @cached_property
@@ -122,16 +124,18 @@ class Tailored:
         Raises:
             InputError: The folder cannot be written.
         """
-        from swifttailor.garment.folder import REPORT, save_folder
+        from swifttailor.garment.folder import REPORT, save_folder, undone_if_it_fails
         from swifttailor.ggi.file import GGI_FILE, write_ggi
 
         folder = Path(folder)
-        self._save_seen(folder)
-        if images:
-            write_ggi(self.images, folder / GGI_FILE)
-        elif (folder / REPORT).is_file():
-            (folder / GGI_FILE).unlink(missing_ok=True)
-        return save_folder(self.garment, folder, body=self.body, preview=preview, preview_size=PREVIEW_SIZE)
+        with undone_if_it_fails(folder, (GGI_FILE, SEEN)):
+            self._save_seen(folder)
+            if images:
+                write_ggi(self.images, folder / GGI_FILE)
+            elif (folder / REPORT).is_file():
+                (folder / GGI_FILE).unlink(missing_ok=True)
+            save_folder(self.garment, folder, body=self.body, preview=preview, preview_size=PREVIEW_SIZE)
+        return folder
 
     def _save_seen(self, folder: Path) -> None:
         """What was looked at in pictures; that of an earlier garment is removed."""

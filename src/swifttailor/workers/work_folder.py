@@ -10,7 +10,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import IO, Any, Self
 
-from swifttailor.errors import InputError
+from swifttailor.atomic_files import START_AGAIN, disk_full, is_disk_full
+from swifttailor.errors import DiskFullError, InputError
 
 LOCK = ".lock"
 
@@ -72,6 +73,8 @@ class RecordFile:
             self._stream.flush()
             os.fsync(self._stream.fileno())
         except OSError as error:
+            if is_disk_full(error):
+                raise DiskFullError(f"{disk_full(self.path)} {START_AGAIN}") from error
             raise InputError(
                 f"Cannot write '{self.path}': {error.strerror or error}. "
                 "What was done so far is kept; the same command goes on with it."
