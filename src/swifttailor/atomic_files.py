@@ -82,7 +82,7 @@ def would_be_replaced(path: Path, why: str = "by another") -> InputError:
         why: End of the sentence that says so.
     """
     if path.exists() and not path.is_file():
-        return InputError(f"'{path}' is in the way: it is not a file. Choose another name.")
+        return InputError(f"Cannot write '{path}': what has that name is not a file. Choose another name.")
     return InputError(
         f"'{path}' would be replaced {why}. Choose another name or folder, move the file away, or let it be "
         "replaced with --overwrite (in Python: overwrite=True)."

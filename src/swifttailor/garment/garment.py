@@ -126,8 +126,9 @@ class Garment:
         Raises:
             InputError: The folder cannot be written, or there are such files and not `overwrite`.
         """
-        from swifttailor.garment.folder import save_garment
+        from swifttailor.garment.folder import names_written, save_garment
         from swifttailor.output_folder import OutputFolder
 
         with OutputFolder(folder, overwrite=overwrite) as output:
+            output.require_own(names_written(preview=preview))
             return save_garment(self, output, body=body, preview=preview)

@@ -131,7 +131,10 @@ class Tailored:
         Raises:
             InputError: The folder cannot be written, or there are such files and not `overwrite`.
         """
+        from swifttailor.garment.folder import names_written
+
         with OutputFolder(folder, overwrite=overwrite) as output:
+            output.require_own(names_written(preview=preview))
             return self.save_in(output, preview=preview, images=images)
 
     def save_in(self, output: OutputFolder, *, preview: bool = True, images: bool = True) -> Path:
