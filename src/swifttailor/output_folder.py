@@ -48,13 +48,20 @@ class FolderLock:
         """
         self._path = folder / LOCK
         self._made: list[Path] = []
+        try:
+            self._take(folder, work)
+        except BaseException:
+            _remove_empty(self._made)
+            raise
+
+    def _take(self, folder: Path, work: str) -> None:
         for _ in range(_TRIES):
             self._made = _make(folder) + self._made
             try:
                 self._stream = self._path.open("ab")
             except FileNotFoundError:  # somebody who had made the folder for nothing has removed it
                 continue
-            if not _is_locked(self._stream.fileno()):
+            if not _take_lock(self._stream.fileno()):
                 self._stream.close()
                 raise InputError(
                     f"Another {work} is at work in '{folder}'. Wait for it or choose another --out."
@@ -187,6 +194,8 @@ class OutputFolder:
         before, lists = staging / ".before", staging / ".lists"
         for part in (before, lists):
             part.mkdir()
+        if listed:
+            shutil.copy2(self.folder / LIST, lists / "before")
         (lists / "both").write_text(_list_text(both), encoding="utf-8")
         (lists / "new").write_text(_list_text(kept | new), encoding="utf-8")
 
@@ -196,14 +205,14 @@ class OutputFolder:
 
         def move(source: Path, target: Path) -> None:
             moves.append((source, target))
-            os.rename(source, target)
+            os.replace(source, target)
 
         def put(source: Path | None, name: str, number: int) -> None:
             target, old = self.folder / name, before / str(number)
             if os.path.lexists(target):
                 refused = would_be_replaced(target, _WHY)
                 move(target, old)  # looked at where nobody can change it any more
-                if name != LIST and not self._may_replace(old, listed.get(name, set())):
+                if not self._may_replace(old, listed.get(name, set())):
                     raise refused
                 if name in own_sources and not self._overwrite and _digest(old) != digests[name]:
                     raise refused
@@ -212,14 +221,16 @@ class OutputFolder:
                 move(source, target)
 
         try:
-            put(lists / "both", LIST, 0)
-            for number, name in enumerate((*names, *gone), 1):
+            move(lists / "both", self.folder / LIST)
+            for number, name in enumerate((*names, *gone)):
                 put(staging / name if name in digests else None, name, number)
-            put(lists / "new", LIST, len(names) + len(gone) + 1)
+            move(lists / "new", self.folder / LIST)
         except BaseException:  # Ctrl-C too
             for source, target in reversed(moves):
                 with suppress(FileNotFoundError):  # the move that failed
-                    os.rename(target, source)
+                    os.replace(target, source)
+            if (lists / "before").exists():
+                os.replace(lists / "before", self.folder / LIST)
             _remove_empty(made)
             raise
 
@@ -273,8 +284,12 @@ def _make(folder: Path) -> list[Path]:
     while not at.exists() and at != at.parent:
         missing.append(at)
         at = at.parent
-    for one in reversed(missing):
-        one.mkdir(exist_ok=True)
+    try:
+        for one in reversed(missing):
+            one.mkdir(exist_ok=True)
+    except BaseException:
+        _remove_empty(missing)
+        raise
     return missing
 
 
@@ -296,7 +311,7 @@ def _is_same(source: Path, path: Path) -> bool:
     return False
 
 
-def _is_locked(handle: int) -> bool:
+def _take_lock(handle: int) -> bool:
     """Locks a file, unless another process has."""
     try:
         import fcntl
