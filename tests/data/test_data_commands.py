@@ -89,7 +89,7 @@ def test_verify_render_and_stats(dataset, capsys):
     assert run(["data", "stats", str(dataset), "--samples", "1", "--workers", "1"]) == 0
     assert "train: 2 of 2 patterns accepted (100.0%)" in capsys.readouterr().out
     names = {p.name for p in (dataset / "stats").iterdir()}
-    assert names == {"index.html", "pictures", "stats.json", "train-01.png"}
+    assert names == {".swifttailor", "index.html", "pictures", "stats.json", "train-01.png"}
     assert run(["data", "stats", str(dataset / "train"), "--samples", "0", "--workers", "1", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["train"]["accepted"] == 2
     next((dataset / "train").glob("shard-*")).write_bytes(b"")

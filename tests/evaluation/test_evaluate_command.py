@@ -82,7 +82,7 @@ def test_the_command_prints_tables_and_writes_what_is_behind_them(data, tmp_path
     assert "split validation: 3 of 3 garments, seed 0" in shown and "tiny_sewer.onnx" in shown
     assert "commit" in shown and "cores" in shown and "paper: GarmentSewer, L_reg + L_stitch" in shown
     names = {p.name for p in out.iterdir()}
-    assert names == {"tables.txt", "summary.json", "garments.jsonl", "sheet-01.png"}
+    assert names == {"tables.txt", "summary.json", "garments.jsonl", "sheet-01.png", ".swifttailor"}
     assert (out / "tables.txt").read_text() == shown
     lines = [json.loads(line) for line in (out / "garments.jsonl").read_text().splitlines()]
     assert [line["id"] for line in lines] == ["short", "shirt", "long"]
@@ -230,8 +230,8 @@ def test_drapes_of_different_makes_are_not_mixed(draped, data, tmp_path):
 def test_damaged_records_are_named(draped, tmp_path):
     reader = SplitReader(draped / "validation")
     folder = tmp_path / RECORDS
-    folder.mkdir()
     redraper = Redraper(reader, tmp_path)
+    folder.mkdir()
     (folder / "000000.json").write_text("{")
     with pytest.raises(InputError, match=r"000000\.json' is damaged"):
         redraper.run([0])
