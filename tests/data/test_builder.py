@@ -250,7 +250,7 @@ def start_slow_build(source: Path, out: Path, folder: Path) -> subprocess.Popen:
     )
     return subprocess.Popen(
         [sys.executable, str(script), str(source), str(out)],
-        env={**os.environ, "PYTHONPATH": str(Path(__file__).parent)},
+        env=os.environ | {"PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path])},
         # A shell that starts the tests in the background has them ignore Ctrl-C, and children inherit that.
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )

@@ -157,7 +157,7 @@ def test_interrupted_batches_leave_a_summary(number, tmp_path):
     )
     script = tmp_path / "script.py"
     script.write_text(program)
-    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parent)}
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path])}
     process = subprocess.Popen(
         [sys.executable, str(script), str(source), str(out)],
         env=environment,
@@ -233,7 +233,8 @@ def test_a_damaged_archive_gives_what_it_can(tmp_path):
 @pytest.mark.parametrize(
     "id",
     ["../up", "/tmp/x", "..", ".", "a/b", "a\\b", "C:x", "con", "NUL", "summary.json", "sheet-01.png",
-     ".swifttailor", ".swifttailor.lock", ".swifttailor-unfinished-1", "k\u00f6rper", "a b", "-rf", "x" * 200],
+     ".swifttailor", ".swifttailor.lock", ".swifttailor-unfinished-1", "k\u00f6rper", "a b",
+     "-rf", "x" * 200],
 )  # fmt: skip
 def test_ids_never_leave_the_folder(id, tmp_path):
     name = folder_name(id)

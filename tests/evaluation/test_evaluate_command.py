@@ -24,6 +24,7 @@ pytestmark = pytest.mark.usefixtures("fewer_points")
 
 TINY = Path(__file__).parents[1] / "garment_sewer" / "tiny_sewer.onnx"
 """An untrained network: it predicts its prior."""
+TINY_MAKER = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
 
 
 def arguments(data: Path, *more: str) -> list[str]:
@@ -257,3 +258,35 @@ def test_unknown_and_no_evaluations(capsys):
     assert run(["evaluate"]) == 2 and "usage: swifttailor evaluate" in capsys.readouterr().err
     assert run(["evaluate", "taste"]) == 2 and "no command 'evaluate taste'" in capsys.readouterr().err
     assert run(["evaluate", "--help"]) == 0 and "drape-floor" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("command", "name"),
+    [
+        *(("garment-sewer", n) for n in ("garments.jsonl", "summary.json", "tables.txt", "sheet-01.png")),
+        *(("drape-floor", n) for n in ("garments.jsonl", "summary.json", "tables.txt", "redrapes.json")),
+        ("drape-floor", "redrapes/000000.npy"),
+        *(("picture-reader", n) for n in ("summary.json", "tables.txt")),
+        *(("pattern-maker", n) for n in ("scores.jsonl", "summary.json", "tables.txt", "settings.json")),
+        *(("pattern-maker", n) for n in ("answers.jsonl", "samples.jsonl")),
+    ],
+)
+def test_files_of_others_stay(command, name, data, tmp_path, capsys, monkeypatch):
+    (tmp_path / name).parent.mkdir(exist_ok=True)
+    (tmp_path / name).write_text("my own work, without an end of line")
+    before = (tmp_path / name).stat().st_mtime_ns
+    asked = {
+        "garment-sewer": arguments(data)[1:],
+        "drape-floor": ["drape-floor", "--data", str(data), "--limit", "1"],
+        "picture-reader": ["picture-reader", "--data", str(data), "--limit", "1"],
+        "pattern-maker": [
+            *("pattern-maker", "--patterns", str(data / "validation"), "--limit", "1", "--samples", "0"),
+            *("--network-alone", "--weights", str(TINY_MAKER), "--tasks", "text"),
+        ],
+    }[command]
+    assert run(["evaluate", *asked, "--out", str(tmp_path)]) == 2
+    said = capsys.readouterr().err
+    assert str(tmp_path) in said
+    assert "would be replaced" in said or "does not belong" in said or "Cannot read" in said
+    assert (tmp_path / name).read_text() == "my own work, without an end of line"
+    assert (tmp_path / name).stat().st_mtime_ns == before
