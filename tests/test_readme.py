@@ -219,7 +219,7 @@ def test_the_guide_lists_every_option_of_generate_and_edit():
     table = (ROOT / "docs/generate.md").read_text().split("## Options")[1].split("## ")[0]
     shown = {option.removeprefix("no-") for option in re.findall(r"`--([a-z-]+)`", table)}
     fields = {f.name.replace("_", "-") for kind in (Generate, Edit) for f in dataclasses.fields(kind)}
-    assert shown == fields - {"text", "pattern", "instruction", "out"}
+    assert shown == fields - {"text", "pattern", "instruction"}
 
 
 @pytest.mark.skipif(not shutil.which("make"), reason="make is not installed")
