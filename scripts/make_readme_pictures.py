@@ -112,7 +112,7 @@ def main() -> None:
     draw_words_to_garment()
     draw_sewn()
     pattern = swifttailor.draft("shirt-dress")
-    write_svg(pattern, FOLDER / "shirt-dress-pattern.svg")
+    write_svg(pattern, FOLDER / "shirt-dress-pattern.svg", overwrite=True)
     garment = swifttailor.drape(pattern)
     picture = render_preview(garment, swifttailor.Body.default(), size=SIZE)
     # 256 colours without dithering: a third of the size, no visible loss on a plain backdrop.

@@ -159,7 +159,11 @@ def test_reading_alone_makes_nothing(shown, tmp_path, capsys):
     assert run([*shown, "--read"]) == 0
     printed = capsys.readouterr().out
     assert "how long both sleeves are: long (95%)" in printed and "lower (97%)" in printed
-    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["reading.json", "seen.png"]
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == [
+        ".swifttailor",
+        "reading.json",
+        "seen.png",
+    ]
     (told,) = json.loads((tmp_path / "out" / "reading.json").read_text())
     assert told["file"] == "photo.png" and [p["part"] for p in told["parts"]] == ["upper", "lower"]
 

@@ -1,4 +1,4 @@
-"""What makes work on a folder resumable: a lock, lines that survive a crash, and the same settings."""
+"""What makes work on a folder resumable: lines that survive a crash, and the same settings."""
 
 from __future__ import annotations
 
@@ -8,40 +8,15 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
-from typing import IO, Any, Self
+from typing import Any, Self
 
-from swifttailor.atomic_files import START_AGAIN, disk_full, is_disk_full
+from swifttailor.atomic_files import disk_full, is_disk_full
 from swifttailor.errors import DiskFullError, InputError
+from swifttailor.output_folder import FolderLock
 
-LOCK = ".lock"
-
-
-class FolderLock:
-    """Held while this process works on a folder; use as a context manager."""
-
-    def __init__(self, folder: Path, work: str) -> None:
-        """Takes the lock.
-
-        Args:
-            folder: Must exist.
-            work: What is being done there, for the message ("batch").
-
-        Raises:
-            InputError: Another process holds it.
-        """
-        self._stream = _lock(folder, work)
-
-    def __enter__(self) -> FolderLock:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.release()
-
-    def release(self) -> None:
-        """Lets others in; also happens when the process ends in whatever way."""
-        self._stream.close()
+_START_AGAIN = (
+    "Make room, and start the same command again: what is done is kept, and it goes on with the rest."
+)
 
 
 class RecordFile:
@@ -65,7 +40,8 @@ class RecordFile:
             record: JSON values.
 
         Raises:
-            InputError: The disk is full, or the file cannot be written for another reason.
+            InputError: The file cannot be written.
+            DiskFullError: There is no room for it.
         """
         line = json.dumps(record, allow_nan=False).encode() + b"\n"
         try:
@@ -74,7 +50,7 @@ class RecordFile:
             os.fsync(self._stream.fileno())
         except OSError as error:
             if is_disk_full(error):
-                raise DiskFullError(f"{disk_full(self.path)} {START_AGAIN}") from error
+                raise disk_full(self.path) from error
             raise InputError(
                 f"Cannot write '{self.path}': {error.strerror or error}. "
                 "What was done so far is kept; the same command goes on with it."
@@ -89,7 +65,10 @@ class RecordFile:
 
 
 class WorkFolder(ABC):
-    """A folder that one process at a time works on; use as a context manager."""
+    """A folder that one process at a time works on; use as a context manager.
+
+    Where the disk is full, the error that leaves it says how to go on.
+    """
 
     def __init__(self, folder: Path) -> None:
         """Nothing is touched before the context is entered."""
@@ -102,11 +81,15 @@ class WorkFolder(ABC):
             self._open()
         except OSError as error:
             self._close()
+            if is_disk_full(error):
+                raise _to_go_on(disk_full(self.folder)) from error
             raise InputError(
                 f"The folder '{self.folder}' cannot be used: {error.strerror or error}."
             ) from error
-        except BaseException:
+        except BaseException as error:
             self._close()
+            if isinstance(error, DiskFullError):
+                raise _to_go_on(error) from error
             raise
         return self
 
@@ -114,6 +97,8 @@ class WorkFolder(ABC):
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self._close()
+        if isinstance(error, DiskFullError):
+            raise _to_go_on(error) from error
 
     @abstractmethod
     def _open(self) -> None:
@@ -124,6 +109,10 @@ class WorkFolder(ABC):
             self._file.close()
         if self._lock is not None:
             self._lock.release()
+
+
+def _to_go_on(error: DiskFullError) -> DiskFullError:
+    return DiskFullError(f"{error} {_START_AGAIN}")
 
 
 def differences(before: dict[str, Any], now: dict[str, Any]) -> str:
@@ -149,19 +138,3 @@ def _read_records(path: Path) -> Iterator[dict[str, Any]]:
                 yield record
     if sound < path.stat().st_size:
         os.truncate(path, sound)
-
-
-def _lock(folder: Path, work: str) -> IO[bytes]:
-    stream = (folder / LOCK).open("wb")
-    try:
-        import fcntl
-    except ImportError:  # Windows: two at work on one folder are not noticed
-        return stream
-    try:
-        fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError as error:
-        stream.close()
-        raise InputError(
-            f"Another {work} is at work in '{folder}'. Wait for it or choose another --out."
-        ) from error
-    return stream

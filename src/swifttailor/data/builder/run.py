@@ -9,7 +9,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from swifttailor.atomic_files import START_AGAIN, disk_full
+from swifttailor.atomic_files import disk_full
 from swifttailor.data.builder.make_sample import (
     FAILED,
     REJECTED,
@@ -23,7 +23,7 @@ from swifttailor.data.builder.settings import BuildSettings
 from swifttailor.data.builder.split_folder import SplitFolder, input_checksum
 from swifttailor.data.index import SplitIndex
 from swifttailor.draping.batch.make_garment import DISK_FULL
-from swifttailor.errors import DiskFullError, InputError
+from swifttailor.errors import InputError
 from swifttailor.pattern.pattern_list import BatchPattern
 from swifttailor.workers import Outcome, sigterm_as_interrupt
 
@@ -70,8 +70,9 @@ def build_split(
         The index of the split.
 
     Raises:
-        InputError: The patterns, the settings or the folder cannot be used; the disk is full; the input has
-            changed since an earlier call.
+        InputError: The patterns, the settings or the folder cannot be used; the input has changed since an
+            earlier call.
+        DiskFullError: There is no room for a sample; the same call goes on with it and the rest.
         SimulationError: No worker can be started.
         KeyboardInterrupt: After Ctrl-C or SIGTERM.
     """
@@ -91,7 +92,7 @@ def build_split(
                 for outcome in outcomes:
                     made = not_made(outcome.task, FAILED, outcome.lost) if outcome.lost else outcome.result
                     if made.record["status"] == DISK_FULL:
-                        raise DiskFullError(f"{disk_full(folder.folder)} {START_AGAIN}")
+                        raise disk_full(folder.folder)
                     work.take_in(made)
         finally:
             outcomes.close()
