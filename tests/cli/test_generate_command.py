@@ -10,6 +10,7 @@ import pytest
 from PIL import Image
 
 from swifttailor.cli.main import run
+from swifttailor.errors import InputError
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern import load_pattern, write_pattern
@@ -156,10 +157,11 @@ def test_a_pattern_is_edited_from_a_file_or_a_folder(write, tmp_path, capsys):
     write([draft("t-shirt")])
     write_pattern(draft("tank-top"), tmp_path / "top.json")
     assert (
-        command("edit", tmp_path / "top.json", "add sleeves", "--out", tmp_path / "one", "--no-preview") == 0
+        command("edit", tmp_path / "top.json", "add short sleeves", "--out", tmp_path / "one", "--no-preview")
+        == 0
     )
     report = Garment.load(tmp_path / "one").report
-    assert (report["order"]["edited"], report["order"]["text"]) == ("top", "add sleeves")
+    assert (report["order"]["edited"], report["order"]["text"]) == ("top", "add short sleeves")
     write([draft("tank-top")])
     assert command("edit", tmp_path / "one", "no sleeves", "--out", tmp_path / "two", "--no-preview") == 0
     panels = {p.name for p in load_pattern(tmp_path / "two" / "pattern.json").panels}
@@ -188,21 +190,26 @@ def test_the_pattern_that_is_edited_is_never_replaced(write, tmp_path, capsys):
     assert (tmp_path / "pattern.json").read_bytes() == before
 
 
-def test_which_way_a_folder_means_its_angles(tmp_path):
-    from swifttailor.cli.edit import Edit
+def test_which_way_a_folder_means_its_angles(tmp_path, monkeypatch):
+    read: list[str] = []
 
-    report = {"edge_length_cm": 2.0, "rotation": "extrinsic"}
-    (tmp_path / "report.json").write_text(json.dumps(report))
+    def refuse(source, rotation):
+        read.append(rotation)
+        raise InputError("read")
 
-    def rotation(pattern: Path, **more):
-        source = tmp_path / "pattern.json"
-        return Edit(pattern=pattern, instruction="x", out=tmp_path / "out", **more)._rotation(source)
+    monkeypatch.setattr("swifttailor.pattern.read_pattern_file", refuse)
+    pattern = write_pattern(draft("t-shirt"), tmp_path / "pattern.json") or tmp_path / "pattern.json"
 
-    assert rotation(tmp_path) == "extrinsic"
-    assert rotation(tmp_path, rotation="intrinsic") == "intrinsic"
-    assert rotation(tmp_path / "pattern.json") == "intrinsic", "a file says nothing of its folder"
-    (tmp_path / "report.json").write_text("[]")
-    assert rotation(tmp_path) == "intrinsic"
+    def rotation(source: Path, report: object, *more: str) -> str:
+        (tmp_path / "report.json").write_text(json.dumps(report))
+        assert command("edit", source, "longer", "--out", tmp_path / "out", *more) == 2
+        return read[-1]
+
+    told = {"edge_length_cm": 2.0, "rotation": "extrinsic"}
+    assert rotation(tmp_path, told) == "extrinsic"
+    assert rotation(tmp_path, told, "--rotation", "intrinsic") == "intrinsic"
+    assert rotation(pattern, told) == "intrinsic", "a file says nothing of its folder"
+    assert rotation(tmp_path, []) == "intrinsic"
 
 
 @pytest.mark.parametrize(

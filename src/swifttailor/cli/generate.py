@@ -120,10 +120,7 @@ class Generate(Making):
 
     def _require_request(self) -> None:
         if not self.text.strip() and not self.image:
-            raise InputError(
-                'Nothing was requested. Describe a garment: swifttailor generate "a long dress" --out DIR, '
-                "or give a picture of one: --image FILE"
-            )
+            raise self.nothing_requested()
         if not self.image and Path(self.text.strip()).suffix.lower() in PICTURES:
             raise InputError(
                 f"'{self.text}' looks like a picture's name and was given as the text. To use the picture: "

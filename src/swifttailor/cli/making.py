@@ -74,9 +74,8 @@ class Making(GarmentResults):
         Raises:
             InputError: There are more words than operands, or there are no arguments.
         """
-        name = cls.__name__.lower()
         if not arguments:
-            raise InputError(f"{cls.asks_for} For example: swifttailor {name} {cls.example}")
+            raise cls.nothing_requested()
         words = [word for word in operands(cls, arguments) if Path(word).suffix.lower() not in PICTURES]
         count = sum("Positional" in str(field.type) for field in fields(cls))
         if {"-h", "--help"}.isdisjoint(arguments) and len(words) > count:
@@ -84,7 +83,18 @@ class Making(GarmentResults):
             text = " ".join(words[count - 1 :])
             out = arguments.index("--out") if "--out" in arguments[:-1] else None
             where = "" if out is None else f" --out {arguments[out + 1]}"
-            raise InputError(f'Put the words in quotes: swifttailor {name} {before}"{text}"{where}')
+            raise InputError(f'Put the words in quotes: {cls._command()} {before}"{text}"{where}')
+
+    @classmethod
+    def nothing_requested(cls) -> InputError:
+        """The error that shows how the command is used."""
+        return InputError(
+            f"Nothing was requested. {cls.asks_for} For example: {cls._command()} {cls.example}"
+        )
+
+    @classmethod
+    def _command(cls) -> str:
+        return f"swifttailor {cls.__name__.lower()}"
 
     def require_options(self) -> None:
         """Refuses what cannot work before anything is loaded.
