@@ -18,7 +18,7 @@ PATTERN_ENDINGS = (".svg", ".json")
 class Convert:
     """Convert a sewing pattern or a garment to another format, chosen by the target's ending.
 
-    A pattern (.json) becomes .svg or .json; this version writes no PDF. A garment (.glb, .obj, .ply, .stl,
+    A pattern (.json) becomes .svg or .json; this version cannot write PDF. A garment (.glb, .obj, .ply, .stl,
     .usd, .usda, .usdc, .usdz, or a folder written by another command) becomes any of these. A folder is taken
     as its pattern where the target is a pattern's format.
     """
@@ -98,7 +98,12 @@ class Convert:
 
 def _why_not(ending: str) -> str:
     if ending == ".pdf":
-        return "this version cannot write PDF; an .svg in true size can be opened and printed by any browser"
+        from swifttailor import __version__
+
+        return (
+            f"SwiftTailor {__version__} and earlier cannot write PDF; an .svg in true size can be opened and "
+            "printed by any browser"
+        )
     return f"the ending '{ending}' is unknown" if ending else "the name has no ending that tells a format"
 
 

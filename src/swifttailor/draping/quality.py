@@ -23,7 +23,7 @@ MAX_SELF_INTERSECTIONS = 300
 MAX_STRAIN_P95 = 0.12
 WHEN_TOO_TIGHT = (
     'Make it wider where it is tight, as with swifttailor edit ... "make it 5 cm wider around the chest", or '
-    "give the body that it is for (--body)."
+    "drape it over the body that it is for (swifttailor drape --body)."
 )
 MAX_PENETRATING_FRACTION = 0.01
 
@@ -131,10 +131,8 @@ def not_accepted_line(quality: Mapping[str, Any]) -> str:
     """
     if quality["accepted"]:
         return ""
-    line = f"not accepted: {'; '.join(quality['reasons'])}"
-    if quality.get("strain_p95", 0.0) > MAX_STRAIN_P95:
-        line += f". {WHEN_TOO_TIGHT}"
-    return line
+    line = f"not accepted: {'; '.join(quality['reasons'])}."
+    return f"{line} {WHEN_TOO_TIGHT}" if quality.get("strain_p95", 0.0) > MAX_STRAIN_P95 else line
 
 
 def _reasons(q: dict[str, Any]) -> tuple[str, ...]:
