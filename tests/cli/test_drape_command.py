@@ -9,11 +9,14 @@ import pytest
 
 import swifttailor.draping
 from swifttailor.cli.main import run
+from swifttailor.describing.differences import Step
 from swifttailor.draping import FABRICS
 from swifttailor.draping.engines import engine_names
+from swifttailor.draping.quality import WHEN_TOO_TIGHT, not_accepted_line
 from swifttailor.output_folder import OutputFolder
 from swifttailor.pattern import Pattern, load_pattern
 from swifttailor.pattern.drafts import draft
+from swifttailor.wishes.reader import SURE, WishReader
 
 FILES = ["garment.glb", "garment.obj", "pattern.json", "pattern.svg", "preview.png", "report.json"]
 COARSE = ["--edge-length", "6"]
@@ -64,6 +67,18 @@ def test_a_garment_beyond_the_limits_is_written_with_the_reasons(skirt, tmp_path
         ".swifttailor",
         *(f for f in FILES if f != "preview.png"),
     ]
+
+
+@pytest.mark.parametrize(("strain", "advised"), [(0.28, True), (0.12, False)])
+def test_what_is_too_tight_says_what_to_do(strain, advised):
+    quality = {"accepted": False, "reasons": ["too tight", "slid down"], "strain_p95": strain}
+    line = not_accepted_line(quality)
+    assert line.startswith("not accepted: too tight; slid down.")
+    assert line.endswith(WHEN_TOO_TIGHT) == advised
+    assert not_accepted_line(quality | {"accepted": True}) == ""
+    words = re.findall('"(.*?)"', WHEN_TOO_TIGHT)
+    wishes = WishReader.load().read(words[0], instruction=True)
+    assert [wish.change for wish in wishes if wish.certainty >= SURE] == [Step("chest", 1, 5.0)]
 
 
 def test_json_is_the_report(skirt, tmp_path, capsys):
