@@ -112,6 +112,21 @@ _KINDS: Mapping[str, _Kind] = {
         "it seems to stand upside down or the wrong way round, and would twist when sewn",
         "turn the placement by 180 degrees in the panel's plane",
     ),
+    "misread-angles": _Kind(
+        _WARNING,
+        "panels turned the wrong way are sewn in twisted",
+        "--repair writes the angles anew",
+    ),
+    "misplaced-panel": _Kind(
+        _WARNING,
+        "cloth is sewn together where it stands, on the wrong part of the body or beside it",
+        "move its translation to where it is worn",
+    ),
+    "high-sleeve": _Kind(
+        _WARNING,
+        "it was placed for a body in T-pose; this body's arms hang down, and pass through the cloth",
+        "--repair turns it down to the arm",
+    ),
     "far-placement": _Kind(
         _WARNING,
         "its seams are stretched over metres before sewing and catch on the body",
