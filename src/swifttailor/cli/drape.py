@@ -22,8 +22,9 @@ from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
+    from swifttailor.pattern import Finding
 
-NOT_ACCEPTED = 1
+SOMETHING_TO_LOOK_AT = 1
 UNUSABLE = 2
 
 
@@ -37,8 +38,9 @@ class Drape:
     own, with results.jsonl, summary.json and sheets of the previews. Started again, it goes on where it
     stopped.
 
-    Exit code 0: made, and within the limits of quality; 1: made, but something is beyond the limits (with
-    --batch: for some garment, or some failed); 2: not made.
+    Exit code 0: made, and within the limits of quality; 1: made, but there are warnings about the pattern or
+    something is beyond the limits (with --batch: beyond the limits for some garment, or some failed); 2: not
+    made.
     """
 
     pattern: Annotated[tyro.conf.Positional[Path | None], tyro.conf.arg(metavar="PATTERN")] = None
@@ -138,13 +140,14 @@ class Drape:
         reading = read_pattern_file(source, rotation=self.rotation)
         with StageProgress() as progress:
             from swifttailor.body import Body
+            from swifttailor.body.probe import probe_body
             from swifttailor.draping import drape, get_fabric
             from swifttailor.draping.compiled_code import COMPILE_NOTE, solver_is_compiled
             from swifttailor.draping.sewable import require_sewable
 
             fabric = get_fabric(self.fabric)
-            sewable = require_sewable(reading, str(source), repair=self.repair)
             body = Body.default() if self.body is None else Body.load(self.body)
+            sewable = require_sewable(reading, str(source), repair=self.repair, body=probe_body(body))
             loaded = time.perf_counter()
             if not solver_is_compiled():
                 progress.note(COMPILE_NOTE)
@@ -166,14 +169,17 @@ class Drape:
         if self.json:
             _print_json(garment.report)
         else:
-            self._print_summary(garment, saving)
-        return 0 if garment.report["quality"]["accepted"] else NOT_ACCEPTED
+            self._print_summary(garment, sewable.findings, saving)
+        accepted = garment.report["quality"]["accepted"] and not sewable.doubtful
+        return 0 if accepted else SOMETHING_TO_LOOK_AT
 
-    def _print_summary(self, garment: Garment, saving: float) -> None:
+    def _print_summary(self, garment: Garment, findings: tuple[Finding, ...], saving: float) -> None:
         report = garment.report
         quality = report["quality"]
         for change in report.get("mended", ()):
             print(f"Mended {change}")  # noqa: T201
+        for finding in findings:
+            print(finding.line())  # noqa: T201
         if quality["accepted"]:
             verdict = "Accepted: it hangs at rest, within all limits of quality."
         else:

@@ -127,6 +127,11 @@ _KINDS: Mapping[str, _Kind] = {
         "it was placed for a body in T-pose; this body's arms hang down, and pass through the cloth",
         "--repair turns it down to the arm",
     ),
+    "spread-leg": _Kind(
+        _WARNING,
+        "it was placed for a body with its legs apart, and is sewn together beside the leg",
+        "--repair turns it down to the leg",
+    ),
     "far-placement": _Kind(
         _WARNING,
         "its seams are stretched over metres before sewing and catch on the body",

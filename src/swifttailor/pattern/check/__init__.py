@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.change import Change
 from swifttailor.pattern.check.checker import check_pattern
 from swifttailor.pattern.check.covering import hangs_from_shoulders, panel_regions
 from swifttailor.pattern.check.placement_checks import BodyProbe, SignedDistance
 from swifttailor.pattern.check.repair import Repair, repair_pattern
 from swifttailor.pattern.check.stitch_checks import SeamFit, judge_lengths
-from swifttailor.pattern.check.worn_place import BodyLevels
 
 __all__ = [
     "BodyLevels",

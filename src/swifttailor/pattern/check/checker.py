@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import lru_cache
 
+from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.outline import trace_outline
 from swifttailor.pattern.check.panel_checks import check_panel
 from swifttailor.pattern.check.placement_checks import (
@@ -16,7 +17,7 @@ from swifttailor.pattern.check.placement_checks import (
 )
 from swifttailor.pattern.check.seam_direction import judge_directions
 from swifttailor.pattern.check.stitch_checks import check_stitches, single_stitches, usable_stitches
-from swifttailor.pattern.check.worn_place import BodyLevels, judge_worn_place
+from swifttailor.pattern.check.worn_place import judge_worn_place
 from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.pattern import Pattern
 

@@ -10,9 +10,10 @@ import shapely
 
 from swifttailor.arrays import Floats
 from swifttailor.errors import PatternError
+from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.outline import Outline
 from swifttailor.pattern.check.seam_direction import Directions
-from swifttailor.pattern.check.worn_place import BodyLevels, WornPlace, height_in_words
+from swifttailor.pattern.check.worn_place import WornPlace, height_in_words
 from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.finding_kinds import found
 from swifttailor.pattern.pattern import Pattern
@@ -116,17 +117,12 @@ def _worn(outlines: dict[str, Outline], place: WornPlace) -> list[Finding]:
             found("misplaced-panel", text, panel=name, value=value, repair=repair) for name in outlines
         ]
     findings += [found("misplaced-panel", s.text, panel=s.panel, value=s.value) for s in place.strays]
-    findings += [
-        found(
-            "high-sleeve",
-            f"the sleeve points {sleeve.angle:.0f} degrees below the horizontal, "
-            f"the arm {sleeve.arm_angle:.0f}",
-            panel=name,
-            value=round(sleeve.angle, 1),
-        )
-        for sleeve in place.sleeves
-        for name in sleeve.panels
-    ]
+    for pose in place.limbs:
+        code = "high-sleeve" if pose.limb == "sleeve" else "spread-leg"
+        body = "arm" if pose.limb == "sleeve" else "leg"
+        text = f"the {pose.limb} points {pose.angle:.0f} degrees below the horizontal, "
+        text += f"the body's {body} {pose.body_angle:.0f}"
+        findings += [found(code, text, panel=name, value=round(pose.angle, 1)) for name in pose.panels]
     return findings
 
 

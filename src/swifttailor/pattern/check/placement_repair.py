@@ -6,11 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.change import Change
 from swifttailor.pattern.check.outline import trace_outline
 from swifttailor.pattern.check.placement_checks import motion_in_words
 from swifttailor.pattern.check.stitch_checks import single_stitches, usable_stitches
-from swifttailor.pattern.check.worn_place import BodyLevels, WornPlace, judge_worn_place
+from swifttailor.pattern.check.worn_place import WornPlace, judge_worn_place
 from swifttailor.pattern.pattern import Pattern
 
 Step = tuple[Pattern, list[Change]]
@@ -48,22 +49,23 @@ def move_to_body(pattern: Pattern, levels: BodyLevels) -> Step:
     return replace(pattern, panels=panels), [Change("misplaced-panel", text)]
 
 
-def lower_sleeves(pattern: Pattern, levels: BodyLevels) -> Step:
-    """Turns sleeves of a body in T-pose about their armholes, down to the arms."""
+def turn_limbs(pattern: Pattern, levels: BodyLevels) -> Step:
+    """Turns sleeves and trouser legs for another pose about shoulders and hips, down to the limbs."""
     place = _place(pattern, levels)
-    if not place.sleeves or place.offset is not None:
+    if not place.limbs or place.offset is not None:
         return pattern, []
     changes = []
     panels = {p.name: p for p in pattern.panels}
-    for sleeve in place.sleeves:
-        angle = np.deg2rad(sleeve.turn)
+    for pose in place.limbs:
+        angle = np.deg2rad(pose.turn)
         c, s = np.cos(angle), np.sin(angle)
         turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-        shift = sleeve.pivot - turn @ sleeve.pivot
-        text = f"turned the panel {abs(sleeve.turn):.0f} degrees down, along the arm"
-        for name in sleeve.panels:
+        shift = pose.pivot - turn @ pose.pivot
+        code, body = ("high-sleeve", "arm") if pose.limb == "sleeve" else ("spread-leg", "leg")
+        text = f"turned the panel by {abs(pose.turn):.0f} degrees, down to the {body}"
+        for name in pose.panels:
             panels[name] = replace(panels[name], placement=panels[name].placement.moved(turn, shift))
-            changes.append(Change("high-sleeve", text, name))
+            changes.append(Change(code, text, name))
     return replace(pattern, panels=tuple(panels.values())), changes
 
 

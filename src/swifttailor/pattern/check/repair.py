@@ -8,6 +8,7 @@ from functools import partial
 
 import numpy as np
 
+from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.change import Change
 from swifttailor.pattern.check.checker import check_pattern
 from swifttailor.pattern.check.crossing_repair import MAX_MOVE_CM, mend_crossings
@@ -15,10 +16,9 @@ from swifttailor.pattern.check.crossings import find_crossing
 from swifttailor.pattern.check.outline import trace_outline
 from swifttailor.pattern.check.panel_checks import SLIVER_EDGE_CM, ZERO_LENGTH_CM, radius_needed
 from swifttailor.pattern.check.placement_checks import BodyProbe, SignedDistance, body_probe
-from swifttailor.pattern.check.placement_repair import lower_sleeves, move_to_body, reread_angles
+from swifttailor.pattern.check.placement_repair import move_to_body, reread_angles, turn_limbs
 from swifttailor.pattern.check.seam_direction import Directions, judge_directions
 from swifttailor.pattern.check.stitch_checks import single_stitches, usable_stitches
-from swifttailor.pattern.check.worn_place import BodyLevels
 from swifttailor.pattern.curve import Arc
 from swifttailor.pattern.finding import Finding
 from swifttailor.pattern.panel import Panel
@@ -58,10 +58,10 @@ def repair_pattern(
     """Mends what is safe to mend and leaves alone what would need a guess.
 
     Removes stitches to nowhere, of an edge with itself, and repeats; drops edges without length where the
-    seam partner is as short; raises arc radii to half the chord; rewrites angles meant the other way, moves
-    a garment that stands elsewhere to the body and turns sleeves down to the arms; reverses inside-out panels
-    and turns twisted seams where all evidence agrees; moves corners and curves out of overlaps. A pattern
-    without such findings comes back as it is.
+    seam partner is as short; raises arc radii to half the chord; rewrites angles meant the other way,
+    moves a garment that stands elsewhere to the body and turns sleeves and legs of another pose; reverses
+    inside-out panels and turns twisted seams where all evidence agrees; moves corners and curves out of
+    overlaps. A pattern without such findings comes back as it is.
 
     Args:
         pattern: As the reader returned it.
@@ -74,7 +74,7 @@ def repair_pattern(
     changes = [_reader_change(f) for f in reader_findings]
     probe = body_probe(body)
     levels = BodyLevels() if probe is None else probe.levels
-    place = [partial(step, levels=levels) for step in (reread_angles, move_to_body, lower_sleeves)]
+    place = [partial(step, levels=levels) for step in (reread_angles, move_to_body, turn_limbs)]
     free = partial(_free_crossings, largest_move=largest_move, largest_share=largest_share)
     for _ in range(_MAX_ROUNDS):
         made: list[Change] = []

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from swifttailor.arrays import Floats
+from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.covering import (
     Border,
     garment_borders,
@@ -21,7 +22,8 @@ from swifttailor.pattern.check.covering import (
     panel_regions,
     placed_edge,
 )
-from swifttailor.pattern.check.outline import Outline
+from swifttailor.pattern.check.limb_pose import LimbPose, judge_limbs
+from swifttailor.pattern.check.outline import Outline, trace_outline
 from swifttailor.pattern.names import said_region
 from swifttailor.pattern.panel import Placement, RotationReading
 from swifttailor.pattern.pattern import EdgeRef, Pattern
@@ -43,28 +45,8 @@ _STRAY_BELOW_CM = 125.0
 """Nearest seam of a panel, above and below the waist; in GarmentCode's patterns it is at most 48 and 98 cm
 away, giant flounces aside."""
 _GIANT_CM = 250.0
-_ABOVE_ARM_CM = 10.0
-_FLATTER_DEGREES = 15.0
-"""How far the end of a sleeve may be placed above the line of the arm. GarmentCode's stay within one of them:
-very long ones rise above the hand."""
 _WORSE_CM = 3.0
 _WORSE_SHARE = 0.15
-
-
-@dataclass(frozen=True, kw_only=True)
-class BodyLevels:
-    """Heights above the floor, cm, and the pose of a body; the defaults are those of the default body."""
-
-    neck: float = 145.6638
-    """Base of the neck."""
-    armpit: float = 132.7959
-    shoulder: float = 142.1809
-    """Shoulder points; they are `shoulder_x` from the middle."""
-    waist: float = 108.7725
-    hips: float = 85.2888
-    shoulder_x: float = 18.2284
-    arm_angle: float = 45.483
-    """Arm below the horizontal, degrees."""
 
 
 @dataclass(frozen=True)
@@ -94,20 +76,6 @@ class Offset:
 
 
 @dataclass(frozen=True)
-class SleevePose:
-    """A sleeve that points well above the arm, as those for a body in T-pose do."""
-
-    panels: tuple[str, ...]
-    angle: float
-    """Of its end below the horizontal, seen from the shoulder, degrees."""
-    arm_angle: float
-    pivot: Floats
-    """(3,) the shoulder, cm."""
-    turn: float
-    """Degrees about z that bring it down to the arm."""
-
-
-@dataclass(frozen=True)
 class Stray:
     """One panel far from the others."""
 
@@ -122,7 +90,7 @@ class WornPlace:
 
     misread: Misread | None = None
     offset: Offset | None = None
-    sleeves: tuple[SleevePose, ...] = ()
+    limbs: tuple[LimbPose, ...] = ()
     strays: tuple[Stray, ...] = ()
 
 
@@ -132,21 +100,25 @@ def judge_worn_place(
     """Compares the placement with where garments are worn.
 
     Args:
-        pattern: Any pattern. One whose panels were never placed is not judged.
+        pattern: Any pattern. One without seams, or whose panels were never placed, is not judged.
         outlines: Outline of each panel by name.
         single: Indices of the stitches that join two different, existing edges, each in no other stitch.
         levels: Of the body that it is placed around.
     """
-    if not any(any(p.placement.translation) or any(p.placement.rotation) for p in pattern.panels):
+    placed = any(any(p.placement.translation) or any(p.placement.rotation) for p in pattern.panels)
+    if not single or not placed:
         return WornPlace()
     sewn = [k for k in single if len({ref.panel for ref in pattern.stitches[k].sides}) == 2]
     misread = _misread(pattern, sewn)
+    if misread is not None:  # the rest is judged, and mended, as if the angles had been read well
+        pattern = pattern.with_rotation_reading(misread.reading)
+        outlines = {panel.name: trace_outline(panel) for panel in pattern.panels}
     offset, strays = _offset(pattern, outlines, levels)
     lost = {stray.panel for stray in strays}
     strays += [s for s in _far_from_seams(pattern, sewn) if s.panel not in lost]
     shift = (0.0, 0.0, 0.0) if offset is None else offset.shift
-    sleeves = _high_sleeves(pattern, outlines, sewn, levels, shift)
-    return WornPlace(misread, offset, sleeves, tuple(strays))
+    limbs = judge_limbs(pattern, outlines, levels, np.asarray(shift))
+    return WornPlace(misread, offset, limbs, tuple(strays))
 
 
 def _seam_gaps(pattern: Pattern, sewn: Sequence[int]) -> Floats:
@@ -197,9 +169,9 @@ def _offset(
         kind = "a skirt or trousers are"
         if all(said_region(p.name, p.label) is None or is_band(p.name) for p in pattern.panels):
             highest = levels.neck + _ABOVE_NECK_CM  # it may be a dress without shoulders
-    middles = {name: outlines[name].world[:, [0, 2]].mean(axis=0) for name in tops}
-    aside = np.mean(list(middles.values()), axis=0)
-    aside = aside if np.hypot(*aside) > _ASIDE_CM else np.zeros(2)
+    around = np.concatenate([outlines[name].world[:, [0, 2]] for name in tops])
+    low, high = around.min(axis=0), around.max(axis=0)
+    aside = (low + high) / 2 * ((low > _ASIDE_CM) | (high < -_ASIDE_CM)).any()
     off = {name: not lowest <= top <= highest for name, top in tops.items()}
     together = max(tops.values()) - min(tops.values()) <= _SPREAD_CM
     if together and (all(off.values()) or aside.any()):
@@ -291,54 +263,3 @@ def _far_from_seams(pattern: Pattern, sewn: Sequence[int]) -> list[Stray]:
             text = f"even its nearest seam starts {gap:.0f} cm away from what it is sewn to"
             found.append(Stray(panel.name, text, round(gap, 1)))
     return found
-
-
-def _high_sleeves(
-    pattern: Pattern,
-    outlines: Mapping[str, Outline],
-    sewn: Sequence[int],
-    levels: BodyLevels,
-    shift: tuple[float, float, float],
-) -> tuple[SleevePose, ...]:
-    """Sleeves whose ends would lie well above the arm after the pattern has been moved by `shift`."""
-    arms = {name for name, region in panel_regions(pattern).items() if region == "arm"}
-    if not arms:
-        return ()
-    inner = [s for s in pattern.stitches if all(ref.panel in arms for ref in s.sides)]
-    groups = Pattern(tuple(p for p in pattern.panels if p.name in arms), tuple(inner)).components()
-    taken = {ref for stitch in pattern.stitches for ref in stitch.sides}
-    joined = {
-        ref.panel
-        for stitch in (pattern.stitches[k] for k in sewn)
-        for ref, other in (stitch.sides, stitch.sides[::-1])
-        if other.panel not in arms
-    }
-    down = np.deg2rad(levels.arm_angle)
-    found = []
-    for group in groups:
-        free = [
-            placed_edge(outlines[name], k)
-            for name in group
-            for k in range(len(outlines[name].panel.edges))
-            if EdgeRef(name, k) not in taken
-        ]
-        if not free or joined.isdisjoint(group):
-            continue
-        end = np.concatenate(free).mean(axis=0) + shift
-        side = 1.0 if end[0] > 0 else -1.0
-        pivot = np.array([side * levels.shoulder_x, levels.shoulder, 0.0])
-        out, up = side * (end[0] - pivot[0]), end[1] - pivot[1]
-        angle = float(np.arctan2(-up, out))
-        above = out * np.sin(down) + up * np.cos(down)
-        if above <= _ABOVE_ARM_CM or down - angle <= np.deg2rad(_FLATTER_DEGREES):
-            continue
-        found.append(
-            SleevePose(
-                group,
-                float(np.rad2deg(angle)),
-                levels.arm_angle,
-                pivot - np.asarray(shift),
-                float(np.rad2deg(-side * (down - angle))),
-            )
-        )
-    return tuple(found)
