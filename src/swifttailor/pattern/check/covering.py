@@ -61,6 +61,7 @@ def panel_regions(pattern: Pattern) -> Mapping[str, BodyRegion]:
         pattern: Any pattern, faulty ones included; what was found in the latest is remembered.
     """
     said = {p.name: said_region(p.name, p.label) for p in pattern.panels}
+    said |= _cuffs(pattern, said)
     unsaid = {name for name, region in said.items() if region is None}
     regions: dict[str, BodyRegion] = {name: region for name, region in said.items() if region is not None}
     if unsaid:
@@ -110,6 +111,27 @@ def placed_edge(outline: Outline, edge: int) -> Floats:
     return outline.panel.to_world(outline.points[np.append(own, (own[-1] + 1) % len(outline.points))])
 
 
+def _cuffs(pattern: Pattern, said: Mapping[str, BodyRegion | None]) -> dict[str, BodyRegion]:
+    """Panels about which nothing is said and that only sleeves of one side hold: they go on along the arm."""
+    unsaid = [p for p in pattern.panels if said[p.name] is None]
+    if not unsaid or "arm" not in said.values():
+        return {}
+    names = {p.name for p in unsaid}
+    inner = [s for s in pattern.stitches if all(ref.panel in names for ref in s.sides)]
+    found: dict[str, BodyRegion] = {}
+    for group in Pattern(tuple(unsaid), tuple(inner)).components():
+        held = {
+            other.panel
+            for s in pattern.stitches
+            for one, other in (s.sides, s.sides[::-1])
+            if one.panel in group and other.panel not in group and other.panel in said
+        }
+        sides = {float(np.mean(pattern.panel(n).to_world(pattern.panel(n).vertices)[:, 0])) > 0 for n in held}
+        if held and all(said[n] == "arm" for n in held) and len(sides) == 1:
+            found |= dict.fromkeys(group, "arm")
+    return found
+
+
 def _judged(
     pattern: Pattern, outlines: Mapping[str, Outline], said: Mapping[str, BodyRegion], unsaid: set[str]
 ) -> dict[str, BodyRegion]:
@@ -136,7 +158,7 @@ def _judged(
         for one, other in (stitch.sides, stitch.sides[::-1]):
             if said.get(other.panel) == "arm" or is_neckwear(other.panel):
                 upper.add(one.panel)
-    sure = [float(heights[name].mean()) for name in upper if name in heights]
+    sure = [float(heights[name].mean()) for name in upper if said.get(name, "body") == "body"]
     lowest = min(sure, default=low)
     return {
         name: "body" if name in upper or float(heights[name].max()) > lowest else "leg" for name in unsaid

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -16,13 +16,11 @@ from swifttailor.pattern.pattern import EdgeRef, Pattern
 
 Limb = Literal["sleeve", "leg"]
 
-_ABOVE_ARM_CM = 10.0
-_FLATTER_DEGREES = 15.0
-"""How far the end of a sleeve may be placed above the line of the arm. GarmentCode's stay within one of them:
-very long ones rise above the hand."""
-_BESIDE_LEG_CM = 24.0
-_SPREAD_DEGREES = 15.0
-"""How far the end of a trouser leg may be placed outside the thigh; GarmentCode's are at most 21 cm away."""
+_OTHER_POSE_DEGREES = {"sleeve": 20.0, "leg": 12.0}
+"""How far sleeves and legs may point outside the limbs; GarmentCode's run along them where they
+end straight."""
+_STRAIGHT = 0.5
+"""Share of the length of an opening's edges that must run one way for it to be a straight one."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +30,7 @@ class LimbPose:
     limb: Limb
     panels: tuple[str, ...]
     angle: float
-    """Of its end below the horizontal, seen from shoulder or hip, degrees."""
+    """Below the horizontal, degrees: square to the opening at its end."""
     body_angle: float
     """The same of the body's arm or leg."""
     pivot: Floats
@@ -58,63 +56,82 @@ def judge_limbs(
     for limb in limbs:
         region, ends = ("arm", _sleeve_ends) if limb == "sleeve" else ("leg", _leg_ends)
         names = {name for name, own in regions.items() if own == region}
-        for group, end in ends(pattern, outlines, names):
-            pose = _pose(limb, group, end + shift, levels, shift)
+        for group, opening in ends(pattern, outlines, names):
+            pose = _pose(limb, group, opening, levels, shift)
             found += [] if pose is None else [pose]
     return tuple(found)
 
 
 def _pose(
-    limb: Limb, group: tuple[str, ...], end: Floats, levels: BodyLevels, shift: Floats
+    limb: Limb, group: tuple[str, ...], opening: Floats, levels: BodyLevels, shift: Floats
 ) -> LimbPose | None:
-    side = 1.0 if end[0] > 0 else -1.0
+    side = 1.0 if opening[..., 0].mean() > 0 else -1.0
     if limb == "sleeve":
-        x, y, down = levels.shoulder_x, levels.shoulder, np.deg2rad(levels.arm_angle)
+        x, y, down = levels.shoulder_x, levels.shoulder, levels.arm_angle
     else:
-        x, y, down = levels.hip_x, levels.hips, np.pi / 2
-    out, up = side * end[0] - x, end[1] - y
-    angle = float(np.arctan2(-up, out))
-    beside = out * np.sin(down) + up * np.cos(down)
-    far, steep = (_ABOVE_ARM_CM, _FLATTER_DEGREES) if limb == "sleeve" else (_BESIDE_LEG_CM, _SPREAD_DEGREES)
-    if beside <= far or down - angle <= np.deg2rad(steep):
+        x, y, down = levels.hip_x, levels.hips, 90.0
+    angle = _angle_below_horizontal(opening, side, limb)
+    if angle is None or down - angle <= _OTHER_POSE_DEGREES[limb]:
         return None
     pivot = np.array([side * x, y, 0.0]) - shift
-    turn = float(np.rad2deg(-side * (down - angle)))
-    return LimbPose(limb, group, float(np.rad2deg(angle)), float(np.rad2deg(down)), pivot, turn)
+    return LimbPose(limb, group, angle, down, pivot, -side * (down - angle))
+
+
+def _angle_below_horizontal(opening: Floats, side: float, limb: Limb) -> float | None:
+    """How steeply a tube falls that ends in the edges (k, 2, 3) as seen from the front, degrees.
+
+    It runs square to their mean direction, a sleeve outwards, a leg downwards; directions that differ by half
+    a turn are the same, so they are added at twice their angles. None where the edges run every way, as at an
+    end that is no line.
+    """
+    along = (opening[:, 1] - opening[:, 0])[:, :2] @ np.array([1.0, 1.0j])
+    length = np.abs(along)
+    total = (along**2 / np.maximum(length, 1e-9)).sum()
+    if abs(total) < _STRAIGHT * length.sum():
+        return None
+    square = 1j * np.exp(0.5j * np.angle(total))
+    out, up = float(square.real) * side, float(square.imag)
+    if (out if limb == "sleeve" else -up) < 0.0:
+        out, up = -out, -up
+    return float(np.rad2deg(np.arctan2(-up, out)))
 
 
 def _sleeve_ends(
     pattern: Pattern, outlines: Mapping[str, Outline], arms: set[str]
 ) -> Iterator[tuple[tuple[str, ...], Floats]]:
-    """Sleeves that are sewn to something else, and the middle of their free edges (3,), cm."""
+    """Sleeves that are sewn to something else, and the ends (k, 2, 3) of their free edges, cm."""
     taken = {ref for stitch in pattern.stitches for ref in stitch.sides}
     joined = set()
     for stitch in pattern.stitches:
         sides = {ref.panel for ref in stitch.sides}
         joined |= sides & arms if sides - arms else set()
     for group in _groups(pattern, arms):
-        free = [
-            placed_edge(outlines[name], k)
-            for name in group
-            for k in range(len(outlines[name].panel.edges))
-            if EdgeRef(name, k) not in taken
-        ]
+        refs = [EdgeRef(name, k) for name in group for k in range(len(outlines[name].panel.edges))]
+        free = [ref for ref in refs if ref not in taken]
         if free and not joined.isdisjoint(group):
-            yield group, np.concatenate(free).mean(axis=0)
+            yield group, _edge_ends(outlines, free)
 
 
 def _leg_ends(
     pattern: Pattern, outlines: Mapping[str, Outline], legs: set[str]
 ) -> Iterator[tuple[tuple[str, ...], Floats]]:
-    """Panels of one trouser leg, and the middle of the border at its end (3,), cm."""
+    """Panels of each trouser leg of two, and the ends (k, 2, 3) of the edges of its hem, cm."""
     sides = {name: float(outlines[name].world[:, 0].mean()) > 0 for name in legs}
+    if len(set(sides.values())) < 2:
+        return
+    borders = garment_borders(pattern, outlines)
+    found = []
     for left in (True, False):
-        own = {name for name, side in sides.items() if side == left}
-        borders = garment_borders(pattern, outlines) if own and own != legs else ()
-        for group in _groups(pattern, own):
-            ends = [b.middle for b in borders if {ref.panel for ref in b.edges} <= set(group)]
-            if ends:
-                yield group, min(ends, key=lambda middle: float(middle[1]))
+        for group in _groups(pattern, {name for name, side in sides.items() if side == left}):
+            hems = [b for b in borders if {ref.panel for ref in b.edges} <= set(group)]
+            if hems:
+                found.append((left, group, min(hems, key=lambda b: float(b.middle[1]))))
+    if len({left for left, _, _ in found}) == 2:
+        yield from ((group, _edge_ends(outlines, hem.edges)) for _, group, hem in found)
+
+
+def _edge_ends(outlines: Mapping[str, Outline], refs: Sequence[EdgeRef]) -> Floats:
+    return np.array([placed_edge(outlines[ref.panel], ref.edge)[[0, -1]] for ref in refs])
 
 
 def _groups(pattern: Pattern, names: set[str]) -> list[tuple[str, ...]]:

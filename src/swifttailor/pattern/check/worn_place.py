@@ -174,7 +174,7 @@ def _offset(
     aside = (low + high) / 2 * ((low > _ASIDE_CM) | (high < -_ASIDE_CM)).any()
     off = {name: not lowest <= top <= highest for name, top in tops.items()}
     together = max(tops.values()) - min(tops.values()) <= _SPREAD_CM
-    if together and (all(off.values()) or aside.any()):
+    if all(off.values()) or (together and aside.any()):
         top = max(tops.values()) if upper else float(np.mean(list(tops.values())))
         up = belongs - top if all(off.values()) else 0.0
         return Offset(kind, top, belongs, (-float(aside[0]), up, -float(aside[1]))), []
