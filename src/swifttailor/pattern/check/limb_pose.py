@@ -19,6 +19,8 @@ Limb = Literal["sleeve", "leg"]
 _OTHER_POSE_DEGREES = {"sleeve": 20.0, "leg": 12.0}
 """How far sleeves and legs may point outside the limbs; GarmentCode's run along them where they
 end straight."""
+_APART_CM = 6.0
+"""The middle of a leg's hem is further from the middle of the body; that of a skirt's is nearer."""
 _STRAIGHT = 0.5
 """Share of the length of an opening's edges that must run one way for it to be a straight one."""
 
@@ -124,8 +126,9 @@ def _leg_ends(
     for left in (True, False):
         for group in _groups(pattern, {name for name, side in sides.items() if side == left}):
             hems = [b for b in borders if {ref.panel for ref in b.edges} <= set(group)]
-            if hems:
-                found.append((left, group, min(hems, key=lambda b: float(b.middle[1]))))
+            hem = min(hems, key=lambda b: float(b.middle[1]), default=None)
+            if hem is not None and abs(hem.middle[0]) > _APART_CM:
+                found.append((left, group, hem))
     if len({left for left, _, _ in found}) == 2:
         yield from ((group, _edge_ends(outlines, hem.edges)) for _, group, hem in found)
 
