@@ -65,7 +65,7 @@ def _top_edges(mesh: PatternMesh) -> Ints:
     heights, runs = [], []
     for i, panel in enumerate(mesh.pattern.panels):
         for k in range(len(panel.edges)):
-            if any(r.panel == panel.name and r.edge == k for r in stitched):
+            if (panel.name, k) in stitched:
                 continue
             run = mesh.edge_vertices[i][k]
             middle = mesh.flat_vertices[run].mean(axis=0, keepdims=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 
 import numpy as np
@@ -77,7 +78,7 @@ def interior_triangles(points: Floats, faces: Longs, neighbors: Longs, following
 
 
 class _Flippable:
-    """A triangulation whose edges can be flipped, with a box around every edge to find those at a place."""
+    """A triangulation whose edges can be flipped."""
 
     def __init__(self, points: Floats, faces: Longs, following: Longs) -> None:
         """Takes over faces (f, 3); flips never touch the edges of the boundary."""
@@ -87,23 +88,25 @@ class _Flippable:
         """Triangle on the left of each directed edge."""
         for t, (a, b, c) in enumerate(self.triangles):
             self.left[a, b] = self.left[b, c] = self.left[c, a] = t
+        self._at = [-1] * len(points)
+        """A triangle at each point."""
+        for t, corners in enumerate(self.triangles):
+            for corner in corners:
+                self._at[corner] = t
         self._points = points
-        self._kept = {_pair(a, b) for a, b in enumerate(following.tolist()) if b >= 0}
-        self._ends = np.array(
-            [_pair(a, b) for a, b in self.left if a < b or (b, a) not in self.left], np.int64
-        )
-        self._row = {(a, b): row for row, (a, b) in enumerate(self._ends.tolist())}
-        corners = points[self._ends]
-        self._low, self._high = corners.min(axis=1).T.copy(), corners.max(axis=1).T.copy()
+        self._kept = {(a, b) for a, b in enumerate(following.tolist()) if b >= 0}
 
     def insert(self, a: int, b: int) -> None:
         """Flips edges until there is one from a to b."""
-        waiting = deque(self.crossing(a, b))
+        if (a, b) in self.left or (b, a) in self.left:  # flips for another have made it
+            return
+        crossed = self._walk(a, b)
+        waiting = deque(self._search(a, b) if crossed is None else self._nearest_first(crossed, a))
         for _ in range(_FLIPS * len(waiting) ** 2):
             if not waiting:
                 break
             u, v = waiting.popleft()
-            if _pair(u, v) in self._kept:
+            if (u, v) in self._kept or (v, u) in self._kept:
                 break
             one, two = self.left[u, v], self.left[v, u]
             p = next(w for w in self.triangles[one] if w not in (u, v))
@@ -122,23 +125,57 @@ class _Flippable:
             "there. Run: swifttailor check PATTERN"
         )
 
-    def crossing(self, a: int, b: int) -> list[tuple[int, int]]:
-        """Edges (each once) that properly cross the segment from a to b, nearest to a first."""
-        s, e = self._points[a], self._points[b]
-        low, high = np.minimum(s, e), np.maximum(s, e)
-        near = np.flatnonzero(
-            (self._low[0] <= high[0])
-            & (self._high[0] >= low[0])
-            & (self._low[1] <= high[1])
-            & (self._high[1] >= low[1])
-        )
-        pairs = self._ends[near]
-        p, q = self._points[pairs[:, 0]], self._points[pairs[:, 1]]
+    def _walk(self, a: int, b: int) -> list[tuple[int, int]] | None:
+        """Edges that the segment from a to b crosses, triangle by triangle; None where it meets a corner."""
+        first = self._toward(a, b)
+        if first is None:
+            return None
+        right, left = first
+        crossed = []
+        while True:
+            crossed.append((min(right, left), max(right, left)))
+            beyond = self.left.get((left, right))
+            if beyond is None:
+                return None
+            tip = next(w for w in self.triangles[beyond] if w not in (left, right))
+            if tip == b:
+                return crossed
+            side = self._turn(a, b, tip)
+            if side == 0:
+                return None
+            right, left = (tip, left) if side < 0 else (right, tip)
+
+    def _toward(self, a: int, b: int) -> tuple[int, int] | None:
+        """The edge opposite a, right end first, of the triangle at a through which b is seen."""
+        start = self._at[a]
+        for ahead in (True, False):  # all the way round, or to the border and back from the start
+            t: int | None = start
+            while t is not None:
+                i, j, k = self.triangles[t]
+                x, y = (j, k) if i == a else (k, i) if j == a else (i, j)
+                if self._turn(a, x, b) > 0 and self._turn(a, b, y) > 0:
+                    return x, y
+                t = self.left.get((a, y) if ahead else (x, a))
+                if t == start:
+                    return None
+        return None
+
+    def _search(self, a: int, b: int) -> list[tuple[int, int]]:
+        """What `_walk` finds, among all edges: where corners lie on the segment or triangles have no area."""
+        pairs = np.array([pair for pair in self.left if pair[0] < pair[1]], np.int64)
+        p, q, s, e = self._points[pairs[:, 0]], self._points[pairs[:, 1]], self._points[a], self._points[b]
         apart = (_side(s, e, p) * _side(s, e, q) < 0) & (_side(p, q, s[None]) * _side(p, q, e[None]) < 0)
         shared = (pairs == a).any(axis=1) | (pairs == b).any(axis=1)
-        hits = pairs[apart & ~shared]
-        order = np.argsort(np.linalg.norm(self._points[hits].mean(axis=1) - s, axis=1), kind="stable")
-        return [(u, v) for u, v in hits[order].tolist()]
+        return self._nearest_first([(u, v) for u, v in pairs[apart & ~shared].tolist()], a)
+
+    def _nearest_first(self, edges: list[tuple[int, int]], a: int) -> list[tuple[int, int]]:
+        x, y = self.xy[a]
+
+        def distance(edge: tuple[int, int]) -> float:
+            (xu, yu), (xv, yv) = self.xy[edge[0]], self.xy[edge[1]]
+            return math.hypot((xu + xv) / 2 - x, (yu + yv) / 2 - y)
+
+        return sorted(edges, key=distance)
 
     def _flip(self, u: int, v: int, p: int, q: int) -> None:
         """Replaces the edge between u and v by that between the corners p and q opposite it."""
@@ -146,19 +183,11 @@ class _Flippable:
         self.triangles[one], self.triangles[two] = (p, u, q), (q, v, p)
         for t, (i, j, k) in ((one, self.triangles[one]), (two, self.triangles[two])):
             self.left[i, j] = self.left[j, k] = self.left[k, i] = t
-        row = self._row.pop(_pair(u, v))
-        self._row[_pair(p, q)] = row
-        self._ends[row] = _pair(p, q)
-        corners = self._points[self._ends[row]]
-        self._low[:, row], self._high[:, row] = corners.min(axis=0), corners.max(axis=0)
+            self._at[i] = self._at[j] = self._at[k] = t
 
     def _turn(self, i: int, j: int, k: int) -> float:
         (xi, yi), (xj, yj), (xk, yk) = self.xy[i], self.xy[j], self.xy[k]
         return (xj - xi) * (yk - yi) - (yj - yi) * (xk - xi)
-
-
-def _pair(a: int, b: int) -> tuple[int, int]:
-    return (a, b) if a < b else (b, a)
 
 
 def _side(origin: Floats, tip: Floats, x: Floats) -> Floats:

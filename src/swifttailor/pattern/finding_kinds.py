@@ -69,6 +69,9 @@ _KINDS: Mapping[str, _Kind] = {
         "--repair moves the corner or flattens the curve, by half a centimetre at most",
     ),
     "self-touching": _Kind(_INFO, "it can be cut, but two parts of the outline coincide there"),
+    "unfinished-repair": _Kind(
+        _INFO, "trying everything would take minutes", "repair the pattern again, or mend it by hand"
+    ),
     "tiny-pattern": _Kind(
         _WARNING,
         "no garment is that small; lengths in metres look like this when read as cm",

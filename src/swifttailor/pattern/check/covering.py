@@ -118,15 +118,15 @@ def _cuffs(pattern: Pattern, said: Mapping[str, BodyRegion | None]) -> dict[str,
         return {}
     names = {p.name for p in unsaid}
     inner = [s for s in pattern.stitches if all(ref.panel in names for ref in s.sides)]
+    holders: dict[str, set[str]] = {name: set() for name in names}
+    for stitch in pattern.stitches:
+        for one, other in (stitch.sides, stitch.sides[::-1]):
+            if one.panel in names and other.panel in said and other.panel not in names:
+                holders[one.panel].add(other.panel)
     found: dict[str, BodyRegion] = {}
     for group in Pattern(tuple(unsaid), tuple(inner)).components():
-        held = {
-            other.panel
-            for s in pattern.stitches
-            for one, other in (s.sides, s.sides[::-1])
-            if one.panel in group and other.panel not in group and other.panel in said
-        }
-        sides = {float(np.mean(pattern.panel(n).to_world(pattern.panel(n).vertices)[:, 0])) > 0 for n in held}
+        held = set().union(*(holders[name] for name in group))
+        sides = {float(np.mean(trace_outline(pattern.panel(n)).world[:, 0])) > 0 for n in held}
         if held and all(said[n] == "arm" for n in held) and len(sides) == 1:
             found |= dict.fromkeys(group, "arm")
     return found

@@ -10,7 +10,7 @@ import numpy as np
 
 from swifttailor.arrays import Floats
 from swifttailor.pattern.check.body_levels import BodyLevels
-from swifttailor.pattern.check.covering import garment_borders, panel_regions, placed_edge
+from swifttailor.pattern.check.covering import Border, garment_borders, panel_regions, placed_edge
 from swifttailor.pattern.check.outline import Outline
 from swifttailor.pattern.pattern import EdgeRef, Pattern
 
@@ -121,16 +121,22 @@ def _leg_ends(
     sides = {name: float(outlines[name].world[:, 0].mean()) > 0 for name in legs}
     if len(set(sides.values())) < 2:
         return
-    borders = garment_borders(pattern, outlines)
-    found = []
-    for left in (True, False):
-        for group in _groups(pattern, {name for name, side in sides.items() if side == left}):
-            hems = [b for b in borders if {ref.panel for ref in b.edges} <= set(group)]
-            hem = min(hems, key=lambda b: float(b.middle[1]), default=None)
-            if hem is not None and abs(hem.middle[0]) > _APART_CM:
-                found.append((left, group, hem))
-    if len({left for left, _, _ in found}) == 2:
-        yield from ((group, _edge_ends(outlines, hem.edges)) for _, group, hem in found)
+    groups = [
+        group
+        for left in (True, False)
+        for group in _groups(pattern, {name for name, side in sides.items() if side == left})
+    ]
+    group_of = {name: k for k, group in enumerate(groups) for name in group}
+    hems: dict[int, Border] = {}
+    for border in garment_borders(pattern, outlines):
+        around = {group_of.get(ref.panel, -1) for ref in border.edges}
+        k = around.pop()
+        if around or k < 0 or abs(border.middle[0]) <= _APART_CM:
+            continue
+        if k not in hems or border.middle[1] < hems[k].middle[1]:
+            hems[k] = border
+    if len({sides[groups[k][0]] for k in hems}) == 2:
+        yield from ((groups[k], _edge_ends(outlines, hem.edges)) for k, hem in hems.items())
 
 
 def _edge_ends(outlines: Mapping[str, Outline], refs: Sequence[EdgeRef]) -> Floats:

@@ -11,7 +11,7 @@ import numpy as np
 from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.change import Change
 from swifttailor.pattern.check.checker import check_pattern
-from swifttailor.pattern.check.crossing_repair import MAX_MOVE_CM, mend_crossings
+from swifttailor.pattern.check.crossing_repair import MAX_MOVE_CM, Effort, mend_crossings
 from swifttailor.pattern.check.crossings import find_crossing
 from swifttailor.pattern.check.outline import trace_outline
 from swifttailor.pattern.check.panel_checks import SLIVER_EDGE_CM, ZERO_LENGTH_CM, radius_needed
@@ -21,6 +21,7 @@ from swifttailor.pattern.check.seam_direction import Directions, judge_direction
 from swifttailor.pattern.check.stitch_checks import single_stitches, usable_stitches
 from swifttailor.pattern.curve import Arc
 from swifttailor.pattern.finding import Finding
+from swifttailor.pattern.finding_kinds import found
 from swifttailor.pattern.panel import Panel
 from swifttailor.pattern.pattern import EdgeRef, Pattern, Stitch
 
@@ -75,7 +76,10 @@ def repair_pattern(
     probe = body_probe(body)
     levels = BodyLevels() if probe is None else probe.levels
     place = [partial(step, levels=levels) for step in (reread_angles, move_to_body, turn_limbs)]
-    free = partial(_free_crossings, largest_move=largest_move, largest_share=largest_share)
+    effort, tried = Effort(), {}
+    free = partial(
+        _free_crossings, largest_move=largest_move, largest_share=largest_share, effort=effort, tried=tried
+    )
     for _ in range(_MAX_ROUNDS):
         made: list[Change] = []
         for step in (*_STEPS, *place, _reverse_panels, _turn_seams, free):
@@ -84,7 +88,11 @@ def repair_pattern(
         changes += made
         if not made:
             break
-    return Repair(pattern, tuple(changes), check_pattern(pattern, body=body))
+    remaining = check_pattern(pattern, body=body)
+    if effort.edges < 0:
+        text = "the outlines overlap themselves in so many ways that not all of them were tried to be mended"
+        remaining = (*remaining, found("unfinished-repair", text))
+    return Repair(pattern, tuple(changes), remaining)
 
 
 def _reader_change(finding: Finding) -> Change:
@@ -210,20 +218,25 @@ def _turn_seams(pattern: Pattern) -> tuple[Pattern, list[Change]]:
 
 
 def _free_crossings(
-    pattern: Pattern, largest_move: float, largest_share: float
+    pattern: Pattern,
+    largest_move: float,
+    largest_share: float,
+    effort: Effort,
+    tried: dict[Panel, tuple[Panel, float] | None],
 ) -> tuple[Pattern, list[Change]]:
     changes = []
     panels: list[Panel] = []
     for panel in pattern.panels:
         crossing = find_crossing(trace_outline(panel))
-        mended = None
         if crossing is not None and crossing.kind != "touch":
-            mended = mend_crossings(panel, largest_move, largest_share)
-        if crossing is not None and mended is not None:
-            panel, moved = mended
-            text = f"moved the outline by up to {moved:.2g} cm, so that it no longer overlaps itself"
-            code = "self-crossing" if crossing.kind == "crossing" else "near-crossing"
-            changes.append(Change(code, text, panel.name, min(crossing.edges)))
+            if panel not in tried and effort.edges >= 0:
+                tried[panel] = mend_crossings(panel, largest_move, largest_share, effort)
+            mended = tried.get(panel)
+            if mended is not None:
+                panel, moved = mended
+                text = f"moved the outline by up to {moved:.2g} cm, so that it no longer overlaps itself"
+                code = "self-crossing" if crossing.kind == "crossing" else "near-crossing"
+                changes.append(Change(code, text, panel.name, min(crossing.edges)))
         panels.append(panel)
     return (replace(pattern, panels=tuple(panels)), changes) if changes else (pattern, [])
 
