@@ -231,8 +231,9 @@ def _split_edges(mesh: PatternMesh, edges: Longs) -> PatternMesh:
             faces[k] = tuple(middle if v == b else v for v in face)
             faces.append(tuple(middle if v == a else v for v in face))
             around[b].discard(k)
-            for v in set(face) & around.keys() - {a}:
-                around[v].add(new)
+            for v in face:
+                if v != a and v in around:
+                    around[v].add(new)
     return PatternMesh(
         mesh.pattern,
         np.array(vertices),

@@ -156,7 +156,8 @@ def _judged(
         upper |= {ref.panel for ref in max(middle, key=lambda b: b.middle[1]).edges}
     for stitch in pattern.stitches:
         for one, other in (stitch.sides, stitch.sides[::-1]):
-            if said.get(other.panel) == "arm" or is_neckwear(other.panel):
+            arm_or_neck = said.get(other.panel) == "arm" or is_neckwear(other.panel)
+            if arm_or_neck and one.panel in outlines:  # a stitch may name a panel that is not there
                 upper.add(one.panel)
     sure = [float(heights[name].mean()) for name in upper if said.get(name, "body") == "body"]
     lowest = min(sure, default=low)

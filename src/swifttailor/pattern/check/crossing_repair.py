@@ -23,7 +23,7 @@ CLEARANCE_CM = 0.01
 
 MOST_PLACES = 64
 """An outline that meets itself more often is no slip: trying to mend it would take minutes and fail."""
-MOST_EDGES_TRIED = 60_000
+MOST_EDGES_TRIED = 100_000
 """Edges of trial outlines looked at for one pattern, a few seconds' work; what is left then is left alone."""
 _MAX_ROUNDS = 8
 _FLATTENINGS = (0.995, 0.99, 0.98, 0.97, 0.96, 0.95, 0.93, 0.9, 0.8, 0.65, 0.5, 0.3, 0.0)

@@ -171,7 +171,7 @@ def _offset(
             highest = levels.neck + _ABOVE_NECK_CM  # it may be a dress without shoulders
     around = np.concatenate([outlines[name].world[:, [0, 2]] for name in tops])
     low, high = around.min(axis=0), around.max(axis=0)
-    aside = (low + high) / 2 * ((low > _ASIDE_CM) | (high < -_ASIDE_CM)).any()
+    aside = (low + high) / 2 * ((low > _ASIDE_CM) | (high < -_ASIDE_CM))
     off = {name: not lowest <= top <= highest for name, top in tops.items()}
     together = max(tops.values()) - min(tops.values()) <= _SPREAD_CM
     if all(off.values()) or (together and aside.any()):
