@@ -53,11 +53,11 @@ demo-generate: $(READY)
 demo-sew: $(READY)
 	@echo 'This version has no weights that read words ($(notdir $(MAKER_WEIGHTS))): drafted patterns are sewn.'; mkdir -p demo
 	for name in shirt-dress hoodie trousers; do $(BIN)/swifttailor draft $$name --out demo/$$name.json; done
-	$(BIN)/swifttailor sew demo/shirt-dress.json demo/hoodie.json demo/trousers.json --out demo --preview || [ $$? -eq 1 ]
+	$(BIN)/swifttailor sew demo/shirt-dress.json demo/hoodie.json demo/trousers.json --out demo || [ $$? -eq 1 ]
 	@real='$(GARMENTCODE)/dress_pencil_specification.json'; \
 	if [ -f "$$real" ]; then \
-		echo "$(BIN)/swifttailor sew $$real --out demo/real --preview"; \
-		$(BIN)/swifttailor sew "$$real" --out demo/real --preview || [ $$? -eq 1 ]; \
+		echo "$(BIN)/swifttailor sew $$real --out demo/real"; \
+		$(BIN)/swifttailor sew "$$real" --out demo/real || [ $$? -eq 1 ]; \
 	fi
 	@echo; echo "Made:"; ls demo/*/preview.png demo/*/garment.glb demo/*/pattern.svg
 

@@ -65,7 +65,7 @@ def main() -> None:
         arguments = {
             "warm generate": [__file__, str(options.other), "--warm-here", json.dumps(prompts)],
             "cold generate": ["-m", "swifttailor", "generate", options.text, "--out", f"{folder}/made"],
-            "cold sew": ["-m", "swifttailor", "sew", str(pattern), "--out", f"{folder}/sewn"],
+            "cold sew": ["-m", "swifttailor", "sew", str(pattern), "--preview", "--out", f"{folder}/sewn"],
         }
         for task in TASKS:
             rounds = []

@@ -90,11 +90,13 @@ def main() -> None:
         if options.save and made[-1].tailored is not None:
             made[-1].tailored.save(options.out / f"{number:02d}")
     lines = [json.dumps(one.to_json(), ensure_ascii=False) for one in made]
-    write_text(options.out / "results.jsonl", "".join(line + "\n" for line in lines))
+    write_text(options.out / "results.jsonl", "".join(line + "\n" for line in lines), overwrite=True)
     for number, start in enumerate(range(0, len(made), ROWS * COLUMNS), 1):
         sheet = draw_sheet(made[start : start + ROWS * COLUMNS])
         write_atomically(
-            options.out / f"prompts-{number:02d}.png", lambda path, sheet=sheet: sheet.save(path, "PNG")
+            options.out / f"prompts-{number:02d}.png",
+            lambda path, sheet=sheet: sheet.save(path, "PNG"),
+            overwrite=True,
         )
     print(describe())
     report(made)

@@ -93,7 +93,17 @@ def cold(pattern: Pattern, options: argparse.Namespace) -> None:
         for k in range(options.cold + 1):
             started = time.perf_counter()
             subprocess.run(
-                [sys.executable, "-m", "swifttailor", "sew", path, "--out", f"{folder}/{k}", *more],
+                [
+                    sys.executable,
+                    "-m",
+                    "swifttailor",
+                    "sew",
+                    path,
+                    "--no-preview",
+                    "--out",
+                    f"{folder}/{k}",
+                    *more,
+                ],
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL,
                 check=False,

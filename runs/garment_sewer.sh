@@ -18,4 +18,4 @@ fi
 runs/data.sh patterns drapes
 step sewer-trained train garment-sewer --data "$work/garments" --config small --max-minutes "${MINUTES:-190}" \
     --set "${settings[@]}"
-step sewer-exported swifttailor train export "$work/garment-sewer/run" --out "$work/garment-sewer/garment_sewer.onnx" --half
+step sewer-exported swifttailor train export "$work/garment-sewer/run" --out "$work/garment-sewer/garment_sewer.onnx" --overwrite --half

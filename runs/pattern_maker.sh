@@ -32,5 +32,5 @@ step maker-trained train pattern-maker --patterns "${files[@]}" --validation "$w
     --apart "$work/patterns/test.jsonl.gz" --edits "$work/patterns/all-edits.jsonl.gz" --cache "$work/measured" \
     --data "$work/garments" "$work/sewn" --config small --max-minutes "${MINUTES:-380}" "${more[@]}" \
     --set "${settings[@]}"
-step maker-exported swifttailor train export "$work/pattern-maker/run" --out "$work/pattern-maker/pattern_maker.zip" \
+step maker-exported swifttailor train export "$work/pattern-maker/run" --out "$work/pattern-maker/pattern_maker.zip" --overwrite \
     --half "${measure[@]}"

@@ -55,5 +55,5 @@ step eyes-easy eyes easy 1 "${easy[@]}" "${settings[@]}"
 step eyes-middle eyes middle 2 "${middle[@]}" "${settings[@]}" start="$out/easy/weights.safetensors"
 step eyes-large eyes large 3 "${large[@]}" "${settings[@]}" start="$out/middle/weights.safetensors"
 step eyes-full eyes run 2 "${full[@]}" "${settings[@]}" start="$out/large/weights.safetensors"
-step eyes-exported swifttailor train export "$out/run" --out "$out/picture_reader.onnx" --half \
+step eyes-exported swifttailor train export "$out/run" --out "$out/picture_reader.onnx" --overwrite --half \
     --data "$sewn/validation"

@@ -35,4 +35,4 @@ step gpu-patterns "$python" scripts/write_known_patterns.py "$out/patterns" "${p
 step gpu-worn-validation sew validation
 step gpu-worn-train sew train
 step gpu-eyes learn
-step gpu-exported swifttailor train export "$out/run" --out "$out/picture_reader.onnx" --half --data "$out/worn/validation"
+step gpu-exported swifttailor train export "$out/run" --out "$out/picture_reader.onnx" --overwrite --half --data "$out/worn/validation"

@@ -392,7 +392,7 @@ def main() -> None:
         "measurement_values": np.array(list(wanted.as_dict().values())),
         "provenance": np.array(provenance),
     }
-    write_atomically(options.out, lambda temporary: np.savez_compressed(temporary, **content))
+    write_atomically(options.out, lambda temporary: np.savez_compressed(temporary, **content), overwrite=True)
     print(f"{options.out}: {len(vertices)} vertices, {len(faces)} faces, {options.out.stat().st_size} bytes")
 
 

@@ -44,7 +44,7 @@ def main() -> None:
         faces=faces.astype(np.uint16),
         over=np.round(over / UNIT_CM).astype(np.uint16),
     )
-    write_atomically(OUT, lambda path: path.write_bytes(buffer.getvalue()))
+    write_atomically(OUT, lambda path: path.write_bytes(buffer.getvalue()), overwrite=True)
     print(f"{len(vertices)} vertices, {len(faces)} faces, {len(buffer.getvalue())} bytes")
 
 

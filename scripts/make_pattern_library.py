@@ -83,9 +83,9 @@ def main() -> None:
         + f" --count {options.count} --wanted {options.wanted} --seed {options.seed}"
         + f" --out {options.out.name}",
     }
-    write_library(options.out, known, pool.table.take(taken), stand, card)
+    write_library(options.out, known, pool.table.take(taken), stand, card, overwrite=True)
     card |= {"bytes": options.out.stat().st_size, "sha256": sha256(options.out)}
-    write_text(options.out.with_suffix(".json"), json.dumps(card, indent=1) + "\n")
+    write_text(options.out.with_suffix(".json"), json.dumps(card, indent=1) + "\n", overwrite=True)
     print(f"Wrote {options.out}: {len(known)} patterns, {card['bytes'] / 1e6:.2f} MB")
 
 
@@ -188,7 +188,7 @@ def keep(path: Path, rows: list[tuple[str, str, Truth]]) -> None:
     table = TruthTable.of([truth for _, _, truth in rows])
     arrays = {name: getattr(table, name) for name in ("part", "statements", "measures", "panels", "boxes")}
     arrays |= {"ids": np.array([r[0] for r in rows]), "digests": np.array([r[1] for r in rows])}
-    write_atomically(path, lambda temporary: np.savez(temporary, **arrays))
+    write_atomically(path, lambda temporary: np.savez(temporary, **arrays), overwrite=True)
 
 
 def sound_patterns(path: Path) -> Iterator[tuple[str, Pattern]]:

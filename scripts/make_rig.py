@@ -65,7 +65,7 @@ def main() -> None:
     field = np.round(255 * spread_out).astype(np.uint8).reshape(len(X), len(Y), len(Z), len(names))
     buffer = io.BytesIO()
     np.savez_compressed(buffer, names=names, parents=parents, joints=joints, x=X, y=Y, z=Z, field=field)
-    write_atomically(RIG_FILE, lambda path: path.write_bytes(buffer.getvalue()))
+    write_atomically(RIG_FILE, lambda path: path.write_bytes(buffer.getvalue()), overwrite=True)
     print(f"{len(names)} joints, {field.shape[:3]} nodes, {len(buffer.getvalue())} bytes")
 
 

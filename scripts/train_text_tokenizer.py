@@ -38,7 +38,7 @@ def main(files: list[str]) -> None:
         texts += 1
     merges = find_merges(words, TOKENS - BYTES)
     tokenizer = TextTokenizer(tuple(merges))
-    write_text(SHIPPED, tokenizer.to_json())
+    write_text(SHIPPED, tokenizer.to_json(), overwrite=True)
     tokens = sum(n * len(tokenizer.encode(w.decode("utf-8"), 100).tokens) for w, n in words.items())
     print(f"{texts} texts, {len(words)} words; {tokenizer.size} tokens, {tokens / texts:.1f} a text")
 

@@ -107,7 +107,7 @@ def test_changed_sources_are_compiled_anew(loop, tmp_path):
 
 
 def test_a_folder_that_cannot_be_written_costs_only_time(loop, tmp_path, monkeypatch):
-    def full(*_):
+    def full(*_, **__):
         from swifttailor.errors import InputError
 
         raise InputError("The disk is full.")

@@ -25,8 +25,9 @@ TABLE = tomllib.loads((HOUSE / "docs" / "rooms.toml").read_text())
 _SMALL = (
     {"errors", "first_use"},
     {"__init__"},
-    {"arrays", "atomic_files", "clock", "numba_cache", "progress", "workers"},
-    {"compiled_loop"},
+    {"arrays", "atomic_files", "clock", "numba_cache", "progress"},
+    {"compiled_loop", "output_folder"},
+    {"workers"},
 )
 ROWS = (*_SMALL, *(set(floor["rooms"]) for floor in TABLE["floor"][1:]), {"__main__"})
 RANK = {room: row for row, rooms in enumerate(ROWS) for room in rooms}

@@ -14,7 +14,6 @@ import pytest
 
 import swifttailor
 from swifttailor.cli.main import COMMANDS, run
-from swifttailor.pattern import write_pattern
 
 ROOT = Path(__file__).parents[1]
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -68,7 +67,8 @@ def test_the_guide_to_commands(tmp_path, monkeypatch, coarse, networks, capsys):
     text = (ROOT / "docs/commands.md").read_text()
     folder = {p.name for p in (tmp_path / "shirt").iterdir()}
     assert folder == {
-        "preview.png", "garment.glb", "garment.obj", "pattern.svg", "pattern.json", "report.json"
+        "preview.png", "garment.glb", "garment.obj", "pattern.svg", "pattern.json", "report.json",
+        ".swifttailor"
     }  # fmt: skip
     assert all(f"`{name}`" in text for name in folder)
     report = json.loads((tmp_path / "shirt" / "report.json").read_text())
@@ -105,7 +105,7 @@ def test_the_guide_to_geometry_images(tmp_path, monkeypatch, coarse, capsys):
         exec(compile(block, "ggi.md", "exec"), names)
     assert names["images"].geometry.shape == (256, 256, 3)
     assert {p.name for p in (tmp_path / "images").iterdir()} == {
-        "ggi.npz", "semantic.png", "stitching.png", "geometry.png"
+        "ggi.npz", "semantic.png", "stitching.png", "geometry.png", ".swifttailor"
     }  # fmt: skip
 
 
@@ -140,11 +140,10 @@ def networks(monkeypatch):
     monkeypatch.setattr(tailored, "PREVIEW_SIZE", (100, 60))
 
 
-def test_the_readme_from_top_to_bottom(tmp_path, monkeypatch, coarse, shipped_patterns, capsys):
-    """With the weights of the package; the picture is of a real pattern, sewn and drawn here."""
+def test_the_readme_from_top_to_bottom(tmp_path, monkeypatch, coarse, capsys):
+    """With the weights of the package, and the photograph of its figure."""
     monkeypatch.chdir(tmp_path)
-    write_pattern(shipped_patterns["gc_1005537"], "seen.json")
-    draw_worn(swifttailor.sew(shipped_patterns["gc_1005537"]).garment, "picture.png")
+    shutil.copy(ROOT / "docs/images/woman-with-dog.jpg", "photograph.jpg")
     assert [c[1] for c in commands("README.md")] == ["generate", "generate", "edit"]
     for command in commands("README.md"):
         assert run(command[1:]) in (0, 1), command
@@ -195,9 +194,9 @@ def test_the_guide_to_garments_of_words(tmp_path, monkeypatch, networks, shipped
         assert run(command[1:]) == 0, command
     text = (ROOT / "docs/generate.md").read_text()
     folder = {p.name for p in (tmp_path / "dress").iterdir()}
-    assert len(folder) == 7 and all(f"`{name}`" in text for name in folder)
+    assert len(folder) == 8 and all(f"`{name}`" in text for name in folder)
     assert {p.name for p in (tmp_path / "skirts").iterdir()} == {
-        "seed-100", "seed-101", "seed-102", "seed-103", "sheet.png"
+        "seed-100", "seed-101", "seed-102", "seed-103", "sheet.png", ".swifttailor"
     }  # fmt: skip
     report = json.loads((tmp_path / "both" / "report.json").read_text())
     for name in ("order", "seconds", "writing", "confidence", "findings", "warnings", "notes", "sewing"):
@@ -218,7 +217,7 @@ def test_the_guide_lists_every_option_of_generate_and_edit():
     table = (ROOT / "docs/generate.md").read_text().split("## Options")[1].split("## ")[0]
     shown = {option.removeprefix("no-") for option in re.findall(r"`--([a-z-]+)`", table)}
     fields = {f.name.replace("_", "-") for kind in (Generate, Edit) for f in dataclasses.fields(kind)}
-    assert shown == fields - {"text", "pattern", "instruction", "out"}
+    assert shown == fields - {"text", "pattern", "instruction"}
 
 
 @pytest.mark.skipif(not shutil.which("make"), reason="make is not installed")

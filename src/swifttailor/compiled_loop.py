@@ -107,7 +107,7 @@ class CompiledLoop:
         content = f"{hashlib.sha256(machine_code).hexdigest()}\n{symbol}\n".encode() + machine_code
         path = self.kept_in(Path(self._loop.stats.cache_path), signature)
         with suppress(SwiftTailorError):  # a full disk: the next program compiles it again
-            write_atomically(path, lambda temporary: temporary.write_bytes(content))
+            write_atomically(path, lambda temporary: temporary.write_bytes(content), overwrite=True)
         return run
 
     def _compiled(self, arguments: tuple[Any, ...]) -> tuple[str, bytes] | None:

@@ -8,6 +8,7 @@ import json
 import pytest
 
 from swifttailor.cli.main import run
+from swifttailor.output_folder import OutputFolder
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
 
@@ -72,8 +73,9 @@ EXISTING = ("pattern.json", "pattern.svg", "garment.glb", "garment.obj", "previe
 @pytest.mark.parametrize("command", list(COMMANDS))
 @pytest.mark.parametrize("name", NAMES)
 def test_bad_patterns(name, command, bad_files, tmp_path, capsys):
-    for file in EXISTING:
-        (tmp_path / file).write_text("from before")
+    with OutputFolder(tmp_path).fill() as folder:
+        for file in EXISTING:
+            (folder / file).write_text("from before")
     code = run([str(a) for a in COMMANDS[command](bad_files / f"{name}.json", tmp_path)])
     captured = capsys.readouterr()
     if name == "open loop" and command.startswith("check"):
@@ -87,7 +89,7 @@ def test_bad_patterns(name, command, bad_files, tmp_path, capsys):
         assert captured.out == ""
         said = captured.err
     assert 20 < len(said) < 700 and f"{name}.json" in said
-    assert {p.name for p in tmp_path.iterdir()} == set(EXISTING)
+    assert {p.name for p in tmp_path.iterdir()} == {*EXISTING, ".swifttailor"}
     assert {(tmp_path / file).read_text() for file in EXISTING} == {"from before"}
 
 

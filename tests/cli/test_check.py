@@ -72,7 +72,11 @@ def test_repair_writes_another_file_and_leaves_the_input(faulty, square_pattern,
 
 
 def test_repair_over_the_input_itself(faulty, square_pattern):
-    assert Check(faulty, repair=faulty).run() == 0
+    before = faulty.read_bytes()
+    with pytest.raises(InputError, match="would be replaced"):
+        Check(faulty, repair=faulty).run()
+    assert faulty.read_bytes() == before
+    assert Check(faulty, repair=faulty, overwrite=True).run() == 0
     assert load_pattern(faulty) == square_pattern
 
 

@@ -11,6 +11,7 @@ import swifttailor.draping
 from swifttailor.cli.main import run
 from swifttailor.draping import FABRICS
 from swifttailor.draping.engines import engine_names
+from swifttailor.output_folder import OutputFolder
 from swifttailor.pattern import Pattern, load_pattern
 from swifttailor.pattern.drafts import draft
 
@@ -44,7 +45,7 @@ def test_an_accepted_garment(skirt, tmp_path, judge, capsys):
     judge()
     out = tmp_path / "new" / "skirt"
     assert run(["drape", str(skirt), "--out", str(out), *COARSE]) == 0
-    assert sorted(p.name for p in out.iterdir()) == FILES
+    assert sorted(p.name for p in out.iterdir()) == [".swifttailor", *FILES]
     captured = capsys.readouterr()
     assert captured.out.startswith("Accepted: ")
     assert str(out / "preview.png") in captured.out and str(out / "report.json") in captured.out
@@ -59,7 +60,10 @@ def test_a_garment_beyond_the_limits_is_written_with_the_reasons(skirt, tmp_path
     judge("did not come to rest", "too tight")
     assert run(["drape", str(skirt), "--out", str(tmp_path), "--no-preview", *COARSE]) == 1
     assert capsys.readouterr().out.startswith("Not accepted: did not come to rest; too tight.\n")
-    assert sorted(p.name for p in tmp_path.iterdir()) == [f for f in FILES if f != "preview.png"]
+    assert sorted(p.name for p in tmp_path.iterdir()) == [
+        ".swifttailor",
+        *(f for f in FILES if f != "preview.png"),
+    ]
 
 
 def test_json_is_the_report(skirt, tmp_path, capsys):
@@ -105,8 +109,9 @@ def test_patterns_with_errors_are_refused_and_can_be_mended(skirt, tmp_path, cap
 
 
 def test_a_refusal_leaves_what_was_there(skirt, tmp_path):
-    for name in FILES:
-        (tmp_path / name).write_text("from before")
+    with OutputFolder(tmp_path).fill() as folder:
+        for name in FILES:
+            (folder / name).write_text("from before")
     assert run(["drape", str(skirt), "--out", str(tmp_path), "--fabric", "wool"]) == 2
     assert run(["drape", str(skirt), "--out", str(tmp_path), "--body", str(skirt)]) == 2
     assert {(tmp_path / name).read_text() for name in FILES} == {"from before"}

@@ -22,6 +22,7 @@ from scripted_maker import crossed, scripted_maker  # noqa: E402
 TINY_MAKER = str(TESTS / "pattern_maker" / "tiny_maker.zip")
 TINY_SEWER = str(TESTS / "garment_sewer" / "tiny_sewer.onnx")
 FILES = {
+    ".swifttailor",
     "pattern.json",
     "pattern.svg",
     "garment.glb",
@@ -93,7 +94,7 @@ def test_several_samples_get_a_folder_each_and_a_sheet(write, tmp_path, capsys):
     reports = json.loads(capsys.readouterr().out)
     assert [Path(r["folder"]).name for r in reports] == ["seed-5", "seed-6", "seed-7"]
     assert ["error" in r for r in reports] == [False, True, False]
-    assert {p.name for p in out.iterdir()} == {"seed-5", "seed-7", "sheet.png"}
+    assert {p.name for p in out.iterdir()} == {".swifttailor", "seed-5", "seed-7", "sheet.png"}
     assert all({p.name for p in (out / n).iterdir()} == FILES for n in ("seed-5", "seed-7"))
     with Image.open(out / "sheet.png") as sheet:
         assert sheet.width > 2 * 480 and np.asarray(sheet).std() > 10

@@ -34,7 +34,7 @@ def files(folder):
 def test_a_pattern_becomes_two_images(pattern_file, tmp_path, capsys):
     out = tmp_path / "deep" / "images"
     assert run(["ggi", str(pattern_file), "--out", str(out)]) == 0
-    assert files(out) == PATTERN_FILES
+    assert files(out) == PATTERN_FILES | {".swifttailor"}
     images = read_ggi(out / "ggi.npz")
     assert images.resolution == 256 and images.geometry is None
     assert images.layout.pattern == draft("tank-top").canonical()
@@ -47,7 +47,7 @@ def test_a_pattern_becomes_two_images(pattern_file, tmp_path, capsys):
 def test_a_garment_becomes_three_images(garment_folder, tmp_path):
     out = tmp_path / "images"
     assert run(["ggi", str(garment_folder), "--out", str(out), "--resolution", "100"]) == 0
-    assert files(out) == PATTERN_FILES | {"geometry.png"}
+    assert files(out) == PATTERN_FILES | {"geometry.png", ".swifttailor"}
     images = read_ggi(out / "ggi.npz")
     garment = Garment.load(garment_folder)
     assert images.resolution == 100 and images.layout.pattern == garment.pattern

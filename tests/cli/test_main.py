@@ -72,7 +72,7 @@ def texts(folder: Path, capsys: pytest.CaptureFixture[str]) -> str:
     (folder / "folder" / "note.txt").write_text("mine")
     blocks = []
     for line in """
-        sew shirt.json
+        sew
         drap shirt.json
         shirt.json
         --fabric silk

@@ -23,6 +23,7 @@ from swifttailor.cli.sew import Sew
 KINDS = [Sew, Generate, Edit, Drape, Check, Convert, Ggi]
 PLAIN = [
     (Sew, ["p.json", "--out", "d"]),
+    (Sew, ["p.json", "--open", "--overwrite", "--no-preview"]),
     (Sew, ["--out", "d", "a.json", "b/c.json"]),
     (Sew, ["a", "--out", "d", "--json", "--repair", "--edge-length", "3", "--rotation", "extrinsic"]),
     (Generate, ["a long dress", "--out", "d"]),
@@ -32,7 +33,18 @@ PLAIN = [
 ]
 WORDS = [
     *("--out", "d", "a b", "p.json", "--seed", "7", "07", "-1", "1e3", "2.5", "--json", "--no-json"),
-    *("--preview", "--no-preview", "--edge-length", "--edge_length", "--out=d", "--rotation", "extrinsic"),
+    *(
+        "--preview",
+        "--no-preview",
+        "--overwrite",
+        "--no-overwrite",
+        "--open",
+        "--edge-length",
+        "--edge_length",
+        "--out=d",
+        "--rotation",
+        "extrinsic",
+    ),
     *(
         "other",
         "--help",
@@ -72,9 +84,7 @@ def test_what_is_read_is_what_tyro_reads(kind, arguments):
         assert read == by_tyro(kind, arguments)
 
 
-@pytest.mark.parametrize(
-    "arguments", [["--help"], ["p.json"], ["--out", "d", "--nonsense"], ["p", "--out", ""]]
-)
+@pytest.mark.parametrize("arguments", [["--help"], ["--out", "d", "--nonsense"], ["p", "--out", ""]])
 def test_mistakes_and_help_are_left_to_tyro(arguments):
     assert read_plain(Sew, arguments) is None
 

@@ -25,7 +25,10 @@ def test_one_pattern_to_one_folder(shirt, tmp_path, capsys):
     said = capsys.readouterr().out
     assert "shirt.json" in said and "are closed" in said
     names = {p.name for p in (tmp_path / "out").iterdir()}
-    assert names == {"pattern.json", "pattern.svg", "garment.glb", "garment.obj", "report.json"}
+    assert names == {
+        *("pattern.json", "pattern.svg", "garment.glb", "garment.obj", "report.json", "preview.png"),
+        ".swifttailor",
+    }
     garment = Garment.load(tmp_path / "out")
     assert garment.report["findings"] == []
     assert set(garment.report["seconds"]) == {"loading", "drawing", "network", "decoding"}

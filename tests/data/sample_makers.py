@@ -84,7 +84,7 @@ def split_content(out: Path) -> dict[str, Any]:
     folder = out / "train"
     assert not list((folder / ".samples").iterdir())
     files: dict[str, Any] = {p.name: p.read_bytes() for p in folder.iterdir() if p.is_file()}
-    del files["results.jsonl"], files[".lock"]
+    del files["results.jsonl"]
     files["index.json"] = json.loads(files["index.json"])
     del files["index.json"]["built_with"]
     return files

@@ -250,7 +250,7 @@ def start_slow_build(source: Path, out: Path, folder: Path) -> subprocess.Popen:
     )
     return subprocess.Popen(
         [sys.executable, str(script), str(source), str(out)],
-        env={**os.environ, "PYTHONPATH": str(Path(__file__).parent)},
+        env=os.environ | {"PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path])},
         # A shell that starts the tests in the background has them ignore Ctrl-C, and children inherit that.
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
@@ -345,10 +345,10 @@ def test_a_full_disk_loses_nothing(number, patterns_file, tmp_path, reference, m
 
 
 def test_an_index_that_cannot_be_written_loses_nothing(patterns_file, tmp_path, reference, monkeypatch):
-    def full(path, write):
+    def full(path, write, **options):
         if path.name == "index.json" and path.exists():
             raise InputError(f"Cannot write '{path}': No space left on device.")
-        return write_atomically(path, write)
+        return write_atomically(path, write, **options)
 
     monkeypatch.setattr("swifttailor.atomic_files.write_atomically", full)
     with pytest.raises(InputError, match=r"index\.json"):

@@ -89,7 +89,7 @@ def test_verify_render_and_stats(dataset, capsys):
     assert run(["data", "stats", str(dataset), "--samples", "1", "--workers", "1"]) == 0
     assert "train: 2 of 2 patterns accepted (100.0%)" in capsys.readouterr().out
     names = {p.name for p in (dataset / "stats").iterdir()}
-    assert names == {"index.html", "pictures", "stats.json", "train-01.png"}
+    assert names == {".swifttailor", "index.html", "pictures", "stats.json", "train-01.png"}
     assert run(["data", "stats", str(dataset / "train"), "--samples", "0", "--workers", "1", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["train"]["accepted"] == 2
     next((dataset / "train").glob("shard-*")).write_bytes(b"")
@@ -208,3 +208,37 @@ def test_edits_need_a_name_that_says_the_format(patterns, tmp_path, capsys):
     assert ".jsonl or .jsonl.gz is written" in capsys.readouterr().err
     assert run(["data", "edits", str(patterns), "--out", str(tmp_path / "e.jsonl"), "--count", "99"]) == 2
     assert "--count is 99; from 0 to 46" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("command", "name"),
+    [
+        *(("stats", f"stats/{name}") for name in ("index.html", "stats.json", "train-01.png")),
+        ("stats", "stats/pictures/train-000000-front.webp"),
+        ("captions", "train/captions.jsonl"),
+        *(("render", f"train/renders/{name}") for name in ("index.json", "renders-mine.safetensors")),
+    ],
+)
+def test_files_of_others_in_a_data_set_stay(command, name, dataset, capsys):
+    (dataset / name).parent.mkdir(parents=True, exist_ok=True)
+    (dataset / name).write_text("my own work")
+    before = (dataset / name).stat().st_mtime_ns
+    size = {"render": ["--size", "32", "--random", "1"]}.get(command, [])
+    more = ["--workers", "1"] if command != "captions" else []
+    samples = ["--samples", "2"] if command == "stats" else []
+    assert run(["data", command, str(dataset), *size, *more, *samples]) == 2
+    said = capsys.readouterr().err
+    assert "would be replaced" in said or "is damaged" in said or "holds no renders" in said
+    assert (dataset / name).read_text() == "my own work"
+    assert (dataset / name).stat().st_mtime_ns == before
+    assert [p.name for p in (dataset / name).parent.iterdir()].count(Path(name).name) == 1
+
+
+def test_only_shards_of_a_killed_build_are_removed(dataset, patterns):
+    mine = dataset / "train" / "shard-of-mine.safetensors"
+    left = dataset / "train" / "shard-00007-0123456789ab.safetensors"
+    for path in (mine, left):
+        path.write_text("x")
+    coarse = BuildSettings(BatchSettings(edge_length=8.0, preview=False))
+    build_split(read_patterns(patterns), dataset, "train", coarse, runner=run_here, make=make_placed)
+    assert mine.read_text() == "x" and not left.exists()

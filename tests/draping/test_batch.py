@@ -62,9 +62,9 @@ def quick(source: Path, out: Path, settings: BatchSettings = COARSE, **options):
 def test_workers_do_not_change_the_garments(three_garments, tmp_path):
     one = run_batch(three_garments, tmp_path / "one", COARSE, workers=1)
     two = run_batch(three_garments, tmp_path / "two", COARSE, workers=2)
-    files = sorted(p.relative_to(tmp_path / "one") for p in (tmp_path / "one").glob("*/*"))
+    files = sorted(p.relative_to(tmp_path / "one") for p in (tmp_path / "one").glob("*/[!.]*"))
     assert len(files) == 3 * 5
-    assert files == sorted(p.relative_to(tmp_path / "two") for p in (tmp_path / "two").glob("*/*"))
+    assert files == sorted(p.relative_to(tmp_path / "two") for p in (tmp_path / "two").glob("*/[!.]*"))
     for file in files:
         first, second = ((tmp_path / name / file).read_bytes() for name in ("one", "two"))
         if file.name == "report.json":
@@ -119,7 +119,7 @@ def test_kill_minus_nine_in_the_middle(three_garments, tmp_path):
     assert 1 <= len(before) < 3
     with results.open("ab") as stream:
         stream.write(b'{"id": "tank-top", "fol')
-    (out / ".making-1-t-shirt").mkdir()
+    (out / "t-shirt" / ".swifttailor-unfinished-1").mkdir(parents=True, exist_ok=True)
     stamps = {r["id"]: (out / r["folder"] / "garment.glb").stat().st_mtime_ns for r in before}
 
     new = []
@@ -129,7 +129,7 @@ def test_kill_minus_nine_in_the_middle(three_garments, tmp_path):
     assert len(records(out)) == 3
     for id, stamp in stamps.items():
         assert (out / id / "garment.glb").stat().st_mtime_ns == stamp
-    assert not list(out.glob(".making-*"))
+    assert not list(out.glob("*/.swifttailor-unfinished-*"))
 
 
 def wait_for(condition, process: subprocess.Popen, seconds: float = 120) -> None:
@@ -157,7 +157,7 @@ def test_interrupted_batches_leave_a_summary(number, tmp_path):
     )
     script = tmp_path / "script.py"
     script.write_text(program)
-    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parent)}
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path])}
     process = subprocess.Popen(
         [sys.executable, str(script), str(source), str(out)],
         env=environment,
@@ -233,7 +233,8 @@ def test_a_damaged_archive_gives_what_it_can(tmp_path):
 @pytest.mark.parametrize(
     "id",
     ["../up", "/tmp/x", "..", ".", "a/b", "a\\b", "C:x", "con", "NUL", "summary.json", "sheet-01.png",
-     ".lock", "k\u00f6rper", "a b", "-rf", "x" * 200, ".making-1-a"],
+     ".swifttailor", ".swifttailor.lock", ".swifttailor-unfinished-1", "k\u00f6rper", "a b",
+     "-rf", "x" * 200],
 )  # fmt: skip
 def test_ids_never_leave_the_folder(id, tmp_path):
     name = folder_name(id)

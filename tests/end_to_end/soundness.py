@@ -14,7 +14,7 @@ from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh.topology import edge_faces, topology
 from swifttailor.pattern import EdgeRef, Pattern, check_pattern, load_pattern
 
-SEWN_FILES = {"pattern.json", "pattern.svg", "garment.glb", "garment.obj", "report.json"}
+SEWN_FILES = {".swifttailor", "pattern.json", "pattern.svg", "garment.glb", "garment.obj", "report.json"}
 MADE_FILES = SEWN_FILES | {"ggi.npz"}
 BORDER = (0.2, 1.2)
 """Length of the open borders of a sewn garment, in lengths of the edges that are not sewn.
@@ -87,6 +87,7 @@ def assert_sound_mesh(vertices: np.ndarray, faces: np.ndarray, pattern: Pattern)
 
 def contents(folder: Path) -> dict[str, Any]:
     """Every file's bytes; of the report what does not tell the time."""
-    found: dict[str, Any] = {p.name: p.read_bytes() for p in folder.iterdir() if p.name != "report.json"}
+    told = ("report.json", ".swifttailor")
+    found: dict[str, Any] = {p.name: p.read_bytes() for p in folder.iterdir() if p.name not in told}
     report = json.loads((folder / "report.json").read_text())
     return found | {"report.json": {k: v for k, v in report.items() if k != "seconds"}}

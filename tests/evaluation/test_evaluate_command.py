@@ -24,6 +24,7 @@ pytestmark = pytest.mark.usefixtures("fewer_points")
 
 TINY = Path(__file__).parents[1] / "garment_sewer" / "tiny_sewer.onnx"
 """An untrained network: it predicts its prior."""
+TINY_MAKER = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
 
 
 def arguments(data: Path, *more: str) -> list[str]:
@@ -82,7 +83,7 @@ def test_the_command_prints_tables_and_writes_what_is_behind_them(data, tmp_path
     assert "split validation: 3 of 3 garments, seed 0" in shown and "tiny_sewer.onnx" in shown
     assert "commit" in shown and "cores" in shown and "paper: GarmentSewer, L_reg + L_stitch" in shown
     names = {p.name for p in out.iterdir()}
-    assert names == {"tables.txt", "summary.json", "garments.jsonl", "sheet-01.png"}
+    assert names == {"tables.txt", "summary.json", "garments.jsonl", "sheet-01.png", ".swifttailor"}
     assert (out / "tables.txt").read_text() == shown
     lines = [json.loads(line) for line in (out / "garments.jsonl").read_text().splitlines()]
     assert [line["id"] for line in lines] == ["short", "shirt", "long"]
@@ -230,8 +231,8 @@ def test_drapes_of_different_makes_are_not_mixed(draped, data, tmp_path):
 def test_damaged_records_are_named(draped, tmp_path):
     reader = SplitReader(draped / "validation")
     folder = tmp_path / RECORDS
-    folder.mkdir()
     redraper = Redraper(reader, tmp_path)
+    folder.mkdir()
     (folder / "000000.json").write_text("{")
     with pytest.raises(InputError, match=r"000000\.json' is damaged"):
         redraper.run([0])
@@ -257,3 +258,35 @@ def test_unknown_and_no_evaluations(capsys):
     assert run(["evaluate"]) == 2 and "usage: swifttailor evaluate" in capsys.readouterr().err
     assert run(["evaluate", "taste"]) == 2 and "no command 'evaluate taste'" in capsys.readouterr().err
     assert run(["evaluate", "--help"]) == 0 and "drape-floor" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("command", "name"),
+    [
+        *(("garment-sewer", n) for n in ("garments.jsonl", "summary.json", "tables.txt", "sheet-01.png")),
+        *(("drape-floor", n) for n in ("garments.jsonl", "summary.json", "tables.txt", "redrapes.json")),
+        ("drape-floor", "redrapes/000000.npy"),
+        *(("picture-reader", n) for n in ("summary.json", "tables.txt")),
+        *(("pattern-maker", n) for n in ("scores.jsonl", "summary.json", "tables.txt", "settings.json")),
+        *(("pattern-maker", n) for n in ("answers.jsonl", "samples.jsonl")),
+    ],
+)
+def test_files_of_others_stay(command, name, data, tmp_path, capsys, monkeypatch):
+    (tmp_path / name).parent.mkdir(exist_ok=True)
+    (tmp_path / name).write_text("my own work, without an end of line")
+    before = (tmp_path / name).stat().st_mtime_ns
+    asked = {
+        "garment-sewer": arguments(data)[1:],
+        "drape-floor": ["drape-floor", "--data", str(data), "--limit", "1"],
+        "picture-reader": ["picture-reader", "--data", str(data), "--limit", "1"],
+        "pattern-maker": [
+            *("pattern-maker", "--patterns", str(data / "validation"), "--limit", "1", "--samples", "0"),
+            *("--network-alone", "--weights", str(TINY_MAKER), "--tasks", "text"),
+        ],
+    }[command]
+    assert run(["evaluate", *asked, "--out", str(tmp_path)]) == 2
+    said = capsys.readouterr().err
+    assert str(tmp_path) in said
+    assert "would be replaced" in said or "does not belong" in said or "Cannot read" in said
+    assert (tmp_path / name).read_text() == "my own work, without an end of line"
+    assert (tmp_path / name).stat().st_mtime_ns == before

@@ -55,7 +55,7 @@ def test_the_command_asks_prints_writes_and_goes_on(files, tmp_path, capsys, cal
     assert "answers of the network alone, temperature 0, one pattern each" in shown
     assert "commit" in shown and "cores" in shown and "patterns.jsonl: 4, at most 1 chosen by lot" in shown
     assert "paper: PatternMaker" in shown and "input unchanged" in shown and "#Sampling" in shown
-    names = {p.name for p in out.iterdir()} - {".lock"}
+    names = {p.name for p in out.iterdir()} - {".swifttailor"}
     written = {"answers.jsonl", "samples.jsonl", "scores.jsonl", "settings.json", "summary.json"}
     assert names == written | {"tables.txt", "sheet-text-01.png", "sheet-edit-01.png"}
     assert (out / "tables.txt").read_text() == shown

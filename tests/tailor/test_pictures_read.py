@@ -131,6 +131,14 @@ def test_a_thing_said_in_words_is_not_taken_from_the_picture_in_centimetres():
     assert kept == tuple(seen)
 
 
+def test_what_words_and_picture_agree_on_is_not_overruled():
+    hem = Wish(Gain(Claim("skirt_hem", "knee")), 0.9)
+    assert not_overruled([hem], [Wish(Gain(Claim("skirt_hem", "knee")), 0.6)]) == ((), ())
+    assert not_overruled([hem], [Wish(Gain(Claim("skirt_hem", "maxi")), 0.6)]) == ((), (hem,))
+    no_slit = Wish(Gain(Claim("slit", "none")), 0.9)
+    assert not_overruled([hem, no_slit], [Wish(Gain(Claim("kind", "trousers")), 0.9)]) == ((), (hem,))
+
+
 @pytest.fixture
 def shown(monkeypatch, sewer, tmp_path):
     """The command line with eyes that see a shirt above trousers, and a picture for it."""
@@ -159,7 +167,11 @@ def test_reading_alone_makes_nothing(shown, tmp_path, capsys):
     assert run([*shown, "--read"]) == 0
     printed = capsys.readouterr().out
     assert "how long both sleeves are: long (95%)" in printed and "lower (97%)" in printed
-    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["reading.json", "seen.png"]
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == [
+        ".swifttailor",
+        "reading.json",
+        "seen.png",
+    ]
     (told,) = json.loads((tmp_path / "out" / "reading.json").read_text())
     assert told["file"] == "photo.png" and [p["part"] for p in told["parts"]] == ["upper", "lower"]
 

@@ -32,6 +32,7 @@ TINY_MAKER = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
 SHIRT, SKIRT, DRESS = draft("t-shirt"), draft("fitted-skirt"), draft("fitted-dress")
 STAGES = ["loading", "reading", "writing", "checking", "altering", "drawing", "network", "decoding"]
 FILES = {
+    ".swifttailor",
     "pattern.json",
     "pattern.svg",
     "garment.glb",
@@ -109,14 +110,15 @@ def test_less_is_written_where_less_is_wanted(shirt, tmp_path):
     less = FILES - {"preview.png", "ggi.npz"}
     shirt.save(tmp_path / "new", preview=False, images=False)
     assert {p.name for p in (tmp_path / "new").iterdir()} == less
-    # A picture of another garment would be worse than none; in a folder of something else it is not ours.
-    (tmp_path / "own").mkdir()
+    # A picture of another garment would be worse than none; one that somebody has put there is not ours.
+    shirt.save(tmp_path / "own")
+    (tmp_path / "own" / "preview.png").write_bytes(b"drawn by hand")
     for folder in ("new", "own"):
-        for name in ("preview.png", "ggi.npz", "notes.txt"):
-            (tmp_path / folder / name).write_bytes(b"older")
+        (tmp_path / folder / "notes.txt").write_bytes(b"older")
         shirt.save(tmp_path / folder, preview=False, images=False)
     assert {p.name for p in (tmp_path / "new").iterdir()} == less | {"notes.txt"}
-    assert {p.name for p in (tmp_path / "own").iterdir()} == FILES | {"notes.txt"}
+    assert {p.name for p in (tmp_path / "own").iterdir()} == less | {"notes.txt", "preview.png"}
+    assert (tmp_path / "own" / "preview.png").read_bytes() == b"drawn by hand"
 
 
 def test_the_image_is_what_the_network_predicted(shirt, sewer):
@@ -241,7 +243,7 @@ def test_the_same_again_gives_the_same_bytes(sewer, tmp_path):
     for name in "ab":
         tailor = Tailor.load(scripted_maker([SHIRT]), sewer)
         tailor.generate("a shirt", seed=2).save(tmp_path / name)
-    for file in FILES - {"report.json"}:
+    for file in FILES - {"report.json", ".swifttailor"}:
         assert (tmp_path / "a" / file).read_bytes() == (tmp_path / "b" / file).read_bytes(), file
     first, second = (json.loads((tmp_path / n / "report.json").read_text()) for n in "ab")
     assert first | {"seconds": {}} == second | {"seconds": {}}

@@ -134,11 +134,14 @@ def test_masks_and_views_move_with_their_picture():
 def test_guesses_are_about_right_and_lacking_now_and_then():
     import torch
 
+    from swifttailor.picture_reader.close_ups import WHOLE
     from swifttailor.training.picture_batch_torch import guessed
 
     views = torch.tensor([[0.0, 1.0, 0.1, -0.7, 0.05, -0.02]]).expand(4000, 6)
     figures = torch.ones(4000, dtype=torch.long)
-    guess = guessed(views, figures, torch.Generator().manual_seed(0), 0.3)
+    whole = torch.full((4000,), WHOLE)
+    guess = guessed(views, figures, whole, torch.Generator().manual_seed(0), 0.3)
+    assert (guessed(views, figures, 0 * whole, torch.Generator().manual_seed(0), 0.3)[:, 6] == 1).all()
     known = guess[:, 6] == 1
     assert 0.27 < float((~known).float().mean()) < 0.33 and not guess[~known].any()
     off = (guess[known, :6] - views[known]).abs()
@@ -163,11 +166,14 @@ def test_the_loss_is_least_where_the_reading_is_true():
     measures = torch.randn(2, 2, 5, generator=chance)
     truth = Answers(
         present=torch.tensor([[1.0, 0.0], [1.0, 1.0]]),
+        whole=torch.tensor([True, True]),
         statements=lots(2, 2, 7),
         clear=lots(2, 2, 7).bool(),
         has=lots(2, 2, 5),
+        measured=lots(2, 2, 5).bool(),
         measures=measures,
         panels=lots(2, 2, 4),
+        named=lots(2, 2, 4).bool(),
         boxes=torch.randn(2, 2, 4, 5, generator=chance),
         view=torch.randn(2, 6, generator=chance),
         figures=torch.tensor([1, 1]),
@@ -209,3 +215,14 @@ def test_the_loss_is_least_where_the_reading_is_true():
     assert float(reading_losses(unclear, truth, LossWeights())["statements"]) < 1e-3, (
         "the border counts nothing"
     )
+    near = truth._replace(whole=torch.tensor([False, False]))
+    untold = reading._replace(
+        present=-reading.present,
+        figures=-reading.figures,
+        has=torch.where(truth.measured, reading.has, -reading.has),
+        measures=torch.where(truth.measured[..., None], reading.measures, reading.measures + 9),
+        panels=torch.where(truth.named, reading.panels, -reading.panels),
+        boxes=torch.where(truth.named[..., None], reading.boxes, reading.boxes + 9),
+    )
+    of_near = reading_losses(untold, near, LossWeights())
+    assert abs(float(of_near["total"] - best["total"])) < 1e-2, "what a close-up does not tell counts nothing"

@@ -7,6 +7,7 @@ import pytest
 
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Blocks, draw
+from swifttailor.data.pictures.panel_cells import SEAM
 from swifttailor.data.pictures.scenes import (
     HELD_OUT_BACKDROPS,
     HELD_OUT_WEAVES,
@@ -18,6 +19,7 @@ from swifttailor.data.reader import SplitReader
 from swifttailor.data.renders.backdrops import MAKER_NAMES
 from swifttailor.errors import InputError
 from swifttailor.pattern.digest import pattern_digest
+from swifttailor.picture_reader.close_ups import CLOSE_UPS, WHOLE
 from swifttailor.picture_reader.labels import PARTS
 from swifttailor.picture_reader.view import camera_of
 
@@ -93,6 +95,35 @@ def test_pictures_are_fixed_by_their_lots_and_masks_lie_on_the_garment(wardrobe,
         assert near.mean() > 0.9, "but for hair and hands before it"
         away = np.abs(np.array([columns.mean(), rows.mean()]) * 4 + 2 - middle)
         assert away.max() < 0.45 * SIZE, "the camera of the view looks at the mask"
+
+
+@pytest.mark.parametrize("family", ["plain", "studio", "people"])
+def test_close_ups_show_a_part_of_one_garment(wardrobe, family):
+    seen = set()
+    for k in range(12):
+        number = k % 6
+        scene = draw(wardrobe, number, family, "front", np.random.default_rng(k), SIZE, close=True)
+        part = wardrobe.bank.part(number)
+        assert scene.garments[part] == number and scene.garments[1 - part] == -1
+        assert scene.masks[:, :, part].max() > 100
+        assert camera_of(scene.views).height < 90 and scene.close_up < WHOLE
+        seen.add(CLOSE_UPS[scene.close_up].name)
+        rows, columns = np.nonzero(scene.masks[:, :, part] > 200)
+        at = scene.places[rows, columns].astype(float) * 100
+        inside = CLOSE_UPS[scene.close_up].points(at, _kinds(scene, rows, columns))
+        assert inside.any() or family == "people", "the part is in the picture"
+    assert {"waist"} < seen
+
+
+def _kinds(scene, rows, columns):
+    return scene.cells[rows, columns].astype(int) % SEAM - 1
+
+
+def test_so_many_pictures_are_close_ups(bank):
+    shares = {"plain": 0.5, "nothing": 0.2}
+    near = [Blocks(bank, seed=3, size=32, count=30, shares=shares, close=c)[0].close_up for c in (0, 0.5, 1)]
+    counts = [(found < WHOLE).sum() for found in near]
+    assert counts[0] == 0 and 5 < counts[1] < 20 and 18 < counts[2] < 30, "where there is nothing, none"
 
 
 def test_two_garments_are_worn_by_one_person(wardrobe):

@@ -8,7 +8,7 @@ import pytest
 
 from swifttailor.errors import InputError
 from swifttailor.training import run_record
-from swifttailor.training.run_record import command, file_checksums
+from swifttailor.training.run_record import RunRecord, command, file_checksums
 
 
 def test_files_are_named_by_their_checksums(tmp_path):
@@ -35,3 +35,24 @@ def test_the_command_is_what_makes_it_again(program, monkeypatch):
     assert command() == "swifttailor train wish-reader --out 'my run'"
     monkeypatch.setattr(run_record.sys, "argv", ["pytest", "--resume"])
     assert command() == ""
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["config.json", "metrics.jsonl", "card.json", "weights.safetensors", "checkpoint.pt", "validation-1.png"],
+)
+def test_a_training_replaces_nobody_s_files(name, tmp_path):
+    (tmp_path / name).write_text("mine")
+    with pytest.raises(InputError, match=r"would be replaced|There is a training"):
+        RunRecord(tmp_path).start({}, resume=False)
+    assert (tmp_path / name).read_text() == "mine" and [p.name for p in tmp_path.iterdir()] == [name]
+
+
+def test_one_training_at_a_time(tmp_path):
+    first = RunRecord(tmp_path / "run")
+    first.start({"steps": 1}, resume=False)
+    for resume in (False, True):
+        with pytest.raises(InputError, match="Another training is at work"):
+            RunRecord(tmp_path / "run").start({"steps": 1}, resume=resume)
+    first.end()
+    RunRecord(tmp_path / "run").start({"steps": 1}, resume=True)

@@ -217,6 +217,6 @@ def _keep_field(path: Path, field: DistanceField) -> None:
             np.savez(stream, values=field.values, origin=field.origin)
 
     try:
-        write_atomically(path, write)
+        write_atomically(path, write, overwrite=True)
     except (SwiftTailorError, OSError):
         return

@@ -31,6 +31,8 @@ class Check:
     """GarmentCode JSON file to check."""
     repair: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Write the repaired pattern to this file. The exit code then tells whether faults remain."""
+    overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Replace the file that --repair names where there is one already: the pattern itself, if you like."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
     """Print one JSON object (path, ok, findings, changes) instead of text."""
     rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"
@@ -94,7 +96,7 @@ class Check:
         """Writes the mended pattern; a sound one is not written over itself."""
         assert self.repair is not None
         if changed or not (self.repair.exists() and self.repair.samefile(self.pattern)):
-            mended.save(self.repair)
+            mended.save(self.repair, overwrite=self.overwrite)
 
     def _print_text(self, findings: tuple[Finding, ...], changes: tuple[Change, ...]) -> None:
         from rich.console import Console

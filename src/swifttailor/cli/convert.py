@@ -31,6 +31,11 @@ class Convert:
     """How to read the placement angles of a pattern: as GarmentCode's generator writes them (intrinsic), or
     as its simulator and older files do (extrinsic)."""
 
+    overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Replace the target where there is one already."""
+    open: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Show the result."""
+
     def run(self) -> int:
         """Converts, prints the file written, and returns the exit code."""
         source = self._file_in_folder() if self.source.is_dir() else self.source
@@ -45,6 +50,10 @@ class Convert:
         else:
             self._convert_garment(source)
         print(self.target)  # noqa: T201
+        if self.open:
+            from swifttailor.cli.results import open_file
+
+            open_file(self.target)
         return 0
 
     def _file_in_folder(self) -> Path:
@@ -66,9 +75,9 @@ class Convert:
             )
         pattern = load_pattern(source, rotation=self.rotation)
         if ending == ".svg":
-            write_svg(pattern, self.target)
+            write_svg(pattern, self.target, overwrite=self.overwrite)
         else:
-            pattern.save(self.target)
+            pattern.save(self.target, overwrite=self.overwrite)
 
     def _convert_garment(self, source: Path) -> None:
         from swifttailor.garment.formats import MESH_ENDINGS, read_garment_mesh, write_garment_mesh
@@ -83,7 +92,7 @@ class Convert:
                 f"A garment cannot be converted to '{self.target.name}': "
                 f"the ending '{self.target.suffix}' is unknown. Accepted: {', '.join(MESH_ENDINGS)}."
             )
-        write_garment_mesh(read_garment_mesh(source), self.target)
+        write_garment_mesh(read_garment_mesh(source), self.target, overwrite=self.overwrite)
 
 
 def _same_file(first: Path, second: Path) -> bool:

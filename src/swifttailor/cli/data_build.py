@@ -40,7 +40,7 @@ class DataBuild:
 
     patterns: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE")]
     """Files (.jsonl, .jsonl.gz) with one {"id": ..., "pattern": ...} a line, or folders of .json files."""
-    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    out: Annotated[Path, tyro.conf.arg(metavar="DIR")] = Path("dataset")
     """Folder of the data set; created when missing."""
     split: Annotated[str | None, tyro.conf.arg(metavar="NAME")] = None
     """Name of the split (train, validation, test). Default: the first file's name."""

@@ -26,6 +26,8 @@ class DataCaptions:
     """A data set, a split of one, a .jsonl or .jsonl.gz file, a folder of .json files, or a pattern."""
     out: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """File to write. Default: captions.jsonl in each split of a data set; others are printed."""
+    overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Replace the file where there is one."""
     count: Annotated[int, tyro.conf.arg(metavar="N")] = 4
     """Captions of each pattern."""
     seed: int = 0
@@ -41,17 +43,22 @@ class DataCaptions:
         Raises:
             SwiftTailorError: The source cannot be read, or there is no such style.
         """
+        from swifttailor.atomic_files import require_free
         from swifttailor.cli.option_checks import in_range
         from swifttailor.data.index import split_folders
         from swifttailor.data.pattern_source import is_data_set
 
         in_range("--count", self.count, 1, MAX_COUNT)
         in_range("--seed", self.seed, 0, 2**31)
-        if self.out is not None:
-            return self._write(self.source, self.out)
-        if not is_data_set(self.source):
+        if self.out is None and not is_data_set(self.source):
             return self._print()
-        return max(self._write(f, f / "captions.jsonl") for f in split_folders(self.source).values())
+        if self.out is not None:
+            places = {self.source: self.out}
+        else:
+            places = {f: f / "captions.jsonl" for f in split_folders(self.source).values()}
+        for out in places.values():
+            require_free(out, overwrite=self.overwrite)
+        return max(self._write(source, out) for source, out in places.items())
 
     def _print(self) -> int:
         failed = 0
@@ -81,8 +88,7 @@ class DataCaptions:
                     done += not problem
                     progress.add(1)
 
-        out.parent.mkdir(parents=True, exist_ok=True)
-        write_atomically(out, write)
+        write_atomically(out, write, overwrite=self.overwrite)
         sys.stdout.write(f"{self.count} captions of each of {done} patterns in {out}\n")
         return int(failed > 0)
 

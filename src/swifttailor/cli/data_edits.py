@@ -25,8 +25,10 @@ class DataEdits:
 
     source: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="SOURCE")]
     """A data set, a split of one, a .jsonl or .jsonl.gz file, a folder of .json files, or a pattern."""
-    out: Annotated[Path, tyro.conf.arg(metavar="FILE")]
-    """File to write, .jsonl or .jsonl.gz."""
+    out: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """File to write, .jsonl or .jsonl.gz. Default: a new one in the current folder, named after SOURCE."""
+    overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Replace the file where there is one."""
     count: Annotated[int, tyro.conf.arg(metavar="N")] = 2
     """Topics to recut each pattern about."""
     designs: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
@@ -44,21 +46,23 @@ class DataEdits:
         Raises:
             SwiftTailorError: A source cannot be read.
         """
-        from swifttailor.atomic_files import write_atomically
+        from swifttailor.atomic_files import require_free, write_atomically
         from swifttailor.cli.option_checks import in_range
+        from swifttailor.cli.results import new_place
         from swifttailor.errors import InputError
 
         in_range("--count", self.count, 0, MAX_COUNT)
         in_range("--seed", self.seed, 0, 2**31)
         if self.versions and self.designs is not None:
             raise InputError("--versions writes recut patterns, and --designs are patterns already.")
-        if not self.out.name.lower().endswith((".jsonl", ".jsonl.gz")):
-            raise InputError(f"--out is '{self.out}'; a file that ends in .jsonl or .jsonl.gz is written.")
-        self.out.parent.mkdir(parents=True, exist_ok=True)
+        out = self.out or new_place(f"{self.source.name.split('.')[0]}-edits", ".jsonl.gz")
+        if not out.name.lower().endswith((".jsonl", ".jsonl.gz")):
+            raise InputError(f"--out is '{out}'; a file that ends in .jsonl or .jsonl.gz is written.")
+        require_free(out, overwrite=self.overwrite)
         counts = [0, 0]
 
         def write(path: Path) -> None:
-            compressed = self.out.name.lower().endswith(".gz")
+            compressed = out.name.lower().endswith(".gz")
             # Without a time in its header the file depends on its content alone.
             with path.open("wb") as raw, gzip.GzipFile("", "wb", 6, raw, 0) if compressed else raw as stream:
                 for line, problem in self._lines():
@@ -67,8 +71,8 @@ class DataEdits:
                     counts[0] += bool(line)
                     counts[1] += bool(problem)
 
-        write_atomically(self.out, write)
-        sys.stdout.write(f"{counts[0]} {'patterns' if self.versions else 'pairs'} in {self.out}\n")
+        write_atomically(out, write, overwrite=self.overwrite)
+        sys.stdout.write(f"{counts[0]} {'patterns' if self.versions else 'pairs'} in {out}\n")
         return int(counts[1] > 0)
 
     def _lines(self) -> Iterator[tuple[bytes, str]]:

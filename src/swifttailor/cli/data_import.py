@@ -25,7 +25,7 @@ class DataImport:
 
     root: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="ROOT")]
     """Folder with garments_5000_0 and so on, or one of those."""
-    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    out: Annotated[Path, tyro.conf.arg(metavar="DIR")] = Path("dataset")
     """Folder of the data set; created when missing."""
     splits: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Official list of splits (JSON). Without it all garments go into one split."""

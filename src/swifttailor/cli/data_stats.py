@@ -9,11 +9,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 from swifttailor.cli.postponed_imports import tyro
+from swifttailor.cli.results import open_file
 
 if TYPE_CHECKING:
     from swifttailor.data.stats import Shown, SplitNumbers
 
 MAX_SAMPLES = 5000
+STATS = "stats.json"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,6 +30,10 @@ class DataStats:
     """The data set, or one split of it."""
     out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
     """Folder to write. Default: stats/ in the data set."""
+    overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Replace files in DIR even where SwiftTailor has not written them, or they were changed since."""
+    open: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Show the page."""
     samples: Annotated[int, tyro.conf.arg(metavar="N")] = 200
     """How many random samples of each split to draw."""
     seed: int = 0
@@ -47,19 +53,31 @@ class DataStats:
         from swifttailor.cli.option_checks import in_range, worker_count
         from swifttailor.data.index import split_folders
         from swifttailor.data.stats import write_page, write_sheets
+        from swifttailor.data.stats.page import PAGE, PICTURES
+        from swifttailor.output_folder import OutputFolder
+        from swifttailor.render.numbered_sheets import sheets_named
 
         in_range("--samples", self.samples, 0, MAX_SAMPLES)
         workers = worker_count(self.workers)
         out = self.out if self.out is not None else self.dataset / "stats"
         numbers: dict[str, SplitNumbers] = {}
         shown: dict[str, list[Shown]] = {}
-        for name, folder in split_folders(self.dataset).items():
-            numbers[name] = self._count(name, folder, workers)
-            shown[name] = self._show(name, folder)
-            write_sheets(out, name, shown[name])
-        content: dict[str, Any] = {name: found.to_json() for name, found in numbers.items()}
-        write_text(out / "stats.json", json.dumps(content, indent=1) + "\n")
-        page = write_page(out, f"Data set {self.dataset.resolve().name}", numbers, shown)
+        splits = split_folders(self.dataset)
+        sheets = [name for split in splits for name in sheets_named(split)]
+        with OutputFolder(out, overwrite=self.overwrite) as output:
+            output.require_own([STATS, PAGE])
+            for name, folder in splits.items():
+                numbers[name] = self._count(name, folder, workers)
+                shown[name] = self._show(name, folder)
+            content: dict[str, Any] = {name: found.to_json() for name, found in numbers.items()}
+            with output.fill(stale=[*sheets, f"{PICTURES}/*"]) as made:
+                for name in splits:
+                    write_sheets(made, name, shown[name])
+                write_text(made / STATS, json.dumps(content, indent=1) + "\n")
+                write_page(made, f"Data set {self.dataset.resolve().name}", numbers, shown)
+        page = out / PAGE
+        if self.open:
+            open_file(page)
         if self.json:
             sys.stdout.write(json.dumps(content, indent=1) + "\n")
         else:

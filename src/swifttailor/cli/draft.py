@@ -10,11 +10,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from swifttailor.cli.postponed_imports import tyro
+from swifttailor.cli.results import new_place
 
 if TYPE_CHECKING:
     from swifttailor.pattern.drafts import DraftInfo, Measurements, OptionField
 
 USAGE_ERROR = 2
+_OUT = "GarmentCode JSON file to write. Default: a new one in the current folder, GARMENT.json."
+_OVERWRITE = "Replace the file where there is one."
 
 
 @dataclass(frozen=True)
@@ -103,7 +106,8 @@ def _draft(name: str, arguments: list[str]) -> int:
     )
     options = {f.name: getattr(request, f.name) for f in info.options}
     pattern = draft(info.name, measurements=_measurements(request.body), **options)
-    path = pattern.save(request.out)
+    place = request.out if request.out is not None else new_place(info.name, ".json")
+    path = pattern.save(place, overwrite=request.overwrite)
     sys.stdout.write(f"{path}: {info.name}, {len(pattern.panels)} panels, {len(pattern.stitches)} stitches\n")
     return 0
 
@@ -111,7 +115,8 @@ def _draft(name: str, arguments: list[str]) -> int:
 def _request_class(info: DraftInfo) -> type[Any]:
     """A dataclass with one field, and so one flag, for every option of the garment."""
     fields: list[tuple[str, Any, Any]] = [
-        ("out", Annotated[Path, tyro.conf.arg(help="GarmentCode JSON file to write.")], dataclasses.MISSING),
+        ("out", Annotated[Path | None, tyro.conf.arg(help=_OUT, metavar="FILE")], None),
+        ("overwrite", Annotated[tyro.conf.FlagCreatePairsOff[bool], tyro.conf.arg(help=_OVERWRITE)], False),
         (
             "body",
             Annotated[

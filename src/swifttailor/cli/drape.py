@@ -18,10 +18,13 @@ from swifttailor.cli.option_checks import (
     worker_count,
 )
 from swifttailor.cli.postponed_imports import tyro
+from swifttailor.cli.results import GarmentResults, file_name, new_place
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
+    from swifttailor.draping.sewable import Sewable
+    from swifttailor.output_folder import OutputFolder
     from swifttailor.pattern import Finding
 
 SOMETHING_TO_LOOK_AT = 1
@@ -29,7 +32,7 @@ UNUSABLE = 2
 
 
 @dataclass(frozen=True, kw_only=True)
-class Drape:
+class Drape(GarmentResults):
     """Sew a pattern together on a body and let it hang to rest.
 
     Writes pattern.json, pattern.svg, garment.glb, garment.obj, preview.png and report.json into a folder.
@@ -45,8 +48,6 @@ class Drape:
 
     pattern: Annotated[tyro.conf.Positional[Path | None], tyro.conf.arg(metavar="PATTERN")] = None
     """GarmentCode JSON file to drape."""
-    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
-    """Folder to write; created when missing."""
     body: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Body mesh to drape on (.obj, .ply, .glb, .stl), standing upright, facing +Z. The default body without
     it."""
@@ -64,8 +65,6 @@ class Drape:
     simulator and older files do (extrinsic)."""
     repair: tyro.conf.FlagCreatePairsOff[bool] = False
     """Repair the pattern first, as swifttailor check --repair does."""
-    preview: bool = True
-    """Draw preview.png, and with --batch the sheets."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
     """Print the report (with --batch: the summary) as JSON."""
     batch: Annotated[Path | None, tyro.conf.arg(metavar="PATTERNS")] = None
@@ -119,7 +118,13 @@ class Drape:
         worker_count(self.workers)
         require_limit(self.limit)
         require_time_limit(self.time_limit)
-        require_writable_folder(self.out)
+        require_writable_folder(self.folder)
+
+    def usual_place(self) -> Path:
+        """Named after the pattern; that of a batch is the same each time, so that it is resumed."""
+        if self.batch is not None:
+            return Path(file_name(f"{self.batch.name.split('.')[0]}-draped"))
+        return new_place(f"{self.pattern.stem if self.pattern else 'garment'}-draped")
 
     def _refuse_batch_options(self) -> None:
         given = {
@@ -133,7 +138,25 @@ class Drape:
                 raise InputError(f"{name} goes with --batch PATTERNS; for a single pattern leave it out.")
 
     def _drape_one(self, source: Path) -> int:
+        from swifttailor.garment.folder import GLB, PREVIEW, names_written
+        from swifttailor.output_folder import OutputFolder
+
+        sources = [source] if self.body is None else [source, self.body]
+        with OutputFolder(self.folder, overwrite=self.overwrite, sources=sources) as output:
+            output.require_own(names_written(preview=self.preview))
+            garment, sewable, saving = self._make(source, output)
+        if self.json:
+            _print_json(garment.report)
+        else:
+            self._print_summary(garment, sewable.findings, saving)
+        self.show(PREVIEW, GLB)
+        accepted = garment.report["quality"]["accepted"] and not sewable.doubtful
+        return 0 if accepted else SOMETHING_TO_LOOK_AT
+
+    def _make(self, source: Path, output: OutputFolder) -> tuple[Garment, Sewable, float]:
+        """Drapes and saves; returns the garment, its pattern and the seconds that saving took."""
         from swifttailor.cli.progress import StageProgress
+        from swifttailor.garment.folder import save_garment
         from swifttailor.pattern import read_pattern_file
 
         started = time.perf_counter()
@@ -164,14 +187,9 @@ class Drape:
             garment = replace(garment, report=report)
             before_saving = time.perf_counter()
             progress("saving", 0.0)
-            garment.save(self.out, body=body, preview=self.preview)
+            save_garment(garment, output, body=body, preview=self.preview)
             saving = time.perf_counter() - before_saving
-        if self.json:
-            _print_json(garment.report)
-        else:
-            self._print_summary(garment, sewable.findings, saving)
-        accepted = garment.report["quality"]["accepted"] and not sewable.doubtful
-        return 0 if accepted else SOMETHING_TO_LOOK_AT
+        return garment, sewable, saving
 
     def _print_summary(self, garment: Garment, findings: tuple[Finding, ...], saving: float) -> None:
         report = garment.report
@@ -186,12 +204,12 @@ class Drape:
             verdict = f"Not accepted: {'; '.join(quality['reasons'])}."
         seconds = report["seconds"] | {"saving": saving}
         stages = ", ".join(f"{name} {value:.1f}" for name, value in seconds.items() if value >= 0.05)
-        look = self.out / ("preview.png" if self.preview else "garment.glb")
+        look = self.folder / ("preview.png" if self.preview else "garment.glb")
         lines = [
             verdict,
             f"{report['panels']} panels, {report['vertices']} vertices, {report['faces']} faces.",
             f"{sum(seconds.values()):.1f} s: {stages}.",
-            f"Look at {look}; the numbers are in {self.out / 'report.json'}.",
+            f"Look at {look}; the numbers are in {self.folder / 'report.json'}.",
         ]
         print("\n".join(lines))  # noqa: T201
 

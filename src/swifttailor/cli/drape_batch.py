@@ -38,19 +38,21 @@ def run_drape_batch(options: Drape, source: Path) -> int:
     with _BatchProgress(min(total, options.limit or total)) as progress:
         summary = run_batch(
             source,
-            options.out,
+            options.folder,
             settings,
             workers=worker_count(options.workers),
             limit=options.limit,
             time_limit=options.time_limit or TIME_LIMIT,
             retry_failed=options.retry_failed,
+            overwrite=options.overwrite,
             on_start=progress.start,
             on_record=progress.show,
         )
     if options.json:
         sys.stdout.write(json.dumps(summary, indent=2) + "\n")
     else:
-        _print_summary(summary, options.out, progress.done, time.perf_counter() - started)
+        _print_summary(summary, options.folder, progress.done, time.perf_counter() - started)
+    options.show("sheet-01.png")
     counts = summary["counts"]
     return 0 if counts["accepted"] == counts["patterns"] else NOT_ALL_ACCEPTED
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from swifttailor.cli.making import Making
-from swifttailor.cli.own_folders import read_report
 from swifttailor.cli.postponed_imports import tyro
+from swifttailor.cli.results import new_place
 from swifttailor.errors import InputError
+
+_MAX_REPORT_BYTES = 64 * 2**20
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,11 +48,12 @@ class Edit(Making):
                 'swifttailor edit PATTERN "make it shorter" --out DIR'
             )
         source = self.pattern / PATTERN if self.pattern.is_dir() else self.pattern
-        for folder in self.folders():
-            if (folder / PATTERN).exists() and source.exists() and source.samefile(folder / PATTERN):
+        for folder in () if self.overwrite else self.folders():
+            edited = self.folder / folder / PATTERN
+            if edited.exists() and source.exists() and source.samefile(edited):
                 raise InputError(
                     f"The edited pattern would replace the one that is edited, '{source}'. "
-                    "Choose another --out."
+                    "Choose another --out, or say --overwrite."
                 )
         self.require_options()
         from swifttailor.pattern import read_pattern_file, repair_pattern
@@ -60,10 +64,29 @@ class Edit(Making):
             pattern = repair_pattern(pattern, reading.findings).pattern
         return self.make(self.order(self.instruction, edit=pattern))
 
+    def usual_place(self) -> Path:
+        """Named after the pattern."""
+        return new_place(f"{self.pattern.stem}-edited")
+
+    def sources(self) -> tuple[Path, ...]:
+        """The pattern."""
+        return (self.pattern,)
+
     def _rotation(self, source: Path) -> Literal["intrinsic", "extrinsic"]:
         from swifttailor.garment.folder import REPORT
 
         if self.rotation is not None:
             return self.rotation
-        report = read_report(source.with_name(REPORT)) if self.pattern.is_dir() else None
+        report = _read_report(source.with_name(REPORT)) if self.pattern.is_dir() else None
         return "extrinsic" if report is not None and report.get("rotation") == "extrinsic" else "intrinsic"
+
+
+def _read_report(path: Path) -> dict[str, Any] | None:
+    """The report of a garment's folder; None where the file is none, or missing."""
+    try:
+        if path.stat().st_size > _MAX_REPORT_BYTES:
+            return None
+        report: Any = json.loads(path.read_bytes())
+    except (OSError, ValueError, RecursionError):
+        return None
+    return report if isinstance(report, dict) else None

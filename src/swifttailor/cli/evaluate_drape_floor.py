@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from swifttailor.cli.postponed_imports import tyro
+
+if TYPE_CHECKING:
+    from swifttailor.data.reader import SplitReader
+    from swifttailor.output_folder import OutputFolder
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -21,8 +26,10 @@ class EvaluateDrapeFloor:
 
     data: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """The data set (swifttailor data build)."""
-    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    out: Annotated[Path, tyro.conf.arg(metavar="DIR")] = Path("drape-floor")
     """Folder for the drapes and the results; created when missing."""
+    overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Replace files in DIR even where SwiftTailor has not written them, or they were changed since."""
     split: Annotated[str, tyro.conf.arg(metavar="NAME")] = "validation"
     """Which of its splits."""
     limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
@@ -42,16 +49,24 @@ class EvaluateDrapeFloor:
         Raises:
             SwiftTailorError: The data or an option cannot be used.
         """
-        from swifttailor.cli.evaluation_report import GarmentReport, open_split, require_picture_count
-        from swifttailor.cli.item_progress import ItemProgress
+        from swifttailor.cli.evaluation_report import FILES, open_split, require_picture_count
         from swifttailor.cli.option_checks import require_writable_folder
 
         require_picture_count(self.pictures)
         require_writable_folder(self.out)
+        from swifttailor.output_folder import OutputFolder
+
+        reader = open_split(self.data, self.split)
+        with OutputFolder(self.out, overwrite=self.overwrite) as output:
+            output.require_own(FILES)
+            return self._evaluate(reader, output)
+
+    def _evaluate(self, reader: SplitReader, output: OutputFolder) -> int:
+        from swifttailor.cli.evaluation_report import SHEETS, GarmentReport
+        from swifttailor.cli.item_progress import ItemProgress
         from swifttailor.evaluation.garments.redrape import Redraper
         from swifttailor.evaluation.provenance import choose_samples, provenance
 
-        reader = open_split(self.data, self.split)
         numbers = choose_samples(reader, self.limit, self.seed)
         redraper = Redraper(reader, self.out, drape_seed=self.drape_seed, seed=self.seed)
         with ItemProgress(len(numbers), "garments draped and measured") as progress:
@@ -68,7 +83,9 @@ class EvaluateDrapeFloor:
             row=f"another drape, {reader.index.split}",
         )
         summary = report.summarize()
-        report.write(summary, self.out, as_json=self.json)
-        if self.pictures:
-            report.draw(reader, self.out, self.pictures)
+        with output.fill(stale=SHEETS) as folder:
+            report.write(summary, folder, as_json=self.json)
+            if self.pictures:
+                report.draw(reader, folder, self.pictures)
+        print(f"Wrote {self.out}", file=sys.stderr)  # noqa: T201
         return 1 if made.errors else 0

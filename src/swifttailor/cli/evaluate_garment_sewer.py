@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from swifttailor.cli.postponed_imports import tyro
+
+if TYPE_CHECKING:
+    from swifttailor.data.reader import SplitReader
+    from swifttailor.output_folder import OutputFolder
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,6 +41,8 @@ class EvaluateGarmentSewer:
     """CPU cores for the network."""
     out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
     """Folder for the results; created when missing."""
+    overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Replace files in DIR even where SwiftTailor has not written them, or they were changed since."""
     pictures: Annotated[int, tyro.conf.arg(metavar="N")] = 12
     """How many garments to draw, from the nearest to its drape to the farthest."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
@@ -48,17 +54,27 @@ class EvaluateGarmentSewer:
         Raises:
             SwiftTailorError: The data, the weights or an option cannot be used.
         """
-        from swifttailor.cli.evaluation_report import GarmentReport, open_split, require_picture_count
-        from swifttailor.cli.item_progress import ItemProgress
+        from swifttailor.cli.evaluation_report import FILES, open_split, require_picture_count
         from swifttailor.cli.option_checks import require_threads
 
         require_threads(self.threads)
         require_picture_count(self.pictures)
+        from swifttailor.output_folder import OutputFolder
+
+        reader = open_split(self.data, self.split)
+        if self.out is None:
+            return self._evaluate(reader, None)
+        with OutputFolder(self.out, overwrite=self.overwrite) as output:
+            output.require_own(FILES)
+            return self._evaluate(reader, output)
+
+    def _evaluate(self, reader: SplitReader, output: OutputFolder | None) -> int:
+        from swifttailor.cli.evaluation_report import SHEETS, GarmentReport
+        from swifttailor.cli.item_progress import ItemProgress
         from swifttailor.evaluation.garments.sew_split import sew_split
         from swifttailor.evaluation.provenance import choose_samples, file_identity, provenance
         from swifttailor.garment_sewer.sewer import SHIPPED, GarmentSewer
 
-        reader = open_split(self.data, self.split)
         numbers = choose_samples(reader, self.limit, self.seed)
         sewer = GarmentSewer.load(self.weights, threads=self.threads)
         weights = SHIPPED if self.weights is None else self.weights
@@ -86,7 +102,11 @@ class EvaluateGarmentSewer:
             row=f"GarmentSewer{' and physics' if self.finish else ''}, {reader.index.split}",
         )
         summary = report.summarize()
-        report.write(summary, self.out, as_json=self.json)
-        if self.out is not None and self.pictures:
-            report.draw(reader, self.out, self.pictures)
+        if output is None:
+            report.write(summary, None, as_json=self.json)
+        else:
+            with output.fill(stale=SHEETS) as folder:
+                report.write(summary, folder, as_json=self.json)
+                if self.pictures:
+                    report.draw(reader, folder, self.pictures)
         return 1 if made.errors else 0

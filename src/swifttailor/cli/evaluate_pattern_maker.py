@@ -16,12 +16,14 @@ from swifttailor.cli.option_checks import (
 )
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError
+from swifttailor.output_folder import OutputFolder
 
 if TYPE_CHECKING:
     from swifttailor.evaluation.maker.run import Evaluation, Plan
     from swifttailor.garment_sewer.sewer import GarmentSewer
 
 MAX_SAMPLES = 1000
+FILES = "scores.jsonl", "summary.json", "tables.txt"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,8 +39,10 @@ class EvaluatePatternMaker:
 
     patterns: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")]
     """Patterns to ask for: .jsonl, .jsonl.gz, folders of .json files, or data sets."""
-    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    out: Annotated[Path, tyro.conf.arg(metavar="DIR")] = Path("pattern-maker-evaluation")
     """Folder for answers and results; created when missing."""
+    overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Replace files in DIR even where SwiftTailor has not written them, or they were changed since."""
     weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Model file (.zip) of a trained PatternMaker. Default: the one in the package."""
     data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
@@ -122,9 +126,13 @@ class EvaluatePatternMaker:
         about = found.about | {"threads": self.threads} | code_and_machine()
         if self.garments:
             about["sewer_weights"] = file_identity(self._sewer_file())
-        self._write(found, about)
-        if self.pictures:
-            self._draw(found)
+        with (
+            OutputFolder(self.out, overwrite=self.overwrite) as output,
+            output.fill(stale=_stale_sheets(found)) as folder,
+        ):
+            self._write(found, about, folder)
+            if self.pictures:
+                self._draw(found, folder)
         return 0 if found.complete else 1
 
     def _plan(self) -> Plan:
@@ -234,22 +242,22 @@ class EvaluatePatternMaker:
         require_threads(self.threads)
         require_picture_count(self.pictures)
         require_writable_folder(self.out)
+        OutputFolder(self.out, overwrite=self.overwrite).require_own(FILES)
 
-    def _write(self, found: Evaluation, about: dict[str, Any]) -> None:
+    def _write(self, found: Evaluation, about: dict[str, Any], folder: Path) -> None:
         from swifttailor.atomic_files import write_text
 
-        content = {
+        numbers = {
             "about": about,
             "tasks": {result.task: result.to_json() for result in found.results},
             "sampling": {task: asdict(summary) for task, summary in found.sampling.items()},
             "garments": {task: asdict(sets) for task, sets in found.garments.items()},
         }
         text = self._text(found, about)
-        summary = json.dumps(content, indent=1, allow_nan=False) + "\n"
+        summary = json.dumps(numbers, indent=1, allow_nan=False) + "\n"
         lines = [json.dumps(s.to_json()) for scored in found.scored.values() for s in scored]
-        write_text(self.out / "scores.jsonl", "".join(line + "\n" for line in lines))
-        write_text(self.out / "summary.json", summary)
-        write_text(self.out / "tables.txt", text)
+        for name, content in zip(FILES, ("".join(f"{line}\n" for line in lines), summary, text), strict=True):
+            write_text(folder / name, content)
         sys.stdout.write(summary if self.json else text)
 
     def _text(self, found: Evaluation, about: dict[str, Any]) -> str:
@@ -269,7 +277,7 @@ class EvaluatePatternMaker:
             parts.append("".join(f"{id}: not asked for. {why}\n" for id, why in found.skipped.items()))
         return "\n".join(parts)
 
-    def _draw(self, found: Evaluation) -> None:
+    def _draw(self, found: Evaluation, folder: Path) -> None:
         from swifttailor.cli.item_progress import ItemProgress
         from swifttailor.evaluation.maker.ask import picture_of
         from swifttailor.evaluation.maker.sheet import Shown, chosen, write_sheets
@@ -280,5 +288,11 @@ class EvaluatePatternMaker:
                 for one in chosen(scored, self.pictures):
                     picture = picture_of(one.answer.question, found.pictures)
                     shown.append(Shown(one, None if picture is None else picture[1][0]))
-                write_sheets(self.out, task.replace("+", "-"), shown)
+                write_sheets(folder, task.replace("+", "-"), shown)
                 progress.add(1)
+
+
+def _stale_sheets(found: Evaluation) -> list[str]:
+    from swifttailor.render.numbered_sheets import sheets_named
+
+    return [name for task in found.scored for name in sheets_named(f"sheet-{task.replace('+', '-')}")]

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import tyro
+
+SUMMARY, TABLES = "summary.json", "tables.txt"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -21,8 +23,10 @@ class EvaluatePictureReader:
     """The picture reader's model file; the one of the package without it."""
     data: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """Data set of sewn garments (swifttailor data build --engine network)."""
-    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
+    out: Annotated[Path, tyro.conf.arg(metavar="DIR")] = Path("picture-reader-evaluation")
     """Folder for the results; created when missing."""
+    overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Replace files in DIR even where SwiftTailor has not written them, or they were changed since."""
     split: Annotated[str, tyro.conf.arg(metavar="NAME")] = "validation"
     """Which of its splits."""
     limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
@@ -40,17 +44,33 @@ class EvaluatePictureReader:
         import sys
 
         from swifttailor.atomic_files import write_text
+        from swifttailor.cli.option_checks import require_writable_folder
+        from swifttailor.evaluation.pictures.tables import tables
+        from swifttailor.evaluation.provenance import provenance_lines
+        from swifttailor.output_folder import OutputFolder
+
+        require_writable_folder(self.out)
+        with OutputFolder(self.out, overwrite=self.overwrite) as output:
+            output.require_own([SUMMARY, TABLES])
+            about, result = self._evaluate()
+            text = provenance_lines(about) + "\n" + tables(result)
+            with output.fill() as folder:
+                write_text(folder / SUMMARY, json.dumps({"about": about, "result": result}, indent=1) + "\n")
+                write_text(folder / TABLES, text)
+        sys.stdout.write(text)
+        return 0
+
+    def _evaluate(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """What was evaluated, and what came of it."""
         from swifttailor.cli.evaluation_report import open_split
         from swifttailor.cli.item_progress import ItemProgress
-        from swifttailor.cli.option_checks import require_writable_folder
         from swifttailor.cli.progress import print_line
         from swifttailor.data.pictures.bank import PictureBank
         from swifttailor.evaluation.pictures.reading import SHOWN, read_pictures
-        from swifttailor.evaluation.pictures.tables import summary, tables
-        from swifttailor.evaluation.provenance import choose_samples, provenance, provenance_lines
+        from swifttailor.evaluation.pictures.tables import summary
+        from swifttailor.evaluation.provenance import choose_samples, provenance
         from swifttailor.picture_reader.reader import PictureReader
 
-        require_writable_folder(self.out)
         reader = PictureReader.load(self.weights)
         split = open_split(self.data, self.split)
         numbers = choose_samples(split, self.limit, self.seed)
@@ -59,9 +79,4 @@ class EvaluatePictureReader:
         about = provenance(split, numbers, self.seed)
         with ItemProgress(len(numbers) * len(SHOWN), "pictures read") as progress:
             pictures = list(read_pictures(reader, bank, numbers, seed=self.seed, done=progress.add))
-        result = summary(pictures)
-        text = provenance_lines(about) + "\n" + tables(result)
-        write_text(self.out / "summary.json", json.dumps({"about": about, "result": result}, indent=1) + "\n")
-        write_text(self.out / "tables.txt", text)
-        sys.stdout.write(text)
-        return 0
+        return about, summary(pictures)

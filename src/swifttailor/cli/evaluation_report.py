@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from swifttailor.cli.option_checks import in_range
 from swifttailor.errors import InputError
+from swifttailor.render.numbered_sheets import sheets_named
 
 if TYPE_CHECKING:
     from swifttailor.data.reader import SplitReader
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     from swifttailor.evaluation.garments.summary import Summary
 
 MAX_PICTURES = 200
+FILES = "garments.jsonl", "summary.json", "tables.txt"
+SHEETS = sheets_named("sheet")
 
 
 def open_split(data: Path, split: str) -> SplitReader:
@@ -73,7 +76,7 @@ class GarmentReport:
             return summarize_scores(self.made.scored, self.made.lost, progress.add)
 
     def write(self, summary: Summary, out: Path | None, *, as_json: bool) -> None:
-        """Prints the tables and writes summary.json, garments.jsonl and tables.txt."""
+        """Prints the tables and writes `FILES` into an empty folder."""
         from swifttailor.atomic_files import write_text
 
         content = {"about": self.about, "result": summary.to_json()}

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from swifttailor.cli.making import Making
 from swifttailor.cli.postponed_imports import tyro
+from swifttailor.cli.results import new_place
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
@@ -74,6 +75,18 @@ class Generate(Making):
         )
         return self.make(order)
 
+    def usual_place(self) -> Path:
+        """Named after what is asked for."""
+        return new_place(self.text.strip() or self.image[0].stem)
+
+    def sources(self) -> tuple[Path, ...]:
+        """The pictures."""
+        return self.image
+
+    def shows_what_is_seen(self) -> bool:
+        """Whether pictures are read."""
+        return bool(self.image)
+
     def tailor(self, **networks: Path | None) -> Tailor:
         """Who makes the garments, and reads the pictures."""
         return super().tailor(
@@ -118,7 +131,7 @@ class Generate(Making):
             if path.suffix.lower() not in _PICTURES and not path.exists():
                 raise InputError(
                     f"'{path}' was given as a picture, and there is no such file. Put the text before "
-                    f'--image: swifttailor generate "{path}" --image {self.image[0]} --out {self.out}'
+                    f'--image: swifttailor generate "{path}" --image {self.image[0]}'
                 )
         for option, given in (
             ("--part", self.part is not None),

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from swifttailor.cli.postponed_imports import tyro
+from swifttailor.cli.results import new_place, open_file
 from swifttailor.errors import InputError
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern import Pattern
+
+if TYPE_CHECKING:
+    from swifttailor.output_folder import OutputFolder
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -24,8 +28,12 @@ class Ggi:
 
     source: Annotated[tyro.conf.Positional[Path | None], tyro.conf.arg(metavar="INPUT")] = None
     """GarmentCode JSON file, or the folder of a garment that swifttailor drape has written."""
-    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
-    """Folder to write; created when missing."""
+    out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
+    """Folder to write; created when missing. Default: a new one in the current folder, named after INPUT."""
+    overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Replace files in DIR even where SwiftTailor has not written them, or they were changed since."""
+    open: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Show the result."""
     resolution: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Pixels along each side of the images, 16 to 4096. Default: 256."""
     cm_per_pixel: Annotated[float | None, tyro.conf.arg(metavar="CM")] = None
@@ -57,13 +65,22 @@ class Ggi:
                 "or a file to decode: swifttailor ggi --decode FILE --out DIR"
             )
         self._refuse_options_of_the_other_way()
-        require_writable_folder(self.out)
-        if self.decode is not None:
-            from swifttailor.cli.ggi_decode import run_ggi_decode
+        source = self.decode or self.source
+        assert source is not None
+        folder = self.out or new_place(f"{source.stem}-{'garment' if self.decode else 'ggi'}")
+        require_writable_folder(folder)
+        from swifttailor.output_folder import OutputFolder
 
-            return run_ggi_decode(self, self.decode)
-        assert self.source is not None
-        return self._encode(self.source)
+        with OutputFolder(folder, overwrite=self.overwrite, sources=[source]) as output:
+            if self.decode is not None:
+                from swifttailor.cli.ggi_decode import run_ggi_decode
+
+                shown = run_ggi_decode(self, self.decode, output)
+            else:
+                shown = self._encode(source, output)
+        if self.open:
+            open_file(shown)
+        return 0
 
     def _refuse_options_of_the_other_way(self) -> None:
         drawing = {
@@ -82,27 +99,30 @@ class Ggi:
                 )
                 raise InputError(f"{name} is for {way} --decode.")
 
-    def _encode(self, source: Path) -> int:
+    def _encode(self, source: Path, output: OutputFolder) -> Path:
         from swifttailor.ggi import encode
         from swifttailor.ggi.file import GGI_FILE, write_ggi
-        from swifttailor.ggi.pictures import write_pictures
+        from swifttailor.ggi.pictures import GEOMETRY, SEMANTIC, STITCHING, write_pictures
 
         drawn = self._read(source)
+        worn = isinstance(drawn, Garment)
+        output.require_own([GGI_FILE, SEMANTIC, STITCHING, *([GEOMETRY] if worn else [])])
         images = encode(
             drawn,
             256 if self.resolution is None else self.resolution,
             cm_per_pixel=self.cm_per_pixel,
             packing=self.packing or "skyline",
         )
-        written = [write_ggi(images, self.out / GGI_FILE), *write_pictures(images, self.out)]
+        with output.fill(stale=[GEOMETRY]) as folder:
+            written = [write_ggi(images, folder / GGI_FILE), *write_pictures(images, folder)]
         layout = images.layout
         assert layout is not None
         print(  # noqa: T201
             f"{len(layout.pattern.panels)} panels, {images.stitching.stitch_count} stitches; "
             f"{layout.cm_per_pixel:.3g} cm per pixel, {images.occupancy.mean():.0%} of the image is cloth."
         )
-        print(f"Wrote {', '.join(str(path) for path in written)}")  # noqa: T201
-        return 0
+        print(f"Wrote {', '.join(str(output.folder / path.name) for path in written)}")  # noqa: T201
+        return output.folder / (GEOMETRY if worn else SEMANTIC)
 
     def _read(self, source: Path) -> Pattern | Garment:
         from swifttailor.pattern import load_pattern

@@ -16,18 +16,21 @@ if TYPE_CHECKING:
     from swifttailor.garment.triangle_mesh import TriangleMesh
     from swifttailor.ggi import GarmentGeometryImage
     from swifttailor.ggi.stitch import SewnGrid
+    from swifttailor.output_folder import OutputFolder
 
 
-def run_ggi_decode(options: Ggi, file: Path) -> int:
-    """Decodes a file, writes the garment's folder, prints what was made, and returns the exit code.
+def run_ggi_decode(options: Ggi, file: Path, output: OutputFolder) -> Path:
+    """Decodes a file, writes the garment's folder, prints what was made, and returns what shows it.
 
     Args:
-        options: Of the command: `out`, `method` and `edge_length`.
+        options: Of the command: `method` and `edge_length`.
         file: A ggi.npz.
+        output: Where to.
 
     Raises:
         SwiftTailorError: The file cannot be read or decoded, or the folder not be written.
     """
+    from swifttailor.garment.folder import GLB, OBJ, REPORT, names_written, save_garment
     from swifttailor.ggi.decode import decode
     from swifttailor.ggi.file import read_ggi
 
@@ -37,6 +40,8 @@ def run_ggi_decode(options: Ggi, file: Path) -> int:
             "or decode with the method 'outline'."
         )
     method = options.method or "outline"
+    names = (GLB, OBJ, REPORT) if method == "grid" else names_written(preview=False)
+    output.require_own(names)
     edge_length = 2.0 if options.edge_length is None else options.edge_length
     started = time.perf_counter()
     images = read_ggi(file)
@@ -48,15 +53,15 @@ def run_ggi_decode(options: Ggi, file: Path) -> int:
     if isinstance(garment, Garment):
         report["edge_length_cm"] = edge_length
         report["rotation"] = garment.pattern.panels[0].placement.reading
-        Garment(garment.mesh, garment.vertices, report).save(options.out, preview=False)
+        save_garment(Garment(garment.mesh, garment.vertices, report), output, preview=False)
     else:
-        _save_grid(mesh_of_grid(garment, images), options.out, report)
+        _save_grid(mesh_of_grid(garment, images), output, report)
     counts = report["topology"]
     print(  # noqa: T201
         f"{report['vertices']} vertices, {report['faces']} faces; {counts['components']} pieces, "
-        f"{counts['boundary_loops']} openings. Wrote {options.out}"
+        f"{counts['boundary_loops']} openings. Wrote {output.folder}"
     )
-    return 0
+    return output.folder / GLB
 
 
 def _report(images: GarmentGeometryImage, garment: Garment | SewnGrid, method: str) -> dict[str, Any]:
@@ -110,12 +115,13 @@ def mesh_of_grid(grid: SewnGrid, images: GarmentGeometryImage) -> TriangleMesh:
     )
 
 
-def _save_grid(mesh: TriangleMesh, folder: Path, report: dict[str, Any]) -> None:
+def _save_grid(mesh: TriangleMesh, output: OutputFolder, report: dict[str, Any]) -> None:
     from swifttailor.atomic_files import write_text
-    from swifttailor.garment.folder import GLB, OBJ, REPORT
+    from swifttailor.garment.folder import GLB, OBJ, OF_A_GARMENT, REPORT
     from swifttailor.garment.glb import write_glb
     from swifttailor.garment.obj import write_obj
 
-    write_glb(mesh, folder / GLB)
-    write_obj(mesh, folder / OBJ)
-    write_text(folder / REPORT, json.dumps(report, indent=2, allow_nan=False) + "\n")
+    with output.fill(stale=OF_A_GARMENT) as folder:
+        write_glb(mesh, folder / GLB)
+        write_obj(mesh, folder / OBJ)
+        write_text(folder / REPORT, json.dumps(report, indent=2, allow_nan=False) + "\n")

@@ -16,11 +16,12 @@ from swifttailor.cli.option_checks import (
     require_threads,
     require_writable_folder,
 )
-from swifttailor.cli.own_folders import require_own_files
 from swifttailor.cli.postponed_imports import tyro
-from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.cli.results import GarmentResults
+from swifttailor.errors import SwiftTailorError
 
 if TYPE_CHECKING:
+    from swifttailor.output_folder import OutputFolder
     from swifttailor.tailor import Order, Tailor, Tailored
 
 SOMETHING_TO_LOOK_AT = 1
@@ -31,11 +32,9 @@ HIGHEST_TEMPERATURE = 10.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class Making:
+class Making(GarmentResults):
     """Options of both commands."""
 
-    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
-    """Folder to write; created when missing."""
     samples: Annotated[int, tyro.conf.arg(metavar="K")] = 1
     """How many garments to make. Several get a folder each in DIR, and sheet.png shows them all."""
     seed: int = 0
@@ -50,8 +49,6 @@ class Making:
     """Finish with physics: let the garment hang to rest. Adds wrinkles and a report of its quality."""
     edge_length: float = 2.0
     """Edge length of the mesh in cm, 0.5 to 10."""
-    preview: bool = True
-    """Draw preview.png, and the sheet for several samples."""
     maker_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Model file (.zip) of a trained PatternMaker. Default: the one in the package."""
     sewer_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
@@ -65,10 +62,8 @@ class Making:
         """Refuses what cannot work before anything is loaded.
 
         Raises:
-            InputError: An option is out of range, or DIR must not be written.
+            InputError: An option is out of range, or DIR cannot be written.
         """
-        from swifttailor.garment.folder import DRAWING, GLB, OBJ, PATTERN, PREVIEW
-
         in_range("--samples", self.samples, 1, MOST_SAMPLES)
         require_seed(self.seed)
         require_seed(self.seed + self.samples - 1)
@@ -76,24 +71,21 @@ class Making:
         in_range("--attempts", self.attempts, 1, MOST_ATTEMPTS)
         require_edge_length(self.edge_length)
         require_threads(self.threads)
-        require_writable_folder(self.out)
-        files = (PATTERN, DRAWING, GLB, OBJ, PREVIEW, "report.json", "ggi.npz", "seen.png")
-        possible = [folder for within in self.folders_within() for folder in self.folders(within)]
-        for folder in possible:
-            require_own_files(folder, files)
-        if (self.out / SHEET).exists() and not any(f.exists() for f in possible if f != self.out):
-            raise InputError(f"'{self.out / SHEET}' would be replaced. Choose another --out.")
+        require_writable_folder(self.folder)
 
-    def folders(self, within: str = "") -> list[Path]:
-        """Of the samples of an order.
+    def sources(self) -> tuple[Path, ...]:
+        """Files that the garments are made of."""
+        return ()
+
+    def folders(self, within: str = "") -> list[str]:
+        """Of the samples of an order, in DIR; DIR itself when empty.
 
         Args:
             within: Folder of the order in DIR; DIR itself when empty.
         """
-        out = self.out / within
         if self.samples == 1:
-            return [out]
-        return [out / f"seed-{self.seed + k}" for k in range(self.samples)]
+            return [within]
+        return [(Path(within) / f"seed-{self.seed + k}").as_posix() for k in range(self.samples)]
 
     def folders_within(self) -> tuple[str, ...]:
         """Folders of orders in DIR that there may be."""
@@ -146,10 +138,33 @@ class Making:
         """Carries out an order, prints what came of it, and returns the exit code.
 
         Raises:
-            SwiftTailorError: Nothing could be made.
+            SwiftTailorError: Nothing could be made, or DIR holds what is not to be replaced.
         """
+        from swifttailor.garment.folder import GLB, PREVIEW
+        from swifttailor.output_folder import OutputFolder
+
+        with OutputFolder(self.folder, overwrite=self.overwrite, sources=self.sources()) as output:
+            self._require_own(output)
+            code = self._make(order, output)
+        self.show(SHEET, PREVIEW, GLB)
+        return code
+
+    def _require_own(self, output: OutputFolder) -> None:
+        from swifttailor.garment.folder import GGI, SEEN, names_written
+
+        names = *names_written(preview=self.preview), GGI, *([SEEN] if self.shows_what_is_seen() else [])
+        possible = [name for within in self.folders_within() for name in self.folders(within)]
+        for name in possible:
+            output.inside(name).require_own(names)
+        if self.preview and len(possible) > 1:
+            output.require_own([SHEET])
+
+    def shows_what_is_seen(self) -> bool:
+        """Whether pictures are read."""
+        return False
+
+    def _make(self, order: Order, output: OutputFolder) -> int:
         from swifttailor.cli.progress import StageProgress
-        from swifttailor.garment.folder import PREVIEW
         from swifttailor.tailor import Tailored
 
         started = time.perf_counter()
@@ -158,7 +173,7 @@ class Making:
             for note in tailor.compile_notes(finish=self.finish):
                 progress.note(note)
             outcomes = {
-                folder: one
+                self.folder / folder: one
                 for within, part in self.several(tailor, order).items()
                 for folder, one in zip(
                     self.folders(within), tailor.make(part, progress=progress), strict=True
@@ -169,11 +184,14 @@ class Making:
                 raise next(one for one in outcomes.values() if isinstance(one, SwiftTailorError))
             progress("saving", 0.0)
             for folder, one in made.items():
-                one.save(folder, preview=self.preview)
-                if not self.preview:  # one of the garment that was here before
-                    (folder / PREVIEW).unlink(missing_ok=True)
+                if folder == self.folder:  # which is locked
+                    one.save_in(output, preview=self.preview)
+                else:
+                    with output.inside(str(folder.relative_to(self.folder))) as inner:
+                        one.save_in(inner, preview=self.preview)
             if self.preview and len(outcomes) > 1:
-                _write_sheet(self.out / SHEET, made)
+                with output.fill() as sheet:
+                    _write_sheet(sheet / SHEET, made)
         if self.json:
             _print_json(outcomes)
         else:
@@ -181,7 +199,7 @@ class Making:
             print("".join(f"{line}\n" for line in shared), end="")  # noqa: T201
             for folder, one in outcomes.items():
                 _say(folder, one, shared, alone=len(outcomes) == 1)
-            look = self.out / (SHEET if len(outcomes) > 1 else "preview.png")
+            look = self.folder / (SHEET if len(outcomes) > 1 else "preview.png")
             seconds = time.perf_counter() - started
             where = f"; look at {look}" if self.preview else ""
             print(f"{seconds:.1f} s in all{where}.")  # noqa: T201

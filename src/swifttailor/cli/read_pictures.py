@@ -21,22 +21,26 @@ def read_pictures(asked: Generate) -> int:
     Raises:
         SwiftTailorError: A picture cannot be read, or the folder not be written.
     """
-    from swifttailor.atomic_files import write_text
-    from swifttailor.garment.binary_file import write_bytes
+    from swifttailor.atomic_files import write_bytes, write_text
+    from swifttailor.garment.folder import SEEN
+    from swifttailor.output_folder import OutputFolder
     from swifttailor.picture_reader.reading import TOLD
     from swifttailor.picture_reader.together import together
     from swifttailor.render.png import encode_png
     from swifttailor.tailor.looking import parts_seen
     from swifttailor.tailor.seen_sheet import draw_seen
-    from swifttailor.tailor.tailored import SEEN
     from swifttailor.wording.wish_lines import claim_line
 
-    tailor = asked.tailor()
-    pictures = [tailor.look(path) for path in asked.image]
-    seen = parts_seen(pictures)
-    told = [{"file": one.name} | one.reading.to_json() for one in pictures]
-    write_text(asked.out / READING, json.dumps(told, indent=2) + "\n")
-    write_bytes(asked.out / SEEN, encode_png(draw_seen(pictures, next(iter(seen), None))))
+    with OutputFolder(asked.folder, overwrite=asked.overwrite, sources=asked.image) as output:
+        output.require_own([READING, SEEN])
+        tailor = asked.tailor()
+        pictures = [tailor.look(path) for path in asked.image]
+        seen = parts_seen(pictures)
+        told = [{"file": one.name} | one.reading.to_json() for one in pictures]
+        with output.fill() as folder:
+            write_text(folder / READING, json.dumps(told, indent=2) + "\n")
+            write_bytes(folder / SEEN, encode_png(draw_seen(pictures, next(iter(seen), None))))
+    asked.show(SEEN)
     if asked.json:
         sys.stdout.write(json.dumps(told, indent=2) + "\n")
         return 0 if seen else 1
@@ -55,6 +59,6 @@ def read_pictures(asked: Generate) -> int:
         lines.append(f"  panels: {', '.join(panels)}")
     if not seen:
         lines.append("No garment was found in the picture.")
-    lines.append(f"Wrote {asked.out / SEEN} and {asked.out / READING}.")
+    lines.append(f"Wrote {asked.folder / SEEN} and {asked.folder / READING}.")
     print("\n".join(lines))  # noqa: T201
     return 0 if seen else 1

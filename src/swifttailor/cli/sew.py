@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from swifttailor.cli.option_checks import require_edge_length, require_threads, require_writable_folder
 from swifttailor.cli.postponed_imports import tyro
+from swifttailor.cli.results import GarmentResults, new_place
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
+    from swifttailor.output_folder import OutputFolder
     from swifttailor.tailor import Tailored
 
 SOMETHING_TO_LOOK_AT = 1
@@ -20,20 +22,18 @@ UNUSABLE = 2
 
 
 @dataclass(frozen=True, kw_only=True)
-class Sew:
+class Sew(GarmentResults):
     """Turn sewing patterns into stitched garments on the default body, in a fraction of a second each.
 
-    Writes pattern.json, pattern.svg, garment.glb, garment.obj and report.json into a folder; of several
-    patterns each gets a folder of its own in DIR, named after its file. What is wrong with a pattern is said,
-    and it is sewn all the same where that is possible.
+    Writes pattern.json, pattern.svg, garment.glb, garment.obj, preview.png and report.json into a folder; of
+    several patterns each gets a folder of its own in DIR, named after its file. What is wrong with a pattern
+    is said, and it is sewn all the same where that is possible.
 
     Exit code 0: made; 1: made, but read what it says, or some failed; 2: nothing was made.
     """
 
     patterns: Annotated[tyro.conf.Positional[tuple[Path, ...]], tyro.conf.arg(metavar="PATTERN...")]
     """GarmentCode JSON files."""
-    out: Annotated[Path, tyro.conf.arg(metavar="DIR")]
-    """Folder to write; created when missing."""
     weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Model file (.onnx) of a trained GarmentSewer. Default: the one in the package."""
     resolution: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
@@ -47,8 +47,6 @@ class Sew:
     rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"
     """How to read the placement angles: as GarmentCode's generator writes them (intrinsic), or as its
     simulator and older files do (extrinsic)."""
-    preview: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Draw preview.png; takes a second or two per garment."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
     """CPU cores for the network."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
@@ -61,16 +59,26 @@ class Sew:
             SwiftTailorError: An option or the weights cannot be used.
         """
         folders = self._folders()
+        from swifttailor.output_folder import OutputFolder
+
+        with OutputFolder(self.folder, overwrite=self.overwrite, sources=self.patterns) as output:
+            outputs = [(path, output.inside(name) if name else output) for path, name in folders]
+            return self._sew(outputs)
+
+    def _sew(self, outputs: list[tuple[Path, OutputFolder]]) -> int:
+        from swifttailor.garment.folder import GLB, PREVIEW, names_written
         from swifttailor.tailor import Tailor
         from swifttailor.tailor.sewing import SewingOptions
 
+        for _, output in outputs:
+            output.require_own(names_written(preview=self.preview))
         tailor = Tailor.load(garment_sewer=self.weights, threads=self.threads)
         for note in tailor.compile_notes(finish=self.finish):
             print(note, file=sys.stderr, flush=True)  # noqa: T201
         options = SewingOptions(self.edge_length, self.resolution, self.repair, self.finish)
-        outcomes = tailor.sew_all([path for path, _ in folders], options, rotation=self.rotation)
+        outcomes = tailor.sew_all([path for path, _ in outputs], options, rotation=self.rotation)
         reports = [
-            self._keep(path, folder, one) for (path, folder), one in zip(folders, outcomes, strict=True)
+            self._keep(path, output, one) for (path, output), one in zip(outputs, outcomes, strict=True)
         ]
         if self.json:
             from swifttailor.garment.folder import plain
@@ -79,41 +87,50 @@ class Sew:
         made = [r for r in reports if "error" not in r]
         if not made:
             return UNUSABLE
+        self.show(PREVIEW, GLB)
         flawed = len(made) < len(reports) or any(_is_flawed(r) for r in made)
         return SOMETHING_TO_LOOK_AT if flawed else 0
 
-    def _folders(self) -> list[tuple[Path, Path]]:
-        """Each pattern and its folder; refuses what cannot work before anything is loaded."""
+    def usual_place(self) -> Path:
+        """Named after the pattern."""
+        return new_place(f"{self.patterns[0].stem}-sewn" if len(self.patterns) == 1 else "sewn")
+
+    def _folders(self) -> list[tuple[Path, str]]:
+        """Each pattern and its folder in DIR; refuses what cannot work before anything is loaded."""
         if not self.patterns:
             raise InputError("No pattern was given. Give one or more: swifttailor sew PATTERN --out DIR")
         require_edge_length(self.edge_length)
         require_threads(self.threads)
-        require_writable_folder(self.out)
+        require_writable_folder(self.folder)
         if len(self.patterns) == 1:
-            return [(self.patterns[0], self.out)]
+            return [(self.patterns[0], "")]
         folders: dict[str, Path] = {}
         for path in self.patterns:
             if path.stem in folders:
                 raise InputError(
-                    f"'{folders[path.stem]}' and '{path}' would both be written to '{self.out / path.stem}'. "
-                    "Rename one, or sew them in two calls."
+                    f"'{folders[path.stem]}' and '{path}' would both be written to "
+                    f"'{self.folder / path.stem}'. Rename one, or sew them in two calls."
                 )
             folders[path.stem] = path
-        return [(path, self.out / name) for name, path in folders.items()]
+        return [(path, name) for name, path in folders.items()]
 
-    def _keep(self, path: Path, folder: Path, outcome: Tailored | SwiftTailorError) -> dict[str, Any]:
+    def _keep(self, path: Path, output: OutputFolder, outcome: Tailored | SwiftTailorError) -> dict[str, Any]:
         """Writes a garment, says what came of its pattern, and returns the report."""
-        names = {"pattern": str(path), "folder": str(folder)}
+        names = {"pattern": str(path), "folder": str(output.folder)}
         try:
             if isinstance(outcome, SwiftTailorError):
                 raise outcome
-            outcome.save(folder, preview=self.preview, images=False)
+            if output.folder == self.folder:  # which is locked
+                outcome.save_in(output, preview=self.preview, images=False)
+            else:
+                with output:
+                    outcome.save_in(output, preview=self.preview, images=False)
         except SwiftTailorError as error:
             if not self.json:
                 print(f"{path}: not sewn. {error}")  # noqa: T201
             return {"error": str(error)} | names
         if not self.json:
-            _say(path, folder, outcome)
+            _say(path, output.folder, outcome)
         return outcome.report | names
 
 

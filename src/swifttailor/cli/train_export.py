@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import hashlib
 import json
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
-from swifttailor.atomic_files import write_text
+from swifttailor.atomic_files import require_free, write_bytes, write_text
 from swifttailor.cli.postponed_imports import tyro
+from swifttailor.cli.results import new_place
 from swifttailor.errors import InputError
 
 MOST_APART_CM = 0.01
@@ -37,8 +39,10 @@ class TrainExport:
 
     source: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="RUN")]
     """Folder of a training."""
-    out: Annotated[Path, tyro.conf.arg(metavar="FILE")]
-    """File to write, ending in .onnx or .zip."""
+    out: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """File to write, ending in .onnx or .zip. Default: a new one in the current folder, named after RUN."""
+    overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Replace the file, and its card, where there are any."""
     half: tyro.conf.FlagCreatePairsOff[bool] = False
     """Round the weights to 16 bits, which halves the file; it computes with 32 all the same."""
     int8: tyro.conf.FlagCreatePairsOff[bool] = False
@@ -56,11 +60,12 @@ class TrainExport:
         """
         from swifttailor.training.extra import require_training_packages
 
-        if self.out.suffix not in _MODELS.values():
+        if self.out is not None and self.out.suffix not in _MODELS.values():
             raise InputError(f"'{self.out}' does not end in .onnx or .zip; choose another --out.")
         require_training_packages("Writing a model file")
         model = _model_of(self.source)
-        if self.out.suffix != _MODELS[model]:
+        out = self.out if self.out is not None else new_place(self.source.resolve().name, _MODELS[model])
+        if out.suffix != _MODELS[model]:
             raise InputError(f"The file of a {model} ends in {_MODELS[model]}; choose another --out.")
         if self.data is not None and model not in ("PatternMaker", "PictureReader"):
             raise InputError(
@@ -68,21 +73,30 @@ class TrainExport:
             )
         if self.int8 and model != "GarmentSewer":
             raise InputError(f"--int8 is for a GarmentSewer; choose --half for a {model}.")
-        if model == "GarmentSewer":
-            said = _export_sewer(self.source, self.out, self.half, self.int8)
-        elif model == "WishReader":
-            said = _export_reader(self.source, self.out, self.half)
-        elif model == "PictureReader":
-            said = _export_eyes(self.source, self.out, self.half, self.data)
-        else:
-            said = _export_maker(self.source, self.out, self.half)
-            said += f"; {_calibrate(self.out, self.data)}"
+        beside = out.with_suffix(".json")
+        for path in (out, beside):
+            require_free(path, overwrite=self.overwrite)
+        with tempfile.TemporaryDirectory() as folder:
+            made = Path(folder) / out.name
+            said = self._export(model, made)
+            written = made.read_bytes()
         card = json.loads((self.source / "card.json").read_text(encoding="utf-8"))
-        written = self.out.read_bytes()
         card["file"] = {"bytes": len(written), "sha256": hashlib.sha256(written).hexdigest()}
-        write_text(self.out.with_suffix(".json"), json.dumps(card, indent=1, allow_nan=False) + "\n")
-        print(f"Wrote {self.out}, {len(written) / 1e6:.1f} MB; {said}.")  # noqa: T201
+        write_bytes(out, written, overwrite=self.overwrite)
+        write_text(beside, json.dumps(card, indent=1, allow_nan=False) + "\n", overwrite=self.overwrite)
+        print(f"Wrote {out}, {len(written) / 1e6:.1f} MB; {said}.")  # noqa: T201
         return 0
+
+    def _export(self, model: str, out: Path) -> str:
+        """Writes the model file and says how far it is from the network."""
+        if model == "GarmentSewer":
+            return _export_sewer(self.source, out, self.half, self.int8)
+        if model == "WishReader":
+            return _export_reader(self.source, out, self.half)
+        if model == "PictureReader":
+            return _export_eyes(self.source, out, self.half, self.data)
+        said = _export_maker(self.source, out, self.half)
+        return f"{said}; {_calibrate(out, self.data)}"
 
 
 def _model_of(run: Path) -> str:
@@ -107,7 +121,6 @@ def _export_sewer(run: Path, out: Path, half: bool, int8: bool) -> str:
     found = compare(load_model(out), torch_model(weights, card, half=half))
     limit = MOST_APART_INT8 * found.reach_cm if int8 else MOST_APART_CM
     if not found.apart_cm < limit:
-        out.unlink()
         raise InputError(
             f"The exported network predicts {found.apart_cm:.3g} cm from torch; less than {limit:.3g} cm "
             "is accepted. Try other versions of torch and onnxruntime."
@@ -127,7 +140,6 @@ def _export_maker(run: Path, out: Path, half: bool) -> str:
     network = TorchRuntime(load_weights(run / WEIGHTS, card, model.text.size, half=half))
     apart = compare(model.runtime, network, model.text.size, image_size=model.image_size)
     if not apart < MOST_APART:
-        out.unlink()
         raise InputError(
             f"The exported network differs from torch by {apart:.3g} of its values; at most {MOST_APART} "
             "is accepted. Try other versions of torch and onnxruntime."
@@ -178,7 +190,6 @@ def _calibrated(network: Any, card: dict[str, Any], data: Path) -> Any:
 
 def _near_logits(apart: float, out: Path) -> str:
     if not apart < MOST_APART_LOGITS:
-        out.unlink()
         raise InputError(
             f"The exported network differs from torch by {apart:.3g}; less than {MOST_APART_LOGITS} is "
             "accepted. Try other versions of torch and onnxruntime."
@@ -191,17 +202,12 @@ def _calibrate(path: Path, data: Path | None) -> str:
     if data is None:
         return "how sure it is of pictures was not measured (--data)"
     from swifttailor.cli.progress import print_line
-    from swifttailor.errors import SwiftTailorError
     from swifttailor.pattern_maker.asking.confidence import DOUBT
     from swifttailor.pattern_maker.maker import PatternMaker
     from swifttailor.pattern_maker.network.model_file import add_calibration
     from swifttailor.training.maker_calibration import calibrate_by_renders
 
-    try:
-        found = calibrate_by_renders(PatternMaker.load(path), data, report=print_line)
-    except SwiftTailorError:
-        path.unlink()
-        raise
+    found = calibrate_by_renders(PatternMaker.load(path), data, report=print_line)
     add_calibration(path, found)
     doubted = ", ".join(f"{share:.0%} of {kind}" for kind, share in found.doubted.items())
     return f"by {found.measure} it doubts {DOUBT:.0%} of {found.pictures} pictures of garments, {doubted}"

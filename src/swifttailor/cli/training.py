@@ -24,7 +24,7 @@ Config = TypeVar("Config")
 class Training:
     """Options of every training."""
 
-    out: Annotated[Path, tyro.conf.arg(metavar="RUN")]
+    out: Annotated[Path, tyro.conf.arg(metavar="RUN")] = Path("run")
     """Folder of the run; created when missing."""
     config: Annotated[str, tyro.conf.arg(metavar="NAME")] = "small"
     """small, paper, or a JSON file like the config.json of a run."""

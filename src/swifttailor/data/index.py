@@ -80,7 +80,8 @@ class SplitIndex:
         Raises:
             InputError: It cannot be written; the index that was there before stays.
         """
-        write_text(folder / INDEX, json.dumps({"format": FORMAT} | asdict(self), indent=1) + "\n")
+        text = json.dumps({"format": FORMAT} | asdict(self), indent=1) + "\n"
+        write_text(folder / INDEX, text, overwrite=True)
 
 
 def read_index(folder: Path) -> SplitIndex:

@@ -44,7 +44,7 @@ def write_shard(folder: Path, name: str, samples: Sequence[StoredSample]) -> tup
 
 
 def write_durably(path: Path, data: bytes) -> Path:
-    """Writes a file, whole or not at all, so that it is on the disk and not only on its way there."""
+    """Writes a file, over one that is there, so that it is on the disk and not only on its way there."""
 
     def write(temporary: Path) -> None:
         with temporary.open("wb") as stream:
@@ -52,7 +52,7 @@ def write_durably(path: Path, data: bytes) -> Path:
             stream.flush()
             os.fsync(stream.fileno())
 
-    return write_atomically(path, write)
+    return write_atomically(path, write, overwrite=True)
 
 
 def pack_sample(sample: StoredSample) -> bytes:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -11,19 +13,26 @@ from swifttailor.errors import InputError
 from swifttailor.workers.work_folder import differences
 
 
-def keep_settings(path: Path, settings: dict[str, Any], what: str) -> None:
+def keep_settings(path: Path, settings: dict[str, Any], what: str, results: Iterable[str]) -> None:
     """Notes what decides the results in a folder, or compares it with what decided those that are there.
 
     Args:
         path: File with the settings in that folder.
         settings: What can be written as JSON values.
         what: The results, for messages: "answers".
+        results: Names of the files or folders with them, which are nowhere without the settings.
 
     Raises:
         InputError: They were made in another way, or the file cannot be read or written.
     """
     settings = json.loads(json.dumps(settings))
     if not path.is_file():
+        for name in results:
+            if os.path.lexists(path.parent / name):
+                raise InputError(
+                    f"'{path.parent / name}' is there already and does not belong to {what} of SwiftTailor: "
+                    f"'{path.name}' is missing beside it. Choose another --out."
+                )
         write_text(path, json.dumps(settings, indent=1) + "\n")
         return
     try:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Protocol
 
 import numpy as np
 
@@ -22,7 +23,11 @@ from swifttailor.garment.usd_reader import read_usd
 MAX_BYTES = 1_000_000_000
 """Larger mesh files are refused."""
 
-_Writer = Callable[[TriangleMesh, Path], Path]
+
+class _Writer(Protocol):
+    def __call__(self, mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) -> Path: ...
+
+
 _Reader = Callable[[Path], TriangleMesh]
 _WRITERS: dict[str, _Writer] = {
     ".glb": write_glb,
@@ -42,15 +47,15 @@ MESH_ENDINGS = tuple(_WRITERS)
 """Endings of mesh files, written and read alike."""
 
 
-def write_garment_mesh(mesh: TriangleMesh, path: Path | str) -> Path:
-    """Writes a mesh in the format of the file's ending.
+def write_garment_mesh(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) -> Path:
+    """Writes a mesh in the format of the file's ending; another file of that name stays unless `overwrite`.
 
     Raises:
         InputError: The ending is not among `MESH_ENDINGS`, or the file cannot be written.
         MissingExtraError: USD is wanted and usd-core is not installed.
     """
     path = Path(path)
-    return _WRITERS[_known(path)](mesh, path)
+    return _WRITERS[_known(path)](mesh, path, overwrite=overwrite)
 
 
 def read_garment_mesh(path: Path | str) -> TriangleMesh:

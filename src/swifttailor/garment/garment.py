@@ -101,17 +101,34 @@ class Garment:
         norm = np.linalg.norm(normals, axis=1, keepdims=True)
         return np.divide(normals, norm, out=np.tile([0.0, 1.0, 0.0], (len(normals), 1)), where=norm > 1e-12)
 
-    def save(self, folder: Path | str, *, body: Body | None = None, preview: bool = True) -> Path:
+    def save(
+        self,
+        folder: Path | str,
+        *,
+        body: Body | None = None,
+        preview: bool = True,
+        overwrite: bool = False,
+    ) -> Path:
         """Writes pattern.json, pattern.svg, garment.glb, garment.obj, report.json and preview.png.
 
+        All of them or none. A garment that was saved there before is replaced, with its preview.
+
         Args:
-            folder: Created when missing; files of these names in it are replaced, others left alone.
+            folder: Created when missing; other files in it are left alone.
             body: Drawn in the preview; the default body when None.
             preview: Whether to render preview.png.
+            overwrite: Whether files of these names are replaced that SwiftTailor has not written, or that
+                were changed since.
 
         Returns:
             The folder.
-        """
-        from swifttailor.garment.folder import save_folder
 
-        return save_folder(self, folder, body=body, preview=preview)
+        Raises:
+            InputError: The folder cannot be written, or there are such files and not `overwrite`.
+        """
+        from swifttailor.garment.folder import names_written, save_garment
+        from swifttailor.output_folder import OutputFolder
+
+        with OutputFolder(folder, overwrite=overwrite) as output:
+            output.require_own(names_written(preview=preview))
+            return save_garment(self, output, body=body, preview=preview)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from swifttailor.arrays import Array
-from swifttailor.garment.binary_file import write_bytes
+from swifttailor.atomic_files import write_bytes
 from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.garment.units import to_metres
 from swifttailor.render.color import to_linear
@@ -22,7 +22,7 @@ _SEAM_SHARE = 0.28
 """How light a seam is beside its cloth."""
 
 
-def write_glb(mesh: TriangleMesh, path: Path | str) -> Path:
+def write_glb(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) -> Path:
     """Writes a mesh as binary glTF.
 
     Panels become nodes of their names under one root. Vertices on seams are repeated in every panel, with
@@ -30,7 +30,7 @@ def write_glb(mesh: TriangleMesh, path: Path | str) -> Path:
     vertices of the stitched mesh, so that readers can join them again. Seams are line segments in the node
     ``seams``.
     """
-    return write_bytes(path, glb_bytes(mesh))
+    return write_bytes(path, glb_bytes(mesh), overwrite=overwrite)
 
 
 def glb_bytes(mesh: TriangleMesh) -> bytes:

@@ -13,13 +13,13 @@ from swifttailor.garment.triangle_mesh import TriangleMesh
 SEAM_GROUP = "seams"
 
 
-def write_obj(mesh: TriangleMesh, path: Path | str) -> Path:
+def write_obj(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) -> Path:
     """Writes a mesh as OBJ.
 
     ``v`` are the vertices of the stitched mesh, shared by all panels; ``vt`` are the flat vertices of the
     panels; ``g`` and ``usemtl`` name the panel; seams are ``l`` polylines in the group ``seams``.
     """
-    return write_text(path, obj_text(mesh))
+    return write_text(path, obj_text(mesh), overwrite=overwrite)
 
 
 def obj_text(mesh: TriangleMesh) -> str:

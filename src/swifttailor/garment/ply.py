@@ -7,20 +7,20 @@ from typing import Any
 
 import numpy as np
 
-from swifttailor.garment.binary_file import write_bytes
+from swifttailor.atomic_files import write_bytes
 from swifttailor.garment.obj import safe_names
 from swifttailor.garment.triangle_mesh import TriangleMesh
 
 PANEL_COMMENT = "comment panel "
 
 
-def write_ply(mesh: TriangleMesh, path: Path | str) -> Path:
+def write_ply(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) -> Path:
     """Writes a mesh as binary little-endian PLY.
 
     Vertices are those of the stitched mesh, with normals. Every face has its panel's number (names are in
     the header's comments) and, where the mesh has them, texture coordinates of its corners (``texcoord``).
     """
-    return write_bytes(path, ply_bytes(mesh))
+    return write_bytes(path, ply_bytes(mesh), overwrite=overwrite)
 
 
 def ply_bytes(mesh: TriangleMesh) -> bytes:

@@ -7,13 +7,13 @@ from pathlib import Path
 
 import numpy as np
 
-from swifttailor.garment.binary_file import write_bytes
+from swifttailor.atomic_files import write_bytes
 from swifttailor.garment.triangle_mesh import TriangleMesh
 
 
-def write_stl(mesh: TriangleMesh, path: Path | str) -> Path:
+def write_stl(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) -> Path:
     """Writes a mesh as binary STL, which keeps neither seams nor panels nor texture coordinates."""
-    return write_bytes(path, stl_bytes(mesh))
+    return write_bytes(path, stl_bytes(mesh), overwrite=overwrite)
 
 
 def stl_bytes(mesh: TriangleMesh) -> bytes:

@@ -18,7 +18,7 @@ from swifttailor.render.color import to_linear
 ENDINGS = (".usd", ".usda", ".usdc", ".usdz")
 
 
-def write_usd(mesh: TriangleMesh, path: Path | str) -> Path:
+def write_usd(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) -> Path:
     """Writes a mesh as USD; the ending chooses text (.usda), binary (.usdc, .usd) or package (.usdz).
 
     ``/garment/cloth`` is a polygon mesh over the stitched vertices with face-varying ``primvars:st`` and a
@@ -42,7 +42,7 @@ def write_usd(mesh: TriangleMesh, path: Path | str) -> Path:
             if not pxr.UsdUtils.CreateNewUsdzPackage(str(layer), str(temporary)):
                 raise InputError(f"Cannot write '{path}': USD could not make the package.")
 
-    return write_atomically(path, write)
+    return write_atomically(path, write, overwrite=overwrite)
 
 
 def _stage(pxr: Any, mesh: TriangleMesh) -> Any:

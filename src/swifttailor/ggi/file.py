@@ -33,8 +33,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor import __version__
-from swifttailor.atomic_files import write_atomically
+from swifttailor.atomic_files import write_bytes
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
+from swifttailor.garment.folder import GGI
 from swifttailor.ggi.images import GarmentGeometryImage
 from swifttailor.ggi.layout import MAX_RESOLUTION, MIN_RESOLUTION, Layout
 from swifttailor.ggi.raster import MAX_CROSSINGS
@@ -43,7 +44,7 @@ from swifttailor.ggi.stitching import StitchingImage
 from swifttailor.pattern import Severity, read_specification, to_specification
 from swifttailor.pattern.json_values import MAX_FILE_BYTES, parse_json
 
-GGI_FILE = "ggi.npz"
+GGI_FILE = GGI
 FORMAT, VERSION = "swifttailor garment geometry image", 1
 STEPS = 65535
 
@@ -66,12 +67,12 @@ _LAYOUT = ("origins", "mirrored")
 _GEOMETRY = ("geometry", "geometry_low_step")
 
 
-def write_ggi(images: GarmentGeometryImage, path: Path | str) -> Path:
+def write_ggi(images: GarmentGeometryImage, path: Path | str, *, overwrite: bool = False) -> Path:
     """Writes the file, whole or not at all, and returns its path. Equal images give equal bytes.
 
     Raises:
-        InputError: The file cannot be written, the geometry is not finite, or the pattern's placements are
-            not all read the same way.
+        InputError: The file cannot be written, there is another and not `overwrite`, the geometry is not
+            finite, or the pattern's placements are not all read the same way.
     """
     about: dict[str, Any] = {
         "format": FORMAT,
@@ -103,7 +104,7 @@ def write_ggi(images: GarmentGeometryImage, path: Path | str) -> Path:
     arrays = {"about": np.frombuffer(text.encode(), np.uint8), **arrays}
     content = io.BytesIO()
     np.savez_compressed(content, allow_pickle=False, **arrays)
-    return write_atomically(path, lambda temporary: temporary.write_bytes(content.getvalue()))
+    return write_bytes(path, content.getvalue(), overwrite=overwrite)
 
 
 def _one_reading(layout: Layout) -> str:

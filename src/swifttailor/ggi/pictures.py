@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.arrays import Pixels
-from swifttailor.atomic_files import write_atomically
+from swifttailor.atomic_files import write_bytes
 from swifttailor.errors import InputError
 from swifttailor.ggi.images import GarmentGeometryImage
 from swifttailor.ggi.panel_colors import color_types
@@ -75,4 +75,4 @@ def _write_png(picture: Pixels, path: Path) -> Path:
 
     encoded = io.BytesIO()
     Image.fromarray(np.ascontiguousarray(picture[::-1])).save(encoded, "PNG", compress_level=6)
-    return write_atomically(path, lambda temporary: temporary.write_bytes(encoded.getvalue()))
+    return write_bytes(path, encoded.getvalue())

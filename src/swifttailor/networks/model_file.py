@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from swifttailor.atomic_files import write_atomically
+from swifttailor.atomic_files import write_bytes
 from swifttailor.errors import InputError
 from swifttailor.networks.onnx_session import open_session
 
@@ -180,7 +180,14 @@ def read_archive(path: Path, kind: ModelKind) -> tuple[dict[str, Any], dict[str,
     return about, members
 
 
-def write_archive(path: Path, kind: ModelKind, members: Mapping[str, bytes], card: dict[str, Any]) -> Path:
+def write_archive(
+    path: Path,
+    kind: ModelKind,
+    members: Mapping[str, bytes],
+    card: dict[str, Any],
+    *,
+    overwrite: bool = False,
+) -> Path:
     """Writes an archive; the same content gives the same bytes.
 
     Args:
@@ -188,6 +195,7 @@ def write_archive(path: Path, kind: ModelKind, members: Mapping[str, bytes], car
         kind: What it is.
         members: What it holds besides the card, by file name.
         card: Of the training.
+        overwrite: Whether another file of that name is replaced.
 
     Raises:
         InputError: The file cannot be written.
@@ -199,7 +207,7 @@ def write_archive(path: Path, kind: ModelKind, members: Mapping[str, bytes], car
         cover = (json.dumps(about, indent=1, allow_nan=False) + "\n").encode()
         for name, data in {CARD: cover, **members}.items():
             archive.writestr(zipfile.ZipInfo(name, _DATE), data)
-    return write_atomically(path, lambda temporary: temporary.write_bytes(buffer.getvalue()))
+    return write_bytes(path, buffer.getvalue(), overwrite=overwrite)
 
 
 def write_graph(path: Path, kind: ModelKind, graph: bytes, card: dict[str, Any], **more: Any) -> Path:
@@ -224,7 +232,7 @@ def write_graph(path: Path, kind: ModelKind, graph: bytes, card: dict[str, Any],
     entry.key, entry.value = NOTE, json.dumps(about, separators=(",", ":"), allow_nan=False)
     # Protobuf reads one message behind the other as one: the graph stays at the front, byte for byte.
     whole = graph + note.SerializeToString()
-    return write_atomically(path, lambda temporary: temporary.write_bytes(whole))
+    return write_bytes(path, whole)
 
 
 def _require_size(path: Path, max_bytes: int) -> None:

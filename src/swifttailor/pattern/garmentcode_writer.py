@@ -39,9 +39,14 @@ def to_specification(pattern: Pattern) -> dict[str, Any]:
     }
 
 
-def write_pattern(pattern: Pattern, path: Path | str) -> Path:
-    """Writes the pattern to a JSON file (see `to_specification`) and returns the path."""
-    return write_text(path, json.dumps(to_specification(pattern), indent=2, allow_nan=False) + "\n")
+def write_pattern(pattern: Pattern, path: Path | str, *, overwrite: bool = False) -> Path:
+    """Writes the pattern to a JSON file (see `to_specification`) and returns the path.
+
+    Raises:
+        InputError: It cannot be written, or there is another file of that name and not `overwrite`.
+    """
+    text = json.dumps(to_specification(pattern), indent=2, allow_nan=False) + "\n"
+    return write_text(path, text, overwrite=overwrite)
 
 
 def _panel(panel: Panel) -> dict[str, Any]:

@@ -123,8 +123,12 @@ class Pattern:
         panels = tuple(replace(p, placement=replace(p.placement, reading=reading)) for p in self.panels)
         return replace(self, panels=panels)
 
-    def save(self, path: Path | str) -> Path:
-        """Writes the pattern as GarmentCode JSON and returns the path."""
+    def save(self, path: Path | str, *, overwrite: bool = False) -> Path:
+        """Writes the pattern as GarmentCode JSON and returns the path.
+
+        Raises:
+            InputError: It cannot be written, or there is another file of that name and not `overwrite`.
+        """
         from swifttailor.pattern.garmentcode_writer import write_pattern
 
-        return write_pattern(self, path)
+        return write_pattern(self, path, overwrite=overwrite)

@@ -116,6 +116,8 @@ def write_library(
     table: TruthTable,
     stands_for: NDArray[np.int64],
     card: dict[str, Any],
+    *,
+    overwrite: bool = False,
 ) -> Path:
     """Writes a library; the same patterns give the same bytes.
 
@@ -125,6 +127,7 @@ def write_library(
         table: What is true of each.
         stands_for: (N,) see `PatternLibrary.stands_for`.
         card: What it is made of, and how.
+        overwrite: Whether another file of that name is replaced.
 
     Raises:
         InputError: There is none, there are not equally many, or the file cannot be written.
@@ -158,7 +161,7 @@ def write_library(
             _add(archive, DICTIONARY, dictionary)
             _add(archive, PATTERNS, b"".join(parts), packed=False)
 
-    return write_atomically(path, write)
+    return write_atomically(path, write, overwrite=overwrite)
 
 
 def _add(archive: zipfile.ZipFile, name: str, data: bytes, *, packed: bool = True) -> None:

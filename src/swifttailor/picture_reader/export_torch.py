@@ -13,6 +13,7 @@ from swifttailor.errors import InputError
 from swifttailor.networks.model_file import write_graph
 from swifttailor.networks.onnx_export_torch import export_graph
 from swifttailor.networks.trained_weights_torch import trained_network
+from swifttailor.picture_reader.close_ups import CLOSE_UPS
 from swifttailor.picture_reader.labels import GUESS, labels_checksum, statement_labels
 from swifttailor.picture_reader.network_torch import EyesConfig, EyesNetwork
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
@@ -69,8 +70,16 @@ def export(
     if scales is None:
         scales = np.tile(np.array([1.0, 0.0]), (len(statement_labels()), 1))
     said = [[round(float(v), 4) for v in row] for row in scales]
+    close_ups = [c.name for c in CLOSE_UPS] if card.get("config", {}).get("close") else []
     return write_graph(
-        path, KIND, graph, card, labels_sha256=labels_checksum(), panel_kinds=PANEL_KINDS, scales=said
+        path,
+        KIND,
+        graph,
+        card,
+        labels_sha256=labels_checksum(),
+        panel_kinds=PANEL_KINDS,
+        close_ups=close_ups,
+        scales=said,
     )
 
 

@@ -14,6 +14,7 @@ from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.errors import InputError
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
 from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.picture_reader.close_looks import close_squares, with_close_looks
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import (
     GUESS,
@@ -77,6 +78,8 @@ class PictureReader:
     """(S, 2) factor and summand that make the logits of statements as sure as they are right."""
     card: dict[str, Any]
     """What it was trained on and how good it is."""
+    close_ups: tuple[str, ...] = ()
+    """Names of the `CLOSE_UPS` it has learnt from."""
 
     @staticmethod
     def load(weights: Path | str | None = None, *, threads: int = 1) -> PictureReader:
@@ -98,11 +101,14 @@ class PictureReader:
             scales = np.array(model.about["scales"], np.float32)
             if scales.shape != (len(statement_labels()), 2) or not np.isfinite(scales).all():
                 raise InputError(f"its scales have the shape {scales.shape}")
+            close_ups = tuple(map(str, model.about.get("close_ups", ())))
         size = model.shape_given(GRAPH, "pictures")[-1]
-        return PictureReader(model.sessions[GRAPH], int(size), scales, model.about.get("card", {}))
+        return PictureReader(model.sessions[GRAPH], int(size), scales, model.about.get("card", {}), close_ups)
 
     def read(self, pixels: Pixels) -> PictureReading:
-        """What a picture shows: looked at whole for where the wearer is, and then near each garment.
+        """What a picture shows.
+
+        It is looked at whole for where the wearer is, then near each garment, and at last near its details.
 
         Args:
             pixels: (h, w, 3) sRGB, row 0 at the top.
@@ -121,16 +127,27 @@ class PictureReader:
             part, square, look = waiting.pop(0)
             if part not in seen:
                 square = _around(look, part, square) or whole
-                seen[part] = square, self._nearer(pixels, square, whole, first)
+                seen[part] = square, self._nearer(pixels, part, square, whole, first)
                 waiting += [(k, *seen[part]) for k in _present(seen[part][1])]
         return self._reading(first, whole, seen, (height, width))
 
-    def _nearer(self, pixels: Pixels, square: Square, whole: Square, first: dict[str, Any]) -> dict[str, Any]:
-        """Three looks at much the same: a mean is steadier. Where things are is of the first alone."""
+    def _nearer(
+        self, pixels: Pixels, part: int, square: Square, whole: Square, first: dict[str, Any]
+    ) -> dict[str, Any]:
+        """Three looks at much the same, whose mean is steadier, and at details.
+
+        Where things are is of the first alone.
+        """
         squares = [_scaled(square, scale) for scale in _SCALES]
         looks = [self._look(pixels, one, view_in(first["camera_view"], whole, one)) for one in squares]
         answers = {name: np.mean([look[name] for look in looks], axis=0) for name in OUTPUTS}
-        return answers | {name: looks[0][name] for name in _OF_A_FRAME}
+        answers |= {name: looks[0][name] for name in _OF_A_FRAME}
+        view = answers["camera_view"]
+        near = {
+            number: self._look(pixels, detail, view_in(view, square, detail))
+            for number, detail in close_squares(answers, part, square, self.close_ups).items()
+        }
+        return with_close_looks(answers, part, near)
 
     def _look(self, pixels: Pixels, square: Square, view: NDArray[np.float32] | None) -> dict[str, Any]:
         shown = cut_square(pixels, square, self.size)

@@ -17,10 +17,10 @@ Item = TypeVar("Item")
 def write_numbered_sheets(
     folder: Path, name: str, items: Sequence[Item], per_sheet: int, draw: Callable[[Sequence[Item]], Image]
 ) -> list[Path]:
-    """Draws some items on each sheet and writes it; sheets of an earlier time that are not replaced go.
+    """Draws some items on each sheet and writes it.
 
     Args:
-        folder: Where to.
+        folder: Where to; none of these files is there yet.
         name: Of the files, before their numbers.
         items: All of them, in order.
         per_sheet: How many to a sheet.
@@ -35,7 +35,9 @@ def write_numbered_sheets(
         path = folder / f"{name}-{number:02d}.png"
         write_atomically(path, lambda target, sheet=sheet: sheet.save(target, "PNG"))
         written.append(path)
-    for digits in ("[0-9][0-9]", "[0-9][0-9][0-9]"):  # name-2024.png is somebody else's
-        for old in set(folder.glob(f"{name}-{digits}.png")).difference(written):
-            old.unlink()
     return written
+
+
+def sheets_named(name: str) -> tuple[str, str]:
+    """Patterns of the names of all such files: name-2024.png is none."""
+    return f"{name}-[0-9][0-9].png", f"{name}-[0-9][0-9][0-9].png"

@@ -15,6 +15,7 @@ from swifttailor.ggi import GarmentGeometryImage, Layout, lay_out
 from swifttailor.ggi.geometry import rasterize_geometry
 from swifttailor.ggi.semantic import semantic_image
 from swifttailor.ggi.stitching import stitching_image
+from swifttailor.output_folder import OutputFolder
 from swifttailor.pattern import Finding, Pattern, Severity
 from swifttailor.pattern.check import Change
 from swifttailor.tailor.answer import Answer
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
 
 RESOLUTION = 256
 """Of the images of a garment that was sewn without any."""
-SEEN = "seen.png"
 PREVIEW_SIZE = 1000, 600
 """Pixels; drawing twice as many takes longer than everything else together."""
 
@@ -104,45 +104,58 @@ class Tailored:
             geometry,
         )
 
-    def save(self, folder: Path | str, *, preview: bool = True, images: bool = True) -> Path:
+    def save(
+        self,
+        folder: Path | str,
+        *,
+        preview: bool = True,
+        images: bool = True,
+        overwrite: bool = False,
+    ) -> Path:
         """Writes everything into a folder.
 
         pattern.json, pattern.svg, garment.glb, garment.obj, report.json, and where wanted ggi.npz and
-        preview.png; seen.png where a picture was read. Each file is written whole or not at all, report.json
-        as the last.
+        preview.png; seen.png where a picture was read. All of them or none; a garment that was saved there
+        before is replaced.
 
         Args:
-            folder: Created when missing; files of these names in it are replaced, others left alone.
-            preview: Whether to draw preview.png; without it that of an earlier garment is removed.
-            images: Whether to write ggi.npz; without it that of an earlier garment is removed.
+            folder: Created when missing; other files in it are left alone.
+            preview: Whether to draw preview.png.
+            images: Whether to write ggi.npz.
+            overwrite: Whether files of these names are replaced that SwiftTailor has not written, or that
+                were changed since.
 
         Returns:
             The folder.
 
         Raises:
-            InputError: The folder cannot be written.
+            InputError: The folder cannot be written, or there are such files and not `overwrite`.
         """
-        from swifttailor.garment.folder import REPORT, save_folder
-        from swifttailor.ggi.file import GGI_FILE, write_ggi
+        from swifttailor.garment.folder import names_written
 
-        folder = Path(folder)
-        self._save_seen(folder)
-        if images:
-            write_ggi(self.images, folder / GGI_FILE)
-        elif (folder / REPORT).is_file():
-            (folder / GGI_FILE).unlink(missing_ok=True)
-        return save_folder(self.garment, folder, body=self.body, preview=preview, preview_size=PREVIEW_SIZE)
+        with OutputFolder(folder, overwrite=overwrite) as output:
+            output.require_own(names_written(preview=preview))
+            return self.save_in(output, preview=preview, images=images)
 
-    def _save_seen(self, folder: Path) -> None:
-        """What was looked at in pictures; that of an earlier garment is removed."""
-        from swifttailor.garment.folder import REPORT
+    def save_in(self, output: OutputFolder, *, preview: bool = True, images: bool = True) -> Path:
+        """Writes everything, as `save` does, into a folder that is at hand already."""
+        from swifttailor.garment.folder import GGI, OF_A_GARMENT, write_files
+        from swifttailor.ggi.file import write_ggi
 
+        with output.fill(stale=OF_A_GARMENT) as folder:
+            self._write_seen(folder)
+            if images:
+                write_ggi(self.images, folder / GGI)
+            write_files(self.garment, folder, body=self.body, preview=preview, preview_size=PREVIEW_SIZE)
+        return output.folder
+
+    def _write_seen(self, folder: Path) -> None:
+        """What was looked at in pictures."""
         wanted = self.answer.wanted
         if wanted is None or not wanted.pictures:
-            if (folder / REPORT).is_file():
-                (folder / SEEN).unlink(missing_ok=True)
             return
-        from swifttailor.garment.binary_file import write_bytes
+        from swifttailor.atomic_files import write_bytes
+        from swifttailor.garment.folder import SEEN
         from swifttailor.render.png import encode_png
         from swifttailor.tailor.seen_sheet import draw_seen
 

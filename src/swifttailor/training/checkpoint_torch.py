@@ -11,8 +11,7 @@ from torch import Tensor
 
 from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import InputError
-
-CHECKPOINT = "checkpoint.pt"
+from swifttailor.training.run_record import CHECKPOINT
 
 
 class MovingAverage:
@@ -40,7 +39,9 @@ def write_checkpoint(folder: Path, state: dict[str, Any]) -> Path:
     Raises:
         InputError: The folder cannot be written; the checkpoint before stays.
     """
-    return write_atomically(folder / CHECKPOINT, lambda temporary: torch.save(state, temporary))
+    return write_atomically(
+        folder / CHECKPOINT, lambda temporary: torch.save(state, temporary), overwrite=True
+    )
 
 
 def read_checkpoint(folder: Path, device: torch.device, expected: Collection[str]) -> dict[str, Any]:

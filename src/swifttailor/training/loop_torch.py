@@ -135,6 +135,12 @@ class Loop:
             InputError: There is no checkpoint, a file cannot be written, or weights cannot be split.
             SimulationError: The loss is no number any more.
         """
+        try:
+            return self._run(task)
+        finally:
+            self.record.end()
+
+    def _run(self, task: Task) -> dict[str, Any]:
         config, processes, weights = self.config, self.processes, task.weights
         max_minutes, stop_after = self.max_minutes, self.stop_after
         versions()  # before anybody changes the checkout

@@ -14,6 +14,7 @@ from torch.utils.data import DataLoader, Dataset
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Block, Blocks
 from swifttailor.data.pictures.panel_cells import SEAM
+from swifttailor.picture_reader.close_ups import WHOLE, Told, told_by
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import MASK_STRIDE
 from swifttailor.picture_reader.network_torch import scaled
@@ -27,16 +28,22 @@ class Answers(NamedTuple):
 
     present: Tensor
     """(B, 2) 0 or 1."""
+    whole: Tensor
+    """(B,) whether it is no close-up: these tell of one garment, and not of all of it."""
     statements: Tensor
     """(B, 2, S) 0 or 1."""
     clear: Tensor
-    """(B, 2, S) whether that is certain."""
+    """(B, 2, S) whether that is certain, and told."""
     has: Tensor
     """(B, 2, M) 0 or 1."""
+    measured: Tensor
+    """(B, 2, M) whether that is told."""
     measures: Tensor
     """(B, 2, M) `scaled`; 0 where there is none."""
     panels: Tensor
     """(B, 2, P) 0 or 1."""
+    named: Tensor
+    """(B, 2, P) whether that is told."""
     boxes: Tensor
     """(B, 2, P, 5)."""
     view: Tensor
@@ -60,10 +67,12 @@ class TruthTable:
         found = {name: torch.from_numpy(v) for name, v in bank.truths(range(len(bank))).items()}
         self.statements, self.measures = found["statements"], found["measures"].float()
         self.panels, self.boxes = found["panels"], found["boxes"]
+        self._told = Told(*map(torch.from_numpy, told_by()))
 
     def answers(
         self,
         garments: Tensor,
+        close_up: Tensor,
         views: Tensor,
         figures: Tensor,
         masks: Tensor,
@@ -74,6 +83,7 @@ class TruthTable:
 
         Args:
             garments: Numbers in the bank.
+            close_up: (B,) numbers of `CLOSE_UPS`, or `WHOLE`.
             views: The others are as `Answers` has them.
             figures: The same.
             masks: The same.
@@ -84,14 +94,17 @@ class TruthTable:
         present = garments >= 0
         k = garments.clamp_min(0)
         judged, measures, panels = self.statements[k], self.measures[k], self.panels[k]
-        has = measures.isfinite() & present[..., None]
+        told = Told(*(table[close_up][:, None] & present[..., None] for table in self._told))
         return Answers(
             present.float(),
+            close_up == WHOLE,
             (judged == TRUE).float(),
-            (judged != UNCLEAR) & present[..., None],
-            has.float(),
+            (judged != UNCLEAR) & told.statements,
+            (measures.isfinite() & present[..., None]).float(),
+            told.measures,
             scaled(measures.nan_to_num(0.0)),
             panels.float() * present[..., None],
+            told.panels,
             self.boxes[k].float() / BOX_CM,
             views,
             figures,
@@ -127,6 +140,7 @@ class PictureBatches:
             size=drawn,
             count=config.block,
             shares={name: getattr(config, name) for name in ("plain", "studio", "nothing", "several")},
+            close=config.close,
         )
         self.truths = TruthTable(bank)
         self._each = config.block * config.echo // self._size
@@ -157,12 +171,12 @@ class PictureBatches:
         pictures = relit(pictures, chance, self.config.variation)
         garments = torch.from_numpy(block.garments[chosen])
         figures = torch.from_numpy(block.figures[chosen])
-        guess = guessed(views, figures, chance, self.config.unguessed)
-        return (
-            pictures,
-            guess,
-            self.truths.answers(garments, views, figures, masks, on_cells[:, :3], on_cells[:, 3]),
+        close_up = torch.from_numpy(block.close_up[chosen])
+        guess = guessed(views, figures, close_up, chance, self.config.unguessed)
+        answers = self.truths.answers(
+            garments, close_up, views, figures, masks, on_cells[:, :3], on_cells[:, 3]
         )
+        return pictures, guess, answers
 
     def _take(self, number: int) -> Block:
         if self._block is None or self._next != number + self._count:
@@ -250,21 +264,24 @@ def moved(
     return pictures, masks, on_cells, views
 
 
-def guessed(views: Tensor, figures: Tensor, chance: torch.Generator, unguessed: float) -> Tensor:
+def guessed(
+    views: Tensor, figures: Tensor, close_up: Tensor, chance: torch.Generator, unguessed: float
+) -> Tensor:
     """`labels.GUESS` (B, 7) as a first look may have it: about right, far off now and then, or none yet.
 
     Args:
         views: (B, 6) true ones.
         figures: (B,) number of `FIGURES`; where there is not one, the guess is anything.
+        close_up: (B,) number of `CLOSE_UPS`, or `WHOLE`; close-ups are never the first look.
         chance: Decides.
-        unguessed: Share without.
+        unguessed: Share without, of those of whole garments.
     """
     count = len(views)
     one = (figures == FIGURES.index("one"))[:, None]
     off = torch.randn(count, 1, generator=chance).abs() * torch.tensor([_OFF])
     found = torch.where(one, views, torch.tensor([_ANYWHERE])) + off * torch.randn(count, 6, generator=chance)
-    known = (torch.rand(count, 1, generator=chance) >= unguessed).float()
-    return known * torch.cat([found, torch.ones(count, 1)], 1)
+    known = (torch.rand(count, 1, generator=chance) >= unguessed) | (close_up != WHOLE)[:, None]
+    return known.float() * torch.cat([found, torch.ones(count, 1)], 1)
 
 
 _OFF = (0.2, 0.2, 0.1, 0.06, 0.025, 0.03)

@@ -77,6 +77,8 @@ class PictureConfig(LoopConfig):
     """Share of pictures without any garment: places, plain colours, drawings."""
     several: float = 0.04
     """Share of pictures of several people."""
+    close: float = 0.3
+    """Share of close-ups among the pictures of one person."""
     variation: float = 1.0
     """Strength of the cutting, turning and lighting."""
     unguessed: float = 0.35
@@ -92,6 +94,7 @@ class PictureConfig(LoopConfig):
             require(self, name, 0 <= getattr(self, name) <= 1, "0 to 1")
         total = sum(getattr(self, name) for name in families)
         require(self, "studio", total <= 1, f"such that {', '.join(families)} are at most 1 together")
+        require(self, "close", 0 <= self.close <= 1, "0 to 1")
         require(self, "unguessed", 0 <= self.unguessed <= 1, "0 to 1")
         require(self, "variation", self.variation >= 0, "0 or more")
         require(self, "validation_garments", self.validation_garments >= 1, "at least 1")

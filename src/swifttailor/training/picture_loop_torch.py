@@ -130,9 +130,11 @@ class PictureTask(Task):
         shown = ("kind", "skirt_hem", "neckline", "waistband", "sleeves", "skirt")
         some = ", ".join(f"{name} {result['claims'].get(name, float('nan')):.0%}" for name in shown)
         looks = ", ".join(f"{name} {value:.0%}" for name, value in result["by_look"].items())
+        near = ", ".join(f"{name} {value:.0%}" for name, value in result["near"].items())
         return (
-            f"validation: not false {result['not_false']:.1%} of all claims ({some}; {looks}); panels all "
-            f"right {result['panels']:.1%}; mask {result['mask']:.1%}"
+            f"validation: not false {result['not_false']:.1%} of all claims ({some}; {looks}); from near "
+            f"{result['near_not_false']:.1%} ({near}); panels all right {result['panels']:.1%}; mask "
+            f"{result['mask']:.1%}"
         )
 
     def card(self) -> dict[str, Any]:

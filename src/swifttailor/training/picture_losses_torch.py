@@ -29,22 +29,23 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     all others vanish. Of a group nothing counts but that it is one.
     """
     reading = Reading(*(value.float() for value in reading))
-    count, there = len(truth.present), truth.present[..., None]
+    count = len(truth.present)
     several, one = (truth.figures == FIGURES.index(name) for name in ("several", "one"))
     losses = {
-        "figures": F.cross_entropy(reading.figures, truth.figures, reduction="sum"),
-        "present": _cross_entropy(reading.present, truth.present, (~several)[:, None]),
+        "figures": (F.cross_entropy(reading.figures, truth.figures, reduction="none") * truth.whole).sum(),
+        "present": _cross_entropy(reading.present, truth.present, (truth.whole & ~several)[:, None]),
         "statements": _cross_entropy(reading.statements, truth.statements, truth.clear),
-        "has": _cross_entropy(reading.has, truth.has, there.expand_as(truth.has)),
+        "has": _cross_entropy(reading.has, truth.has, truth.measured),
     }
+    has = truth.has * truth.measured
     value, width = reading.measures[..., 0], reading.measures[..., 1].clamp(NARROWEST, WIDEST)
     off = F.smooth_l1_loss(value, truth.measures, reduction="none", beta=_NEAR)
-    losses["measures"] = (off * truth.has).sum()
+    losses["measures"] = (off * has).sum()
     likelihood = (value - truth.measures).abs().detach() * torch.exp(-width) + width
-    losses["widths"] = (likelihood * truth.has).sum()
-    losses["panels"] = _cross_entropy(reading.panels, truth.panels, there.expand_as(truth.panels))
+    losses["widths"] = (likelihood * has).sum()
+    losses["panels"] = _cross_entropy(reading.panels, truth.panels, truth.named)
     apart = F.smooth_l1_loss(reading.boxes, truth.boxes, reduction="none", beta=0.1).sum(-1)
-    losses["boxes"] = (apart * truth.panels).sum()
+    losses["boxes"] = (apart * truth.panels * truth.named).sum()
     turned = F.smooth_l1_loss(reading.view, truth.view, reduction="none", beta=0.1)
     losses["view"] = (turned * one[:, None]).sum()
     mask = F.binary_cross_entropy_with_logits(reading.masks, truth.masks, reduction="none")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,6 +13,7 @@ from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Family, draw
 from swifttailor.data.pictures.scenes import View, Wardrobe
 from swifttailor.evaluation.pictures.reading import claims_read
+from swifttailor.picture_reader.close_ups import WHOLE, told_by
 from swifttailor.picture_reader.labels import GUESS
 from swifttailor.picture_reader.network_torch import EyesNetwork, Reading
 from swifttailor.picture_reader.truth import TRUE, UNCLEAR
@@ -28,6 +30,8 @@ SHOWN: tuple[tuple[Family, View], ...] = (
     ("held out", "front"),
 )
 """The pictures of each garment: how it looks, and from where."""
+CLOSE: tuple[tuple[Family, View], ...] = (("plain", "front"), ("people", "front")) * 2
+"""The close-ups of each garment, each of something by lot."""
 _BATCH = 64
 
 
@@ -35,28 +39,58 @@ class ValidationPictures:
     """The same pictures every time."""
 
     def __init__(self, bank: PictureBank, config: PictureConfig) -> None:
-        """Draws the pictures `SHOWN` of each of the first garments of a bank."""
-        size = config.network.image_size
+        """Draws the pictures `SHOWN`, and those of `CLOSE`, of each of the first garments of a bank."""
         self.garments = min(config.validation_garments, len(bank))
-        wardrobe = Wardrobe(bank)
-        made, masks, numbers, parts = [], [], [], []
-        for k in range(self.garments):
-            part = bank.part(k)
-            for n, (family, view) in enumerate(SHOWN):
-                chance = np.random.default_rng([config.seed, 9, k, n])
-                scene = draw(wardrobe, k, family, view, chance, size)
-                made.append(scene.pixels)
-                masks.append(scene.masks[:, :, part])
-                numbers.append(k)
-                parts.append(part)
-        self.pictures, self.masks = np.stack(made), np.stack(masks)
-        self.numbers, self.parts = np.array(numbers), np.array(parts)
-        table = TruthTable(bank)
-        self.judged = table.statements.numpy()[self.numbers]
-        self.panels = table.panels.numpy()[self.numbers]
+        table, wardrobe = TruthTable(bank), Wardrobe(bank)
+        self.whole = _drawn(wardrobe, table, self.garments, SHOWN, config, close=False)
+        self.near = _drawn(wardrobe, table, self.garments, CLOSE, config, close=True)
 
     def __len__(self) -> int:
-        return len(self.pictures)
+        return len(self.whole.pictures)
+
+
+class Shown(NamedTuple):
+    """Some pictures and what is true of them."""
+
+    pictures: np.ndarray[Any, Any]
+    masks: np.ndarray[Any, Any]
+    numbers: np.ndarray[Any, Any]
+    parts: np.ndarray[Any, Any]
+    views: np.ndarray[Any, Any]
+    judged: np.ndarray[Any, Any]
+    """What a close-up does not tell is unclear."""
+    panels: np.ndarray[Any, Any]
+
+
+def _drawn(
+    wardrobe: Wardrobe,
+    table: TruthTable,
+    garments: int,
+    shown: tuple[tuple[Family, View], ...],
+    config: PictureConfig,
+    *,
+    close: bool,
+) -> Shown:
+    scenes, numbers = [], np.repeat(np.arange(garments), len(shown))
+    parts = np.array([wardrobe.bank.part(int(k)) for k in numbers])
+    for place, number in enumerate(numbers):
+        family, view = shown[place % len(shown)]
+        chance = np.random.default_rng([config.seed, 9, int(number), place % len(shown)])
+        size = config.network.image_size
+        scenes.append(draw(wardrobe, int(number), family, view, chance, size, close=close))
+    judged = table.statements.numpy()[numbers]
+    told = told_by().statements[[scene.close_up for scene in scenes]]
+    if close:
+        told[[scene.close_up == WHOLE for scene in scenes]] = False
+    return Shown(
+        np.stack([scene.pixels for scene in scenes]),
+        np.stack([scene.masks[:, :, part] for scene, part in zip(scenes, parts, strict=True)]),
+        numbers,
+        parts,
+        np.stack([scene.views for scene in scenes]),
+        np.where(told, judged, UNCLEAR),
+        table.panels.numpy()[numbers],
+    )
 
 
 class Calibration(NamedTuple):
@@ -70,14 +104,17 @@ class Calibration(NamedTuple):
 
 
 @torch.no_grad()
-def read_all(network: EyesNetwork, pictures: np.ndarray[Any, Any], device: torch.device) -> Reading:
-    """What a network says of pictures (n, size, size, 3) uint8, told where it saw the wearer at first."""
+def read_all(network: EyesNetwork, shown: Shown, device: torch.device, *, seen: bool = False) -> Reading:
+    """What a network says of pictures, told where it saw the wearer at first, or where he is if `seen`."""
     parts: list[list[Tensor]] = []
-    for start in range(0, len(pictures), _BATCH):
-        batch = torch.from_numpy(pictures[start : start + _BATCH]).permute(0, 3, 1, 2).float() / 255
+    for start in range(0, len(shown.pictures), _BATCH):
+        batch = torch.from_numpy(shown.pictures[start : start + _BATCH]).permute(0, 3, 1, 2).float() / 255
         batch = batch.to(device).contiguous(memory_format=torch.channels_last)
         guess = torch.zeros(len(batch), len(GUESS), device=device)
-        guess[:, :-1] = network(batch, guess).view
+        if seen:
+            guess[:, :-1] = torch.from_numpy(shown.views[start : start + _BATCH])
+        else:
+            guess[:, :-1] = network(batch, guess).view
         guess[:, -1] = 1
         parts.append([value.float().cpu() for value in network(batch, guess)])
     return Reading(*(torch.cat(column) for column in zip(*parts, strict=True)))
@@ -89,35 +126,38 @@ def judge(network: EyesNetwork, held: ValidationPictures, device: torch.device) 
     Returns:
         ``claims``: of each claim the share of pictures whose likeliest word is not false, of those that show
         a garment of which one is true; ``not_false``: of all claims together; ``by_look``: the same by look
-        and view; ``panels``: share of pictures with exactly the right panel names; ``mask``:
-        intersection over union.
+        and view; ``near``: the claims that close-ups tell of; ``panels``: share of pictures with exactly the
+        right panel names; ``mask``: intersection over union.
     """
-    reading = read_all(network, held.pictures, device)
+    shown = held.whole
+    reading = read_all(network, shown, device)
     rows = np.arange(len(held))
-    logits = reading.statements.numpy()[rows, held.parts]
-    right: dict[str, float] = {}
     of_look: list[list[np.ndarray[Any, Any]]] = [[] for _ in SHOWN]
-    everything = []
-    for claim, (asked, good) in claims_read(logits, held.judged).items():
-        right[claim] = round(float(good.mean()), 4)
-        everything.append(good)
+    found = claims_read(reading.statements.numpy()[rows, shown.parts], shown.judged)
+    for asked, good in found.values():
         for n in range(len(SHOWN)):
             of_look[n].append(good[asked % len(SHOWN) == n])
-    panels = (reading.panels.numpy()[rows, held.parts] > 0) == (held.panels > 0)
-    mask, shown = reading.masks.numpy()[rows, held.parts] > 0, held.masks > 127
-    inside = (mask & shown).sum(axis=(1, 2)) / np.maximum((mask | shown).sum(axis=(1, 2)), 1)
+    near = read_all(network, held.near, device, seen=True).statements.numpy()
+    found_near = claims_read(near[np.arange(len(near)), held.near.parts], held.near.judged)
+    panels = (reading.panels.numpy()[rows, shown.parts] > 0) == (shown.panels > 0)
+    mask, true = reading.masks.numpy()[rows, shown.parts] > 0, shown.masks > 127
+    inside = (mask & true).sum(axis=(1, 2)) / np.maximum((mask | true).sum(axis=(1, 2)), 1)
     names = [f"{family} {view}" for family, view in SHOWN]
     return {
         "pictures": len(held),
-        "not_false": round(float(np.concatenate(everything).mean()), 4),
-        "by_look": {
-            name: round(float(np.concatenate(part).mean()), 4)
-            for name, part in zip(names, of_look, strict=True)
-        },
+        "not_false": _share_of(good for _, good in found.values()),
+        "by_look": {name: _share_of(part) for name, part in zip(names, of_look, strict=True)},
+        "near": {claim: _share_of([good]) for claim, (_, good) in found_near.items()},
+        "near_not_false": _share_of(good for _, good in found_near.values()),
         "panels": round(float(panels.all(axis=1).mean()), 4),
         "mask": round(float(inside.mean()), 4),
-        "claims": right,
+        "claims": {claim: _share_of([good]) for claim, (_, good) in found.items()},
     }
+
+
+def _share_of(parts: Iterable[np.ndarray[Any, Any]]) -> float:
+    found = list(parts)
+    return round(float(np.concatenate(found).mean()), 4) if found else float("nan")
 
 
 def calibrate(network: EyesNetwork, held: ValidationPictures, device: torch.device) -> Calibration:
@@ -126,14 +166,14 @@ def calibrate(network: EyesNetwork, held: ValidationPictures, device: torch.devi
     Fitted on every second garment; the error afterwards is that of the others. Looks that are held out have
     no part in either.
     """
-    reading = read_all(network, held.pictures, device)
-    rows = np.arange(len(held))
-    logits = reading.statements.numpy()[rows, held.parts].astype(np.float64)
+    shown = held.whole
+    reading = read_all(network, shown, device)
+    logits = reading.statements.numpy()[np.arange(len(held)), shown.parts].astype(np.float64)
     known = np.array([SHOWN[k % len(SHOWN)][0] != "held out" for k in range(len(held))])
-    half = held.numbers % 2 == 0
-    scales = fit_scales(logits[known & half], held.judged[known & half])
+    half = shown.numbers % 2 == 0
+    scales = fit_scales(logits[known & half], shown.judged[known & half])
     rest = known & ~half
-    clear, true = held.judged[rest] != UNCLEAR, held.judged[rest] == TRUE
+    clear, true = shown.judged[rest] != UNCLEAR, shown.judged[rest] == TRUE
     before, after = (
         calibration_error((1 / (1 + np.exp(-said)))[clear], true[clear])
         for said in (logits[rest], logits[rest] * scales[:, 0] + scales[:, 1])

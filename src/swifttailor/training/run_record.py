@@ -6,6 +6,7 @@ import functools
 import hashlib
 import importlib.metadata
 import json
+import os
 import platform
 import shlex
 import sys
@@ -17,8 +18,11 @@ from swifttailor.atomic_files import write_text
 from swifttailor.data.builder.code_version import code_version
 from swifttailor.data.reader import SplitReader
 from swifttailor.errors import InputError
+from swifttailor.output_folder import FolderLock
 
 CONFIG, METRICS, CARD, WEIGHTS = "config.json", "metrics.jsonl", "card.json", "weights.safetensors"
+CHECKPOINT = "checkpoint.pt"
+PICTURES = "validation-*.png"
 _PACKAGES = ("swifttailor", "torch", "transformers", "numpy")
 
 
@@ -27,13 +31,34 @@ class RunRecord:
 
     def __init__(self, folder: Path | str) -> None:
         self.folder = Path(folder)
+        self._lock: FolderLock | None = None
 
     def start(self, config: dict[str, Any], *, resume: bool) -> None:
         """Notes the configuration, or compares it with that of the run that goes on.
 
         Raises:
-            InputError: There is a training in the folder already, or one with another configuration.
+            InputError: There is a training in the folder already, or one with another configuration, or other
+                files that it would replace; or another process trains there.
         """
+        try:
+            self._lock = FolderLock(self.folder, "training")
+        except OSError as error:
+            raise InputError(
+                f"Cannot write to '{self.folder}': {error.strerror or error}. Choose another --out."
+            ) from error
+        try:
+            self._start(config, resume=resume)
+        except BaseException:
+            self.end()
+            raise
+
+    def end(self) -> None:
+        """Lets other processes train in the folder."""
+        if self._lock is not None:
+            self._lock.release()
+            self._lock = None
+
+    def _start(self, config: dict[str, Any], *, resume: bool) -> None:
         path = self.folder / CONFIG
         if resume:
             try:
@@ -53,6 +78,12 @@ class RunRecord:
                 f"There is a training in '{self.folder}' already. Add --resume to go on with it, "
                 "or choose another --out."
             )
+        written = (METRICS, CARD, WEIGHTS, CHECKPOINT)
+        theirs = [self.folder / name for name in written if os.path.lexists(self.folder / name)]
+        for other in (*theirs, *self.folder.glob(PICTURES)):
+            raise InputError(
+                f"'{other}' would be replaced in the course of the training. Choose another --out."
+            )
         write_text(path, json.dumps(config, indent=1) + "\n")
 
     def add(self, line: dict[str, Any]) -> None:
@@ -63,7 +94,7 @@ class RunRecord:
     def forget_after(self, step: int) -> None:
         """Drops measurements of steps that an interrupted training will do again."""
         kept = [line for line in self.lines() if line["step"] <= step]
-        write_text(self.folder / METRICS, "".join(json.dumps(line) + "\n" for line in kept))
+        write_text(self.folder / METRICS, "".join(json.dumps(line) + "\n" for line in kept), overwrite=True)
 
     def lines(self) -> list[dict[str, Any]]:
         """All measurements; a last line cut short by a crash is left out."""
@@ -80,7 +111,7 @@ class RunRecord:
 
     def write_card(self, card: dict[str, Any]) -> None:
         """Writes card.json: what the weights are and how they came about."""
-        write_text(self.folder / CARD, json.dumps(card, indent=1, allow_nan=False) + "\n")
+        write_text(self.folder / CARD, json.dumps(card, indent=1, allow_nan=False) + "\n", overwrite=True)
 
 
 @functools.cache

@@ -75,7 +75,7 @@ class Validation:
             for column, vertices in enumerate((sewn, known.drape)):
                 picture = render_preview(Garment(mesh, vertices), Body.default(), size=_PICTURE)
                 sheet.paste(picture, (column * _PICTURE[0], row * _PICTURE[1]))
-        write_atomically(path, lambda temporary: sheet.save(temporary))
+        write_atomically(path, lambda temporary: sheet.save(temporary), overwrite=True)
 
     def _of(self, k: int) -> _Known:
         if k not in self._known:

@@ -1,4 +1,4 @@
-"""What makes work on a folder resumable: a lock, lines that survive a crash, and the same settings."""
+"""What makes work on a folder resumable: lines that survive a crash, and the same settings."""
 
 from __future__ import annotations
 
@@ -8,39 +8,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
-from typing import IO, Any, Self
+from typing import Any, Self
 
 from swifttailor.errors import InputError
-
-LOCK = ".lock"
-
-
-class FolderLock:
-    """Held while this process works on a folder; use as a context manager."""
-
-    def __init__(self, folder: Path, work: str) -> None:
-        """Takes the lock.
-
-        Args:
-            folder: Must exist.
-            work: What is being done there, for the message ("batch").
-
-        Raises:
-            InputError: Another process holds it.
-        """
-        self._stream = _lock(folder, work)
-
-    def __enter__(self) -> FolderLock:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.release()
-
-    def release(self) -> None:
-        """Lets others in; also happens when the process ends in whatever way."""
-        self._stream.close()
+from swifttailor.output_folder import FolderLock
 
 
 class RecordFile:
@@ -146,19 +117,3 @@ def _read_records(path: Path) -> Iterator[dict[str, Any]]:
                 yield record
     if sound < path.stat().st_size:
         os.truncate(path, sound)
-
-
-def _lock(folder: Path, work: str) -> IO[bytes]:
-    stream = (folder / LOCK).open("wb")
-    try:
-        import fcntl
-    except ImportError:  # Windows: two at work on one folder are not noticed
-        return stream
-    try:
-        fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError as error:
-        stream.close()
-        raise InputError(
-            f"Another {work} is at work in '{folder}'. Wait for it or choose another --out."
-        ) from error
-    return stream

@@ -8,6 +8,7 @@ index.json names it, and only then do the files of its samples go.
 from __future__ import annotations
 
 import hashlib
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -18,9 +19,11 @@ from swifttailor.data.builder.settings import BuildSettings
 from swifttailor.data.index import INDEX, Rejected, Shard, SplitIndex, read_index
 from swifttailor.data.shard_file import ShardFile, pack_sample, unpack_sample, write_durably, write_shard
 from swifttailor.errors import InputError
-from swifttailor.workers.work_folder import LOCK, FolderLock, RecordFile, WorkFolder, differences
+from swifttailor.output_folder import LOCK, FolderLock
+from swifttailor.workers.work_folder import RecordFile, WorkFolder, differences
 
 RESULTS, SAMPLES = "results.jsonl", ".samples"
+_SHARD = re.compile(r"shard-\d{5}-[0-9a-f]{12}\.safetensors")
 
 
 class SplitFolder(WorkFolder):
@@ -42,10 +45,10 @@ class SplitFolder(WorkFolder):
         self._other_code = False
 
     def _open(self) -> None:
-        self._require_own_folder()
-        (self.folder / SAMPLES).mkdir(parents=True, exist_ok=True)
         self._lock = FolderLock(self.folder, "build")
+        self._require_own_folder()
         self._open_index()
+        (self.folder / SAMPLES).mkdir(exist_ok=True)
         self._file = RecordFile(self.folder / RESULTS)
         self.records |= {r["position"]: r for r in self._file.found if _is_record(r)}
         self._clean_up()
@@ -174,9 +177,7 @@ class SplitFolder(WorkFolder):
         return shard if shard is not None and position < shard.last else None
 
     def _require_own_folder(self) -> None:
-        if (self.folder / INDEX).exists() or not self.folder.exists():
-            return
-        if {p.name for p in self.folder.iterdir()} - {LOCK, SAMPLES}:
+        if not (self.folder / INDEX).exists() and {p.name for p in self.folder.iterdir()} - {LOCK}:
             raise InputError(
                 f"'{self.folder}' is not empty and holds no split ({INDEX} is missing). "
                 "Choose another --out or --split."
@@ -207,7 +208,7 @@ class SplitFolder(WorkFolder):
         """Removes what a killed run left: shards that no index names, samples that are in a shard."""
         named = {s.file for s in self._shards.values()}
         for path in self.folder.glob("shard-*.safetensors"):
-            if path.name not in named:
+            if path.name not in named and _SHARD.fullmatch(path.name):
                 path.unlink()
         for pattern in (".index-*", ".shard-*", f"{SAMPLES}/.*"):  # half-written (`write_atomically`)
             for path in self.folder.glob(pattern):

@@ -12,14 +12,16 @@ from numpy.typing import NDArray
 
 from swifttailor.body import Body
 from swifttailor.data.pictures.bank import PictureBank
+from swifttailor.data.pictures.closer import close_up_by_lot, coarsened
 from swifttailor.data.pictures.odd_scenes import draw_group, draw_nothing
 from swifttailor.data.pictures.panel_cells import panel_cells
 from swifttailor.data.pictures.scenes import VIEWS, Chance, Scene, View, Wardrobe, draw_scene
 from swifttailor.data.pictures.worn_places import worn_places
-from swifttailor.data.renders.draw import draw_seen
+from swifttailor.data.renders.draw import draw_seen, look_camera
 from swifttailor.data.renders.look import View as LookView
 from swifttailor.data.renders.look import random_look
 from swifttailor.data.renders.plain_look import plain_camera, plain_look
+from swifttailor.picture_reader.close_ups import WHOLE
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS
 from swifttailor.picture_reader.view import view_of
 from swifttailor.render import Plain
@@ -54,13 +56,22 @@ class Block:
     """(n, 6)."""
     garments: NDArray[np.int64]
     """(n, 2) number of the garment of each part in the bank; -1 for none, and of groups."""
+    close_up: NDArray[np.int64]
+    """(n,) number of `CLOSE_UPS`, or `WHOLE`."""
 
 
 class Blocks:
     """The blocks of a training."""
 
     def __init__(
-        self, bank: PictureBank, *, seed: int, size: int, count: int, shares: Mapping[Family, float]
+        self,
+        bank: PictureBank,
+        *,
+        seed: int,
+        size: int,
+        count: int,
+        shares: Mapping[Family, float],
+        close: float = 0.0,
     ) -> None:
         """Prepares to draw.
 
@@ -70,9 +81,10 @@ class Blocks:
             size: Pixels along each side of a picture.
             count: Pictures in a block.
             shares: Of families; the others show people.
+            close: Share of close-ups.
         """
         self.wardrobe, self.seed, self.size, self.count = Wardrobe(bank), seed, size, count
-        self.shares = dict(shares)
+        self.shares, self.close = dict(shares), close
 
     def __getitem__(self, number: int) -> Block:
         chance = np.random.default_rng([self.seed, number])
@@ -83,8 +95,9 @@ class Blocks:
         epoch, k = divmod(place, len(self.wardrobe.bank))
         garment = int(_order(self.seed, epoch, len(self.wardrobe.bank))[k])
         family, view = self._family(chance), VIEWS[int(chance.choice(3, p=_VIEW_SHARES))]
-        near = family == "plain" and chance.random() < _NEAR_SHARE
-        return draw(self.wardrobe, garment, family, view, chance, self.size, near=near)
+        close = chance.random() < self.close
+        near = family == "plain" and not close and chance.random() < _NEAR_SHARE
+        return draw(self.wardrobe, garment, family, view, chance, self.size, near=near, close=close)
 
     def _family(self, chance: Chance) -> Family:
         lot = chance.random()
@@ -104,6 +117,7 @@ def draw(
     size: int,
     *,
     near: bool = False,
+    close: bool = False,
 ) -> Scene:
     """A picture of a garment.
 
@@ -115,13 +129,14 @@ def draw(
         chance: Decides everything else.
         size: Pixels along each side.
         near: Whether a garment that is shown plainly fills the picture.
+        close: Whether one of `CLOSE_UPS` fills it, where there is a garment.
     """
     if family == "nothing":
         return draw_nothing(chance, size)
     if family == "several":
         return draw_group(wardrobe, number, chance, size)
     if family in ("people", "held out"):
-        return draw_scene(wardrobe, number, view, chance, size, held_out=family == "held out")
+        return draw_scene(wardrobe, number, view, chance, size, held_out=family == "held out", close=close)
     worn = wardrobe.bank[number]
     if family in ("plain", "seamless"):
         side = view if view != "free" else VIEWS[int(chance.integers(2))]
@@ -132,7 +147,13 @@ def draw(
             look = replace(look, view=_nearer(chance, side))
     else:
         look = random_look(chance, view)
+    close_up = WHOLE
+    if close:
+        camera = look_camera(worn.vertices, _body(), look)
+        camera, close_up = close_up_by_lot(worn, worn.vertices, camera, chance)
+        look = replace(look, view=LookView(camera=camera))
     drawn = draw_seen(worn, _body(), look, size)
+    pixels = drawn.pixels if close_up == WHOLE else coarsened(drawn.pixels, chance)
     cells = size // MASK_STRIDE
     share = drawn.shares[:, :, -1].reshape(cells, MASK_STRIDE, cells, MASK_STRIDE).mean(axis=(1, 3))
     masks = np.zeros((cells, cells, len(PARTS)), np.uint8)
@@ -142,7 +163,8 @@ def draw(
     places = worn_places(drawn.face, [(s.vertices, s.faces) for s in drawn.surfaces])
     bare = sum(len(s.faces) for s in drawn.surfaces[:-1])
     panels = panel_cells(drawn.face, bare, [worn])
-    return Scene(drawn.pixels, masks, places, panels, view_of(drawn.camera, size), garments)
+    view_seen = view_of(drawn.camera, size)
+    return Scene(pixels, masks, places, panels, view_seen, garments, close_up=close_up)
 
 
 def _nearer(chance: Chance, side: str) -> LookView:
@@ -155,7 +177,7 @@ def _nearer(chance: Chance, side: str) -> LookView:
     return LookView(camera.azimuth, camera.elevation, opened, False, margin, (right, up))
 
 
-_COLUMNS = ("pixels", "masks", "places", "cells", "views", "garments", "figures")
+_COLUMNS = ("pixels", "masks", "places", "cells", "views", "garments", "figures", "close_up")
 
 
 @lru_cache(maxsize=2)

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Array
 from swifttailor.data.pictures.bank import WornGarment
+from swifttailor.data.pictures.closer import face_kinds
 from swifttailor.picture_reader.labels import MASK_STRIDE
-from swifttailor.picture_reader.panel_kinds import kinds_of_panels
 
 SEAM = 64
 """Added to the cells in which two panels of one garment meet."""
@@ -32,11 +32,11 @@ def panel_cells(face: Array, first: int, garments: Sequence[WornGarment]) -> NDA
     height, width = face.shape[0] // MASK_STRIDE, face.shape[1] // MASK_STRIDE
     found = np.zeros((height, width), np.uint8)
     for garment in garments:
-        kinds = kinds_of_panels()[np.flatnonzero(garment.truth.panels)]
+        kinds = face_kinds(garment)
         first, begin = first + len(garment.faces), first
-        if len(kinds) != garment.face_panel.max() + 1:
-            continue  # panels that GarmentCode does not know
-        kind_of_face = 1 + kinds[garment.face_panel]
+        if kinds is None:
+            continue
+        kind_of_face = 1 + kinds
         here = (face >= begin) & (face < first)
         number = np.where(here, face - begin, 0)
         middle = here[half::MASK_STRIDE, half::MASK_STRIDE]

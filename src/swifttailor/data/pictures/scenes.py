@@ -21,6 +21,7 @@ from swifttailor.body.posing import random_pose
 from swifttailor.body.rig import Rig, Weights
 from swifttailor.body.skin_regions import SkinRegion, skin_regions
 from swifttailor.data.pictures.bank import PictureBank, WornGarment
+from swifttailor.data.pictures.closer import close_up_by_lot, coarsened
 from swifttailor.data.pictures.panel_cells import panel_cells
 from swifttailor.data.pictures.worn_places import worn_places
 from swifttailor.data.renders.backdrops import MAKER_NAMES, random_scenery
@@ -28,6 +29,7 @@ from swifttailor.data.renders.camera_effects import random_effects
 from swifttailor.data.renders.cloths import DrawnCloth, Place, random_cloth, random_color
 from swifttailor.data.renders.foreground import random_before
 from swifttailor.data.renders.look import random_lighting
+from swifttailor.picture_reader.close_ups import WHOLE
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS, statement_labels
 from swifttailor.picture_reader.truth import TRUE
@@ -70,6 +72,8 @@ class Scene(NamedTuple):
     """(2,) number of the garment of each part in the bank; -1 for none."""
     figures: int = FIGURES.index("one")
     """Number of `FIGURES`."""
+    close_up: int = WHOLE
+    """Number of `CLOSE_UPS`, or `WHOLE`; a close-up tells of one garment alone."""
 
 
 class Wardrobe:
@@ -104,6 +108,7 @@ def draw_scene(
     held_out: bool = False,
     behind: NDArray[np.float32] | None = None,
     aside: tuple[float, float] | None = None,
+    close: bool = False,
 ) -> Scene:
     """Draws somebody who wears a garment.
 
@@ -117,6 +122,7 @@ def draw_scene(
         behind: (size, size, 3) linear light behind the figure; a place by lot when None.
         aside: How far from the middle the figure stands, in sides of the picture, and how many centimetres
             the picture is high there; the garment fills the picture when None.
+        close: Whether one of `CLOSE_UPS` of the garment fills it instead.
     """
     worn = [(number, wardrobe.bank[number])]
     nobody = not held_out and chance.random() < _NOBODY
@@ -151,6 +157,9 @@ def draw_scene(
     camera = _camera(shown, carried[0], view, chance)
     if aside is not None:
         camera = _aside(camera, *aside)
+    close_up = WHOLE
+    if close:
+        camera, close_up = close_up_by_lot(worn[0][1], shown, camera, chance)
     lighting = random_lighting(chance)
     seen = render_seen(
         surfaces,
@@ -162,7 +171,8 @@ def draw_scene(
         floor=not nobody and behind is None and chance.random() < 0.7,
         samples=2,
     )
-    pixels, cover = _in_front(seen.pixels, chance, size)
+    drawn = seen.pixels if close_up == WHOLE else coarsened(seen.pixels, chance)
+    pixels, cover = _in_front(drawn, chance, size)
     if chance.random() < 0.85:
         pixels = random_effects(chance).apply(pixels)
     cells = size // MASK_STRIDE
@@ -171,12 +181,13 @@ def draw_scene(
     for k, (which, garment) in enumerate(worn):
         share = (seen.shares[:, :, bodies + k] * cover).reshape(cells, MASK_STRIDE, cells, MASK_STRIDE)
         masks[:, :, garment.truth.part] = np.round(255 * share.mean(axis=(1, 3)))
-        garments[garment.truth.part] = which
+        if close_up == WHOLE or which == number:
+            garments[garment.truth.part] = which
     face = np.where(cover > _COVERED, seen.face, -1)
     places = worn_places(face, at_rest)
     bare = sum(len(faces) for _, faces in at_rest[:bodies])
     panels = panel_cells(face, bare, [garment for _, garment in worn])
-    return Scene(pixels, masks, places, panels, view_of(camera, size), garments)
+    return Scene(pixels, masks, places, panels, view_of(camera, size), garments, close_up=close_up)
 
 
 class _Thing(NamedTuple):

@@ -98,14 +98,14 @@ def draw_body(body: Body, look: Look, size: int = 256) -> Pixels:
         (size, size, 3) uint8 sRGB, row 0 at the top.
     """
     surfaces = [_figure(body, look.body or _GREY)]
-    return _drawing(render_view, surfaces, _camera(body.vertices, body, look), look, size)
+    return _drawing(render_view, surfaces, look_camera(body.vertices, body, look), look, size)
 
 
 def _placed(cloth: ClothMesh, body: Body, look: Look) -> tuple[list[Surface], Camera]:
     surfaces = [_cloth(cloth, look)]
     if look.body is not None:
         surfaces.insert(0, _figure(body, look.body))
-    return surfaces, _camera(cloth.vertices, body, look)
+    return surfaces, look_camera(cloth.vertices, body, look)
 
 
 def _figure(body: Body, color: Rgb) -> Surface:
@@ -172,8 +172,8 @@ def _sewn(mesh: PatternMesh) -> _Sewn:
     return _SEWN[mesh]
 
 
-def _camera(shown: Floats, body: Body, look: Look) -> Camera:
-    """Shows vertices (n, 3) that the body wears."""
+def look_camera(shown: Floats, body: Body, look: Look) -> Camera:
+    """Shows vertices (n, 3) that the body wears as a look wants it."""
     view = look.view
     if view.camera is not None:
         return view.camera

@@ -25,6 +25,7 @@ from swifttailor.data.renders.plain_look import plain_look
 from swifttailor.data.sample import Sample
 from swifttailor.data.shard_file import require_checksum
 from swifttailor.errors import InputError
+from swifttailor.output_folder import LOCK, FolderLock
 
 FOLDER, INDEX = "renders", "renders.json"
 FORMAT = "swifttailor renders 1"
@@ -163,11 +164,24 @@ class SplitRenders:
         Raises:
             InputError: A sample cannot be read, or a file not written.
         """
-        self._save_index({})
-        yield from self._cache.prepare(workers=workers)
-        for path in set(self.folder.glob("renders-*.safetensors")) - set(self._paths()):
-            path.unlink()  # of shards that have been built anew
-        self._save_index({p.name: _sha256(p) for p in self._paths()})
+        try:
+            lock = FolderLock(self.folder, "drawing")
+        except OSError as error:
+            raise InputError(f"Cannot write to '{self.folder}': {error.strerror or error}.") from error
+        with lock:
+            before = _read_index(self.folder / INDEX)
+            if before is None and any(path.name != LOCK for path in self.folder.iterdir()):
+                raise InputError(
+                    f"'{self.folder}' is not empty and holds no renders ({INDEX} is missing). "
+                    "Move what is in it to another place."
+                )
+            known = set(before["files"]) if before is not None else set()
+            self._save_index(dict.fromkeys(known, ""))
+            yield from self._cache.prepare(workers=workers)
+            drawn = self._paths()
+            for name in known - {path.name for path in drawn}:  # of shards that have been built anew
+                (self.folder / name).unlink(missing_ok=True)
+            self._save_index({path.name: _sha256(path) for path in drawn})
 
     def verify(self) -> Iterator[str]:
         """Yields what is wrong with the files."""
@@ -175,7 +189,7 @@ class SplitRenders:
         checksums = {} if index is None else index["files"]
         for path in self._paths():
             try:
-                if path.name not in checksums:
+                if not checksums.get(path.name):
                     yield f"'{path}' is not in {INDEX}; draw the renders to the end"
                 else:
                     require_checksum(path, checksums[path.name])
@@ -190,7 +204,7 @@ class SplitRenders:
 
     def _save_index(self, files: dict[str, str]) -> None:
         content = {"format": FORMAT, "settings": asdict(self.settings), "files": files}
-        write_text(self.folder / INDEX, json.dumps(content, indent=1) + "\n")
+        write_text(self.folder / INDEX, json.dumps(content, indent=1) + "\n", overwrite=True)
 
 
 def _arrays(sample: Sample, settings: RenderSettings) -> Arrays:

@@ -79,7 +79,7 @@ def show_sample(reader: SplitReader, k: int, renders: SplitRenders | None, seed:
 
 
 def write_sheets(folder: Path, name: str, shown: Sequence[Shown]) -> list[Path]:
-    """Writes <name>-01.png, <name>-02.png, ... with twenty samples each; older ones of that name go."""
+    """Writes <name>-01.png, <name>-02.png, ... with twenty samples each."""
     return write_numbered_sheets(folder, name, shown, COLUMNS * ROWS, _draw_sheet)
 
 

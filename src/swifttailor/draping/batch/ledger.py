@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import json
-import shutil
 from pathlib import Path
 from typing import Any
 
 from swifttailor.atomic_files import write_text
-from swifttailor.draping.batch.make_garment import UNFINISHED_PREFIX
 from swifttailor.draping.batch.settings import BatchSettings
 from swifttailor.errors import InputError
 from swifttailor.garment.folder import plain
-from swifttailor.workers.work_folder import FolderLock, RecordFile, WorkFolder, differences
+from swifttailor.output_folder import LOCK, FolderLock, OutputFolder
+from swifttailor.workers.work_folder import RecordFile, WorkFolder, differences
 
-SETTINGS, RESULTS = "batch.json", "results.jsonl"
+SETTINGS, RESULTS, SUMMARY = "batch.json", "results.jsonl", "summary.json"
 
 
 class Ledger(WorkFolder):
@@ -23,23 +22,25 @@ class Ledger(WorkFolder):
     Each record is on disk before `add` returns, so that a killed batch goes on where it stopped.
     """
 
-    def __init__(self, folder: Path, settings: BatchSettings) -> None:
+    def __init__(self, folder: Path, settings: BatchSettings, *, overwrite: bool = False) -> None:
         """Nothing is touched before the context is entered, which refuses a folder of other things.
 
         Args:
             folder: Of the batch; made when missing.
             settings: What the garments are made with.
+            overwrite: Whether files in it are replaced that were changed by somebody else.
         """
         super().__init__(folder)
+        self.output = OutputFolder(folder, overwrite=overwrite)
+        """For what is said of the whole batch."""
         self.records: dict[str, dict[str, Any]] = {}
         """The last record of each id."""
         self._settings = settings
 
     def _open(self) -> None:
-        self._check_settings()
         self._lock = FolderLock(self.folder, "batch")
-        for unfinished in self.folder.glob(f"{UNFINISHED_PREFIX}*"):
-            shutil.rmtree(unfinished, ignore_errors=True)
+        self._check_settings()
+        self.output.require_own([SUMMARY])
         self._file = RecordFile(self.folder / RESULTS)
         self.records |= {r["id"]: r for r in self._file.found if _is_record(r)}
 
@@ -70,7 +71,7 @@ class Ledger(WorkFolder):
                     "Use the same settings to go on with it, or another --out."
                 )
             return
-        if self.folder.exists() and any(self.folder.iterdir()):
+        if any(path.name != LOCK for path in self.folder.iterdir()):
             raise InputError(
                 f"'{self.folder}' is not empty and holds no batch ({SETTINGS} is missing). "
                 "Choose a new or empty folder for --out."

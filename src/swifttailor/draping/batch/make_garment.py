@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import functools
-import os
-import shutil
 import time
 import traceback
 from dataclasses import dataclass, replace
@@ -21,8 +19,6 @@ from swifttailor.garment.garment import Garment
 from swifttailor.pattern.check import BodyProbe
 from swifttailor.pattern.pattern_list import BatchPattern
 
-UNFINISHED_PREFIX = ".making-"
-
 
 @dataclass(frozen=True)
 class GarmentTask:
@@ -32,6 +28,8 @@ class GarmentTask:
     settings: BatchSettings
     out: Path
     """Folder of the batch."""
+    overwrite: bool = False
+    """Whether files in the garment's folder are replaced that somebody else has put there or changed."""
 
 
 def make_garment(task: GarmentTask) -> dict[str, Any]:
@@ -62,12 +60,8 @@ def _make(task: GarmentTask) -> dict[str, Any]:
     report = garment.report
     garment = replace(garment, report={"id": task.pattern.id} | report)
     before_saving = time.perf_counter()
-    unfinished = task.out / f"{UNFINISHED_PREFIX}{os.getpid()}-{task.pattern.folder}"
-    try:
-        garment.save(unfinished, body=shared_body(settings), preview=settings.preview)
-        _replace_folder(unfinished, task.out / task.pattern.folder)
-    finally:
-        shutil.rmtree(unfinished, ignore_errors=True)
+    folder = task.out / task.pattern.folder
+    garment.save(folder, body=shared_body(settings), preview=settings.preview, overwrite=task.overwrite)
     return {
         "status": "made",
         "accepted": report["quality"]["accepted"],
@@ -123,10 +117,3 @@ def shared_body(settings: BatchSettings) -> Body:
 def shared_probe(settings: BatchSettings) -> BodyProbe:
     """What the checks know of the body of a batch."""
     return probe_body(shared_body(settings))
-
-
-def _replace_folder(made: Path, final: Path) -> None:
-    """Puts a finished folder in its place; what a crashed run left there goes."""
-    if final.exists():
-        shutil.rmtree(final)
-    made.rename(final)

@@ -9,18 +9,18 @@ from pathlib import Path
 from typing import Any
 
 from swifttailor.atomic_files import write_text
-from swifttailor.draping.batch.ledger import Ledger
+from swifttailor.draping.batch.ledger import SUMMARY, Ledger
 from swifttailor.draping.batch.make_garment import GarmentTask, failure, make_garment
 from swifttailor.draping.batch.settings import BatchSettings
-from swifttailor.draping.batch.sheets import write_sheets
+from swifttailor.draping.batch.sheets import SHEETS, write_sheets
 from swifttailor.draping.batch.summary import summarize
 from swifttailor.draping.compiled_code import solver_is_compiled
 from swifttailor.errors import InputError
 from swifttailor.garment.folder import plain
+from swifttailor.output_folder import remove_unfinished_folder
 from swifttailor.pattern.pattern_list import BatchPattern, read_patterns
 from swifttailor.workers import run_tasks, sigterm_as_interrupt
 
-SUMMARY = "summary.json"
 TIME_LIMIT = 600.0
 
 OnStart = Callable[[int, bool], None]
@@ -36,6 +36,7 @@ def run_batch(
     limit: int | None = None,
     time_limit: float = TIME_LIMIT,
     retry_failed: bool = False,
+    overwrite: bool = False,
     on_start: OnStart | None = None,
     on_record: OnRecord | None = None,
     make: Callable[[GarmentTask], dict[str, Any]] = make_garment,
@@ -53,6 +54,7 @@ def run_batch(
         limit: Only the first so many patterns.
         time_limit: Seconds after which a garment is given up.
         retry_failed: Try again what failed in an earlier call.
+        overwrite: Replace files in the batch's folder that somebody else has put there or changed.
         on_start: Called with the number of records from earlier calls and whether the solver is compiled.
         on_record: Called with each new record.
         make: Makes one garment (for tests).
@@ -72,7 +74,7 @@ def run_batch(
             f"'{source}' holds no patterns. Give one pattern a line, or a folder of .json files."
         )
     settings.require_usable()
-    with Ledger(out, settings) as ledger:
+    with Ledger(out, settings, overwrite=overwrite) as ledger:
         seen: dict[str, dict[str, Any]] = {}
 
         def take_in(record: dict[str, Any]) -> None:
@@ -88,7 +90,7 @@ def run_batch(
                 elif pattern.error:
                     take_in(_unusable(pattern))
                 else:
-                    yield GarmentTask(pattern, settings, out)
+                    yield GarmentTask(pattern, settings, out, overwrite)
 
         complete, compiled = False, solver_is_compiled()
         if on_start is not None:
@@ -97,14 +99,18 @@ def run_batch(
         try:
             with sigterm_as_interrupt():
                 for outcome in outcomes:
+                    if outcome.lost:
+                        remove_unfinished_folder(out / outcome.task.pattern.folder)
                     take_in(_lost(outcome.task, outcome.lost) if outcome.lost else outcome.result)
                 complete = True
         finally:
             outcomes.close()
             summary = plain(summarize(seen.values(), settings.identity(), complete=complete))
-            write_text(out / SUMMARY, json.dumps(summary, indent=2, allow_nan=False) + "\n")
+            with ledger.output.fill() as made:
+                write_text(made / SUMMARY, json.dumps(summary, indent=2, allow_nan=False) + "\n")
         if settings.preview:
-            write_sheets(out, summary["garments"])
+            with ledger.output.fill(stale=SHEETS) as made:
+                write_sheets(out, summary["garments"], made)
         return summary
 
 

@@ -73,7 +73,7 @@ class Redraper:
             "seed": seed,
             "code": code_version()["code"],
         }
-        keep_settings(folder / SETTINGS, identity, "drapes")
+        keep_settings(folder / SETTINGS, identity, "drapes", (RECORDS,))
 
     def run(self, numbers: Sequence[int], progress: CountProgress = unwatched) -> tuple[Made, int]:
         """Drapes what is missing and measures all.
@@ -114,7 +114,9 @@ class Redraper:
             quality = garment.report["quality"]
             record = {"score": asdict(scored.score), "accepted": quality["accepted"]}
             record |= {"id": sample.id, "reasons": list(quality["reasons"])}
-            write_atomically(self._path(number, ".npy"), lambda path: np.save(path, garment.vertices))
+            write_atomically(
+                self._path(number, ".npy"), lambda path: np.save(path, garment.vertices), overwrite=True
+            )
         write_text(self._path(number, ".json"), json.dumps(record) + "\n")
         return record
 

@@ -12,8 +12,9 @@ from swifttailor.data.builder.code_version import code_version
 from swifttailor.errors import InputError
 from swifttailor.evaluation.kept_settings import keep_settings
 from swifttailor.evaluation.maker.questions import Question
+from swifttailor.output_folder import FolderLock
 from swifttailor.workers.interruption import sigterm_as_interrupt
-from swifttailor.workers.work_folder import FolderLock, RecordFile
+from swifttailor.workers.work_folder import RecordFile
 
 SETTINGS, ANSWERS, SAMPLES = "settings.json", "answers.jsonl", "samples.jsonl"
 FORMAT = "swifttailor answers 1"
@@ -101,14 +102,13 @@ def open_books(folder: Path, settings: dict[str, Any]) -> Generator[tuple[Book, 
         InputError: The folder cannot be used, or its answers were made in another way.
     """
     try:
-        folder.mkdir(parents=True, exist_ok=True)
         lock = FolderLock(folder, "evaluation")
     except OSError as error:
         raise InputError(
             f"Cannot use '{folder}': {error.strerror or error}. Choose another --out."
         ) from error
     with lock, sigterm_as_interrupt():
-        keep_settings(folder / SETTINGS, {"format": FORMAT} | settings, "answers")
+        keep_settings(folder / SETTINGS, {"format": FORMAT} | settings, "answers", (ANSWERS, SAMPLES))
         answers, samples = Book(folder / ANSWERS), Book(folder / SAMPLES)
         try:
             yield answers, samples

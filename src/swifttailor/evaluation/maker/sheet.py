@@ -39,7 +39,7 @@ def chosen(scored: Sequence[Scored], count: int) -> list[Scored]:
 
 
 def write_sheets(folder: Path, name: str, shown: Sequence[Shown]) -> list[Path]:
-    """Writes sheet-<name>-01.png and so on; older ones of that name go.
+    """Writes sheet-<name>-01.png and so on.
 
     Raises:
         InputError: A file cannot be written.

@@ -79,9 +79,9 @@ def pattern_to_svg(pattern: Pattern) -> str:
     )
 
 
-def write_svg(pattern: Pattern, path: Path | str) -> Path:
-    """Writes `pattern_to_svg` to a file and returns its path."""
-    return write_text(path, pattern_to_svg(pattern))
+def write_svg(pattern: Pattern, path: Path | str, *, overwrite: bool = False) -> Path:
+    """Writes `pattern_to_svg` to a file, over another of that name where `overwrite`; returns its path."""
+    return write_text(path, pattern_to_svg(pattern), overwrite=overwrite)
 
 
 def _style(unit: float) -> str:

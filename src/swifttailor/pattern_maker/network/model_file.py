@@ -85,7 +85,7 @@ def add_calibration(path: Path, calibration: Calibration) -> Path:
     """
     about, members = read_archive(path, KIND)
     members |= {CONFIDENCE: calibration.to_json().encode()}
-    return write_archive(path, KIND, members, about["card"])
+    return write_archive(path, KIND, members, about["card"], overwrite=True)
 
 
 def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:

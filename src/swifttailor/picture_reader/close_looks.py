@@ -1,0 +1,89 @@
+"""Looking again from near: which squares of a picture, and what is then said altogether."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.picture_reader.close_ups import CLOSE_UPS, LEAST_CM, told_by
+from swifttailor.picture_reader.units import VIEW_CM
+from swifttailor.picture_reader.view import Square
+
+Answers = Mapping[str, NDArray[Any]]
+"""What the network says of one picture, by the names of its outputs."""
+_MARGIN = 0.15
+"""Around what is looked at, as a share of its larger extent."""
+_NEARER = 0.8
+"""A square that is hardly smaller than that of the garment shows nothing new."""
+_LEAST_CELLS, _LEAST_PIXELS = 3, 24
+_SHARE = 0.6
+"""What is seen from near counts so much, and what is seen of the whole garment the rest."""
+
+
+def close_squares(answers: Answers, part: int, square: Square, names: tuple[str, ...]) -> dict[int, Square]:
+    """What of a garment is to be looked at from near.
+
+    Args:
+        answers: Of a look at it.
+        part: Number of `labels.PARTS` on which it is worn.
+        square: That was looked at.
+        names: Of the close-ups that may be.
+
+    Returns:
+        By number of `CLOSE_UPS`: the square of the picture.
+    """
+    rows, columns = np.nonzero(answers["masks"][part] > 0)
+    places = answers["worn_places"][:, rows, columns].T * 100.0
+    kinds = answers["panel_kinds"][:, rows, columns].argmax(axis=0)
+    left, top, side = square
+    cell = side / answers["masks"].shape[-1]
+    least = max(LEAST_CM * side * float(np.exp(answers["camera_view"][3])) / VIEW_CM, _LEAST_PIXELS)
+    found = {}
+    for number, close_up in enumerate(CLOSE_UPS):
+        shown = close_up.points(places, kinds) if close_up.name in names else np.zeros(len(rows), bool)
+        if np.count_nonzero(shown) < _LEAST_CELLS:
+            continue
+        low = np.array([columns[shown].min(), rows[shown].min()]) * cell
+        high = np.array([columns[shown].max() + 1, rows[shown].max() + 1]) * cell
+        new = round(max(float((high - low).max()) * (1 + 2 * _MARGIN), least))
+        if new < _NEARER * side:
+            across, down = np.round((low + high) / 2 - new / 2).astype(int)
+            found[number] = left + int(across), top + int(down), new
+    return found
+
+
+def with_close_looks(answers: Answers, part: int, near: Mapping[int, Answers]) -> dict[str, NDArray[Any]]:
+    """What is said of a garment altogether.
+
+    Args:
+        answers: Of looks at all of it.
+        part: Number of `labels.PARTS` on which it is worn.
+        near: By number of `CLOSE_UPS`: of a look at that.
+
+    Returns:
+        The answers; where close-ups tell something they count more.
+    """
+    told, numbers = told_by(), list(near)
+    altogether = dict(answers)
+    if not numbers:
+        return altogether
+    for name, table in (
+        ("statements", told.statements),
+        ("has", told.measures),
+        ("measures", told.measures),
+        ("panels", told.panels),
+        ("boxes", told.panels),
+    ):
+        value = np.array(answers[name], np.float64)
+        of_each = np.stack([near[k][name][part] for k in numbers])
+        telling = table[numbers].astype(float)
+        count = telling.sum(axis=0)
+        shape = (len(numbers), -1) + (1,) * (of_each.ndim - 2)
+        mean = (of_each * telling.reshape(shape)).sum(axis=0) / np.maximum(count, 1).reshape(shape[1:])
+        seen = count > 0
+        value[part, seen] = (1 - _SHARE) * value[part, seen] + _SHARE * mean[seen]
+        altogether[name] = value
+    return altogether

@@ -1,0 +1,119 @@
+"""Prompts of people (benchmarks/words): readable, in the vocabulary of claims, dealt into halves by lot.
+
+What is said of the final half when a test fails is a file, a line or a number, never a text.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from swifttailor.errors import InputError
+
+BENCHMARKS = Path(__file__).resolve().parents[2] / "benchmarks"
+sys.path.append(str(BENCHMARKS))
+
+from people_prompts import HALVES, WORDS, read_people_edits, read_people_prompts  # noqa: E402
+from split_people_prompts import deal, lines_of  # noqa: E402
+
+FILES = {"prompts": (read_people_prompts, 300), "edits": (read_people_edits, 150)}
+
+
+def read_half(half, name):
+    try:
+        return FILES[name][0](WORDS / half / f"{name}.jsonl")
+    except InputError as error:
+        message = str(error)
+    pytest.fail(message, pytrace=False)  # a traceback would show the line
+
+
+@pytest.fixture(scope="module")
+def everything():
+    return [prompt for name in FILES for half in HALVES for prompt in read_half(half, name)]
+
+
+@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize("half", HALVES)
+def test_every_line_is_in_the_vocabulary(half, name):
+    prompts = read_half(half, name)
+    assert len(prompts) == FILES[name][1]
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_texts_are_unique_and_the_halves_are_those_of_the_lot(name):
+    paths = [WORDS / half / f"{name}.jsonl" for half in HALVES]
+    dealt = deal(lines_of(paths), seed=0)
+    for path, lines in zip(paths, dealt, strict=True):
+        same = path.read_text(encoding="utf-8") == "".join(line + "\n" for line in lines)
+        assert same, f"{path} is not what the lot gave it."
+
+
+def test_nothing_is_expected_that_would_be_wrong(everything):
+    clashes = [
+        prompt.id
+        for prompt in everything
+        for wrong in prompt.never
+        for wanted in prompt.expect
+        if wrong.claim == wanted.claim and set(wrong.values) & set(wanted.values)
+    ]
+    assert not clashes
+
+
+def test_a_prompt_that_asks_for_nothing_to_wear_expects_nothing(everything):
+    assert not [p.id for p in everything if not p.garment and (p.expect or p.never or p.cannot)]
+
+
+def test_unknown_words_are_words_of_the_text(everything):
+    assert not [p.id for p in everything for word in p.unknown if word not in p.text.lower()]
+
+
+def test_all_kinds_of_prompt_are_there(everything):
+    total = len(everything)
+    assert sum(len(p.text.split()) <= 2 for p in everything) >= total / 4
+    assert sum(len(p.text.split()) >= 40 for p in everything) >= total / 20
+    languages = Counter(p.language for p in everything)
+    assert 0.07 * total < total - languages["en"] < 0.1 * total
+    assert {"de", "fr", "es"} <= set(languages)
+    for some in ("never", "cloth", "size", "cannot", "unknown", "contradiction"):
+        assert sum(bool(getattr(p, some)) for p in everything) >= 10, some
+
+
+@pytest.mark.parametrize(
+    ("change", "complaint"),
+    [
+        ({"expect": [{"claim": "pockets", "values": ["two"], "sure": "must"}]}, "no claim 'pockets'"),
+        ({"expect": [{"claim": "sleeves", "values": ["longish"], "sure": "must"}]}, "no value 'longish'"),
+        ({"expect": [{"claim": "sleeves", "values": ["long"], "sure": "maybe"}]}, "'must' or 'should'"),
+        ({"expect": [{"claim": "tiers", "number": 3, "sure": "must"}]}, "lacks within"),
+        ({"expect": [{"claim": "sleeves", "number": 3, "within": 1, "sure": "must"}]}, "no value 3"),
+        ({"never": [{"claim": "hood", "values": []}]}, "never.values is empty"),
+        ({"cloth": {"texture": ["rough"]}}, "unknown keys: texture"),
+        ({"mood": "sunny"}, "unknown keys: mood"),
+        ({"garment": "no"}, "it should be bool"),
+        ({"text": " "}, "text is empty"),
+        (
+            {"steps": [{"measure": "charm", "direction": "+", "cm": None, "sure": "must"}]},
+            "no measure 'charm'",
+        ),
+        ({"steps": [{"measure": "length", "direction": "up", "cm": None, "sure": "must"}]}, "received 'up'"),
+        ({"base": {"kind": "cape", "statements": []}}, "no value 'cape'"),
+    ],
+)
+def test_the_reader_is_strict(tmp_path, change, complaint):
+    line = (WORDS / "building" / "edits.jsonl").read_text(encoding="utf-8").splitlines()[0]
+    file = tmp_path / "edits.jsonl"
+    file.write_text(json.dumps({**json.loads(line), **change}) + "\n", encoding="utf-8")
+    with pytest.raises(InputError, match=complaint):
+        read_people_edits(file)
+
+
+def test_the_same_text_twice_is_refused(tmp_path):
+    line = json.loads((WORDS / "building" / "prompts.jsonl").read_text(encoding="utf-8").splitlines()[0])
+    file = tmp_path / "prompts.jsonl"
+    file.write_text("\n".join(json.dumps(r) for r in (line, {**line, "id": "other"})), encoding="utf-8")
+    with pytest.raises(InputError, match="same text"):
+        lines_of([file])
