@@ -168,6 +168,16 @@ def test_levels_are_those_of_the_body():
     assert top == pytest.approx(tall.waist, abs=2.0)
 
 
+@pytest.mark.parametrize(("top", "region"), [(130.0, "body"), (108.0, "leg"), (10.0, "leg"), (-60.0, "leg")])
+def test_a_nameless_tube_is_what_its_top_is_near(top, region):
+    pattern = tube()  # of panels called front and back
+    shift = np.array([0.0, top - max(points[:, 1].max() for points in places(pattern).values()), 0.0])
+    panels = tuple(replace(p, placement=p.placement.moved(np.eye(3), shift)) for p in pattern.panels)
+    moved = replace(pattern, panels=panels)
+    assert set(panel_regions(moved).values()) == {region}
+    assert worn_codes(moved) == (set() if top > 100.0 else {"misplaced-panel"})
+
+
 def test_what_was_never_placed_is_not_judged():
     flat = draft("t-shirt")
     flat = replace(flat, panels=tuple(replace(p, placement=Placement()) for p in flat.panels))

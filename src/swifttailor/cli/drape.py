@@ -22,8 +22,8 @@ from swifttailor.cli.results import GarmentResults, file_name, new_place
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
-    from swifttailor.garment.garment import Garment
     from swifttailor.draping.sewable import Sewable
+    from swifttailor.garment.garment import Garment
     from swifttailor.output_folder import OutputFolder
     from swifttailor.pattern import Finding
 

@@ -11,6 +11,7 @@ from types import MappingProxyType
 import numpy as np
 
 from swifttailor.arrays import Floats
+from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.outline import Outline, trace_outline
 from swifttailor.pattern.check.seam_topology import SeamTopology
 from swifttailor.pattern.check.stitch_checks import single_stitches, usable_stitches
@@ -21,6 +22,10 @@ _BAND = re.compile(r"^wb|(^|_)wb(_|\d|$)|waist_?band|belt", re.IGNORECASE)
 _NECKWEAR = re.compile(r"hood|collar|lapel", re.IGNORECASE)
 _APART_CM = 6.0
 """Borders whose middle lies further from the middle of the garment are at its side: armholes, legs."""
+_CHEST = BodyLevels()
+_ABOVE_WAIST_CM = 15.0
+_ABOVE_NECK_CM = 10.0
+"""What ends between these heights, and has no armholes, is a bodice without shoulders rather than a skirt."""
 _ABOVE_LEGS = 0.3
 """Share of a garment's height below a border at its side from which that is an armhole, not a leg."""
 
@@ -54,8 +59,9 @@ def panel_regions(pattern: Pattern) -> Mapping[str, BodyRegion]:
     """The part of the body each panel covers, by name.
 
     A panel's label decides, then its name. Where neither says it (``front``, ``Lback``), the garment does:
-    one with sleeves, or with borders at its sides well above its lower end, has a bodice; others are skirts
-    or trousers. Only shapes, seams and differences of height count, so that a garment may stand anywhere.
+    one with sleeves, or with borders at its sides well above its lower end, has a bodice; so has one whose
+    top stands at the chest; others are skirts or trousers. But for the chest only shapes, seams and
+    differences of height count, so that a garment may stand anywhere.
 
     Args:
         pattern: Any pattern, faulty ones included; what was found in the latest is remembered.
@@ -148,7 +154,7 @@ def _judged(
         and not all(said.get(ref.panel) == "leg" for ref in border.edges)
     ]
     bodice = any(region != "leg" and not is_band(name) for name, region in said.items())
-    if not bodice and not arms:
+    if not bodice and not arms and not _CHEST.waist + _ABOVE_WAIST_CM < high < _CHEST.neck + _ABOVE_NECK_CM:
         return dict.fromkeys(unsaid, "leg")
     upper = {ref.panel for border in arms for ref in border.edges}
     middle = [border for border in borders if border not in arms]

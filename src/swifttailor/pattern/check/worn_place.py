@@ -24,7 +24,6 @@ from swifttailor.pattern.check.covering import (
 )
 from swifttailor.pattern.check.limb_pose import LimbPose, judge_limbs
 from swifttailor.pattern.check.outline import Outline, trace_outline
-from swifttailor.pattern.names import said_region
 from swifttailor.pattern.panel import Placement, RotationReading
 from swifttailor.pattern.pattern import EdgeRef, Pattern
 
@@ -167,8 +166,6 @@ def _offset(
     else:
         lowest, highest, belongs = levels.hips - _BELOW_HIPS_CM, levels.armpit, levels.waist
         kind = "a skirt or trousers are"
-        if all(said_region(p.name, p.label) is None or is_band(p.name) for p in pattern.panels):
-            highest = levels.neck + _ABOVE_NECK_CM  # it may be a dress without shoulders
     around = np.concatenate([outlines[name].world[:, [0, 2]] for name in tops])
     low, high = around.min(axis=0), around.max(axis=0)
     aside = (low + high) / 2 * ((low > _ASIDE_CM) | (high < -_ASIDE_CM))
