@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 SOMETHING_TO_LOOK_AT = 1
 UNUSABLE = 2
+MORE_TIME = "Choose a longer --edge-length, or give it more time with --time-limit SECONDS."
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,7 +75,8 @@ class Drape(GarmentResults):
     limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """With --batch: only the first N patterns."""
     time_limit: Annotated[float | None, tyro.conf.arg(metavar="SECONDS")] = None
-    """With --batch: give up on a garment after this long. Default: 600."""
+    """Give up on a garment after computing for so long. Default: 25, more where --edge-length is below 2;
+    with --batch or another engine: 600."""
     retry_failed: tyro.conf.FlagCreatePairsOff[bool] = False
     """With --batch: when resuming, retry what failed before."""
 
@@ -130,7 +132,6 @@ class Drape(GarmentResults):
         given = {
             "--workers": self.workers is not None,
             "--limit": self.limit is not None,
-            "--time-limit": self.time_limit is not None,
             "--retry-failed": self.retry_failed,
         }
         for name, is_given in given.items():
@@ -167,6 +168,7 @@ class Drape(GarmentResults):
             from swifttailor.draping import drape, get_fabric
             from swifttailor.draping.compiled_code import COMPILE_NOTE, solver_is_compiled
             from swifttailor.draping.sewable import require_sewable
+            from swifttailor.draping.time_limit import TimeLimit
 
             fabric = get_fabric(self.fabric)
             body = Body.default() if self.body is None else Body.load(self.body)
@@ -181,7 +183,7 @@ class Drape(GarmentResults):
                 edge_length=self.edge_length,
                 engine=self.engine,
                 seed=self.seed,
-                progress=progress,
+                progress=TimeLimit(self._time_limit(), progress, instead=MORE_TIME),
             )
             report = sewable.complete_report(garment.report, loaded - started)
             garment = replace(garment, report=report)
@@ -190,6 +192,14 @@ class Drape(GarmentResults):
             save_garment(garment, output, body=body, preview=self.preview)
             saving = time.perf_counter() - before_saving
         return garment, sewable, saving
+
+    def _time_limit(self) -> float:
+        from swifttailor.draping.batch.run import TIME_LIMIT
+        from swifttailor.draping.time_limit import usual_time_limit
+
+        if self.time_limit is not None:
+            return self.time_limit
+        return usual_time_limit(self.edge_length) if self.engine == "xpbd" else TIME_LIMIT
 
     def _print_summary(self, garment: Garment, findings: tuple[Finding, ...], saving: float) -> None:
         report = garment.report

@@ -129,15 +129,31 @@ def sew_answers(
                 report = _basic_report(garment, options) | garment.report | {"seconds": _rounded(seconds)}
                 garment = replace(garment, report=report)
                 if options.finish:
-                    from swifttailor.draping.finish_or_drape import finish_or_drape
-
-                    garment = finish_or_drape(
-                        garment, edge_length=options.edge_length, body=body, fabric=fabric, progress=progress
-                    )
+                    garment = _finished(garment, options, body, fabric, progress)
             except SwiftTailorError as error:
                 yield error
             else:
                 yield _handed_over(garment, answer, None if options.finish else values, body)
+
+
+def _finished(
+    garment: Garment,
+    options: SewingOptions,
+    body: Body | None,
+    fabric: Fabric | str,
+    progress: StageProgress | None,
+) -> Garment:
+    from swifttailor.draping.finish_or_drape import finish_or_drape
+    from swifttailor.draping.time_limit import TimeLimit, usual_time_limit
+
+    limited = TimeLimit(
+        usual_time_limit(options.edge_length),
+        progress or (lambda stage, share: None),
+        instead="Choose a longer --edge-length, or leave out --finish.",
+    )
+    return finish_or_drape(
+        garment, edge_length=options.edge_length, body=body, fabric=fabric, progress=limited
+    )
 
 
 def _rounded(seconds: dict[str, float]) -> dict[str, float]:
