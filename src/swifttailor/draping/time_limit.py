@@ -51,7 +51,7 @@ class TimeLimit:
         self._started = now if self._started is None else self._started
         if now - self._started > self._seconds and share < 1.0:
             raise TimeLimitError(
-                f"Gave up {stage} after {self._seconds:g} seconds: there is more cloth than in usual garments, "
-                f"or it is more tangled. {self._instead} What may be wrong with the pattern: "
+                f"Gave up {stage} after {self._seconds:g} seconds: more cloth than in usual garments, "
+                f"or more tangled. {self._instead} What may be wrong with the pattern: "
                 "swifttailor check PATTERN"
             )
