@@ -107,7 +107,7 @@ def _worn(outlines: dict[str, Outline], place: WornPlace) -> list[Finding]:
         findings.append(found("misread-angles", text, value=other, repair=repair))
     if place.offset is not None:
         where = place.offset
-        text = f"the garment's top is {height_in_words(where.top)}; {where.kind} worn with its top at about "
+        text = f"the garment's top is {height_in_words(where.top)}; that of {where.kind} belongs at about "
         text += f"{where.belongs:.0f} cm"
         if any(where.shift[::2]):
             text += f". It stands {np.hypot(where.shift[0], where.shift[2]):.0f} cm beside the body"

@@ -65,7 +65,7 @@ class Offset:
     """The whole garment stands beside where it is worn."""
 
     kind: str
-    """What it is, in words: ``a bodice without shoulders is``."""
+    """What it is, in words: ``a bodice without shoulders``."""
     top: float
     """Height of its top as placed, cm."""
     belongs: float
@@ -165,7 +165,7 @@ def _offset(
         belongs, kind = _top_of_bodice(pattern, outlines, tops, levels)
     else:
         lowest, highest, belongs = levels.hips - _BELOW_HIPS_CM, levels.armpit, levels.waist
-        kind = "a skirt or trousers are"
+        kind = "a skirt or trousers"
     around = np.concatenate([outlines[name].world[:, [0, 2]] for name in tops])
     low, high = around.min(axis=0), around.max(axis=0)
     aside = (low + high) / 2 * ((low > _ASIDE_CM) | (high < -_ASIDE_CM))
@@ -180,7 +180,7 @@ def _offset(
     strays = [
         Stray(
             name,
-            f"its top is {height_in_words(tops[name])}; {kind} worn with its top at about {belongs:.0f} cm",
+            f"its top is {height_in_words(tops[name])}; that of {kind} belongs at about {belongs:.0f} cm",
             round(tops[name], 1),
         )
         for name, is_off in off.items()
@@ -242,8 +242,8 @@ def _top_of_bodice(
         ends = placed_edge(outlines[stitch.first.panel], stitch.first.edge)[[0, -1]]
         flat = abs(ends[1, 0] - ends[0, 0]) > abs(ends[1, 1] - ends[0, 1])
         if len(faces) == 2 and flat and ends[:, 1].mean() > highest - _SHOULDER_REGION_CM:
-            return levels.neck - _SHOULDER_BELOW_NECK_CM, "a bodice with shoulders is"
-    return levels.armpit - _TOP_BELOW_ARMPIT_CM, "a bodice without shoulders is"
+            return levels.neck - _SHOULDER_BELOW_NECK_CM, "a bodice with shoulders"
+    return levels.armpit - _TOP_BELOW_ARMPIT_CM, "a bodice without shoulders"
 
 
 def _far_from_seams(pattern: Pattern, sewn: Sequence[int]) -> list[Stray]:
