@@ -27,7 +27,7 @@ _KEPT = 3
 """Inputs that are kept of each kind of failure."""
 _SAVE_EVERY, _POLL = 10.0, 0.05
 _PATIENCE = 40.0
-"""A worker that uses no processor time, and so never runs out of it, is ended after so many times its seconds."""
+"""A worker that waits, and so never runs out of processor time, is ended after so many times its seconds."""
 
 
 @dataclass(frozen=True)

@@ -1,1 +1,1 @@
-"""Ways to damage a file. Each is a function of what it is given and a `random.Random`, and of nothing else."""
+"""Ways to damage a file. Each depends on what it is given and a `random.Random`, and on nothing else."""

@@ -1,4 +1,4 @@
-"""Damage to JSON: values of other kinds, keys missing, renamed and doubled, numbers that no file should hold."""
+"""Damage to JSON: values of other kinds, keys missing, renamed and doubled, numbers no file should hold."""
 
 from __future__ import annotations
 
@@ -11,26 +11,27 @@ from typing import Any
 _RAW = "\x01raw:"
 """Text that begins so is written as it is, without quotes: what no JSON library would write."""
 _RAW_TEXTS = (
-    "1e400 -1e999 1E+2 01 +1 .5 1. 0x10 NaN -Infinity Infinity tru nul '' -0 1e-999 2e308 1e308 [ { ]".split()
-    + [
-        "9" * 5000,
-        "1" + "0" * 400,
-        "-" + "9" * 30,
-        '"\\ud800"',
-        '"\\u0000"',
-        '"unended',
-        "[" * 3000,
-        "[" * 960 + "]" * 960,
-        '{"a":' * 2000,
-    ]
+    *"1e400 -1e999 1E+2 01 +1 .5 1. 0x10 NaN -Infinity Infinity tru nul '' -0 1e-999 2e308 1e308".split(),
+    *"[ { ]".split(),
+    "9" * 5000,
+    "1" + "0" * 400,
+    "-" + "9" * 30,
+    '"\\ud800"',
+    '"\\u0000"',
+    '"unended',
+    "[" * 3000,
+    "[" * 960 + "]" * 960,
+    '{"a":' * 2000,
 )
 _NUMBERS = (
-    0, -0.0, 1, -1, 2, 3, 0.5, 1e-9, 1e-300, 5e-324, 1e7, -1e7, 1.0000001e7, 1e16, 1e300, 2**31, 2**53 + 1, 2**63,
-    -(2**63), 10**30, 1e-3, 100, 360, 0.1, 1.5,
+    0, -0.0, 1, -1, 2, 3, 0.5, 1e-9, 1e-300, 5e-324, 1e7, -1e7, 1.0000001e7, 1e16, 1e300, 2**31, 2**53 + 1,
+    2**63, -(2**63), 10**30, 1e-3, 100, 360, 0.1, 1.5,
 )  # fmt: skip
 _TEXTS = (
-    "", " ", "\n", "a", "é", "\u202e", "\ufeff", "\x00", "\x1b[31m", "[bold]", "{}", "%s", "../../etc", "x" * 201,
-    "x" * 5000, "right_wrong", "circle", "quadratic", "cubic", "absolute", "relative", "nan", "0", "true", "😀", "\ud800",
+    "", " ", "\n", "a", "é", "\u202e", "\ufeff", "\x00", "\x1b[31m", "[bold]", "{}", "%s", "../../etc",
+    "x" * 201, "x" * 5000, "right_wrong", "circle", "quadratic", "cubic", "absolute", "relative",
+    "nan", "0", "true",
+    "😀", "\ud800",
 )  # fmt: skip
 
 
@@ -44,7 +45,8 @@ def written(value: Any, random: Random) -> bytes:
         keys = list(re.finditer(r'"[^"\\]*"(?=\s*:)', text))
         if keys:
             chosen = random.choice(keys)
-            text = f"{text[: chosen.start()]}{chosen[0]}:{random.choice(('0', '[]', 'null'))},{text[chosen.start() :]}"
+            first = f"{chosen[0]}:{random.choice(('0', '[]', 'null'))},"
+            text = text[: chosen.start()] + first + text[chosen.start() :]
     return text.encode("utf-8", "surrogatepass")
 
 
@@ -53,7 +55,7 @@ _RAW_STRING = re.compile(r'"' + re.escape(_RAW_MARK) + r'(?:[^"\\]|\\.)*"')
 
 
 def mutate_json(value: Any, random: Random, most: int = 3) -> Any:
-    """`value`, which is changed in place, with one to `most` pieces of damage; the value to use from now on."""
+    """`value`, changed in place or replaced, with one to `most` pieces of damage."""
     for _ in range(random.randint(1, most)):
         value = _mutated(value, random)
     return value

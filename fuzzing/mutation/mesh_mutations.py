@@ -10,8 +10,9 @@ from fuzzing.mutation.byte_mutations import mutate_bytes
 from fuzzing.mutation.json_mutations import mutate_json, written
 
 _WORDS = (
-    "0 -1 1 99999999 -99999999 9999999999999999999999 nan inf -inf 1e308 1e400 1/1/1 1// /1 //1 1/2 f v vt l g o a \0 "
-    "float int list uchar double property vertex face element 3 4 2147483648 -2147483649 usemtl mtllib # \\ ä"
+    "0 -1 1 99999999 -99999999 9999999999999999999999 nan inf -inf 1e308 1e400 1/1/1 1// /1 //1 1/2 f v vt l "
+    "g o a \0 float int list uchar double property vertex face element 3 4 2147483648 "
+    "-2147483649 usemtl mtllib # \\ ä"
 ).split(" ")
 
 

@@ -1,9 +1,10 @@
-"""Damage to the geometry of a pattern that is sound JSON: what a person or another program could have drawn."""
+"""Damage to the geometry of a pattern that is sound JSON: what a person or a program could have drawn."""
 
 from __future__ import annotations
 
 import copy
 import math
+from itertools import pairwise
 from random import Random
 from typing import Any
 
@@ -83,7 +84,7 @@ def _insert_vertices(pattern: Any, random: Random, count: int, depth: float) -> 
             [s + a * i / count + side * c for s, a, c in zip(start, along, across, strict=True)]
         )
     corners = [edge["endpoints"][0], *range(first, first + count - 1), edge["endpoints"][1]]
-    pieces = [{"endpoints": [a, b]} for a, b in zip(corners, corners[1:], strict=False)]
+    pieces = [{"endpoints": [a, b]} for a, b in pairwise(corners)]
     panel["edges"][k : k + 1] = pieces
     if random.random() < 0.7:  # the stitches follow; else they mean other edges now
         name = next(n for n, p in pattern["panels"].items() if p is panel)
@@ -218,6 +219,6 @@ def _order(pattern: Any, whole: Any, random: Random) -> None:
 _WAYS = (
     _move_vertex, _move_vertex, _move_vertex, _scale, _curve, _curve, _dense, _jagged, _reverse_edge,
     _other_end, _shuffle_edges, _drop_edge, _mirror, _place, _place, _copy_panel, _drop_panel, _rename_panel,
-    _stitch_any, _stitch_any, _stitch_itself, _stitch_again, _swap_sides, _turn_stitch, _drop_stitches, _units,
-    _label, _order,
+    _stitch_any, _stitch_any, _stitch_itself, _stitch_again, _swap_sides, _turn_stitch, _drop_stitches,
+    _units, _label, _order,
 )  # fmt: skip

@@ -74,4 +74,4 @@ def _load_feed() -> Feed:
     return feed
 
 
-TARGETS = (Target("ggi", "ggi.npz files, read and decoded", seeds, mutate, _load_feed, 10.0, 1000, 500),)
+TARGETS = (Target("ggi", "ggi.npz files, read and decoded", seeds, mutate, _load_feed, 10.0, 1000, 250),)

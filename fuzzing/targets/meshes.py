@@ -122,12 +122,17 @@ def mutate_folder(file: File, random: Random) -> bytes:
 
 _OF_A_FOLDER = ("report.json", "pattern.json", "garment.obj")
 _YAML_VALUES = (
-    "0", "-1", "1e9", ".nan", ".inf", "-.inf", "null", "true", "text", "'84'", "[1, 2]", "{a: 1}", "1_000", "0x10",
-    "2024-01-01", "!!python/object/apply:os.system [ls]", "&a [*a]", "*a", "190:20:30", "9" * 5000, "1e400", "|", "? x",
+    "0", "-1", "1e9", ".nan", ".inf", "-.inf", "null", "true", "text", "'84'", "[1, 2]", "{a: 1}", "1_000",
+    "0x10", "2024-01-01", "!!python/object/apply:os.system [ls]", "&a [*a]", "*a", "190:20:30",
+    "9" * 5000, "1e400", "|",
+    "? x",
 )  # fmt: skip
 _YAML = (
-    "a: &a [x,x,x,x,x,x,x,x,x]", "b: &b [*a,*a,*a,*a,*a,*a,*a,*a]", "c: &c [*b,*b,*b,*b,*b,*b,*b,*b]", "body: *c", "body:",
-    "<<: *a", "\t- x", "---", "...", "%YAML 9.9", "- " * 500, "{" * 500, "[" * 5000, "height: 172", "waist: [[[", "? [a]", "!!set",
+    "a: &a [x,x,x,x,x,x,x,x,x]", "b: &b [*a,*a,*a,*a,*a,*a,*a,*a]",
+    "c: &c [*b,*b,*b,*b,*b,*b,*b,*b]", "body: *c",
+    "body:", "<<: *a", "\t- x", "---", "...", "%YAML 9.9", "- " * 500, "{" * 500, "[" * 5000,
+    "height: 172", "waist: [[[",
+    "? [a]", "!!set",
 )  # fmt: skip
 
 
@@ -182,8 +187,8 @@ TARGETS = (
     Target(
         "mesh", "meshes of garments: OBJ, GLB, PLY, STL", mesh_seeds, mutate, _load_meshes, 5.0, 600, 2000
     ),
-    Target("usd", "meshes of garments: USD", usd_seeds, mutate, _load_meshes, 5.0, 600, 200),
-    Target("body", "meshes of bodies: OBJ, GLB, PLY, STL", body_seeds, mutate, _load_bodies, 10.0, 600, 300),
+    Target("usd", "meshes of garments: USD", usd_seeds, mutate, _load_meshes, 5.0, 600, 400),
+    Target("body", "meshes of bodies: OBJ, GLB, PLY, STL", body_seeds, mutate, _load_bodies, 10.0, 600, 200),
     Target(
         "measurements",
         "measurements of bodies",
@@ -192,5 +197,5 @@ TARGETS = (
         _load_measurements,
         5.0,
     ),
-    Target("folder", "folders of garments", folder_seeds, mutate_folder, _load_folders, 10.0, 600, 500),
+    Target("folder", "folders of garments", folder_seeds, mutate_folder, _load_folders, 10.0, 600, 160),
 )

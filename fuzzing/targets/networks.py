@@ -1,4 +1,4 @@
-"""Model files: ONNX graphs with what they are in their metadata, and archives of several; pattern libraries."""
+"""Model files, of one ONNX graph or an archive of several, and libraries of known patterns."""
 
 from __future__ import annotations
 
@@ -165,12 +165,12 @@ TARGETS = (
         _load_graphs,
         10.0,
         1000,
-        300,
+        250,
     ),
     Target(
-        "maker", "model files that are an archive", archive_seeds, mutate_maker, _load_makers, 10.0, 1000, 100
+        "maker", "model files that are an archive", archive_seeds, mutate_maker, _load_makers, 10.0, 1000, 60
     ),
     Target(
-        "library", "libraries of known patterns", library_seeds, mutate_library, _load_library, 5.0, 600, 500
+        "library", "libraries of known patterns", library_seeds, mutate_library, _load_library, 5.0, 600, 200
     ),
 )

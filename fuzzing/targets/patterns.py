@@ -167,7 +167,7 @@ def _command(*arguments: str) -> None:
 
 TARGETS = (
     Target("pattern", "sewing patterns: the reader", seeds, mutate, _load_reader, in_ci=4000),
-    Target("check", "sewing patterns: swifttailor check", seeds, mutate, _load_check, 10, in_ci=1000),
-    Target("repair", "sewing patterns: check --repair", seeds, mutate, _load_repair, 20, in_ci=500),
+    Target("check", "sewing patterns: swifttailor check", seeds, mutate, _load_check, 10, in_ci=600),
+    Target("repair", "sewing patterns: check --repair", seeds, mutate, _load_repair, 20, in_ci=400),
     Target("sew", "sewing patterns: swifttailor sew", seeds, mutate, _load_sew, 30, 1500, in_ci=60),
 )
