@@ -72,6 +72,7 @@ def _memory_disk() -> str | None:
 
 
 def _work(job: Job, target: Target, folder: Path, tell: Callable[[dict[str, Any]], None]) -> None:
+    parent = os.getppid()
     feed = target.load_feed()
     for file in target.seeds[:_WARM_UPS]:
         feed(_placed(file, folder))
@@ -81,6 +82,8 @@ def _work(job: Job, target: Target, folder: Path, tell: Callable[[dict[str, Any]
     accepted = refused = failed = 0
     known = set(job.known)
     for number in range(job.first, job.end):
+        if os.getppid() != parent:
+            return  # nobody is left to count
         tally.write(Tally(number, accepted, refused, failed))
         file = target.kept(Path(job.files[number])) if job.files else target.input(job.seed, number)
         outcome = _fed(feed, target, _placed(file, folder))

@@ -145,7 +145,8 @@ def _shard(value: dict[str, Any]) -> Shard:
 
 
 def _rejected(value: dict[str, Any]) -> Rejected:
-    rejected = Rejected(**value | {"reasons": tuple(value["reasons"])})
+    fields: dict[str, Any] = value | {"reasons": tuple(value["reasons"])}
+    rejected = Rejected(**fields)
     _require(rejected, position=int, id=str, status=str)
     _require_all("reasons", rejected.reasons, str)
     return rejected
