@@ -95,6 +95,9 @@ types: $(READY)  ## check the type annotations, torch being anything
 types-networks: $(NETWORKS_READY)  ## check the type annotations with those of torch, transformers, onnx, ...
 	$(NETWORKS_BIN)/ty check --python .venv-networks src/swifttailor
 
+fuzz: $(READY)  ## feed damaged files to all readers: TARGETS (all), INPUTS (two minutes' worth), SEED (0)
+	$(BIN)/python -m fuzzing $(TARGETS) $(if $(INPUTS),--inputs $(INPUTS)) --seed $(or $(SEED),0)
+
 bench: $(READY)  ## time drapes, stage by stage
 	$(BIN)/python benchmarks/drape_stages.py
 
@@ -112,4 +115,4 @@ clean: clean-cache  ## delete everything that was made, .venv included
 	rm -rf .venv .venv-networks .uv demo out .pytest_cache .ruff_cache .hypothesis dist build
 
 .PHONY: help setup setup-networks demo demo-generate demo-sew demo-drape test test-networks lint format types \
-	types-networks bench lock clean-cache clean
+	types-networks fuzz bench lock clean-cache clean

@@ -7,11 +7,24 @@ received, what is accepted and how to mend it. The command line prints that text
 
 from __future__ import annotations
 
+_LONGEST, _FIRST, _LAST = 1500, 1000, 400
+"""Characters of a text: all of it, or those that are kept where it quotes a file at greater length."""
+
 
 class SwiftTailorError(Exception):
-    """Base of all errors that a user or a caller can cause and mend."""
+    """Base of all errors that a user or a caller can cause and mend.
+
+    Texts quote what they were given, which may be megabytes of a damaged file. Of long texts the start is
+    kept, and the end, which says what to do.
+    """
 
     exit_code = 2
+
+    def __init__(self, text: str = "") -> None:
+        if len(text) > _LONGEST:
+            left_out = f" [... {len(text) - _FIRST - _LAST} characters ...] "
+            text = text[:_FIRST] + left_out + text[-_LAST:]
+        super().__init__(text)
 
 
 class InputError(SwiftTailorError):

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import dataclasses
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from hypothesis.extra.numpy import arrays
 from swifttailor.data.encoding import (
     STEP_CM,
     EncodedPositions,
+    _pack,
     decode_document,
     decode_positions,
     encode_document,
@@ -69,6 +71,35 @@ def test_damaged_data_are_refused():
         decode_positions(dataclasses.replace(encoded, count=6))
     with pytest.raises(InputError, match="damaged"):
         decode_document(encode_document({"a": 1})[:-8])
+
+
+@pytest.mark.parametrize("content", [b"[" * 100_000, b'{"a":' * 100_000, b"null", b"{", b""])
+def test_facts_that_are_no_object_are_refused(content):
+    with pytest.raises(InputError, match="damaged"):
+        decode_document(_pack(content))
+
+
+def test_what_unpacks_to_far_more_than_a_sample_is_refused_without_unpacking_it():
+    packed = _pack(bytes(1 << 28))
+    assert len(packed) < 100_000
+    tracemalloc.start()
+    try:
+        with pytest.raises(InputError, match="unpacks to more than"):
+            decode_document(packed)
+        assert tracemalloc.get_traced_memory()[1] < 1 << 28
+    finally:
+        tracemalloc.stop()
+
+
+@pytest.mark.parametrize(
+    "quality", [[], "good", {"reasons": "none"}, {"reasons": [1]}, {"reasons": 3}, {"top_cm": "140"}]
+)
+def test_a_quality_that_is_not_numbers_and_reasons_is_refused(quality):
+    mesh = mesh_pattern(draft("fitted-skirt").canonical(), 8.0)
+    garment = Garment(mesh, np.zeros((mesh.vertex_count, 3)))
+    stored = store_sample(Sample.of_garment("a", garment, 8.0, {"quality": quality}))
+    with pytest.raises(InputError, match="damaged"):
+        load_sample(stored)
 
 
 def test_documents_keep_every_digit():

@@ -18,6 +18,8 @@ STEP_CM = 0.01
 """Positions are whole multiples of this above the garment's own corner: at most 0.005 cm off per axis."""
 _LEVELS = 2**16 - 1
 _FILTERS = [{"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "dict_size": 1 << 20}]
+_MOST_BYTES, _MOST_MEMORY = 2**26, 2**27
+"""What a part of a sample may unpack to, a thousand times what garments need, and what unpacking may take."""
 _GRID_CM = 1e-3
 _OFF_GRID_CM = 2.718e-4
 
@@ -79,7 +81,7 @@ def decode_document(data: bytes) -> dict[str, Any]:
     """
     try:
         value = json.loads(_unpack(data))
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(f"The facts of a sample are damaged: {error}.") from error
     if not isinstance(value, dict):
         raise InputError("The facts of a sample are damaged: they are no object.")
@@ -104,7 +106,13 @@ def _pack(data: bytes) -> bytes:
 
 
 def _unpack(data: bytes) -> bytes:
+    press = lzma.LZMADecompressor(lzma.FORMAT_ALONE, memlimit=_MOST_MEMORY)
     try:
-        return lzma.decompress(data, format=lzma.FORMAT_ALONE)
+        found = press.decompress(data, _MOST_BYTES)
     except (lzma.LZMAError, EOFError) as error:
         raise InputError(f"A sample is damaged: {error}.") from error
+    if not press.eof:
+        raise InputError(
+            f"A sample is damaged: it is cut short, or unpacks to more than {_MOST_BYTES} bytes."
+        )
+    return found

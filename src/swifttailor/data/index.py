@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -98,13 +99,17 @@ def read_index(folder: Path) -> SplitIndex:
             f"'{folder}' is no split of a data set: cannot read '{path}' ({error.strerror or error}). "
             "Give a folder that swifttailor data build has made."
         ) from error
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(f"'{path}' is damaged: {error}. Copy it again from its source.") from error
     try:
         if value.pop("format") != FORMAT:
             raise InputError(f"'{path}' is not of this version ('{FORMAT}').")
         shards = tuple(_shard(s) for s in value.pop("shards"))
-        return SplitIndex(**value | {"shards": shards, "built_with": tuple(value["built_with"])})
+        index = SplitIndex(**value | {"shards": shards, "built_with": tuple(value["built_with"])})
+        _require(index, split=str, settings=dict, patterns=int, complete=bool)
+        _require_all("built_with", index.built_with, dict)
+        _require_all("settings.body", [index.settings.get("body", {})], dict)
+        return index
     except (KeyError, TypeError, AttributeError) as error:
         raise InputError(
             f"'{path}' is damaged: {type(error).__name__} {error}. Copy it again from its source."
@@ -129,6 +134,31 @@ def split_folders(folder: Path) -> dict[str, Path]:
 
 
 def _shard(value: dict[str, Any]) -> Shard:
-    rejected = tuple(Rejected(**r | {"reasons": tuple(r["reasons"])}) for r in value["rejected"])
-    fields: dict[str, Any] = value | {"ids": tuple(value["ids"]), "rejected": rejected}
-    return Shard(**fields)
+    fields: dict[str, Any] = value | {
+        "ids": tuple(value["ids"]),
+        "rejected": tuple(_rejected(r) for r in value["rejected"]),
+    }
+    shard = Shard(**fields)
+    _require(shard, first=int, last=int, file=str, sha256=str, bytes=int, input_sha256=str)
+    _require_all("ids", shard.ids, str)
+    return shard
+
+
+def _rejected(value: dict[str, Any]) -> Rejected:
+    fields: dict[str, Any] = value | {"reasons": tuple(value["reasons"])}
+    rejected = Rejected(**fields)
+    _require(rejected, position=int, id=str, status=str)
+    _require_all("reasons", rejected.reasons, str)
+    return rejected
+
+
+def _require(read: Any, **kinds: type) -> None:
+    for name, kind in kinds.items():
+        _require_all(name, [getattr(read, name)], kind)
+
+
+def _require_all(name: str, values: Iterable[Any], kind: type) -> None:
+    """Raises `TypeError` where one of the values is of another kind."""
+    for value in values:
+        if type(value) is not kind:
+            raise TypeError(f"'{name}' is of type {type(value).__name__}; {kind.__name__} is expected")

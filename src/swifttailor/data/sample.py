@@ -117,6 +117,7 @@ def load_sample(stored: StoredSample) -> Sample:
             stored.positions, (x, y, z), float(document["step"]), int(document["vertices"])
         )
         reading = read_specification(document["pattern"], name=document["id"], rotation=document["rotation"])
+        _require_quality(document["about"])
         return Sample(
             id=document["id"],
             pattern=replace(reading.pattern.canonical(), name=document["id"]),
@@ -125,5 +126,14 @@ def load_sample(stored: StoredSample) -> Sample:
             about=dict(document["about"]),
             checksum=document["mesh"],
         )
-    except (KeyError, TypeError, ValueError) as error:
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError) as error:
         raise InputError(f"The facts of a sample are damaged: {type(error).__name__} {error}.") from error
+
+
+def _require_quality(about: dict[str, Any]) -> None:
+    """Raises `TypeError` where the quality of a drape is not numbers, and texts that say what is wrong."""
+    quality = about.get("quality", {}).copy()
+    reasons = quality.pop("reasons", [])
+    numbers = all(isinstance(value, int | float) for value in quality.values())
+    if not numbers or not isinstance(reasons, list) or not all(isinstance(text, str) for text in reasons):
+        raise TypeError("its quality is not numbers and reasons")

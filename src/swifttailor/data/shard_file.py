@@ -20,7 +20,7 @@ from swifttailor.data.sample import StoredSample
 from swifttailor.errors import InputError
 
 FORMAT = "swifttailor shard 1"
-_PARTS = ("documents", "positions")
+_PARTS, _ENDS = ("documents", "positions"), ("document_ends", "position_ends")
 
 
 def write_shard(folder: Path, name: str, samples: Sequence[StoredSample]) -> tuple[Path, str]:
@@ -101,11 +101,9 @@ class ShardFile:
                 require_checksum(path, checksum)
             elif not path.is_file():
                 raise FileNotFoundError(2, "there is no such file")
-            ends = [np.asarray(self._file.get_tensor(name)) for name in ("document_ends", "position_ends")]
-            self._check(ends)
+            self._starts = self._read_starts()
         except OSError as error:
             raise InputError(f"Cannot read the shard '{path}': {error.strerror or error}.") from error
-        self._starts = [np.concatenate([[0], e]) for e in ends]
 
     def __len__(self) -> int:
         return len(self._starts[0]) - 1
@@ -136,14 +134,27 @@ class ShardFile:
                 f"The shard '{self.path}' is damaged: {error}. Build or copy it again."
             ) from error
 
-    def _check(self, ends: list[np.ndarray]) -> None:
-        lengths = [self._file.get_slice(part).get_shape()[0] for part in _PARTS]
-        sound = len(ends[0]) == len(ends[1]) >= 1 and all(
-            e[0] > 0 and (np.diff(e) > 0).all() and e[-1] == length
-            for e, length in zip(ends, lengths, strict=True)
-        )
+    def _read_starts(self) -> list[np.ndarray]:
+        """Where the samples start and the last one ends, in each part."""
+        from safetensors import SafetensorError
+
+        try:
+            ends = [self._file.get_tensor(name) for name in _ENDS]
+            parts = [self._file.get_slice(part) for part in _PARTS]
+            lengths = [part.get_shape()[0] for part in parts if part.get_dtype() == "U8"]
+            sound = (
+                all(e.ndim == 1 and e.dtype == np.int64 for e in ends)
+                and len(ends[0]) == len(ends[1]) >= 1
+                and all(
+                    e[0] > 0 and (np.diff(e) > 0).all() and e[-1] == length
+                    for e, length in zip(ends, lengths, strict=True)
+                )
+            )
+        except (SafetensorError, ValueError, IndexError) as error:
+            raise InputError(f"The shard '{self.path}' is damaged: {error}.") from error
         if not sound:
             raise InputError(f"The shard '{self.path}' is damaged: its parts do not fit each other.")
+        return [np.concatenate([[0], e]) for e in ends]
 
 
 def require_checksum(path: Path, checksum: str) -> None:

@@ -67,9 +67,11 @@ def verify_dataset(folder: Path, *, workers: int = 1) -> Iterator[Fault | int]:
             yield Fault(f"{name}/index.json", "", str(error))
             continue
         yield from _index_faults(name, reader.index, path)
-        tasks += [
-            _Task(path, name, s, float(reader.index.settings["edge_length"])) for s in reader.index.shards
-        ]
+        edge_length = reader.index.settings.get("edge_length")
+        if not isinstance(edge_length, int | float):
+            yield Fault(f"{name}/index.json", "", f"its edge length is {edge_length!r}; a number is expected")
+            continue
+        tasks += [_Task(path, name, s, float(edge_length)) for s in reader.index.shards]
         if (path / RENDERS).exists():
             yield from _render_faults(name, reader)
     patterns: dict[str, tuple[str, str]] = {}

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
 
 
+_LARGEST = float(np.finfo(np.float32).max)
+"""What lies beyond is infinite in the files that meshes are written to."""
+
+
 @dataclass(frozen=True, eq=False)
 class TriangleMesh:
     """A mesh between a file and a garment; checked on construction.
@@ -130,7 +134,7 @@ def _floats(name: str, values: Any, columns: int) -> Array:
     array = np.array(values, np.float64)
     if array.ndim != 2 or array.shape[1] != columns:
         raise InputError(f"A mesh's {name} have the shape (n, {columns}), got {array.shape}.")
-    if not np.isfinite(array).all():
+    if not (np.abs(array) <= _LARGEST).all():
         raise InputError(f"A mesh's {name} must be finite numbers; at least one is NaN or infinite.")
     array.flags.writeable = False
     return array

@@ -33,6 +33,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor import __version__
+from swifttailor.arrays import read_npy_header
 from swifttailor.atomic_files import write_bytes
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
 from swifttailor.garment.folder import GGI
@@ -247,14 +248,10 @@ def _member(
     except KeyError:
         raise InputError(f"the array '{name}' is missing; the file is incomplete.") from None
     with member:
-        version = np.lib.format.read_magic(member)
-        read_header = {
-            (1, 0): np.lib.format.read_array_header_1_0,
-            (2, 0): np.lib.format.read_array_header_2_0,
-        }
-        if version not in read_header:
-            raise InputError(f"the array '{name}' is of an unknown numpy version {version}.")
-        found, fortran, kind = read_header[version](member)
+        try:
+            found, fortran, kind = read_npy_header(member)
+        except ValueError as error:
+            raise InputError(f"the array '{name}' is no numpy array: {error}.") from error
         fits = len(found) == len(shape) and all(
             0 <= n <= most if wanted is None else n == wanted for n, wanted in zip(found, shape, strict=True)
         )

@@ -5,7 +5,10 @@ from __future__ import annotations
 import contextlib
 import io
 import json
+import math
+import struct
 import zipfile
+import zlib
 from collections.abc import Generator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -14,6 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.arrays import read_npy_header
 from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import InputError
 from swifttailor.pattern import Pattern
@@ -29,6 +33,17 @@ ENDS, DIGESTS, STANDS_FOR = "ends", "digests", "stands_for"
 MOST_PATTERNS, MOST_BYTES = 100_000, 2**27
 _ARRAYS = (ENDS, DIGESTS, STANDS_FOR, "part", "true", "unclear", "measures", "panels", "boxes")
 _DATE = (1980, 1, 1, 0, 0, 0)
+# RuntimeError: deep nesting, or a compression or encryption that zipfile lacks.
+_DAMAGED = (
+    zipfile.BadZipFile,
+    zlib.error,
+    struct.error,
+    KeyError,
+    TypeError,
+    ValueError,
+    EOFError,
+    RuntimeError,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,7 +186,12 @@ def _add(archive: zipfile.ZipFile, name: str, data: bytes, *, packed: bool = Tru
 
 
 def _read_array(archive: zipfile.ZipFile, name: str) -> NDArray[Any]:
-    return np.load(io.BytesIO(archive.read(f"{name}.npy")), allow_pickle=False)
+    stream = io.BytesIO(archive.read(f"{name}.npy"))
+    shape, fortran, kind = read_npy_header(stream)
+    data = stream.read()
+    if fortran or kind.hasobject or math.prod(shape) * kind.itemsize != len(data):
+        raise ValueError(f"{name} is announced as {kind} of shape {shape} and has {len(data)} bytes")
+    return np.frombuffer(data, kind).reshape(shape)
 
 
 @contextlib.contextmanager
@@ -183,5 +203,5 @@ def _says(path: Path) -> Generator[None]:
     except OSError as error:
         why = error.strerror or error
         raise InputError(f"The pattern library '{path}' cannot be read: {why}.") from error
-    except (zipfile.BadZipFile, KeyError, TypeError, ValueError, EOFError) as error:
+    except _DAMAGED as error:
         raise InputError(f"The pattern library '{path}' is damaged: {error}.") from error

@@ -1,0 +1,1 @@
+"""Mutated files for everything that SwiftTailor reads from strangers; see README.md."""

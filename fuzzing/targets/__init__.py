@@ -1,0 +1,1 @@
+"""What is fuzzed: the sound files to begin with, how they are damaged, and what reads them."""
