@@ -1,0 +1,65 @@
+"""Words of a text and their places. Hyphens part words; an apostrophe inside a word does not, but French elisions."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+from swifttailor.wording.lexicon.inflection import Language
+
+_TOKEN = re.compile(r"[^\W_]+(?:(?:['\u2019\u02bc](?=[^\W_])|(?<=\d)[./,](?=\d))[^\W_]+)*")
+_ELISION = re.compile(r"(?:[cdjlmnst]|qu|jusqu|lorsqu|puisqu)'(?=.)")
+_HYPHENS = frozenset("-\u2010\u2011\u00ad")
+_ENDS = frozenset(".;:!?\n()[]\u2014\u2013")
+
+
+class Token(NamedTuple):
+    """A word in a text."""
+
+    word: str
+    """In lower case."""
+    start: int
+    end: int
+    hyphen: bool
+    """Whether a hyphen joins it to the next."""
+    ends: bool
+    """Whether a sentence or its like ends behind it."""
+
+
+def tokens_of(text: str, language: Language) -> list[Token]:
+    """The words of a text in their order.
+
+    Args:
+        text: Of any length; the time is in proportion to it.
+        language: French parts ``d'été``.
+    """
+    places: list[tuple[int, int]] = []
+    for found in _TOKEN.finditer(text):
+        start, end = found.span()
+        if language == "fr":
+            elided = _ELISION.match(_lower(found[0]))
+            if elided:
+                places.append((start, start + elided.end()))
+                start += elided.end()
+        places.append((start, end))
+    tokens = []
+    for k, (start, end) in enumerate(places):
+        following = places[k + 1][0] if k + 1 < len(places) else len(text)
+        between = text[end:following]
+        hyphen = len(between) == 1 and between in _HYPHENS
+        ends = between not in ("", " ") and not _ENDS.isdisjoint(between)
+        tokens.append(Token(_lower(text[start:end]), start, end, hyphen, ends))
+    return tokens
+
+
+def words_of(word: str, language: Language) -> list[str]:
+    """The parts of a word of a table, in lower case."""
+    if word.isascii() and "'" not in word and "/" not in word and "." not in word:
+        return word.lower().replace("-", " ").split()
+    if "#" in word:
+        return [part for piece in word.split("#") for part in (*words_of(piece, language), "#")][:-1]
+    return [token.word for token in tokens_of(word, language)]
+
+
+def _lower(word: str) -> str:
+    return word.lower().replace("\u2019", "'").replace("\u02bc", "'")
