@@ -41,6 +41,8 @@ PARTS = frozenset(
 SAID_OF = frozenset([*CLAIM_TYPES["kind"].words, *PARTS, "color", "size"])
 _NOUNS = frozenset(["garments", "accessories", "generic", "parts", "styles", "prints", "fabrics"])
 """Categories of English words that have a plural."""
+WORN = frozenset(["garments", "accessories"])
+"""Categories of what is worn."""
 NUMBER = "#"
 """Stands for any number in a word of a table."""
 _CLOSED = 3
@@ -183,8 +185,9 @@ def _without_umlauts(word: str) -> str:
 def _check_apart(row: Row, sense: Sense, known: list[Sense]) -> None:
     """Refuses a second meaning that nothing tells from the first.
 
-    What tells them apart: what they are said of, the dialect, or that one is said of something and the other stands
-    for itself. Otherwise one of them is to be marked as ambiguous.
+    What tells them apart: what they are said of; the dialect; that one is a garment and the other is not; or that
+    one is marked as ambiguous, and so the second choice. Two meanings that are said of the same thing may hold
+    together if they speak of different claims.
     """
     for other in known:
         mine, its = sense.entry, other.entry
@@ -192,9 +195,12 @@ def _check_apart(row: Row, sense: Sense, known: list[Sense]) -> None:
             row.wrong(f"'{sense.word}' and '{other.word}' are one word; leave one out.")
         if mine.place == its.place:
             continue
-        apart = not (mine.of & its.of) and bool(mine.of or its.of)
+        both = mine.of & its.of
+        apart = not both and bool(mine.of or its.of)
+        together = both and not {c.name for c in mine.claims()} & {c.name for c in its.claims()}
         dialects = sense.dialect is not None and other.dialect is not None and sense.dialect != other.dialect
-        if not (apart or dialects or mine.ambiguous or its.ambiguous):
+        garment = (mine.category in WORN) != (its.category in WORN)
+        if not (apart or together or dialects or garment or mine.ambiguous or its.ambiguous):
             row.wrong(
                 f"'{sense.word}' stands in {its.place[0]}, line {its.place[1]}, too. Say with 'of:' or '@uk' and '@us' "
                 "when each is meant, or mark one of them as 'ambiguous'."
