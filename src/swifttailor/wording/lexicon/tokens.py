@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from swifttailor.wording.lexicon.inflection import Language
 
-_TOKEN = re.compile(r"[^\W_]+(?:(?:['\u2019\u02bc](?=[^\W_])|(?<=\d)[./,](?=\d))[^\W_]+)*")
+Gap = Literal["space", "hyphen", "pause", "stop"]
+"""What stands behind a word: a blank or nothing, a hyphen, a comma or its like, the end of a sentence or its like."""
+_EMOJI = "\U0001f300-\U0001faff\u2600-\u27bf"
+_TOKEN = re.compile(rf"[^\W_]+(?:(?:['\u2019\u02bc](?=[^\W_])|(?<=\d)[./,](?=\d))[^\W_]+)*|[{_EMOJI}]")
 _ELISION = re.compile(r"(?:[cdjlmnst]|qu|jusqu|lorsqu|puisqu)'(?=.)")
-_HYPHENS = frozenset("-\u2010\u2011\u00ad")
-_ENDS = frozenset(".;:!?\n()[]\u2014\u2013")
+_HYPHENS = frozenset("-\u2010\u2011\u00ad_")
+_STOPS = frozenset(".;:!?\n()[]\u2014\u2013|")
 
 
 class Token(NamedTuple):
@@ -20,10 +23,7 @@ class Token(NamedTuple):
     """In lower case."""
     start: int
     end: int
-    hyphen: bool
-    """Whether a hyphen joins it to the next."""
-    ends: bool
-    """Whether a sentence or its like ends behind it."""
+    gap: Gap
 
 
 def tokens_of(text: str, language: Language) -> list[Token]:
@@ -45,10 +45,7 @@ def tokens_of(text: str, language: Language) -> list[Token]:
     tokens = []
     for k, (start, end) in enumerate(places):
         following = places[k + 1][0] if k + 1 < len(places) else len(text)
-        between = text[end:following]
-        hyphen = len(between) == 1 and between in _HYPHENS
-        ends = between not in ("", " ") and not _ENDS.isdisjoint(between)
-        tokens.append(Token(_lower(text[start:end]), start, end, hyphen, ends))
+        tokens.append(Token(_lower(text[start:end]), start, end, _gap(text[end:following])))
     return tokens
 
 
@@ -59,6 +56,16 @@ def words_of(word: str, language: Language) -> list[str]:
     if "#" in word:
         return [part for piece in word.split("#") for part in (*words_of(piece, language), "#")][:-1]
     return [token.word for token in tokens_of(word, language)]
+
+
+def _gap(between: str) -> Gap:
+    if between in ("", " "):
+        return "space"
+    if len(between) == 1 and between in _HYPHENS:
+        return "hyphen"
+    if not _STOPS.isdisjoint(between):
+        return "stop"
+    return "space" if between.isspace() or between.strip() in ("/", '"', "'", "*") else "pause"
 
 
 def _lower(word: str) -> str:
