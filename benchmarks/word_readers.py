@@ -64,6 +64,10 @@ def with_consequences(claims: Iterable[Claim]) -> frozenset[Claim]:
     names = {claim.name for claim in found}
     if names & _WITHOUT_COLLAR:
         found |= {Claim("collar", "none"), Claim("hood", "none")}
+    if Claim("skirt_hem", "floor") in found:
+        found.add(Claim("skirt_hem", "maxi"))
+    if Claim("skirt", "gathered tiers") in found:
+        found.add(Claim("skirt", "tiered"))
     if Claim("shoulders", "strapless") in found or "straps" in names:
         found.add(Claim("sleeves", "none"))
     return frozenset(found)

@@ -9,7 +9,7 @@ from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.describing.dimensions import DIMENSIONS
 from swifttailor.picture_reader.reading import Measure, PartReading
-from swifttailor.wishes.own_words import fits_kind
+from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wishes.reader import Wish
 
 LEAST_SEEN = 0.5

@@ -32,7 +32,7 @@ _APART: Mapping[str, tuple[tuple[str, ...], ...]] = {
     "rise": (("high",), ("mid",), ("low",)),
     "hips": (("close",), ("loose",)),
     "sides": (("alike",), ("different",)),
-    "kind": (("top", "tunic"), ("tunic", "dress"), ("skirt",), ("trousers",), ("shorts",), ("jumpsuit",), ("playsuit",)),
+    "kind": (("top",), ("tunic",), ("dress",), ("skirt",), ("trousers",), ("shorts",), ("jumpsuit",), ("playsuit",)),
 }
 """Groups of values that can be true together; values that share no group exclude each other."""
 _PAIRS: Mapping[str, tuple[tuple[str, str], ...]] = {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -37,6 +37,8 @@ class Meaning:
     """Which word it is said of, by its place in the list; none where nothing is named."""
     guessed: bool = False
     """Whether nothing told this meaning from others."""
+    part: str | None = None
+    """The part of a garment that it names, or that its last word names: "bell sleeves"."""
 
     @property
     def category(self) -> str:
@@ -51,14 +53,17 @@ class Meaning:
     @property
     def is_noun(self) -> bool:
         """Whether things can be said of it."""
-        return self.category in ("garments", "accessories", "parts", "generic")
+        return self.part is not None or self.category in ("garments", "accessories", "parts", "generic")
 
 
-def meanings(words: Sequence[Found], *, kind: str | None = None, dialect: Dialect | None = None) -> list[Meaning]:
+def meanings(
+    words: Sequence[Found], parts: Callable[[str], str | None], *, kind: str | None = None, dialect: Dialect | None = None
+) -> list[Meaning]:
     """The words of a text with their meanings.
 
     Args:
         words: In their order.
+        parts: The part of a garment that a word names.
         kind: Of the garment that is spoken of, where that is known.
         dialect: Whose meanings come first: "pants" are trousers or underwear.
     """
@@ -68,15 +73,26 @@ def meanings(words: Sequence[Found], *, kind: str | None = None, dialect: Dialec
     for k in garments:
         others = tuple([s for s in words[k].senses if s.entry.category not in WORN])
         if others and (kind is not None or [c for c in certain if c != k] or garments[0] < k or _before_noun(words, k)):
-            parts = [s for s in others if s.entry.of]
-            if len(parts) < len(others) or _kinds(chosen, certain, kind) & frozenset().union(*[s.entry.of for s in parts]):
+            said_of = [s.entry.of for s in others if s.entry.of]
+            if len(said_of) < len(others) or _kinds(chosen, certain, kind) & frozenset().union(*said_of):
                 chosen[k] = others
-    result = [Meaning(word, tuple(s.entry for s in senses)) for word, senses in zip(words, chosen, strict=True)]
+    result = [
+        Meaning(word, tuple([s.entry for s in senses]), part=_part(word, senses, parts))
+        for word, senses in zip(words, chosen, strict=True)
+    ]
     result = _with_roles(result, kind)
     for k, meaning in enumerate(result):
         if meaning.role == "word" and any(sense.entry.of for sense in chosen[k]):
             result[k] = _said_of(result, k, chosen[k], kind)
     return result
+
+
+def _part(word: Found, senses: tuple[Sense, ...], parts: Callable[[str], str | None]) -> str | None:
+    if not senses or senses[0].entry.category in WORN or senses[0].entry.category in _SIZELESS:
+        return None
+    own = next((s.entry.part for s in senses if s.entry.part is not None), None)
+    last = word.word.rpartition(" ")
+    return own if own is not None or not last[0] else parts(last[2])
 
 
 def _first_choice(word: Found, dialect: Dialect | None) -> tuple[Sense, ...]:
@@ -90,8 +106,9 @@ def _first_choice(word: Found, dialect: Dialect | None) -> tuple[Sense, ...]:
     worn = [s for s in fitting if s.entry.category in WORN]
     if worn:
         return (next((s for s in worn if not s.entry.ambiguous), worn[0]),)
-    plain = tuple([s for s in fitting if not s.entry.ambiguous])
-    return plain or fitting[:1]
+    alone = [s for s in fitting if not s.entry.of]
+    alone = [s for s in alone if not s.entry.ambiguous][:1] or alone[:1]
+    return tuple([s for s in fitting if s.entry.of or s in alone])
 
 
 def _before_noun(words: Sequence[Found], k: int) -> bool:
@@ -155,7 +172,7 @@ def _said_of(words: Sequence[Meaning], k: int, senses: tuple[Sense, ...], kind: 
     for target in _targets(words, k):
         fitting = _fitting(senses, _names(words[target]))
         if fitting:
-            return replace(words[k], entries=fitting, target=target)
+            return replace(words[k], entries=fitting, target=target, part=words[k].part or fitting[0].part)
     fitting = _fitting(senses, frozenset([kind])) if kind is not None else ()
     if fitting:
         return replace(words[k], entries=fitting)
@@ -168,7 +185,7 @@ def _said_of(words: Sequence[Meaning], k: int, senses: tuple[Sense, ...], kind: 
 
 def _names(word: Meaning) -> frozenset[str]:
     entry = word.entries[0]
-    part = frozenset([entry.part]) if entry.part is not None else frozenset()
+    part = frozenset([word.part]) if word.part is not None else frozenset()
     color = frozenset(["color"]) if entry.category == "colors" else frozenset()
     return part | entry.kinds | color
 
@@ -193,11 +210,17 @@ def _targets(words: Sequence[Meaning], k: int) -> Iterator[int]:
         elif word.category not in _ADJECTIVES and word.category != "degrees":
             if word.found.word not in _JOINING:
                 break
-    stopped = False
     for j in range(k - 1, -1, -1):
-        stopped = stopped or words[j].found.gap == "stop"
-        if words[j].is_noun and j not in seen and words[j].role != "second" and not (stopped and words[j].category == "parts"):
+        if words[j].found.gap in ("pause", "stop"):
+            break
+        if words[j].is_noun and j not in seen and words[j].role != "second":
+            seen.add(j)
             yield j
-    for j, word in enumerate(words):
-        if word.role == "garment":
+            break
+    garment = [j for j, word in enumerate(words) if word.role == "garment"]
+    yield from garment
+    for j in range(k - 1, -1, -1):
+        if words[j].found.gap == "stop":
+            break
+        if words[j].is_noun and j not in seen and words[j].role != "second":
             yield j

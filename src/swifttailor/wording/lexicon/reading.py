@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from swifttailor.describing.claims import Claim
+from swifttailor.wording.claim_kinds import implied_kind
 from swifttailor.wording.lexicon.colors import NamedColor, named_colors
 from swifttailor.wording.lexicon.conflicts import beyond, exclude, opposed
 from swifttailor.wording.lexicon.denials import denied_words
@@ -13,12 +14,19 @@ from swifttailor.wording.lexicon.entries import Certainty, Entry, NamedPrint
 from swifttailor.wording.lexicon.inflection import Language
 from swifttailor.wording.lexicon.marking import find_words
 from swifttailor.wording.lexicon.meanings import Meaning, Role, meanings
+from swifttailor.wording.lexicon.vocabulary import vocabulary
 from swifttailor.wording.word_tables import Dialect
 
 SURENESS: Mapping[Certainty, float] = {"certain": 0.97, "usual": 0.85, "likely": 0.6}
 """How often a statement holds where a word implies it."""
 _ORDER: tuple[Certainty, ...] = ("certain", "usual", "likely")
 _NAMES: tuple[Role, ...] = ("garment", "like", "second")
+
+
+_LOWER = {"skirt": "skirt", "trousers": "legs", "shorts": "legs"}
+"""Kinds without an upper part, and what they have."""
+_WHOLE = {"dress": "dress", "jumpsuit": "playsuit"}
+"""Kinds with an upper and a lower part, and what they are with short legs."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +118,7 @@ def read_words(
         dialect: Whose meanings come first where British and American English differ.
     """
     language, found = find_words(text, language)
-    words = meanings(found, kind=kind, dialect=dialect)
+    words = meanings(found, vocabulary(language).part, kind=kind, dialect=dialect)
     denied = denied_words(words)
     marks = [
         WordMark(w.found.start, w.found.end, text[w.found.start : w.found.end], w.entries, w.role, k in denied)
@@ -126,6 +134,8 @@ def read_words(
             implied += _implied(word, mark)
     never = list(dict.fromkeys(never))
     kept = _settled([i for i in implied if i.claim not in never])
+    if kind is None:
+        kept = _with_kind(kept)
     meant = [mark for mark in marks if not mark.denied]
     return WordReading(
         language,
@@ -182,6 +192,21 @@ def _settled(implied: Sequence[Implication]) -> list[Implication]:
     return sorted(kept, key=lambda i: i.mark.start)
 
 
+def _with_kind(kept: list[Implication]) -> list[Implication]:
+    """Adds the kind where details alone tell it: what has sleeves and a skirt is a dress."""
+    said = [i for i in kept if i.said and i.certainty != "likely" and i.claim.name != "kind"]
+    named = next((i for i in kept if i.claim.name == "kind"), None)
+    if not said or (named is not None and named.claim.value not in _LOWER):
+        return kept
+    lower = [Claim(_LOWER[str(named.claim.value)], "straight")] if named is not None else []
+    told = implied_kind([*[i.claim for i in said], *lower])
+    if not told or (named is not None and told[0] not in _WHOLE):
+        return kept
+    kind = _WHOLE[told[0]] if named is not None and named.claim.value == "shorts" else told[0]
+    source = next(i.mark for i in said) if named is None else named.mark
+    return [*[i for i in kept if i is not named], Implication(Claim("kind", kind), "usual", False, source)]
+
+
 def _lacks(marks: Sequence[WordMark]) -> tuple[Lack, ...]:
     found: dict[str, Lack] = {}
     for mark in marks:
@@ -210,7 +235,8 @@ def _contradictions(implied: Sequence[Implication]) -> tuple[Contradiction, ...]
 
 def _against(one: Implication, other: Implication) -> bool:
     return any(
-        mine.said and its.claim in entry.against
+        its.claim in entry.against
         for mine, its in ((one, other), (other, one))
+        if mine.said and not mine.mark.denied
         for entry in mine.mark.entries
     )

@@ -13,7 +13,8 @@ _EMOJI = "\U0001f300-\U0001faff\u2600-\u27bf"
 _TOKEN = re.compile(rf"[^\W_]+(?:(?:['\u2019\u02bc](?=[^\W_])|(?<=\d)[./,](?=\d))[^\W_]+)*|[{_EMOJI}]")
 _ELISION = re.compile(r"(?:[cdjlmnst]|qu|jusqu|lorsqu|puisqu)'(?=.)")
 _HYPHENS = frozenset("-\u2010\u2011\u00ad_")
-_STOPS = frozenset(".;:!?\n()[]\u2014\u2013|")
+_OPEN = frozenset(["/", '"', "'", "*", ":", "&", "->"])
+_STOPS = frozenset(".;!?\n()[]\u2014\u2013|")
 
 
 class Token(NamedTuple):
@@ -65,7 +66,7 @@ def _gap(between: str) -> Gap:
         return "hyphen"
     if not _STOPS.isdisjoint(between):
         return "stop"
-    return "space" if between.isspace() or between.strip() in ("/", '"', "'", "*") else "pause"
+    return "space" if between.isspace() or between.strip() in _OPEN else "pause"
 
 
 def _lower(word: str) -> str:

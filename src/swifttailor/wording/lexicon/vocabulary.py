@@ -69,7 +69,7 @@ class Vocabulary:
     senses: Mapping[str, tuple[Sense, ...]]
     """By the word's parts with a space between them: ``t shirt``."""
     closed: Mapping[str, str]
-    """Words of several parts written as one, ``tshirt``, and those of letters without their accents."""
+    """Other spellings: words of several parts written as one, ``tshirt``, and letters without their accents."""
     longest: Mapping[str, int]
     """How many parts the longest word has that begins with a part."""
 
@@ -94,6 +94,10 @@ class Vocabulary:
             if fitting:
                 return fitting
         return ()
+
+    def part(self, word: str) -> str | None:
+        """The part of a garment that a single word names."""
+        return next((sense.entry.part for sense in self.find([word]) if sense.entry.part is not None), None)
 
     def _is_noun(self, sense: Sense) -> bool:
         if self.language == "de":
@@ -145,7 +149,11 @@ def vocabulary_of(rows: Iterable[Row], language: Language = "en") -> Vocabulary:
                 else:
                     _check_apart(row, sense, known)
                     known.append(sense)
-    return Vocabulary(language, tuple(entries), {key: tuple(found) for key, found in senses.items()}, closed, longest)
+    found = {key: tuple(each) for key, each in senses.items()}
+    for other, key in closed.items():
+        if other in found and other != key:
+            found[other] = found[key] = tuple(dict.fromkeys((*found[key], *found[other])))
+    return Vocabulary(language, tuple(entries), found, closed, longest)
 
 
 def _entries(row: Row, language: Language, cannot: Mapping[str, str]) -> Iterator[Entry]:
