@@ -152,7 +152,8 @@ def vocabulary_of(rows: Iterable[Row], language: Language = "en") -> Vocabulary:
     found = {key: tuple(each) for key, each in senses.items()}
     for other, key in closed.items():
         if other in found and other != key:
-            found[other] = found[key] = tuple(dict.fromkeys((*found[key], *found[other])))
+            known = [sense.entry for sense in found[key]]
+            found[other] = found[key] = (*found[key], *[s for s in found[other] if s.entry not in known])
     return Vocabulary(language, tuple(entries), found, closed, longest)
 
 
