@@ -34,6 +34,8 @@ _PRINT_MARKS = (*_SIZES, "motif", "inks")
 _ONE_VALUE = ("part", "cloth", "rgb", "shade", "print", "motif", "negates", *_SIZES)
 _MARKS = ("usual", "likely", "against", "without", "cannot", "of", "inks", *_ONE_VALUE)
 _WORDS = ("ambiguous", "plural")
+LONGEST_GLOSS = 120
+"""Characters."""
 _HEX = frozenset("0123456789abcdef")
 _CERTAINTIES: tuple[Certainty, ...] = ("usual", "likely")
 
@@ -91,6 +93,8 @@ class Entry:
     """On which side of it stands what it denies."""
     ambiguous: bool = False
     """Whether no rule tells this meaning from others of its words."""
+    gloss: str = ""
+    """What it means, in a line."""
     english: str | None = None
     """For words of other languages: the English entry that they stand for."""
     only: tuple[tuple[str, Dialect], ...] = ()
@@ -136,11 +140,10 @@ def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> E
             row.wrong(f"'{word}' is no mark; {' and '.join(_WORDS)} are, and all that hold '=' or ':'.")
     implied = tuple([Implied(claim, "certain") for claim in claims_in(row, row.claims)])
     options = row.options
-    words, only = row.texts, ()
+    words, gloss = _with_gloss(row)
+    only: tuple[tuple[str, Dialect], ...] = ()
     if "@" in "".join(words):
         words, only = _dialects(words)
-    if not options:
-        return Entry(words, row.section, row.place, implied, ambiguous="ambiguous" in row.words, only=only)  # ty: ignore[invalid-argument-type]
     row.check_options(*_MARKS)
     for certainty in _CERTAINTIES:
         marks = options.get(certainty)
@@ -170,9 +173,20 @@ def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> E
         _print(row, one) if "print" in one or not options.keys().isdisjoint(_PRINT_MARKS) else None,
         _side(row, one["negates"]) if "negates" in one else None,
         "ambiguous" in row.words,
+        gloss,
         None,
         only,
     )
+
+
+def _with_gloss(row: Row) -> tuple[tuple[str, ...], str]:
+    """The words of a row, and the gloss behind them in quotation marks."""
+    *words, last = row.texts
+    if not words or len(last) < 3 or last[0] != '"' or last[-1] != '"' or any('"' in word for word in words):
+        row.wrong('a row ends with what it means in quotation marks, as in: kilt | tartan skirt | "a pleated skirt".')
+    if len(last) > LONGEST_GLOSS + 2:
+        row.wrong(f"what it means takes {len(last) - 2} characters; at most {LONGEST_GLOSS} are accepted.")
+    return tuple(words), last[1:-1]
 
 
 def _dialects(texts: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[tuple[str, Dialect], ...]]:
