@@ -62,7 +62,7 @@ class NamedPrint:
     """Colours that the word itself names, sRGB as ``rrggbb``."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Entry:
     """One meaning, and the words for it."""
 

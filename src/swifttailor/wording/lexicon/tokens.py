@@ -46,7 +46,7 @@ def tokens_of(text: str, language: Language) -> list[Token]:
     tokens = []
     for k, (start, end) in enumerate(places):
         following = places[k + 1][0] if k + 1 < len(places) else len(text)
-        tokens.append(Token(_lower(text[start:end]), start, end, _gap(text[end:following])))
+        tokens.append(Token(_lower(text[start:end]).rstrip("'"), start, end, _gap(text[end:following])))
     return tokens
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
 from swifttailor.describing.claims import CLAIM_TYPES
 from swifttailor.wording.lexicon.entries import CATEGORIES, Entry, entry_of
@@ -49,8 +50,7 @@ _CLOSED = 3
 """Up to so many parts of a word may be written as one."""
 
 
-@dataclass(frozen=True, slots=True)
-class Sense:
+class Sense(NamedTuple):
     """A meaning of a word."""
 
     entry: Entry
