@@ -1,9 +1,10 @@
 """What follows from people's words by the lexicon alone, by the network alone, and by both.
 
-python benchmarks/word_readers.py [--misses] [--prompts FILE]
+python benchmarks/word_readers.py [--misses] [--no-network]
 
-Counts over the prompts of benchmarks/words/building how many expected statements follow, how many are contradicted,
-and how many prompts have all right that cannot be made and that nobody knows. The final half is not read.
+Counts over the prompts of benchmarks/words/building how many expected statements follow, how many are
+contradicted, and for how many prompts everything is named that cannot be made or that nobody knows. The final
+half is not read.
 """
 
 from __future__ import annotations
@@ -13,10 +14,15 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 
-from people_prompts import WORDS, Expectation, PeopleEdit, PeoplePrompt, read_people_edits, read_people_prompts
-
+from people_prompts import (
+    WORDS,
+    Expectation,
+    PeopleEdit,
+    PeoplePrompt,
+    read_people_edits,
+    read_people_prompts,
+)
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.wishes import WishReader
@@ -43,7 +49,9 @@ class Score:
         whole = with_consequences(claims)
         for expected in prompt.expect:
             values = [claim for claim in whole if claim.name == expected.claim]
-            met = "met" if any(_meets(expected, claim) for claim in values) else "wrong" if values else "silent"
+            met = (
+                "met" if any(_meets(expected, claim) for claim in values) else "wrong" if values else "silent"
+            )
             self.counts[f"{expected.sure} {met}"] += 1
             self.by_claim[expected.claim, met] += 1
             if met != "met":
@@ -55,11 +63,13 @@ class Score:
             broken = any(claim.name == refused.claim and claim.value in refused.values for claim in claims)
             self.counts["never broken" if broken else "never kept"] += 1
             if broken:
-                self.misses.append(f"{prompt.id} NEVER {refused.claim}={'/'.join(refused.values)}: {prompt.text}")
+                self.misses.append(
+                    f"{prompt.id} NEVER {refused.claim}={'/'.join(refused.values)}: {prompt.text}"
+                )
 
 
 def with_consequences(claims: Iterable[Claim]) -> frozenset[Claim]:
-    """Claims with what is true by definition wherever they are: a neckline is seen without collar and hood."""
+    """Claims with what is true wherever they are: a neckline is seen without collar and hood."""
     found = set(claims)
     names = {claim.name for claim in found}
     if names & _WITHOUT_COLLAR:
@@ -90,13 +100,15 @@ def united(reading: WordReading, network: Iterable[Claim]) -> frozenset[Claim]:
     rest = [i.claim for i in reading.implications if i.claim not in said]
     found: list[Claim] = []
     for claim in [*said, *network, *rest]:
-        if claim not in reading.never and not any(exclude(claim, other) for other in found if other not in said or claim not in said):
+        if claim not in reading.never and not any(
+            exclude(claim, other) for other in found if other not in said or claim not in said
+        ):
             found.append(claim)
     return frozenset(found)
 
 
 def lacks_right(prompt: PeoplePrompt, reading: WordReading, *, strictly: bool) -> tuple[bool, str]:
-    """Whether all that cannot be made and that nobody knows is named, and nothing else where judged strictly."""
+    """Whether all is named that cannot be made or nobody knows, and nothing else where judged strictly."""
     wanted = {text: {lack.what for lack in read_words(text).lacks} - APART for text in prompt.cannot}
     named = {lack.what for lack in reading.lacks} - APART
     said = {lack.what for lack in reading.lacks if lack.said} - APART
@@ -107,12 +119,17 @@ def lacks_right(prompt: PeoplePrompt, reading: WordReading, *, strictly: bool) -
         return not missing, f"misses {', '.join(missing)}"
     extra = said - {key for keys in wanted.values() for key in keys}
     extra |= unknown - {word.lower() for word in prompt.unknown}
-    return not missing and not extra, f"misses {', '.join(missing) or 'nothing'}; adds {', '.join(sorted(extra))}"
+    return (
+        not missing and not extra,
+        f"misses {', '.join(missing) or 'nothing'}; adds {', '.join(sorted(extra))}",
+    )
 
 
 def main() -> None:
     """Measures and prints."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--misses", action="store_true", help="name what does not follow from the lexicon")
     parser.add_argument("--no-network", action="store_true", help="measure the lexicon alone")
     args = parser.parse_args()
@@ -143,9 +160,11 @@ def _report(title: str, prompts: Sequence[PeoplePrompt], misses: bool, network: 
             right["strictly" if strictly else "named"] += good
             if not good:
                 lines.append(f"{prompt.id} {'strictly ' if strictly else ''}{why}: {prompt.text}")
-        alarms[f"{'expected' if prompt.contradiction else 'not expected'}, {'named' if reading.contradictions else 'not named'}"] += 1
+        expected = "expected" if prompt.contradiction else "not expected"
+        alarms[f"{expected}, {'named' if reading.contradictions else 'not named'}"] += 1
         if prompt.contradiction != bool(reading.contradictions):
-            lines.append(f"{prompt.id} contradiction {[(c.first.word, c.second.word) for c in reading.contradictions]}: {prompt.text}")
+            pairs = [(pair.first.word, pair.second.word) for pair in reading.contradictions]
+            lines.append(f"{prompt.id} contradiction {pairs}: {prompt.text}")
         if prompt.size is not None:
             right["with a size"] += 1
             right["size named"] += bool(reading.sizes)
@@ -153,10 +172,12 @@ def _report(title: str, prompts: Sequence[PeoplePrompt], misses: bool, network: 
     print(f"\n{len(prompts)} {title}")
     for name, score in scores.items():
         print(f"  {name}: " + ", ".join(f"{key} {score.counts[key]}" for key in sorted(score.counts)))
-    print(f"  all named that cannot be made or nobody knows: {right['named']}; and nothing else: {right['strictly']}")
+    print(f"  all named that cannot be made or nobody knows: {right['named']}", end="")
+    print(f"; and nothing else: {right['strictly']}")
     print(f"  sizes named: {right['size named']} of {right['with a size']}")
     print("  contradictions: " + ", ".join(f"{key} {count}" for key, count in sorted(alarms.items())))
-    print(f"  unknown words: {sum(unknown.values())}: {', '.join(f'{w} {n}' if n > 1 else w for w, n in unknown.most_common())}")
+    listed = ", ".join([f"{word} {n}" if n > 1 else word for word, n in unknown.most_common()])
+    print(f"  unknown words: {sum(unknown.values())}: {listed}")
     if misses:
         print("\n".join(["", *scores["lexicon"].misses, "", *lines]))
 

@@ -13,6 +13,7 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.wording.captions import write_claims
 from swifttailor.wording.claim_kinds import implied_kind
 
+
 def in_own_words(wishes: Sequence[Change], seed: int = 0) -> str:
     """Writes a text that asks for the same; empty if there is nothing to say.
 

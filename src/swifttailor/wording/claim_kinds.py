@@ -1,4 +1,4 @@
-"""What claims say about the kind of a garment: only trousers have legs, and what has sleeves and legs is a jumpsuit."""
+"""What claims say about the kind of a garment: what has sleeves and legs is a jumpsuit."""
 
 from __future__ import annotations
 

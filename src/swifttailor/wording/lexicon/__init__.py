@@ -1,4 +1,4 @@
-"""A lexicon of clothes in text tables, and a reader that goes by it alone: no network, the same answer every time."""
+"""A lexicon of clothes in text tables, and a reader that goes by it alone, without a network."""
 
 from __future__ import annotations
 

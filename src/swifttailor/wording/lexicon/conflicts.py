@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import combinations, product
 
 from swifttailor.describing.claims import Claim
 
@@ -22,7 +23,17 @@ SCALES: Mapping[str, _Steps] = {
 }
 """Values in their order; those two and more steps apart exclude each other."""
 _APART: Mapping[str, tuple[tuple[str, ...], ...]] = {
-    "neckline": (("round", "crew"), ("round", "scoop"), ("boat", "round"), ("v",), ("square",), ("trapezoid",), ("s-curve",), ("pointed",), ("asymmetric",)),
+    "neckline": (
+        ("round", "crew"),
+        ("round", "scoop"),
+        ("boat", "round"),
+        ("v",),
+        ("square",),
+        ("trapezoid",),
+        ("s-curve",),
+        ("pointed",),
+        ("asymmetric",),
+    ),
     "back_neckline": (("round",), ("v",), ("square",)),
     "collar": (("none",), ("stand", "turtleneck"), ("lapel",)),
     "hood": (("none",), ("hood",)),
@@ -32,39 +43,91 @@ _APART: Mapping[str, tuple[tuple[str, ...], ...]] = {
     "rise": (("high",), ("mid",), ("low",)),
     "hips": (("close",), ("loose",)),
     "sides": (("alike",), ("different",)),
-    "kind": (("top",), ("tunic",), ("dress",), ("skirt",), ("trousers",), ("shorts",), ("jumpsuit",), ("playsuit",)),
+    "kind": (
+        ("top",),
+        ("tunic",),
+        ("dress",),
+        ("skirt",),
+        ("trousers",),
+        ("shorts",),
+        ("jumpsuit",),
+        ("playsuit",),
+    ),
 }
 """Groups of values that can be true together; values that share no group exclude each other."""
+_CIRCLES = ("half circle", "three-quarter circle", "circle", "more than a circle")
+_SKIRTS = (
+    *[
+        (narrow, wide)
+        for narrow in ("pencil", "narrowing")
+        for wide in ("a-line", "flared", "gathered", *_CIRCLES)
+    ],
+    *[("straight", wide) for wide in ("flared", *_CIRCLES)],
+    *combinations(_CIRCLES, 2),
+)
 _PAIRS: Mapping[str, tuple[tuple[str, str], ...]] = {
-    "skirt": tuple(
-        [
-            *[(narrow, wide) for narrow in ("pencil", "narrowing") for wide in ("a-line", "flared", "half circle", "three-quarter circle", "circle", "more than a circle", "gathered")],
-            *[("straight", wide) for wide in ("flared", "half circle", "three-quarter circle", "circle", "more than a circle")],
-            *[("half circle", wide) for wide in ("three-quarter circle", "circle", "more than a circle")],
-            ("three-quarter circle", "circle"), ("three-quarter circle", "more than a circle"), ("circle", "more than a circle"),
-        ]
+    "skirt": _SKIRTS,
+    "legs": (
+        ("wide", "slim"),
+        ("tapered", "flared"),
+        ("slim", "flared"),
+        ("straight", "flared"),
+        ("straight", "tapered"),
     ),
-    "legs": (("wide", "slim"), ("tapered", "flared"), ("slim", "flared"), ("straight", "flared"), ("straight", "tapered")),
-    "sleeve_shape": (("slim", "wide"), ("slim", "puffed"), ("slim", "balloon"), ("slim", "bell"), ("tapered", "bell"), ("puffed", "set smooth"), ("slim", "gathered end"), ("bell", "gathered end"), ("bell", "balloon")),
+    "sleeve_shape": (
+        ("slim", "wide"),
+        ("slim", "puffed"),
+        ("slim", "balloon"),
+        ("slim", "bell"),
+        ("tapered", "bell"),
+        ("puffed", "set smooth"),
+        ("slim", "gathered end"),
+        ("bell", "gathered end"),
+        ("bell", "balloon"),
+    ),
     "bodice": (("darted", "undarted"), ("flared", "tapered")),
     "waistband": (("narrow", "wide"), ("shaped", "straight")),
 }
 _DIRECTED = frozenset(
     [
-        *("micro", "mini", "above the knee", "below the knee", "maxi", "floor", "bra", "cropped", "very short"),
-        *("full", "short", "long", "extra-long", "close", "loose", "oversized", "high", "low", "plunging", "open"),
+        *(
+            "micro",
+            "mini",
+            "above the knee",
+            "below the knee",
+            "maxi",
+            "floor",
+            "bra",
+            "cropped",
+            "very short",
+        ),
+        *(
+            "full",
+            "short",
+            "long",
+            "extra-long",
+            "close",
+            "loose",
+            "oversized",
+            "high",
+            "low",
+            "plunging",
+            "open",
+        ),
     ]
 )
 """Values that whoever denies them denies together with those beyond."""
 _NEGATIVE = ("none", "level")
 _ONE_SIDED = ("left only", "right only", "unequal")
-_ARMS = frozenset(["cuffs", "sleeve_shape", "left_sleeve", "right_sleeve", "sleeve_cm", "sleeve_width_cm", "cuff_cm"])
+_ARMS = frozenset(
+    ["cuffs", "sleeve_shape", "left_sleeve", "right_sleeve", "sleeve_cm", "sleeve_width_cm", "cuff_cm"]
+)
 _NECKS = frozenset(["neckline", "left_neckline", "right_neckline", "back_neckline", "back_depth"])
 """Claims that are true of garments without collar and hood only."""
 
 
 def opposed(a: Claim, b: Claim) -> bool:
-    """Whether nobody would call a garment both: two values of one claim that are far apart, either way round."""
+    """Whether nobody would call a garment both: two values of one claim that are far apart."""
     if a.name != b.name or a.value == b.value:
         return False
     if not isinstance(a.value, str) or not isinstance(b.value, str):
@@ -98,14 +161,18 @@ def _of_parts(a: Claim, b: Claim) -> bool:
     if a.name == "sleeves" and a.value != "none":
         return b.name in ("straps", "armholes")
     if a.name == "collar" and a.value != "none":
-        return b.name in _NECKS or (b.name == "neck_depth" and a.value != "lapel") or (b.name == "hood" and b.value == "hood")
+        return (
+            b.name in _NECKS
+            or (b.name == "neck_depth" and a.value != "lapel")
+            or (b.name == "hood" and b.value == "hood")
+        )
     if a.name == "hood" and a.value == "hood":
         return b.name in _NECKS or b.name == "neck_depth"
     return False
 
 
 def beyond(claim: Claim) -> tuple[Claim, ...]:
-    """A claim, and those that are still farther from the middle: "not too short" means neither mini nor micro."""
+    """A claim, and those that go farther the same way: "not too short" is neither mini nor micro."""
     scale = SCALES.get(claim.name)
     if scale is None or not isinstance(claim.value, str):
         return (claim,)

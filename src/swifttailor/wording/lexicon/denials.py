@@ -10,7 +10,9 @@ _NEAR = 5
 """Words that may stand between a negation and what it denies."""
 _OR = frozenset(["or", "nor", "oder", "noch", "ou", "ni", "o", "u"])
 _AND = frozenset(["and", "&", "und", "et", "y", "e"])
-_ADJECTIVES = frozenset(["styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"])
+_ADJECTIVES = frozenset(
+    ["styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"]
+)
 
 
 def denied_words(words: Sequence[Meaning]) -> frozenset[int]:
@@ -37,7 +39,12 @@ def _deny_after(words: Sequence[Meaning], k: int, found: set[int]) -> None:
     while start is not None:
         phrase = _phrase(words, start)
         bare = len(phrase) == 1 and _can_be_had(words[phrase[0]])
-        if not first and not bare and words[start - 1].found.word not in _OR and words[start - 2].found.word not in _OR:
+        if (
+            not first
+            and not bare
+            and words[start - 1].found.word not in _OR
+            and words[start - 2].found.word not in _OR
+        ):
             return
         found.update(_denied_of(words, phrase))
         behind = phrase[-1] + 1

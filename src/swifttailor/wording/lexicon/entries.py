@@ -13,11 +13,30 @@ from swifttailor.wording.word_tables import Dialect, Row
 Certainty = Literal["certain", "usual", "likely"]
 """certain: by definition. usual: of nearly all that are sold under the name. likely: of more than half."""
 Category = Literal[
-    *("garments", "accessories", "generic", "parts", "styles", "fits", "lengths", "occasions"),
-    *("colors", "shades", "prints", "fabrics", "sizes"),
-    *("negations", "function", "polite", "degrees", "comparisons", "numbers"),
+    "garments",
+    "accessories",
+    "generic",
+    "parts",
+    "styles",
+    "fits",
+    "lengths",
+    "occasions",
+    "colors",
+    "shades",
+    "prints",
+    "fabrics",
+    "sizes",
+    "negations",
+    "function",
+    "polite",
+    "degrees",
+    "comparisons",
+    "numbers",
 ]
-"""Sections of the tables. accessories: worn, but never made here. generic: "piece". shades: "dark" before a colour."""
+"""Sections of the tables.
+
+accessories: worn, but never made here. generic: "piece". shades: "dark" before a colour.
+"""
 CATEGORIES: tuple[str, ...] = get_args(Category)
 PRINTS: Mapping[str, tuple[str, ...]] = {
     "plain": (),
@@ -79,7 +98,7 @@ class Entry:
     cannot: tuple[str, ...] = ()
     """What of it cannot be made, as keys of `cannot_texts`."""
     of: frozenset[str] = frozenset()
-    """Kinds of garments and parts that it is said of, ``color`` and ``size``; empty where it stands for itself."""
+    """Kinds of garments and parts that it is said of, or ``color``; empty where it stands for itself."""
     part: str | None = None
     """The part of a garment that it names."""
     cloth: str | None = None
@@ -156,7 +175,10 @@ def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> E
             row.wrong(f"cannot:{key} is not in cannot.txt.")
     of = frozenset(options["of"]) if "of" in options else frozenset()
     if not of <= known_of:
-        row.wrong(f"of:{','.join(sorted(of - known_of))} is neither a kind nor a part. Known: {', '.join(sorted(known_of))}.")
+        row.wrong(
+            f"of:{','.join(sorted(of - known_of))} is neither a kind nor a part. "
+            f"Known: {', '.join(sorted(known_of))}."
+        )
     return Entry(
         words,
         row.section,  # ty: ignore[invalid-argument-type]
@@ -183,7 +205,9 @@ def _with_gloss(row: Row) -> tuple[tuple[str, ...], str]:
     """The words of a row, and the gloss behind them in quotation marks."""
     *words, last = row.texts
     if not words or len(last) < 3 or last[0] != '"' or last[-1] != '"' or any('"' in word for word in words):
-        row.wrong('a row ends with what it means in quotation marks, as in: kilt | tartan skirt | "a pleated skirt".')
+        row.wrong(
+            'a row ends with what it means in quotation marks, as in: kilt | "a pleated, wrapped skirt".'
+        )
     if len(last) > LONGEST_GLOSS + 2:
         row.wrong(f"what it means takes {len(last) - 2} characters; at most {LONGEST_GLOSS} are accepted.")
     return tuple(words), last[1:-1]
@@ -192,7 +216,7 @@ def _with_gloss(row: Row) -> tuple[tuple[str, ...], str]:
 def _dialects(texts: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[tuple[str, Dialect], ...]]:
     parted = [text.partition(" @") for text in texts]
     only = tuple([(bare, mark) for bare, _, mark in parted if mark in ("uk", "us")])
-    return tuple([bare for bare, _, _ in parted]), only  # ty: ignore[invalid-return-type]
+    return tuple([bare for bare, _, _ in parted]), only  # ty: ignore[invalid-explicit-return]
 
 
 def _single(row: Row, name: str) -> str:

@@ -59,7 +59,9 @@ def _french(word: str) -> list[tuple[str, bool | None]]:
 
 
 def _spanish(word: str) -> list[tuple[str, bool | None]]:
-    found: list[tuple[str, bool | None]] = [(word[: -len(end)], None) for end in ("s", "es") if word.endswith(end)]
+    found: list[tuple[str, bool | None]] = [
+        (word[: -len(end)], None) for end in ("s", "es") if word.endswith(end)
+    ]
     found += [(f"{word[: -len(end)]}o", None) for end in ("a", "as") if word.endswith(end)]
     return found
 

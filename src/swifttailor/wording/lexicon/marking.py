@@ -1,4 +1,4 @@
-"""Which words of a text belong to which entries: the longest match from left to right, in one language or with English."""
+"""Which words of a text belong to which entries, in the language of the text and in English."""
 
 from __future__ import annotations
 
@@ -111,7 +111,9 @@ def _candidates(tokens: Sequence[Token], k: int, vocabularies: Sequence[Vocabula
     parts: list[str] = []
     for count in range(1, min(longest, len(tokens) - k) + 1):
         parts.append(tokens[k + count - 1].word)
-        senses = next((s for known in vocabularies if (s := known.find(parts) or known.find(_numbered(parts)))), ())
+        senses = next(
+            (s for known in vocabularies if (s := known.find(parts) or known.find(_numbered(parts)))), ()
+        )
         if senses or count == 1:
             found.append((count, senses))
         if tokens[k + count - 1].gap not in ("space", "hyphen"):

@@ -12,16 +12,25 @@ from swifttailor.wording.lexicon.vocabulary import WORN, Sense
 from swifttailor.wording.word_tables import Dialect
 
 Role = Literal["garment", "second", "like", "part", "word"]
-"""garment: the one that the text asks for. second: another one. like: a name that says what the garment is like, as
-the first word of "shirt dress". part: of the garment. word: anything else."""
+"""garment: the one that the text asks for. second: another one. like: a name that says what the garment is
+like, as in "sweater skirt". part: of the garment. word: anything else."""
 _JOINING = frozenset(["and", "or", "nor", "&", "und", "oder", "et", "ou", "ni", "y", "e", "o", "u"])
 _SIZELESS = frozenset(["function", "polite", "degrees", "comparisons", "numbers", "negations"])
 """Categories of words that hold texts together."""
-_MINE = frozenset(["my", "her", "his", "their", "under", "over", "beneath", "underneath", "match", "matching", "goes with"])
+_MINE = frozenset(
+    ["my", "her", "his", "their", "under", "over", "beneath", "underneath", "match", "matching", "goes with"]
+)
 """Words before a garment that is there already."""
-_ADJECTIVES = frozenset(["styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"])
+_ADJECTIVES = frozenset(
+    ["styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"]
+)
 _WHOLE = frozenset(["dress", "jumpsuit", "playsuit"])
-_PART_OF = {"skirt": _WHOLE, "trousers": frozenset(["jumpsuit"]), "shorts": frozenset(["playsuit"]), "top": _WHOLE}
+_PART_OF = {
+    "skirt": _WHOLE,
+    "trousers": frozenset(["jumpsuit"]),
+    "shorts": frozenset(["playsuit"]),
+    "top": _WHOLE,
+}
 """Kinds that are a part of others: "a dress with a wide skirt"."""
 
 
@@ -57,7 +66,11 @@ class Meaning:
 
 
 def meanings(
-    words: Sequence[Found], parts: Callable[[str], str | None], *, kind: str | None = None, dialect: Dialect | None = None
+    words: Sequence[Found],
+    parts: Callable[[str], str | None],
+    *,
+    kind: str | None = None,
+    dialect: Dialect | None = None,
 ) -> list[Meaning]:
     """The words of a text with their meanings.
 
@@ -72,7 +85,9 @@ def meanings(
     certain = [k for k in garments if all(s.entry.category in WORN for s in words[k].senses)]
     for k in garments:
         others = tuple([s for s in words[k].senses if s.entry.category not in WORN])
-        if others and (kind is not None or [c for c in certain if c != k] or garments[0] < k or _before_noun(words, k)):
+        if others and (
+            kind is not None or [c for c in certain if c != k] or garments[0] < k or _before_noun(words, k)
+        ):
             said_of = [s.entry.of for s in others if s.entry.of]
             if len(said_of) < len(others) or _kinds(chosen, certain, kind) & frozenset().union(*said_of):
                 chosen[k] = others
@@ -96,7 +111,7 @@ def _part(word: Found, senses: tuple[Sense, ...], parts: Callable[[str], str | N
 
 
 def _first_choice(word: Found, dialect: Dialect | None) -> tuple[Sense, ...]:
-    """What a word can mean: worn things first; of ambiguous meanings the first, unless the dialect decides."""
+    """What a word can mean: worn things first, and ambiguous meanings last, unless the dialect decides."""
     senses = word.senses
     if len(senses) < 2:
         return senses

@@ -121,7 +121,9 @@ def read_words(
     words = meanings(found, vocabulary(language).part, kind=kind, dialect=dialect)
     denied = denied_words(words)
     marks = [
-        WordMark(w.found.start, w.found.end, text[w.found.start : w.found.end], w.entries, w.role, k in denied)
+        WordMark(
+            w.found.start, w.found.end, text[w.found.start : w.found.end], w.entries, w.role, k in denied
+        )
         for k, w in enumerate(words)
     ]
     implied, never = [], []
@@ -146,7 +148,11 @@ def read_words(
         _contradictions(implied),
         named_colors([(m.word, m.entries) for m in meant]),
         tuple([entry.print for mark in meant for entry in mark.entries if entry.print is not None]),
-        tuple(dict.fromkeys([e.cloth for m in meant for e in m.entries if e.cloth is not None and e.category == "fabrics"])),
+        tuple(
+            dict.fromkeys(
+                [e.cloth for m in meant for e in m.entries if e.cloth is not None and e.category == "fabrics"]
+            )
+        ),
         tuple([mark.word for mark in meant if any("sizes" in entry.cannot for entry in mark.entries)]),
     )
 
@@ -181,8 +187,10 @@ def _refused(mark: WordMark) -> tuple[list[Implication], list[Claim]]:
 
 
 def _settled(implied: Sequence[Implication]) -> list[Implication]:
-    """Leaves out what something surer excludes: what is said wins over names, then the surer one, then the first."""
-    ranked = sorted(implied, key=lambda i: (not (i.said and i.certainty != "likely"), _ORDER.index(i.certainty)))
+    """Leaves out what something better excludes: what is said, then what is surer, then what comes first."""
+    ranked = sorted(
+        implied, key=lambda i: (not (i.said and i.certainty != "likely"), _ORDER.index(i.certainty))
+    )
     kept: list[Implication] = []
     for each in ranked:
         if any(each.claim == other.claim for other in kept):
@@ -215,7 +223,11 @@ def _lacks(marks: Sequence[WordMark]) -> tuple[Lack, ...]:
                 said = mark.role not in ("garment", "like")
                 if what not in found or (said and not found[what].said):
                     found[what] = Lack(what, said, mark)
-        if mark.role == "second" and "separate_pieces" not in found and mark.entries[0].category == "garments":
+        if (
+            mark.role == "second"
+            and "separate_pieces" not in found
+            and mark.entries[0].category == "garments"
+        ):
             found["separate_pieces"] = Lack("separate_pieces", True, mark)
     return tuple(found.values())
 

@@ -1,4 +1,4 @@
-"""Words of a text and their places. Hyphens part words; an apostrophe inside a word does not, but French elisions."""
+"""Words of a text and their places. Hyphens part words; apostrophes do so in French elisions only."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 from swifttailor.wording.lexicon.inflection import Language
 
 Gap = Literal["space", "hyphen", "pause", "stop"]
-"""What stands behind a word: a blank or nothing, a hyphen, a comma or its like, the end of a sentence or its like."""
+"""What stands behind a word: a blank or nothing, a hyphen, a comma or the like, the end of a sentence."""
 _EMOJI = "\U0001f300-\U0001faff\u2600-\u27bf"
 _TOKEN = re.compile(rf"[^\W_]+(?:(?:['\u2019\u02bc](?=[^\W_])|(?<=\d)[./,](?=\d))[^\W_]+)*|[{_EMOJI}]")
 _ELISION = re.compile(r"(?:[cdjlmnst]|qu|jusqu|lorsqu|puisqu)'(?=.)")

@@ -1,4 +1,4 @@
-"""The words of one language, to be looked up: read from the tables in words/ when they are first asked for."""
+"""The words of one language, to be looked up: read from the tables when they are first asked for."""
 
 from __future__ import annotations
 
@@ -21,7 +21,15 @@ TABLES: Mapping[Language, tuple[str, ...]] = {
     "en": (
         *("tops.txt", "outerwear.txt", "dresses.txt", "skirts.txt", "trousers.txt", "all_in_ones.txt"),
         *("underwear.txt", "traditional.txt", "historical.txt", "uniforms.txt", "accessories.txt"),
-        *("parts.txt", "necklines.txt", "sleeves.txt", "shapes.txt", "details.txt", "fits.txt", "lengths.txt"),
+        *(
+            "parts.txt",
+            "necklines.txt",
+            "sleeves.txt",
+            "shapes.txt",
+            "details.txt",
+            "fits.txt",
+            "lengths.txt",
+        ),
         *("occasions.txt", "colors.txt", "prints.txt", "fabrics.txt", "sizes.txt", "function_words.txt"),
     ),
     "de": ("german.txt",),
@@ -32,8 +40,28 @@ _TRANSLATIONS = "words"
 """Section of the tables of other languages."""
 PARTS = frozenset(
     [
-        *("sleeves", "left_sleeve", "right_sleeve", "sleeve_head", "neckline", "back_neckline", "collar", "hood"),
-        *("cuffs", "leg_cuffs", "waistband", "hem_band", "waist", "waist_seam", "skirt", "bodice", "legs", "hem"),
+        *(
+            "sleeves",
+            "left_sleeve",
+            "right_sleeve",
+            "sleeve_head",
+            "neckline",
+            "back_neckline",
+            "collar",
+            "hood",
+        ),
+        *(
+            "cuffs",
+            "leg_cuffs",
+            "waistband",
+            "hem_band",
+            "waist",
+            "waist_seam",
+            "skirt",
+            "bodice",
+            "legs",
+            "hem",
+        ),
         *("slit", "straps", "shoulders", "back", "front", "sides", "armholes", "tiers", "gores", "godets"),
         *("darts", "bust", "hips", "seat", "thigh", "knee", "crotch", "peplum", "panels", "seam", "yoke"),
     ]
@@ -69,7 +97,7 @@ class Vocabulary:
     senses: Mapping[str, tuple[Sense, ...]]
     """By the word's parts with a space between them: ``t shirt``."""
     closed: Mapping[str, str]
-    """Other spellings: words of several parts written as one, ``tshirt``, and letters without their accents."""
+    """Other spellings: several parts written as one, ``tshirt``, and letters without their accents."""
     longest: Mapping[str, int]
     """How many parts the longest word has that begins with a part."""
 
@@ -194,9 +222,9 @@ def _without_umlauts(word: str) -> str:
 def _check_apart(row: Row, sense: Sense, known: list[Sense]) -> None:
     """Refuses a second meaning that nothing tells from the first.
 
-    What tells them apart: what they are said of; the dialect; that one is a garment and the other is not; or that
-    one is marked as ambiguous, and so the second choice. Two meanings that are said of the same thing may hold
-    together if they speak of different claims.
+    What tells them apart: what they are said of; the dialect; that one is a garment and the other is not;
+    or that one is marked as ambiguous, and so the second choice. Two meanings that are said of the same
+    thing may hold together if they speak of different claims.
     """
     for other in known:
         mine, its = sense.entry, other.entry
@@ -211,8 +239,8 @@ def _check_apart(row: Row, sense: Sense, known: list[Sense]) -> None:
         garment = (mine.category in WORN) != (its.category in WORN)
         if not (apart or together or dialects or garment or mine.ambiguous or its.ambiguous):
             row.wrong(
-                f"'{sense.word}' stands in {its.place[0]}, line {its.place[1]}, too. Say with 'of:' or '@uk' and '@us' "
-                "when each is meant, or mark one of them as 'ambiguous'."
+                f"'{sense.word}' stands in {its.place[0]}, line {its.place[1]}, too. Say with 'of:' or '@uk' "
+                "and '@us' when each is meant, or mark one of them as 'ambiguous'."
             )
 
 
