@@ -27,9 +27,21 @@ def denied_words(words: Sequence[Meaning]) -> frozenset[int]:
             continue
         if word.entries[0].negates == "after":
             _deny_after(words, k, found)
-        elif k > 0 and words[k - 1].found.gap in ("space", "hyphen"):
-            found.add(k - 1)
+        else:
+            before = _named_before(words, k)
+            if before is not None:
+                found.add(before)
     return frozenset(found)
+
+
+def _named_before(words: Sequence[Meaning], k: int) -> int | None:
+    """What stands before a negation such as "can go": the nearest word that is not an article or the like."""
+    for j in range(k - 1, max(k - _NEAR, 0) - 1, -1):
+        if words[j].found.gap in ("pause", "stop") or not words[j].entries:
+            return None
+        if not words[j].holds_together:
+            return j
+    return None
 
 
 def _deny_after(words: Sequence[Meaning], k: int, found: set[int]) -> None:

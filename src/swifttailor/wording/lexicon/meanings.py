@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
 from swifttailor.wording.lexicon.entries import Entry
 from swifttailor.wording.lexicon.marking import Found
-from swifttailor.wording.lexicon.vocabulary import WORN, Sense
+from swifttailor.wording.lexicon.vocabulary import WORN, Sense, Vocabulary
 from swifttailor.wording.word_tables import Dialect
 
 Role = Literal["garment", "second", "like", "part", "word"]
@@ -67,7 +67,7 @@ class Meaning:
 
 def meanings(
     words: Sequence[Found],
-    parts: Callable[[str], str | None],
+    known: Vocabulary,
     *,
     kind: str | None = None,
     dialect: Dialect | None = None,
@@ -76,7 +76,7 @@ def meanings(
 
     Args:
         words: In their order.
-        parts: The part of a garment that a word names.
+        known: The words of their language.
         kind: Of the garment that is spoken of, where that is known.
         dialect: Whose meanings come first: "pants" are trousers or underwear.
     """
@@ -92,22 +92,22 @@ def meanings(
             if len(said_of) < len(others) or _kinds(chosen, certain, kind) & frozenset().union(*said_of):
                 chosen[k] = others
     result = [
-        Meaning(word, tuple([s.entry for s in senses]), part=_part(word, senses, parts))
+        Meaning(word, tuple([s.entry for s in senses]), part=_part(word, senses, known))
         for word, senses in zip(words, chosen, strict=True)
     ]
     result = _with_roles(result, kind)
     for k, meaning in enumerate(result):
         if meaning.role == "word" and any(sense.entry.of for sense in chosen[k]):
-            result[k] = _said_of(result, k, chosen[k], kind)
+            result[k] = _said_of(result, k, chosen[k], kind, known)
     return result
 
 
-def _part(word: Found, senses: tuple[Sense, ...], parts: Callable[[str], str | None]) -> str | None:
+def _part(word: Found, senses: tuple[Sense, ...], known: Vocabulary) -> str | None:
     if not senses or senses[0].entry.category in WORN or senses[0].entry.category in _SIZELESS:
         return None
     own = next((s.entry.part for s in senses if s.entry.part is not None), None)
     last = word.word.rpartition(" ")
-    return own if own is not None or not last[0] else parts(last[2])
+    return own if own is not None or not last[0] else known.part(last[2])
 
 
 def _first_choice(word: Found, dialect: Dialect | None) -> tuple[Sense, ...]:
@@ -182,9 +182,11 @@ def _is_theirs(words: Sequence[Meaning], k: int) -> bool:
     return any(w.found.word in _MINE and w.found.gap in ("space", "hyphen") for w in before)
 
 
-def _said_of(words: Sequence[Meaning], k: int, senses: tuple[Sense, ...], kind: str | None) -> Meaning:
+def _said_of(
+    words: Sequence[Meaning], k: int, senses: tuple[Sense, ...], kind: str | None, known: Vocabulary
+) -> Meaning:
     """The meaning of a word that depends on what it is said of."""
-    for target in _targets(words, k):
+    for target in _targets(words, k, known):
         fitting = _fitting(senses, _names(words[target]))
         if fitting:
             return replace(words[k], entries=fitting, target=target, part=words[k].part or fitting[0].part)
@@ -194,8 +196,8 @@ def _said_of(words: Sequence[Meaning], k: int, senses: tuple[Sense, ...], kind: 
     alone = tuple([s.entry for s in senses if not s.entry.of])
     if alone:
         return replace(words[k], entries=alone)
-    named = any(w.role == "garment" for w in words) or kind is not None
-    return replace(words[k], entries=() if named and not senses else (senses[0].entry,), guessed=True)
+    usual = next((f for each in ("dress", "top", "trousers") if (f := _fitting(senses, frozenset([each])))), None)
+    return replace(words[k], entries=(usual[0] if usual else senses[0].entry,), guessed=True)
 
 
 def _names(word: Meaning) -> frozenset[str]:
@@ -209,13 +211,19 @@ def _fitting(senses: Sequence[Sense], names: frozenset[str | None]) -> tuple[Ent
     return tuple([s.entry for s in senses if s.entry.of & names])
 
 
-def _targets(words: Sequence[Meaning], k: int) -> Iterator[int]:
+def _goes_on_with(word: Meaning, known: Vocabulary) -> bool:
+    """Whether a list of adjectives goes on behind a comma: "long, wide sleeves", not "long, flutter sleeves"."""
+    first = word.found.word.partition(" ")[0]
+    return any(sense.entry.of for sense in known.find([first]))
+
+
+def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[int]:
     """What a word can be said of, the likeliest first: what it stands before, then what stands before it."""
     seen = set()
     for j in range(k + 1, len(words)):
         gap = words[j - 1].found.gap
         word = words[j]
-        if gap == "stop":
+        if gap == "stop" or (gap == "pause" and not _goes_on_with(word, known)):
             break
         if word.is_noun or word.category == "colors":
             seen.add(j)

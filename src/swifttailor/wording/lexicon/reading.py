@@ -118,7 +118,7 @@ def read_words(
         dialect: Whose meanings come first where British and American English differ.
     """
     language, found = find_words(text, language)
-    words = meanings(found, vocabulary(language).part, kind=kind, dialect=dialect)
+    words = meanings(found, vocabulary(language), kind=kind, dialect=dialect)
     denied = denied_words(words)
     marks = [
         WordMark(

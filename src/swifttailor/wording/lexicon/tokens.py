@@ -10,10 +10,10 @@ from swifttailor.wording.lexicon.inflection import Language
 Gap = Literal["space", "hyphen", "pause", "stop"]
 """What stands behind a word: a blank or nothing, a hyphen, a comma or the like, the end of a sentence."""
 _EMOJI = "\U0001f300-\U0001faff\u2600-\u27bf"
-_TOKEN = re.compile(rf"[^\W_]+(?:(?:['\u2019\u02bc](?=[^\W_])|(?<=\d)[./,](?=\d))[^\W_]+)*|[{_EMOJI}]")
+_TOKEN = re.compile(rf"[^\W_]+(?:(?:['\u2019\u02bc](?=[^\W_])|(?<=\d)[./,](?=\d))[^\W_]+)*|[{_EMOJI}]|[-=]>|\u2192")
 _ELISION = re.compile(r"(?:[cdjlmnst]|qu|jusqu|lorsqu|puisqu)'(?=.)")
 _HYPHENS = frozenset("-\u2010\u2011\u00ad_")
-_OPEN = frozenset(["/", '"', "'", "*", ":", "&", "->"])
+_OPEN = frozenset(["/", '"', "'", "*", ":", "&"])
 _STOPS = frozenset(".;!?\n()[]\u2014\u2013|")
 
 
@@ -70,4 +70,4 @@ def _gap(between: str) -> Gap:
 
 
 def _lower(word: str) -> str:
-    return word.lower().replace("\u2019", "'").replace("\u02bc", "'")
+    return word.lower().replace("\u2019", "'").replace("\u02bc", "'").replace("->", "\u2192").replace("=>", "\u2192")
