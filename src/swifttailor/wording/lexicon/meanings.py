@@ -196,7 +196,9 @@ def _said_of(
     alone = tuple([s.entry for s in senses if not s.entry.of])
     if alone:
         return replace(words[k], entries=alone)
-    usual = next((f for each in ("dress", "top", "trousers") if (f := _fitting(senses, frozenset([each])))), None)
+    usual = next(
+        (f for each in ("dress", "top", "trousers") if (f := _fitting(senses, frozenset([each])))), None
+    )
     return replace(words[k], entries=(usual[0] if usual else senses[0].entry,), guessed=True)
 
 

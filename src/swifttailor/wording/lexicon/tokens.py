@@ -10,7 +10,9 @@ from swifttailor.wording.lexicon.inflection import Language
 Gap = Literal["space", "hyphen", "pause", "stop"]
 """What stands behind a word: a blank or nothing, a hyphen, a comma or the like, the end of a sentence."""
 _EMOJI = "\U0001f300-\U0001faff\u2600-\u27bf"
-_TOKEN = re.compile(rf"[^\W_]+(?:(?:['\u2019\u02bc](?=[^\W_])|(?<=\d)[./,](?=\d))[^\W_]+)*|[{_EMOJI}]|[-=]>|\u2192")
+_TOKEN = re.compile(
+    rf"[^\W_]+(?:(?:['\u2019\u02bc](?=[^\W_])|(?<=\d)[./,](?=\d))[^\W_]+)*|[{_EMOJI}]|[-=]>|\u2192"
+)
 _ELISION = re.compile(r"(?:[cdjlmnst]|qu|jusqu|lorsqu|puisqu)'(?=.)")
 _HYPHENS = frozenset("-\u2010\u2011\u00ad_")
 _OPEN = frozenset(["/", '"', "'", "*", ":", "&"])
@@ -62,7 +64,7 @@ def words_of(word: str, language: Language) -> list[str]:
 def _gap(between: str) -> Gap:
     if between in ("", " "):
         return "space"
-    if len(between) == 1 and between in _HYPHENS:
+    if between.strip("'\u2019") in _HYPHENS:
         return "hyphen"
     if not _STOPS.isdisjoint(between):
         return "stop"
@@ -70,4 +72,10 @@ def _gap(between: str) -> Gap:
 
 
 def _lower(word: str) -> str:
-    return word.lower().replace("\u2019", "'").replace("\u02bc", "'").replace("->", "\u2192").replace("=>", "\u2192")
+    return (
+        word.lower()
+        .replace("\u2019", "'")
+        .replace("\u02bc", "'")
+        .replace("->", "\u2192")
+        .replace("=>", "\u2192")
+    )

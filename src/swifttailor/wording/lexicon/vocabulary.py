@@ -205,12 +205,13 @@ def _other_spellings(key: str, count: int, language: Language) -> Iterator[str]:
     if 1 < count <= _CLOSED:
         yield key.replace(" ", "")
     if not key.isascii():
-        plain = "".join(c for c in unicodedata.normalize("NFKD", key) if not unicodedata.combining(c))
-        for spelling in {plain, _without_umlauts(key)} if language == "de" else {plain}:
-            if count == 1 and spelling != key:
-                yield spelling
-            elif count <= _CLOSED:
-                yield spelling.replace(" ", "")
+        spelling = _without_umlauts(key) if language == "de" else _without_accents(key)
+        if spelling != key and count <= _CLOSED:
+            yield spelling.replace(" ", "")
+
+
+def _without_accents(word: str) -> str:
+    return "".join([c for c in unicodedata.normalize("NFKD", word) if not unicodedata.combining(c)])
 
 
 def _without_umlauts(word: str) -> str:
