@@ -171,7 +171,7 @@ GLOSS = '"what it means"'
     ],
 )
 def test_mistakes_are_named_with_their_line(table, problem):
-    with pytest.raises(InputError, match="table.txt, line") as caught:
+    with pytest.raises(InputError, match=r"table\.txt, line") as caught:
         lexicon(table)
     assert problem in str(caught.value)
 

@@ -214,7 +214,7 @@ def _fitting(senses: Sequence[Sense], names: frozenset[str | None]) -> tuple[Ent
 
 
 def _goes_on_with(word: Meaning, known: Vocabulary) -> bool:
-    """Whether a list of adjectives goes on behind a comma: "long, wide sleeves", not "long, flutter sleeves"."""
+    """Whether a list of adjectives goes on behind a comma, as in "long, wide sleeves"."""
     first = word.found.word.partition(" ")[0]
     return any(sense.entry.of for sense in known.find([first]))
 
