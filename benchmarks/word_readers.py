@@ -95,14 +95,16 @@ def lexicon_claims(reading: WordReading) -> frozenset[Claim]:
 
 
 def united(reading: WordReading, network: Iterable[Claim]) -> frozenset[Claim]:
-    """Said details first, then what the network reads, then what names imply."""
-    said = [i.claim for i in reading.implications if i.said and i.certainty != "likely"]
-    rest = [i.claim for i in reading.implications if i.claim not in said]
-    found: list[Claim] = []
-    for claim in [*said, *network, *rest]:
-        if claim not in reading.never and not any(
-            exclude(claim, other) for other in found if other not in said or claim not in said
-        ):
+    """Said details and definitions first, then what the network reads, then what else names imply."""
+    sure = [
+        i.claim
+        for i in reading.implications
+        if i.certainty == "certain" or (i.said and i.certainty != "likely")
+    ]
+    rest = [i.claim for i in reading.implications if i.claim not in sure]
+    found = list(sure)
+    for claim in [*network, *rest]:
+        if claim not in reading.never and not any(exclude(claim, other) for other in found):
             found.append(claim)
     return frozenset(found)
 
