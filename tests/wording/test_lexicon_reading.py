@@ -76,7 +76,7 @@ def several(name):
     return f"{name[:-1]}ies" if name[-1] == "y" and name[-2] not in "aeo" else f"{name}s"
 
 
-KNOWN = vocabulary("en").senses
+KNOWN = {**vocabulary("en").senses, **vocabulary("en").closed}
 ONES = [
     n for n in NAMES if len(n) > 2 and n.isalpha() and n[-1] not in "sz" and several(n).lower() not in KNOWN
 ]
@@ -162,6 +162,7 @@ def test_long_texts_are_cut(piece):
         ("une jupe plissée longue", {"kind=skirt", "skirt_hem=maxi"}),
         ("una falda larga con volantes", {"kind=skirt", "skirt_hem=maxi"}),
         ("👗", {"kind=dress"}),
+        ("a skirt to go with my blouse, short", {"kind=skirt", "skirt_hem=mini"}),
     ],
 )
 def test_what_follows(text, claims):
@@ -188,6 +189,20 @@ def test_what_is_refused(text, claims, never):
     reading = read_words(text)
     assert claims <= said(text)
     assert never <= {f"{claim.name}={claim.value}" for claim in reading.never}
+
+
+@pytest.mark.parametrize(
+    ("text", "claims"),
+    [
+        ("pencil skirt, just below the knee", {"skirt_hem=knee"}),
+        ("a jacket to wear over my dress", {"kind=dress"}),
+        ("spencer dress", {"top_hem=cropped", "kind=top"}),
+        ("a dress with a v neck, no collar", {"collar=stand"}),
+    ],
+)
+def test_what_does_not_follow(text, claims):
+    assert not claims & said(text)
+    assert "separate_pieces" not in cannot(text)
 
 
 def test_a_denied_detail_is_not_missing():

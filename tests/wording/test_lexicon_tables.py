@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import re
 from collections import Counter
+from pathlib import Path
 
 import pytest
 
@@ -183,6 +184,15 @@ def test_meanings_may_share_a_word_where_something_tells_them_apart():
     )
     assert len(known.find(["wide"])) == 2
     assert len(known.find(["jerseys"])) == 2
+
+
+def test_the_rows_of_the_guide_can_be_added():
+    guide = (Path(__file__).parents[2] / "docs" / "lexicon.md").read_text()
+    english, german = re.findall(r"```text\n(.*?)```", guide.partition("## A word of your own")[2], re.DOTALL)
+    known = lexicon(f"[garments] kind=dress\n{english}")
+    assert known.find(["karosses"]) and not vocabulary("en").find(["kaross"])
+    (row,) = parse_table(f"[words]\n{german}", "german.txt")
+    assert row.options == {"is": ("kaross",)} and row.texts == ("Fellumhang",)
 
 
 def test_spellings_and_plurals_are_found_and_nothing_near_them():

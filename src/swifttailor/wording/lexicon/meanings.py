@@ -11,15 +11,16 @@ from swifttailor.wording.lexicon.marking import Found
 from swifttailor.wording.lexicon.vocabulary import WORN, Sense, Vocabulary
 from swifttailor.wording.word_tables import Dialect
 
-Role = Literal["garment", "second", "like", "part", "word"]
-"""garment: the one that the text asks for. second: another one. like: a name that says what the garment is
-like, as in "sweater skirt". part: of the garment. word: anything else."""
+Role = Literal["garment", "second", "theirs", "like", "part", "word"]
+"""What a word is to the garment that the text asks for, which is ``garment`` itself.
+
+second: another one. theirs: one that is there already, "over my dress". like: what it is like, as in
+"sweater skirt". part: a part of it. word: anything else.
+"""
 _JOINING = frozenset(["and", "or", "nor", "&", "und", "oder", "et", "ou", "ni", "y", "e", "o", "u"])
 _SIZELESS = frozenset(["function", "polite", "degrees", "comparisons", "numbers", "negations"])
 """Categories of words that hold texts together."""
-_MINE = frozenset(
-    ["my", "her", "his", "their", "under", "over", "beneath", "underneath", "match", "matching", "goes with"]
-)
+_MINE = frozenset(["my", "her", "his", "their", "under", "over", "beneath", "underneath", "match"])
 """Words before a garment that is there already."""
 _ADJECTIVES = frozenset(
     ["styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"]
@@ -153,6 +154,8 @@ def _with_roles(words: list[Meaning], kind: str | None) -> list[Meaning]:
             role: Role = "garment"
         elif k not in heads:
             role = "like"
+        elif _is_theirs(words, k):
+            role = "theirs"
         elif words[k].category == "accessories":
             role = "second"
         elif main is not None and (_can_hold(words[main], words[k])):
@@ -238,7 +241,7 @@ def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[in
     for j in range(k - 1, -1, -1):
         if words[j].found.gap in ("pause", "stop"):
             break
-        if words[j].is_noun and j not in seen and words[j].role != "second":
+        if words[j].is_noun and j not in seen and words[j].role not in ("second", "theirs"):
             seen.add(j)
             yield j
             break
@@ -247,5 +250,5 @@ def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[in
     for j in range(k - 1, -1, -1):
         if words[j].found.gap == "stop":
             break
-        if words[j].is_noun and j not in seen and words[j].role != "second":
+        if words[j].is_noun and j not in seen and words[j].role not in ("second", "theirs"):
             yield j

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from swifttailor.describing.claims import Claim
-from swifttailor.wording.claim_kinds import implied_kind
+from swifttailor.wording.claim_kinds import fits_kind, implied_kind
 from swifttailor.wording.lexicon.colors import NamedColor, named_colors
-from swifttailor.wording.lexicon.conflicts import beyond, exclude, opposed
+from swifttailor.wording.lexicon.conflicts import SCALES, beyond, exclude, opposed
 from swifttailor.wording.lexicon.denials import denied_words
 from swifttailor.wording.lexicon.entries import Certainty, Entry, NamedPrint
 from swifttailor.wording.lexicon.inflection import Language
@@ -23,6 +23,7 @@ _ORDER: tuple[Certainty, ...] = ("certain", "usual", "likely")
 _NAMES: tuple[Role, ...] = ("garment", "like", "second")
 
 
+_TOPS = frozenset(["top", "tunic"])
 _LOWER = {"skirt": "skirt", "trousers": "legs", "shorts": "legs"}
 """Kinds without an upper part, and what they have."""
 _WHOLE = {"dress": "dress", "jumpsuit": "playsuit"}
@@ -138,6 +139,7 @@ def read_words(
     kept = _settled([i for i in implied if i.claim not in never])
     if kind is None:
         kept = _with_kind(kept)
+    kept = _fitting_kind(kept, kind)
     meant = [mark for mark in marks if not mark.denied]
     return WordReading(
         language,
@@ -159,7 +161,7 @@ def read_words(
 
 def _implied(word: Meaning, mark: WordMark) -> list[Implication]:
     """What a word that is not denied implies."""
-    if word.role == "second":
+    if word.role in ("second", "theirs"):
         return []
     said = word.role not in _NAMES
     found = []
@@ -195,9 +197,17 @@ def _settled(implied: Sequence[Implication]) -> list[Implication]:
     for each in ranked:
         if any(each.claim == other.claim for other in kept):
             continue
-        if not any(exclude(each.claim, other.claim) for other in kept if other.mark is not each.mark):
+        if not any(_outdone(each, other) for other in kept if other.mark is not each.mark):
             kept.append(each)
     return sorted(kept, key=lambda i: i.mark.start)
+
+
+def _outdone(each: Implication, better: Implication) -> bool:
+    """Whether something better leaves no place for it: names say nothing of a length that is said."""
+    if exclude(each.claim, better.claim):
+        return True
+    name = each.claim.name
+    return better.said and not each.said and name == better.claim.name and name in SCALES
 
 
 def _with_kind(kept: list[Implication]) -> list[Implication]:
@@ -215,9 +225,23 @@ def _with_kind(kept: list[Implication]) -> list[Implication]:
     return [*[i for i in kept if i is not named], Implication(Claim("kind", kind), "usual", False, source)]
 
 
+def _fitting_kind(kept: Sequence[Implication], kind: str | None) -> list[Implication]:
+    """Leaves out what names imply and garments of this kind cannot have: a spencer dress is not cropped."""
+    kind = next((str(i.claim.value) for i in kept if i.claim.name == "kind"), kind)
+    if kind is None:
+        return list(kept)
+    return [
+        i
+        for i in kept
+        if i.said or (fits_kind(i.claim.name, kind) and (i.claim.name != "top_hem" or kind in _TOPS))
+    ]
+
+
 def _lacks(marks: Sequence[WordMark]) -> tuple[Lack, ...]:
     found: dict[str, Lack] = {}
     for mark in marks:
+        if mark.role == "theirs":
+            continue
         for entry in mark.entries:
             for what in entry.cannot:
                 said = mark.role not in ("garment", "like")
