@@ -78,7 +78,12 @@ def several(name):
 
 KNOWN = {**vocabulary("en").senses, **vocabulary("en").closed}
 ONES = [
-    n for n in NAMES if len(n) > 2 and n.isalpha() and n[-1] not in "sz" and several(n).lower() not in KNOWN
+    name
+    for name in NAMES
+    if len(name) > 2
+    and name.isalpha()
+    and name[-1] not in "sz"
+    and not {several(name).lower(), several(name).lower()[:-1]} & KNOWN.keys() - {name.lower()}
 ]
 
 
@@ -183,6 +188,7 @@ def test_what_follows(text, claims):
         ("Der Kragen darf auch weg", {"collar=none"}, set()),
         ("une robe sans manches", {"sleeves=none"}, set()),
         ("no wide straps, a top", set(), {"straps=wide"}),
+        ("a skirt that is not see through, elastic waist, short", {"skirt_hem=mini"}, set()),
     ],
 )
 def test_what_is_refused(text, claims, never):

@@ -94,10 +94,10 @@ def _listed(words: Sequence[Meaning], k: int) -> int | None:
 
 
 def _goes_on(words: Sequence[Meaning], k: int) -> bool:
-    """Whether a list goes on behind a word: "ruffles, tiers and gathers"."""
-    if k + 1 >= len(words):
-        return False
-    return words[k + 1].found.word in _OR | _AND or words[k].found.gap == "pause"
+    """Whether a word is in the middle of a list: "ruffles, tiers and gathers"."""
+    while k + 1 < len(words) and words[k].found.gap == "pause" and _can_be_had(words[k]):
+        k += 1
+    return k + 1 < len(words) and words[k].found.gap == "space" and words[k + 1].found.word in _OR | _AND
 
 
 def _phrase(words: Sequence[Meaning], start: int) -> list[int]:

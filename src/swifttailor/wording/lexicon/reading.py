@@ -138,7 +138,7 @@ def read_words(
     never = list(dict.fromkeys(never))
     kept = _settled([i for i in implied if i.claim not in never])
     if kind is None:
-        kept = _with_kind(kept)
+        kept = _with_kind(kept, never)
     kept = _fitting_kind(kept, kind)
     meant = [mark for mark in marks if not mark.denied]
     return WordReading(
@@ -210,7 +210,7 @@ def _outdone(each: Implication, better: Implication) -> bool:
     return better.said and not each.said and name == better.claim.name and name in SCALES
 
 
-def _with_kind(kept: list[Implication]) -> list[Implication]:
+def _with_kind(kept: list[Implication], never: Sequence[Claim]) -> list[Implication]:
     """Adds the kind where details alone tell it: what has sleeves and a skirt is a dress."""
     said = [i for i in kept if i.said and i.certainty != "likely" and i.claim.name != "kind"]
     named = next((i for i in kept if i.claim.name == "kind"), None)
@@ -221,6 +221,8 @@ def _with_kind(kept: list[Implication]) -> list[Implication]:
     if not told or (named is not None and told[0] not in _WHOLE):
         return kept
     kind = _WHOLE[told[0]] if named is not None and named.claim.value == "shorts" else told[0]
+    if Claim("kind", kind) in never:
+        return kept
     source = next(i.mark for i in said) if named is None else named.mark
     return [*[i for i in kept if i is not named], Implication(Claim("kind", kind), "usual", False, source)]
 
