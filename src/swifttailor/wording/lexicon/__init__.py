@@ -1,0 +1,35 @@
+"""A lexicon of clothes in text tables, and a reader that goes by it alone, without a network."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from swifttailor.first_use import loaded_on_first_use
+
+if TYPE_CHECKING:
+    from swifttailor.wording.lexicon.conflicts import exclude
+    from swifttailor.wording.lexicon.entries import Entry
+    from swifttailor.wording.lexicon.reading import SURENESS, WordReading, read_words
+    from swifttailor.wording.lexicon.vocabulary import all_entries, cannot_texts
+
+_PUBLIC = {
+    "SURENESS": "reading",
+    "Entry": "entries",
+    "WordReading": "reading",
+    "all_entries": "vocabulary",
+    "cannot_texts": "vocabulary",
+    "exclude": "conflicts",
+    "read_words": "reading",
+}
+
+__all__ = [
+    "SURENESS",
+    "Entry",
+    "WordReading",
+    "all_entries",
+    "cannot_texts",
+    "exclude",
+    "read_words",
+]
+
+__getattr__ = loaded_on_first_use(__name__, _PUBLIC)

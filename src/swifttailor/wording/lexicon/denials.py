@@ -1,0 +1,128 @@
+"""What a text denies: "no sleeves", "not too short", "without a collar or a hood"."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from swifttailor.wording.lexicon.meanings import Meaning
+
+_NEAR = 5
+"""Words that may stand between a negation and what it denies."""
+_OR = frozenset(["or", "nor", "oder", "noch", "ou", "ni", "o", "u"])
+_AND = frozenset(["and", "&", "und", "et", "y", "e"])
+_ADJECTIVES = frozenset(
+    ["styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"]
+)
+
+
+def denied_words(words: Sequence[Meaning]) -> frozenset[int]:
+    """Which words are denied, by their places. A negation ends with its phrase; "or" carries it on.
+
+    Args:
+        words: Of a text, in their order.
+    """
+    found: set[int] = set()
+    for k, word in enumerate(words):
+        if word.category != "negations":
+            continue
+        if word.entries[0].negates == "after":
+            _deny_after(words, k, found)
+        else:
+            before = _named_before(words, k)
+            if before is not None:
+                found.add(before)
+    return frozenset(found)
+
+
+def _named_before(words: Sequence[Meaning], k: int) -> int | None:
+    """What stands before a negation such as "can go": the nearest word that is not an article or the like."""
+    for j in range(k - 1, max(k - _NEAR, 0) - 1, -1):
+        if words[j].found.gap in ("pause", "stop") or not words[j].entries:
+            return None
+        if not words[j].holds_together:
+            return j
+    return None
+
+
+def _deny_after(words: Sequence[Meaning], k: int, found: set[int]) -> None:
+    """Denies the phrase behind a negation, and those that are listed with it."""
+    start = _begin(words, k + 1, _NEAR)
+    first = True
+    while start is not None:
+        phrase = _phrase(words, start)
+        bare = len(phrase) == 1 and _can_be_had(words[phrase[0]])
+        if (
+            not first
+            and not bare
+            and words[start - 1].found.word not in _OR
+            and words[start - 2].found.word not in _OR
+        ):
+            return
+        found.update(_denied_of(words, phrase))
+        behind = phrase[-1] + 1
+        if behind >= len(words) or words[behind - 1].found.gap == "stop":
+            return
+        if words[behind].found.word in _OR:
+            start = _begin(words, behind + 1, 2)
+        elif words[behind].found.word in _AND and bare:
+            start = _listed(words, behind + 1)
+        elif words[behind - 1].found.gap == "pause" and bare:
+            start = _listed(words, behind)
+            if start is not None and not _goes_on(words, start):
+                return
+        else:
+            return
+        first = False
+
+
+def _begin(words: Sequence[Meaning], k: int, near: int) -> int | None:
+    """Where the phrase begins: behind articles and the like."""
+    for j in range(k, min(k + near + 1, len(words))):
+        if j > k - 1 and j > 0 and words[j - 1].found.gap == "stop":
+            return None
+        if words[j].category == "negations" or not words[j].entries:
+            return None
+        if not words[j].holds_together:
+            return j
+    return None
+
+
+def _listed(words: Sequence[Meaning], k: int) -> int | None:
+    if k >= len(words) or words[k].holds_together or not words[k].entries:
+        return None
+    return k
+
+
+def _goes_on(words: Sequence[Meaning], k: int) -> bool:
+    """Whether a word is in the middle of a list: "ruffles, tiers and gathers"."""
+    while k + 1 < len(words) and words[k].found.gap == "pause" and _can_be_had(words[k]):
+        k += 1
+    return k + 1 < len(words) and words[k].found.gap == "space" and words[k + 1].found.word in _OR | _AND
+
+
+def _phrase(words: Sequence[Meaning], start: int) -> list[int]:
+    """Adjectives and their noun."""
+    found = [start]
+    while not words[found[-1]].is_noun and words[found[-1]].found.gap in ("space", "hyphen"):
+        following = found[-1] + 1
+        if following >= len(words):
+            break
+        word = words[following]
+        if not (word.is_noun or word.category in _ADJECTIVES):
+            break
+        found.append(following)
+    return found
+
+
+def _denied_of(words: Sequence[Meaning], phrase: Sequence[int]) -> Sequence[int]:
+    """Of "no wide straps", "wide" alone is denied; of "no straps", the straps."""
+    if len(phrase) > 1 and words[phrase[-1]].category in ("garments", "parts", "generic"):
+        return phrase[:-1]
+    return phrase
+
+
+def _can_be_had(word: Meaning) -> bool:
+    """Whether a word names something that a garment has or lacks, as "pockets" does."""
+    if word.found.word.endswith("s") and word.category not in ("garments", "occasions"):
+        return True
+    return any(entry.cannot or entry.without or entry.category == "parts" for entry in word.entries)

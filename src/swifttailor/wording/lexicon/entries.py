@@ -1,0 +1,266 @@
+"""What a row of the lexicon says: an entry, with the claims that its words imply and how surely."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from swifttailor.describing.claims import Claim
+from swifttailor.wording.claim_marks import claims_in
+from swifttailor.wording.word_tables import Dialect, Row
+
+Certainty = Literal["certain", "usual", "likely"]
+"""certain: by definition. usual: of nearly all that are sold under the name. likely: of more than half."""
+Category = Literal[
+    "garments",
+    "accessories",
+    "generic",
+    "parts",
+    "styles",
+    "fits",
+    "lengths",
+    "occasions",
+    "colors",
+    "shades",
+    "prints",
+    "fabrics",
+    "sizes",
+    "negations",
+    "function",
+    "polite",
+    "degrees",
+    "comparisons",
+    "numbers",
+]
+"""Sections of the tables.
+
+accessories: worn, but never made here. generic: "piece". shades: "dark" before a colour.
+"""
+CATEGORIES: tuple[str, ...] = get_args(Category)
+PRINTS: Mapping[str, tuple[str, ...]] = {
+    "plain": (),
+    "stripes": ("width", "gap", "angle"),
+    "checks": ("width", "angle"),
+    "plaid": ("spacing", "angle"),
+    "dots": ("spacing", "radius"),
+    "motif": ("repeat",),
+}
+"""Kinds of prints and their sizes, as `swifttailor.render` names them."""
+MOTIFS = ("flowers", "leaves", "blotches", "spots", "shapes")
+_SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
+_PRINT_MARKS = (*_SIZES, "motif", "inks")
+_ONE_VALUE = ("part", "cloth", "rgb", "shade", "print", "motif", "negates", *_SIZES)
+_MARKS = ("usual", "likely", "against", "without", "cannot", "of", "inks", *_ONE_VALUE)
+_WORDS = ("ambiguous", "plural")
+LONGEST_GLOSS = 120
+"""Characters."""
+_HEX = frozenset("0123456789abcdef")
+_CERTAINTIES: tuple[Certainty, ...] = ("usual", "likely")
+
+
+@dataclass(frozen=True, slots=True)
+class Implied:
+    """A claim that a word implies."""
+
+    claim: Claim
+    certainty: Certainty
+
+
+@dataclass(frozen=True, slots=True)
+class NamedPrint:
+    """A print that a word names."""
+
+    kind: str
+    """A key of `PRINTS`."""
+    sizes: tuple[tuple[str, float], ...] = ()
+    """Those that the word says, by name: cm, degrees for the angle."""
+    motif: str | None = None
+    """One of `MOTIFS`."""
+    inks: tuple[str, ...] = ()
+    """Colours that the word itself names, sRGB as ``rrggbb``."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Entry:
+    """One meaning, and the words for it."""
+
+    words: tuple[str, ...]
+    """As the table has them, at least one; the first is its name."""
+    category: Category
+    place: tuple[str, int]
+    """File and line."""
+    implied: tuple[Implied, ...] = ()
+    against: tuple[Claim, ...] = ()
+    """What contradicts it."""
+    without: tuple[Claim, ...] = ()
+    """What is asked for where the word is denied: ``sleeves=none`` for "no sleeves"."""
+    cannot: tuple[str, ...] = ()
+    """What of it cannot be made, as keys of `cannot_texts`."""
+    of: frozenset[str] = frozenset()
+    """Kinds of garments and parts that it is said of, or ``color``; empty where it stands for itself."""
+    part: str | None = None
+    """The part of a garment that it names."""
+    cloth: str | None = None
+    """The fabric of `swifttailor.draping` that comes nearest."""
+    color: str | None = None
+    """sRGB as ``rrggbb``."""
+    shade: str | None = None
+    """How it changes the colour behind it: lighter, darker, ..."""
+    print: NamedPrint | None = None
+    negates: Literal["after", "before"] | None = None
+    """On which side of it stands what it denies."""
+    ambiguous: bool = False
+    """Whether no rule tells this meaning from others of its words."""
+    gloss: str = ""
+    """What it means, in a line."""
+    english: str | None = None
+    """For words of other languages: the English entry that they stand for."""
+    only: tuple[tuple[str, Dialect], ...] = ()
+    """Words that are used, or used in this meaning, in British or American English only."""
+
+    @property
+    def name(self) -> str:
+        """Its first word."""
+        return self.words[0]
+
+    def claims(self, *certainties: Certainty) -> tuple[Claim, ...]:
+        """The implied claims of some certainties; all when none is given."""
+        return tuple([i.claim for i in self.implied if not certainties or i.certainty in certainties])
+
+    @property
+    def kinds(self) -> frozenset[str]:
+        """Kinds of garments that it can be, where it names one."""
+        if self.category != "garments":
+            return frozenset()
+        return frozenset([str(i.claim.value) for i in self.implied if i.claim.name == "kind"])
+
+
+_NOTHING: Mapping[str, tuple[str, ...]] = {}
+
+
+def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> Entry:
+    """The entry of a row.
+
+    Args:
+        row: Of a table.
+        cannot: What cannot be made, by key.
+        known_of: What words can be said of.
+
+    Raises:
+        InputError: The row is wrong; the message names it.
+    """
+    if row.section not in CATEGORIES:
+        row.wrong(f"there is no section '{row.section}'. Known: {', '.join(CATEGORIES)}.")
+    if row.numbers or row.number is not None:
+        row.wrong("a number stands in no row of the lexicon but behind a mark, as in 'width:2'.")
+    for word in row.words:
+        if word not in _WORDS:
+            row.wrong(f"'{word}' is no mark; {' and '.join(_WORDS)} are, and all that hold '=' or ':'.")
+    implied = tuple([Implied(claim, "certain") for claim in claims_in(row, row.claims)])
+    options = row.options
+    words, gloss = _with_gloss(row)
+    only: tuple[tuple[str, Dialect], ...] = ()
+    if "@" in "".join(words):
+        words, only = _dialects(words)
+    row.check_options(*_MARKS)
+    for certainty in _CERTAINTIES:
+        marks = options.get(certainty)
+        if marks:
+            implied = (*implied, *[Implied(claim, certainty) for claim in claims_in(row, marks)])
+    one = {name: _single(row, name) for name in _ONE_VALUE if name in options} if len(options) else {}
+    lacking = options.get("cannot", ())
+    for key in lacking:
+        if key not in cannot:
+            row.wrong(f"cannot:{key} is not in cannot.txt.")
+    of = frozenset(options["of"]) if "of" in options else frozenset()
+    if not of <= known_of:
+        row.wrong(
+            f"of:{','.join(sorted(of - known_of))} is neither a kind nor a part. "
+            f"Known: {', '.join(sorted(known_of))}."
+        )
+    return Entry(
+        words,
+        row.section,  # ty: ignore[invalid-argument-type]
+        row.place,
+        implied,
+        claims_in(row, options["against"]) if "against" in options else (),
+        claims_in(row, options["without"]) if "without" in options else (),
+        lacking,
+        of,
+        one.get("part"),
+        one.get("cloth"),
+        _hex(row, one["rgb"]) if "rgb" in one else None,
+        one.get("shade"),
+        _print(row, one) if "print" in one or not options.keys().isdisjoint(_PRINT_MARKS) else None,
+        _side(row, one["negates"]) if "negates" in one else None,
+        "ambiguous" in row.words,
+        gloss,
+        None,
+        only,
+    )
+
+
+def _with_gloss(row: Row) -> tuple[tuple[str, ...], str]:
+    """The words of a row, and the gloss behind them in quotation marks."""
+    *words, last = row.texts
+    if not words or len(last) < 3 or last[0] != '"' or last[-1] != '"' or any('"' in word for word in words):
+        row.wrong(
+            'a row ends with what it means in quotation marks, as in: kilt | "a pleated, wrapped skirt".'
+        )
+    if len(last) > LONGEST_GLOSS + 2:
+        row.wrong(f"what it means takes {len(last) - 2} characters; at most {LONGEST_GLOSS} are accepted.")
+    return tuple(words), last[1:-1]
+
+
+def _dialects(texts: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[tuple[str, Dialect], ...]]:
+    parted = [text.partition(" @") for text in texts]
+    only = tuple([(bare, mark) for bare, _, mark in parted if mark in ("uk", "us")])
+    return tuple([bare for bare, _, _ in parted]), only  # ty: ignore[invalid-explicit-return]
+
+
+def _single(row: Row, name: str) -> str:
+    values = row.options[name]
+    if len(values) != 1:
+        row.wrong(f"'{name}:' takes one value, received {', '.join(values)}.")
+    return values[0]
+
+
+def _hex(row: Row, value: str) -> str:
+    if len(value) != 6 or not _HEX.issuperset(value):
+        row.wrong(f"'{value}' is no colour; it takes six digits 0-9 and a-f, as in 1f2a44.")
+    return value
+
+
+def _side(row: Row, value: str) -> Literal["after", "before"]:
+    if value == "after" or value == "before":
+        return value
+    row.wrong(f"negates:{value} is neither negates:after nor negates:before.")
+
+
+def _print(row: Row, one: Mapping[str, str]) -> NamedPrint:
+    kind = one.get("print", "")
+    if kind not in PRINTS:
+        row.wrong(f"print:{kind} is none of {', '.join(PRINTS)}.")
+    motif = one.get("motif")
+    if (kind == "motif") != (motif is not None) or (motif is not None and motif not in MOTIFS):
+        row.wrong(f"print:motif takes one of motif:{', motif:'.join(MOTIFS)}, and no other print does.")
+    sizes = []
+    for name in _SIZES:
+        if name not in one:
+            continue
+        if name not in PRINTS[kind]:
+            row.wrong(f"{kind} have no {name}. They have: {', '.join(PRINTS[kind]) or 'no sizes'}.")
+        sizes.append((name, _number(row, name, one[name])))
+    inks = tuple([_hex(row, ink) for ink in row.options.get("inks", ())])
+    return NamedPrint(kind, tuple(sizes), motif, inks)
+
+
+def _number(row: Row, name: str, value: str) -> float:
+    try:
+        number = float(value)
+    except ValueError:
+        row.wrong(f"{name}:{value} is no number.")
+    if not 0.0 <= number <= 180.0:
+        row.wrong(f"{name}:{value} is out of range: 0 to 180.")
+    return number

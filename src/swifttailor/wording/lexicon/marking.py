@@ -1,0 +1,164 @@
+"""Which words of a text belong to which entries, in the language of the text and in English."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from swifttailor.wording.lexicon.inflection import LANGUAGES, Language
+from swifttailor.wording.lexicon.tokens import Gap, Token, tokens_of
+from swifttailor.wording.lexicon.vocabulary import NUMBER, Sense, Vocabulary, vocabulary
+
+_FEW = 0.25
+"""Where a larger share of the words is unknown in English, other languages are tried."""
+_JOINED = 3
+"""Letters of each of two words that may be one word of the tables: "jump suit"."""
+_LINKS = ("", "s", "n", "en", "es", "er")
+"""Between the words of a German compound."""
+_SHORTEST_HALF = 3
+LONGEST_TEXT = 20_000
+"""Characters; what stands behind them is not read."""
+
+
+_Piece = tuple[int, tuple[Sense, ...]]
+"""How many words, and what they mean."""
+
+
+class Found(NamedTuple):
+    """A stretch of a text that is one word of the tables, or unknown."""
+
+    start: int
+    end: int
+    word: str
+    """In lower case."""
+    senses: tuple[Sense, ...]
+    """All of its meanings; none where it is unknown."""
+    gap: Gap
+    """What stands behind it."""
+
+
+def find_words(text: str, language: Language | None = None) -> tuple[Language, list[Found]]:
+    """The words of a text with their meanings, each exactly once and in their order.
+
+    Args:
+        text: Its first `LONGEST_TEXT` characters are read.
+        language: Its language; when None, the one that knows most of its words, and English where several do.
+    """
+    text = text[:LONGEST_TEXT]
+    if language is not None:
+        return language, _found(text, language)
+    english = _found(text, "en")
+    unknown = sum(not found.senses for found in english)
+    if unknown <= _FEW * len(english):
+        return "en", english
+    readings: dict[Language, list[Found]] = {"en": english}
+    readings |= {other: _found(text, other) for other in LANGUAGES[1:]}
+    best = min(LANGUAGES, key=lambda each: _unknown(readings[each]))
+    return best, readings[best]
+
+
+def _unknown(words: Sequence[Found]) -> int:
+    return sum(len(found.word) for found in words if not found.senses)
+
+
+def _found(text: str, language: Language) -> list[Found]:
+    tokens = tokens_of(text, language)
+    vocabularies = [vocabulary(language)] + ([] if language == "en" else [vocabulary("en")])
+    found: list[Found] = []
+    k = 0
+    for count, senses in _parted(tokens, vocabularies):
+        first, last = tokens[k], tokens[k + count - 1]
+        halves = _halves(first, vocabularies[0]) if not senses and language == "de" else ()
+        if halves:
+            found += halves
+        elif senses or first.word.isalnum() or "'" in first.word:
+            word = " ".join([token.word for token in tokens[k : k + count]])
+            found.append(Found(first.start, last.end, word, senses, last.gap))
+        k += count
+    return found
+
+
+def _parted(tokens: Sequence[Token], vocabularies: Sequence[Vocabulary]) -> list[_Piece]:
+    """The text in pieces: the fewest unknown ones, then the fewest, then the longest at the end.
+
+    English compounds have their head at the end: "sleeveless shirt dress" is a sleeveless shirt dress.
+    """
+    costs = [(0, 0)] * (len(tokens) + 1)
+    pieces: list[_Piece] = [(1, ())] * len(tokens)
+    for k in range(len(tokens) - 1, -1, -1):
+        best = None
+        for count, senses in _candidates(tokens, k, vocabularies):
+            unknown, number = costs[k + count]
+            cost = unknown + (not senses), number + 1
+            if best is None or cost < best:
+                best, pieces[k] = cost, (count, senses)
+        assert best is not None
+        costs[k] = best
+    found, k = [], 0
+    while k < len(tokens):
+        found.append(pieces[k])
+        k += pieces[k][0]
+    return found
+
+
+def _candidates(tokens: Sequence[Token], k: int, vocabularies: Sequence[Vocabulary]) -> list[_Piece]:
+    """The words of the tables that begin with the k-th word, and it alone."""
+    word = tokens[k].word
+    longest = max([v.longest.get(word, 1) for v in vocabularies])
+    if word[0].isdigit():
+        longest = max([longest, *[v.longest.get(NUMBER, 1) for v in vocabularies]])
+    found = []
+    parts: list[str] = []
+    for count in range(1, min(longest, len(tokens) - k) + 1):
+        parts.append(tokens[k + count - 1].word)
+        senses = next(
+            (s for known in vocabularies if (s := known.find(parts) or known.find(_numbered(parts)))), ()
+        )
+        if senses or count == 1:
+            found.append((count, senses))
+        if tokens[k + count - 1].gap not in ("space", "hyphen"):
+            return found
+    if longest < 2 or len(found) < 2:
+        senses = _as_one(tokens, k, vocabularies)
+        if senses:
+            found.append((2, senses))
+    return found
+
+
+def _as_one(tokens: Sequence[Token], k: int, vocabularies: Sequence[Vocabulary]) -> tuple[Sense, ...]:
+    """The meanings of two words that the tables write as one."""
+    if k + 1 >= len(tokens) or tokens[k].gap not in ("space", "hyphen"):
+        return ()
+    first, second = tokens[k].word, tokens[k + 1].word
+    if min(len(first), len(second)) < _JOINED or not (first + second).isalpha():
+        return ()
+    for known in vocabularies:
+        senses = known.find([first + second])
+        if senses:
+            return senses
+    return ()
+
+
+def _numbered(parts: list[str]) -> list[str]:
+    """Any number in place of those in figures."""
+    return [NUMBER if part[0].isdigit() else part for part in parts]
+
+
+def _halves(token: Token, german: Vocabulary) -> tuple[Found, ...]:
+    """The two words that a German compound is made of, where both are known."""
+    word = token.word
+    for cut in range(_SHORTEST_HALF, len(word) - _SHORTEST_HALF + 1):
+        tail = german.find([word[cut:]])
+        if not tail or tail[0].entry.category in ("function", "polite", "negations", "degrees", "numbers"):
+            continue
+        for link in _LINKS:
+            stem = word[: cut - len(link)]
+            if word[:cut].endswith(link) and len(stem) >= _SHORTEST_HALF:
+                head = german.find([stem]) or german.find([stem + "e"])
+                if head and head[0].entry.category not in ("function", "polite", "negations", "numbers"):
+                    middle = token.start + cut
+                    return (
+                        Found(token.start, middle, word[:cut], head, "space"),
+                        Found(middle, token.end, word[cut:], tail, token.gap),
+                    )
+    return ()

@@ -1,0 +1,254 @@
+"""Which of its meanings a word has in a text: what it is said of decides, and what else is named."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from swifttailor.wording.lexicon.entries import Entry
+from swifttailor.wording.lexicon.marking import Found
+from swifttailor.wording.lexicon.vocabulary import WORN, Sense, Vocabulary
+from swifttailor.wording.word_tables import Dialect
+
+Role = Literal["garment", "second", "theirs", "like", "part", "word"]
+"""What a word is to the garment that the text asks for, which is ``garment`` itself.
+
+second: another one. theirs: one that is there already, "over my dress". like: what it is like, as in
+"sweater skirt". part: a part of it. word: anything else.
+"""
+_JOINING = frozenset(["and", "or", "nor", "&", "und", "oder", "et", "ou", "ni", "y", "e", "o", "u"])
+_SIZELESS = frozenset(["function", "polite", "degrees", "comparisons", "numbers", "negations"])
+"""Categories of words that hold texts together."""
+_MINE = frozenset(["my", "her", "his", "their", "under", "over", "beneath", "underneath", "match"])
+"""Words before a garment that is there already."""
+_ADJECTIVES = frozenset(
+    ["styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"]
+)
+_WHOLE = frozenset(["dress", "jumpsuit", "playsuit"])
+_PART_OF = {
+    "skirt": _WHOLE,
+    "trousers": frozenset(["jumpsuit"]),
+    "shorts": frozenset(["playsuit"]),
+    "top": _WHOLE,
+}
+"""Kinds that are a part of others: "a dress with a wide skirt"."""
+
+
+@dataclass(frozen=True, slots=True)
+class Meaning:
+    """A word of a text with what it means there."""
+
+    found: Found
+    entries: tuple[Entry, ...]
+    """Several hold together; none where the word is unknown."""
+    role: Role = "word"
+    target: int | None = None
+    """Which word it is said of, by its place in the list; none where nothing is named."""
+    guessed: bool = False
+    """Whether nothing told this meaning from others."""
+    part: str | None = None
+    """The part of a garment that it names, or that its last word names: "bell sleeves"."""
+
+    @property
+    def category(self) -> str:
+        """Of its entries; empty where it is unknown."""
+        return self.entries[0].category if self.entries else ""
+
+    @property
+    def holds_together(self) -> bool:
+        """Whether it says nothing of a garment itself."""
+        return self.category in _SIZELESS
+
+    @property
+    def is_noun(self) -> bool:
+        """Whether things can be said of it."""
+        return self.part is not None or self.category in ("garments", "accessories", "parts", "generic")
+
+
+def meanings(
+    words: Sequence[Found],
+    known: Vocabulary,
+    *,
+    kind: str | None = None,
+    dialect: Dialect | None = None,
+) -> list[Meaning]:
+    """The words of a text with their meanings.
+
+    Args:
+        words: In their order.
+        known: The words of their language.
+        kind: Of the garment that is spoken of, where that is known.
+        dialect: Whose meanings come first: "pants" are trousers or underwear.
+    """
+    chosen = [_first_choice(word, dialect) for word in words]
+    garments = [k for k, senses in enumerate(chosen) if senses and senses[0].entry.category == "garments"]
+    certain = [k for k in garments if all(s.entry.category in WORN for s in words[k].senses)]
+    for k in garments:
+        others = tuple([s for s in words[k].senses if s.entry.category not in WORN])
+        if others and (
+            kind is not None or [c for c in certain if c != k] or garments[0] < k or _before_noun(words, k)
+        ):
+            said_of = [s.entry.of for s in others if s.entry.of]
+            if len(said_of) < len(others) or _kinds(chosen, certain, kind) & frozenset().union(*said_of):
+                chosen[k] = others
+    result = [
+        Meaning(word, tuple([s.entry for s in senses]), part=_part(word, senses, known))
+        for word, senses in zip(words, chosen, strict=True)
+    ]
+    result = _with_roles(result, kind)
+    for k, meaning in enumerate(result):
+        if meaning.role == "word" and any(sense.entry.of for sense in chosen[k]):
+            result[k] = _said_of(result, k, chosen[k], kind, known)
+    return result
+
+
+def _part(word: Found, senses: tuple[Sense, ...], known: Vocabulary) -> str | None:
+    if not senses or senses[0].entry.category in WORN or senses[0].entry.category in _SIZELESS:
+        return None
+    own = next((s.entry.part for s in senses if s.entry.part is not None), None)
+    last = word.word.rpartition(" ")
+    return own if own is not None or not last[0] else known.part(last[2])
+
+
+def _first_choice(word: Found, dialect: Dialect | None) -> tuple[Sense, ...]:
+    """What a word can mean: worn things first, and ambiguous meanings last, unless the dialect decides."""
+    senses = word.senses
+    if len(senses) < 2:
+        return senses
+    fitting = tuple([s for s in senses if dialect is None or s.dialect in (None, dialect)]) or senses
+    spoken = tuple([s for s in fitting if dialect is not None and s.dialect == dialect])
+    fitting = spoken or fitting
+    worn = [s for s in fitting if s.entry.category in WORN]
+    if worn:
+        return (next((s for s in worn if not s.entry.ambiguous), worn[0]),)
+    alone = [s for s in fitting if not s.entry.of]
+    alone = [s for s in alone if not s.entry.ambiguous][:1] or alone[:1]
+    return tuple([s for s in fitting if s.entry.of or s in alone])
+
+
+def _before_noun(words: Sequence[Found], k: int) -> bool:
+    """Whether a garment follows at once."""
+    if k + 1 >= len(words) or words[k].gap in ("pause", "stop"):
+        return False
+    return any(s.entry.category == "garments" for s in words[k + 1].senses)
+
+
+def _kinds(chosen: Sequence[tuple[Sense, ...]], garments: Sequence[int], kind: str | None) -> frozenset[str]:
+    named = frozenset().union(*[s.entry.kinds for k in garments for s in chosen[k]])
+    return named | ({kind} if kind is not None else frozenset())
+
+
+def _with_roles(words: list[Meaning], kind: str | None) -> list[Meaning]:
+    """Finds the garment that is asked for, and what the others are to it."""
+    named = [k for k, word in enumerate(words) if word.category in WORN]
+    heads = [k for k in named if not _followed_by_garment(words, k)]
+    garments = [k for k in heads if words[k].category == "garments"]
+    free = [k for k in garments if not _is_theirs(words, k)] or garments
+    main = next((k for k in free if words[k].entries[0].kinds), free[0] if free else None)
+    if main is not None and kind is None:
+        whole = next((k for k in free if _can_hold(words[k], words[main])), None)
+        main = main if whole is None else whole
+    for k in named:
+        if k == main:
+            role: Role = "garment"
+        elif k not in heads:
+            role = "like"
+        elif _is_theirs(words, k):
+            role = "theirs"
+        elif words[k].category == "accessories":
+            role = "second"
+        elif main is not None and (_can_hold(words[main], words[k])):
+            role = "part"
+        elif main is not None and words[k].entries[0].kinds & words[main].entries[0].kinds:
+            role = "like"
+        else:
+            role = "second"
+        words[k] = replace(words[k], role=role)
+    return words
+
+
+def _can_hold(whole: Meaning, part: Meaning) -> bool:
+    kinds = whole.entries[0].kinds
+    return any(kinds & _PART_OF.get(each, frozenset()) for each in part.entries[0].kinds)
+
+
+def _followed_by_garment(words: Sequence[Meaning], k: int) -> bool:
+    if k + 1 >= len(words) or words[k].found.gap in ("pause", "stop"):
+        return False
+    return words[k + 1].category == "garments"
+
+
+def _is_theirs(words: Sequence[Meaning], k: int) -> bool:
+    """Whether a garment is named as one that is there: "over my dress"."""
+    before = words[max(0, k - 3) : k]
+    return any(w.found.word in _MINE and w.found.gap in ("space", "hyphen") for w in before)
+
+
+def _said_of(
+    words: Sequence[Meaning], k: int, senses: tuple[Sense, ...], kind: str | None, known: Vocabulary
+) -> Meaning:
+    """The meaning of a word that depends on what it is said of."""
+    for target in _targets(words, k, known):
+        fitting = _fitting(senses, _names(words[target]))
+        if fitting:
+            return replace(words[k], entries=fitting, target=target, part=words[k].part or fitting[0].part)
+    fitting = _fitting(senses, frozenset([kind])) if kind is not None else ()
+    if fitting:
+        return replace(words[k], entries=fitting)
+    alone = tuple([s.entry for s in senses if not s.entry.of])
+    if alone:
+        return replace(words[k], entries=alone)
+    usual = next(
+        (f for each in ("dress", "top", "trousers") if (f := _fitting(senses, frozenset([each])))), None
+    )
+    return replace(words[k], entries=(usual[0] if usual else senses[0].entry,), guessed=True)
+
+
+def _names(word: Meaning) -> frozenset[str]:
+    entry = word.entries[0]
+    part = frozenset([word.part]) if word.part is not None else frozenset()
+    color = frozenset(["color"]) if entry.category == "colors" else frozenset()
+    return part | entry.kinds | color
+
+
+def _fitting(senses: Sequence[Sense], names: frozenset[str | None]) -> tuple[Entry, ...]:
+    return tuple([s.entry for s in senses if s.entry.of & names])
+
+
+def _goes_on_with(word: Meaning, known: Vocabulary) -> bool:
+    """Whether a list of adjectives goes on behind a comma, as in "long, wide sleeves"."""
+    first = word.found.word.partition(" ")[0]
+    return any(sense.entry.of for sense in known.find([first]))
+
+
+def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[int]:
+    """What a word can be said of, the likeliest first: what it stands before, then what stands before it."""
+    seen = set()
+    for j in range(k + 1, len(words)):
+        gap = words[j - 1].found.gap
+        word = words[j]
+        if gap == "stop" or (gap == "pause" and not _goes_on_with(word, known)):
+            break
+        if word.is_noun or word.category == "colors":
+            seen.add(j)
+            yield j
+            if word.is_noun and word.role != "like":
+                break
+        elif word.category not in _ADJECTIVES and word.category != "degrees":
+            if word.found.word not in _JOINING:
+                break
+    for j in range(k - 1, -1, -1):
+        if words[j].found.gap in ("pause", "stop"):
+            break
+        if words[j].is_noun and j not in seen and words[j].role not in ("second", "theirs"):
+            seen.add(j)
+            yield j
+            break
+    garment = [j for j, word in enumerate(words) if word.role == "garment"]
+    yield from garment
+    for j in range(k - 1, -1, -1):
+        if words[j].found.gap == "stop":
+            break
+        if words[j].is_noun and j not in seen and words[j].role not in ("second", "theirs"):
+            yield j

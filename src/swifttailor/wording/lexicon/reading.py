@@ -1,0 +1,280 @@
+"""Reading a text by the lexicon alone: what its words imply, what cannot be made, and what nobody knows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from swifttailor.describing.claims import Claim
+from swifttailor.wording.claim_kinds import fits_kind, implied_kind
+from swifttailor.wording.lexicon.colors import NamedColor, named_colors
+from swifttailor.wording.lexicon.conflicts import SCALES, beyond, exclude, opposed
+from swifttailor.wording.lexicon.denials import denied_words
+from swifttailor.wording.lexicon.entries import Certainty, Entry, NamedPrint
+from swifttailor.wording.lexicon.inflection import Language
+from swifttailor.wording.lexicon.marking import find_words
+from swifttailor.wording.lexicon.meanings import Meaning, Role, meanings
+from swifttailor.wording.lexicon.vocabulary import vocabulary
+from swifttailor.wording.word_tables import Dialect
+
+SURENESS: Mapping[Certainty, float] = {"certain": 0.97, "usual": 0.85, "likely": 0.6}
+"""How often a statement holds where a word implies it."""
+_ORDER: tuple[Certainty, ...] = ("certain", "usual", "likely")
+_NAMES: tuple[Role, ...] = ("garment", "like", "second")
+
+
+_TOPS = frozenset(["top", "tunic"])
+_LOWER = {"skirt": "skirt", "trousers": "legs", "shorts": "legs"}
+"""Kinds without an upper part, and what they have."""
+_WHOLE = {"dress": "dress", "jumpsuit": "playsuit"}
+"""Kinds with an upper and a lower part, and what they are with short legs."""
+
+
+@dataclass(frozen=True, slots=True)
+class WordMark:
+    """A word of a text, and the entries that it belongs to."""
+
+    start: int
+    end: int
+    word: str
+    """As the text has it."""
+    entries: tuple[Entry, ...]
+    """None where the word is unknown."""
+    role: Role
+    denied: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Implication:
+    """What follows from a word of a text."""
+
+    claim: Claim
+    certainty: Certainty
+    said: bool
+    """Whether a word about the detail says so; otherwise the name of a garment implies it."""
+    mark: WordMark
+
+
+@dataclass(frozen=True, slots=True)
+class Lack:
+    """Something that cannot be made."""
+
+    what: str
+    """A key of `cannot_texts`."""
+    said: bool
+    """Whether the text asks for it; otherwise the name of a garment implies it."""
+    mark: WordMark
+
+
+@dataclass(frozen=True, slots=True)
+class Contradiction:
+    """Two words that cannot both be true."""
+
+    first: WordMark
+    second: WordMark
+
+
+@dataclass(frozen=True, slots=True)
+class WordReading:
+    """What a text says, word by word."""
+
+    language: Language
+    marks: tuple[WordMark, ...]
+    """All words in their order; each belongs to one mark."""
+    implications: tuple[Implication, ...]
+    """One a claim and value, in the order of the text."""
+    never: tuple[Claim, ...]
+    """What the text refuses."""
+    lacks: tuple[Lack, ...]
+    contradictions: tuple[Contradiction, ...]
+    colors: tuple[NamedColor, ...]
+    prints: tuple[NamedPrint, ...]
+    cloths: tuple[str, ...]
+    """Fabrics of `swifttailor.draping`."""
+    sizes: tuple[str, ...]
+    """As the text has them."""
+
+    @property
+    def unknown(self) -> tuple[str, ...]:
+        """Words that are in no table."""
+        return tuple([mark.word for mark in self.marks if not mark.entries])
+
+    def certainty(self, claim: Claim) -> Certainty | None:
+        """How surely a claim follows; None if it does not."""
+        return next((each.certainty for each in self.implications if each.claim == claim), None)
+
+
+def read_words(
+    text: str, *, language: Language | None = None, kind: str | None = None, dialect: Dialect | None = None
+) -> WordReading:
+    """Reads a text.
+
+    What words about details say wins over what the name of a garment implies: a sleeveless shirt dress has no
+    sleeves. What is denied is not implied.
+
+    Args:
+        text: Of any length; the first 20,000 characters are read.
+        language: Its language; found out when None.
+        kind: Of the garment that an instruction is about.
+        dialect: Whose meanings come first where British and American English differ.
+    """
+    language, found = find_words(text, language)
+    words = meanings(found, vocabulary(language), kind=kind, dialect=dialect)
+    denied = denied_words(words)
+    marks = [
+        WordMark(
+            w.found.start, w.found.end, text[w.found.start : w.found.end], w.entries, w.role, k in denied
+        )
+        for k, w in enumerate(words)
+    ]
+    implied, never = [], []
+    for word, mark in zip(words, marks, strict=True):
+        if mark.denied:
+            without, refused = _refused(mark)
+            implied += without
+            never += refused
+        else:
+            implied += _implied(word, mark)
+    never = list(dict.fromkeys(never))
+    kept = _settled([i for i in implied if i.claim not in never])
+    if kind is None:
+        kept = _with_kind(kept, never)
+    kept = _fitting_kind(kept, kind)
+    meant = [mark for mark in marks if not mark.denied]
+    return WordReading(
+        language,
+        tuple(marks),
+        tuple(kept),
+        tuple(never),
+        _lacks(meant),
+        _contradictions(implied),
+        named_colors([(m.word, m.entries) for m in meant]),
+        tuple([entry.print for mark in meant for entry in mark.entries if entry.print is not None]),
+        tuple(
+            dict.fromkeys(
+                [e.cloth for m in meant for e in m.entries if e.cloth is not None and e.category == "fabrics"]
+            )
+        ),
+        tuple([mark.word for mark in meant if any("sizes" in entry.cannot for entry in mark.entries)]),
+    )
+
+
+def _implied(word: Meaning, mark: WordMark) -> list[Implication]:
+    """What a word that is not denied implies."""
+    if word.role in ("second", "theirs"):
+        return []
+    said = word.role not in _NAMES
+    found = []
+    for entry in word.entries:
+        for each in entry.implied:
+            if word.role in ("like", "part") and each.claim.name == "kind":
+                continue
+            certainty = each.certainty
+            if word.role == "like" or word.guessed:
+                certainty = "likely" if certainty == "likely" or word.guessed else "usual"
+            found.append(Implication(each.claim, certainty, said, mark))
+    return found
+
+
+def _refused(mark: WordMark) -> tuple[list[Implication], list[Claim]]:
+    """What follows from a word that is denied: what is asked for instead, and what is refused."""
+    without = [Implication(claim, "certain", True, mark) for entry in mark.entries for claim in entry.without]
+    refused = []
+    for entry in mark.entries:
+        for claim in entry.claims("certain"):
+            if claim.name != "kind" or entry.category == "garments":
+                refused += beyond(claim)
+    asked = [i.claim for i in without]
+    return without, [claim for claim in refused if claim not in asked]
+
+
+def _settled(implied: Sequence[Implication]) -> list[Implication]:
+    """Leaves out what something better excludes: what is said, then what is surer, then what comes first."""
+    ranked = sorted(
+        implied, key=lambda i: (not (i.said and i.certainty != "likely"), _ORDER.index(i.certainty))
+    )
+    kept: list[Implication] = []
+    for each in ranked:
+        if any(each.claim == other.claim for other in kept):
+            continue
+        if not any(_outdone(each, other) for other in kept if other.mark is not each.mark):
+            kept.append(each)
+    return sorted(kept, key=lambda i: i.mark.start)
+
+
+def _outdone(each: Implication, better: Implication) -> bool:
+    """Whether something better leaves no place for it: names say nothing of a length that is said."""
+    if exclude(each.claim, better.claim):
+        return True
+    name = each.claim.name
+    return better.said and not each.said and name == better.claim.name and name in SCALES
+
+
+def _with_kind(kept: list[Implication], never: Sequence[Claim]) -> list[Implication]:
+    """Adds the kind where details alone tell it: what has sleeves and a skirt is a dress."""
+    said = [i for i in kept if i.said and i.certainty != "likely" and i.claim.name != "kind"]
+    named = next((i for i in kept if i.claim.name == "kind"), None)
+    if not said or (named is not None and named.claim.value not in _LOWER):
+        return kept
+    lower = [Claim(_LOWER[str(named.claim.value)], "straight")] if named is not None else []
+    told = implied_kind([*[i.claim for i in said], *lower])
+    if not told or (named is not None and told[0] not in _WHOLE):
+        return kept
+    kind = _WHOLE[told[0]] if named is not None and named.claim.value == "shorts" else told[0]
+    if Claim("kind", kind) in never:
+        return kept
+    source = next(i.mark for i in said) if named is None else named.mark
+    return [*[i for i in kept if i is not named], Implication(Claim("kind", kind), "usual", False, source)]
+
+
+def _fitting_kind(kept: Sequence[Implication], kind: str | None) -> list[Implication]:
+    """Leaves out what names imply and garments of this kind cannot have: a spencer dress is not cropped."""
+    kind = next((str(i.claim.value) for i in kept if i.claim.name == "kind"), kind)
+    if kind is None:
+        return list(kept)
+    return [
+        i
+        for i in kept
+        if i.said or (fits_kind(i.claim.name, kind) and (i.claim.name != "top_hem" or kind in _TOPS))
+    ]
+
+
+def _lacks(marks: Sequence[WordMark]) -> tuple[Lack, ...]:
+    found: dict[str, Lack] = {}
+    for mark in marks:
+        if mark.role == "theirs":
+            continue
+        for entry in mark.entries:
+            for what in entry.cannot:
+                said = mark.role not in ("garment", "like")
+                if what not in found or (said and not found[what].said):
+                    found[what] = Lack(what, said, mark)
+        if (
+            mark.role == "second"
+            and "separate_pieces" not in found
+            and mark.entries[0].category == "garments"
+        ):
+            found["separate_pieces"] = Lack("separate_pieces", True, mark)
+    return tuple(found.values())
+
+
+def _contradictions(implied: Sequence[Implication]) -> tuple[Contradiction, ...]:
+    """Pairs of words that say opposite things, both by definition."""
+    sure = [i for i in implied if i.certainty == "certain" and i.claim.name != "kind"]
+    found: dict[tuple[int, int], Contradiction] = {}
+    for k, one in enumerate(sure):
+        for other in sure[k + 1 :]:
+            if one.mark is other.mark or not (opposed(one.claim, other.claim) or _against(one, other)):
+                continue
+            first, second = sorted((one.mark, other.mark), key=lambda mark: mark.start)
+            found.setdefault((first.start, second.start), Contradiction(first, second))
+    return tuple(found.values())
+
+
+def _against(one: Implication, other: Implication) -> bool:
+    return any(
+        its.claim in entry.against
+        for mine, its in ((one, other), (other, one))
+        if mine.said and not mine.mark.denied
+        for entry in mine.mark.entries
+    )

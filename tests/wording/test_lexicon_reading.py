@@ -1,0 +1,301 @@
+"""Reading by the lexicon alone: what words imply, what is denied, what cannot be made, what nobody knows."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+from hypothesis import assume, example, given, settings
+from hypothesis import strategies as st
+
+from swifttailor.describing import Claim
+from swifttailor.wording.lexicon import read_words
+from swifttailor.wording.lexicon.tokens import tokens_of, words_of
+from swifttailor.wording.lexicon.vocabulary import all_entries, entries_in, vocabulary
+
+NOUNS = [e for e in entries_in("garments") if not e.ambiguous]
+NAMES = sorted({w.partition(" @")[0] for e in NOUNS for w in e.words if "@" not in w and w.isascii()})
+DETAILS = sorted({w for e in entries_in("styles") if not e.of for w in e.words if w.isascii()})
+WORDS = sorted({w for e in all_entries() for w in e.words if "#" not in w})
+UNSEEN = ["wuzzle", "florp", "zibbet", "asdfghjkl", "quorl"]
+texts_of_words = st.lists(
+    st.sampled_from([*WORDS, *UNSEEN, ",", ".", "and", "with", "no", "not too", "12", "3 cm"]), max_size=9
+).map(" ".join)
+
+
+def said(text, **options):
+    """Claims that follow, as ``name=value``."""
+    return {f"{i.claim.name}={i.claim.value}" for i in read_words(text, **options).implications}
+
+
+def cannot(text):
+    return {lack.what for lack in read_words(text).lacks}
+
+
+@given(st.one_of(st.text(max_size=120), texts_of_words))
+@example("L'été, d'une robe: \u2019s 3/4 5'2\" 62cm 👗 -> _ ' - --")
+def test_every_word_is_in_exactly_one_mark(text):
+    reading = read_words(text)
+    ends = [0]
+    for mark in reading.marks:
+        assert mark.start >= ends[-1] and mark.end > mark.start
+        assert text[mark.start : mark.end] == mark.word
+        ends.append(mark.end)
+    for token in tokens_of(text, reading.language):
+        held = [m for m in reading.marks if m.start < token.end and token.start < m.end]
+        assert held or not token.word.replace("'", "").isalnum()
+        assert len(held) <= 2  # two halves of a German compound
+    assert reading.unknown == tuple(m.word for m in reading.marks if not m.entries)
+
+
+@given(texts_of_words)
+def test_what_follows_is_consistent(text):
+    reading = read_words(text)
+    claims = [i.claim for i in reading.implications]
+    assert len(set(claims)) == len(claims)
+    assert not set(claims) & set(reading.never)
+    assert sum(claim.name == "kind" for claim in claims) <= 1
+    assert read_words(text) == reading
+    for mark in reading.marks:
+        if mark.denied:
+            assert not any(lack.mark == mark for lack in reading.lacks)
+
+
+@given(texts_of_words)
+def test_capitals_change_nothing(text):
+    assume(text.upper().lower() == text.lower())
+    lower, upper = read_words(text), read_words(text.upper())
+    assert [m.entries for m in lower.marks] == [m.entries for m in upper.marks]
+    assert said(text) == said(text.upper())
+
+
+def several(name):
+    if name.endswith(("ch", "sh", "x")):
+        return f"{name}es"
+    return f"{name[:-1]}ies" if name[-1] == "y" and name[-2] not in "aeo" else f"{name}s"
+
+
+KNOWN = {**vocabulary("en").senses, **vocabulary("en").closed}
+ONES = [
+    name
+    for name in NAMES
+    if len(name) > 2
+    and name.isalpha()
+    and name[-1] not in "sz"
+    and not {several(name).lower(), several(name).lower()[:-1]} & KNOWN.keys() - {name.lower()}
+]
+
+
+@given(st.sampled_from(ONES))
+def test_one_and_several_are_the_same(name):
+    assert said(several(name), language="en") == said(name, language="en")
+
+
+@given(st.sampled_from([name for name in NAMES if 2 <= len(name.replace("-", " ").split()) <= 3]))
+def test_hyphens_blanks_and_neither_are_the_same(name):
+    parts = words_of(name, "en")
+    expected = said(name, language="en")
+    assert said(name.replace(" ", "-"), language="en") == expected
+    if "".join(parts).isalpha():
+        assert said("".join(parts), language="en") == expected
+
+
+@given(st.sampled_from(DETAILS))
+def test_denial_turns_a_detail_round(word):
+    assume(not {"no", "without", "not", "free", "off"} & set(words_of(word, "en")))
+    plain, denied = read_words(f"a dress, {word}"), read_words(f"a dress, not {word}")
+    mark = next((m for m in denied.marks if m.denied), None)
+    assume(mark is not None and len(plain.marks) == len(denied.marks) - 1)
+    wanted = {claim for entry in mark.entries for claim in entry.without}
+    for entry in mark.entries:
+        for claim in entry.claims("certain"):
+            assert plain.certainty(claim) is not None or any(claim.name == c.name for c in plain.never)
+            assert denied.certainty(claim) is None or claim in wanted
+            assert claim in denied.never or claim in wanted
+        assert set(entry.cannot) <= {lack.what for lack in plain.lacks}
+        assert not set(entry.cannot) & {lack.what for lack in denied.lacks if lack.mark == mark}
+
+
+@given(st.sampled_from(NAMES))
+def test_what_is_said_wins_over_names(name):
+    reading = read_words(f"sleeveless {name}")
+    garment = next((m for m in reading.marks if m.role == "garment"), None)
+    assume(garment is not None and len(reading.marks) == 2 and reading.marks[0].word == "sleeveless")
+    certain = {c for entry in garment.entries for c in entry.claims("certain")}
+    assume(not any(c.name in ("sleeves", "sleeve_shape", "cuffs") for c in certain))
+    claims = {i.claim for i in reading.implications}
+    assert Claim("sleeves", "none") in claims
+    assert not any(c.name in ("sleeve_shape", "cuffs") and c.value != "none" for c in claims)
+
+
+@given(st.sampled_from([name for name in NAMES if name.isalpha() and len(name) > 4]), st.data())
+def test_a_word_with_another_letter_is_another_word(name, data):
+    place = data.draw(st.integers(0, len(name) - 1))
+    letter = data.draw(st.sampled_from("qxzj"))
+    changed = name[:place] + letter + name[place + 1 :]
+    known = vocabulary("en")
+    assume(changed.lower() != name.lower() and not known.find([changed.lower()]))
+    assert changed in read_words(changed, language="en").unknown
+
+
+@settings(max_examples=5, deadline=None)
+@given(st.sampled_from(["not ", "wide ", "no a ", "dress ", "x", "- ", "'", "l'", "long, wide "]))
+def test_long_texts_are_cut(piece):
+    reading = read_words(piece * 20_000)
+    assert not reading.marks or reading.marks[-1].end <= 20_000
+
+
+@pytest.mark.parametrize(
+    ("text", "claims"),
+    [
+        ("short black dress", {"kind=dress", "skirt_hem=mini"}),
+        ("a dress with short sleeves", {"kind=dress", "sleeves=short"}),
+        ("long, wide sleeves", {"sleeves=long", "sleeve_shape=wide"}),
+        ("sleeves long and slim on a blouse", {"kind=top", "sleeves=long", "sleeve_shape=slim"}),
+        ("knee-length shorts", {"kind=shorts", "leg_hem=knee"}),
+        ("wideleg pants", {"kind=trousers", "legs=wide"}),
+        ("trousers, wide", {"legs=wide"}),
+        ("sleeveless shirt dress", {"kind=dress", "sleeves=none", "collar=stand"}),
+        ("jersey dress", {"kind=dress"}),
+        ("a jersey", {"kind=top", "sleeves=long"}),
+        ("neither mini nor maxi, a dress", {"kind=dress"}),
+        ("Skirt with a dropped waist and puff sleeves", {"kind=dress", "sleeve_shape=puffed"}),
+        ("puff sleeves, v neck", {"kind=top", "sleeve_shape=puffed", "neckline=v"}),
+        ("ein langes rotes Sommerkleid ohne Ärmel", {"kind=dress", "skirt_hem=maxi", "sleeves=none"}),
+        ("Baumwollrock, knielang", {"kind=skirt", "skirt_hem=knee"}),
+        ("une jupe plissée longue", {"kind=skirt", "skirt_hem=maxi"}),
+        ("una falda larga con volantes", {"kind=skirt", "skirt_hem=maxi"}),
+        ("👗", {"kind=dress"}),
+        ("a skirt to go with my blouse, short", {"kind=skirt", "skirt_hem=mini"}),
+    ],
+)
+def test_what_follows(text, claims):
+    assert claims <= said(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "claims", "never"),
+    [
+        ("dress without a collar or a hood", {"collar=none", "hood=none"}, set()),
+        ("a skirt, not too short", set(), {"skirt_hem=mini", "skirt_hem=micro"}),
+        ("neither mini nor maxi, a dress", set(), {"skirt_hem=mini", "skirt_hem=maxi", "skirt_hem=floor"}),
+        ("trousers that aren't skinny", set(), {"legs=slim"}),
+        ("I hate ruffles, tiers and gathers. Long skirt.", {"skirt_hem=maxi"}, {"skirt=tiered"}),
+        ("Not V, not square: a dress with another neckline", set(), {"neckline=v", "neckline=square"}),
+        ("a hoodie with no sleeves", {"hood=hood", "sleeves=none"}, set()),
+        ("fit: oversized -> fitted", set(), {"fit=oversized"}),
+        ("Der Kragen darf auch weg", {"collar=none"}, set()),
+        ("une robe sans manches", {"sleeves=none"}, set()),
+        ("no wide straps, a top", set(), {"straps=wide"}),
+        ("a skirt that is not see through, elastic waist, short", {"skirt_hem=mini"}, set()),
+    ],
+)
+def test_what_is_refused(text, claims, never):
+    reading = read_words(text)
+    assert claims <= said(text)
+    assert never <= {f"{claim.name}={claim.value}" for claim in reading.never}
+
+
+@pytest.mark.parametrize(
+    ("text", "claims"),
+    [
+        ("pencil skirt, just below the knee", {"skirt_hem=knee"}),
+        ("a jacket to wear over my dress", {"kind=dress"}),
+        ("spencer dress", {"top_hem=cropped", "kind=top"}),
+        ("a dress with a v neck, no collar", {"collar=stand"}),
+    ],
+)
+def test_what_does_not_follow(text, claims):
+    assert not claims & said(text)
+    assert "separate_pieces" not in cannot(text)
+
+
+def test_a_denied_detail_is_not_missing():
+    assert "pockets" in cannot("trousers with pockets")
+    assert "pockets" not in {lack.what for lack in read_words("a skirt, no pockets").lacks}
+    zip_said = {lack.what: lack.said for lack in read_words("a dress with a zip").lacks}
+    assert zip_said == {"zip": True}
+    assert all(not lack.said for lack in read_words("cardigan").lacks)
+    assert "open_front" in cannot("cardigan")
+    assert "separate_pieces" in cannot("a skirt and a matching bandeau")
+    assert "separate_pieces" not in cannot("a dress with a wide skirt")
+
+
+@pytest.mark.parametrize(
+    ("text", "pair"),
+    [
+        ("short maxi dress", ("short", "maxi dress")),
+        ("skin-tight oversized t-shirt", ("skin-tight", "oversized t-shirt")),
+        ("wide skinny jeans", ("wide", "skinny jeans")),
+        ("a backless top with a high closed back", ("backless", "closed back")),
+        ("sleeveless dress with long sleeves", ("sleeveless", "long sleeves")),
+    ],
+)
+def test_contradictions_are_named(text, pair):
+    named = read_words(text).contradictions
+    assert pair in [(found.first.word, found.second.word) for found in named]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "long dress with short sleeves",
+        "midi dress below the knee",
+        "sleeveless hoodie",
+        "no mini, maxi dress",
+    ],
+)
+def test_what_fits_together_is_no_contradiction(text):
+    assert read_words(text).contradictions == ()
+
+
+def test_cloth_is_found():
+    reading = read_words("dusty pink linen blouse with navy polka dots and 2 cm stripes")
+    assert [color.words for color in reading.colors] == ["dusty pink", "navy"]
+    assert reading.cloths == ("cotton",)
+    assert [named.kind for named in reading.prints] == ["dots", "stripes"]
+    assert read_words("dress size 12").sizes == ("size 12",)
+    assert read_words("Size EU 40, blouse").sizes == ("Size EU 40",)
+    dark, plain, light = (read_words(f"{shade}plum dress").colors[0].rgb for shade in ("dark ", "", "light "))
+    assert sum(bytes.fromhex(dark)) < sum(bytes.fromhex(plain)) < sum(bytes.fromhex(light))
+
+
+def test_words_of_both_sides_of_the_atlantic():
+    assert "sleeves=none" in said("a vest") and "sleeves=none" in said("a jumper", dialect="us")
+    assert "kind=dress" in said("a jumper", dialect="us")
+    assert {"kind=top", "sleeves=long"} <= said("a jumper", dialect="uk")
+    assert "kind=trousers" in said("pants", dialect="us") and "kind=shorts" in said("pants", dialect="uk")
+    assert said("pyjamas") == said("pajamas") and said("grey dress") == said("gray dress")
+
+
+def test_an_instruction_is_about_the_garment_that_it_is_given_for():
+    assert "leg_hem=calf" in said("cropped", kind="trousers")
+    assert "top_hem=cropped" in said("cropped", kind="top")
+    assert "skirt_hem=mini" in said("make it short", kind="skirt")
+    assert not any(claim.startswith("kind=") for claim in said("add puff sleeves", kind="dress"))
+
+
+@pytest.mark.parametrize(
+    ("text", "language"),
+    [
+        ("a red dress", "en"),
+        ("rotes Kleid", "de"),
+        ("une robe rouge", "fr"),
+        ("falda corta", "es"),
+        ("", "en"),
+        ("xqzv", "en"),
+    ],
+)
+def test_languages_are_told_apart(text, language):
+    assert read_words(text).language == language
+
+
+def test_reading_needs_no_network_and_loads_late():
+    code = (
+        "import sys; import swifttailor.wording.lexicon as lexicon;"
+        "assert 'swifttailor.wording.lexicon.vocabulary' not in sys.modules;"
+        "lexicon.read_words('a dress');"
+        "heavy = {'onnxruntime', 'numba', 'torch', 'PIL'} & set(sys.modules); assert not heavy, heavy"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
