@@ -19,9 +19,10 @@ from swifttailor.recutting import alter as alter_it
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fitting import fit
 from swifttailor.tailor.order import Order
-from swifttailor.tailor.reading import Wanted, read_order, sure_wishes
+from swifttailor.tailor.reading import Wanted, read_order
 from swifttailor.tailor.writing import WARMER, write_patterns
 from swifttailor.wishes.reader import Wish
+from swifttailor.wishes.sureness import sure_wishes
 
 MIDI, NO_HOOD = Gain(Claim("skirt_hem", "midi")), Gain(Claim("hood", "none"))
 LONGER = Step("length", 1, 10.0)

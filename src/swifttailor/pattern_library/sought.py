@@ -123,9 +123,11 @@ class Sought:
         return found
 
     @staticmethod
-    def of(reading: PartReading | None, wishes: Sequence[Wish] = ()) -> Sought:
-        """What a picture shows and words ask for; words outrank it."""
+    def of(reading: PartReading | None, wishes: Sequence[Wish] = (), never: Iterable[Claim] = ()) -> Sought:
+        """What a picture shows, and what words ask for and refuse; words outrank it."""
         asked = Sought.of_words(wishes)
+        for claim in never:
+            asked._refuse(claim)
         return asked if reading is None else Sought.of_reading(reading).outranked_by(asked)
 
     def outranked_by(self, words: Sought) -> Sought:
@@ -156,6 +158,11 @@ class Sought:
     def is_empty(self) -> bool:
         """Whether nothing is known of what is sought."""
         return not any(w.any() for w in (self.said, self.measures, self.named, self.placed))
+
+    def _refuse(self, claim: Claim) -> None:
+        number = _statement_numbers().get((claim.name, str(claim.value)))
+        if number is not None and self.said[number] == 0:
+            self.statements[number], self.said[number] = 1 - ASKED, WORDS
 
     def _ask(self, claim: Claim, certainty: float) -> None:
         dimension = CLAIM_TYPES[claim.name].measure

@@ -67,7 +67,9 @@ class Answer:
     @property
     def is_other_than_wanted(self) -> bool:
         """Whether something that was understood does not hold, or nothing was understood of a text."""
-        return bool(self.verdict.open) or (self.wanted is not None and self.wanted.misses)
+        wanted = self.wanted
+        guessed = wanted is not None and (wanted.misses or wanted.kind_is_guessed)
+        return bool(self.verdict.open or self.verdict.refused) or guessed
 
     @property
     def rank(self) -> tuple[bool, int, int, float]:

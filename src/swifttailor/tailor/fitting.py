@@ -33,7 +33,7 @@ BARE_CM = 4.0
 def unaltered(wanted: Wanted) -> Answer | None:
     """The pattern to edit as it is, where nothing is understood of how to change it; None otherwise."""
     edit = wanted.order.edit
-    return _as_it_is(edit, wanted) if edit is not None and wanted.misses else None
+    return _as_it_is(edit, wanted) if edit is not None and wanted.leaves_cut else None
 
 
 def _as_it_is(edit: Pattern, wanted: Wanted, written: WrittenPattern | None = None) -> Answer:
@@ -71,6 +71,7 @@ def fit(written: WrittenPattern, wanted: Wanted) -> Answer:
         holes=not of_edit and _is_torn(pattern, edit),
         one_sided=() if of_edit else _unasked(pattern, (*changes, *maybe) if alters else (), edit),
         open=changes if taken is None else taken.open,
+        refused=() if taken is None else _refused(taken.facts, wanted),
     )
     return Answer(
         pattern,
@@ -119,6 +120,10 @@ def _finished(
     return replace(
         after, open=missing, done=before.done, cuts=(*before.cuts, *filter(None, [level]), *after.cuts)
     )
+
+
+def _refused(facts: GarmentFacts, wanted: Wanted) -> tuple[Gain, ...]:
+    return tuple(gain for gain in map(Gain, wanted.heard.never) if gain.holds(facts, facts))
 
 
 def _unasked(pattern: Pattern, changes: Sequence[Change], edit: Pattern | None) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from swifttailor.arrays import Pixels
-from swifttailor.describing.differences import Change, Gain
+from swifttailor.describing.differences import Change
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError, NothingSeenError, SwiftTailorError
@@ -25,15 +25,10 @@ from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted
 from swifttailor.tailor.order import NO_READER, Order, one_line
 from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
+from swifttailor.wishes.hearing import HEARD_NOTHING, Heard, hear_description, hear_instruction
 from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import SURE, Wish, WishReader
-from swifttailor.wishes.spelling import put_right
-from swifttailor.wishes.unread import not_understood, says_nothing_else
 
-SURE_IN_KNOWN_WORDS = 0.7
-"""Enough for an edit whose words are all known ones for what was read: 147 of 162 such wishes
-are meant (instructions between validation patterns, written as for the training)."""
-_NONE = "none"
 _UNREAD = (
     "The picture was shown to PatternMaker and not read: this version comes without weights of a picture "
     "reader, so nothing was altered to it."
@@ -75,8 +70,8 @@ class Wanted:
     """What the pictures say and the text says otherwise."""
     warnings: tuple[str, ...] = ()
     """What is doubtful about the pictures."""
-    unread: tuple[str, ...] = ()
-    """What of the text no wish came from, in its own words."""
+    heard: Heard = HEARD_NOTHING
+    """What its words say beyond wishes: colours, what cannot be made, what was not understood."""
 
     @property
     def said(self) -> tuple[Wish, ...]:
@@ -85,19 +80,32 @@ class Wanted:
 
     @property
     def color(self) -> str | None:
-        """That the garment keeps from the one that it is made from; None where it is made anew."""
+        """The one asked for, or that of the garment that it is made from; None where neither is."""
         order = self.order
-        return order.color or cloth_color(order.edit) if order.edit is not None else None
+        kept = order.color or cloth_color(order.edit) if order.edit is not None else None
+        return self.heard.color or kept
+
+    @property
+    def leaves_cut(self) -> bool:
+        """Whether there is a text, and nothing in it for certain of how the garment is cut."""
+        return self.order.alter and bool(one_line(self.order.text)) and not self.said
 
     @property
     def misses(self) -> bool:
         """Whether there is a text and nothing was understood of it for certain."""
-        return self.order.alter and bool(one_line(self.order.text)) and not self.said
+        return self.leaves_cut and not (self.order.edit is not None and self.heard.color)
+
+    @property
+    def kind_is_guessed(self) -> bool:
+        """Whether a garment is described, and nothing in text or pictures tells which it is."""
+        described = self.order.edit is None and bool(one_line(self.order.text)) and not self.order.images
+        return self.order.alter and described and self.heard.kind is None
 
     @cached_property
     def sought(self) -> Sought:
         """What is known of the garment, to be looked up among known patterns."""
-        return Sought.of(self.part, [w for w in (*self.wishes, *self.likely) if w not in self.seen])
+        said = [w for w in (*self.wishes, *self.likely) if w not in self.seen]
+        return Sought.of(self.part, said, self.heard.never)
 
     @property
     def unsaid(self) -> bool:
@@ -166,9 +174,10 @@ def read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | No
             notes = (*notes, _UNREAD)
         if reader is None:
             return Wanted(order, order.text, image, notes=notes)
-        text, sure, likely, unread = _said(order, reader)
-        return Wanted(order, text, image, sure, likely, notes, unread=unread)
-    text, sure, likely, unread = _said(order, reader)
+        heard = _heard(order, reader)
+        return Wanted(order, heard.text, image, heard.sure, heard.likely, notes, heard=heard)
+    heard = _heard(order, reader)
+    text, sure, likely = heard.text, heard.sure, heard.likely
     pictures = tuple(look_at(one, eyes) for one in order.images)
     try:
         part = part_wanted(pictures, order.part)
@@ -176,7 +185,7 @@ def read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | No
         if not order.text.strip():
             raise
         doubt = (str(error),)
-        return Wanted(order, text, None, sure, likely, pictures=pictures, warnings=doubt, unread=unread)
+        return Wanted(order, text, None, sure, likely, pictures=pictures, warnings=doubt, heard=heard)
     kept, overruled = not_overruled(seen_wishes(part), (*sure, *likely))
     image, notes = _shown(pictures[0], order.crop)
     return Wanted(
@@ -191,29 +200,16 @@ def read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | No
         kept,
         overruled,
         _doubts(pictures),
-        unread,
+        heard,
     )
 
 
-def _said(
-    order: Order, reader: WishReader
-) -> tuple[str, tuple[Wish, ...], tuple[Wish, ...], tuple[str, ...]]:
-    """The text as it was read; its sure wishes, its likely ones, and what of it none came from."""
-    text, is_edit = put_right(order.text), order.edit is not None
-
-    def followed(found: tuple[Wish, ...]) -> list[Change]:
-        """Of an edit what is sure, since nothing else is cut."""
-        return [w.change for w in (*sure_wishes(found), *(() if is_edit else likely_wishes(found)))]
-
-    found = reader.read(text, instruction=is_edit)
-    sure, likely = sure_wishes(found), likely_wishes(found)
-    plain = tuple(w for w in likely if w.certainty >= SURE_IN_KNOWN_WORDS) if is_edit else ()
-    if plain and says_nothing_else(text, [w.change for w in (*sure, *plain)]):
-        return text, (*sure, *plain), tuple(w for w in likely if w not in plain), ()
-    unread = not_understood(
-        text, followed(found), lambda other: followed(reader.read(other, instruction=is_edit))
-    )
-    return text, sure, likely, unread
+def _heard(order: Order, reader: WishReader) -> Heard:
+    """The text of an order, as an instruction where there is a pattern to edit."""
+    if order.edit is None:
+        return hear_description(order.text, reader)
+    facts = facts_of(order.edit)
+    return hear_instruction(order.text, reader, None if facts is None else facts.kind)
 
 
 def _doubts(pictures: Sequence[SeenPicture]) -> tuple[str, ...]:
@@ -243,38 +239,6 @@ def _shown(picture: SeenPicture, crop: bool) -> tuple[Pixels | None, tuple[str, 
     if framed.framing in (Framing.BUSY, Framing.EMPTY):
         return None, ()
     return framed.pixels, _FRAMING_NOTES[framed.framing]
-
-
-def likely_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
-    """Wishes that are not sure, only likelier than not, where nothing else is read of the same thing.
-
-    They are cut last, where that costs nothing that is asked for; left undone they are no fault.
-    """
-    spoken = [w.change.claim.name for w in found if isinstance(w.change, Gain)]
-    likely = [
-        w
-        for w in found
-        if w.certainty < SURE and isinstance(w.change, Gain) and isinstance(w.change.claim.value, str)
-    ]
-    return tuple(w for w in likely if isinstance(w.change, Gain) and spoken.count(w.change.claim.name) == 1)
-
-
-def sure_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
-    """Wishes that are certain enough to cut for, without those that contradict themselves.
-
-    Who reads both that there is to be none of something and how it is to be has misunderstood.
-    """
-    values: dict[str, set[object]] = {}
-    for wish in found:
-        if isinstance(wish.change, Gain):
-            values.setdefault(wish.change.claim.name, set()).add(wish.change.claim.value)
-    confused = {name for name, said in values.items() if _NONE in said and len(said) > 1}
-    return tuple(
-        wish
-        for wish in found
-        if wish.certainty >= SURE
-        and not (isinstance(wish.change, Gain) and wish.change.claim.name in confused)
-    )
 
 
 def altered(

@@ -11,6 +11,7 @@ from swifttailor.garment.cloth_color import COLOR
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern.check import Change as Mending
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.heard_notes import heard_notes, heard_report
 from swifttailor.tailor.order import one_line
 from swifttailor.tailor.provenance import versions, weights
 
@@ -23,8 +24,6 @@ if TYPE_CHECKING:
 
 LONGEST_NOTE = 200
 """Letters of a text that a note says again."""
-MOST_WORDS = 8
-"""Words of it that a note names; the report has all."""
 NOTHING_UNDERSTOOD = "Nothing measurable was understood from the text with certainty, so nothing was altered."
 AS_IT_WAS = (
     "Nothing was understood of what to change, so the pattern is the one that was given. Lengths, widths, "
@@ -107,7 +106,8 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
             for w in wanted.wishes
         ],
         **({"pictures": _pictures(wanted)} if wanted.pictures else {}),
-        "not_understood": list(wanted.unread),
+        "heard": heard_report(wanted),
+        "not_understood": list(wanted.heard.unread),
         "alterations": {"of_the_pattern_to_edit": answer.of_edit, "cuts": list(answer.cuts)}
         | ({} if answer.seen is None else {"changes": [wish_line(change) for change in answer.seen]}),
         "confidence": answer.confidence.to_json() if answer.confidence is not None else None,
@@ -161,23 +161,22 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
         found.append(f"Read as: {one_line(wanted.text, LONGEST_NOTE)}")
     if wanted.misses:
         found.append(NOTHING_UNDERSTOOD if order.edit is None else AS_IT_WAS)
-    if wanted.unread:
-        found.append(f"Not understood: {_quoted(wanted.unread)}.")
+    found += heard_notes(wanted)
     unsure = _not_done(answer, wanted)
     if unsure:
         found.append(f"Perhaps asked for, and not done: {'; '.join(map(wish_line, unsure))}.")
+    assumed = _assumed(wanted, unsure)
+    if assumed:
+        found.append(f"Assumed: {'; '.join(map(wish_line, assumed))}.")
     if order.edit is None and answer.cuts:
         found.append(f"Altered: {'; '.join(answer.cuts)}.")
-    if order.edit is not None and not wanted.misses:
+    if order.edit is not None and not wanted.leaves_cut:
         found += _changed_notes(answer)
     if answer.verdict.open:
         found.append(f"Requested but not met: {'; '.join(map(wish_line, answer.verdict.open))}.")
+    if answer.verdict.refused:
+        found.append(f"Refused, and so nevertheless: {'; '.join(map(wish_line, answer.verdict.refused))}.")
     return found
-
-
-def _quoted(words: Sequence[str]) -> str:
-    said = ", ".join(f'"{one_line(word)}"' for word in words[:MOST_WORDS])
-    return said if len(words) <= MOST_WORDS else f"{said} and {len(words) - MOST_WORDS} more"
 
 
 def _not_done(answer: Answer, wanted: Wanted) -> list[Change]:
@@ -187,6 +186,11 @@ def _not_done(answer: Answer, wanted: Wanted) -> list[Change]:
     unsure = [wish.change for wish in wanted.likely if wish not in wanted.seen]
     facts = facts_of(answer.pattern) if unsure else None
     return [change for change in unsure if facts is None or not change.holds(facts, facts)]
+
+
+def _assumed(wanted: Wanted, not_done: Sequence[Change]) -> list[Change]:
+    """What was not said for certain, and is so: names of garments imply it."""
+    return [w.change for w in wanted.likely if w not in wanted.seen and w.change not in not_done]
 
 
 def _changed_notes(answer: Answer) -> list[str]:

@@ -110,7 +110,7 @@ def sew_answers(
         answers: Prepared patterns.
         options: How they are sewn.
         body: What they are worn by; the default body when None.
-        fabric: What hangs.
+        fabric: What hangs, where a text does not name another.
         progress: Called with the name of a stage of physics and the share of it that is done.
 
     Yields:
@@ -129,7 +129,8 @@ def sew_answers(
                 report = _basic_report(garment, options) | garment.report | {"seconds": _rounded(seconds)}
                 garment = replace(garment, report=report)
                 if options.finish:
-                    garment = _finished(garment, options, body, fabric, progress)
+                    asked = None if answer.wanted is None else answer.wanted.heard.cloth
+                    garment = _finished(garment, options, body, asked or fabric, progress)
             except SwiftTailorError as error:
                 yield error
             else:

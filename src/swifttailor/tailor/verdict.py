@@ -33,6 +33,8 @@ class Verdict:
     """Why it cannot be sewn, where that was tried."""
     open: tuple[Change, ...] = ()
     """What was asked for and does not hold, or cannot be measured."""
+    refused: tuple[Change, ...] = ()
+    """What was refused and holds nevertheless."""
 
     @property
     def oddities(self) -> list[str]:
@@ -64,12 +66,18 @@ class Verdict:
 
         if self.unsound or self.unsewable:
             return self.unsound or self.unsewable
-        return f"requested but not met: {'; '.join(map(wish_line, self.open))}" if self.open else ""
+        if self.open:
+            return f"requested but not met: {'; '.join(map(wish_line, self.open))}"
+        return (
+            f"refused, and so nevertheless: {'; '.join(map(wish_line, self.refused))}" if self.refused else ""
+        )
 
     @property
     def rank(self) -> tuple[int, int]:
         """Smaller is better: errors that a check finds; warnings, open wishes and the like."""
         severities = [f.severity for f in self.findings]
         errors, warnings = (severities.count(s) for s in (Severity.ERROR, Severity.WARNING))
-        doubts = warnings + len(self.open) + _SENSELESS * self.senseless + _HOLES * self.holes
+        doubts = (
+            warnings + len(self.open) + len(self.refused) + _SENSELESS * self.senseless + _HOLES * self.holes
+        )
         return errors, doubts + _ONE_SIDED * bool(self.one_sided)

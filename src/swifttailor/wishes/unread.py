@@ -109,6 +109,11 @@ def _content_words(text: str) -> Iterator[_Place]:
         yield _Place(found.start(), found.end(), word)
 
 
+def unread_numbers(text: str, wishes: Collection[Change]) -> tuple[str, ...]:
+    """Numbers of a text that are in no wish, as it has them."""
+    return tuple(dict.fromkeys(place.said for place in _numbers(text[:LONGEST_TEXT], wishes)))
+
+
 def _numbers(text: str, wishes: Collection[Change]) -> Iterator[_Place]:
     """Numbers that are in no wish, but "one" and "3/4", which are words."""
     asked = [

@@ -9,12 +9,13 @@ from swifttailor.first_use import loaded_on_first_use
 if TYPE_CHECKING:
     from swifttailor.wording.lexicon.conflicts import exclude
     from swifttailor.wording.lexicon.entries import Entry
-    from swifttailor.wording.lexicon.reading import SURENESS, WordReading, read_words
+    from swifttailor.wording.lexicon.reading import SURENESS, Lack, WordReading, read_words
     from swifttailor.wording.lexicon.vocabulary import all_entries, cannot_texts
 
 _PUBLIC = {
     "SURENESS": "reading",
     "Entry": "entries",
+    "Lack": "reading",
     "WordReading": "reading",
     "all_entries": "vocabulary",
     "cannot_texts": "vocabulary",
@@ -25,6 +26,7 @@ _PUBLIC = {
 __all__ = [
     "SURENESS",
     "Entry",
+    "Lack",
     "WordReading",
     "all_entries",
     "cannot_texts",

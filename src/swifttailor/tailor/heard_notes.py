@@ -1,0 +1,67 @@
+"""What is told of how a text was heard: colours, what cannot be made, what was not understood."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from swifttailor.tailor.order import one_line
+
+if TYPE_CHECKING:
+    from swifttailor.tailor.reading import Wanted
+
+MOST_WORDS = 8
+"""Words of a text that a note names; the report has all."""
+_LANGUAGES = {"de": "German", "fr": "French", "es": "Spanish"}
+
+
+def heard_report(wanted: Wanted) -> dict[str, Any]:
+    """What a report says of the words of an order: JSON values."""
+    from swifttailor.wording.wish_lines import wish_line
+
+    heard = wanted.heard
+    return {
+        "language": None if heard.words is None else heard.words.language,
+        "kind_is_guessed": wanted.kind_is_guessed,
+        "likely": [
+            {"wish": wish_line(w.change), "certainty": round(w.certainty, 3)}
+            for w in wanted.likely
+            if w not in wanted.seen
+        ],
+        "refused": [f"{claim.name}: {claim.value}" for claim in heard.never],
+        "color": heard.color,
+        "cloth": heard.cloth,
+        "cannot": list(heard.cannot),
+        "left_out": list(heard.left_out),
+        "contradictions": [list(pair) for pair in heard.contradictions],
+    }
+
+
+def heard_notes(wanted: Wanted) -> list[str]:
+    """The same for a person; nothing where all of the text is clear."""
+    heard, found = wanted.heard, []
+    if heard.words is not None and heard.words.language in _LANGUAGES:
+        found.append(f"Read as {_LANGUAGES[heard.words.language]}, by the words of its lexicon.")
+    if heard.unread:
+        found.append(f"Not understood: {_quoted(heard.unread)}.")
+    if wanted.kind_is_guessed:
+        near = f" Names that are known: {_quoted(heard.near)}." if heard.near else ""
+        found.append(f"Which garment is meant was not understood, so this one is a guess.{near}")
+    found += [f"{_quoted(pair)} contradict each other." for pair in heard.contradictions]
+    if heard.color is not None and heard.words is not None:
+        others = [color.words for color in heard.words.colors[1:]]
+        more = f"; of several colours the first is used, so not {_quoted(others)}" if others else ""
+        found.append(f"Colour: {heard.words.colors[0].words} ({heard.color}){more}.")
+    if heard.cloth is not None:
+        use = "the cloth that it was finished with" if wanted.order.finish else "used with --finish alone"
+        found.append(f"Fabric: {heard.cloth}, {use}.")
+    if heard.cannot:
+        found.append(f"Cannot be made: {'; '.join(heard.cannot)}.")
+    if heard.left_out:
+        found.append(f"Usual, and left out since it cannot be made: {'; '.join(heard.left_out)}.")
+    return found
+
+
+def _quoted(words: Sequence[str]) -> str:
+    said = ", ".join(f'"{one_line(word)}"' for word in words[:MOST_WORDS])
+    return said if len(words) <= MOST_WORDS else f"{said} and {len(words) - MOST_WORDS} more"

@@ -1,0 +1,223 @@
+"""What a text asks for, by the lexicon of clothes and the network together.
+
+What words mean by definition and what details say comes first, then what the network reads, then what the
+names of garments usually imply. The network alone reads numbers, changes of measures, and how words hang
+together.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain
+from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.spelling import put_right
+from swifttailor.wishes.sureness import likely_wishes, sure_wishes
+from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
+from swifttailor.wording.claim_kinds import fits_kind, implied_kind
+from swifttailor.wording.lexicon import (
+    SURENESS,
+    Lack,
+    WordReading,
+    all_entries,
+    cannot_texts,
+    exclude,
+    read_words,
+)
+
+SURE_IN_KNOWN_WORDS = 0.7
+"""Enough for an edit whose words are all known ones for what was read: 147 of 162 such wishes
+are meant (instructions between validation patterns, written as for the training)."""
+_DETAIL = {"certain": SURENESS["certain"], "usual": 0.92}
+"""How sure what is said of a detail is: it is asked for, whatever is usual."""
+_ENGLISH = "en"
+_NEAR, _MOST_NEAR = 0.72, 3
+_PRINTS = "prints (one colour is used)"
+_LONGEST_WORD = 40
+
+
+@dataclass(frozen=True)
+class Heard:
+    """What a text asks for."""
+
+    text: str
+    """As it was read: with slips of the fingers put right."""
+    sure: tuple[Wish, ...] = ()
+    likely: tuple[Wish, ...] = ()
+    """What names of garments usually imply, and what may be meant."""
+    never: tuple[Claim, ...] = ()
+    """What it refuses."""
+    unread: tuple[str, ...] = ()
+    """What of it was not understood, in its own words."""
+    words: WordReading | None = None
+    """By the lexicon; None where there is no text."""
+
+    @property
+    def color(self) -> str | None:
+        """The first colour that it names, ``#rrggbb``."""
+        return f"#{self.words.colors[0].rgb}" if self.words is not None and self.words.colors else None
+
+    @property
+    def cloth(self) -> str | None:
+        """The fabric that comes nearest to what it names."""
+        return self.words.cloths[0] if self.words is not None and self.words.cloths else None
+
+    @cached_property
+    def cannot(self) -> tuple[str, ...]:
+        """What it asks for and cannot be made, in words."""
+        found = [cannot_texts()[lack.what] for lack in self._lacks if lack.said]
+        return (*found, *([_PRINTS] if self.words is not None and self.words.prints else []))
+
+    @cached_property
+    def left_out(self) -> tuple[str, ...]:
+        """What the names of garments in it mean and cannot be made, in words."""
+        return tuple([cannot_texts()[lack.what] for lack in self._lacks if not lack.said])
+
+    @property
+    def _lacks(self) -> Sequence[Lack]:
+        return () if self.words is None else self.words.lacks
+
+    @property
+    def contradictions(self) -> tuple[tuple[str, str], ...]:
+        """Pairs of words in it that cannot both be true."""
+        found = () if self.words is None else self.words.contradictions
+        return tuple([(pair.first.word, pair.second.word) for pair in found])
+
+    @property
+    def kind(self) -> str | None:
+        """The kind of garment that is asked for, or that details tell; None where nothing does."""
+        claims = [w.change.claim for w in (*self.sure, *self.likely) if isinstance(w.change, Gain)]
+        named = next((str(claim.value) for claim in claims if claim.name == "kind"), None)
+        return named or next(iter(implied_kind(claims)), None)
+
+    @cached_property
+    def near(self) -> tuple[str, ...]:
+        """Names of garments that are spelt like words that were not understood."""
+        found = [
+            difflib.get_close_matches(word[:_LONGEST_WORD].lower(), _garment_names(), _MOST_NEAR, _NEAR)
+            for word in self.unread[:_MOST_NEAR]
+        ]
+        return tuple(dict.fromkeys([name for names in found for name in names]))
+
+
+HEARD_NOTHING = Heard("")
+"""Where there is no text."""
+
+
+def hear_description(text: str, reader: WishReader) -> Heard:
+    """What garment a text describes.
+
+    Args:
+        text: In English, or of German, French and Spanish what the lexicon knows.
+        reader: The network.
+    """
+    if not text.strip():
+        return HEARD_NOTHING
+    words = read_words(text)
+    if words.language == _ENGLISH:
+        shown = _put_right(text, words)
+        words = words if shown == text else read_words(shown)
+        text = shown
+    network = reader.read(text) if words.language == _ENGLISH else ()
+    found = united(words, network)
+    sizes = " ".join(words.sizes)
+    numbers = [n for n in unread_numbers(text, [wish.change for wish in found]) if n not in sizes]
+    return Heard(
+        text, sure_wishes(found), likely_wishes(found), words.never, (*words.unknown, *numbers), words
+    )
+
+
+def hear_instruction(text: str, reader: WishReader, kind: str | None = None) -> Heard:
+    """How a text wants a garment to be changed.
+
+    What the network is sure of counts; where it is sure of nothing, details that the lexicon knows do.
+
+    Args:
+        text: In English, or of German, French and Spanish what the lexicon knows.
+        reader: The network.
+        kind: Of the garment.
+    """
+    text = put_right(text)
+    words = read_words(text, kind=kind)
+
+    def sure_changes(found: Iterable[Wish]) -> list[Change]:
+        return [wish.change for wish in sure_wishes(tuple(found))]
+
+    found = reader.read(text, instruction=True) if words.language == _ENGLISH else ()
+    sure, likely = sure_wishes(found), likely_wishes(found)
+    plain = tuple(w for w in likely if w.certainty >= SURE_IN_KNOWN_WORDS)
+    if plain and says_nothing_else(text, [w.change for w in (*sure, *plain)]):
+        return Heard(text, (*sure, *plain), tuple(w for w in likely if w not in plain), words=words)
+    if not sure:
+        sure = tuple(
+            Wish(Gain(each.claim), SURENESS["certain"])
+            for each in words.implications
+            if each.said and each.certainty == "certain"
+        )
+        if sure:
+            return Heard(text, sure, (), words.never, words.unknown, words)
+    unread = not_understood(
+        text, sure_changes(found), lambda other: sure_changes(reader.read(other, instruction=True))
+    )
+    return Heard(text, sure, likely, (), _not_answered(unread, words), words)
+
+
+def united(words: WordReading, network: Iterable[Wish]) -> tuple[Wish, ...]:
+    """What lexicon and network say together, surest first.
+
+    Args:
+        words: By the lexicon.
+        network: What the network reads of the same text, surest first.
+    """
+    found = [
+        Wish(Gain(each.claim), _DETAIL[each.certainty])
+        for each in words.implications
+        if each.certainty == "certain" or (each.said and each.certainty == "usual")
+    ]
+    told = [wish.change.claim for wish in found if isinstance(wish.change, Gain)]
+    kind = next((str(claim.value) for claim in told if claim.name == "kind"), None)
+    names = [
+        Wish(Gain(each.claim), SURENESS[each.certainty])
+        for each in words.implications
+        if each.claim not in told
+    ]
+    for wish in (*network, *names):
+        if not isinstance(wish.change, Gain):
+            continue
+        claim = wish.change.claim
+        if claim in told or claim in words.never or any(exclude(claim, other) for other in told):
+            continue
+        if kind is not None and not fits_kind(claim.name, kind):
+            continue
+        found.append(wish)
+        told.append(claim)
+    return tuple(sorted(found, key=lambda wish: -wish.certainty))
+
+
+def _put_right(text: str, words: WordReading) -> str:
+    """The text with slips of the fingers in words that nobody knows put right; first letters are right."""
+    pieces, end = [], 0
+    for mark in words.marks:
+        if mark.entries:
+            continue
+        better = put_right(mark.word)
+        if better[:1].lower() == mark.word[:1].lower():
+            pieces += [text[end : mark.start], better]
+            end = mark.end
+    return "".join([*pieces, text[end:]])
+
+
+def _not_answered(unread: Sequence[str], words: WordReading) -> tuple[str, ...]:
+    """What was not understood, without what the lexicon gives an answer to: colours, and what cannot be."""
+    answered = [color.words for color in words.colors] + [lack.mark.word for lack in words.lacks if lack.said]
+    known = {part.lower() for word in answered for part in word.split()}
+    return tuple([text for text in unread if not {part.lower() for part in text.split()} <= known])
+
+
+@cache
+def _garment_names() -> list[str]:
+    return [word.lower() for entry in all_entries() if entry.category == "garments" for word in entry.words]
