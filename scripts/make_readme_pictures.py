@@ -1,9 +1,8 @@
 """Draws the pictures of the README and of docs/commands.md.
 
-``words-to-garment.jpg``: what the three commands of the README make. Its input ``striped-top.png`` is a
-render of a garment that no network was trained on: GarmentCode's sampled pattern gc_1000994 of the validation
-split, sewn, on the mannequin, in a random look. ``shirt-dress.png``: a draft, draped. ``sewn-drafts.jpg``:
-nine drafts, sewn by the network. Run from the repository root:
+``words-to-garment.jpg``: what the three commands of the README make. Its input ``woman-with-dog.jpg`` is a
+photograph (see THIRD_PARTY.md). ``shirt-dress.png``: a draft, draped. ``sewn-drafts.jpg``: nine drafts, sewn
+by the network. Run from the repository root:
 
 .venv/bin/python scripts/make_readme_pictures.py
 """
@@ -25,7 +24,8 @@ from swifttailor.render.pattern_picture import pattern_picture
 FOLDER = Path("docs/images")
 WORDS = "a knee-length sleeveless dress with a V neck"
 INSTRUCTION = "give it long sleeves and lengthen the dress by 20 cm"
-PICTURE = FOLDER / "striped-top.png"
+PHOTOGRAPH = FOLDER / "woman-with-dog.jpg"
+BESIDE_IT = "a hip-length jumper with a round neck, no hood"
 SIZE = 1280, 768
 SEWN = (
     ("circle-skirt", "fitted-dress", "gathered-skirt"),
@@ -44,7 +44,7 @@ def draw_words_to_garment() -> None:
     rows = (
         (words(WORDS, "words"), dress),
         (words(INSTRUCTION, "and an instruction"), tailor.edit(dress.pattern, INSTRUCTION)),
-        (picture(PICTURE), tailor.generate(image=PICTURE)),
+        (photograph(PHOTOGRAPH, BESIDE_IT), tailor.generate(BESIDE_IT, image=PHOTOGRAPH, part="upper")),
     )
     width = LEFT + MIDDLE + 2 * VIEW + 4 * GAP
     sheet = Image.new("RGB", (width, len(rows) * (ROW + GAP) + GAP), PAPER)
@@ -71,14 +71,18 @@ def words(text: str, title: str) -> Image.Image:
     return card
 
 
-def picture(path: Path) -> Image.Image:
+def photograph(path: Path, text: str) -> Image.Image:
     card = Image.new("RGB", (LEFT, ROW), PAPER)
     pen = ImageDraw.Draw(card)
     pen.rounded_rectangle((0, 20, LEFT - 16, ROW - 20), 18, fill=BACKGROUND)
-    pen.text((28, 38), "or a picture", fill=QUIET, font=ImageFont.load_default(size=20))
+    pen.text((28, 38), "or words and a photograph", fill=QUIET, font=ImageFont.load_default(size=20))
     with Image.open(path) as shown:
-        side = LEFT - 16 - 56
-        card.paste(shown.convert("RGB").resize((side, side), Image.Resampling.LANCZOS), (28, 80))
+        height = ROW - 40 - 52 - 24
+        card.paste(shown.convert("RGB").resize((shown.width * height // shown.height, height)), (28, 80))
+        beside = 28 + shown.width * height // shown.height + 20
+    lines = "\n".join(textwrap.wrap(f"\u201c{text}\u201d", 13))
+    font = ImageFont.load_default(size=22)
+    pen.multiline_text((beside, 80 + height // 2), lines, fill=INK, font=font, anchor="lm", spacing=8)
     return card
 
 

@@ -49,6 +49,10 @@ class SimulationError(SwiftTailorError):
     """The physics could not produce a usable garment."""
 
 
+class TimeLimitError(SwiftTailorError):
+    """Work was given up because it took longer than it may."""
+
+
 class MissingExtraError(SwiftTailorError):
     """An optional package is needed and is not installed."""
 

@@ -128,10 +128,11 @@ def test_unreadable_files_raise_or_print_json(tmp_path, capsys):
 def test_panels_inside_the_default_body_are_found(square_pattern, tmp_path):
     from dataclasses import replace
 
-    from swifttailor.cli.check import _default_body
+    from swifttailor.body import Body
+    from swifttailor.body.probe import probe_body
     from swifttailor.pattern import Placement, check_pattern
 
-    probe = _default_body()
+    probe = probe_body(Body.default())
     assert 140 < probe.top < 210 and abs(probe.bottom) < 1
     distances = probe.signed_distance(np.array([[0.0, 110.0, 0.0], [0.0, 110.0, 60.0]]))
     assert distances[0] < -5 and distances[1] > 30

@@ -1,16 +1,20 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import json
 import re
 from pathlib import Path
 
 import pytest
+from old_style import old_style
 
 import swifttailor.draping
+from swifttailor.body import Body
 from swifttailor.cli.main import run
-from swifttailor.draping import FABRICS
+from swifttailor.draping import FABRICS, time_limit
 from swifttailor.draping.engines import engine_names
+from swifttailor.garment.garment import Garment
 from swifttailor.output_folder import OutputFolder
 from swifttailor.pattern import Pattern, load_pattern
 from swifttailor.pattern.drafts import draft
@@ -64,6 +68,67 @@ def test_a_garment_beyond_the_limits_is_written_with_the_reasons(skirt, tmp_path
         ".swifttailor",
         *(f for f in FILES if f != "preview.png"),
     ]
+
+
+def misplaced_lines(said: str) -> list[str]:
+    """What is said of where panels stand, whichever command says it."""
+    return [line.partition("misplaced-panel")[2] for line in said.splitlines() if "misplaced-panel" in line]
+
+
+def test_what_check_finds_is_said_and_exit_code_1(tmp_path, judge, capsys):
+    """A skirt of another program, around the origin: an accepted drape does not make it right."""
+    judge()
+    old = old_style(draft("circle-skirt"), names={"skirt_front": "front", "skirt_back": "back"})
+    path = old.save(tmp_path / "old.json")
+    arguments = ["drape", str(path), "--out", str(tmp_path / "out"), "--no-preview", *COARSE]
+    assert run(arguments) == 1
+    said = capsys.readouterr().out
+    panels = {line.split(")")[0].strip(" (") for line in misplaced_lines(said)}
+    assert panels == {p.name for p in old.panels} and "Accepted" in said
+    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert {f["where"] for f in report["findings"] if f["code"] == "misplaced-panel"} == panels
+
+    assert run(["check", str(path)]) == 1
+    checked = capsys.readouterr().out
+    assert all(f["code"] in checked for f in report["findings"])
+    assert checked.count("misplaced-panel") == len(panels)
+    assert run([*arguments, "--repair", "--overwrite"]) == 0
+    mended = capsys.readouterr().out
+    assert "cm up, to where it is worn" in mended and "warning" not in mended
+    garment = Garment.load(tmp_path / "out")
+    waist = Body.default().measurements.waist_level
+    assert abs(garment.vertices[:, 1].max() - waist) < 4.0
+
+
+def test_what_is_not_where_it_is_worn_is_not_accepted(tmp_path, capsys):
+    path = old_style(draft("tank-top")).save(tmp_path / "old.json")
+    assert run(["drape", str(path), "--out", str(tmp_path / "out"), "--no-preview", *COARSE]) == 1
+    said = capsys.readouterr().out
+    assert "Not accepted: not where it is worn: its top is" in said and "slid down" not in said
+
+
+def test_a_time_limit_is_kept_by_a_single_garment(skirt, tmp_path, capsys, monkeypatch):
+    seconds = itertools.count(0, 10)
+    monkeypatch.setattr(time_limit.time, "process_time", lambda: next(seconds))
+    arguments = ["drape", str(skirt), "--out", str(tmp_path / "out"), "--no-preview", *COARSE]
+    assert run([*arguments, "--time-limit", "55"]) == 2
+    said = capsys.readouterr().err
+    assert "Gave up sewing after 55 seconds" in said and "--edge-length" in said and "Traceback" not in said
+    assert not (tmp_path / "out" / "report.json").exists()
+
+
+def test_a_stitch_to_nowhere_is_refused_before_the_physics(skirt, tmp_path, capsys, monkeypatch):
+    specification = json.loads(skirt.read_text())
+    specification["pattern"]["stitches"][0][0]["panel"] = "ghost"
+    (tmp_path / "ghost.json").write_text(json.dumps(specification))
+
+    def compiled(*_, **__):
+        raise AssertionError("the solver was asked for")
+
+    monkeypatch.setattr(swifttailor.draping, "drape", compiled)
+    monkeypatch.setattr("swifttailor.draping.compiled_code.solver_is_compiled", compiled)
+    assert run(["drape", str(tmp_path / "ghost.json"), "--out", str(tmp_path / "out")]) == 2
+    assert "dangling-stitch (ghost" in capsys.readouterr().err
 
 
 def test_json_is_the_report(skirt, tmp_path, capsys):

@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
+from old_style import old_style
 
 from swifttailor.cli.main import run
 from swifttailor.garment.garment import Garment
@@ -53,6 +54,19 @@ def test_a_pattern_with_faults_is_sewn_and_they_are_said(shirt, tmp_path, capsys
     assert run(["sew", str(shirt), "--out", str(tmp_path / "out"), "--weights", TINY]) == 1
     assert "mended" in capsys.readouterr().out
     assert Garment.load(tmp_path / "out").report["mended"]
+
+
+def test_what_stands_elsewhere_is_said_and_mended(tmp_path, capsys):
+    old = old_style(draft("circle-skirt"))
+    path = old.save(tmp_path / "old.json")
+    assert run(["sew", str(path), "--out", str(tmp_path / "out"), "--weights", TINY]) == 1
+    assert capsys.readouterr().out.count("warning: misplaced-panel") == len(old.panels)
+    arguments = ["sew", str(path), "--out", str(tmp_path / "mended"), "--weights", TINY, "--repair"]
+    assert run(arguments) == 1
+    said = capsys.readouterr().out
+    assert "mended misplaced-panel" in said and "warning" not in said
+    tops = [Garment.load(tmp_path / name).vertices[:, 1].max() for name in ("out", "mended")]
+    assert tops[0] < 40.0 < 80.0 < tops[1]
 
 
 def test_nothing_made_is_exit_code_2(tmp_path, capsys):

@@ -8,7 +8,7 @@ from scipy.spatial import KDTree
 
 from swifttailor.body import Body
 from swifttailor.draping import drape
-from swifttailor.draping.attachment import find_attachment, lowest_top
+from swifttailor.draping.attachment import find_attachment
 from swifttailor.draping.cloth import build_cloth
 from swifttailor.draping.coarse import CoarseSettings, coarse_edge_length, drape_coarsely
 from swifttailor.draping.coarse_kernels import advance_freely
@@ -18,6 +18,7 @@ from swifttailor.draping.field_kernels import sample_field
 from swifttailor.draping.loop_arguments import StepSettings, coarse_work
 from swifttailor.draping.placement import place_vertices
 from swifttailor.draping.simulation import Simulation, SimulationSettings
+from swifttailor.draping.worn_height import worn_height
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
 
@@ -42,7 +43,7 @@ def hung(mesh, fields):
 
 
 def test_is_worn(mesh, hung):
-    assert hung[:, 1].max() > lowest_top(mesh.pattern, Body.default().measurements)
+    assert hung[:, 1].max() > worn_height(mesh.pattern, Body.default().measurements).lowest
     assert hung[:, 1].min() > -2
 
 

@@ -36,14 +36,14 @@ def test_what_lies_around_the_feet_is_draped_from_its_pattern(skirt):
     stages = []
     rested = finish_or_drape(fallen, edge_length=COARSE, progress=lambda stage, share: stages.append(stage))
     about = rested.report["finishing"]
-    assert about["from"] == "pattern" and about["reasons"][0].startswith("slid down the body")
+    assert about["from"] == "pattern" and about["reasons"][0].startswith("not where it is worn")
     assert rested.report["quality"]["accepted"]
     assert "sewing" in stages
     # The drape of the pattern, on the very mesh, so that images of the layout fit it.
     assert np.array_equal(rested.faces, skirt.faces)
     assert np.array_equal(rested.vertices, skirt.vertices)
     (note,) = finishing_notes(rested)
-    assert "slid down the body" in note
+    assert "not where it is worn" in note
 
 
 def test_what_no_drape_mends_keeps_the_first_and_its_reasons():

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from swifttailor.body import Body
-from swifttailor.draping.attachment import lowest_top
+from swifttailor.draping.worn_height import worn_height
 from swifttailor.garment_sewer.pixels.sewn_prior import vertices_ignoring_arms
 from swifttailor.garment_sewer.sewer import SHIPPED, GarmentSewer
 from swifttailor.panel_mesh.topology import topology
@@ -41,7 +41,9 @@ def test_garment_is_whole_and_sewn(garment):
 
 
 def test_garment_is_worn_and_outside_the_body(garment, sewer):
-    assert garment.vertices[:, 1].max() > lowest_top(garment.mesh.pattern, Body.default().measurements)
+    assert (
+        garment.vertices[:, 1].max() > worn_height(garment.mesh.pattern, Body.default().measurements).lowest
+    )
     distance, _ = sewer.body.sample(garment.vertices, vertices_ignoring_arms(garment.mesh))
     assert (distance < 0).mean() <= 0.005
 

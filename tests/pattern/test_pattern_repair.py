@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -26,6 +27,7 @@ from swifttailor.pattern import (
     to_specification,
 )
 from swifttailor.pattern.check import crossing_repair
+from swifttailor.pattern.check import repair as repairing
 from swifttailor.pattern.check.crossings import find_crossing
 from swifttailor.pattern.check.outline import trace_outline
 
@@ -172,6 +174,47 @@ def test_what_crosses_itself_everywhere_is_left_without_trying(monkeypatch):
     assert find_crossing(trace_outline(saw)).places > crossing_repair.MOST_PLACES
     assert crossing_repair.mend_crossings(saw, 4.0) is None
     assert len(looked) == 1
+
+
+@given(st.integers(0, 2**32 - 1), st.integers(1, 8), st.integers(0, 3000))
+@settings(max_examples=20, deadline=None)
+def test_only_so_much_is_tried_for_one_pattern(seed, count, edges):
+    """Small panels of wavy edges that tangle at many places, and an end to what may be tried."""
+    rng = np.random.default_rng(seed)
+    around = np.linspace(0, 2 * np.pi, 16, endpoint=False)
+    circle = 8.0 * np.stack([np.cos(around), np.sin(around)], axis=1)
+    panels = []
+    for k in range(count):
+        waves = {i: Quadratic((0.5, float(rng.normal(0, 0.4)))) for i in range(16) if rng.random() < 0.6}
+        panels.append(replace(panel("p", circle + rng.normal(0, 0.8, (16, 2)), waves), name=f"p{k}"))
+    faulty, looked = Pattern(tuple(panels)), []
+
+    def look(outline):
+        looked.append(len(outline.panel.edges))
+        return find_crossing(outline)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(crossing_repair, "find_crossing", look)
+        patch.setattr(repairing, "Effort", partial(crossing_repair.Effort, edges))
+        repair = repair_pattern(faulty)
+    # Each panel is looked at as it is, and once with its curves evened out.
+    assert sum(looked) <= edges + 2 * 16 * count
+    codes = [f.code for f in repair.remaining]
+    if "unfinished-repair" in codes:
+        assert {"self-crossing", "near-crossing"} & set(codes)
+
+
+def test_what_was_not_tried_is_said(monkeypatch):
+    """The same panel five times, and time for one."""
+    slips = [replace(cross_at_corner(0.02).panels[0], name=f"p{k}") for k in range(5)]
+    tried = crossing_repair.Effort()
+    crossing_repair.mend_crossings(slips[0], effort=tried)
+    enough = crossing_repair.MOST_EDGES_TRIED - tried.edges
+    monkeypatch.setattr(repairing, "Effort", partial(crossing_repair.Effort, enough))
+    repair = repair_pattern(Pattern(tuple(slips)))
+    assert [c.panel for c in repair.changes if c.code == "near-crossing"] == ["p0"]
+    codes = [f.code for f in repair.remaining]
+    assert codes.count("near-crossing") == 4 and codes.count("unfinished-repair") == 1
 
 
 def test_deep_crossings_are_left():

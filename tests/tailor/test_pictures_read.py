@@ -131,6 +131,14 @@ def test_a_thing_said_in_words_is_not_taken_from_the_picture_in_centimetres():
     assert kept == tuple(seen)
 
 
+def test_what_words_and_picture_agree_on_is_not_overruled():
+    hem = Wish(Gain(Claim("skirt_hem", "knee")), 0.9)
+    assert not_overruled([hem], [Wish(Gain(Claim("skirt_hem", "knee")), 0.6)]) == ((), ())
+    assert not_overruled([hem], [Wish(Gain(Claim("skirt_hem", "maxi")), 0.6)]) == ((), (hem,))
+    no_slit = Wish(Gain(Claim("slit", "none")), 0.9)
+    assert not_overruled([hem, no_slit], [Wish(Gain(Claim("kind", "trousers")), 0.9)]) == ((), (hem,))
+
+
 @pytest.fixture
 def shown(monkeypatch, sewer, tmp_path):
     """The command line with eyes that see a shirt above trousers, and a picture for it."""

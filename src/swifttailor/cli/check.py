@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from swifttailor.pattern import Finding, Pattern
-    from swifttailor.pattern.check import BodyProbe, Change
+    from swifttailor.pattern.check import Change
 
 UNREADABLE = 2
 
@@ -65,7 +65,12 @@ class Check:
         from swifttailor.pattern.finding import Severity
 
         reading = read_pattern_file(self.pattern, rotation=self.rotation)
-        body = _default_body() if self.body else None
+        body = None
+        if self.body:
+            from swifttailor.body import Body
+            from swifttailor.body.probe import probe_body
+
+            body = probe_body(Body.default())
         changes: tuple[Change, ...] = ()
         if self.repair is None:
             findings = check_pattern(reading.pattern, reader_findings=reading.findings, body=body)
@@ -141,32 +146,3 @@ def _summary(findings: Iterable[Finding]) -> str:
 
 def _print_json(value: dict[str, Any]) -> None:
     sys.stdout.write(json.dumps(value) + "\n")
-
-
-def _default_body() -> BodyProbe:
-    """The default body by its nearest vertices and their normals.
-
-    Good to about a centimetre, which is what the check asks for, and ready at once, unlike the exact
-    distances, whose compiled code takes seconds the first time.
-    """
-    import numpy as np
-    from scipy.spatial import KDTree
-
-    from swifttailor.body import Body
-    from swifttailor.pattern.check import BodyProbe
-
-    body = Body.default()
-    corners = body.vertices[body.faces]
-    face_normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normals = np.zeros_like(body.vertices)
-    for k in range(3):
-        np.add.at(normals, body.faces[:, k], face_normals)
-    tree = KDTree(body.vertices)
-
-    def signed_distance(points: np.ndarray) -> np.ndarray:
-        distance, nearest = tree.query(points)
-        outward = ((points - body.vertices[nearest]) * normals[nearest]).sum(axis=1)
-        return np.where(outward < 0, -distance, distance)
-
-    heights = body.vertices[:, 1]
-    return BodyProbe(signed_distance, float(heights.min()), float(heights.max()))

@@ -22,11 +22,14 @@ from swifttailor.cli.results import GarmentResults, file_name, new_place
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
+    from swifttailor.draping.sewable import Sewable
     from swifttailor.garment.garment import Garment
     from swifttailor.output_folder import OutputFolder
+    from swifttailor.pattern import Finding
 
-NOT_ACCEPTED = 1
+SOMETHING_TO_LOOK_AT = 1
 UNUSABLE = 2
+MORE_TIME = "Choose a longer --edge-length, or give it more time with --time-limit SECONDS."
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,8 +42,9 @@ class Drape(GarmentResults):
     own, with results.jsonl, summary.json and sheets of the previews. Started again, it goes on where it
     stopped.
 
-    Exit code 0: made, and within the limits of quality; 1: made, but something is beyond the limits (with
-    --batch: for some garment, or some failed); 2: not made.
+    Exit code 0: made, and within the limits of quality; 1: made, but there are warnings about the pattern or
+    something is beyond the limits (with --batch: beyond the limits for some garment, or some failed); 2: not
+    made.
     """
 
     pattern: Annotated[tyro.conf.Positional[Path | None], tyro.conf.arg(metavar="PATTERN")] = None
@@ -71,7 +75,8 @@ class Drape(GarmentResults):
     limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """With --batch: only the first N patterns."""
     time_limit: Annotated[float | None, tyro.conf.arg(metavar="SECONDS")] = None
-    """With --batch: give up on a garment after this long. Default: 600."""
+    """Give up on a garment after computing for so long. Default: 25, more where --edge-length is below 2;
+    with --batch or another engine: 600."""
     retry_failed: tyro.conf.FlagCreatePairsOff[bool] = False
     """With --batch: when resuming, retry what failed before."""
 
@@ -127,7 +132,6 @@ class Drape(GarmentResults):
         given = {
             "--workers": self.workers is not None,
             "--limit": self.limit is not None,
-            "--time-limit": self.time_limit is not None,
             "--retry-failed": self.retry_failed,
         }
         for name, is_given in given.items():
@@ -141,16 +145,17 @@ class Drape(GarmentResults):
         sources = [source] if self.body is None else [source, self.body]
         with OutputFolder(self.folder, overwrite=self.overwrite, sources=sources) as output:
             output.require_own(names_written(preview=self.preview))
-            garment, saving = self._make(source, output)
+            garment, sewable, saving = self._make(source, output)
         if self.json:
             _print_json(garment.report)
         else:
-            self._print_summary(garment, saving)
+            self._print_summary(garment, sewable.findings, saving)
         self.show(PREVIEW, GLB)
-        return 0 if garment.report["quality"]["accepted"] else NOT_ACCEPTED
+        accepted = garment.report["quality"]["accepted"] and not sewable.doubtful
+        return 0 if accepted else SOMETHING_TO_LOOK_AT
 
-    def _make(self, source: Path, output: OutputFolder) -> tuple[Garment, float]:
-        """Drapes and saves; returns the garment and the seconds that saving took."""
+    def _make(self, source: Path, output: OutputFolder) -> tuple[Garment, Sewable, float]:
+        """Drapes and saves; returns the garment, its pattern and the seconds that saving took."""
         from swifttailor.cli.progress import StageProgress
         from swifttailor.garment.folder import save_garment
         from swifttailor.pattern import read_pattern_file
@@ -159,13 +164,15 @@ class Drape(GarmentResults):
         reading = read_pattern_file(source, rotation=self.rotation)
         with StageProgress() as progress:
             from swifttailor.body import Body
+            from swifttailor.body.probe import probe_body
             from swifttailor.draping import drape, get_fabric
             from swifttailor.draping.compiled_code import COMPILE_NOTE, solver_is_compiled
             from swifttailor.draping.sewable import require_sewable
+            from swifttailor.draping.time_limit import TimeLimit
 
             fabric = get_fabric(self.fabric)
-            sewable = require_sewable(reading, str(source), repair=self.repair)
             body = Body.default() if self.body is None else Body.load(self.body)
+            sewable = require_sewable(reading, str(source), repair=self.repair, body=probe_body(body))
             loaded = time.perf_counter()
             if not solver_is_compiled():
                 progress.note(COMPILE_NOTE)
@@ -176,7 +183,7 @@ class Drape(GarmentResults):
                 edge_length=self.edge_length,
                 engine=self.engine,
                 seed=self.seed,
-                progress=progress,
+                progress=TimeLimit(self._time_limit(), progress, instead=MORE_TIME),
             )
             report = sewable.complete_report(garment.report, loaded - started)
             garment = replace(garment, report=report)
@@ -184,13 +191,23 @@ class Drape(GarmentResults):
             progress("saving", 0.0)
             save_garment(garment, output, body=body, preview=self.preview)
             saving = time.perf_counter() - before_saving
-        return garment, saving
+        return garment, sewable, saving
 
-    def _print_summary(self, garment: Garment, saving: float) -> None:
+    def _time_limit(self) -> float:
+        from swifttailor.draping.batch.run import TIME_LIMIT
+        from swifttailor.draping.time_limit import usual_time_limit
+
+        if self.time_limit is not None:
+            return self.time_limit
+        return usual_time_limit(self.edge_length) if self.engine == "xpbd" else TIME_LIMIT
+
+    def _print_summary(self, garment: Garment, findings: tuple[Finding, ...], saving: float) -> None:
         report = garment.report
         quality = report["quality"]
         for change in report.get("mended", ()):
             print(f"Mended {change}")  # noqa: T201
+        for finding in findings:
+            print(finding.line())  # noqa: T201
         if quality["accepted"]:
             verdict = "Accepted: it hangs at rest, within all limits of quality."
         else:

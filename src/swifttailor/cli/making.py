@@ -221,15 +221,13 @@ def _shared(made: list[Tailored]) -> list[str]:
 
 def _say(folder: Path, outcome: Tailored | SwiftTailorError, said: list[str], *, alone: bool) -> None:
     """Prints what came of one sample, but for what was said of all."""
-    from swifttailor.tailor.reporting import finding_line
-
     lines = []
     if isinstance(outcome, SwiftTailorError):
         lines.append(f"not made. {outcome}")
     else:
         report = outcome.report
         lines += [line for line in _remarks(outcome) if line not in said]
-        lines += [finding_line(finding) for finding in outcome.findings]
+        lines += [finding.line() for finding in outcome.findings]
         if "quality" in report and not report["quality"]["accepted"]:
             lines.append(f"not accepted: {'; '.join(report['quality']['reasons'])}")
         stages = ", ".join(f"{name} {value:.2f}" for name, value in outcome.seconds.items() if value >= 0.005)

@@ -135,12 +135,10 @@ class Sew(GarmentResults):
 
 
 def _say(path: Path, folder: Path, made: Tailored) -> None:
-    from swifttailor.tailor.reporting import finding_line
-
     for change in made.report.get("mended", ()):
         print(f"{path}: mended {change}")  # noqa: T201
     for finding in made.findings:
-        print(f"{path}: {finding_line(finding)}")  # noqa: T201
+        print(f"{path}: {finding.line()}")  # noqa: T201
     for note in made.notes:
         print(f"{path}: {note}")  # noqa: T201
     report = made.report

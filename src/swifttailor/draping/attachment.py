@@ -11,7 +11,7 @@ from swifttailor.arrays import Ints
 from swifttailor.body import BodyMeasurements
 from swifttailor.draping.placement import place_vertices
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-from swifttailor.pattern import Pattern, body_region
+from swifttailor.pattern.check import hangs_from_shoulders
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,11 +49,6 @@ def find_attachment(mesh: PatternMesh, measurements: BodyMeasurements) -> Attach
     return Attachment(held, np.full(len(held), measurements.waist_level), np.zeros(len(held), dtype=bool))
 
 
-def hangs_from_shoulders(pattern: Pattern) -> bool:
-    """Whether the pattern has a bodice, sleeves, a hood or a collar (waistbands do not count)."""
-    return any(body_region(p.name, p.label) != "leg" and not p.name.startswith("wb") for p in pattern.panels)
-
-
 def _labelled(mesh: PatternMesh, *labels: str) -> Ints:
     found = [
         mesh.edge_vertices[i][k]
@@ -70,7 +65,7 @@ def _top_edges(mesh: PatternMesh) -> Ints:
     heights, runs = [], []
     for i, panel in enumerate(mesh.pattern.panels):
         for k in range(len(panel.edges)):
-            if any(r.panel == panel.name and r.edge == k for r in stitched):
+            if (panel.name, k) in stitched:
                 continue
             run = mesh.edge_vertices[i][k]
             middle = mesh.flat_vertices[run].mean(axis=0, keepdims=True)
@@ -80,15 +75,3 @@ def _top_edges(mesh: PatternMesh) -> Ints:
         return np.zeros(0, dtype=np.int32)
     top = [r for r, h in zip(runs, heights, strict=True) if h > max(heights) - 10]
     return np.unique(mesh.weld[np.concatenate(top)])
-
-
-def lowest_top(pattern: Pattern, measurements: BodyMeasurements) -> float:
-    """Height in cm that the top of a garment must reach to count as worn.
-
-    For what hangs from the shoulders or is strapless, a hand below the armpit, or a little below where its
-    panels are placed if they are placed that low; for skirts and trousers the hips.
-    """
-    if hangs_from_shoulders(pattern):
-        placed = max(float(p.to_world(p.outline(1.0))[:, 1].max()) for p in pattern.panels)
-        return min(measurements.armpit_level - 10.0, placed - 5.0)
-    return measurements.hips_level

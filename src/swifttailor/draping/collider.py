@@ -8,7 +8,7 @@ from swifttailor.body import Body, DistanceField
 from swifttailor.body.parts import ARMS
 from swifttailor.draping.loop_arguments import FieldArrays
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-from swifttailor.pattern import body_region
+from swifttailor.pattern.check import panel_regions
 
 FIELD_SPACING_CM = 1.0
 
@@ -19,7 +19,7 @@ def vertices_ignoring_arms(mesh: PatternMesh) -> np.ndarray:
     Wide skirts start out around the hands of a body in A-pose; GarmentCode lets such panels pass through
     the arms too.
     """
-    on_leg = np.array([body_region(p.name, p.label) == "leg" for p in mesh.pattern.panels], dtype=np.uint8)
+    on_leg = np.array([r == "leg" for r in panel_regions(mesh.pattern).values()], dtype=np.uint8)
     ignores = np.zeros(mesh.vertex_count, dtype=np.uint8)
     np.maximum.at(ignores, mesh.weld, on_leg[mesh.flat_panel])
     return ignores

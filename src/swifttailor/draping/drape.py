@@ -140,7 +140,7 @@ def _dress(
         simulation = Simulation(mesh, cloth, body, fabric, attachment, positions, settings)
         sew(simulation, dressing, progress)
         _require_finite(simulation)
-        crossings = untangle(simulation) if settings.self_collision else 0
+        crossings = untangle(simulation, progress, "sewing") if settings.self_collision else 0
         if crossings < fewest:
             best, fewest = simulation, crossings
         if fewest <= FEW_CROSSINGS or not simulation.sleeve_edges.any():

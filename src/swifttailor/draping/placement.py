@@ -9,7 +9,8 @@ import shapely
 
 from swifttailor.arrays import Floats
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-from swifttailor.pattern import Panel, Pattern, body_region
+from swifttailor.pattern import Panel, Pattern
+from swifttailor.pattern.check import panel_regions
 
 _CLEAR_CM = 1.0
 _MAX_SHIFT_CM = 20.0
@@ -31,8 +32,9 @@ def place_vertices(mesh: PatternMesh, *, sleeves_out: bool = False) -> Floats:
 
 
 def _sleeves_moved_out(pattern: Pattern) -> tuple[Panel, ...]:
-    arms = [p for p in pattern.panels if body_region(p.name, p.label) == "arm"]
-    torso = [p for p in pattern.panels if body_region(p.name, p.label) == "body"]
+    regions = panel_regions(pattern)
+    arms = [p for p in pattern.panels if regions[p.name] == "arm"]
+    torso = [p for p in pattern.panels if regions[p.name] == "body"]
     if not arms or not torso:
         return pattern.panels
     names = {p.name for p in arms}

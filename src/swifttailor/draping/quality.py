@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from swifttailor.arrays import Floats
 from swifttailor.body import Body
 from swifttailor.body.parts import ARMS
-from swifttailor.draping.attachment import lowest_top
 from swifttailor.draping.cloth import ClothModel
 from swifttailor.draping.intersections import mesh_intersections, self_intersections
+from swifttailor.draping.worn_height import WornHeight, worn_height
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.panel_mesh.topology import component_count
 
@@ -33,7 +33,7 @@ class Quality:
     static: bool
     """Whether it came to rest; what slides down is not followed to the floor."""
     fell_off: bool
-    """Whether it slid down: its top lies below where such a garment must be held (`lowest_top`)."""
+    """Whether its top lies below where it is worn (`worn_height`): it slid down, or never was there."""
     top_cm: float
     """Height of its highest vertex."""
     penetrating_fraction: float
@@ -84,11 +84,12 @@ def measure_quality(
     strain = cloth.strain(positions)
     distance = _body_distance(body, positions, ignores_arms)
     top = float(positions[:, 1].max())
+    worn = worn_height(mesh.pattern, body.measurements)
     crossings = self_intersections(positions, arrays.edges, arrays.faces)
     body_crossings = _body_crossings(body, positions, arrays.edges, ignores_arms)
     measured = {
         "static": static,
-        "fell_off": top < lowest_top(mesh.pattern, body.measurements),
+        "fell_off": top < worn.lowest,
         "top_cm": top,
         "penetrating_fraction": float((distance < 0).mean()),
         "max_penetration_cm": float(max(0.0, -distance.min())),
@@ -101,7 +102,7 @@ def measure_quality(
         "components": component_count(mesh.faces, mesh.vertex_count),
         "frames": frames,
     }
-    reasons = _reasons(measured)
+    reasons = _reasons(measured, worn)
     return Quality(accepted=not reasons, reasons=reasons, **measured)
 
 
@@ -118,10 +119,14 @@ def seam_gap(mesh: PatternMesh, positions: Floats) -> float:
     return largest
 
 
-def _reasons(q: dict[str, Any]) -> tuple[str, ...]:
+def _reasons(q: dict[str, Any], worn: WornHeight) -> tuple[str, ...]:
     limits = [
         (not q["static"] and not q["fell_off"], "did not come to rest"),
-        (q["fell_off"], f"slid down the body: its top is {q['top_cm']:.0f} cm above the floor"),
+        (
+            not worn.lowest <= q["top_cm"] <= worn.highest,
+            f"not where it is worn: its top is {q['top_cm']:.0f} cm above the floor, that of {worn.kind} "
+            f"between {worn.lowest:.0f} and {worn.highest:.0f}",
+        ),
         (
             q["body_intersections"] > MAX_BODY_INTERSECTIONS,
             f"{q['body_intersections']} edges pass through the body (limit {MAX_BODY_INTERSECTIONS})",

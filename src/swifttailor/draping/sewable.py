@@ -7,7 +7,7 @@ from typing import Any
 
 from swifttailor.errors import PatternError
 from swifttailor.pattern import Finding, Pattern, Reading, Severity, check_pattern, repair_pattern
-from swifttailor.pattern.check import Change
+from swifttailor.pattern.check import BodyProbe, Change
 
 
 @dataclass(frozen=True)
@@ -20,9 +20,17 @@ class Sewable:
     findings: tuple[Finding, ...] = ()
     """Warnings and notes that remain."""
 
+    @property
+    def doubtful(self) -> bool:
+        """Whether a person should look at the pattern: there are warnings."""
+        return any(finding.severity is Severity.WARNING for finding in self.findings)
+
     def complete_report(self, report: dict[str, Any], loading: float) -> dict[str, Any]:
-        """A drape's report with the seconds for loading and what was mended in the pattern."""
-        report = report | {"seconds": {"loading": round(loading, 4)} | report["seconds"]}
+        """A drape's report with the seconds for loading, and what was found and mended in the pattern."""
+        report = report | {
+            "seconds": {"loading": round(loading, 4)} | report["seconds"],
+            "findings": [finding.entry() for finding in self.findings],
+        }
         if self.changes:
             report["mended"] = [
                 f"{c.code}{f' ({c.where()})' if c.where() else ''}: {c.message}" for c in self.changes
@@ -30,13 +38,16 @@ class Sewable:
         return report
 
 
-def require_sewable(reading: Reading, source: str, *, repair: bool = False) -> Sewable:
+def require_sewable(
+    reading: Reading, source: str, *, repair: bool = False, body: BodyProbe | None = None
+) -> Sewable:
     """Checks a pattern that was read, and mends it where asked.
 
     Args:
         reading: From `read_pattern_file` or `read_specification`.
         source: File name or id, for messages.
         repair: Mend what `repair_pattern` can.
+        body: What it is to be worn by; without it, panels inside the body are not looked for.
 
     Raises:
         PatternError: There are errors (left); the text names the first and how to mend them.
@@ -44,10 +55,10 @@ def require_sewable(reading: Reading, source: str, *, repair: bool = False) -> S
     changes: tuple[Change, ...] = ()
     pattern = reading.pattern
     if repair:
-        repaired = repair_pattern(pattern, reading.findings)
+        repaired = repair_pattern(pattern, reading.findings, body=body)
         pattern, changes, findings = repaired.pattern, repaired.changes, repaired.remaining
     else:
-        findings = check_pattern(pattern, reader_findings=reading.findings)
+        findings = check_pattern(pattern, reader_findings=reading.findings, body=body)
     errors = [f for f in findings if f.severity is Severity.ERROR]
     if errors:
         raise PatternError(_refusal(errors, source, repair=repair))

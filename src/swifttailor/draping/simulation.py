@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Floats
 from swifttailor.body import Body
-from swifttailor.draping.attachment import Attachment, lowest_top
+from swifttailor.draping.attachment import Attachment
 from swifttailor.draping.cloth import ClothArrays, ClothModel
 from swifttailor.draping.collider import build_field_arrays
 from swifttailor.draping.fabric import Fabric
@@ -22,9 +22,10 @@ from swifttailor.draping.loop_arguments import (
     StepSettings,
 )
 from swifttailor.draping.neighbor_lists import no_neighbors
+from swifttailor.draping.worn_height import worn_height
 from swifttailor.draping.xpbd_kernels import advance_frame
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-from swifttailor.pattern import body_region
+from swifttailor.pattern.check import panel_regions
 from swifttailor.progress import StageProgress
 
 _FOOTPRINT_LEVEL = 2.0
@@ -88,7 +89,7 @@ class Simulation:
         self.fabric = fabric
         self.settings = settings
         self.attachment = attachment
-        self._lowest_top = lowest_top(mesh.pattern, body.measurements)
+        self._lowest_top = worn_height(mesh.pattern, body.measurements).lowest
         self.sleeve_edges = _sleeve_edges(mesh, self.cloth.edges)
         self.field: FieldArrays = build_field_arrays(body, mesh)
         self.positions = np.ascontiguousarray(positions, dtype=np.float64).copy()
@@ -234,7 +235,7 @@ def settle(simulation: Simulation, progress: StageProgress) -> tuple[int, bool]:
 
 def _sleeve_edges(mesh: PatternMesh, edges: NDArray[np.int32]) -> NDArray[np.bool_]:
     """(e,) edges with an end that lies on sleeves alone."""
-    on_sleeve = np.array([body_region(p.name, p.label) == "arm" for p in mesh.pattern.panels])
+    on_sleeve = np.array([region == "arm" for region in panel_regions(mesh.pattern).values()])
     elsewhere = np.zeros(mesh.vertex_count, dtype=bool)
     elsewhere[mesh.weld[~on_sleeve[mesh.flat_panel]]] = True
     if not elsewhere.any():

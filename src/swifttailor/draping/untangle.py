@@ -14,18 +14,24 @@ _SHRINK_FRAMES = 12
 _GROW_FRAMES = 18
 _SHRUNK = 0.35
 _RINGS = (3, 3, 6)
+_NEARLY_DONE = 0.99
 
 FEW_CROSSINGS = 5
 """So few crossings of single edges cannot be seen; trying again costs more than it brings."""
 
 
-def untangle(simulation: Simulation) -> int:
+def untangle(simulation: Simulation, progress: StageProgress, stage: str) -> int:
     """Removes self-crossings around which the cloth can be drawn tight.
 
     Minimising the line of intersection cannot undo a tuck that ends at a seam, where the two layers join.
     So the neighbourhood of the crossings is shrunk like a rubber membrane, without self-collision: it
     snaps to a small surface that does not cross itself. Then it grows back with self-collision on, and
     buckles without passing through. Rounds widen the neighbourhood.
+
+    Args:
+        simulation: Brought on in place.
+        progress: Called after every frame.
+        stage: Name of the stage that this is the end of.
 
     Returns:
         The crossings that remain.
@@ -42,9 +48,11 @@ def untangle(simulation: Simulation) -> int:
         for k in range(_SHRINK_FRAMES):
             a = min(1.0, (k + 1) / 6)
             _calm_frame(simulation, cloth.rest * (1 - a) + shrunk * a, self_collision=False)
+            progress(stage, _NEARLY_DONE)
         for k in range(_GROW_FRAMES):
             a = min(1.0, (k + 1) / 12)
             _calm_frame(simulation, shrunk * (1 - a) + cloth.rest * a, self_collision=True)
+            progress(stage, _NEARLY_DONE)
         after = _crossings(simulation)
         if after >= remaining:
             simulation.positions[:] = before
@@ -68,7 +76,7 @@ def settle_untangled(simulation: Simulation, progress: StageProgress) -> tuple[i
     ):
         return frames, static
     before, crossings = simulation.positions.copy(), _crossings(simulation)
-    if untangle(simulation) < crossings:
+    if untangle(simulation, progress, "draping") < crossings:
         more, again = settle(simulation, progress)
         if _crossings(simulation) < crossings and again >= static:
             return frames + more, again

@@ -211,8 +211,14 @@ def _split_edges(mesh: PatternMesh, edges: Longs) -> PatternMesh:
     vertices, panels, weld = list(mesh.flat_vertices), list(mesh.flat_panel), list(mesh.weld)
     faces = [tuple(int(v) for v in f) for f in mesh.flat_faces]
     next_weld = mesh.vertex_count
-    for a, b in edges:
-        touching = [k for k, f in enumerate(faces) if a in f and b in f]
+    around: dict[int, set[int]] = {int(v): set() for v in edges.ravel()}
+    for v, k in zip(
+        mesh.flat_faces.ravel().tolist(), np.repeat(np.arange(len(faces)), 3).tolist(), strict=True
+    ):
+        if v in around:
+            around[v].add(k)
+    for a, b in edges.tolist():
+        touching = sorted(around[a] & around[b])
         if len(touching) != 2:  # an earlier split in this round has already changed the edge
             continue
         middle = len(vertices)
@@ -221,9 +227,13 @@ def _split_edges(mesh: PatternMesh, edges: Longs) -> PatternMesh:
         weld.append(next_weld)
         next_weld += 1
         for k in touching:
-            face = faces[k]
+            face, new = faces[k], len(faces)
             faces[k] = tuple(middle if v == b else v for v in face)
             faces.append(tuple(middle if v == a else v for v in face))
+            around[b].discard(k)
+            for v in face:
+                if v != a and v in around:
+                    around[v].add(new)
     return PatternMesh(
         mesh.pattern,
         np.array(vertices),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 
 import numpy as np
@@ -43,13 +44,10 @@ def recover_edges(points: Floats, faces: Longs, neighbors: Longs, following: Lon
     missing = np.flatnonzero(~present)
     if not len(missing):
         return faces, neighbors
-    triangles = [(int(a), int(b), int(c)) for a, b, c in faces]
-    left: dict[tuple[int, int], int] = {}
-    for t, (a, b, c) in enumerate(triangles):
-        left[a, b] = left[b, c] = left[c, a] = t
-    kept = {tuple(sorted((a, b))) for a, b in enumerate(following.tolist()) if b >= 0}
+    mesh = _Flippable(points, faces, following)
     for a in missing.tolist():
-        _insert(points, triangles, left, a, int(following[a]), kept)
+        mesh.insert(a, int(following[a]))
+    triangles, left = mesh.triangles, mesh.left
     recovered = np.array(triangles, dtype=np.int64)
     across = [[left.get((c, b), -1), left.get((a, c), -1), left.get((b, a), -1)] for a, b, c in triangles]
     return recovered, np.array(across, dtype=np.int64)
@@ -79,56 +77,120 @@ def interior_triangles(points: Floats, faces: Longs, neighbors: Longs, following
     return (votes > _NO_AREA * area.sum())[part]
 
 
-def _insert(
-    points: Floats,
-    triangles: list[tuple[int, int, int]],
-    left: dict[tuple[int, int], int],
-    a: int,
-    b: int,
-    kept: set[tuple[int, ...]],
-) -> None:
-    def turn(i: int, j: int, k: int) -> float:
-        (xi, yi), (xj, yj), (xk, yk) = points[i], points[j], points[k]
-        return float((xj - xi) * (yk - yi) - (yj - yi) * (xk - xi))
+class _Flippable:
+    """A triangulation whose edges can be flipped."""
 
-    waiting = deque(_crossing(points, list(left), a, b))
-    for _ in range(_FLIPS * len(waiting) ** 2):
-        if not waiting:
-            break
-        u, v = waiting.popleft()
-        if tuple(sorted((u, v))) in kept:
-            break
-        one, two = left[u, v], left[v, u]
-        p = next(w for w in triangles[one] if w not in (u, v))
-        q = next(w for w in triangles[two] if w not in (u, v))
-        if turn(p, q, v) <= 0 or turn(q, p, u) <= 0:  # the two triangles are no convex quadrilateral
-            waiting.append((u, v))
-            continue
-        del left[u, v], left[v, u]
-        triangles[one], triangles[two] = (p, u, q), (q, v, p)
-        for t, (i, j, k) in ((one, triangles[one]), (two, triangles[two])):
-            left[i, j] = left[j, k] = left[k, i] = t
-        if not {p, q} & {a, b} and turn(a, b, p) * turn(a, b, q) < 0:
-            waiting.append((p, q))
-    if (a, b) in left or (b, a) in left:
-        return
-    raise GeometryError(
-        f"The panel outline cannot be meshed near ({points[a][0]:.2f}, {points[a][1]:.2f}) cm: it crosses or "
-        "touches itself there. Run: swifttailor check PATTERN"
-    )
+    def __init__(self, points: Floats, faces: Longs, following: Longs) -> None:
+        """Takes over faces (f, 3); flips never touch the edges of the boundary."""
+        self.xy = points.tolist()
+        self.triangles: list[tuple[int, int, int]] = [(a, b, c) for a, b, c in faces.tolist()]
+        self.left: dict[tuple[int, int], int] = {}
+        """Triangle on the left of each directed edge."""
+        for t, (a, b, c) in enumerate(self.triangles):
+            self.left[a, b] = self.left[b, c] = self.left[c, a] = t
+        self._at = [-1] * len(points)
+        """A triangle at each point."""
+        for t, corners in enumerate(self.triangles):
+            for corner in corners:
+                self._at[corner] = t
+        self._points = points
+        self._kept = {(a, b) for a, b in enumerate(following.tolist()) if b >= 0}
+
+    def insert(self, a: int, b: int) -> None:
+        """Flips edges until there is one from a to b."""
+        if (a, b) in self.left or (b, a) in self.left:  # flips for another have made it
+            return
+        crossed = self._walk(a, b)
+        waiting = deque(self._search(a, b) if crossed is None else self._nearest_first(crossed, a))
+        for _ in range(_FLIPS * len(waiting) ** 2):
+            if not waiting:
+                break
+            u, v = waiting.popleft()
+            if (u, v) in self._kept or (v, u) in self._kept:
+                break
+            one, two = self.left[u, v], self.left[v, u]
+            p = next(w for w in self.triangles[one] if w not in (u, v))
+            q = next(w for w in self.triangles[two] if w not in (u, v))
+            if self._turn(p, q, v) <= 0 or self._turn(q, p, u) <= 0:  # no convex quadrilateral
+                waiting.append((u, v))
+                continue
+            self._flip(u, v, p, q)
+            if not {p, q} & {a, b} and self._turn(a, b, p) * self._turn(a, b, q) < 0:
+                waiting.append((p, q))
+        if (a, b) in self.left or (b, a) in self.left:
+            return
+        x, y = self.xy[a]
+        raise GeometryError(
+            f"The panel outline cannot be meshed near ({x:.2f}, {y:.2f}) cm: it crosses or touches itself "
+            "there. Run: swifttailor check PATTERN"
+        )
+
+    def _walk(self, a: int, b: int) -> list[tuple[int, int]] | None:
+        """Edges that the segment from a to b crosses, triangle by triangle; None where it meets a corner."""
+        first = self._toward(a, b)
+        if first is None:
+            return None
+        right, left = first
+        crossed = []
+        while True:
+            crossed.append((min(right, left), max(right, left)))
+            beyond = self.left.get((left, right))
+            if beyond is None:
+                return None
+            tip = next(w for w in self.triangles[beyond] if w not in (left, right))
+            if tip == b:
+                return crossed
+            side = self._turn(a, b, tip)
+            if side == 0:
+                return None
+            right, left = (tip, left) if side < 0 else (right, tip)
+
+    def _toward(self, a: int, b: int) -> tuple[int, int] | None:
+        """The edge opposite a, right end first, of the triangle at a through which b is seen."""
+        start = self._at[a]
+        for ahead in (True, False):  # all the way round, or to the border and back from the start
+            t: int | None = start
+            while t is not None:
+                i, j, k = self.triangles[t]
+                x, y = (j, k) if i == a else (k, i) if j == a else (i, j)
+                if self._turn(a, x, b) > 0 and self._turn(a, b, y) > 0:
+                    return x, y
+                t = self.left.get((a, y) if ahead else (x, a))
+                if t == start:
+                    return None
+        return None
+
+    def _search(self, a: int, b: int) -> list[tuple[int, int]]:
+        """What `_walk` finds, among all edges: where corners lie on the segment or triangles have no area."""
+        pairs = np.array([pair for pair in self.left if pair[0] < pair[1]], np.int64)
+        p, q, s, e = self._points[pairs[:, 0]], self._points[pairs[:, 1]], self._points[a], self._points[b]
+        apart = (_side(s, e, p) * _side(s, e, q) < 0) & (_side(p, q, s[None]) * _side(p, q, e[None]) < 0)
+        shared = (pairs == a).any(axis=1) | (pairs == b).any(axis=1)
+        return self._nearest_first([(u, v) for u, v in pairs[apart & ~shared].tolist()], a)
+
+    def _nearest_first(self, edges: list[tuple[int, int]], a: int) -> list[tuple[int, int]]:
+        x, y = self.xy[a]
+
+        def distance(edge: tuple[int, int]) -> float:
+            (xu, yu), (xv, yv) = self.xy[edge[0]], self.xy[edge[1]]
+            return math.hypot((xu + xv) / 2 - x, (yu + yv) / 2 - y)
+
+        return sorted(edges, key=distance)
+
+    def _flip(self, u: int, v: int, p: int, q: int) -> None:
+        """Replaces the edge between u and v by that between the corners p and q opposite it."""
+        one, two = self.left.pop((u, v)), self.left.pop((v, u))
+        self.triangles[one], self.triangles[two] = (p, u, q), (q, v, p)
+        for t, (i, j, k) in ((one, self.triangles[one]), (two, self.triangles[two])):
+            self.left[i, j] = self.left[j, k] = self.left[k, i] = t
+            self._at[i] = self._at[j] = self._at[k] = t
+
+    def _turn(self, i: int, j: int, k: int) -> float:
+        (xi, yi), (xj, yj), (xk, yk) = self.xy[i], self.xy[j], self.xy[k]
+        return (xj - xi) * (yk - yi) - (yj - yi) * (xk - xi)
 
 
-def _crossing(points: Floats, edges: list[tuple[int, int]], a: int, b: int) -> list[tuple[int, int]]:
-    """Edges (each once) that properly cross the segment from a to b, nearest to a first."""
-    pairs = np.array([e for e in edges if e[0] < e[1]])
-    p, q, s, e = points[pairs[:, 0]], points[pairs[:, 1]], points[a], points[b]
-
-    def side(origin: Floats, tip: Floats, x: Floats) -> Floats:
-        d, w = tip - origin, x - origin
-        return d[..., 0] * w[..., 1] - d[..., 1] * w[..., 0]
-
-    apart = (side(s, e, p) * side(s, e, q) < 0) & (side(p, q, s[None]) * side(p, q, e[None]) < 0)
-    shared = (pairs == a).any(axis=1) | (pairs == b).any(axis=1)
-    hits = pairs[apart & ~shared]
-    order = np.argsort(np.linalg.norm(points[hits].mean(axis=1) - s, axis=1), kind="stable")
-    return [(int(u), int(v)) for u, v in hits[order]]
+def _side(origin: Floats, tip: Floats, x: Floats) -> Floats:
+    """On which side of the lines from origin to tip points lie: positive on the left."""
+    d, w = tip - origin, x - origin
+    return d[..., 0] * w[..., 1] - d[..., 1] * w[..., 0]

@@ -42,6 +42,16 @@ class Finding:
         parts += [f"stitch {self.stitch}"] if self.stitch is not None else []
         return ", ".join(parts)
 
+    def line(self) -> str:
+        """The finding on one line, such as ``warning: no-area (cuff): ...``."""
+        place = f" ({self.where()})" if self.where() else ""
+        return f"{self.severity.value}: {self.code}{place}: {self.message}"
+
+    def entry(self) -> dict[str, str]:
+        """The finding for a report: JSON values."""
+        severity, where = self.severity.value, self.where()
+        return {"code": self.code, "severity": severity, "where": where, "message": self.message}
+
     def to_json(self) -> dict[str, object]:
         """The finding as plain JSON values."""
         return asdict(self)

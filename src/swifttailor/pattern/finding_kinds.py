@@ -69,6 +69,9 @@ _KINDS: Mapping[str, _Kind] = {
         "--repair moves the corner or flattens the curve, by half a centimetre at most",
     ),
     "self-touching": _Kind(_INFO, "it can be cut, but two parts of the outline coincide there"),
+    "unfinished-repair": _Kind(
+        _INFO, "trying everything would take minutes", "repair the pattern again, or mend it by hand"
+    ),
     "tiny-pattern": _Kind(
         _WARNING,
         "no garment is that small; lengths in metres look like this when read as cm",
@@ -111,6 +114,26 @@ _KINDS: Mapping[str, _Kind] = {
         _WARNING,
         "it seems to stand upside down or the wrong way round, and would twist when sewn",
         "turn the placement by 180 degrees in the panel's plane",
+    ),
+    "misread-angles": _Kind(
+        _WARNING,
+        "panels turned the wrong way are sewn in twisted",
+        "--repair writes the angles anew",
+    ),
+    "misplaced-panel": _Kind(
+        _WARNING,
+        "cloth is sewn together where it stands, on the wrong part of the body or beside it",
+        "move its translation to where it is worn",
+    ),
+    "high-sleeve": _Kind(
+        _WARNING,
+        "it was placed for a body in T-pose; this body's arms hang down, and pass through the cloth",
+        "--repair turns it down to the arm",
+    ),
+    "spread-leg": _Kind(
+        _WARNING,
+        "it was placed for a body with its legs apart, and is sewn together beside the leg",
+        "--repair turns it down to the leg",
     ),
     "far-placement": _Kind(
         _WARNING,

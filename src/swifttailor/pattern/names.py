@@ -46,6 +46,7 @@ _SIDES = (("left_", "right_"), ("_l_", "_r_"), ("_l ", "_r "))
 _CLASS_ID = {name: k for k, name in enumerate(PANEL_NAMES)}
 _ARM = re.compile(r"(^|_)(sl|sleeve|sleeves|arm|hand)(_|\d|$)|sleeve", re.IGNORECASE)
 _LEG = re.compile(r"pant|skirt|trouser|leg|short|godet|(^|_)ins_", re.IGNORECASE)
+_BODY = re.compile(r"torso|bodice|yoke|hood|collar|lapel|waist_?band|belt|(^|_)wb(_|\d|$)", re.IGNORECASE)
 _NUMBER = re.compile(r"(\d+)")
 
 
@@ -53,13 +54,22 @@ _NUMBER = re.compile(r"(\d+)")
 def body_region(name: str, label: str = "") -> BodyRegion:
     """The part of the body a panel covers: its label where it has a known one, else judged by its name.
 
-    Sleeve names are tried first, because cuffs such as ``sl_left_cuff_skirt_f`` also contain ``skirt``.
+    Sleeve names are tried first, because cuffs such as ``sl_left_cuff_skirt_f`` also contain ``skirt``. A
+    panel whose label and name say nothing counts as ``body``; `check.panel_regions` looks at its place too.
     """
+    return said_region(name, label) or "body"
+
+
+@lru_cache(maxsize=4096)
+def said_region(name: str, label: str = "") -> BodyRegion | None:
+    """The part of the body that a panel's label, or else its name, speaks of; None when neither does."""
     if label in ("body", "arm", "leg"):
         return label
     if _ARM.search(name):
         return "arm"
-    return "leg" if _LEG.search(name) else "body"
+    if _LEG.search(name):
+        return "leg"
+    return "body" if _BODY.search(name) else None
 
 
 def canonical_key(name: str) -> tuple[int, tuple[tuple[int, str], ...]]:

@@ -34,6 +34,20 @@ class Placement:
         rx, ry, rz = (_rotation(axis, np.deg2rad(a)) for axis, a in enumerate(self.rotation))
         return rx @ ry @ rz if self.reading == "intrinsic" else rz @ ry @ rx
 
+    def moved(self, turn: Floats, shift: Floats) -> Placement:
+        """The placement after a motion of the world: points x go to turn @ x + shift.
+
+        Args:
+            turn: Rotation matrix (3, 3).
+            shift: (3,) cm.
+        """
+        x, y, z = (turn @ np.asarray(self.translation) + shift).tolist()
+        return Placement((x, y, z), _angles(turn @ self.matrix(), self.reading), self.reading)
+
+    def read_as(self, reading: RotationReading) -> Placement:
+        """The same place in the world, with the angles written for the given reading."""
+        return Placement(self.translation, _angles(self.matrix(), reading), reading)
+
     def apply(self, points: ArrayLike) -> Floats:
         """Carries panel-local points (n, 2) cm into the world (n, 3) cm."""
         points = np.asarray(points, float)
@@ -166,3 +180,18 @@ def _rotation(axis: int, angle: float) -> Floats:
     matrix = np.eye(3)
     matrix[i, i], matrix[i, j], matrix[j, i], matrix[j, j] = c, -s, s, c
     return matrix
+
+
+def _angles(matrix: Floats, reading: RotationReading) -> tuple[float, float, float]:
+    """Angles about x, y and z in degrees of a rotation matrix; the third is 0 where it is not determined."""
+    if reading == "extrinsic":  # (Rz Ry Rx)^T = Rx(-a) Ry(-b) Rz(-c)
+        x, y, z = _angles(matrix.T, "intrinsic")
+        return -x + 0.0, -y + 0.0, -z + 0.0
+    across = float(np.hypot(matrix[0, 0], matrix[0, 1]))
+    y = np.arctan2(matrix[0, 2], across)
+    if across < 1e-9:
+        x, z = np.arctan2(matrix[2, 1], matrix[1, 1]), 0.0
+    else:
+        x, z = np.arctan2(-matrix[1, 2], matrix[2, 2]), np.arctan2(-matrix[0, 1], matrix[0, 0])
+    a, b, c = (round(float(np.rad2deg(angle)), 10) + 0.0 for angle in (x, y, z))
+    return a, b, c

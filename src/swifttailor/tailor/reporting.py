@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from swifttailor.clock import DIGITS, Clock
 from swifttailor.garment.garment import Garment
-from swifttailor.pattern import Finding
 from swifttailor.pattern.check import Change
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.order import one_line
@@ -42,7 +41,7 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
     report = garment.report | {
         "seconds": {name: round(value, DIGITS) for name, value in seconds.items()},
         **facts,
-        "findings": [finding_entry(f) for f in sewn.findings],
+        "findings": [f.entry() for f in sewn.findings],
         "versions": versions(),
         "weights": weights(
             pattern_maker=tailor.pattern_maker if wanted is not None and not answer.known else None,
@@ -179,22 +178,6 @@ def finishing_notes(garment: Garment) -> list[str]:
     if about["from"] == "garment":
         return []
     return [f"Draped from the pattern: the sewn garment did not come to rest well ({about['reasons'][0]})."]
-
-
-def finding_entry(finding: Finding) -> dict[str, Any]:
-    """A finding for a report."""
-    return {
-        "code": finding.code,
-        "severity": finding.severity.value,
-        "where": finding.where(),
-        "message": finding.message,
-    }
-
-
-def finding_line(finding: Finding) -> str:
-    """A finding for a person."""
-    place = f" ({finding.where()})" if finding.where() else ""
-    return f"{finding.severity.value}: {finding.code}{place}: {finding.message}"
 
 
 def change_line(change: Change) -> str:

@@ -51,7 +51,8 @@ def not_overruled(seen: Iterable[Wish], said: Sequence[Wish]) -> tuple[tuple[Wis
     """What of a picture still counts beside words, and what does not.
 
     Words about a thing replace what the picture shows of it; and where they name a kind of garment, that kind
-    has nothing of what it cannot have.
+    has nothing of what it cannot have. Nothing is replaced where both say the same, or where the picture
+    says that there is none of what that kind never has.
     """
     claims = [wish.change.claim for wish in said if isinstance(wish.change, Gain)]
     names = {claim.name for claim in claims}
@@ -63,6 +64,8 @@ def not_overruled(seen: Iterable[Wish], said: Sequence[Wish]) -> tuple[tuple[Wis
         assert isinstance(wish.change, Gain)
         claim = wish.change.claim
         fits = all(fits_kind(claim.name, kind) for kind in kinds)
+        if claim in claims or (not fits and claim.value == "none"):
+            continue
         (kept if claim.name not in names and fits else overruled).append(wish)
     return tuple(kept), tuple(overruled)
 

@@ -8,11 +8,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from swifttailor.body import Body
+from swifttailor.body.probe import probe_body
 from swifttailor.clock import DIGITS
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.sewer import BATCH, Prepared
 from swifttailor.pattern import Pattern, Reading, check_pattern, read_pattern_file, repair_pattern
+from swifttailor.pattern.check import BodyProbe
 from swifttailor.pattern.panel import RotationReading
 from swifttailor.progress import StageProgress
 from swifttailor.tailor.answer import Answer
@@ -21,7 +24,6 @@ from swifttailor.tailor.tailored import Tailored
 from swifttailor.tailor.verdict import Verdict
 
 if TYPE_CHECKING:
-    from swifttailor.body import Body
     from swifttailor.draping.fabric import Fabric
 
 
@@ -56,8 +58,10 @@ def read_and_prepare(
     patterns: Iterable[Pattern | Path | str],
     options: SewingOptions,
     rotation: RotationReading,
+    body: Body | None = None,
 ) -> Iterator[Answer | SwiftTailorError]:
     """Reads, checks and prepares patterns one by one; what is wrong with one concerns no other."""
+    probe = probe_body(Body.default() if body is None else body)
     for source in patterns:
         started = time.perf_counter()
         try:
@@ -66,13 +70,13 @@ def read_and_prepare(
                 if isinstance(source, Pattern)
                 else read_pattern_file(source, rotation=rotation)
             )
-            answer = _mended(reading) if options.repair else _checked(reading)
+            answer = (_mended if options.repair else _checked)(reading, probe)
             answer = replace(answer, seconds={"loading": time.perf_counter() - started})
             try:
                 yield prepare(sewer, answer, options)
             except SwiftTailorError:
                 # What cannot be sewn as it is may be once it is mended; that is said, not done quietly.
-                mended = _mended(reading)
+                mended = _mended(reading, probe)
                 if options.repair or not answer.verdict.findings or not mended.changes:
                     raise
                 yield prepare(sewer, replace(mended, seconds=answer.seconds), options)
@@ -80,13 +84,13 @@ def read_and_prepare(
             yield error
 
 
-def _checked(reading: Reading) -> Answer:
-    findings = check_pattern(reading.pattern, reader_findings=reading.findings)
+def _checked(reading: Reading, probe: BodyProbe) -> Answer:
+    findings = check_pattern(reading.pattern, reader_findings=reading.findings, body=probe)
     return Answer(reading.pattern, Verdict(findings))
 
 
-def _mended(reading: Reading) -> Answer:
-    repaired = repair_pattern(reading.pattern, reading.findings)
+def _mended(reading: Reading, probe: BodyProbe) -> Answer:
+    repaired = repair_pattern(reading.pattern, reading.findings, body=probe)
     return Answer(repaired.pattern, Verdict(repaired.remaining), repaired.changes)
 
 
@@ -125,15 +129,31 @@ def sew_answers(
                 report = _basic_report(garment, options) | garment.report | {"seconds": _rounded(seconds)}
                 garment = replace(garment, report=report)
                 if options.finish:
-                    from swifttailor.draping.finish_or_drape import finish_or_drape
-
-                    garment = finish_or_drape(
-                        garment, edge_length=options.edge_length, body=body, fabric=fabric, progress=progress
-                    )
+                    garment = _finished(garment, options, body, fabric, progress)
             except SwiftTailorError as error:
                 yield error
             else:
                 yield _handed_over(garment, answer, None if options.finish else values, body)
+
+
+def _finished(
+    garment: Garment,
+    options: SewingOptions,
+    body: Body | None,
+    fabric: Fabric | str,
+    progress: StageProgress | None,
+) -> Garment:
+    from swifttailor.draping.finish_or_drape import finish_or_drape
+    from swifttailor.draping.time_limit import TimeLimit, usual_time_limit
+
+    limited = TimeLimit(
+        usual_time_limit(options.edge_length),
+        progress or (lambda stage, share: None),
+        instead="Choose a longer --edge-length, or leave out --finish.",
+    )
+    return finish_or_drape(
+        garment, edge_length=options.edge_length, body=body, fabric=fabric, progress=limited
+    )
 
 
 def _rounded(seconds: dict[str, float]) -> dict[str, float]:

@@ -283,7 +283,7 @@ class Tailor(Workshop):
             InputError: The weights cannot be used.
         """
         options = options or SewingOptions()
-        source = read_and_prepare(self.garment_sewer, patterns, options, rotation)
+        source = read_and_prepare(self.garment_sewer, patterns, options, rotation, self.body)
         while part := list(islice(source, BATCH)):
             sewn = self._sew([one for one in part if isinstance(one, Answer)], options, progress)
             for one in part:

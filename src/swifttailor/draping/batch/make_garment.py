@@ -10,11 +10,13 @@ from pathlib import Path
 from typing import Any
 
 from swifttailor.body import Body
+from swifttailor.body.probe import probe_body
 from swifttailor.draping.batch.settings import BatchSettings
 from swifttailor.draping.drape import drape
 from swifttailor.draping.sewable import Sewable, require_sewable
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
+from swifttailor.pattern.check import BodyProbe
 from swifttailor.pattern.pattern_list import BatchPattern
 
 
@@ -101,10 +103,17 @@ def read_sewable(pattern: BatchPattern, settings: BatchSettings) -> Sewable:
     Raises:
         SwiftTailorError: It is no pattern, or has errors.
     """
-    return require_sewable(pattern.read(settings.rotation), pattern.id, repair=settings.repair)
+    reading = pattern.read(settings.rotation)
+    return require_sewable(reading, pattern.id, repair=settings.repair, body=shared_probe(settings))
 
 
 @functools.lru_cache(maxsize=1)
 def shared_body(settings: BatchSettings) -> Body:
     """The body of a batch, loaded once in each worker."""
     return settings.load_body()
+
+
+@functools.lru_cache(maxsize=1)
+def shared_probe(settings: BatchSettings) -> BodyProbe:
+    """What the checks know of the body of a batch."""
+    return probe_body(shared_body(settings))

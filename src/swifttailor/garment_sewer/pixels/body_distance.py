@@ -9,7 +9,8 @@ import numpy as np
 from swifttailor.arrays import Bools, Floats
 from swifttailor.body import Body, BodyMeasurements, DistanceField
 from swifttailor.body.parts import ARMS
-from swifttailor.pattern import Pattern, body_region
+from swifttailor.pattern import Pattern
+from swifttailor.pattern.check import panel_regions
 
 FIELD_SPACING_CM = 1.0
 
@@ -58,4 +59,4 @@ class BodyDistance:
 
 def panels_ignoring_arms(pattern: Pattern) -> Bools:
     """(p,) whether each panel covers the legs, and hence passes through the arms."""
-    return np.array([body_region(p.name, p.label) == "leg" for p in pattern.panels], np.bool_)
+    return np.array([region == "leg" for region in panel_regions(pattern).values()], np.bool_)

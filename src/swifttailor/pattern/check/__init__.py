@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+from swifttailor.pattern.check.body_levels import BodyLevels
+from swifttailor.pattern.check.change import Change
 from swifttailor.pattern.check.checker import check_pattern
+from swifttailor.pattern.check.covering import hangs_from_shoulders, panel_regions
 from swifttailor.pattern.check.placement_checks import BodyProbe, SignedDistance
-from swifttailor.pattern.check.repair import Change, Repair, repair_pattern
+from swifttailor.pattern.check.repair import Repair, repair_pattern
 from swifttailor.pattern.check.stitch_checks import SeamFit, judge_lengths
 
 __all__ = [
+    "BodyLevels",
     "BodyProbe",
     "Change",
     "Repair",
     "SeamFit",
     "SignedDistance",
     "check_pattern",
+    "hangs_from_shoulders",
     "judge_lengths",
+    "panel_regions",
     "repair_pattern",
 ]

@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import lru_cache
 
+from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.outline import trace_outline
 from swifttailor.pattern.check.panel_checks import check_panel
 from swifttailor.pattern.check.placement_checks import (
     BodyProbe,
     SignedDistance,
+    body_probe,
     check_placement,
     check_size,
 )
 from swifttailor.pattern.check.seam_direction import judge_directions
 from swifttailor.pattern.check.stitch_checks import check_stitches, single_stitches, usable_stitches
+from swifttailor.pattern.check.worn_place import judge_worn_place
 from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.pattern import Pattern
 
@@ -35,7 +38,8 @@ def check_pattern(
         pattern: Any pattern, faulty ones included.
         reader_findings: What the reader had to say (`Reading.findings`); put in with the rest.
         body: Signed distance to the body the panels are placed around, to find panels inside it; a callable,
-            or a `BodyProbe` that knows the body's height too. Without it that check is left out.
+            or a `BodyProbe` that knows the body's heights too. Without it that check is left out, and
+            garments belong where the default body wears them.
 
     Returns:
         Findings, errors first; stitch and edge numbers are those of `pattern`.
@@ -57,11 +61,14 @@ def _check(
 ) -> tuple[Finding, ...]:
     outlines = {panel.name: trace_outline(panel) for panel in pattern.panels}
     usable = usable_stitches(pattern)
-    directions = judge_directions(pattern, outlines, single_stitches(pattern, usable))
+    single = single_stitches(pattern, usable)
+    directions = judge_directions(pattern, outlines, single)
+    probe = body_probe(body)
+    place = judge_worn_place(pattern, outlines, single, BodyLevels() if probe is None else probe.levels)
     findings = list(reader_findings)
     findings += check_size(pattern, outlines)
     for outline in outlines.values():
         findings += check_panel(outline)
     findings += check_stitches(pattern, outlines, usable, directions)
-    findings += check_placement(outlines, directions, body)
+    findings += check_placement(outlines, directions, place, probe)
     return tuple(sorted(findings, key=lambda f: _RANK[f.severity]))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -23,14 +23,31 @@ CLEARANCE_CM = 0.01
 
 MOST_PLACES = 64
 """An outline that meets itself more often is no slip: trying to mend it would take minutes and fail."""
+MOST_EDGES_TRIED = 100_000
+"""Edges of trial outlines looked at for one pattern, a few seconds' work; what is left then is left alone."""
 _MAX_ROUNDS = 8
 _FLATTENINGS = (0.995, 0.99, 0.98, 0.97, 0.96, 0.95, 0.93, 0.9, 0.8, 0.65, 0.5, 0.3, 0.0)
 _BULGES = (1.1, 1.5, 2.0, 3.0, 5.0)
 """Ways that the middle of an arc is moved, of the depth of a crossing."""
 
 
+@dataclass
+class Effort:
+    """How much may still be tried."""
+
+    edges: int = MOST_EDGES_TRIED
+
+    def spend(self, panel: Panel) -> bool:
+        """Counts one more trial; False where there is nothing left for it."""
+        self.edges -= len(panel.edges)
+        return self.edges >= 0
+
+
 def mend_crossings(
-    panel: Panel, largest_move: float = MAX_MOVE_CM, largest_share: float = 0.0
+    panel: Panel,
+    largest_move: float = MAX_MOVE_CM,
+    largest_share: float = 0.0,
+    effort: Effort | None = None,
 ) -> tuple[Panel, float] | None:
     """Tries to free an outline of self-intersections.
 
@@ -43,12 +60,14 @@ def mend_crossings(
         panel: A panel whose outline meets itself.
         largest_move: How far a point may be moved, cm.
         largest_share: How far of the panel's size, where that is more.
+        effort: What the trials are counted in; each panel has its own when None.
 
     Returns:
         The panel with a simple outline and the longest way a point of it was moved in cm, or None when
         changes of up to that do not do it.
     """
     mended, outline = panel, trace_outline(panel)
+    effort = Effort() if effort is None else effort
     crossing, largest_move = find_crossing(outline), max(largest_move, largest_share * outline.size)
     ring = _evenly_wide(panel) if crossing is not None else None
     if ring is not None and find_crossing(trace_outline(ring)) is None:
@@ -65,7 +84,7 @@ def mend_crossings(
         trials = [(_distance_moved(panel, trial), trial) for trial in _moves(mended, crossing, largest_move)]
         best, best_crossing = None, crossing
         for moved, trial in sorted(trials, key=lambda t: t[0]):
-            if moved > largest_move:
+            if moved > largest_move or not effort.spend(trial):
                 break
             left = find_crossing(trace_outline(trial))
             if left is None:

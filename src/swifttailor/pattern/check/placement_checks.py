@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import shapely
 
 from swifttailor.arrays import Floats
 from swifttailor.errors import PatternError
+from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.outline import Outline
 from swifttailor.pattern.check.seam_direction import Directions
+from swifttailor.pattern.check.worn_place import WornPlace, height_in_words
 from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.finding_kinds import found
 from swifttailor.pattern.pattern import Pattern
@@ -37,14 +39,20 @@ class BodyProbe:
     """Height of the soles, cm."""
     top: float = 180.0
     """Height of the crown, cm."""
+    levels: BodyLevels = field(default_factory=BodyLevels)
+    """Where garments are worn on it."""
+
+
+def body_probe(body: BodyProbe | SignedDistance | None) -> BodyProbe | None:
+    """What is known of a body whose signed distance may be all that was given."""
+    return body if body is None or isinstance(body, BodyProbe) else BodyProbe(body)
 
 
 def check_placement(
-    outlines: dict[str, Outline], directions: Directions, body: BodyProbe | SignedDistance | None
+    outlines: dict[str, Outline], directions: Directions, place: WornPlace, probe: BodyProbe | None
 ) -> list[Finding]:
     """All findings about placements."""
-    probe = BodyProbe(body) if body is not None and not isinstance(body, BodyProbe) else body
-    findings = [*_facing(directions)]
+    findings = [*_facing(directions), *_worn(outlines, place)]
     for outline in outlines.values():
         findings += _far(outline, probe)
         if probe is not None:
@@ -85,6 +93,44 @@ def _facing(directions: Directions) -> list[Finding]:
         for name, agreement in directions.turned_panels
     ]
     return findings
+
+
+def _worn(outlines: dict[str, Outline], place: WornPlace) -> list[Finding]:
+    findings = []
+    if place.misread is not None:
+        other = place.misread.reading
+        text = (
+            f"read as {other} angles, the panels would stand {place.misread.other_gap:.0f} cm apart at their "
+            f"seams on average instead of {place.misread.gap:.0f}"
+        )
+        repair = f"--repair writes the angles anew; --rotation {other} reads them so"
+        findings.append(found("misread-angles", text, value=other, repair=repair))
+    if place.offset is not None:
+        where = place.offset
+        text = f"the garment's top is {height_in_words(where.top)}; that of {where.kind} belongs at about "
+        text += f"{where.belongs:.0f} cm"
+        if any(where.shift[::2]):
+            text += f". It stands {np.hypot(where.shift[0], where.shift[2]):.0f} cm beside the body"
+        repair = f"--repair moves the whole pattern by {motion_in_words(where.shift)}"
+        value = round(where.top, 1)
+        findings += [
+            found("misplaced-panel", text, panel=name, value=value, repair=repair) for name in outlines
+        ]
+    findings += [found("misplaced-panel", s.text, panel=s.panel, value=s.value) for s in place.strays]
+    for pose in place.limbs:
+        code = "high-sleeve" if pose.limb == "sleeve" else "spread-leg"
+        body = "arm" if pose.limb == "sleeve" else "leg"
+        text = f"the {pose.limb} points {pose.angle:.0f} degrees below the horizontal, "
+        text += f"the body's {body} {pose.body_angle:.0f}"
+        findings += [found(code, text, panel=name, value=round(pose.angle, 1)) for name in pose.panels]
+    return findings
+
+
+def motion_in_words(shift: tuple[float, float, float]) -> str:
+    """A motion in words, such as ``113.8 cm up``."""
+    x, y, z = shift
+    ways = [(y, "up", "down"), (x, "to the left", "to the right"), (z, "forward", "back")]
+    return ", ".join(f"{abs(d):.1f} cm {plus if d > 0 else minus}" for d, plus, minus in ways if d)
 
 
 def _far(outline: Outline, probe: BodyProbe | None) -> list[Finding]:

@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
+from swifttailor.pattern.check.body_levels import BodyLevels
+from swifttailor.pattern.check.change import Change
 from swifttailor.pattern.check.checker import check_pattern
-from swifttailor.pattern.check.crossing_repair import MAX_MOVE_CM, mend_crossings
+from swifttailor.pattern.check.crossing_repair import MAX_MOVE_CM, Effort, mend_crossings
 from swifttailor.pattern.check.crossings import find_crossing
 from swifttailor.pattern.check.outline import trace_outline
 from swifttailor.pattern.check.panel_checks import SLIVER_EDGE_CM, ZERO_LENGTH_CM, radius_needed
-from swifttailor.pattern.check.placement_checks import BodyProbe, SignedDistance
+from swifttailor.pattern.check.placement_checks import BodyProbe, SignedDistance, body_probe
+from swifttailor.pattern.check.placement_repair import move_to_body, reread_angles, turn_limbs
 from swifttailor.pattern.check.seam_direction import Directions, judge_directions
 from swifttailor.pattern.check.stitch_checks import single_stitches, usable_stitches
 from swifttailor.pattern.curve import Arc
-from swifttailor.pattern.finding import Finding, Severity
+from swifttailor.pattern.finding import Finding
+from swifttailor.pattern.finding_kinds import found
 from swifttailor.pattern.panel import Panel
 from swifttailor.pattern.pattern import EdgeRef, Pattern, Stitch
 
@@ -31,29 +35,6 @@ _READER_CHANGES = {
     "other-units": "converted all lengths to cm",
     "unknown-key": "left out an unknown key",
 }
-
-
-@dataclass(frozen=True)
-class Change:
-    """One thing that a repair changed."""
-
-    code: str
-    """Code of the finding that it mends."""
-    message: str
-    """What was done, in words."""
-    panel: str = ""
-    edge: int | None = None
-    """Edge number before the repair."""
-    stitch: int | None = None
-    """Stitch number before the repair."""
-
-    def where(self) -> str:
-        """The place in words, such as ``skirt_front, edge 3``."""
-        return Finding(self.code, Severity.INFO, "", self.panel, self.edge, self.stitch).where()
-
-    def to_json(self) -> dict[str, object]:
-        """The change as plain JSON values."""
-        return asdict(self)
 
 
 @dataclass(frozen=True)
@@ -78,29 +59,40 @@ def repair_pattern(
     """Mends what is safe to mend and leaves alone what would need a guess.
 
     Removes stitches to nowhere, of an edge with itself, and repeats; drops edges without length where the
-    seam partner is as short; raises arc radii to half the chord; reverses inside-out panels and turns
-    twisted seams where all evidence agrees; moves corners and curves out of overlaps. A
-    pattern without such findings comes back as it is.
+    seam partner is as short; raises arc radii to half the chord; rewrites angles meant the other way,
+    moves a garment that stands elsewhere to the body and turns sleeves and legs of another pose; reverses
+    inside-out panels and turns twisted seams where all evidence agrees; moves corners and curves out of
+    overlaps. A pattern without such findings comes back as it is.
 
     Args:
         pattern: As the reader returned it.
         reader_findings: `Reading.findings`; the reader has already mended what they name, so they are listed
             as changes.
-        body: As for `check_pattern`; only for `Repair.remaining`.
+        body: As for `check_pattern`.
         largest_move: How far a point of an outline may be moved, cm: as far as it may be off.
         largest_share: The same as a share of the panel's size; whichever is more counts.
     """
     changes = [_reader_change(f) for f in reader_findings]
-    free = partial(_free_crossings, largest_move=largest_move, largest_share=largest_share)
+    probe = body_probe(body)
+    levels = BodyLevels() if probe is None else probe.levels
+    place = [partial(step, levels=levels) for step in (reread_angles, move_to_body, turn_limbs)]
+    effort, tried = Effort(), {}
+    free = partial(
+        _free_crossings, largest_move=largest_move, largest_share=largest_share, effort=effort, tried=tried
+    )
     for _ in range(_MAX_ROUNDS):
         made: list[Change] = []
-        for step in (*_STEPS, free):
+        for step in (*_STEPS, *place, _reverse_panels, _turn_seams, free):
             pattern, done = step(pattern)
             made += done
         changes += made
         if not made:
             break
-    return Repair(pattern, tuple(changes), check_pattern(pattern, body=body))
+    remaining = check_pattern(pattern, body=body)
+    if effort.edges < 0:
+        text = "the outlines overlap themselves in so many ways that not all of them were tried to be mended"
+        remaining = (*remaining, found("unfinished-repair", text))
+    return Repair(pattern, tuple(changes), remaining)
 
 
 def _reader_change(finding: Finding) -> Change:
@@ -226,20 +218,25 @@ def _turn_seams(pattern: Pattern) -> tuple[Pattern, list[Change]]:
 
 
 def _free_crossings(
-    pattern: Pattern, largest_move: float, largest_share: float
+    pattern: Pattern,
+    largest_move: float,
+    largest_share: float,
+    effort: Effort,
+    tried: dict[Panel, tuple[Panel, float] | None],
 ) -> tuple[Pattern, list[Change]]:
     changes = []
     panels: list[Panel] = []
     for panel in pattern.panels:
         crossing = find_crossing(trace_outline(panel))
-        mended = None
         if crossing is not None and crossing.kind != "touch":
-            mended = mend_crossings(panel, largest_move, largest_share)
-        if crossing is not None and mended is not None:
-            panel, moved = mended
-            text = f"moved the outline by up to {moved:.2g} cm, so that it no longer overlaps itself"
-            code = "self-crossing" if crossing.kind == "crossing" else "near-crossing"
-            changes.append(Change(code, text, panel.name, min(crossing.edges)))
+            if panel not in tried and effort.edges >= 0:
+                tried[panel] = mend_crossings(panel, largest_move, largest_share, effort)
+            mended = tried.get(panel)
+            if mended is not None:
+                panel, moved = mended
+                text = f"moved the outline by up to {moved:.2g} cm, so that it no longer overlaps itself"
+                code = "self-crossing" if crossing.kind == "crossing" else "near-crossing"
+                changes.append(Change(code, text, panel.name, min(crossing.edges)))
         panels.append(panel)
     return (replace(pattern, panels=tuple(panels)), changes) if changes else (pattern, [])
 
@@ -253,6 +250,4 @@ _STEPS: tuple[Callable[[Pattern], tuple[Pattern, list[Change]]], ...] = (
     _remove_stitches,
     _raise_radii,
     _drop_zero_edges,
-    _reverse_panels,
-    _turn_seams,
 )
