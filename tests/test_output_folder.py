@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from swifttailor.atomic_files import write_bytes, write_text
-from swifttailor.errors import InputError
-from swifttailor.output_folder import LIST, LOCK, FolderLock, OutputFolder
+from swifttailor.atomic_files import write_atomically, write_bytes, write_text
+from swifttailor.errors import DiskFullError, InputError
+from swifttailor.output_folder import LIST, LOCK, UNFINISHED, FolderLock, OutputFolder
 
 NAMES = ("a.txt", "b.bin", "deep/c.txt")
 
@@ -275,3 +275,37 @@ def test_a_file_that_appears_meanwhile_stays(tmp_path):
         write_atomically(tmp_path / "a", write)
     assert (tmp_path / "a").read_text() == "somebody was faster"
     assert [p.name for p in tmp_path.iterdir()] == ["a"]
+
+
+@pytest.mark.parametrize("number", [errno.ENOSPC, errno.EDQUOT, errno.EACCES])
+def test_a_full_disk_is_told_from_other_troubles(number, tmp_path, monkeypatch):
+    fill(tmp_path, "first")
+    before, replace, refused = snapshot(tmp_path), os.replace, []
+
+    def refuse_once(source, target):
+        if not refused:
+            refused.append(target)
+            raise OSError(number, os.strerror(number))
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", refuse_once)
+    with pytest.raises(InputError) as raised:
+        fill(tmp_path, "second")
+    assert (type(raised.value) is DiskFullError) == (number != errno.EACCES)
+    assert str(tmp_path) in str(raised.value) and UNFINISHED not in str(raised.value)
+    assert snapshot(tmp_path) == before
+    fill(tmp_path, "second")
+    assert (tmp_path / "a.txt").read_text() == "a.txt: second"
+
+
+def test_a_full_disk_is_told_of_a_file_before_it_has_its_name(tmp_path):
+    def full(path):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    with (
+        pytest.raises(DiskFullError, match=r"a\.txt': the disk is full"),
+        OutputFolder(tmp_path / "out") as output,
+        output.fill() as made,
+    ):
+        write_atomically(made / "a.txt", full)
+    assert not (tmp_path / "out").exists()

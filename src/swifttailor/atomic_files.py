@@ -6,14 +6,16 @@ the new one is the same, byte for byte, is no fault. Folders of several files: `
 
 from __future__ import annotations
 
+import errno
 import os
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from swifttailor.errors import InputError
+from swifttailor.errors import DiskFullError, InputError
 
 _PART = 1 << 20
+_NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT})
 
 
 def write_atomically(path: Path | str, write: Callable[[Path], object], *, overwrite: bool = False) -> Path:
@@ -30,12 +32,15 @@ def write_atomically(path: Path | str, write: Callable[[Path], object], *, overw
 
     Raises:
         InputError: There is another file of that name, or the folder cannot be created or written.
+        DiskFullError: There is no room for the file.
     """
     path = Path(path)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(prefix=f".{path.stem}-", suffix=path.suffix, dir=path.parent)
     except (OSError, ValueError) as error:  # ValueError: a name with a zero byte in it
+        if is_disk_full(error):
+            raise disk_full(path) from error
         why = getattr(error, "strerror", None) or error
         raise InputError(f"Cannot write {str(path)!r}: {why}. Choose a folder you may write to.") from error
     os.close(handle)
@@ -48,10 +53,22 @@ def write_atomically(path: Path | str, write: Callable[[Path], object], *, overw
         temporary.chmod(0o666 & ~mask)
         _give_name(temporary, path, overwrite)
     except OSError as error:
+        if is_disk_full(error):
+            raise disk_full(path) from error
         raise InputError(f"Cannot write '{path}': {error.strerror or error}.") from error
     finally:
         temporary.unlink(missing_ok=True)
     return path
+
+
+def is_disk_full(error: BaseException) -> bool:
+    """Whether an error says that there is no room left, or that a quota is used up."""
+    return isinstance(error, DiskFullError) or (isinstance(error, OSError) and error.errno in _NO_ROOM)
+
+
+def disk_full(path: Path | str) -> DiskFullError:
+    """The error of a file that there is no room for."""
+    return DiskFullError(f"Cannot write '{path}': the disk is full, or your quota is used up.")
 
 
 def write_text(path: Path | str, text: str, *, overwrite: bool = False) -> Path:

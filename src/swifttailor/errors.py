@@ -31,6 +31,10 @@ class InputError(SwiftTailorError):
     """A file or an argument cannot be read, is of the wrong kind, or lies outside what is accepted."""
 
 
+class DiskFullError(InputError):
+    """There is no room left to write a file: no later one of the same work can be written either."""
+
+
 class NothingSeenError(SwiftTailorError):
     """A picture shows no garment that could be made."""
 

@@ -19,7 +19,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from swifttailor.atomic_files import would_be_replaced
+from swifttailor.atomic_files import disk_full, is_disk_full, would_be_replaced
 from swifttailor.errors import InputError
 
 LIST = ".swifttailor"
@@ -156,6 +156,7 @@ class OutputFolder:
 
         Raises:
             InputError: A file cannot be written, or would replace somebody's. Then everything is as before.
+            DiskFullError: There is no room for the files; everything is as before, too.
         """
         staging, made = None, []
         try:
@@ -168,7 +169,7 @@ class OutputFolder:
         except InputError as error:
             if staging is None or str(staging) not in str(error):
                 raise
-            raise InputError(str(error).replace(str(staging), str(self.folder))) from error
+            raise type(error)(str(error).replace(str(staging), str(self.folder))) from error
         finally:
             if staging is not None:
                 shutil.rmtree(staging, ignore_errors=True)
@@ -261,6 +262,8 @@ class OutputFolder:
         return found
 
     def _unusable(self, error: Exception) -> InputError:
+        if is_disk_full(error):
+            return disk_full(self.folder)
         why = getattr(error, "strerror", None) or error
         return InputError(f"Cannot write to {str(self.folder)!r}: {why}. Nothing in it was changed.")
 

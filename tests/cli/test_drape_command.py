@@ -12,12 +12,15 @@ from old_style import old_style
 import swifttailor.draping
 from swifttailor.body import Body
 from swifttailor.cli.main import run
+from swifttailor.describing.differences import Step
 from swifttailor.draping import FABRICS, time_limit
 from swifttailor.draping.engines import engine_names
+from swifttailor.draping.quality import WHEN_TOO_TIGHT, not_accepted_line
 from swifttailor.garment.garment import Garment
 from swifttailor.output_folder import OutputFolder
 from swifttailor.pattern import Pattern, load_pattern
 from swifttailor.pattern.drafts import draft
+from swifttailor.wishes.reader import SURE, WishReader
 
 FILES = ["garment.glb", "garment.obj", "pattern.json", "pattern.svg", "preview.png", "report.json"]
 COARSE = ["--edge-length", "6"]
@@ -68,6 +71,18 @@ def test_a_garment_beyond_the_limits_is_written_with_the_reasons(skirt, tmp_path
         ".swifttailor",
         *(f for f in FILES if f != "preview.png"),
     ]
+
+
+@pytest.mark.parametrize(("strain", "advised"), [(0.28, True), (0.12, False)])
+def test_what_is_too_tight_says_what_to_do(strain, advised):
+    quality = {"accepted": False, "reasons": ["too tight", "not where it is worn"], "strain_p95": strain}
+    line = not_accepted_line(quality)
+    assert line.startswith("not accepted: too tight; not where it is worn.")
+    assert line.endswith(WHEN_TOO_TIGHT) == advised
+    assert not_accepted_line(quality | {"accepted": True}) == ""
+    words = re.findall('"(.*?)"', WHEN_TOO_TIGHT)
+    wishes = WishReader.load().read(words[0], instruction=True)
+    assert [wish.change for wish in wishes if wish.certainty >= SURE] == [Step("chest", 1, 5.0)]
 
 
 def misplaced_lines(said: str) -> list[str]:

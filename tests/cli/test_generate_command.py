@@ -10,6 +10,8 @@ import pytest
 from PIL import Image
 
 from swifttailor.cli.main import run
+from swifttailor.errors import InputError
+from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern import load_pattern, write_pattern
 from swifttailor.pattern.drafts import draft
@@ -155,10 +157,11 @@ def test_a_pattern_is_edited_from_a_file_or_a_folder(write, tmp_path, capsys):
     write([draft("t-shirt")])
     write_pattern(draft("tank-top"), tmp_path / "top.json")
     assert (
-        command("edit", tmp_path / "top.json", "add sleeves", "--out", tmp_path / "one", "--no-preview") == 0
+        command("edit", tmp_path / "top.json", "add short sleeves", "--out", tmp_path / "one", "--no-preview")
+        == 0
     )
     report = Garment.load(tmp_path / "one").report
-    assert (report["order"]["edited"], report["order"]["text"]) == ("top", "add sleeves")
+    assert (report["order"]["edited"], report["order"]["text"]) == ("top", "add short sleeves")
     write([draft("tank-top")])
     assert command("edit", tmp_path / "one", "no sleeves", "--out", tmp_path / "two", "--no-preview") == 0
     panels = {p.name for p in load_pattern(tmp_path / "two" / "pattern.json").panels}
@@ -187,21 +190,26 @@ def test_the_pattern_that_is_edited_is_never_replaced(write, tmp_path, capsys):
     assert (tmp_path / "pattern.json").read_bytes() == before
 
 
-def test_which_way_a_folder_means_its_angles(tmp_path):
-    from swifttailor.cli.edit import Edit
+def test_which_way_a_folder_means_its_angles(tmp_path, monkeypatch):
+    read: list[str] = []
 
-    report = {"edge_length_cm": 2.0, "rotation": "extrinsic"}
-    (tmp_path / "report.json").write_text(json.dumps(report))
+    def refuse(source, rotation):
+        read.append(rotation)
+        raise InputError("read")
 
-    def rotation(pattern: Path, **more):
-        source = tmp_path / "pattern.json"
-        return Edit(pattern=pattern, instruction="x", out=tmp_path / "out", **more)._rotation(source)
+    monkeypatch.setattr("swifttailor.pattern.read_pattern_file", refuse)
+    pattern = write_pattern(draft("t-shirt"), tmp_path / "pattern.json") or tmp_path / "pattern.json"
 
-    assert rotation(tmp_path) == "extrinsic"
-    assert rotation(tmp_path, rotation="intrinsic") == "intrinsic"
-    assert rotation(tmp_path / "pattern.json") == "intrinsic", "a file says nothing of its folder"
-    (tmp_path / "report.json").write_text("[]")
-    assert rotation(tmp_path) == "intrinsic"
+    def rotation(source: Path, report: object, *more: str) -> str:
+        (tmp_path / "report.json").write_text(json.dumps(report))
+        assert command("edit", source, "longer", "--out", tmp_path / "out", *more) == 2
+        return read[-1]
+
+    told = {"edge_length_cm": 2.0, "rotation": "extrinsic"}
+    assert rotation(tmp_path, told) == "extrinsic"
+    assert rotation(tmp_path, told, "--rotation", "intrinsic") == "intrinsic"
+    assert rotation(pattern, told) == "intrinsic", "a file says nothing of its folder"
+    assert rotation(tmp_path, []) == "intrinsic"
 
 
 @pytest.mark.parametrize(
@@ -264,3 +272,72 @@ def test_finished_by_physics(write, tmp_path, capsys):
     report = Garment.load(tmp_path).report
     assert report["quality"]["static"] and report["seconds"]["finishing"] > 0
     assert code == (0 if report["quality"]["accepted"] else 1)
+
+
+# What is answered is so
+
+
+def test_an_edit_of_which_nothing_is_understood_is_exit_code_1_and_the_same_bytes(write, tmp_path, capsys):
+    write([draft("t-shirt")])
+    assert command("generate", "a T-shirt", "--out", tmp_path / "before") == 0
+    before = (tmp_path / "before" / "pattern.json").read_bytes()
+    capsys.readouterr()
+    given = ["edit", tmp_path / "before", "make it red and of denim", "--out", tmp_path / "after"]
+    assert command(*given, "--no-preview") == 1
+    said = capsys.readouterr().out
+    assert 'Not understood: "red", "denim".' in said and "is the one that was given" in said
+    assert (tmp_path / "after" / "pattern.json").read_bytes() == before
+
+
+def test_unmet_wishes_are_exit_code_1(write, tmp_path, capsys):
+    write([draft("t-shirt")])
+    shirt = write_pattern(draft("t-shirt"), tmp_path / "shirt.json") or tmp_path / "shirt.json"
+    quiet = ["--out", tmp_path / "out", "--no-preview"]
+    assert command("generate", "a top with darts", "--source", "writer", *quiet) == 1
+    assert "Requested but not met" in capsys.readouterr().out
+    assert command("edit", shirt, "make it 300 cm longer", *quiet) == 1
+    assert "Requested but not met" in capsys.readouterr().out
+    assert command("edit", shirt, "make it 5 cm longer", *quiet) == 0
+    assert "Changed: from top to hem" in capsys.readouterr().out
+
+
+def test_a_garment_keeps_its_colour_through_edits(write, tmp_path):
+    write([draft("t-shirt")])
+    shirt = write_pattern(draft("fitted-dress"), tmp_path / "dress.json") or tmp_path / "dress.json"
+    command("edit", shirt, "give it a V neck", "--out", tmp_path / "one", "--no-preview")
+    command("edit", tmp_path / "one", "give it a hood", "--out", tmp_path / "two", "--no-preview")
+    colors = {json.loads((tmp_path / n / "report.json").read_text())["color"] for n in ("one", "two")}
+    assert colors == {cloth_color(draft("fitted-dress"))}
+    edited = load_pattern(tmp_path / "two" / "pattern.json")
+    assert cloth_color(edited) not in colors, "else the test shows nothing"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["generate"], 'For example: swifttailor generate "a knee-length dress with a V neck" --out dress'),
+        (["edit"], 'For example: swifttailor edit dress "make it 10 cm longer" --out longer'),
+        (
+            ["generate", "a", "knee", "length", "dress"],
+            'Put the words in quotes: swifttailor generate "a knee length dress"',
+        ),
+        (
+            ["generate", "--samples", "3", "--out", "d", "a", "dress"],
+            'Put the words in quotes: swifttailor generate "a dress" --out d',
+        ),
+        (
+            ["edit", "dress", "make", "it", "longer", "--out", "d"],
+            'Put the words in quotes: swifttailor edit dress "make it longer" --out d',
+        ),
+    ],
+)
+def test_forgotten_words_and_quotes_are_told_with_an_example(arguments, said, capsys):
+    assert run(arguments) == 2
+    error = capsys.readouterr().err.strip()
+    assert error.startswith("Error: ") and error.endswith(said)
+
+
+def test_other_mistakes_are_told_as_before(capsys, tmp_path):
+    assert run(["generate", "a dress", "--no-such-option"]) == 2
+    assert "quotes" not in capsys.readouterr().err
+    assert run(["generate", "--help"]) == 0

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 from pathlib import Path
+from unittest import mock
 
 import pytest
 from old_style import old_style
@@ -100,3 +103,37 @@ def test_finished_by_physics(tmp_path):
     assert report["quality"]["static"]
     assert report["quality"]["penetrating_fraction"] == 0
     assert report["seconds"]["finishing"] > 0
+
+
+def test_a_full_disk_stops_at_the_first_garment_and_leaves_no_half_of_it(
+    shirt, tmp_path, capsys, monkeypatch
+):
+    write_pattern(draft("trousers"), tmp_path / "trousers.json")
+    write_pattern(draft("fitted-skirt"), tmp_path / "skirt.json")
+    files = [str(tmp_path / f"{n}.json") for n in ("shirt", "trousers", "skirt")]
+    real, out = os.replace, tmp_path / "out"
+
+    def full(source, target):
+        if Path(target) == out / "trousers" / "garment.obj":
+            raise OSError(errno.ENOSPC, "No space left on device")
+        real(source, target)
+
+    arguments = ["sew", *files, "--out", str(out), "--weights", TINY]
+    monkeypatch.setattr("os.replace", full)
+    assert run(arguments) == 2
+    said = capsys.readouterr()
+    assert "the disk is full" in said.err and "start the same command again" in said.err
+    assert "skirt.json" not in said.out, "nothing is tried that cannot be kept"
+    assert {p.name for p in out.iterdir()} == {"shirt"}, "half a garment would be taken for a foreign folder"
+    monkeypatch.setattr("os.replace", real)
+    assert run(arguments) == 0
+    assert {p.name for p in out.iterdir()} == {"shirt", "trousers", "skirt"}
+
+
+def test_what_was_in_a_folder_before_stays_where_a_garment_fails(shirt, tmp_path, capsys, monkeypatch):
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "note.txt").write_text("mine")
+    monkeypatch.setattr("os.replace", mock.Mock(side_effect=OSError(errno.ENOSPC, "No space left")))
+    assert run(["sew", str(shirt), "--out", str(out), "--weights", TINY]) == 2
+    assert [p.name for p in out.iterdir()] == ["note.txt"] and (out / "note.txt").read_text() == "mine"

@@ -20,10 +20,11 @@ from sample_makers import COARSE, dies_the_first_time, make_quickly, run_here, s
 
 from swifttailor.atomic_files import write_atomically
 from swifttailor.data.builder import BuildSettings, build_split
+from swifttailor.data.builder.make_sample import FAILED, guarded, not_made
 from swifttailor.data.index import SplitIndex, read_index
 from swifttailor.data.reader import SplitReader
 from swifttailor.draping.batch import BatchSettings
-from swifttailor.errors import InputError
+from swifttailor.errors import DiskFullError, InputError
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
@@ -327,7 +328,7 @@ def test_a_full_disk_loses_nothing(number, patterns_file, tmp_path, reference, m
         fsync(descriptor)
 
     monkeypatch.setattr("os.fsync", fsync_or_full)
-    with pytest.raises(InputError, match=rf"Cannot write '{out}.*': No space left on device"):
+    with pytest.raises(InputError, match=rf"Cannot write '{out}.*': the disk is full"):
         build(patterns_file(*IDS), out)
     kept = len(SplitReader(out / "train"))
     monkeypatch.setattr("os.fsync", fsync)
@@ -457,3 +458,34 @@ def test_other_code_is_noted(patterns_file, tmp_path, monkeypatch):
     assert len(index.built_with) == 2 and index.built_with[1] == other
     build(patterns_file(*IDS), out, on_start=lambda done, note: notes.append((done, note)))
     assert notes[1] == (10, "")
+
+
+def test_a_full_disk_at_a_worker_ends_the_build_and_the_same_call_goes_on(patterns_file, tmp_path, reference):
+    left = [5]
+
+    def make(task):
+        left[0] -= 1
+        return guarded(task, no_room) if left[0] < 0 else make_quickly(task)
+
+    def no_room():
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    source, out = patterns_file(*IDS), tmp_path / "out"
+    with pytest.raises(DiskFullError, match=r"disk is full.* start the same command again"):
+        build(source, out, make=make)
+    started = []
+    build(source, out, on_start=lambda done, _: started.append(done))
+    assert started == [5] and split_content(out) == reference
+
+
+@pytest.mark.parametrize(("limit", "retry", "done"), [(None, False, 6), (3, False, 3), (None, True, 5)])
+def test_what_was_built_before_is_counted_of_these_patterns_alone(
+    limit, retry, done, patterns_file, tmp_path
+):
+    def make(task):
+        return not_made(task, FAILED, "crashed") if task.pattern.id == "b" else make_quickly(task)
+
+    source, out, started = patterns_file(*IDS[:6]), tmp_path / "out", []
+    build(source, out, make=make)
+    build(source, out, limit=limit, retry_failed=retry, on_start=lambda count, _: started.append(count))
+    assert started == [done]

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import errno
 import gzip
 import json
 import os
@@ -15,8 +16,11 @@ import pytest
 from batch_makers import DiesWhenLoaded, make_quickly
 
 from swifttailor.draping.batch import BatchSettings, run_batch
+from swifttailor.draping.batch import make_garment as making
+from swifttailor.draping.batch import run as running
+from swifttailor.draping.batch.make_garment import DISK_FULL
 from swifttailor.draping.batch.summary import kind_of_reason
-from swifttailor.errors import InputError, SimulationError
+from swifttailor.errors import DiskFullError, InputError, PatternError, SimulationError
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
 from swifttailor.pattern.pattern_list import count_patterns, folder_name, read_patterns
@@ -53,7 +57,7 @@ def quick(source: Path, out: Path, settings: BatchSettings = COARSE, **options):
         yield from (Outcome(task, function(task)) for task in tasks)
 
     with mock.patch("swifttailor.draping.batch.run.run_tasks", run_here):
-        return run_batch(source, out, settings, workers=1, make=make_quickly, **options)
+        return run_batch(source, out, settings, workers=1, **{"make": make_quickly} | options)
 
 
 # The real thing
@@ -334,3 +338,72 @@ def test_counting(tmp_path):
     assert count_patterns(jsonl(tmp_path / "b.jsonl", line("a"))) == 1
     assert count_patterns(tmp_path / "none.jsonl") == 0
     assert [p.id for p in read_patterns(tmp_path / "a.jsonl")] == ["a", "b"]
+
+
+# No room on the disk
+
+
+def fills_up(room: int):
+    """A maker for whose garments there is room for so many more."""
+    left = [room]
+
+    def make(task):
+        if left[0] == 0:
+            return {"id": task.pattern.id, "folder": task.pattern.folder, "status": DISK_FULL}
+        left[0] -= 1
+        return make_quickly(task)
+
+    return make
+
+
+def test_a_full_disk_ends_the_batch_and_the_same_call_goes_on(tmp_path):
+    source = jsonl(tmp_path / "p.jsonl", *(line(name) for name in "abcde"))
+    out, shown = tmp_path / "out", []
+    with pytest.raises(DiskFullError, match=r"disk is full.* start the same command again"):
+        quick(source, out, make=fills_up(2), on_record=lambda r: shown.append(r["id"]))
+    assert shown == ["a", "b"] == [r["id"] for r in records(out)]
+    summary = json.loads((out / "summary.json").read_text())
+    assert not summary["complete"] and summary["counts"]["failed"] == 0
+    started = []
+    again = quick(source, out, make=fills_up(9), on_start=lambda done, _: started.append(done))
+    assert started == [2] and again["complete"] and again["counts"]["accepted"] == 5
+    assert (out / "made.txt").read_text().split() == list("abcde")
+
+
+def test_the_maker_tells_a_full_disk_from_a_fault_of_the_pattern(tmp_path, monkeypatch):
+    pattern = next(
+        iter(read_patterns(jsonl(tmp_path / "p.jsonl", line("a", to_specification(draft("t-shirt"))))))
+    )
+    for error, status in (
+        (DiskFullError("full"), DISK_FULL),
+        (OSError(errno.ENOSPC, "No space left on device"), DISK_FULL),
+        (OSError(errno.EDQUOT, "Quota exceeded"), DISK_FULL),
+        (OSError(errno.EACCES, "Permission denied"), "failed"),
+        (PatternError("bad"), "failed"),
+    ):
+        monkeypatch.setattr(making, "drape_pattern", mock.Mock(side_effect=error))
+        assert making.make_garment(making.GarmentTask(pattern, COARSE, tmp_path))["status"] == status
+
+
+def test_a_summary_that_there_is_no_room_for_hides_no_reason(tmp_path, monkeypatch):
+    source = jsonl(tmp_path / "p.jsonl", line("a"), line("b"))
+    monkeypatch.setattr(running, "write_text", mock.Mock(side_effect=DiskFullError("summary")))
+    with pytest.raises(DiskFullError, match="start the same command again"):
+        quick(source, tmp_path / "out", make=fills_up(1))
+    with pytest.raises(DiskFullError, match="summary"):
+        quick(source, tmp_path / "out", make=fills_up(9))
+
+
+@pytest.mark.parametrize(("limit", "retry", "done"), [(None, False, 4), (2, False, 2), (None, True, 3)])
+def test_what_was_done_before_is_counted_of_these_patterns_alone(limit, retry, done, tmp_path):
+    source = jsonl(tmp_path / "p.jsonl", line("a"), b"[]\n", line("c"), line("d"))
+    quick(source, tmp_path / "out")
+    started = []
+    quick(
+        source,
+        tmp_path / "out",
+        limit=limit,
+        retry_failed=retry,
+        on_start=lambda count, _: started.append(count),
+    )
+    assert started == [done]

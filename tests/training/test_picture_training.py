@@ -79,14 +79,14 @@ def test_it_learns_resumes_and_is_written(data, tmp_path, capsys):
     reader = PictureReader.load(path)
     assert reader.card["model"] == "PictureReader" and reader.size == 32
     assert (reader.scales == (1.0, 0.0)).all()
-    assert TrainExport(source=tmp_path / "run", out=path, data=data / "validation").run() == 0
+    assert TrainExport(source=tmp_path / "run", out=path, data=data / "validation", overwrite=True).run() == 0
     assert "certainties are off by" in capsys.readouterr().out
     scales = PictureReader.load(path).scales
     assert (scales != (1.0, 0.0)).any() and np.isfinite(scales).all()
     written = tmp_path / "run" / "card.json"
     written.write_text(json.dumps(card | {"labels_sha256": "0"}))
     with pytest.raises(InputError, match="other statements"):
-        TrainExport(source=tmp_path / "run", out=path).run()
+        TrainExport(source=tmp_path / "run", out=path, overwrite=True).run()
 
 
 def test_garments_that_are_judged_by_are_not_learnt_from(data, tmp_path):
@@ -152,6 +152,7 @@ def test_guesses_are_about_right_and_lacking_now_and_then():
 def test_the_loss_is_least_where_the_reading_is_true():
     import torch
 
+    from swifttailor.picture_reader.close_ups import WHOLE, told_by
     from swifttailor.picture_reader.network_torch import Reading
     from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
     from swifttailor.training.picture_batch_torch import Answers
@@ -159,22 +160,23 @@ def test_the_loss_is_least_where_the_reading_is_true():
     from swifttailor.training.picture_losses_torch import reading_losses
 
     chance = torch.Generator().manual_seed(0)
+    statements, dimensions, panels = (table.shape[1] for table in told_by())
 
     def lots(*shape):
         return (torch.rand(*shape, generator=chance) < 0.5).float()
 
-    measures = torch.randn(2, 2, 5, generator=chance)
+    measures = torch.randn(2, 2, dimensions, generator=chance)
     truth = Answers(
         present=torch.tensor([[1.0, 0.0], [1.0, 1.0]]),
         whole=torch.tensor([True, True]),
-        statements=lots(2, 2, 7),
-        clear=lots(2, 2, 7).bool(),
-        has=lots(2, 2, 5),
-        measured=lots(2, 2, 5).bool(),
+        statements=lots(2, 2, statements),
+        clear=lots(2, 2, statements).bool(),
+        has=lots(2, 2, dimensions),
+        measured=lots(2, 2, dimensions).bool(),
         measures=measures,
-        panels=lots(2, 2, 4),
-        named=lots(2, 2, 4).bool(),
-        boxes=torch.randn(2, 2, 4, 5, generator=chance),
+        panels=lots(2, 2, panels),
+        named=lots(2, 2, panels).bool(),
+        boxes=torch.randn(2, 2, panels, 5, generator=chance),
         view=torch.randn(2, 6, generator=chance),
         figures=torch.tensor([1, 1]),
         masks=lots(2, 2, 3, 3),
@@ -226,3 +228,12 @@ def test_the_loss_is_least_where_the_reading_is_true():
     )
     of_near = reading_losses(untold, near, LossWeights())
     assert abs(float(of_near["total"] - best["total"])) < 1e-2, "what a close-up does not tell counts nothing"
+    small = torch.from_numpy(told_by().statements[:WHOLE].any(axis=0))
+    for which, times in ((small, 5.0), (~small, 1.0)):
+        wrong = torch.where(truth.clear & which, -reading.statements, reading.statements)
+        once, more = (
+            reading_losses(reading._replace(statements=wrong), truth, LossWeights(details=details))
+            for details in (1.0, 5.0)
+        )
+        assert float(once["statements"]) > 10
+        assert torch.allclose(more["statements"], times * once["statements"], rtol=1e-3)

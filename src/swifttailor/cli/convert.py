@@ -18,9 +18,9 @@ PATTERN_ENDINGS = (".svg", ".json")
 class Convert:
     """Convert a sewing pattern or a garment to another format, chosen by the target's ending.
 
-    A pattern (.json) becomes .svg or .json. A garment (.glb, .obj, .ply, .stl, .usd, .usda, .usdc, .usdz, or
-    a folder written by another command) becomes any of these. A folder is taken as its pattern where the
-    target is a pattern's format.
+    A pattern (.json) becomes .svg or .json; this version cannot write PDF. A garment (.glb, .obj, .ply, .stl,
+    .usd, .usda, .usdc, .usdz, or a folder written by another command) becomes any of these. A folder is taken
+    as its pattern where the target is a pattern's format.
     """
 
     source: Annotated[Path, tyro.conf.Positional]
@@ -69,7 +69,7 @@ class Convert:
         ending = self.target.suffix.lower()
         if ending not in PATTERN_ENDINGS:
             raise InputError(
-                f"A pattern cannot be converted to '{self.target.name}': the ending '{ending}' is unknown. "
+                f"A pattern cannot be converted to '{self.target.name}': {_why_not(ending)}. "
                 f"Accepted: {', '.join(PATTERN_ENDINGS)}. "
                 f"For a garment in 3D: swifttailor drape {source} --out DIR."
             )
@@ -90,9 +90,21 @@ class Convert:
         if self.target.suffix.lower() not in MESH_ENDINGS:
             raise InputError(
                 f"A garment cannot be converted to '{self.target.name}': "
-                f"the ending '{self.target.suffix}' is unknown. Accepted: {', '.join(MESH_ENDINGS)}."
+                f"{_why_not(self.target.suffix.lower())}. Accepted: {', '.join(MESH_ENDINGS)}; of its "
+                f"pattern, {' and '.join(PATTERN_ENDINGS)}."
             )
         write_garment_mesh(read_garment_mesh(source), self.target, overwrite=self.overwrite)
+
+
+def _why_not(ending: str) -> str:
+    if ending == ".pdf":
+        from swifttailor import __version__
+
+        return (
+            f"SwiftTailor {__version__} and earlier cannot write PDF; an .svg in true size can be opened and "
+            "printed by any browser"
+        )
+    return f"the ending '{ending}' is unknown" if ending else "the name has no ending that tells a format"
 
 
 def _same_file(first: Path, second: Path) -> bool:

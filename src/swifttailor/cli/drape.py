@@ -211,7 +211,9 @@ class Drape(GarmentResults):
         if quality["accepted"]:
             verdict = "Accepted: it hangs at rest, within all limits of quality."
         else:
-            verdict = f"Not accepted: {'; '.join(quality['reasons'])}."
+            from swifttailor.draping.quality import not_accepted_line
+
+            verdict = f"N{not_accepted_line(quality)[1:]}"
         seconds = report["seconds"] | {"saving": saving}
         stages = ", ".join(f"{name} {value:.1f}" for name, value in seconds.items() if value >= 0.05)
         look = self.folder / ("preview.png" if self.preview else "garment.glb")

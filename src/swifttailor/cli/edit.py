@@ -19,10 +19,15 @@ _MAX_REPORT_BYTES = 64 * 2**20
 class Edit(Making):
     """Change a sewing pattern as instructed, and make its garment.
 
-    Writes the same files as swifttailor generate.
+    Writes the same files as swifttailor generate. Where nothing is understood of the instruction, the pattern
+    stays as it is. The garment keeps its colour.
 
-    Exit code 0: made; 1: made, but read what it says, or some samples failed; 2: nothing was made.
+    Exit code 0: made, and all that was understood holds; 1: made, but read what it says, or some samples
+    failed; 2: nothing was made.
     """
+
+    asks_for = "Say which pattern to change, and how, in quotes."
+    example = 'dress "make it 10 cm longer" --out longer'
 
     pattern: Annotated[tyro.conf.Positional[Path], tyro.conf.arg(metavar="PATTERN")]
     """GarmentCode JSON file, or the folder of a garment."""
@@ -40,7 +45,7 @@ class Edit(Making):
         Raises:
             SwiftTailorError: Nothing could be made.
         """
-        from swifttailor.garment.folder import PATTERN
+        from swifttailor.garment.folder import PATTERN, REPORT
 
         if not self.instruction.strip():
             raise InputError(
@@ -56,13 +61,15 @@ class Edit(Making):
                     "Choose another --out, or say --overwrite."
                 )
         self.require_options()
+        from swifttailor.garment.cloth_color import stated_color
         from swifttailor.pattern import read_pattern_file, repair_pattern
 
-        reading = read_pattern_file(source, rotation=self._rotation(source))
+        report = _read_report(source.with_name(REPORT)) if source.name == PATTERN else None
+        reading = read_pattern_file(source, rotation=self._rotation(report))
         pattern = reading.pattern
         if self.repair:
             pattern = repair_pattern(pattern, reading.findings).pattern
-        return self.make(self.order(self.instruction, edit=pattern))
+        return self.make(self.order(self.instruction, edit=pattern, color=stated_color(report or {})))
 
     def usual_place(self) -> Path:
         """Named after the pattern."""
@@ -72,13 +79,11 @@ class Edit(Making):
         """The pattern."""
         return (self.pattern,)
 
-    def _rotation(self, source: Path) -> Literal["intrinsic", "extrinsic"]:
-        from swifttailor.garment.folder import REPORT
-
+    def _rotation(self, report: dict[str, Any] | None) -> Literal["intrinsic", "extrinsic"]:
         if self.rotation is not None:
             return self.rotation
-        report = _read_report(source.with_name(REPORT)) if self.pattern.is_dir() else None
-        return "extrinsic" if report is not None and report.get("rotation") == "extrinsic" else "intrinsic"
+        found = report is not None and self.pattern.is_dir() and report.get("rotation") == "extrinsic"
+        return "extrinsic" if found else "intrinsic"
 
 
 def _read_report(path: Path) -> dict[str, Any] | None:

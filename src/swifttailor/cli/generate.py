@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
-from swifttailor.cli.making import Making
+from swifttailor.cli.making import PICTURES, Making
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import new_place
 from swifttailor.errors import InputError
@@ -14,7 +14,6 @@ from swifttailor.errors import InputError
 if TYPE_CHECKING:
     from swifttailor.tailor import Order, Tailor
 
-_PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".gif", ".tif", ".tiff")
 _BOTH = ("upper", "lower")
 
 
@@ -25,9 +24,12 @@ class Generate(Making):
     Writes pattern.json, pattern.svg, garment.glb, garment.obj, preview.png, ggi.npz and report.json into a
     folder; with a picture also seen.png, what was looked at.
 
-    Exit code 0: made; 1: made, but read what it says, or some samples failed, or no garment was found in the
-    picture; 2: nothing was made.
+    Exit code 0: made, and all that was understood holds; 1: made, but read what it says, or some samples
+    failed, or no garment was found in the picture; 2: nothing was made.
     """
+
+    asks_for = "Say what to make, in quotes, or give a picture with --image."
+    example = '"a knee-length dress with a V neck" --out dress'
 
     text: Annotated[tyro.conf.Positional[str], tyro.conf.arg(metavar="TEXT")] = ""
     """What the garment should be, in English: "a knee-length sleeveless dress with a V neck"."""
@@ -118,17 +120,14 @@ class Generate(Making):
 
     def _require_request(self) -> None:
         if not self.text.strip() and not self.image:
-            raise InputError(
-                'Nothing was requested. Describe a garment: swifttailor generate "a long dress" --out DIR, '
-                "or give a picture of one: --image FILE"
-            )
-        if not self.image and Path(self.text.strip()).suffix.lower() in _PICTURES:
+            raise self.nothing_requested()
+        if not self.image and Path(self.text.strip()).suffix.lower() in PICTURES:
             raise InputError(
                 f"'{self.text}' looks like a picture's name and was given as the text. To use the picture: "
                 f"--image {self.text}"
             )
         for path in self.image[1:]:
-            if path.suffix.lower() not in _PICTURES and not path.exists():
+            if path.suffix.lower() not in PICTURES and not path.exists():
                 raise InputError(
                     f"'{path}' was given as a picture, and there is no such file. Put the text before "
                     f'--image: swifttailor generate "{path}" --image {self.image[0]}'

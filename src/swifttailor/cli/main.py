@@ -167,6 +167,8 @@ def _runner(kind: Any, name: str) -> Runner:
 
         options = read_plain(kind, arguments)
         if options is None:
+            if hasattr(kind, "refuse_unquoted"):
+                kind.refuse_unquoted(arguments)
             options = tyro.cli(kind, args=arguments, prog=f"swifttailor {name}")
         postpone_parts_of_numpy()
         return options.run()

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 import sys
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 from swifttailor.cli.option_checks import (
     in_range,
@@ -16,9 +16,10 @@ from swifttailor.cli.option_checks import (
     require_threads,
     require_writable_folder,
 )
+from swifttailor.cli.plain_options import operands
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import GarmentResults
-from swifttailor.errors import SwiftTailorError
+from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
     from swifttailor.output_folder import OutputFolder
@@ -29,11 +30,16 @@ UNUSABLE = 2
 SHEET = "sheet.png"
 MOST_SAMPLES = MOST_ATTEMPTS = 64
 HIGHEST_TEMPERATURE = 10.0
+PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".gif", ".tif", ".tiff")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Making(GarmentResults):
     """Options of both commands."""
+
+    asks_for: ClassVar[str]
+    """What is missing where nothing is given."""
+    example: ClassVar[str]
 
     samples: Annotated[int, tyro.conf.arg(metavar="K")] = 1
     """How many garments to make. Several get a folder each in DIR, and sheet.png shows them all."""
@@ -57,6 +63,38 @@ class Making(GarmentResults):
     """CPU cores for the networks."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
     """Print a list of the reports as JSON."""
+
+    @classmethod
+    def refuse_unquoted(cls, arguments: list[str]) -> None:
+        """Says where quotes were forgotten, or nothing was given at all.
+
+        Args:
+            arguments: Of the command line.
+
+        Raises:
+            InputError: There are more words than operands, or there are no arguments.
+        """
+        if not arguments:
+            raise cls.nothing_requested()
+        words = [word for word in operands(cls, arguments) if Path(word).suffix.lower() not in PICTURES]
+        count = sum("Positional" in str(field.type) for field in fields(cls))
+        if {"-h", "--help"}.isdisjoint(arguments) and len(words) > count:
+            before = "".join(f"{word} " for word in words[: count - 1])
+            text = " ".join(words[count - 1 :])
+            out = arguments.index("--out") if "--out" in arguments[:-1] else None
+            where = "" if out is None else f" --out {arguments[out + 1]}"
+            raise InputError(f'Put the words in quotes: {cls._command()} {before}"{text}"{where}')
+
+    @classmethod
+    def nothing_requested(cls) -> InputError:
+        """The error that shows how the command is used."""
+        return InputError(
+            f"Nothing was requested. {cls.asks_for} For example: {cls._command()} {cls.example}"
+        )
+
+    @classmethod
+    def _command(cls) -> str:
+        return f"swifttailor {cls.__name__.lower()}"
 
     def require_options(self) -> None:
         """Refuses what cannot work before anything is loaded.
@@ -229,7 +267,9 @@ def _say(folder: Path, outcome: Tailored | SwiftTailorError, said: list[str], *,
         lines += [line for line in _remarks(outcome) if line not in said]
         lines += [finding.line() for finding in outcome.findings]
         if "quality" in report and not report["quality"]["accepted"]:
-            lines.append(f"not accepted: {'; '.join(report['quality']['reasons'])}")
+            from swifttailor.draping.quality import not_accepted_line
+
+            lines.append(not_accepted_line(report["quality"]))
         stages = ", ".join(f"{name} {value:.2f}" for name, value in outcome.seconds.items() if value >= 0.005)
         lines.append(
             f"{report['panels']} panels, {report['stitches']} stitches, {report['vertices']} vertices; "

@@ -20,6 +20,24 @@ _NUMBERS: dict[str, tuple[str, Callable[[str], Any]]] = {
 _CONF = "tyro.conf."
 
 
+def operands(kind: type[Any], arguments: list[str]) -> list[str]:
+    """What stands on a command line besides options and their values, an option taking one value at most.
+
+    Args:
+        kind: As for `read_plain`.
+        arguments: Of the command line.
+    """
+    flags = {f"--{f.name.replace('_', '-')}" for f in fields(kind) if isinstance(f.default, bool)}
+    flags |= {flag.replace("--", "--no-", 1) for flag in flags} | {"-h", "--help"}
+    found, waiting = [], iter(arguments)
+    for argument in waiting:
+        if not argument.startswith("-"):
+            found.append(argument)
+        elif argument not in flags and "=" not in argument:
+            next(waiting, None)
+    return found
+
+
 class _NotPlain(Exception):
     """For tyro to read, or to refuse."""
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from swifttailor.cli.option_checks import require_edge_length, require_threads, require_writable_folder
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import GarmentResults, new_place
-from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.errors import DiskFullError, InputError, SwiftTailorError
 
 if TYPE_CHECKING:
     from swifttailor.output_folder import OutputFolder
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 SOMETHING_TO_LOOK_AT = 1
 UNUSABLE = 2
+SEW_AGAIN = (
+    "Garments that were sewn before are whole. Make room, and start the same command again: it sews them all."
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -125,6 +128,8 @@ class Sew(GarmentResults):
             else:
                 with output:
                     outcome.save_in(output, preview=self.preview, images=False)
+        except DiskFullError as error:
+            raise DiskFullError(f"{error} {SEW_AGAIN}") from error
         except SwiftTailorError as error:
             if not self.json:
                 print(f"{path}: not sewn. {error}")  # noqa: T201
@@ -143,7 +148,9 @@ def _say(path: Path, folder: Path, made: Tailored) -> None:
         print(f"{path}: {note}")  # noqa: T201
     report = made.report
     if "quality" in report and not report["quality"]["accepted"]:
-        print(f"{path}: not accepted: {'; '.join(report['quality']['reasons'])}")  # noqa: T201
+        from swifttailor.draping.quality import not_accepted_line
+
+        print(f"{path}: {not_accepted_line(report['quality'])}")  # noqa: T201
     print(  # noqa: T201
         f"{path}: {report['panels']} panels, {report['vertices']} vertices; seams were "
         f"{report['sewing']['seam_gap_before_median_cm']:.2f} cm apart and are closed; "

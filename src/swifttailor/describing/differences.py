@@ -62,6 +62,11 @@ class Step:
 Change = Gain | Step
 
 
+def subject_of(change: Change) -> str:
+    """What a change is about: the name of its claim, or its quantity."""
+    return change.claim.name if isinstance(change, Gain) else change.quantity
+
+
 def find_differences(before: GarmentFacts, after: GarmentFacts) -> tuple[tuple[Gain, ...], tuple[Step, ...]]:
     """Finds what became true and what grew or shrank, as far as it is seen.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -20,6 +21,10 @@ from swifttailor.panel_mesh.topology import component_count
 MAX_BODY_INTERSECTIONS = 35
 MAX_SELF_INTERSECTIONS = 300
 MAX_STRAIN_P95 = 0.12
+WHEN_TOO_TIGHT = (
+    'Make it wider where it is tight, as with swifttailor edit ... "make it 5 cm wider around the chest", or '
+    "drape it over the body that it is for (swifttailor drape --body)."
+)
 MAX_PENETRATING_FRACTION = 0.01
 
 
@@ -117,6 +122,18 @@ def seam_gap(mesh: PatternMesh, positions: Floats) -> float:
         gap = np.linalg.norm(first - (second if stitch.right_wrong else second[::-1]), axis=1)
         largest = max(largest, float(gap.max()))
     return largest
+
+
+def not_accepted_line(quality: Mapping[str, Any]) -> str:
+    """Why a garment is not accepted, and what can be done about it where that is known; empty if it is.
+
+    Args:
+        quality: Of a report.
+    """
+    if quality["accepted"]:
+        return ""
+    line = f"not accepted: {'; '.join(quality['reasons'])}."
+    return f"{line} {WHEN_TOO_TIGHT}" if quality.get("strain_p95", 0.0) > MAX_STRAIN_P95 else line
 
 
 def _reasons(q: dict[str, Any], worn: WornHeight) -> tuple[str, ...]:

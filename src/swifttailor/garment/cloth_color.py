@@ -1,9 +1,14 @@
-"""Which colour a garment has in previews and files: one of a few, chosen by how it is built."""
+"""Which colour a garment has in previews and files: one of a few, chosen by how it is built.
+
+An edited garment keeps the colour of the garment that it was made from, and its report states it.
+"""
 
 from __future__ import annotations
 
+import re
 import zlib
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from swifttailor.pattern import Pattern
@@ -20,6 +25,8 @@ PALETTE = (
     "#4a5266",  # ink
 )
 """sRGB; each can be told from the mannequin and its backdrop."""
+COLOR = "color"
+"""What a report calls it."""
 
 
 def cloth_color(pattern: Pattern) -> str:
@@ -37,3 +44,9 @@ def cloth_color(pattern: Pattern) -> str:
         for panel in pattern.panels
     )
     return PALETTE[zlib.crc32("\n".join(built).encode()) % len(PALETTE)]
+
+
+def stated_color(report: Mapping[str, Any]) -> str | None:
+    """The colour that the report of an edited garment states; None of a garment in its pattern's own."""
+    color = report.get(COLOR)
+    return color if isinstance(color, str) and re.fullmatch("#[0-9a-f]{6}", color) else None

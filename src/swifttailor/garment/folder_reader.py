@@ -1,4 +1,4 @@
-"""Reads back what makes a garment from the folder that `save_folder` has written."""
+"""Reads back what makes a garment from the folder that `write_files` has filled."""
 
 from __future__ import annotations
 

@@ -27,6 +27,8 @@ class Garment:
     """(v, 3) welded vertex positions, cm."""
     report: dict[str, Any] = field(default_factory=dict)
     """What made it and how well: JSON values, written as report.json."""
+    color: str | None = None
+    """Of the right side of the cloth, ``#rrggbb``; what its pattern has by itself (`cloth_color`) if None."""
 
     def __post_init__(self) -> None:
         vertices = np.array(self.vertices, dtype=np.float64)
@@ -47,10 +49,11 @@ class Garment:
         Raises:
             InputError: The folder's files are missing, unreadable, or do not belong together.
         """
+        from swifttailor.garment.cloth_color import stated_color
         from swifttailor.garment.folder_reader import read_folder
 
         mesh, vertices, report = read_folder(folder)
-        return cls(mesh, vertices, report)
+        return cls(mesh, vertices, report, stated_color(report))
 
     @property
     def pattern(self) -> Pattern:

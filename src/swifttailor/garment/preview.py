@@ -33,12 +33,12 @@ def cloth_surface(
 
     Args:
         garment: Any garment.
-        color: Right side of the cloth; the inside is darker and greyer. None: the pattern's own
+        color: Right side of the cloth; the inside is darker and greyer. None: the garment's own
             (`cloth_color`).
         tint_panels: Whether neighbouring panels differ a little in lightness.
         lines: Whether seams and hems are drawn.
     """
-    base = to_linear(cloth_color(garment.pattern) if color is None else color)
+    base = to_linear(garment.color or cloth_color(garment.pattern) if color is None else color)
     right = np.broadcast_to(base, (len(garment.faces), 3))
     if tint_panels:
         # Golden-ratio steps keep consecutive panels apart whatever their number.
@@ -97,7 +97,7 @@ def draw_preview(
         garment: What to show.
         body: Who wears it; None draws the garment alone.
         size: Width and height of the whole picture in pixels.
-        color: Right side of the cloth; None: the pattern's own (`cloth_color`).
+        color: Right side of the cloth; None: the garment's own (`cloth_color`).
         background: Backdrop.
 
     Returns:

@@ -126,7 +126,7 @@ def mesh_of_garment(garment: Garment) -> TriangleMesh:
         tuple(p.name for p in garment.pattern.panels),
         mesh.face_panel if len(garment.pattern.panels) else None,
         tuple(seam.vertices for seam in garment.seams),
-        cloth_color(garment.pattern),
+        garment.color or cloth_color(garment.pattern),
     )
 
 

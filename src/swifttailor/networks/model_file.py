@@ -19,6 +19,7 @@ from typing import Any
 
 from swifttailor.atomic_files import write_bytes
 from swifttailor.errors import InputError
+from swifttailor.networks.onnx_contents import foreign_operators, keeps_values_elsewhere
 from swifttailor.networks.onnx_session import open_session
 
 CARD, NOTE = "card.json", "swifttailor"
@@ -28,8 +29,6 @@ GRAPH = "graph"
 Signature = tuple[tuple[str, ...], tuple[str, ...]]
 """Names of the inputs and outputs of a graph."""
 _DATE = (1980, 1, 1, 0, 0, 0)
-_ELSEWHERE = b"\x0a\x08location\x12"
-"""A tensor whose values are in another file: the key of ONNX's `external_data`."""
 
 
 @dataclass(frozen=True)
@@ -116,10 +115,7 @@ def open_model(path: Path | str, kind: ModelKind, *, threads: int = 1) -> ModelF
         about, members = {}, {}
         graphs, sources = {GRAPH: read_bytes(path, kind.max_bytes)}, {GRAPH: str(path)}
     for name, graph in graphs.items():
-        if _ELSEWHERE in graph:
-            raise InputError(
-                f"'{sources[name]}' keeps weights in other files. Give a file that holds them all."
-            )
+        _require_self_contained(graph, sources[name], kind)
     sessions = {
         name: open_session(graph, sources[name], kind.name, threads=threads) for name, graph in graphs.items()
     }
@@ -239,6 +235,27 @@ def _require_size(path: Path, max_bytes: int) -> None:
     if path.stat().st_size > max_bytes:
         raise InputError(
             f"'{path}' is larger than {max_bytes >> 20} MB; a model file of this kind is smaller."
+        )
+
+
+def _require_self_contained(graph: bytes, source: str, kind: ModelKind) -> None:
+    """Refuses a graph that would have other files read, or other people's code run."""
+    try:
+        foreign, elsewhere = foreign_operators(graph), keeps_values_elsewhere(graph)
+    except ValueError as error:
+        raise InputError(
+            f"'{source}' is not a network that can be run, or is damaged (it has {error}). Give the file of "
+            f"a {kind.name}, or copy it again from its source."
+        ) from error
+    if elsewhere:
+        raise InputError(
+            f"'{source}' keeps weights in other files (ONNX external data), which are never read. Give a "
+            "file that holds them all: export it again without external data."
+        )
+    if foreign:
+        raise InputError(
+            f"'{source}' needs operators that onnxruntime does not have: {', '.join(sorted(foreign))}. "
+            f"Libraries of custom operators are not loaded. Give the file of a {kind.name} of this version."
         )
 
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from swifttailor.arrays import Bools
 from swifttailor.describing.claims.claim import CLAIM_TYPES
 from swifttailor.describing.claims.judgement import CLAIMING
-from swifttailor.describing.differences import QUANTITIES, Change, Gain, Step
+from swifttailor.describing.differences import QUANTITIES, Change, Gain, Step, subject_of
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.recutting.levers.all_levers import LEVERS, TRICKS
 from swifttailor.recutting.levers.lever import Lever, Trick
@@ -104,14 +104,9 @@ def find_plans(
     return {w: sorted(found, key=lambda p: p.order) for w, found in plans.items()}
 
 
-def about(wish: Change) -> str:
-    """The claim or quantity of a wish."""
-    return wish.claim.name if isinstance(wish, Gain) else wish.quantity
-
-
 def names_it(wish: Change, names: Collection[str]) -> bool:
     """Whether a wish is among some claims and quantities, such as ``skirt`` or ``skirt: gathered``."""
-    if about(wish) in names:
+    if subject_of(wish) in names:
         return True
     return isinstance(wish, Gain) and f"{wish.claim.name}: {wish.claim.value}" in names
 

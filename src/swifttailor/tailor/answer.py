@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from swifttailor.pattern import Pattern
@@ -10,6 +11,7 @@ from swifttailor.pattern.check.repair import Change
 from swifttailor.tailor.verdict import Verdict
 
 if TYPE_CHECKING:
+    from swifttailor.describing.differences import Change as Difference
     from swifttailor.pattern_maker.asking.confidence import Confidence
     from swifttailor.pattern_maker.maker import WrittenPattern
     from swifttailor.tailor.reading import Wanted
@@ -30,7 +32,8 @@ class Answer:
     seed: int = 0
     """Of its sample of the order."""
     written: WrittenPattern | None = None
-    """What the network wrote for it, or a known pattern; None of a pattern that was given to be sewn."""
+    """What the network wrote for it, or a known pattern; None of a pattern that was given to be sewn, or to
+    be edited and left as it was."""
     known: str = ""
     """Id of the known pattern that it is cut from; empty where it was written."""
     cuts: tuple[str, ...] = ()
@@ -47,6 +50,24 @@ class Answer:
     """What the sewer made of it; None where it was not prepared to be sewn."""
     seconds: dict[str, float] = field(default_factory=dict)
     """Its own, by stage: of what is done for all garments of an order together, a `Clock` takes the time."""
+
+    @property
+    def is_given(self) -> bool:
+        """Whether it is the pattern to edit, and nothing was altered in it."""
+        return self.of_edit and not self.cuts
+
+    @cached_property
+    def seen(self) -> tuple[Difference, ...] | None:
+        """What is different from the pattern to edit; None where there is none, or it cannot be measured."""
+        from swifttailor.tailor.changes_seen import changes_seen
+
+        edit = None if self.wanted is None else self.wanted.order.edit
+        return None if edit is None else changes_seen(edit, self.pattern)
+
+    @property
+    def is_other_than_wanted(self) -> bool:
+        """Whether something that was understood does not hold, or nothing was understood of a text."""
+        return bool(self.verdict.open) or (self.wanted is not None and self.wanted.misses)
 
     @property
     def rank(self) -> tuple[bool, int, int, float]:

@@ -30,12 +30,24 @@ BARE_CM = 4.0
 """No skirt ends so far above the crotch; 0.5 cm is the highest of those."""
 
 
+def unaltered(wanted: Wanted) -> Answer | None:
+    """The pattern to edit as it is, where nothing is understood of how to change it; None otherwise."""
+    edit = wanted.order.edit
+    return _as_it_is(edit, wanted) if edit is not None and wanted.misses else None
+
+
+def _as_it_is(edit: Pattern, wanted: Wanted, written: WrittenPattern | None = None) -> Answer:
+    open = tuple(wish.change for wish in wanted.wishes)
+    verdict = Verdict(tuple(check_pattern(edit)), wanted.tolerated, open=open)
+    return Answer(edit, verdict, wanted=wanted, written=written, of_edit=True)
+
+
 def fit(written: WrittenPattern, wanted: Wanted) -> Answer:
     """Alters a pattern to what is wanted and judges it; whether it can be sewn is left open.
 
     One that cannot be measured is left as it is, its wishes open. Of an edit, the pattern to edit is altered,
     since that leaves everything else exactly as it is. What the network wrote is taken where more of the
-    wishes hold of it, or none was understood.
+    wishes hold of it; where none does of either, the pattern to edit stays as it is.
     """
     edit, unsaid = wanted.order.edit, wanted.unsaid
     changes = tuple(wish.change for wish in wanted.wishes)
@@ -48,6 +60,8 @@ def fit(written: WrittenPattern, wanted: Wanted) -> Answer:
         pattern, level = level_hem(pattern)  # what is lengthened next stays level
     alters = bool(changes) or unsaid or wanted.part is not None
     taken, of_edit = _best_alteration(pattern, level, wanted) if alters else (None, False)
+    if edit is not None and changes and not of_edit and (taken is None or set(taken.open) == set(changes)):
+        return _as_it_is(edit, wanted, written)
     if taken is not None and (taken.cuts or of_edit):
         pattern, findings = taken.pattern, None
     verdict = Verdict(
@@ -82,9 +96,8 @@ def _best_alteration(pattern: Pattern, level: str, wanted: Wanted) -> tuple[Alte
             maybe = tuple(wish.change for wish in wanted.likely)
             written = _finished(written, changes, maybe, unsaid=wanted.unsaid)
     # Of two that do as much, the one that leaves the rest as it was; but for another kind of garment.
-    if recut is not None and len(recut.open) < len(changes):
-        if written is None or len(recut.open) + remade <= len(written.open):
-            return recut, True
+    if recut is not None and (written is None or len(recut.open) + remade <= len(written.open)):
+        return recut, True
     return written, False
 
 

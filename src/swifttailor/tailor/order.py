@@ -46,6 +46,8 @@ class Order:
     same garment, front and back."""
     edit: Pattern | None = None
     """Pattern to change."""
+    color: str | None = None
+    """Of the cloth of the garment to change, ``#rrggbb``; what its pattern has by itself when None."""
     part: Part | None = None
     """Which of the garments in the picture; the one that covers most of it when None."""
     crop: bool = True

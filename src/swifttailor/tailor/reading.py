@@ -13,6 +13,7 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError, NothingSeenError, SwiftTailorError
+from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.pattern import Pattern, check_pattern
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
@@ -22,14 +23,16 @@ from swifttailor.recutting.alter import Alteration, alter
 from swifttailor.recutting.one_sided import asks_for_one_side
 from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted
-from swifttailor.tailor.order import NO_READER, Order
+from swifttailor.tailor.order import NO_READER, Order, one_line
 from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
 from swifttailor.wishes.own_words import in_own_words
-from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wishes.spelling import put_right
+from swifttailor.wishes.unread import not_understood, says_nothing_else
 
-LEAST_CERTAINTY = 0.9
-"""What the reader is less sure of is not asked for: what the network wrote may be as right."""
+SURE_IN_KNOWN_WORDS = 0.7
+"""Enough for an edit whose words are all known ones for what was read: 147 of 162 such wishes
+are meant (instructions between validation patterns, written as for the training)."""
 _NONE = "none"
 _UNREAD = (
     "The picture was shown to PatternMaker and not read: this version comes without weights of a picture "
@@ -72,11 +75,24 @@ class Wanted:
     """What the pictures say and the text says otherwise."""
     warnings: tuple[str, ...] = ()
     """What is doubtful about the pictures."""
+    unread: tuple[str, ...] = ()
+    """What of the text no wish came from, in its own words."""
 
     @property
     def said(self) -> tuple[Wish, ...]:
         """The wishes that are the text's, as far as it was understood for certain."""
         return tuple(wish for wish in self.wishes if wish not in self.seen)
+
+    @property
+    def color(self) -> str | None:
+        """That the garment keeps from the one that it is made from; None where it is made anew."""
+        order = self.order
+        return order.color or cloth_color(order.edit) if order.edit is not None else None
+
+    @property
+    def misses(self) -> bool:
+        """Whether there is a text and nothing was understood of it for certain."""
+        return self.order.alter and bool(one_line(self.order.text)) and not self.said
 
     @cached_property
     def sought(self) -> Sought:
@@ -96,7 +112,7 @@ class Wanted:
     @cached_property
     def original(self) -> GarmentFacts | None:
         """What the pattern to edit shows; None where it cannot be measured, or nothing is to be altered."""
-        return None if self.order.edit is None or not self.wishes else _facts(self.order.edit)
+        return None if self.order.edit is None or not self.wishes else facts_of(self.order.edit)
 
     @cached_property
     def recut(self) -> Alteration | None:
@@ -150,37 +166,54 @@ def read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | No
             notes = (*notes, _UNREAD)
         if reader is None:
             return Wanted(order, order.text, image, notes=notes)
-        text, found = _said(order, reader)
-        return Wanted(order, text, image, sure_wishes(found), likely_wishes(found), notes)
-    text, found = _said(order, reader)
-    sure, likely = sure_wishes(found), likely_wishes(found)
+        text, sure, likely, unread = _said(order, reader)
+        return Wanted(order, text, image, sure, likely, notes, unread=unread)
+    text, sure, likely, unread = _said(order, reader)
     pictures = tuple(look_at(one, eyes) for one in order.images)
     try:
         part = part_wanted(pictures, order.part)
     except NothingSeenError as error:
         if not order.text.strip():
             raise
-        return Wanted(order, text, None, sure, likely, pictures=pictures, warnings=(str(error),))
+        doubt = (str(error),)
+        return Wanted(order, text, None, sure, likely, pictures=pictures, warnings=doubt, unread=unread)
     kept, overruled = not_overruled(seen_wishes(part), (*sure, *likely))
     image, notes = _shown(pictures[0], order.crop)
     return Wanted(
         order,
         text,
         image,
-        (*sure, *(w for w in kept if w.certainty >= LEAST_CERTAINTY)),
-        (*likely, *(w for w in kept if w.certainty < LEAST_CERTAINTY)),
+        (*sure, *(w for w in kept if w.certainty >= SURE)),
+        (*likely, *(w for w in kept if w.certainty < SURE)),
         notes,
         pictures,
         part,
         kept,
         overruled,
         _doubts(pictures),
+        unread,
     )
 
 
-def _said(order: Order, reader: WishReader) -> tuple[str, tuple[Wish, ...]]:
-    text = put_right(order.text)
-    return text, reader.read(text, instruction=order.edit is not None)
+def _said(
+    order: Order, reader: WishReader
+) -> tuple[str, tuple[Wish, ...], tuple[Wish, ...], tuple[str, ...]]:
+    """The text as it was read; its sure wishes, its likely ones, and what of it none came from."""
+    text, is_edit = put_right(order.text), order.edit is not None
+
+    def followed(found: tuple[Wish, ...]) -> list[Change]:
+        """Of an edit what is sure, since nothing else is cut."""
+        return [w.change for w in (*sure_wishes(found), *(() if is_edit else likely_wishes(found)))]
+
+    found = reader.read(text, instruction=is_edit)
+    sure, likely = sure_wishes(found), likely_wishes(found)
+    plain = tuple(w for w in likely if w.certainty >= SURE_IN_KNOWN_WORDS) if is_edit else ()
+    if plain and says_nothing_else(text, [w.change for w in (*sure, *plain)]):
+        return text, (*sure, *plain), tuple(w for w in likely if w not in plain), ()
+    unread = not_understood(
+        text, followed(found), lambda other: followed(reader.read(other, instruction=is_edit))
+    )
+    return text, sure, likely, unread
 
 
 def _doubts(pictures: Sequence[SeenPicture]) -> tuple[str, ...]:
@@ -221,9 +254,7 @@ def likely_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
     likely = [
         w
         for w in found
-        if w.certainty < LEAST_CERTAINTY
-        and isinstance(w.change, Gain)
-        and isinstance(w.change.claim.value, str)
+        if w.certainty < SURE and isinstance(w.change, Gain) and isinstance(w.change.claim.value, str)
     ]
     return tuple(w for w in likely if isinstance(w.change, Gain) and spoken.count(w.change.claim.name) == 1)
 
@@ -241,7 +272,7 @@ def sure_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
     return tuple(
         wish
         for wish in found
-        if wish.certainty >= LEAST_CERTAINTY
+        if wish.certainty >= SURE
         and not (isinstance(wish.change, Gain) and wish.change.claim.name in confused)
     )
 
@@ -256,7 +287,8 @@ def altered(
         return None
 
 
-def _facts(pattern: Pattern) -> GarmentFacts | None:
+def facts_of(pattern: Pattern) -> GarmentFacts | None:
+    """What a pattern shows; None where it cannot be measured."""
     try:
         return measure_facts(pattern)
     except SwiftTailorError:

@@ -7,13 +7,15 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from swifttailor.clock import DIGITS, Clock
+from swifttailor.garment.cloth_color import COLOR
 from swifttailor.garment.garment import Garment
-from swifttailor.pattern.check import Change
+from swifttailor.pattern.check import Change as Mending
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.order import one_line
 from swifttailor.tailor.provenance import versions, weights
 
 if TYPE_CHECKING:
+    from swifttailor.describing.differences import Change
     from swifttailor.tailor.reading import Wanted
     from swifttailor.tailor.tailor import Tailor
     from swifttailor.tailor.tailored import Tailored
@@ -21,7 +23,13 @@ if TYPE_CHECKING:
 
 LONGEST_NOTE = 200
 """Letters of a text that a note says again."""
+MOST_WORDS = 8
+"""Words of it that a note names; the report has all."""
 NOTHING_UNDERSTOOD = "Nothing measurable was understood from the text with certainty, so nothing was altered."
+AS_IT_WAS = (
+    "Nothing was understood of what to change, so the pattern is the one that was given. Lengths, widths, "
+    "necklines, sleeves, collars, hoods, waistbands, slits and tiers can be changed (docs/edits.md)."
+)
 
 
 def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
@@ -44,13 +52,15 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
         "findings": [f.entry() for f in sewn.findings],
         "versions": versions(),
         "weights": weights(
-            pattern_maker=tailor.pattern_maker if wanted is not None and not answer.known else None,
+            pattern_maker=tailor.pattern_maker if answer.written is not None and not answer.known else None,
             pattern_library=tailor.pattern_library if answer.known else None,
             wish_reader=tailor.wish_reader if wanted is not None and wanted.said else None,
             picture_reader=tailor.picture_reader if wanted is not None and wanted.pictures else None,
             garment_sewer=tailor.garment_sewer,
         ),
     }
+    if garment.color is not None:
+        report[COLOR] = garment.color
     if tailor.body is not None:
         report["body"] = tailor.body.name
     if sewn.changes:
@@ -97,7 +107,9 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
             for w in wanted.wishes
         ],
         **({"pictures": _pictures(wanted)} if wanted.pictures else {}),
-        "alterations": {"of_the_pattern_to_edit": answer.of_edit, "cuts": list(answer.cuts)},
+        "not_understood": list(wanted.unread),
+        "alterations": {"of_the_pattern_to_edit": answer.of_edit, "cuts": list(answer.cuts)}
+        | ({} if answer.seen is None else {"changes": [wish_line(change) for change in answer.seen]}),
         "confidence": answer.confidence.to_json() if answer.confidence is not None else None,
     }
 
@@ -147,13 +159,51 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     found += [f"Look at the pattern: {oddity}." for oddity in answer.verdict.oddities]
     if wanted.text != order.text:
         found.append(f"Read as: {one_line(wanted.text, LONGEST_NOTE)}")
-    if order.alter and order.text.strip() and not wanted.said:
-        found.append(NOTHING_UNDERSTOOD)
-    if answer.cuts:
+    if wanted.misses:
+        found.append(NOTHING_UNDERSTOOD if order.edit is None else AS_IT_WAS)
+    if wanted.unread:
+        found.append(f"Not understood: {_quoted(wanted.unread)}.")
+    unsure = _not_done(answer, wanted)
+    if unsure:
+        found.append(f"Perhaps asked for, and not done: {'; '.join(map(wish_line, unsure))}.")
+    if order.edit is None and answer.cuts:
         found.append(f"Altered: {'; '.join(answer.cuts)}.")
+    if order.edit is not None and not wanted.misses:
+        found += _changed_notes(answer)
     if answer.verdict.open:
         found.append(f"Requested but not met: {'; '.join(map(wish_line, answer.verdict.open))}.")
     return found
+
+
+def _quoted(words: Sequence[str]) -> str:
+    said = ", ".join(f'"{one_line(word)}"' for word in words[:MOST_WORDS])
+    return said if len(words) <= MOST_WORDS else f"{said} and {len(words) - MOST_WORDS} more"
+
+
+def _not_done(answer: Answer, wanted: Wanted) -> list[Change]:
+    """What the text may ask for and was not certain enough to be insisted on, where it does not hold."""
+    from swifttailor.tailor.reading import facts_of
+
+    unsure = [wish.change for wish in wanted.likely if wish not in wanted.seen]
+    facts = facts_of(answer.pattern) if unsure else None
+    return [change for change in unsure if facts is None or not change.holds(facts, facts)]
+
+
+def _changed_notes(answer: Answer) -> list[str]:
+    """What an edit has changed, seen in the patterns."""
+    from swifttailor.wording.wish_lines import wish_line
+
+    if answer.is_given:
+        return ["Nothing was changed." if answer.verdict.open else "Nothing was changed: it was so already."]
+    found = []
+    if not answer.of_edit:
+        found.append(
+            "Written anew by PatternMaker, since that meets more than cutting does; compare the two."
+        )
+    if answer.seen:
+        return [*found, f"Changed: {'; '.join(map(wish_line, answer.seen))}."]
+    what = "less than there are words for" if answer.seen is not None else "the patterns cannot be measured"
+    return [*found, f"What has changed cannot be told: {what}."]
 
 
 def order_warnings(answer: Answer) -> list[str]:
@@ -180,7 +230,7 @@ def finishing_notes(garment: Garment) -> list[str]:
     return [f"Draped from the pattern: the sewn garment did not come to rest well ({about['reasons'][0]})."]
 
 
-def change_line(change: Change) -> str:
+def change_line(change: Mending) -> str:
     """What was mended, for a person."""
     place = f" ({change.where()})" if change.where() else ""
     return f"{change.code}{place}: {change.message}"

@@ -175,6 +175,8 @@ def _basic_report(garment: Garment, options: SewingOptions) -> dict[str, Any]:
 def _handed_over(garment: Garment, answer: Answer, predicted: Any, body: Body | None) -> Tailored:
     """Images are those that the network saw and drew, where it is one that does."""
     images = answer.prepared if isinstance(answer.prepared, Prepared) else None
+    if answer.wanted is not None:
+        garment = replace(garment, color=answer.wanted.color)
     return Tailored(
         garment,
         replace(answer, prepared=None),

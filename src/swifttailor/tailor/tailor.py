@@ -134,6 +134,7 @@ class Tailor(Workshop):
         pattern: Pattern,
         instruction: str,
         *,
+        color: str | None = None,
         seed: int = 0,
         temperature: float = USUAL_TEMPERATURE,
         attempts: int | None = None,
@@ -147,6 +148,7 @@ class Tailor(Workshop):
         Args:
             pattern: To change; it stays as it is.
             instruction: In words, such as "make the sleeves longer".
+            color: See `Order`.
             seed: See `generate`.
             temperature: See `Order`.
             attempts: See `Order`.
@@ -162,6 +164,7 @@ class Tailor(Workshop):
         order = Order(
             instruction,
             edit=pattern,
+            color=color,
             seed=seed,
             temperature=temperature,
             attempts=attempts,

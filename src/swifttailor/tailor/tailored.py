@@ -81,8 +81,10 @@ class Tailored:
 
     @property
     def needs_a_look(self) -> bool:
-        """Whether something is wrong with it, or may be."""
-        faulty = any(f.severity is not Severity.INFO for f in self.findings)
+        """Whether something is wrong with it, or may be, or it is not all that was asked for."""
+        faulty = (
+            any(f.severity is not Severity.INFO for f in self.findings) or self.answer.is_other_than_wanted
+        )
         return faulty or bool(self.warnings) or not self.report.get("quality", {"accepted": True})["accepted"]
 
     @cached_property

@@ -11,7 +11,7 @@ from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.pattern_maker.temperatures import HIGHEST_TEMPERATURE
 from swifttailor.tailor.answer import Answer
-from swifttailor.tailor.fitting import fit
+from swifttailor.tailor.fitting import fit, unaltered
 from swifttailor.tailor.known import KNOWN_ATTEMPTS, KnownCandidates, known_candidates
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.protocols import PatternWriter, Sewer
@@ -68,8 +68,13 @@ def write_patterns(
     if library is not None:
         clock.stop("searching")
     tried: list[list[Answer]] = [[] for _ in samples]
+    kept = {k: replace(one, seed=seed) for k, (w, seed) in enumerate(samples) if (one := unaltered(w))}
     for attempt in range(attempts):
-        waiting = [k for k, answers in enumerate(tried) if not answers or answers[-1].verdict.fault]
+        waiting = [
+            k
+            for k, answers in enumerate(tried)
+            if k not in kept and (not answers or answers[-1].verdict.fault)
+        ]
         if not waiting:
             break
         clock.restart()
@@ -99,9 +104,7 @@ def write_patterns(
                 clock.stop("drawing")
             tried[k].append(answer)
     clock.restart()
-    chosen = [
-        _chosen(answers, sewer, wanted.order) for answers, (wanted, _) in zip(tried, samples, strict=True)
-    ]
+    chosen = [_chosen(tried[k] or [kept[k]], sewer, wanted.order) for k, (wanted, _) in enumerate(samples)]
     clock.stop("drawing")
     if any(wanted.part is not None and wanted.order.most_refined for wanted, _ in samples):
         chosen = [_refined(answer, tried[k], known[k], samples[k], sewer) for k, answer in enumerate(chosen)]
@@ -137,7 +140,8 @@ def _take_time(written: Sequence[WrittenPattern], clock: Clock) -> None:
 
 def _prepared(answer: Answer, sewer: Sewer, order: Order) -> Answer:
     """The pattern with its name, prepared to be sewn or with the reason why it cannot be."""
-    answer = replace(answer, pattern=replace(answer.pattern, name=order.title))
+    if not answer.is_given:
+        answer = replace(answer, pattern=replace(answer.pattern, name=order.title))
     try:
         return prepare(sewer, answer, SewingOptions(order.edge_length))
     except SwiftTailorError as error:
@@ -160,6 +164,8 @@ def _chosen(tried: Sequence[Answer], sewer: Sewer, order: Order) -> Answer | Swi
 def _refusal(best: Answer, count: int) -> PatternError:
     fault = best.verdict.fault.rstrip(".")
     said = f"None of the {count} patterns that were tried can be sewn; the best has {fault}"
+    if best.is_given:
+        return PatternError(f"The pattern to edit cannot be sewn, and nothing was altered in it: {fault}.")
     if count == 1:
         said = f"The pattern that was {'found' if best.known else 'written'} cannot be sewn: {fault}"
     hints = f"Try another seed than {best.seed}, more attempts, or other words."

@@ -49,6 +49,8 @@ class LossWeights:
     places: float = 4.0
     kinds: float = 4.0
     seams: float = 2.0
+    details: float = 1.0
+    """How many times as much what close-ups tell of counts, in every picture."""
 
 
 @dataclass(frozen=True)

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from functools import cache
+from typing import NamedTuple
+
 import torch
 from torch import Tensor
 from torch.nn import functional as F
 
+from swifttailor.picture_reader.close_ups import WHOLE, told_by
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.network_torch import Reading
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
@@ -30,22 +34,23 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     """
     reading = Reading(*(value.float() for value in reading))
     count = len(truth.present)
+    each = _weights(weights.details, truth.present.device)
     several, one = (truth.figures == FIGURES.index(name) for name in ("several", "one"))
     losses = {
         "figures": (F.cross_entropy(reading.figures, truth.figures, reduction="none") * truth.whole).sum(),
         "present": _cross_entropy(reading.present, truth.present, (truth.whole & ~several)[:, None]),
-        "statements": _cross_entropy(reading.statements, truth.statements, truth.clear),
-        "has": _cross_entropy(reading.has, truth.has, truth.measured),
+        "statements": _cross_entropy(reading.statements, truth.statements, truth.clear * each.statements),
+        "has": _cross_entropy(reading.has, truth.has, truth.measured * each.measures),
     }
-    has = truth.has * truth.measured
+    has = truth.has * truth.measured * each.measures
     value, width = reading.measures[..., 0], reading.measures[..., 1].clamp(NARROWEST, WIDEST)
     off = F.smooth_l1_loss(value, truth.measures, reduction="none", beta=_NEAR)
     losses["measures"] = (off * has).sum()
     likelihood = (value - truth.measures).abs().detach() * torch.exp(-width) + width
     losses["widths"] = (likelihood * has).sum()
-    losses["panels"] = _cross_entropy(reading.panels, truth.panels, truth.named)
+    losses["panels"] = _cross_entropy(reading.panels, truth.panels, truth.named * each.panels)
     apart = F.smooth_l1_loss(reading.boxes, truth.boxes, reduction="none", beta=0.1).sum(-1)
-    losses["boxes"] = (apart * truth.panels * truth.named).sum()
+    losses["boxes"] = (apart * truth.panels * truth.named * each.panels).sum()
     turned = F.smooth_l1_loss(reading.view, truth.view, reduction="none", beta=0.1)
     losses["view"] = (turned * one[:, None]).sum()
     mask = F.binary_cross_entropy_with_logits(reading.masks, truth.masks, reduction="none")
@@ -65,6 +70,21 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     factor = {"has": weights.measures, "widths": weights.measures} | vars(weights)
     losses["total"] = torch.stack([factor[name] * value for name, value in losses.items()]).sum()
     return losses
+
+
+class _Weights(NamedTuple):
+    """Of each statement, measure and panel."""
+
+    statements: Tensor
+    measures: Tensor
+    panels: Tensor
+
+
+@cache
+def _weights(details: float, device: torch.device) -> _Weights:
+    """Small things have small gradients, in which nothing is learnt beside all others."""
+    near = (torch.from_numpy(table[:WHOLE].any(axis=0)).to(device) for table in told_by())
+    return _Weights(*(torch.where(small, details, 1.0) for small in near))
 
 
 def _cross_entropy(logits: Tensor, truth: Tensor, counts: Tensor) -> Tensor:

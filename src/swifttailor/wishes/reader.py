@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from swifttailor.describing.differences import Change, Step
+from swifttailor.describing.differences import Change, Step, subject_of
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
 from swifttailor.networks.text_tokenizer import TextTokenizer
+from swifttailor.wishes.clauses import clauses
 from swifttailor.wishes.labels import change_of, label_of
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.phrase_book import find_phrases
@@ -20,6 +21,10 @@ SHIPPED = Path(__file__).with_name("wish_reader.onnx")
 INPUTS, OUTPUTS = ("tokens",), ("statements", "numbers")
 KIND = ModelKind("wish reader", "swifttailor wish-reader 1", 2**28, ({GRAPH: (INPUTS, OUTPUTS)},))
 LEAST_CERTAINTY = 0.5
+SURE = 0.9
+"""What is read with less certainty is as likely a misunderstanding."""
+MOST_CLAUSES = 16
+"""That are read alone; nobody asks for more, and time is bounded."""
 KNOWN_CERTAINTY = 0.99
 """Of a phrase that stands in the text as it is known."""
 
@@ -75,10 +80,31 @@ class WishReader:
     def read(self, text: str, *, instruction: bool = False) -> tuple[Wish, ...]:
         """What a text asks for, surest first.
 
+        An instruction of several clauses is read as a whole, and what is sure is kept. What else it asks for,
+        its clauses say more reliably when they are read alone.
+
         Args:
             text: In any script; what is not understood says nothing.
             instruction: Whether it says how to change a garment, and not what garment it is.
         """
+        whole = self._read(text, instruction)
+        parts = clauses(text[:LONGEST_TEXT])[:MOST_CLAUSES] if instruction else []
+        if len(parts) < 2:
+            return whole
+        sure = [wish for wish in whole if wish.certainty >= SURE]
+        spoken = {subject_of(wish.change) for wish in sure if not _lacks_amount(wish.change)}
+        found = {wish.change: wish for wish in sure}
+        for wish in (wish for start, end in parts for wish in self._read(text[start:end], instruction)):
+            before = found.get(wish.change)
+            if subject_of(wish.change) not in spoken and (
+                before is None or before.certainty < wish.certainty
+            ):
+                found[wish.change] = wish
+        for change in [c for c in found if isinstance(c, Step) and c.amount is not None]:
+            found.pop(change_of(label_of(change)), None)
+        return tuple(sorted(found.values(), key=lambda wish: -wish.certainty))
+
+    def _read(self, text: str, instruction: bool) -> tuple[Wish, ...]:
         ready = text_tokens(text, self.tokenizer, instruction=instruction)
         if len(ready.tokens) < 2:
             return ()
@@ -97,6 +123,10 @@ class WishReader:
             found[change] = KNOWN_CERTAINTY
         kept = [Wish(c, p) for c, p in found.items() if instruction or not isinstance(c, Step)]
         return tuple(sorted(kept, key=lambda wish: -wish.certainty))
+
+
+def _lacks_amount(change: Change) -> bool:
+    return isinstance(change, Step) and change.amount is None
 
 
 def _stated(logits: Any, labels: tuple[str, ...]) -> list[tuple[Change, float]]:

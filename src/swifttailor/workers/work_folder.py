@@ -10,8 +10,13 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-from swifttailor.errors import InputError
+from swifttailor.atomic_files import disk_full, is_disk_full
+from swifttailor.errors import DiskFullError, InputError
 from swifttailor.output_folder import FolderLock
+
+_START_AGAIN = (
+    "Make room, and start the same command again: what is done is kept, and it goes on with the rest."
+)
 
 
 class RecordFile:
@@ -35,7 +40,8 @@ class RecordFile:
             record: JSON values.
 
         Raises:
-            InputError: The disk is full, or the file cannot be written for another reason.
+            InputError: The file cannot be written.
+            DiskFullError: There is no room for it.
         """
         line = json.dumps(record, allow_nan=False).encode() + b"\n"
         try:
@@ -43,6 +49,8 @@ class RecordFile:
             self._stream.flush()
             os.fsync(self._stream.fileno())
         except OSError as error:
+            if is_disk_full(error):
+                raise disk_full(self.path) from error
             raise InputError(
                 f"Cannot write '{self.path}': {error.strerror or error}. "
                 "What was done so far is kept; the same command goes on with it."
@@ -57,7 +65,10 @@ class RecordFile:
 
 
 class WorkFolder(ABC):
-    """A folder that one process at a time works on; use as a context manager."""
+    """A folder that one process at a time works on; use as a context manager.
+
+    Where the disk is full, the error that leaves it says how to go on.
+    """
 
     def __init__(self, folder: Path) -> None:
         """Nothing is touched before the context is entered."""
@@ -70,11 +81,15 @@ class WorkFolder(ABC):
             self._open()
         except OSError as error:
             self._close()
+            if is_disk_full(error):
+                raise _to_go_on(disk_full(self.folder)) from error
             raise InputError(
                 f"The folder '{self.folder}' cannot be used: {error.strerror or error}."
             ) from error
-        except BaseException:
+        except BaseException as error:
             self._close()
+            if isinstance(error, DiskFullError):
+                raise _to_go_on(error) from error
             raise
         return self
 
@@ -82,6 +97,8 @@ class WorkFolder(ABC):
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self._close()
+        if isinstance(error, DiskFullError):
+            raise _to_go_on(error) from error
 
     @abstractmethod
     def _open(self) -> None:
@@ -92,6 +109,10 @@ class WorkFolder(ABC):
             self._file.close()
         if self._lock is not None:
             self._lock.release()
+
+
+def _to_go_on(error: DiskFullError) -> DiskFullError:
+    return DiskFullError(f"{error} {_START_AGAIN}")
 
 
 def differences(before: dict[str, Any], now: dict[str, Any]) -> str:

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from swifttailor.atomic_files import is_disk_full
 from swifttailor.data.sample import Sample, store_sample
 from swifttailor.data.shard_file import pack_sample
 from swifttailor.draping.batch import BatchSettings
-from swifttailor.draping.batch.make_garment import drape_pattern, read_sewable
+from swifttailor.draping.batch.make_garment import DISK_FULL, drape_pattern, read_sewable
 from swifttailor.errors import MissingExtraError, SwiftTailorError
 from swifttailor.garment.folder import plain
 from swifttailor.garment.garment import Garment
@@ -67,14 +68,16 @@ def _drape(task: SampleTask, largest: int | None) -> MadeSample:
 
 
 def guarded(task: SampleTask, make: Callable[[], MadeSample]) -> MadeSample:
-    """What `make` returns, or the record of what went wrong."""
+    """What `make` returns, or the record of what went wrong; of a full disk none that is kept."""
     try:
         return make()
     except MissingExtraError as error:  # not the pattern's fault
         return not_made(task, FAILED, str(error))
-    except SwiftTailorError as error:
-        return not_made(task, REJECTED, f"{type(error).__name__}: {error}")
     except Exception as error:
+        if is_disk_full(error):
+            return not_made(task, DISK_FULL, str(error))
+        if isinstance(error, SwiftTailorError):
+            return not_made(task, REJECTED, f"{type(error).__name__}: {error}")
         last = traceback.extract_tb(error.__traceback__)[-1]
         place = f"{Path(last.filename).name}:{last.lineno}"
         return not_made(task, FAILED, f"{type(error).__name__}: {error} (at {place})")

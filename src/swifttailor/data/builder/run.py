@@ -9,6 +9,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
+from swifttailor.atomic_files import disk_full
 from swifttailor.data.builder.make_sample import (
     FAILED,
     REJECTED,
@@ -21,6 +22,7 @@ from swifttailor.data.builder.other_splits import OtherSplits
 from swifttailor.data.builder.settings import BuildSettings
 from swifttailor.data.builder.split_folder import SplitFolder, input_checksum
 from swifttailor.data.index import SplitIndex
+from swifttailor.draping.batch.make_garment import DISK_FULL
 from swifttailor.errors import InputError
 from swifttailor.pattern.pattern_list import BatchPattern
 from swifttailor.workers import Outcome, sigterm_as_interrupt
@@ -68,8 +70,9 @@ def build_split(
         The index of the split.
 
     Raises:
-        InputError: The patterns, the settings or the folder cannot be used; the disk is full; the input has
-            changed since an earlier call.
+        InputError: The patterns, the settings or the folder cannot be used; the input has changed since an
+            earlier call.
+        DiskFullError: There is no room for a sample; the same call goes on with it and the rest.
         SimulationError: No worker can be started.
         KeyboardInterrupt: After Ctrl-C or SIGTERM.
     """
@@ -81,14 +84,16 @@ def build_split(
     others = OtherSplits.read(out, split)
     with SplitFolder(out / split, settings) as folder:
         if on_start is not None:
-            on_start(folder.number_of_done(), _note(folder))
+            on_start(folder.number_of_done(limit=limit, retry_failed=retry_failed), _note(folder))
         work = _Work(folder, settings, others, retry_failed=retry_failed, on_record=on_record)
         outcomes = runner(make, work.tasks(_chain(first, patterns)))
         try:
             with sigterm_as_interrupt():
                 for outcome in outcomes:
-                    lost = not_made(outcome.task, FAILED, outcome.lost) if outcome.lost else None
-                    work.take_in(lost or outcome.result)
+                    made = not_made(outcome.task, FAILED, outcome.lost) if outcome.lost else outcome.result
+                    if made.record["status"] == DISK_FULL:
+                        raise disk_full(folder.folder)
+                    work.take_in(made)
         finally:
             outcomes.close()
         folder.finish()

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import re
+import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -62,10 +63,26 @@ class SplitFolder(WorkFolder):
         """The sealed shard of a range, if it is sealed."""
         return self._shards.get(number)
 
-    def number_of_done(self) -> int:
-        """Patterns that need no more work unless they are to be tried again."""
-        sealed = sum(s.last - s.first for s in self._shards.values())
-        return sealed + sum(self._sealed_over(p) is None and self._is_kept(p) for p in self.records)
+    def number_of_done(self, *, limit: int | None = None, retry_failed: bool = False) -> int:
+        """Patterns that need no more work.
+
+        Args:
+            limit: Only the first so many are counted.
+            retry_failed: Whether those that failed are to be tried again.
+        """
+        last = limit if limit is not None else sys.maxsize
+        sealed = sum(max(0, min(s.last, last) - s.first) for s in self._shards.values())
+        again = sum(
+            r.status == FAILED and r.position < last for s in self._shards.values() for r in s.rejected
+        )
+        single = sum(
+            p < last
+            and self._sealed_over(p) is None
+            and self._is_kept(p)
+            and not (retry_failed and self.records[p]["status"] == FAILED)
+            for p in self.records
+        )
+        return sealed + single - again * retry_failed
 
     def is_done(self, position: int, checksum: str, *, retry_failed: bool) -> bool:
         """Whether a pattern of an open range needs no more work.

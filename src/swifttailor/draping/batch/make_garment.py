@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from swifttailor.atomic_files import is_disk_full
 from swifttailor.body import Body
 from swifttailor.body.probe import probe_body
 from swifttailor.draping.batch.settings import BatchSettings
@@ -18,6 +19,8 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern.check import BodyProbe
 from swifttailor.pattern.pattern_list import BatchPattern
+
+DISK_FULL = "disk full"
 
 
 @dataclass(frozen=True)
@@ -36,14 +39,17 @@ def make_garment(task: GarmentTask) -> dict[str, Any]:
     """Makes one garment and its folder.
 
     Returns:
-        Its record for results.jsonl. Nothing is raised: whatever goes wrong is in the record.
+        Its record for results.jsonl. Nothing is raised: whatever goes wrong is in the record. Where the disk
+        is full its status is `DISK_FULL`, which is no record to keep.
     """
     record: dict[str, Any] = {"id": task.pattern.id, "folder": task.pattern.folder}
     try:
         return record | _make(task)
-    except SwiftTailorError as error:
-        return record | failure(type(error).__name__, str(error))
     except Exception as error:
+        if is_disk_full(error):
+            return record | {"status": DISK_FULL}
+        if isinstance(error, SwiftTailorError):
+            return record | failure(type(error).__name__, str(error))
         last = traceback.extract_tb(error.__traceback__)[-1]
         place = f"{Path(last.filename).name}:{last.lineno}"
         return record | failure(type(error).__name__, f"{error} (at {place})")

@@ -8,14 +8,14 @@ from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
-from swifttailor.atomic_files import write_text
+from swifttailor.atomic_files import disk_full, write_text
 from swifttailor.draping.batch.ledger import SUMMARY, Ledger
-from swifttailor.draping.batch.make_garment import GarmentTask, failure, make_garment
+from swifttailor.draping.batch.make_garment import DISK_FULL, GarmentTask, failure, make_garment
 from swifttailor.draping.batch.settings import BatchSettings
 from swifttailor.draping.batch.sheets import SHEETS, write_sheets
 from swifttailor.draping.batch.summary import summarize
 from swifttailor.draping.compiled_code import solver_is_compiled
-from swifttailor.errors import InputError
+from swifttailor.errors import DiskFullError, InputError
 from swifttailor.garment.folder import plain
 from swifttailor.output_folder import remove_unfinished_folder
 from swifttailor.pattern.pattern_list import BatchPattern, read_patterns
@@ -55,7 +55,8 @@ def run_batch(
         time_limit: Seconds after which a garment is given up.
         retry_failed: Try again what failed in an earlier call.
         overwrite: Replace files in the batch's folder that somebody else has put there or changed.
-        on_start: Called with the number of records from earlier calls and whether the solver is compiled.
+        on_start: Called with the number of patterns that earlier calls have done and whether the solver is
+            compiled.
         on_record: Called with each new record.
         make: Makes one garment (for tests).
 
@@ -64,6 +65,7 @@ def run_batch(
 
     Raises:
         InputError: The source, the settings or the folder cannot be used.
+        DiskFullError: There is no room for a garment; the same call goes on with it and the rest.
         SimulationError: No worker can be started.
         KeyboardInterrupt: After Ctrl-C or SIGTERM; summary.json is written before.
     """
@@ -94,20 +96,27 @@ def run_batch(
 
         complete, compiled = False, solver_is_compiled()
         if on_start is not None:
-            on_start(len(ledger.records), compiled)
+            again = islice(read_patterns(source), limit) if ledger.records else ()
+            on_start(sum(ledger.is_done(p.id, retry_failed=retry_failed) for p in again), compiled)
         outcomes = run_tasks(make, tasks(), workers=workers, time_limit=time_limit, first_alone=not compiled)
         try:
             with sigterm_as_interrupt():
                 for outcome in outcomes:
                     if outcome.lost:
                         remove_unfinished_folder(out / outcome.task.pattern.folder)
+                    elif outcome.result["status"] == DISK_FULL:
+                        raise disk_full(out)
                     take_in(_lost(outcome.task, outcome.lost) if outcome.lost else outcome.result)
                 complete = True
         finally:
             outcomes.close()
             summary = plain(summarize(seen.values(), settings.identity(), complete=complete))
-            with ledger.output.fill() as made:
-                write_text(made / SUMMARY, json.dumps(summary, indent=2, allow_nan=False) + "\n")
+            try:
+                with ledger.output.fill() as made:
+                    write_text(made / SUMMARY, json.dumps(summary, indent=2, allow_nan=False) + "\n")
+            except DiskFullError:
+                if complete:  # else what ended the batch is on its way already
+                    raise
         if settings.preview:
             with ledger.output.fill(stale=SHEETS) as made:
                 write_sheets(out, summary["garments"], made)

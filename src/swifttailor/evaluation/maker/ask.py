@@ -230,11 +230,10 @@ def _content(answer: Answer) -> dict[str, Any]:
 
     severities = [finding.severity for finding in answer.verdict.findings]
     written = answer.written
-    assert written is not None
     return {
         "pattern": to_specification(answer.pattern),
-        "tokens": written.tokens,
-        "log_likelihood": written.log_likelihood,
+        "tokens": 0 if written is None else written.tokens,
+        "log_likelihood": 0.0 if written is None else written.log_likelihood,
         "attempts": len(answer.failures) + 1,
         **({"known": answer.known} if answer.known else {}),
         "mended": [change.code for change in answer.changes],

@@ -1,0 +1,123 @@
+"""What is said of an edit is so: what was understood, what was changed, what stayed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from scripted_maker import scripted_maker
+
+from swifttailor.describing.differences import Step
+from swifttailor.describing.measuring import measure_facts
+from swifttailor.errors import InputError
+from swifttailor.garment.cloth_color import PALETTE, cloth_color
+from swifttailor.garment.garment import Garment
+from swifttailor.garment.triangle_mesh import mesh_of_garment
+from swifttailor.pattern import write_pattern
+from swifttailor.pattern.drafts import draft
+from swifttailor.tailor import Order, Tailor
+from swifttailor.tailor.changes_seen import changes_seen
+from swifttailor.tailor.reporting import AS_IT_WAS
+from swifttailor.wishes.reader import SURE
+
+DRESS, SHIRT = draft("fitted-dress"), draft("t-shirt")
+
+
+@pytest.fixture
+def tailor(sewer) -> Tailor:
+    """Whose network would write a T-shirt, whatever is asked for."""
+    return Tailor.load(scripted_maker([SHIRT]), sewer)
+
+
+@pytest.mark.parametrize("text", ["make it red and of denim", "asdf qwer", "长裙", "make it prettier"])
+def test_an_edit_of_which_nothing_is_understood_gives_back_the_pattern(tailor, text, tmp_path):
+    before = DRESS.canonical()
+    made = tailor.edit(before, text)
+    assert made.pattern == before and made.pattern.name == before.name
+    write_pattern(before, tmp_path / "before.json")
+    write_pattern(made.pattern, tmp_path / "after.json")
+    assert (tmp_path / "before.json").read_bytes() == (tmp_path / "after.json").read_bytes()
+    assert tailor.pattern_maker.model.runtime.asked == [], "nobody was asked to write another"
+    assert made.needs_a_look and made.notes[0] == AS_IT_WAS
+    assert made.report["not_understood"] and made.report["not_understood"][0] in made.notes[1]
+    assert made.report["alterations"] == {"of_the_pattern_to_edit": True, "cuts": [], "changes": []}
+
+
+def test_samples_of_it_are_all_the_same(tailor):
+    made = tailor.make(Order("make it red", edit=DRESS, samples=3))
+    assert [one.pattern for one in made] == [DRESS.canonical()] * 3
+    assert [one.report["order"]["seed"] for one in made] == [0, 1, 2]
+
+
+def test_both_of_two_wishes_are_cut(tailor):
+    made = tailor.edit(DRESS, "give it a V neck and make it 12 cm longer")
+    was, now = measure_facts(DRESS), measure_facts(made.pattern)
+    assert now.length - was.length == pytest.approx(12, abs=1)
+    assert made.report["not_understood"] == [] and len(made.report["wishes"]) == 2
+    assert all(wish["holds"] for wish in made.report["wishes"]) and not made.needs_a_look
+
+
+def test_what_is_said_in_known_words_is_done_though_the_network_is_not_sure(tailor):
+    made = tailor.edit(DRESS, "v-neck, knee length")
+    assert [wish["holds"] for wish in made.report["wishes"]] == [True, True]
+    assert min(wish["certainty"] for wish in made.report["wishes"]) < SURE, "the case that is meant"
+    assert made.notes[-1].startswith("Changed: ") and not made.needs_a_look
+
+
+def test_what_was_not_understood_is_named_beside_what_was_done(tailor):
+    made = tailor.edit(DRESS, "make it blue and 12 cm longer with pockets")
+    assert 'Not understood: "blue", "pockets".' in made.notes
+    assert not made.needs_a_look, "all that was understood holds"
+
+
+def test_what_is_understood_and_does_not_hold_is_to_be_looked_at(tailor):
+    made = tailor.edit(DRESS, "make it 300 cm longer")
+    assert made.needs_a_look and made.pattern == DRESS.canonical()
+    assert made.notes[-2:] == (
+        "Nothing was changed.",
+        "Requested but not met: from top to hem, garments without legs: more by 300 cm.",
+    )
+
+
+def test_what_is_so_already_changes_nothing(tailor):
+    made = tailor.edit(SHIRT, "give it short sleeves")
+    assert made.pattern == SHIRT.canonical() and not made.needs_a_look
+    assert made.notes == ("Nothing was changed: it was so already.",)
+
+
+def test_changes_are_told_from_the_patterns(tailor):
+    assert changes_seen(DRESS, DRESS) == changes_seen(DRESS, replace(DRESS, name="other")) == ()
+    made = tailor.edit(DRESS, "make it 12 cm longer")
+    assert made.answer.seen == changes_seen(DRESS, made.pattern)
+    (step,) = (c for c in made.answer.seen if isinstance(c, Step) and c.quantity == "length")
+    was, now = measure_facts(DRESS), measure_facts(made.pattern)
+    assert step.direction == 1 and step.amount == pytest.approx(now.length - was.length, abs=0.051)
+    assert changes_seen(DRESS, replace(DRESS, panels=(), stitches=())) is None
+
+
+def test_what_the_network_wrote_is_told_as_such(sewer):
+    made = Tailor.load(scripted_maker([DRESS]), sewer).edit(SHIRT, "turn it into a dress")
+    assert any("Written anew" in note for note in made.notes)
+    assert any(note.startswith("Changed: ") and "dress" in note for note in made.notes)
+
+
+def test_a_garment_keeps_its_colour(tailor, tmp_path):
+    text = "give it a V neck and make it 12 cm longer"
+    made = tailor.edit(DRESS, text)
+    assert mesh_of_garment(made.garment).color == made.report["color"] == cloth_color(DRESS)
+    given = next(color for color in PALETTE if color != cloth_color(DRESS))
+    again = tailor.edit(DRESS, text, color=given)
+    again.save(tmp_path, preview=False, images=False)
+    assert Garment.load(tmp_path).color == again.garment.color == given
+    assert "color" not in tailor.sew(DRESS).report
+
+
+def test_a_text_without_words_is_refused(tailor):
+    with pytest.raises(InputError, match="an instruction is needed"):
+        tailor.edit(SHIRT, "\u200b")
+
+
+def test_a_description_of_which_nothing_is_understood_is_to_be_looked_at(tailor):
+    made = tailor.generate("asdf qwer", attempts=1)
+    assert made.needs_a_look and 'Not understood: "asdf qwer".' in made.notes
+    assert not tailor.generate("a T-shirt", attempts=1).needs_a_look
