@@ -16,6 +16,8 @@ from pathlib import Path
 from threading import Thread
 from typing import IO, Any
 
+import psutil
+
 from fuzzing.failure import folder_of, signature_of_dump
 from fuzzing.tally import SharedTally, Tally
 from fuzzing.target import Target
@@ -26,8 +28,8 @@ RENEW = 20_000
 _KEPT = 3
 """Inputs that are kept of each kind of failure."""
 _SAVE_EVERY, _POLL = 10.0, 0.05
-_PATIENCE = 40.0
-"""A worker that waits, and so never runs out of processor time, is ended after so many times its seconds."""
+_PATIENCE = 300.0
+"""Seconds after which a worker is ended that uses no processor time, and so would never run out of it."""
 
 
 @dataclass(frozen=True)
@@ -129,7 +131,7 @@ class Campaign:
         """Waits for a worker; returns the numbers of failures that it told, and what it died of."""
         told: set[int] = set()
         saved = moved = time.monotonic()
-        at = -1
+        state: tuple[float, ...] = ()
         stuck = False
         while True:
             ended = worker.process.poll() is not None
@@ -142,9 +144,9 @@ class Campaign:
             if ended:
                 break
             now, seen = time.monotonic(), tally.read()
-            if seen.at != at:
-                at, moved = seen.at, now
-            elif now - moved > _PATIENCE * max(self.target.seconds, 5.0):
+            if state != (state := (seen.at, worker.processor_seconds())):
+                moved = now
+            elif now - moved > _PATIENCE:
                 stuck = True
                 worker.process.kill()
             if now - saved > _SAVE_EVERY:
@@ -213,6 +215,13 @@ class _Worker:
     def _read(self, lines: IO[str]) -> None:
         for line in lines:
             self.events.append(json.loads(line))
+
+    def processor_seconds(self) -> float:
+        """What it has used so far; a process that has just ended uses no more."""
+        try:
+            return sum(psutil.Process(self.process.pid).cpu_times()[:2])
+        except psutil.Error:
+            return -1.0
 
     def join(self) -> None:
         """Waits for the last of what it said."""

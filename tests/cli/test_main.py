@@ -109,6 +109,8 @@ def texts(folder: Path, capsys: pytest.CaptureFixture[str]) -> str:
         draft t-shirt --sleeve-length 400 --out new.json
         convert shirt.json shirt.json
         convert shirt.json shirt.glb
+        convert shirt.json shirt.pdf
+        convert shirt.json shirt
         convert none.glb new.obj
         convert shirt.txt new.obj
         ggi --out new

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import time
 from pathlib import Path
 
 from fuzzing.target import File, Target
@@ -35,6 +36,8 @@ def _load():
             os._exit(3)
         while kind == "hangs":
             pass
+        while kind == "waits":
+            time.sleep(9)
         if kind == "grows":
             bytearray(10**12)
 

@@ -74,6 +74,15 @@ def test_kept_inputs_that_fail_are_named(tmp_path):
     assert campaign.progress.next == 0 and not (tmp_path / "out").exists()
 
 
+def test_a_reader_that_waits_for_ever_is_ended(tmp_path, monkeypatch):
+    """It uses no processor time, so that no limit on that would end it."""
+    monkeypatch.setattr("fuzzing.campaign._PATIENCE", 3.0)
+    file = tmp_path / "waits.txt"
+    file.write_text("waits")
+    failures = Campaign(TARGET, "faulty_target", 5, tmp_path / "out").replay([file])
+    assert failures == {"waits.txt: stuck": 1}
+
+
 @pytest.mark.parametrize("seed", [0, 1])
 def test_inputs_follow_from_target_seed_and_number(seed):
     program = (

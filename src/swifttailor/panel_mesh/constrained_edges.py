@@ -108,7 +108,9 @@ class _Flippable:
             u, v = waiting.popleft()
             if (u, v) in self._kept or (v, u) in self._kept:
                 break
-            one, two = self.left[u, v], self.left[v, u]
+            one, two = self.left.get((u, v)), self.left.get((v, u))
+            if one is None or two is None:  # beyond it lies a triangle of no area, wound the other way
+                break
             p = next(w for w in self.triangles[one] if w not in (u, v))
             q = next(w for w in self.triangles[two] if w not in (u, v))
             if self._turn(p, q, v) <= 0 or self._turn(q, p, u) <= 0:  # no convex quadrilateral

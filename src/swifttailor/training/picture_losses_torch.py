@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import lru_cache
 from typing import NamedTuple
 
 import torch
@@ -80,7 +80,7 @@ class _Weights(NamedTuple):
     panels: Tensor
 
 
-@cache
+@lru_cache(maxsize=4)
 def _weights(details: float, device: torch.device) -> _Weights:
     """Small things have small gradients, in which nothing is learnt beside all others."""
     near = (torch.from_numpy(table[:WHOLE].any(axis=0)).to(device) for table in told_by())
