@@ -174,19 +174,19 @@ def test_attempts_end_when_everything_holds(dress, shirt):
     darted = swifttailor.draft("fitted-dress")
     maker, sewer = Scripted(shirt, darted, shirt), Mannequin()
     wish = Wish(Gain(Claim("bodice", "darted")), 0.9)
-    fitted = answer(maker, Order("a darted one", seed=5, temperature=0.5), Reading(wish), sewer)
+    fitted = answer(maker, Order("a wuzzle", seed=5, temperature=0.5), Reading(wish), sewer)
     assert [p.name for p in fitted.pattern.panels] == [p.name for p in darted.panels]
     assert maker.asked == [([5], 0), ([5], 1)]
     assert maker.temperatures == [0.5, 0.5 + WARMER]
     assert fitted.attempt == 1 and len(fitted.failures) == 1
     assert fitted.failures[0].startswith("requested but not met: how the upper part is shaped")
-    assert fitted.pattern.name == "a darted one" and fitted.pattern is sewer.prepared[-1]
+    assert fitted.pattern.name == "a wuzzle" and fitted.pattern is sewer.prepared[-1]
 
 
 def test_what_cannot_be_sewn_is_written_again_and_of_all_the_best_is_taken(shirt):
     trousers = swifttailor.draft("trousers")
     wish = Wish(Gain(Claim("bodice", "darted")), 0.9)
-    order = Order("a darted one", attempts=2)
+    order = Order("a wuzzle", attempts=2)
     fitted = answer(Scripted(trousers, shirt), order, Reading(wish), Mannequin(trousers))
     assert fitted.attempt == 1 and fitted.failures == ("no room on the mannequin",)
     assert [w.claim.value for w in fitted.verdict.open] == ["darted"]
@@ -202,7 +202,7 @@ def test_what_cannot_be_sewn_is_written_again_and_of_all_the_best_is_taken(shirt
 
 def test_orders_are_written_together_and_each_until_it_is_sound(dress, shirt):
     """The first is sound at once; the other is asked for again, alone, by its own seed."""
-    sound, darted = Order("anything", seed=1, alter=False), Order("a darted one", seed=8)
+    sound, darted = Order("anything", seed=1, alter=False), Order("a wuzzle", seed=8)
     reader = Reading(Wish(Gain(Claim("bodice", "darted")), 0.9))
     maker = Scripted(shirt, shirt, swifttailor.draft("fitted-dress"))
     samples = [(read_order(sound, None), 1), (read_order(darted, reader), 8)]
@@ -241,7 +241,7 @@ def test_who_reads_both_none_and_some_has_misunderstood():
 
 
 def test_what_is_read_without_certainty_is_no_wish(dress, picture):
-    read = read_order(Order("a midi dress, perhaps", picture), Reading(Wish(MIDI, 0.4)))
+    read = read_order(Order("a wuzzle, perhaps", picture), Reading(Wish(MIDI, 0.6)))
     assert read.wishes == () and [w.change for w in read.likely] == [MIDI]
     assert fit(written(dress), read).pattern is dress
     plain = read_order(Order("a midi dress", alter=False), None)

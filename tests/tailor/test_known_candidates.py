@@ -68,7 +68,7 @@ def test_what_is_asked_for_is_found_and_said(tailor, tmp_path):
 
 def test_where_none_will_do_a_pattern_is_written(library, sewer):
     tailor = Tailor(scripted_maker([WRITTEN]), sewer, pattern_library=library, wish_reader=Darts())
-    made = tailor.generate("a darted one", attempts=KNOWN_ATTEMPTS + 1)
+    made = tailor.generate("a wuzzle", attempts=KNOWN_ATTEMPTS + 1)
     assert not made.answer.known and made.answer.attempt == KNOWN_ATTEMPTS
     assert made.report["writing"]["source"] == "writer" and len(made.answer.failures) == KNOWN_ATTEMPTS
     assert tailor.pattern_maker.model.runtime.asked == [1]

@@ -8,6 +8,7 @@ together.
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -38,6 +39,7 @@ _ENGLISH = "en"
 _NEAR, _MOST_NEAR = 0.72, 3
 _PRINTS = "prints (one colour is used)"
 _LONGEST_WORD = 40
+_DIGIT = re.compile(r"\d")
 
 
 @dataclass(frozen=True)
@@ -53,6 +55,8 @@ class Heard:
     """What it refuses."""
     unread: tuple[str, ...] = ()
     """What of it was not understood, in its own words."""
+    lacks: tuple[Lack, ...] = ()
+    """What it asks for and cannot be made."""
     words: WordReading | None = None
     """By the lexicon; None where there is no text."""
 
@@ -69,17 +73,13 @@ class Heard:
     @cached_property
     def cannot(self) -> tuple[str, ...]:
         """What it asks for and cannot be made, in words."""
-        found = [cannot_texts()[lack.what] for lack in self._lacks if lack.said]
+        found = [cannot_texts()[lack.what] for lack in self.lacks if lack.said]
         return (*found, *([_PRINTS] if self.words is not None and self.words.prints else []))
 
     @cached_property
     def left_out(self) -> tuple[str, ...]:
         """What the names of garments in it mean and cannot be made, in words."""
-        return tuple([cannot_texts()[lack.what] for lack in self._lacks if not lack.said])
-
-    @property
-    def _lacks(self) -> Sequence[Lack]:
-        return () if self.words is None else self.words.lacks
+        return tuple([cannot_texts()[lack.what] for lack in self.lacks if not lack.said])
 
     @property
     def contradictions(self) -> tuple[tuple[str, str], ...]:
@@ -117,18 +117,19 @@ def hear_description(text: str, reader: WishReader) -> Heard:
     """
     if not text.strip():
         return HEARD_NOTHING
-    words = read_words(text)
+    shown = _put_right(text, read_words(text, language=_ENGLISH))
+    words = read_words(shown)
     if words.language == _ENGLISH:
-        shown = _put_right(text, words)
-        words = words if shown == text else read_words(shown)
-        text = shown
-    network = reader.read(text) if words.language == _ENGLISH else ()
+        text = shown  # typing errors look foreign
+    elif shown != text:
+        words = read_words(text)
+    network = reader.read(text, instruction=False) if words.language == _ENGLISH else ()
     found = united(words, network)
+    changes = [wish.change for wish in found]
     sizes = " ".join(words.sizes)
-    numbers = [n for n in unread_numbers(text, [wish.change for wish in found]) if n not in sizes]
-    return Heard(
-        text, sure_wishes(found), likely_wishes(found), words.never, (*words.unknown, *numbers), words
-    )
+    unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in sizes]
+    sure, likely = sure_wishes(found), likely_wishes(found)
+    return Heard(text, sure, likely, words.never, unread, _lacks(words, changes), words)
 
 
 def hear_instruction(text: str, reader: WishReader, kind: str | None = None) -> Heard:
@@ -151,7 +152,9 @@ def hear_instruction(text: str, reader: WishReader, kind: str | None = None) -> 
     sure, likely = sure_wishes(found), likely_wishes(found)
     plain = tuple(w for w in likely if w.certainty >= SURE_IN_KNOWN_WORDS)
     if plain and says_nothing_else(text, [w.change for w in (*sure, *plain)]):
-        return Heard(text, (*sure, *plain), tuple(w for w in likely if w not in plain), words=words)
+        rest = tuple(w for w in likely if w not in plain)
+        lacks = _lacks(words, [w.change for w in (*sure, *plain)])
+        return Heard(text, (*sure, *plain), rest, lacks=lacks, words=words)
     if not sure:
         sure = tuple(
             Wish(Gain(each.claim), SURENESS["certain"])
@@ -159,11 +162,12 @@ def hear_instruction(text: str, reader: WishReader, kind: str | None = None) -> 
             if each.said and each.certainty == "certain"
         )
         if sure:
-            return Heard(text, sure, (), words.never, words.unknown, words)
+            return Heard(text, sure, (), words.never, words.unknown, _lacks(words, ()), words)
     unread = not_understood(
         text, sure_changes(found), lambda other: sure_changes(reader.read(other, instruction=True))
     )
-    return Heard(text, sure, likely, (), _not_answered(unread, words), words)
+    lacks = _lacks(words, [wish.change for wish in found])
+    return Heard(text, sure, likely, (), _not_answered(unread, words), lacks, words)
 
 
 def united(words: WordReading, network: Iterable[Wish]) -> tuple[Wish, ...]:
@@ -209,6 +213,19 @@ def _put_right(text: str, words: WordReading) -> str:
             pieces += [text[end : mark.start], better]
             end = mark.end
     return "".join([*pieces, text[end:]])
+
+
+def _lacks(words: WordReading, changes: Sequence[Change]) -> tuple[Lack, ...]:
+    """What cannot be made; a number that was read is no size."""
+    return tuple(
+        [
+            lack
+            for lack in words.lacks
+            if lack.what != "sizes"
+            or not _DIGIT.search(lack.mark.word)
+            or unread_numbers(lack.mark.word, changes)
+        ]
+    )
 
 
 def _not_answered(unread: Sequence[str], words: WordReading) -> tuple[str, ...]:
