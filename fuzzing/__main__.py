@@ -41,7 +41,8 @@ def main() -> int:
         return 0
     failed = False
     for target in chosen:
-        campaign = Campaign(target, module_of(target.name), options.seed, options.out)
+        resume = options.inputs is not None  # the few of every day are fed anew to what has changed since
+        campaign = Campaign(target, module_of(target.name), options.seed, options.out, resume=resume)
         again = campaign.replay(corpus_of(target.name))
         progress = campaign.run(target.in_ci if options.inputs is None else options.inputs, _say)
         failures = progress.failures | {f"kept input: {name}": n for name, n in again.items()}

@@ -59,12 +59,12 @@ class Progress:
 class Campaign:
     """The inputs of one target and seed, and a folder for what comes of them."""
 
-    def __init__(self, target: Target, module: str, seed: int, folder: Path) -> None:
-        """Takes up what was done before in that folder."""
+    def __init__(self, target: Target, module: str, seed: int, folder: Path, *, resume: bool = True) -> None:
+        """Takes up what was done before in that folder, or begins anew."""
         self.target, self.module, self.folder = target, module, folder
         self._file = folder / f"{target.name}-{seed}.json"
         self.progress = Progress(target.name, seed)
-        if self._file.exists():
+        if resume and self._file.exists():
             self.progress = Progress(**json.loads(self._file.read_text()))
 
     def run(self, inputs: int, say: Callable[[str], None] = lambda line: None) -> Progress:

@@ -90,10 +90,11 @@ def _load_reader() -> Feed:
 
 
 def _load_check() -> Feed:
-    from swifttailor.cli.check import _default_body
+    from swifttailor.body import Body
+    from swifttailor.body.probe import probe_body
     from swifttailor.pattern import check_pattern, read_pattern_file
 
-    body = _default_body()
+    body = probe_body(Body.default())
 
     def feed(path: Path) -> None:
         if zlib.crc32(path.read_bytes()) % _BY_TEXT == 0:
@@ -106,10 +107,11 @@ def _load_check() -> Feed:
 
 
 def _load_repair() -> Feed:
-    from swifttailor.cli.check import _default_body
+    from swifttailor.body import Body
+    from swifttailor.body.probe import probe_body
     from swifttailor.pattern import read_pattern_file, repair_pattern, to_specification
 
-    body = _default_body()
+    body = probe_body(Body.default())
 
     def feed(path: Path) -> None:
         if zlib.crc32(path.read_bytes()) % _BY_TEXT == 0:

@@ -56,7 +56,7 @@ def mutate_shard(file: File, random: Random) -> bytes:
         (size,) = struct.unpack("<Q", file.data[:8])
         header = written(mutate_json(json.loads(file.data[8 : 8 + size]), random), random)
         return struct.pack("<Q", len(header)) + header + file.data[8 + size :]
-    from swifttailor.data.encoding import _pack, decode_document
+    from swifttailor.data.encoding import decode_document, pack
     from swifttailor.data.sample import StoredSample, store_sample
     from swifttailor.data.shard_file import pack_sample
 
@@ -66,8 +66,8 @@ def mutate_shard(file: File, random: Random) -> bytes:
         mutate_pattern(value["pattern"], random)
     else:
         value = mutate_json(value, random)
-    document = _pack(written(value, random))
-    positions = _pack(bytes(50_000_000)) if random.random() < 0.02 else stored.positions
+    document = pack(written(value, random))
+    positions = pack(bytes(50_000_000)) if random.random() < 0.02 else stored.positions
     return pack_sample(StoredSample(document, positions))
 
 
@@ -152,13 +152,13 @@ def _load_shards() -> Feed:
 
 def _load_index() -> Feed:
     from swifttailor.data.reader import SplitReader
-    from swifttailor.data.verify import _index_faults
+    from swifttailor.data.verify import verify_dataset
 
     def feed(path: Path) -> None:
         index = path.with_name("index.json")
         path.rename(index)
         reader = SplitReader(path.parent)
-        list(_index_faults("train", reader.index, path.parent))
+        list(verify_dataset(path.parent))
         if len(reader):
             reader.place(len(reader) - 1)
             reader.order(0)

@@ -12,12 +12,12 @@ from hypothesis.extra.numpy import arrays
 from swifttailor.data.encoding import (
     STEP_CM,
     EncodedPositions,
-    _pack,
     decode_document,
     decode_positions,
     encode_document,
     encode_positions,
     mesh_checksum,
+    pack,
 )
 from swifttailor.data.sample import Sample, load_sample, store_sample
 from swifttailor.errors import InputError
@@ -76,11 +76,11 @@ def test_damaged_data_are_refused():
 @pytest.mark.parametrize("content", [b"[" * 100_000, b'{"a":' * 100_000, b"null", b"{", b""])
 def test_facts_that_are_no_object_are_refused(content):
     with pytest.raises(InputError, match="damaged"):
-        decode_document(_pack(content))
+        decode_document(pack(content))
 
 
 def test_what_unpacks_to_far_more_than_a_sample_is_refused_without_unpacking_it():
-    packed = _pack(bytes(1 << 28))
+    packed = pack(bytes(1 << 28))
     assert len(packed) < 100_000
     tracemalloc.start()
     try:

@@ -115,4 +115,3 @@ def test_the_export_adds_it_or_says_that_it_did_not(maker, rendered, tmp_path, c
     assert "looking at pictures" in capsys.readouterr().out
     with pytest.raises(InputError, match="holds no data set"):
         _calibrate(path, tmp_path)
-    assert not path.exists(), "half a model file is none"

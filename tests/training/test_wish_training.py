@@ -102,7 +102,7 @@ def test_it_learns_is_written_and_is_read_again(samples, lesson, tmp_path):
     written = tmp_path / "run" / "card.json"
     written.write_text(json.dumps(card | {"labels_sha256": "0"}))
     with pytest.raises(InputError, match="other statements"):
-        TrainExport(source=tmp_path / "run", out=path).run()
+        TrainExport(source=tmp_path / "run", out=path, overwrite=True).run()
 
 
 @pytest.mark.needs_torch

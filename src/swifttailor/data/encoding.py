@@ -51,7 +51,7 @@ def encode_positions(vertices: Floats) -> EncodedPositions:
     differences = np.diff(levels, axis=0, prepend=0).astype(np.uint16)  # modulo 2^16
     planes = np.ascontiguousarray(differences.T, dtype="<u2").view(np.uint8).reshape(-1, 2).T
     x, y, z = (float(value) for value in origin)
-    return EncodedPositions(_pack(planes.tobytes()), (x, y, z), step, len(vertices))
+    return EncodedPositions(pack(planes.tobytes()), (x, y, z), step, len(vertices))
 
 
 def decode_positions(encoded: EncodedPositions) -> Floats:
@@ -70,7 +70,7 @@ def decode_positions(encoded: EncodedPositions) -> Floats:
 
 def encode_document(document: dict[str, Any]) -> bytes:
     """Packs JSON values; floats keep all their digits."""
-    return _pack(json.dumps(document, separators=(",", ":"), allow_nan=False).encode())
+    return pack(json.dumps(document, separators=(",", ":"), allow_nan=False).encode())
 
 
 def decode_document(data: bytes) -> dict[str, Any]:
@@ -101,7 +101,8 @@ def mesh_checksum(mesh: PatternMesh) -> str:
     return digest.hexdigest()[:32]
 
 
-def _pack(data: bytes) -> bytes:
+def pack(data: bytes) -> bytes:
+    """Bytes as they lie in a shard."""
     return lzma.compress(data, format=lzma.FORMAT_ALONE, filters=_FILTERS)
 
 
