@@ -51,7 +51,8 @@ def heard_notes(wanted: Wanted) -> list[str]:
     if heard.color is not None and heard.words is not None:
         others = [color.words for color in heard.words.colors[1:]]
         more = f"; of several colours the first is used, so not {_quoted(others)}" if others else ""
-        found.append(f"Colour: {heard.words.colors[0].words} ({heard.color}){more}.")
+        named = f"{heard.words.colors[0].words} ({heard.color})" if heard.words.colors else heard.color
+        found.append(f"Colour: {named}{more}.")
     if heard.cloth is not None:
         use = "the cloth that it was finished with" if wanted.order.finish else "used with --finish alone"
         found.append(f"Fabric: {heard.cloth}, {use}.")

@@ -15,6 +15,7 @@ from functools import cache, cached_property
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
+from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.spelling import put_right
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
@@ -22,6 +23,7 @@ from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_
 from swifttailor.wording.claim_kinds import fits_kind, implied_kind
 from swifttailor.wording.lexicon import (
     SURENESS,
+    Entry,
     Lack,
     WordReading,
     all_entries,
@@ -62,13 +64,21 @@ class Heard:
 
     @property
     def color(self) -> str | None:
-        """The first colour that it names, ``#rrggbb``."""
-        return f"#{self.words.colors[0].rgb}" if self.words is not None and self.words.colors else None
+        """The first colour that it names, ``#rrggbb``, or that a name implies: a little black dress."""
+        named = self.words.colors if self.words is not None else ()
+        rgb = named[0].rgb if named else next((e.color for e in self._meant if e.color is not None), None)
+        return None if rgb is None else f"#{rgb}"
 
     @property
     def cloth(self) -> str | None:
-        """The fabric that comes nearest to what it names."""
-        return self.words.cloths[0] if self.words is not None and self.words.cloths else None
+        """The fabric that comes nearest to what it names, or to what a name implies: a denim skirt."""
+        named = self.words.cloths if self.words is not None else ()
+        return named[0] if named else next((e.cloth for e in self._meant if e.cloth is not None), None)
+
+    @property
+    def _meant(self) -> list[Entry]:
+        marks = () if self.words is None else self.words.marks
+        return [entry for mark in marks if not mark.denied for entry in mark.entries]
 
     @cached_property
     def cannot(self) -> tuple[str, ...]:
@@ -124,7 +134,7 @@ def hear_description(text: str, reader: WishReader) -> Heard:
     elif shown != text:
         words = read_words(text)
     network = reader.read(text, instruction=False) if words.language == _ENGLISH else ()
-    found = united(words, network)
+    found = united(text, words, network)
     changes = [wish.change for wish in found]
     sizes = " ".join(words.sizes)
     unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in sizes]
@@ -170,25 +180,24 @@ def hear_instruction(text: str, reader: WishReader, kind: str | None = None) -> 
     return Heard(text, sure, likely, (), _not_answered(unread, words), lacks, words)
 
 
-def united(words: WordReading, network: Iterable[Wish]) -> tuple[Wish, ...]:
+def united(text: str, words: WordReading, network: Iterable[Wish]) -> tuple[Wish, ...]:
     """What lexicon and network say together, surest first.
 
     Args:
+        text: In which "long" behind a length is no claim: "60 cm long".
         words: By the lexicon.
         network: What the network reads of the same text, surest first.
     """
+    lengths = {mention.end for mention in find_mentions(text) if mention.is_length}
+    implied = [i for i in words.implications if len(text[: i.mark.start].rstrip(" -")) not in lengths]
     found = [
         Wish(Gain(each.claim), _DETAIL[each.certainty])
-        for each in words.implications
+        for each in implied
         if each.certainty == "certain" or (each.said and each.certainty == "usual")
     ]
     told = [wish.change.claim for wish in found if isinstance(wish.change, Gain)]
     kind = next((str(claim.value) for claim in told if claim.name == "kind"), None)
-    names = [
-        Wish(Gain(each.claim), SURENESS[each.certainty])
-        for each in words.implications
-        if each.claim not in told
-    ]
+    names = [Wish(Gain(each.claim), SURENESS[each.certainty]) for each in implied if each.claim not in told]
     for wish in (*network, *names):
         if not isinstance(wish.change, Gain):
             continue

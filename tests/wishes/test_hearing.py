@@ -1,0 +1,138 @@
+"""What lexicon and network understand together, and what is said of the rest."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.wishes.hearing import HEARD_NOTHING, hear_description, hear_instruction
+from swifttailor.wishes.reader import SURE, Wish, WishReader
+from swifttailor.wording.lexicon import exclude
+
+
+@pytest.fixture(scope="module")
+def reader() -> WishReader:
+    return WishReader.load()
+
+
+class Saying:
+    """A network that reads the same in every text."""
+
+    def __init__(self, *wishes: Wish) -> None:
+        self.wishes, self.texts = wishes, []
+
+    def read(self, text, *, instruction=False):
+        self.texts.append(text)
+        return self.wishes
+
+
+def claims(wishes):
+    return {w.change.claim for w in wishes if isinstance(w.change, Gain)}
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "sure"),
+    [
+        ("bathrobe", "dress", set()),
+        ("a vest", "top", {Claim("sleeves", "none")}),
+        ("skinny jeans", "trousers", set()),
+        ("one shoulder top", "top", set()),
+        ("polo shirt", "top", set()),
+        ("ein knielanger Rock mit Schlitz", "skirt", {Claim("skirt_hem", "knee")}),
+        ("une robe longue sans manches", "dress", {Claim("sleeves", "none")}),
+    ],
+)
+def test_names_in_people_s_own_words_are_understood(reader, text, kind, sure):
+    heard = hear_description(text, reader)
+    assert heard.kind == kind and heard.unread == ()
+    assert sure <= claims(heard.sure) | claims(heard.likely)
+
+
+def test_every_word_ends_in_a_list(reader):
+    heard = hear_description("a knee-length navy denim skirt with pockets and a wuzzle", reader)
+    assert Claim("skirt_hem", "knee") in claims(heard.sure)
+    assert (heard.color, heard.cloth) == ("#1f2a44", "denim")
+    assert heard.cannot == ("pockets",) and heard.unread == ("wuzzle",)
+    assert hear_description("a polka dot dress", reader).cannot[-1].startswith("prints")
+    assert hear_description("a cardigan", reader).left_out
+    assert hear_description("little black dress", reader).color == "#000000"
+
+
+def test_what_details_say_outranks_the_network_and_that_outranks_names():
+    wide = Wish(Gain(Claim("sleeves", "long")), 0.99)
+    heard = hear_description("a sleeveless dress", Saying(wide))
+    assert Claim("sleeves", "none") in claims(heard.sure) and Claim("sleeves", "long") not in claims(
+        heard.sure
+    )
+    usual = claims(hear_description("a shirt", Saying()).likely)
+    (said,) = [claim for claim in usual if claim.name == "sleeves"]
+    other = Claim("sleeves", "none" if said.value != "none" else "long")
+    heard = hear_description("a shirt", Saying(Wish(Gain(other), 0.95)))
+    assert other in claims(heard.sure) and said not in claims(heard.likely)
+
+
+def test_what_a_kind_cannot_have_is_not_taken_from_the_network():
+    legs = Wish(Gain(Claim("legs", "wide")), 0.97)
+    assert Claim("legs", "wide") not in claims(hear_description("a bathrobe", Saying(legs)).sure)
+    assert Claim("legs", "wide") in claims(hear_description("trousers", Saying(legs)).sure)
+
+
+def test_refusals_are_kept_apart(reader):
+    heard = hear_description("a dress, not too short", reader)
+    assert Claim("skirt_hem", "mini") in heard.never
+    assert not set(heard.never) & (claims(heard.sure) | claims(heard.likely))
+
+
+def test_a_garment_that_nobody_knows_has_no_kind_and_near_names(reader):
+    heard = hear_description("a bathrobbbe", Saying())
+    assert heard.kind is None and "bathrobe" in heard.near
+    assert hear_description("short maxi dress", reader).contradictions == (("short", "maxi dress"),)
+
+
+def test_typing_errors_are_put_right_in_words_that_nobody_knows_alone():
+    network = Saying()
+    heard = hear_description("a sleevless dres and a rock", network)
+    assert network.texts == [heard.text] and "rock" in heard.text, "a first letter is right"
+    assert "dress" in heard.text
+
+
+def test_in_an_instruction_the_lexicon_counts_where_the_network_is_not_sure():
+    hood = Wish(Gain(Claim("hood", "hood")), 0.97)
+    assert hear_instruction("swap the sleeves for a V neck", Saying(hood), "top").sure == (hood,)
+    heard = hear_instruction("a V neck instead, please", Saying(), "top")
+    assert Claim("neckline", "v") in claims(heard.sure)
+
+
+def test_lengths_that_were_read_are_no_sizes(reader):
+    assert hear_instruction("make it 6 cm longer", reader, "dress").cannot == ()
+    assert any("sizes" in text for text in hear_description("a dress in size 12", reader).cannot)
+
+
+def test_long_behind_a_length_is_no_claim(reader):
+    heard = hear_description("a skirt 60 cm long with a 5 cm waistband", reader)
+    found = claims(heard.sure) | claims(heard.likely)
+    assert {Claim("skirt_length_cm", 60.0), Claim("waistband_cm", 5.0), Claim("kind", "skirt")} <= found
+    assert all(claim.name != "skirt_hem" for claim in found)
+    assert Claim("skirt_hem", "maxi") in claims(hear_description("a long skirt", reader).sure)
+
+
+def test_no_text_asks_for_nothing(reader):
+    assert hear_description(" \n", reader) is HEARD_NOTHING
+
+
+WORDS = "no not too short long maxi mini dress skirt top shirt sleeveless hood collar V neck wide denim with"
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.text(max_size=60) | st.lists(st.sampled_from(WORDS.split()), max_size=9).map(" ".join))
+def test_wishes_never_exclude_each_other_and_the_surest_come_first(text):
+    heard = hear_description(text, Saying(Wish(Gain(Claim("sleeves", "long")), 0.8)))
+    wishes = (*heard.sure, *heard.likely)
+    assert all(w.certainty >= SURE for w in heard.sure) and all(w.certainty < SURE for w in heard.likely)
+    found = [w.change.claim for w in wishes]
+    assert len(set(found)) == len(found) and not set(found) & set(heard.never)
+    network = [claim for claim in found if claim == Claim("sleeves", "long")]
+    assert not any(exclude(a, b) for a in network for b in found if a != b)
