@@ -1,0 +1,85 @@
+"""What is made of people's wishes: expected statements that hold of the patterns, by the path of `generate`.
+
+python benchmarks/people_answers.py building|final [--misses] [--count N]
+
+Patterns are written as `generate` writes them, and measured. Of the final half only counts are printed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections import Counter
+
+import swifttailor
+from people_prompts import WORDS, Expectation, PeoplePrompt, read_people_prompts
+from swifttailor.describing import Claim
+from swifttailor.describing.claims import CLAIM_TYPES, claims_of
+from swifttailor.describing.measuring import measure_facts
+from swifttailor.errors import SwiftTailorError
+from swifttailor.tailor import Order
+
+
+def met(expected: Expectation, facts: object) -> bool:
+    """Whether one of the values holds of a garment."""
+    if expected.number is not None:
+        measured = CLAIM_TYPES[expected.claim].measure
+        assert measured is not None
+        value = measured.of(facts)
+        return value is not None and abs(value - expected.number) <= expected.within
+    return any(Claim(expected.claim, value).holds(facts) for value in expected.values)
+
+
+def judge(prompt: PeoplePrompt, tailor: swifttailor.Tailor, counts: Counter[str], misses: list[str]) -> None:
+    """Makes the pattern of one prompt and counts what holds."""
+    (answer,) = tailor.write([Order(prompt.text)])
+    musts = [e for e in prompt.expect if e.sure == "must"]
+    if isinstance(answer, SwiftTailorError):
+        counts["none made"] += 1
+        counts["statements"] += len(musts)
+        misses.append(f"{prompt.id} none made: {prompt.text}: {answer}")
+        return
+    facts = measure_facts(answer.pattern)
+    open_ones = [e for e in musts if not met(e, facts)]
+    broken = [n.claim for n in prompt.never if any(Claim(n.claim, v).holds(facts) for v in n.values)]
+    counts["statements"] += len(musts)
+    counts["hold"] += len(musts) - len(open_ones)
+    counts["refused, and so"] += len(broken)
+    whole = not open_ones and not broken
+    counts["prompts in all"] += whole
+    heard = answer.wanted.heard
+    doubted = (
+        answer.is_other_than_wanted or heard.unread or heard.cannot or heard.left_out or heard.contradictions
+    )
+    counts["wrong in silence"] += not whole and not doubted
+    if not whole:
+        wanted = [f"{e.claim}={'/'.join(e.values) or e.number}" for e in open_ones]
+        seen = [f"{c.name}={c.value}" for c in claims_of(facts) if c.name in {e.claim for e in open_ones}]
+        misses.append(f"{prompt.id} {prompt.text!r}: wanted {wanted}, never {broken}; is {seen}")
+
+
+def main() -> None:
+    """Measures and prints."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("half", choices=("building", "final"))
+    parser.add_argument("--misses", action="store_true", help="name what does not hold (building alone)")
+    parser.add_argument("--count", type=int, help="only the first so many")
+    args = parser.parse_args()
+    prompts = [p for p in read_people_prompts(WORDS / args.half / "prompts.jsonl") if p.garment][: args.count]
+    tailor, counts, misses = swifttailor.Tailor.load(), Counter[str](), list[str]()
+    begun = time.perf_counter()
+    for prompt in prompts:
+        judge(prompt, tailor, counts, misses)
+    print(f"{args.half}: {len(prompts)} wishes, {(time.perf_counter() - begun) / len(prompts):.2f} s each")
+    print(f"  expected statements that hold: {counts['hold']} of {counts['statements']}")
+    print(f"  wishes of which all holds and nothing refused is so: {counts['prompts in all']}")
+    print(f"  wrong in silence: {counts['wrong in silence']}; none made: {counts['none made']}")
+    print(f"  refused, and so: {counts['refused, and so']}")
+    if args.misses and args.half == "building":
+        print("\n".join(misses))
+
+
+if __name__ == "__main__":
+    main()
