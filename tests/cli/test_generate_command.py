@@ -124,7 +124,7 @@ def test_nothing_made_is_exit_code_2_and_leaves_nothing(write, tmp_path, capsys)
 
 def test_a_warning_is_exit_code_1(write, tmp_path, capsys):
     write([draft("t-shirt")])
-    assert command("generate", "一条长裙 👗", "--out", tmp_path / "out", "--no-preview") == 1
+    assert command("generate", "一条长裙", "--out", tmp_path / "out", "--no-preview") == 1
     said = capsys.readouterr().out
     assert said.count("warning: The text is in a script") == 1
 
@@ -282,11 +282,23 @@ def test_an_edit_of_which_nothing_is_understood_is_exit_code_1_and_the_same_byte
     assert command("generate", "a T-shirt", "--out", tmp_path / "before") == 0
     before = (tmp_path / "before" / "pattern.json").read_bytes()
     capsys.readouterr()
-    given = ["edit", tmp_path / "before", "make it red and of denim", "--out", tmp_path / "after"]
+    given = ["edit", tmp_path / "before", "make it glorped and prettier", "--out", tmp_path / "after"]
     assert command(*given, "--no-preview") == 1
     said = capsys.readouterr().out
-    assert 'Not understood: "red", "denim".' in said and "is the one that was given" in said
+    assert 'Not understood: "glorped' in said and "is the one that was given" in said
     assert (tmp_path / "after" / "pattern.json").read_bytes() == before
+
+
+def test_a_colour_is_changed_alone_and_is_exit_code_0(write, tmp_path, capsys):
+    write([draft("t-shirt")])
+    assert command("generate", "a T-shirt", "--out", tmp_path / "before") == 0
+    before = (tmp_path / "before" / "pattern.json").read_bytes()
+    given = ["edit", tmp_path / "before", "make it red and of denim", "--out", tmp_path / "after"]
+    assert command(*given, "--no-preview") == 0
+    said = capsys.readouterr().out
+    assert "Colour: red (#ff0000)." in said and "Fabric: denim, used with --finish alone." in said
+    assert (tmp_path / "after" / "pattern.json").read_bytes() == before
+    assert json.loads((tmp_path / "after" / "report.json").read_text())["color"] == "#ff0000"
 
 
 def test_unmet_wishes_are_exit_code_1(write, tmp_path, capsys):
