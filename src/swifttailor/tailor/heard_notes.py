@@ -53,7 +53,7 @@ def heard_notes(wanted: Wanted) -> list[str]:
         more = f"; of several colours the first is used, so not {_quoted(others)}" if others else ""
         named = f"{heard.words.colors[0].words} ({heard.color})" if heard.words.colors else heard.color
         found.append(f"Colour: {named}{more}.")
-    if heard.cloth is not None:
+    if heard.cloth is not None and heard.words is not None and (heard.words.cloths or wanted.order.finish):
         use = "the cloth that it was finished with" if wanted.order.finish else "used with --finish alone"
         found.append(f"Fabric: {heard.cloth}, {use}.")
     if heard.cannot:
