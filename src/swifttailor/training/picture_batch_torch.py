@@ -14,7 +14,7 @@ from torch.utils.data import DataLoader, Dataset
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Block, Blocks
 from swifttailor.data.pictures.panel_cells import SEAM
-from swifttailor.picture_reader.close_ups import WHOLE, Told, told_by
+from swifttailor.picture_reader.close_ups import WHOLE, told_by
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import MASK_STRIDE
 from swifttailor.picture_reader.network_torch import scaled
@@ -60,6 +60,17 @@ class Answers(NamedTuple):
     """(B, h, w) 0 or 1."""
 
 
+class OfEach(NamedTuple):
+    """Something of each statement, measure and panel."""
+
+    statements: Tensor
+    """(..., S)."""
+    measures: Tensor
+    """(..., M)."""
+    panels: Tensor
+    """(..., P)."""
+
+
 class TruthTable:
     """What is true of all garments of a bank, as tensors."""
 
@@ -67,7 +78,7 @@ class TruthTable:
         found = {name: torch.from_numpy(v) for name, v in bank.truths(range(len(bank))).items()}
         self.statements, self.measures = found["statements"], found["measures"].float()
         self.panels, self.boxes = found["panels"], found["boxes"]
-        self._told = Told(*map(torch.from_numpy, told_by()))
+        self._told = OfEach(*map(torch.from_numpy, told_by()))
 
     def answers(
         self,
@@ -94,7 +105,7 @@ class TruthTable:
         present = garments >= 0
         k = garments.clamp_min(0)
         judged, measures, panels = self.statements[k], self.measures[k], self.panels[k]
-        told = Told(*(table[close_up][:, None] & present[..., None] for table in self._told))
+        told = OfEach(*(table[close_up][:, None] & present[..., None] for table in self._told))
         return Answers(
             present.float(),
             close_up == WHOLE,

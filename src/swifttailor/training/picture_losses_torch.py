@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import NamedTuple
 
 import torch
 from torch import Tensor
@@ -14,7 +13,7 @@ from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.network_torch import Reading
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.units import NARROWEST, WIDEST
-from swifttailor.training.picture_batch_torch import Answers
+from swifttailor.training.picture_batch_torch import Answers, OfEach
 from swifttailor.training.picture_config import LossWeights
 
 _SMALL = ("cuff", "cuff flounce", "leg cuff", "leg cuff flounce", "collar", "waistband", "inset", "tier")
@@ -72,19 +71,11 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     return losses
 
 
-class _Weights(NamedTuple):
-    """Of each statement, measure and panel."""
-
-    statements: Tensor
-    measures: Tensor
-    panels: Tensor
-
-
 @lru_cache(maxsize=4)
-def _weights(details: float, device: torch.device) -> _Weights:
+def _weights(details: float, device: torch.device) -> OfEach:
     """Small things have small gradients, in which nothing is learnt beside all others."""
     near = (torch.from_numpy(table[:WHOLE].any(axis=0)).to(device) for table in told_by())
-    return _Weights(*(torch.where(small, details, 1.0) for small in near))
+    return OfEach(*(torch.where(small, details, 1.0) for small in near))
 
 
 def _cross_entropy(logits: Tensor, truth: Tensor, counts: Tensor) -> Tensor:
