@@ -158,9 +158,15 @@ def test_a_pattern_without_panels_is_refused():
 
 def test_too_many_vertices_are_refused_before_the_work():
     with pytest.raises(InputError, match="vertices"):
-        mesh_pattern(Pattern((square("a", 900.0),)), 0.1)
+        mesh_pattern(Pattern((square("a", 700.0),)), 0.1)
     with pytest.raises(InputError, match="outlines"):
         mesh_pattern(Pattern((square("a", 1e6, height=0.1),)), 0.1)
+
+
+def test_more_cloth_than_any_garment_has_is_refused_at_any_edge_length():
+    with pytest.raises(PatternError, match=r"64 m2 of cloth; at most 60 .* in cm"):
+        mesh_pattern(Pattern((square("a", 800.0),)), 10.0)
+    assert mesh_pattern(Pattern((square("a", 770.0),)), 10.0).vertex_count > 5000
 
 
 def test_real_patterns_mesh(real_samples):

@@ -16,6 +16,8 @@ from swifttailor.panel_mesh.triangulate import signed_area, triangulate_polygons
 from swifttailor.pattern import EdgeRef, Pattern
 
 MAX_VERTICES = 400_000
+MAX_AREA_M2 = 60.0
+"""More cloth than a gown with a train; a garment of more is in other units, or damaged."""
 _MAX_ROUNDS = 8
 
 
@@ -31,8 +33,8 @@ def mesh_pattern(pattern: Pattern, edge_length: float = 2.0) -> PatternMesh:
 
     Raises:
         InputError: `edge_length` is not positive or would need more than `MAX_VERTICES` vertices.
-        PatternError: There are no panels, or a stitch is impossible (dangling, used twice, closing an edge
-            onto a point).
+        PatternError: There are no panels, or more than `MAX_AREA_M2` of cloth, or a stitch is impossible
+            (dangling, used twice, closing an edge onto a point).
         GeometryError: A panel crosses itself or has no area.
     """
     if not (np.isfinite(edge_length) and 0.05 <= edge_length <= 50):
@@ -59,6 +61,11 @@ def mesh_pattern(pattern: Pattern, edge_length: float = 2.0) -> PatternMesh:
     starts = np.array([r[0][0] for r in runs] + [len(points)])
     boundaries = [points[a:b] for a, b in pairwise(starts.tolist())]
     area = sum(abs(signed_area(b)) for b in boundaries)
+    if area > MAX_AREA_M2 * 1e4:
+        raise PatternError(
+            f"The panels are {area / 1e4:.0f} m2 of cloth; at most {MAX_AREA_M2:.0f} are accepted. Are their "
+            "measures in cm? Scale the pattern, or remove the panel that is too large."
+        )
     _refuse_too_many(area / (edge_length**2 * 0.866), f"{area:.0f} cm2 of cloth", edge_length)
     mesh = _fill(pattern, boundaries, edge_length, runs, pairs, labels)
     return _separate_coincident_edges(mesh)
