@@ -17,8 +17,10 @@ from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_library.nearest import Search
 from swifttailor.pattern_library.sought import Sought
+from swifttailor.picture_reader.labels import statement_labels
 from swifttailor.tailor import Order, Tailor
 from swifttailor.tailor.known import KNOWN_ATTEMPTS, KnownCandidates
+from swifttailor.tailor.reading import read_order
 from swifttailor.wishes.reader import Wish
 
 DRAFTS = {
@@ -125,3 +127,15 @@ def test_a_picture_is_looked_up_by_what_was_read_of_it(library, sewer):
     assert tailor.generate(image=picture).answer.known in ("midi", "midi again")
     overruled = tailor.generate("a mini skirt", image=picture)
     assert overruled.answer.known == "mini"
+
+
+def test_what_nobody_speaks_of_is_sought_as_it_is_usual(tailor):
+    """No uneven hems for those who ask for none."""
+
+    def likely(text, **given):
+        sought = read_order(Order(text, **given), tailor.wish_reader).sought
+        number = statement_labels().index(("hem_shape", "level"))
+        return float(sought.statements[number]), float(sought.said[number])
+
+    assert likely("a midi skirt")[0] == pytest.approx(0.8) and likely("a midi skirt")[1] > 0
+    assert likely("a midi skirt with a high-low hem")[0] < 0.8

@@ -9,7 +9,8 @@ from functools import cached_property
 import numpy as np
 
 from swifttailor.arrays import Pixels
-from swifttailor.describing.differences import Change
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError, NothingSeenError, SwiftTailorError
@@ -29,6 +30,9 @@ from swifttailor.wishes.hearing import HEARD_NOTHING, Heard, hear_description, h
 from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 
+_UNSAID = (Claim("hem_shape", "level"), Claim("sides", "alike"))
+_USUAL = 0.8
+"""What known patterns are preferred for where nobody speaks of it, and how much."""
 _UNREAD = (
     "The picture was shown to PatternMaker and not read: this version comes without weights of a picture "
     "reader, so nothing was altered to it."
@@ -105,6 +109,9 @@ class Wanted:
     def sought(self) -> Sought:
         """What is known of the garment, to be looked up among known patterns."""
         said = [w for w in (*self.wishes, *self.likely) if w not in self.seen]
+        if self.unsaid and said:
+            names = {w.change.claim.name for w in said if isinstance(w.change, Gain)}
+            said += [Wish(Gain(claim), _USUAL) for claim in _UNSAID if claim.name not in names]
         return Sought.of(self.part, said, self.heard.never)
 
     @property
