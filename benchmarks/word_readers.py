@@ -29,8 +29,8 @@ from swifttailor.wishes import WishReader
 from swifttailor.wishes.spelling import put_right
 from swifttailor.wording.lexicon import WordReading, exclude, read_words
 
-APART = frozenset({"sizes", "bodies"})
-"""Answered by the size of a prompt, not by what cannot be made."""
+APART = frozenset({"sizes", "bodies", "prints"})
+"""Answered by size and cloth of a prompt, not by what cannot be made."""
 _WITHOUT_COLLAR = frozenset({"neckline", "left_neckline", "right_neckline", "back_neckline"})
 
 Reader = Callable[[PeoplePrompt], frozenset[Claim]]

@@ -58,6 +58,8 @@ def test_every_word_ends_in_a_list(reader):
     assert heard.cannot == ("pockets",) and heard.unread == ("wuzzle",)
     assert hear_description("a polka dot dress", reader).cannot[-1].startswith("prints")
     assert hear_description("a cardigan", reader).left_out
+    assert hear_description("a plain white shirt", reader).color == "#ffffff"
+    assert hear_description("a plain white shirt", reader).cannot == ()
     assert hear_description("little black dress", reader).color == "#000000"
 
 
@@ -97,6 +99,7 @@ def test_typing_errors_are_put_right_in_words_that_nobody_knows_alone():
     heard = hear_description("a sleevless dres and a rock", network)
     assert network.texts == [heard.text] and "rock" in heard.text, "a first letter is right"
     assert "dress" in heard.text
+    assert hear_instruction("rock it, sleevless", network, "dress").text == "rock it, sleeveless"
 
 
 def test_in_an_instruction_the_lexicon_counts_where_the_network_is_not_sure():

@@ -201,3 +201,30 @@ def test_spellings_and_plurals_are_found_and_nothing_near_them():
         assert known.find(parts.split()), parts
     for parts in ("shirt", "t shirtt", "tshrt", "scarfe", "berrie", "tea dres"):
         assert not known.find(parts.split()), parts
+
+
+def test_names_of_garments_and_cloths_lose_no_colour():
+    """A "white shirt" that is one name of a garment would come in any colour."""
+    colors = {word.lower() for entry in entries_in("colors") for word in entry.words}
+    alike = {
+        "flax",
+        "mulberry",
+        "sable",
+        "elephant",
+        "snow",
+        "pumpkin",
+        "buff",
+        "linen",
+        "khaki",
+        "metallic",
+        "natural",
+        "camel",
+        "stone",
+    }
+    for category in ("garments", "fabrics"):
+        names = {word.lower() for entry in entries_in(category) for word in entry.words}
+        for entry in (e for e in entries_in(category) if e.color is None):
+            for word in map(str.lower, entry.words):
+                first, _, rest = word.partition(" ")
+                lost = first in colors - alike and rest in names
+                assert not lost, f"{entry.place}: {word}"

@@ -39,7 +39,6 @@ _DETAIL = {"certain": SURENESS["certain"], "usual": 0.92}
 """How sure what is said of a detail is: it is asked for, whatever is usual."""
 _ENGLISH = "en"
 _NEAR, _MOST_NEAR = 0.72, 3
-_PRINTS = "prints (one colour is used)"
 _LONGEST_WORD = 40
 _DIGIT = re.compile(r"\d")
 
@@ -83,8 +82,7 @@ class Heard:
     @cached_property
     def cannot(self) -> tuple[str, ...]:
         """What it asks for and cannot be made, in words."""
-        found = [cannot_texts()[lack.what] for lack in self.lacks if lack.said]
-        return (*found, *([_PRINTS] if self.words is not None and self.words.prints else []))
+        return tuple([cannot_texts()[lack.what] for lack in self.lacks if lack.said])
 
     @cached_property
     def left_out(self) -> tuple[str, ...]:
@@ -127,12 +125,7 @@ def hear_description(text: str, reader: WishReader) -> Heard:
     """
     if not text.strip():
         return HEARD_NOTHING
-    shown = _put_right(text, read_words(text, language=_ENGLISH))
-    words = read_words(shown)
-    if words.language == _ENGLISH:
-        text = shown  # typing errors look foreign
-    elif shown != text:
-        words = read_words(text)
+    text, words = _put_right(text)
     network = reader.read(text, instruction=False) if words.language == _ENGLISH else ()
     found = united(text, words, network)
     changes = [wish.change for wish in found]
@@ -152,8 +145,7 @@ def hear_instruction(text: str, reader: WishReader, kind: str | None = None) -> 
         reader: The network.
         kind: Of the garment.
     """
-    text = put_right(text)
-    words = read_words(text, kind=kind)
+    text, words = _put_right(text, kind)
 
     def sure_changes(found: Iterable[Wish]) -> list[Change]:
         return [wish.change for wish in sure_wishes(tuple(found))]
@@ -211,17 +203,24 @@ def united(text: str, words: WordReading, network: Iterable[Wish]) -> tuple[Wish
     return tuple(sorted(found, key=lambda wish: -wish.certainty))
 
 
-def _put_right(text: str, words: WordReading) -> str:
-    """The text with slips of the fingers in words that nobody knows put right; first letters are right."""
+def _put_right(text: str, kind: str | None = None) -> tuple[str, WordReading]:
+    """The text with typing errors put right, and its words.
+
+    They are so in words that nobody knows, where the first letter stays, and in those that the lexicon has as
+    another spelling. What is not English stays as it is, but typing errors look foreign.
+    """
     pieces, end = [], 0
-    for mark in words.marks:
-        if mark.entries:
-            continue
+    for mark in read_words(text, language=_ENGLISH, kind=kind).marks:
         better = put_right(mark.word)
-        if better[:1].lower() == mark.word[:1].lower():
+        known = any(better.lower() == word.lower() for entry in mark.entries for word in entry.words)
+        if better[:1].lower() == mark.word[:1].lower() and (known or not mark.entries):
             pieces += [text[end : mark.start], better]
             end = mark.end
-    return "".join([*pieces, text[end:]])
+    shown = "".join([*pieces, text[end:]])
+    words = read_words(shown, kind=kind)
+    if shown == text or words.language == _ENGLISH:
+        return shown, words
+    return text, read_words(text, kind=kind)
 
 
 def _lacks(words: WordReading, changes: Sequence[Change]) -> tuple[Lack, ...]:
