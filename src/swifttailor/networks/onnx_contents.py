@@ -6,12 +6,15 @@ Only the framing of protobuf messages is read: which fields there are, not what 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import count
 
 BUILT_IN = frozenset({"", "ai.onnx", "ai.onnx.ml", "com.microsoft"})
 """Sets of operators that onnxruntime comes with; any other needs a library of somebody's."""
 _VARINT, _EIGHT, _TEXT, _FOUR = 0, 1, 2, 5
 _MODEL_OPSETS, _OPSET_DOMAIN = 8, 1
 _EXTERNAL_DATA, _DATA_LOCATION = 13, 14
+MAX_FIELDS = 200_000
+"""Fields looked at in one file: our networks have some 5,000; damaged weights can pass for millions."""
 # What can hold a tensor, message by message: the numbers of the fields, and the message that each is.
 _HOLDS = {
     "model": {7: "graph", 20: "training", 25: "function"},
@@ -29,12 +32,13 @@ def foreign_operators(content: bytes) -> frozenset[str]:
     """Names of the sets of operators that a model uses and onnxruntime does not have.
 
     Raises:
-        ValueError: It is no protobuf message.
+        ValueError: It is no protobuf message, or one of more than `MAX_FIELDS` fields.
     """
     used: set[str] = set()
-    for number, part in _fields(memoryview(content)):
+    counted = count(1)
+    for number, part in _fields(memoryview(content), counted):
         if number == _MODEL_OPSETS:
-            names = [bytes(name) for field, name in _fields(part) if field == _OPSET_DOMAIN]
+            names = [bytes(name) for field, name in _fields(part, counted) if field == _OPSET_DOMAIN]
             used.add(names[-1].decode(errors="replace") if names else "")
     return frozenset(used) - BUILT_IN
 
@@ -43,12 +47,13 @@ def keeps_values_elsewhere(content: bytes) -> bool:
     """Whether any tensor of a model, wherever it stands, has its values in another file.
 
     Raises:
-        ValueError: It is no protobuf message.
+        ValueError: It is no protobuf message, or one of more than `MAX_FIELDS` fields.
     """
     waiting = [("model", memoryview(content))]
+    counted = count(1)
     while waiting:
         kind, message = waiting.pop()
-        for number, part in _fields(message):
+        for number, part in _fields(message, counted):
             if kind == "tensor" and (number == _EXTERNAL_DATA or (number == _DATA_LOCATION and any(part))):
                 return True
             inner = _HOLDS[kind].get(number)
@@ -57,14 +62,21 @@ def keeps_values_elsewhere(content: bytes) -> bool:
     return False
 
 
-def _fields(message: memoryview) -> Iterator[tuple[int, memoryview]]:
+def _fields(message: memoryview, counted: Iterator[int]) -> Iterator[tuple[int, memoryview]]:
     """Number and content of each field: of a text or message its bytes, of a number those it is written with.
 
+    Args:
+        message: What follows the message's own tag and length.
+        counted: Numbers the fields of the whole file.
+
     Raises:
-        ValueError: The message ends in the middle of a field, or has one of an unknown kind.
+        ValueError: The message ends in the middle of a field, or has one of an unknown kind, or there
+            have been more than `MAX_FIELDS`.
     """
     place = 0
     while place < len(message):
+        if next(counted) > MAX_FIELDS:
+            raise ValueError(f"more than {MAX_FIELDS} fields")
         tag, place = _number(message, place)
         number, kind = tag >> 3, tag & 7
         start = place
