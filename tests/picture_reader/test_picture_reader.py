@@ -222,6 +222,37 @@ def test_it_looks_at_the_whole_and_then_told_the_camera_thrice_at_the_garment():
     assert abs(part.statements[0].certainty - 1 / (1 + np.exp(-3.0))) < 1e-6  # the mean of 2, 3 and 4
 
 
+class Wearing(Looking):
+    """A network that sees a vest where people wear one, and is always as sure of everything."""
+
+    def __init__(self, certain: float) -> None:
+        super().__init__()
+        self.certain = certain
+
+    def run(self, names, feeds):
+        found = dict(zip(names, super().run(names, feeds), strict=True))
+        height = 145 - (np.arange(16) - 5.5) * 12.0
+        found["worn_places"][0, 1] = height[:, None] / 100
+        found["panel_kinds"][0, PANEL_KINDS.index("front bodice")] = 5.0
+        found["statements"][:] = self.certain
+        return [found[name] for name in names]
+
+
+def test_details_are_looked_at_by_the_network_for_them():
+    count = len(statement_labels())
+    as_said, doubled = np.tile([1.0, 0.0], (count, 1)), np.tile([2.0, 0.0], (count, 1))
+    whole, close = Wearing(1.0), Wearing(3.0)
+    near = PictureReader(close, 64, doubled, {}, close_ups=("neck", "waist"))
+    reader = PictureReader(whole, 64, as_said, {}, close_ups=(), near=near)
+    found = reader.read(np.zeros((1280, 1280, 3), np.uint8))
+    assert len(whole.guesses) == 4 and len(close.guesses) == 2
+    assert all(guess[6] == 1 for guess in close.guesses), "told where the camera is"
+    certain = {f"{s.claim.name} {s.claim.value}": s.certainty for s in found.parts[0].statements}
+    told = {1 / (1 + np.exp(-logit)) for logit in (1.0, 0.4 * 1.0 + 0.6 * 6.0)}
+    assert all(min(abs(value - one) for one in told) < 1e-6 for value in certain.values())
+    assert abs(certain["neckline v"] - max(told)) < 1e-6 and abs(certain["skirt_hem knee"] - min(told)) < 1e-6
+
+
 def test_each_of_two_garments_is_looked_at_nearer():
     looking = Looking(two=True)
     reader = PictureReader(looking, 64, np.tile([1.0, 0.0], (len(statement_labels()), 1)), {})

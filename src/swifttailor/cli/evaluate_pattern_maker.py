@@ -14,6 +14,7 @@ from swifttailor.cli.option_checks import (
     require_threads,
     require_writable_folder,
 )
+from swifttailor.cli.picture_reader_files import chosen_reader
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError
 from swifttailor.output_folder import OutputFolder
@@ -85,6 +86,10 @@ class EvaluatePatternMaker:
     """GarmentSewer's model file; the one of the package without it. It says which patterns can be sewn."""
     picture_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Model file (.onnx) of a picture reader; the one of the package without it."""
+    close_up_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Model file (.onnx) of a network that looks at necks, waists and ends of sleeves from near, beside
+    --picture-reader-weights; those look themselves without it, if they
+    were trained to."""
     pattern_library: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Library (.zip) of known patterns; the one of the package without it, unless --weights are given."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
@@ -112,7 +117,7 @@ class EvaluatePatternMaker:
         tailor = Tailor(
             self.weights,
             sewer,
-            picture_reader=self.picture_reader_weights,
+            picture_reader=chosen_reader(self.picture_reader_weights, self.close_up_weights),
             pattern_library=self.pattern_library,
             threads=self.threads,
         )
@@ -175,6 +180,7 @@ class EvaluatePatternMaker:
         from swifttailor.pattern_library.known import SHIPPED as LIBRARY
         from swifttailor.pattern_maker.maker import SHIPPED
         from swifttailor.picture_reader.reader import SHIPPED as EYES
+        from swifttailor.picture_reader.reader import SHIPPED_CLOSE
         from swifttailor.wishes.reader import SHIPPED as READER
 
         found: dict[str, Any] = dict(file_identity(SHIPPED if self.weights is None else self.weights))
@@ -183,6 +189,9 @@ class EvaluatePatternMaker:
             eyes = self.picture_reader_weights or (EYES if EYES.is_file() else None)
             if eyes is not None and self.data is not None:
                 found["read_by"] = file_identity(eyes)
+                near = self.close_up_weights if self.picture_reader_weights else SHIPPED_CLOSE
+                if near is not None and near.is_file():
+                    found["read_from_near_by"] = file_identity(near)
             if self.source != "writer" and (self.weights is None or self.pattern_library is not None):
                 found["known_from"] = file_identity(self.pattern_library or LIBRARY)
         if not self.network_alone:

@@ -21,6 +21,8 @@ class EvaluatePictureReader:
 
     weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """The picture reader's model file; the one of the package without it."""
+    close_up_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Model file of a network that looks at details, beside --weights; those look themselves without it."""
     data: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """Data set of sewn garments (swifttailor data build --engine network)."""
     out: Annotated[Path, tyro.conf.arg(metavar="DIR")] = Path("picture-reader-evaluation")
@@ -71,7 +73,7 @@ class EvaluatePictureReader:
         from swifttailor.evaluation.provenance import choose_samples, provenance
         from swifttailor.picture_reader.reader import PictureReader
 
-        reader = PictureReader.load(self.weights)
+        reader = PictureReader.load(self.weights, close_ups=self.close_up_weights)
         split = open_split(self.data, self.split)
         numbers = choose_samples(split, self.limit, self.seed)
         bank = PictureBank([split.folder])

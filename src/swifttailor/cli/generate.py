@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from swifttailor.cli.making import PICTURES, Making
+from swifttailor.cli.picture_reader_files import chosen_reader
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import new_place
 from swifttailor.errors import InputError
@@ -52,6 +53,9 @@ class Generate(Making):
 
     picture_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Model file (.onnx) of a trained picture reader. Default: the one in the package."""
+    close_up_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Model file (.onnx) of a network that looks at necks, waists and ends of sleeves from near, beside
+    --picture-reader-weights. Default: those look themselves, if they were trained to."""
     pattern_library: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Library (.zip) of known patterns. Default: the one in the package."""
 
@@ -89,11 +93,10 @@ class Generate(Making):
         """Whether pictures are read."""
         return bool(self.image)
 
-    def tailor(self, **networks: Path | None) -> Tailor:
+    def tailor(self, **networks: Any) -> Tailor:
         """Who makes the garments, and reads the pictures."""
-        return super().tailor(
-            picture_reader=self.picture_reader_weights, pattern_library=self.pattern_library, **networks
-        )
+        reader = chosen_reader(self.picture_reader_weights, self.close_up_weights)
+        return super().tailor(picture_reader=reader, pattern_library=self.pattern_library, **networks)
 
     def several(self, tailor: Tailor, order: Order) -> dict[str, Order]:
         """Both garments of a picture that shows two, unless one is asked for.

@@ -129,16 +129,15 @@ class Making(GarmentResults):
         """Folders of orders in DIR that there may be."""
         return ("",)
 
-    def tailor(self, **networks: Path | None) -> Tailor:
+    def tailor(self, **networks: Any) -> Tailor:
         """Who makes the garments.
 
         Args:
-            networks: Model files of others than both commands need, as `Tailor.load` names them.
+            networks: Others than both commands need, or their model files, as `Tailor.load` names them.
         """
         from swifttailor.tailor import Tailor
 
-        given: dict[str, Any] = networks
-        return Tailor.load(self.maker_weights, self.sewer_weights, threads=self.threads, **given)
+        return Tailor.load(self.maker_weights, self.sewer_weights, threads=self.threads, **networks)
 
     def several(self, tailor: Tailor, order: Order) -> dict[str, Order]:
         """The orders that one is, by their folder in DIR.

@@ -12,12 +12,13 @@ import torch
 from torch import Tensor, nn
 
 from swifttailor.errors import InputError, MissingExtraError
+from swifttailor.networks.byte_storage import SCALE
 from swifttailor.networks.folded_norms_torch import foldable
 from swifttailor.networks.model_file import read_bytes
 
 MAX_BYTES = 2**31
-STORED = ".half"
-"""What `half_storage` adds to names."""
+STORED = (".half", SCALE)
+"""What `half_storage` and `byte_storage` add to names."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,9 +114,12 @@ def graph_tensors(data: bytes, source: str) -> GraphTensors:
     except Exception as error:  # protobuf's DecodeError is not public
         raise InputError(f"'{source}' is not an ONNX file, or is damaged. Copy it again.") from error
     arrays = {t.name: numpy_helper.to_array(t) for t in model.graph.initializer}
-    for node in model.graph.node:  # stored in half, see `half_storage`
+    for node in model.graph.node:  # stored in half or in bytes, see `half_storage` and `byte_storage`
         if node.op_type == "Cast" and node.input[0] in arrays:
             arrays[node.output[0]] = arrays[node.input[0]]
+        elif node.op_type == "Mul" and node.input[1].endswith(SCALE) and set(node.input) <= arrays.keys():
+            whole, scale = (arrays[name].astype(np.float32) for name in node.input)
+            arrays[node.output[0]] = whole * scale
     products = {
         n.output[0]: arrays[n.input[1]].T
         for n in model.graph.node

@@ -11,6 +11,7 @@ from typing import Any
 import torch
 
 from swifttailor.errors import MissingExtraError
+from swifttailor.networks.byte_storage import store_in_bytes
 from swifttailor.networks.eight_bit import with_eight_bit_products
 from swifttailor.networks.half_storage import store_in_half
 
@@ -68,6 +69,7 @@ def export_graph(
     _rename_weights(model, {*inputs, *outputs})
     if int8:
         model = with_eight_bit_products(model)
+    store_in_bytes(model)
     store_in_half(model)
     buffer = io.BytesIO()
     onnx.save_model(model, buffer)

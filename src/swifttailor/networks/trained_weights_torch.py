@@ -9,19 +9,23 @@ from typing import TypeVar
 from torch import nn
 
 from swifttailor.errors import InputError
+from swifttailor.networks.byte_storage import round_to_bytes
 from swifttailor.networks.folded_norms_torch import fold_norms
 from swifttailor.networks.half_storage import round_to_half
 
 Network = TypeVar("Network", bound=nn.Module)
 
 
-def trained_network(build: Callable[[], Network], weights: Path, *, half: bool = False) -> Network:
+def trained_network(
+    build: Callable[[], Network], weights: Path, *, half: bool = False, eight_bits: bool = False
+) -> Network:
     """A trained network in evaluation mode, its norms folded.
 
     Args:
         build: Makes the network that a card describes; it may fail with a KeyError or TypeError.
         weights: weights.safetensors of a run.
         half: Whether its weights are rounded to what float16 holds.
+        eight_bits: Whether its matrices are rounded to what bytes hold (`round_to_bytes`).
 
     Raises:
         InputError: The file is missing, damaged, or of another network.
@@ -41,4 +45,6 @@ def trained_network(build: Callable[[], Network], weights: Path, *, half: bool =
     fold_norms(network.eval())
     if half:
         round_to_half(network)
+    if eight_bits:
+        round_to_bytes(network)
     return network

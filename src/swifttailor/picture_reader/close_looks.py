@@ -19,8 +19,10 @@ _MARGIN = 0.15
 _NEARER = 0.8
 """A square that is hardly smaller than that of the garment shows nothing new."""
 _LEAST_CELLS, _LEAST_PIXELS = 3, 24
-_SHARE = 0.6
+OWN_SHARE = 0.6
 """What is seen from near counts so much, and what is seen of the whole garment the rest."""
+SHARE = 0.6
+"""Of a network that does nothing but look from near."""
 
 
 def close_squares(answers: Answers, part: int, square: Square, names: tuple[str, ...]) -> dict[int, Square]:
@@ -55,13 +57,16 @@ def close_squares(answers: Answers, part: int, square: Square, names: tuple[str,
     return found
 
 
-def with_close_looks(answers: Answers, part: int, near: Mapping[int, Answers]) -> dict[str, NDArray[Any]]:
+def with_close_looks(
+    answers: Answers, part: int, near: Mapping[int, Answers], share: float = OWN_SHARE
+) -> dict[str, NDArray[Any]]:
     """What is said of a garment altogether.
 
     Args:
         answers: Of looks at all of it.
         part: Number of `labels.PARTS` on which it is worn.
         near: By number of `CLOSE_UPS`: of a look at that.
+        share: Of what is seen from near, where it is.
 
     Returns:
         The answers; where close-ups tell something they count more.
@@ -84,6 +89,6 @@ def with_close_looks(answers: Answers, part: int, near: Mapping[int, Answers]) -
         shape = (len(numbers), -1) + (1,) * (of_each.ndim - 2)
         mean = (of_each * telling.reshape(shape)).sum(axis=0) / np.maximum(count, 1).reshape(shape[1:])
         seen = count > 0
-        value[part, seen] = (1 - _SHARE) * value[part, seen] + _SHARE * mean[seen]
+        value[part, seen] = (1 - share) * value[part, seen] + share * mean[seen]
         altogether[name] = value
     return altogether

@@ -30,13 +30,16 @@ def build_network(size: dict[str, Any]) -> EyesNetwork:
     return EyesNetwork(EyesConfig(**fields))
 
 
-def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> EyesNetwork:
+def load_weights(
+    weights: Path, card: dict[str, Any], *, half: bool = False, eight_bits: bool = False
+) -> EyesNetwork:
     """A trained network.
 
     Args:
         weights: weights.safetensors of a run.
         card: Its card.
         half: Whether its weights are rounded to what float16 holds.
+        eight_bits: Whether its matrices are rounded to what bytes hold.
 
     Raises:
         InputError: The file is missing, damaged, or of another network.
@@ -46,7 +49,9 @@ def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> 
             f"The weights '{weights}' were trained for other statements than this version's. Export them "
             "with the version that trained them, or train again."
         )
-    return trained_network(lambda: build_network(card["config"]["network"]), weights, half=half)
+    return trained_network(
+        lambda: build_network(card["config"]["network"]), weights, half=half, eight_bits=eight_bits
+    )
 
 
 def export(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +14,7 @@ from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.errors import InputError
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
 from swifttailor.pattern.names import PANEL_NAMES
-from swifttailor.picture_reader.close_looks import close_squares, with_close_looks
+from swifttailor.picture_reader.close_looks import OWN_SHARE, SHARE, close_squares, with_close_looks
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import (
     GUESS,
@@ -37,6 +37,7 @@ from swifttailor.picture_reader.view import Square, camera_of, view_in
 from swifttailor.render.pixels import require_picture
 
 SHIPPED = Path(__file__).with_name("picture_reader.onnx")
+SHIPPED_CLOSE = Path(__file__).with_name("close_up_reader.onnx")
 INPUTS = ("pictures", "guess")
 OUTPUTS = (
     "present",
@@ -80,19 +81,34 @@ class PictureReader:
     """What it was trained on and how good it is."""
     close_ups: tuple[str, ...] = ()
     """Names of the `CLOSE_UPS` it has learnt from."""
+    near: PictureReader | None = None
+    """Looks at these in its place."""
 
     @staticmethod
-    def load(weights: Path | str | None = None, *, threads: int = 1) -> PictureReader:
+    def load(
+        weights: Path | str | None = None, *, close_ups: Path | str | None = None, threads: int = 1
+    ) -> PictureReader:
         """Opens a model file.
 
         Args:
-            weights: File; the one that comes with the package when None.
+            weights: File; the ones that come with the package when None.
+            close_ups: File of a network that looks at details; where `weights` are given and this is not, the
+                network looks at them itself, if it has learnt to.
             threads: CPU cores for the network.
 
         Raises:
             InputError: There is no such file, or it is damaged or another.
         """
-        model = open_model(SHIPPED if weights is None else weights, KIND, threads=threads)
+        if close_ups is None and weights is None and SHIPPED_CLOSE.is_file():
+            close_ups = SHIPPED_CLOSE
+        reader = PictureReader._opened(SHIPPED if weights is None else weights, threads)
+        return (
+            reader if close_ups is None else replace(reader, near=PictureReader._opened(close_ups, threads))
+        )
+
+    @staticmethod
+    def _opened(weights: Path | str, threads: int) -> PictureReader:
+        model = open_model(weights, KIND, threads=threads)
         with model.says("what it reads"):
             if model.about["labels_sha256"] != labels_checksum():
                 raise InputError("it was trained for other statements than this version's")
@@ -143,11 +159,12 @@ class PictureReader:
         answers = {name: np.mean([look[name] for look in looks], axis=0) for name in OUTPUTS}
         answers |= {name: looks[0][name] for name in _OF_A_FRAME}
         view = answers["camera_view"]
+        looker = self.near or self
         near = {
-            number: self._look(pixels, detail, view_in(view, square, detail))
-            for number, detail in close_squares(answers, part, square, self.close_ups).items()
+            number: looker._look(pixels, detail, view_in(view, square, detail))
+            for number, detail in close_squares(answers, part, square, looker.close_ups).items()
         }
-        return with_close_looks(answers, part, near)
+        return with_close_looks(answers, part, near, OWN_SHARE if looker is self else SHARE)
 
     def _look(self, pixels: Pixels, square: Square, view: NDArray[np.float32] | None) -> dict[str, Any]:
         shown = cut_square(pixels, square, self.size)
@@ -156,7 +173,8 @@ class PictureReader:
         if view is not None:
             guess[0] = (*view, 1)
         found = self.session.run(list(OUTPUTS), {"pictures": batch, "guess": guess})
-        return {name: value[0] for name, value in zip(OUTPUTS, found, strict=True)}
+        answers = {name: value[0] for name, value in zip(OUTPUTS, found, strict=True)}
+        return answers | {"statements": answers["statements"] * self.scales[:, 0] + self.scales[:, 1]}
 
     def _reading(
         self,
@@ -188,7 +206,7 @@ class PictureReader:
         return PartReading(
             PARTS[number],
             float(_share(answers["present"][number])),
-            _statements(answers["statements"][number] * self.scales[:, 0] + self.scales[:, 1]),
+            _statements(answers["statements"][number]),
             _measures(answers["has"][number], answers["measures"][number]),
             _panels(answers["panels"][number], answers["boxes"][number]),
             _mask(mask, square, shape),
