@@ -169,7 +169,7 @@ def test_the_program_ends_without_it():
 
 @pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
 def test_ctrl_c_ends_the_program_while_it_waits():
-    heard = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a shell's jobs ignore it
+    heard = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"  # jobs ignore it
     program = heard + BEGIN + "print('waiting', flush=True)\nloading.wait()"
     with subprocess.Popen(
         [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE

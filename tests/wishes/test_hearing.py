@@ -65,7 +65,7 @@ def test_every_word_ends_in_a_list(reader):
 
 def test_what_details_say_outranks_the_network_and_that_outranks_names():
     wide = Wish(Gain(Claim("sleeves", "long")), 0.99)
-    heard = hear_description("a sleeveless dress", Saying(wide))
+    heard = hear_description("a sleeveless dress for the office", Saying(wide))
     assert Claim("sleeves", "none") in claims(heard.sure) and Claim("sleeves", "long") not in claims(
         heard.sure
     )
@@ -74,6 +74,23 @@ def test_what_details_say_outranks_the_network_and_that_outranks_names():
     other = Claim("sleeves", "none" if said.value != "none" else "long")
     heard = hear_description("a shirt", Saying(Wish(Gain(other), 0.95)))
     assert other in claims(heard.sure) and said not in claims(heard.likely)
+
+
+def test_where_the_network_leaves_no_word_out_it_comes_first(reader):
+    text = "a top with a neckline that is square on the left and round on the right"
+    found = claims(hear_description(text, reader).sure)
+    assert {Claim("left_neckline", "square"), Claim("right_neckline", "round")} <= found
+    assert not any(claim.name == "neckline" for claim in found), "the words alone say so of all of it"
+    square, kind = Wish(Gain(Claim("neckline", "square")), 0.99), Wish(Gain(Claim("kind", "top")), 0.99)
+    heard = hear_description("a round neckline top, no collar", Saying(square, kind))
+    assert Claim("neckline", "round") in claims(heard.sure), "nothing of the collar, so it has not understood"
+    heard = hear_description("a top, not a square neckline", Saying(square, kind))
+    assert Claim("neckline", "square") not in claims(heard.sure), "refused"
+
+
+def test_numbers_of_a_skirt_fit_a_skirt(reader):
+    heard = hear_description("an asymmetric-hem mid-calf skirt with four godets set into the hem", reader)
+    assert Claim("godets", 4.0) in claims(heard.sure)
 
 
 def test_what_a_kind_cannot_have_is_not_taken_from_the_network():

@@ -35,8 +35,11 @@ from swifttailor.wording.lexicon import (
 SURE_IN_KNOWN_WORDS = 0.7
 """Enough for an edit whose words are all known ones for what was read: 147 of 162 such wishes
 are meant (instructions between validation patterns, written as for the training)."""
+SURE_OF_EVERY_WORD = 0.96
+"""Enough for the network to come before the lexicon, where it leaves no word out."""
 _DETAIL = {"certain": SURENESS["certain"], "usual": 0.92}
 """How sure what is said of a detail is: it is asked for, whatever is usual."""
+_OF_BOTH_SIDES = {"neckline": "neckline", "sleeve": "sleeves"}
 _ENGLISH = "en"
 _NEAR, _MOST_NEAR = 0.72, 3
 _LONGEST_WORD = 40
@@ -127,7 +130,7 @@ def hear_description(text: str, reader: WishReader) -> Heard:
         return HEARD_NOTHING
     text, words = _put_right(text)
     network = reader.read(text, instruction=False) if words.language == _ENGLISH else ()
-    found = united(text, words, network)
+    found = _explained(text, words, network) or united(text, words, network)
     changes = [wish.change for wish in found]
     sizes = " ".join(words.sizes)
     unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in sizes]
@@ -201,6 +204,30 @@ def united(text: str, words: WordReading, network: Iterable[Wish]) -> tuple[Wish
         found.append(wish)
         told.append(claim)
     return tuple(sorted(found, key=lambda wish: -wish.certainty))
+
+
+def _explained(text: str, words: WordReading, network: Iterable[Wish]) -> tuple[Wish, ...]:
+    """What both say where the network is sure of something for every word: it knows how they hang together.
+
+    Returns:
+        Surest first: what it is sure of, and of the rest what does not contradict that; nothing where there
+        are words that it has no wish for.
+    """
+    sure = [w for w in network if isinstance(w.change, Gain) and w.certainty >= SURE_OF_EVERY_WORD]
+    if not sure or not says_nothing_else(text, [wish.change for wish in sure]):
+        return ()
+    told = [wish.change.claim for wish in sure if isinstance(wish.change, Gain)]
+    if any(claim in words.never for claim in told):
+        return ()
+    names = {claim.name for claim in told}
+    for side in ("left_", "right_"):  # who tells one side has told of both
+        names |= {plural for one, plural in _OF_BOTH_SIDES.items() if side + one in names}
+    for wish in united(text, words, network):
+        claim = wish.change.claim if isinstance(wish.change, Gain) else None
+        if claim is None or claim.name in names or any(exclude(claim, other) for other in told):
+            continue
+        sure.append(wish)
+    return tuple(sorted(sure, key=lambda wish: -wish.certainty))
 
 
 def _put_right(text: str, kind: str | None = None) -> tuple[str, WordReading]:

@@ -6,8 +6,11 @@ from collections.abc import Iterable
 
 from swifttailor.describing.claims import Claim
 
-_OF_LEGS = frozenset({"legs", "leg_hem", "leg_cuffs", "inseam_cm", "leg_cuff_cm"})
-_OF_SKIRTS = frozenset({"skirt", "skirt_hem", "skirt_length_cm", "slit", "slit_size", "tiers", "hem_cm"})
+_OF_LEGS = frozenset({"legs", "leg_hem", "leg_cuffs", "inseam_cm", "leg_width_cm", "leg_cuff_cm"})
+_OF_SKIRTS = frozenset(
+    {"skirt", "skirt_hem", "skirt_length_cm", "slit", "slit_size", "slit_cm", "tiers", "gores", "godets"}
+    | {"godet_cm", "hem_cm"}
+)
 _OF_WAISTS = frozenset({"rise", "waistband", "waistband_cm", "hips", "hem_shape", "sides", "length_cm"})
 
 _WITH_LEGS = frozenset({"trousers", "shorts", "jumpsuit", "playsuit"})
