@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from scipy.spatial import KDTree
 
@@ -11,11 +13,12 @@ from swifttailor.body.measurements import BodyMeasurements
 from swifttailor.pattern.check import BodyLevels, BodyProbe
 
 
+@lru_cache(maxsize=4)
 def probe_body(body: Body) -> BodyProbe:
     """Probes a body by its nearest vertices and their normals.
 
     Good to about a centimetre, which is what the checks ask for, and ready at once, unlike the exact
-    distances, whose compiled code takes seconds the first time.
+    distances, whose compiled code takes seconds the first time. The latest bodies are remembered.
     """
     corners = body.vertices[body.faces]
     face_normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

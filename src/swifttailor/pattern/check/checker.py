@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from functools import lru_cache
 
 from swifttailor.pattern.check.body_levels import BodyLevels
-from swifttailor.pattern.check.outline import trace_outline
+from swifttailor.pattern.check.judgements import directions_of, outlines_of, place_of
 from swifttailor.pattern.check.panel_checks import check_panel
 from swifttailor.pattern.check.placement_checks import (
     BodyProbe,
@@ -15,9 +15,7 @@ from swifttailor.pattern.check.placement_checks import (
     check_placement,
     check_size,
 )
-from swifttailor.pattern.check.seam_direction import judge_directions
-from swifttailor.pattern.check.stitch_checks import check_stitches, single_stitches, usable_stitches
-from swifttailor.pattern.check.worn_place import judge_worn_place
+from swifttailor.pattern.check.stitch_checks import check_stitches, usable_stitches
 from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.pattern import Pattern
 
@@ -59,12 +57,11 @@ def _check_of_itself(pattern: Pattern) -> tuple[Finding, ...]:
 def _check(
     pattern: Pattern, reader_findings: tuple[Finding, ...], body: BodyProbe | SignedDistance | None
 ) -> tuple[Finding, ...]:
-    outlines = {panel.name: trace_outline(panel) for panel in pattern.panels}
+    outlines = outlines_of(pattern)
     usable = usable_stitches(pattern)
-    single = single_stitches(pattern, usable)
-    directions = judge_directions(pattern, outlines, single)
+    directions = directions_of(pattern)
     probe = body_probe(body)
-    place = judge_worn_place(pattern, outlines, single, BodyLevels() if probe is None else probe.levels)
+    place = place_of(pattern, BodyLevels() if probe is None else probe.levels)
     findings = list(reader_findings)
     findings += check_size(pattern, outlines)
     for outline in outlines.values():

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from types import MappingProxyType
 
 import numpy as np
 
-from swifttailor.arrays import Floats
+from swifttailor.arrays import Floats, read_only
 from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.outline import Outline, trace_outline
 from swifttailor.pattern.check.seam_topology import SeamTopology
@@ -38,10 +38,10 @@ class Border:
     points: Floats
     """(k, 3) of its placed outline, cm."""
 
-    @property
+    @cached_property
     def middle(self) -> Floats:
         """(3,) mean of its points, cm."""
-        return self.points.mean(axis=0)
+        return read_only(self.points.mean(axis=0))
 
 
 def is_band(name: str) -> bool:
@@ -81,8 +81,13 @@ def hangs_from_shoulders(pattern: Pattern) -> bool:
     return any(region != "leg" and not is_band(name) for name, region in panel_regions(pattern).items())
 
 
-def garment_borders(pattern: Pattern, outlines: Mapping[str, Outline]) -> tuple[Border, ...]:
-    """The free borders of a pattern once it is sewn, in the order of their first edges."""
+@lru_cache(maxsize=64)
+def garment_borders(pattern: Pattern) -> tuple[Border, ...]:
+    """The free borders of a pattern once it is sewn, in the order of their first edges.
+
+    Args:
+        pattern: Any pattern; what was found in the latest is remembered.
+    """
     usable = single_stitches(pattern, usable_stitches(pattern))
     topology = SeamTopology(pattern, usable)
     sewn = {ref for k in usable for ref in pattern.stitches[k].sides}
@@ -102,11 +107,13 @@ def garment_borders(pattern: Pattern, outlines: Mapping[str, Outline]) -> tuple[
             # The larger tree takes in the smaller: minus its size is what a leader holds.
             a, b = (a, b) if leader[a] <= leader[b] else (b, a)
             leader[a], leader[b] = leader[a] + leader[b], a
+    outlines = {panel.name: trace_outline(panel) for panel in pattern.panels}
     groups: dict[int, list[EdgeRef]] = {}
     for ref, (start, _) in zip(free, ends, strict=True):
         groups.setdefault(find(start), []).append(ref)
+    placed = {ref: placed_edge(outlines[ref.panel], ref.edge) for ref in free}
     return tuple(
-        Border(tuple(refs), np.concatenate([placed_edge(outlines[r.panel], r.edge) for r in refs]))
+        Border(tuple(refs), read_only(np.concatenate([placed[ref] for ref in refs])))
         for refs in groups.values()
     )
 
@@ -144,7 +151,7 @@ def _judged(
     heights = {name: outline.world[:, 1] for name, outline in outlines.items()}
     low = min(float(h.min()) for h in heights.values())
     high = max(float(h.max()) for h in heights.values())
-    borders = garment_borders(pattern, outlines)
+    borders = garment_borders(pattern)
     center = float(np.mean([outline.world[:, 0].mean() for outline in outlines.values()]))
     arms = [
         border

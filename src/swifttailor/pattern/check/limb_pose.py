@@ -128,7 +128,7 @@ def _leg_ends(
     ]
     group_of = {name: k for k, group in enumerate(groups) for name in group}
     hems: dict[int, Border] = {}
-    for border in garment_borders(pattern, outlines):
+    for border in garment_borders(pattern):
         around = {group_of.get(ref.panel, -1) for ref in border.edges}
         k = around.pop()
         if around or k < 0 or abs(border.middle[0]) <= _APART_CM:

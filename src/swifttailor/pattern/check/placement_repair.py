@@ -8,10 +8,8 @@ import numpy as np
 
 from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.change import Change
-from swifttailor.pattern.check.outline import trace_outline
+from swifttailor.pattern.check.judgements import place_of
 from swifttailor.pattern.check.placement_checks import motion_in_words
-from swifttailor.pattern.check.stitch_checks import single_stitches, usable_stitches
-from swifttailor.pattern.check.worn_place import WornPlace, judge_worn_place
 from swifttailor.pattern.pattern import Pattern
 
 Step = tuple[Pattern, list[Change]]
@@ -19,7 +17,7 @@ Step = tuple[Pattern, list[Change]]
 
 def reread_angles(pattern: Pattern, levels: BodyLevels) -> Step:
     """Writes the angles of a pattern that fits better read the other way for the reading it has."""
-    misread = _place(pattern, levels).misread
+    misread = place_of(pattern, levels).misread
     if misread is None:
         return pattern, []
     now = pattern.panels[0].placement.reading
@@ -40,7 +38,7 @@ def reread_angles(pattern: Pattern, levels: BodyLevels) -> Step:
 
 def move_to_body(pattern: Pattern, levels: BodyLevels) -> Step:
     """Moves a garment as a whole to where it is worn."""
-    offset = _place(pattern, levels).offset
+    offset = place_of(pattern, levels).offset
     if offset is None:
         return pattern, []
     still, shift = np.eye(3), np.array(offset.shift)
@@ -51,7 +49,7 @@ def move_to_body(pattern: Pattern, levels: BodyLevels) -> Step:
 
 def turn_limbs(pattern: Pattern, levels: BodyLevels) -> Step:
     """Turns sleeves and trouser legs for another pose about shoulders and hips, down to the limbs."""
-    place = _place(pattern, levels)
+    place = place_of(pattern, levels)
     if not place.limbs or place.offset is not None:
         return pattern, []
     changes = []
@@ -67,9 +65,3 @@ def turn_limbs(pattern: Pattern, levels: BodyLevels) -> Step:
             panels[name] = replace(panels[name], placement=panels[name].placement.moved(turn, shift))
             changes.append(Change(code, text, name))
     return replace(pattern, panels=tuple(panels.values())), changes
-
-
-def _place(pattern: Pattern, levels: BodyLevels) -> WornPlace:
-    outlines = {panel.name: trace_outline(panel) for panel in pattern.panels}
-    single = single_stitches(pattern, usable_stitches(pattern))
-    return judge_worn_place(pattern, outlines, single, levels)

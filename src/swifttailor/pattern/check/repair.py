@@ -13,12 +13,12 @@ from swifttailor.pattern.check.change import Change
 from swifttailor.pattern.check.checker import check_pattern
 from swifttailor.pattern.check.crossing_repair import MAX_MOVE_CM, Effort, mend_crossings
 from swifttailor.pattern.check.crossings import find_crossing
+from swifttailor.pattern.check.judgements import directions_of
 from swifttailor.pattern.check.outline import trace_outline
 from swifttailor.pattern.check.panel_checks import SLIVER_EDGE_CM, ZERO_LENGTH_CM, radius_needed
 from swifttailor.pattern.check.placement_checks import BodyProbe, SignedDistance, body_probe
 from swifttailor.pattern.check.placement_repair import move_to_body, reread_angles, turn_limbs
-from swifttailor.pattern.check.seam_direction import Directions, judge_directions
-from swifttailor.pattern.check.stitch_checks import single_stitches, usable_stitches
+from swifttailor.pattern.check.stitch_checks import usable_stitches
 from swifttailor.pattern.curve import Arc
 from swifttailor.pattern.finding import Finding
 from swifttailor.pattern.finding_kinds import found
@@ -188,7 +188,7 @@ def _renumber(stitches: Iterable[Stitch], renumbered: dict[EdgeRef, EdgeRef]) ->
 
 
 def _reverse_panels(pattern: Pattern) -> tuple[Pattern, list[Change]]:
-    reversible = [p.panel for p in _directions(pattern).inward if p.reversible]
+    reversible = [p.panel for p in directions_of(pattern).inward if p.reversible]
     if not reversible:
         return pattern, []
     renumbered: dict[EdgeRef, EdgeRef] = {}
@@ -205,7 +205,7 @@ def _reverse_panels(pattern: Pattern) -> tuple[Pattern, list[Change]]:
 
 
 def _turn_seams(pattern: Pattern) -> tuple[Pattern, list[Change]]:
-    certain = [t.stitch for t in _directions(pattern).twisted if t.certain]
+    certain = [t.stitch for t in directions_of(pattern).twisted if t.certain]
     stitches = list(pattern.stitches)
     changes = []
     for k in certain:
@@ -239,11 +239,6 @@ def _free_crossings(
                 changes.append(Change(code, text, panel.name, min(crossing.edges)))
         panels.append(panel)
     return (replace(pattern, panels=tuple(panels)), changes) if changes else (pattern, [])
-
-
-def _directions(pattern: Pattern) -> Directions:
-    outlines = {panel.name: trace_outline(panel) for panel in pattern.panels}
-    return judge_directions(pattern, outlines, single_stitches(pattern, usable_stitches(pattern)))
 
 
 _STEPS: tuple[Callable[[Pattern], tuple[Pattern, list[Change]]], ...] = (

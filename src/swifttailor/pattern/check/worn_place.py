@@ -206,7 +206,7 @@ def _bodice_tops(pattern: Pattern, outlines: Mapping[str, Outline]) -> dict[str,
 
 def _lower_tops(pattern: Pattern, outlines: Mapping[str, Outline]) -> dict[str, float]:
     """Mean height of the upper border on every panel that is part of it, cm."""
-    borders = garment_borders(pattern, outlines)
+    borders = garment_borders(pattern)
     if not borders:
         return {}
     top: Border = max(borders, key=lambda b: b.middle[1])
