@@ -126,6 +126,12 @@ def test_in_an_instruction_the_lexicon_counts_where_the_network_is_not_sure():
     assert Claim("neckline", "v") in claims(heard.sure)
 
 
+@pytest.mark.parametrize("text", ["make it red and of denim", "make it of denim", "make it 6 cm longer and of silk"])
+def test_fabrics_of_an_instruction_are_understood(text, reader):
+    heard = hear_instruction(text, reader, "dress")
+    assert heard.cloth in ("denim", "silk") and heard.unread == ()
+
+
 def test_lengths_that_were_read_are_no_sizes(reader):
     assert hear_instruction("make it 6 cm longer", reader, "dress").cannot == ()
     assert any("sizes" in text for text in hear_description("a dress in size 12", reader).cannot)

@@ -66,10 +66,17 @@ class Answer:
 
     @property
     def is_other_than_wanted(self) -> bool:
-        """Whether something that was understood does not hold, or nothing was understood of a text."""
+        """Whether something that was understood does not hold, or too little was understood to tell.
+
+        Of an instruction every word may be a change that is missing; descriptions are full of other words.
+        """
+        if self.verdict.open or self.verdict.refused:
+            return True
         wanted = self.wanted
-        guessed = wanted is not None and (wanted.misses or wanted.kind_is_guessed)
-        return bool(self.verdict.open or self.verdict.refused) or guessed
+        if wanted is None:
+            return False
+        unheard = wanted.order.edit is not None and bool(wanted.heard.unread)
+        return unheard or bool(wanted.heard.cannot) or wanted.misses or wanted.kind_is_guessed
 
     @property
     def rank(self) -> tuple[bool, int, int, float]:

@@ -33,7 +33,10 @@ def changes_seen(before: Pattern, after: Pattern) -> tuple[Change, ...] | None:
         return None
     if any(gain.claim.name == "sleeves" for gain in gains):  # then nobody asks for each alone
         gains = tuple(gain for gain in gains if gain.claim.name not in _ONE_SLEEVE)
+    said: dict[str, Change] = {}
+    for gain in gains:  # of values that run into each other, as "micro" into "mini", the first says enough
+        said.setdefault(gain.claim.name, gain)
     return (
-        *gains,
+        *said.values(),
         *(replace(s, amount=None if s.amount is None else round(s.amount, _DIGITS)) for s in steps),
     )

@@ -264,10 +264,15 @@ def _lacks(words: WordReading, changes: Sequence[Change]) -> tuple[Lack, ...]:
 
 
 def _not_answered(unread: Sequence[str], words: WordReading) -> tuple[str, ...]:
-    """What was not understood, without what the lexicon gives an answer to: colours, and what cannot be."""
+    """What was not understood, without what the lexicon answers: colours, fabrics, and what cannot be made."""
     answered = [color.words for color in words.colors] + [lack.mark.word for lack in words.lacks if lack.said]
+    answered += [mark.word for mark in words.marks if any(_is_fabric(entry) for entry in mark.entries)]
     known = {part.lower() for word in answered for part in word.split()}
     return tuple([text for text in unread if not {part.lower() for part in text.split()} <= known])
+
+
+def _is_fabric(entry: Entry) -> bool:
+    return entry.category == "fabrics" and entry.cloth is not None
 
 
 @cache
