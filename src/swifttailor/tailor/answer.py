@@ -10,12 +10,16 @@ from swifttailor.pattern import Pattern
 from swifttailor.pattern.check.repair import Change
 from swifttailor.tailor.verdict import Verdict
 
+USUAL = 0.8
+"""Certainty of what the names of garments usually mean; what they perhaps mean may be otherwise."""
+
 if TYPE_CHECKING:
     from swifttailor.describing.differences import Change as Difference
     from swifttailor.pattern_maker.asking.confidence import Confidence
     from swifttailor.pattern_maker.maker import WrittenPattern
     from swifttailor.tailor.reading import Wanted
     from swifttailor.tailor.refining import Refinement
+    from swifttailor.wishes.reader import Wish
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,12 +68,28 @@ class Answer:
         edit = None if self.wanted is None else self.wanted.order.edit
         return None if edit is None else changes_seen(edit, self.pattern)
 
+    @cached_property
+    def not_done(self) -> tuple[Wish, ...]:
+        """What the text may ask for and is not so: it was not certain enough to be insisted on."""
+        from swifttailor.tailor.reading import facts_of
+
+        wanted = self.wanted
+        unsure = [] if wanted is None else [w for w in wanted.likely if w not in wanted.seen]
+        facts = facts_of(self.pattern) if unsure else None
+        return tuple([w for w in unsure if facts is None or not w.change.holds(facts, facts)])
+
     @property
     def is_other_than_wanted(self) -> bool:
-        """Whether something that was understood does not hold, or nothing was understood of a text."""
+        """Whether something that was understood does not hold, or nothing was understood of a text.
+
+        What the name of a garment usually means counts, too, and words that nobody knows.
+        """
         wanted = self.wanted
-        guessed = wanted is not None and (wanted.misses or wanted.kind_is_guessed)
-        return bool(self.verdict.open or self.verdict.refused) or guessed
+        if wanted is None:
+            return bool(self.verdict.open or self.verdict.refused)
+        missing = any(wish.certainty >= USUAL for wish in self.not_done)
+        guessed = bool(wanted.misses or wanted.kind_is_guessed or wanted.heard.unread)
+        return bool(self.verdict.open or self.verdict.refused) or missing or guessed
 
     @property
     def rank(self) -> tuple[bool, int, int, float]:

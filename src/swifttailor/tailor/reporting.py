@@ -162,7 +162,7 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     if wanted.misses:
         found.append(NOTHING_UNDERSTOOD if order.edit is None else AS_IT_WAS)
     found += heard_notes(wanted)
-    unsure = _not_done(answer, wanted)
+    unsure = [wish.change for wish in answer.not_done]
     if unsure:
         found.append(f"Perhaps asked for, and not done: {'; '.join(map(wish_line, unsure))}.")
     assumed = _assumed(wanted, unsure)
@@ -177,15 +177,6 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     if answer.verdict.refused:
         found.append(f"Refused, and so nevertheless: {'; '.join(map(wish_line, answer.verdict.refused))}.")
     return found
-
-
-def _not_done(answer: Answer, wanted: Wanted) -> list[Change]:
-    """What the text may ask for and was not certain enough to be insisted on, where it does not hold."""
-    from swifttailor.tailor.reading import facts_of
-
-    unsure = [wish.change for wish in wanted.likely if wish not in wanted.seen]
-    facts = facts_of(answer.pattern) if unsure else None
-    return [change for change in unsure if facts is None or not change.holds(facts, facts)]
 
 
 def _assumed(wanted: Wanted, not_done: Sequence[Change]) -> list[Change]:
