@@ -44,7 +44,9 @@ def heard_notes(wanted: Wanted) -> list[str]:
         found.append(f"Read as {_LANGUAGES[heard.words.language]}, by the words of its lexicon.")
     if heard.unread:
         found.append(f"Not understood: {_quoted(heard.unread)}.")
-    if wanted.kind_is_guessed:
+    if heard.guess:
+        found.append(f'Which garment is meant was not understood; "{heard.guess}" is a guess.')
+    elif wanted.kind_is_guessed:
         near = f" Names that are known: {_quoted(heard.near)}." if heard.near else ""
         found.append(f"Which garment is meant was not understood, so this one is a guess.{near}")
     found += [f"{_quoted(pair)} contradict each other." for pair in heard.contradictions]

@@ -103,7 +103,7 @@ class Wanted:
     def kind_is_guessed(self) -> bool:
         """Whether a garment is described, and nothing in text or pictures tells which it is."""
         described = self.order.edit is None and bool(one_line(self.order.text)) and not self.order.images
-        return self.order.alter and described and self.heard.kind is None
+        return self.order.alter and described and (self.heard.kind is None or bool(self.heard.guess))
 
     @cached_property
     def sought(self) -> Sought:
@@ -215,8 +215,7 @@ def _heard(order: Order, reader: WishReader) -> Heard:
     """The text of an order, as an instruction where there is a pattern to edit."""
     if order.edit is None:
         return hear_description(order.text, reader)
-    facts = facts_of(order.edit)
-    return hear_instruction(order.text, reader, None if facts is None else facts.kind)
+    return hear_instruction(order.text, reader, facts_of(order.edit))
 
 
 def _doubts(pictures: Sequence[SeenPicture]) -> tuple[str, ...]:
