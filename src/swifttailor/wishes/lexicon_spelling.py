@@ -34,8 +34,9 @@ def lexicon_spelling(word: str) -> str | None:
         return None
     meant = _by_sound().get(_sound(small), frozenset())
     same = sorted(known for known in meant if known[0] == small[0])
-    places = {place for place, known in _places() if known in same}
-    if len(places) != 1:
+    if len(same) > 1 and len({place for place, known in _places() if known in same}) > 1:
+        return None
+    if not same:
         return None
     return max(same, key=lambda known: difflib.SequenceMatcher(None, small, known).ratio())
 
