@@ -11,6 +11,7 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.errors import InputError
 from swifttailor.garment.cloth_color import PALETTE, cloth_color
+from swifttailor.garment.cloth_print import texture
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
@@ -44,6 +45,9 @@ class TriangleMesh:
     """Polylines of vertex indices: the seams."""
     color: str = PALETTE[0]
     """Of the cloth, ``#rrggbb``; for formats with materials."""
+    texture: Array | None = None
+    """(h, w, 3) uint8 sRGB, row 0 at the top: what takes the place of the colour where texture coordinates lie;
+    for formats that hold pictures."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "vertices", _floats("vertices", self.vertices, 3))
@@ -127,6 +131,7 @@ def mesh_of_garment(garment: Garment) -> TriangleMesh:
         mesh.face_panel if len(garment.pattern.panels) else None,
         tuple(seam.vertices for seam in garment.seams),
         garment.color or cloth_color(garment.pattern),
+        None if garment.print is None else texture(garment),
     )
 
 

@@ -15,6 +15,7 @@ from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError, NothingSeenError, SwiftTailorError
 from swifttailor.garment.cloth_color import cloth_color
+from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern import Pattern, check_pattern
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
@@ -90,6 +91,12 @@ class Wanted:
         return self.heard.color or kept
 
     @property
+    def print(self) -> ClothPrint | None:
+        """The print asked for, or that of the garment that it is made from where no colour is asked for."""
+        kept = None if self.heard.color or self.heard.plain else self.order.print
+        return self.heard.print or kept
+
+    @property
     def leaves_cut(self) -> bool:
         """Whether there is a text, and nothing in it for certain of how the garment is cut."""
         return self.order.alter and bool(one_line(self.order.text)) and not self.said
@@ -97,7 +104,8 @@ class Wanted:
     @property
     def misses(self) -> bool:
         """Whether there is a text and nothing was understood of it for certain."""
-        return self.leaves_cut and not (self.order.edit is not None and self.heard.color)
+        clothed = self.heard.color or self.heard.print or self.heard.plain
+        return self.leaves_cut and not (self.order.edit is not None and clothed)
 
     @property
     def kind_is_guessed(self) -> bool:

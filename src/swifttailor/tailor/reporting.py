@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from swifttailor.clock import DIGITS, Clock
 from swifttailor.garment.cloth_color import COLOR
+from swifttailor.garment.cloth_print import PRINT
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern.check import Change as Mending
 from swifttailor.tailor.answer import Answer
@@ -60,6 +61,8 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
     }
     if garment.color is not None:
         report[COLOR] = garment.color
+    if garment.print is not None:
+        report[PRINT] = garment.print.to_json()
     if tailor.body is not None:
         report["body"] = tailor.body.name
     if sewn.changes:

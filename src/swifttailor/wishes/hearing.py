@@ -15,7 +15,9 @@ from functools import cached_property
 from swifttailor.describing.claims import Claim, claims_of
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.describing.facts import GarmentFacts
+from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.wishes.accounting import unaccounted
+from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.lexicon_spelling import guessed_name, is_garment, lexicon_spelling, near_names
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.reader import Wish, WishReader
@@ -78,6 +80,16 @@ class Heard:
         named = self.words.colors if self.words is not None else ()
         rgb = named[0].rgb if named else next((e.color for e in self._meant if e.color is not None), None)
         return None if rgb is None else f"#{rgb}"
+
+    @cached_property
+    def print(self) -> ClothPrint | None:
+        """The print that it asks for."""
+        return None if self.words is None else heard_print(self.text, self.words)
+
+    @property
+    def plain(self) -> bool:
+        """Whether it asks for cloth without print."""
+        return self.words is not None and asks_for_plain(self.words)
 
     @property
     def cloth(self) -> str | None:
