@@ -20,6 +20,7 @@ _FLOAT, _UINT = 5126, 5125
 _VERTICES, _INDICES = 34962, 34963
 _LINES, _TRIANGLES = 1, 4
 _LINEAR, _MIPMAPS = 9729, 9987
+_SEAM_ROUGHNESS = 0.85
 _SEAM_SHARE = 0.28
 """How light a seam is beside its cloth."""
 
@@ -90,8 +91,8 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         "nodes": [root, *nodes],
         "meshes": meshes,
         "materials": [
-            _material("cloth", np.ones(3) if printed else cloth, textured=printed),
-            _material("seam", _SEAM_SHARE * cloth),
+            _material("cloth", np.ones(3) if printed else cloth, mesh.roughness, textured=printed),
+            _material("seam", _SEAM_SHARE * cloth, _SEAM_ROUGHNESS),
         ],
         "textures": [{"source": 0, "sampler": 0}] if printed else [],
         "images": [{"bufferView": picture, "mimeType": "image/png", "name": "print"}] if printed else [],
@@ -150,11 +151,11 @@ class _Buffer:
         return len(self.accessors) - 1
 
 
-def _material(name: str, color: Array, *, textured: bool = False) -> dict[str, Any]:
+def _material(name: str, color: Array, roughness: float, *, textured: bool = False) -> dict[str, Any]:
     surface: dict[str, Any] = {
         "baseColorFactor": [*np.round(color, 4).tolist(), 1.0],
         "metallicFactor": 0.0,
-        "roughnessFactor": 0.85,
+        "roughnessFactor": roughness,
     }
     if textured:
         surface["baseColorTexture"] = {"index": 0}

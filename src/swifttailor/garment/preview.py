@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.garment.garment import Garment
 
+_SHEEN, _GLOSS = {"silk": 0.22, "denim": 0.06}, {"silk": 0.08}
+"""Of cloths that shine otherwise than cotton does."""
 _put_before = CompiledLoop("swifttailor.render.shading_kernels", "put_before")
 
 
@@ -61,7 +63,8 @@ def cloth_surface(
         inside,
         lines=drawn,
         lift=0.35,
-        sheen=0.10,
+        sheen=_SHEEN.get(garment.cloth or "", 0.10),
+        gloss=_GLOSS.get(garment.cloth or "", 0.0),
         print=None if printed is None else printed.drawn(),
         print_at=None if printed is None else cloth_at(garment),
     )

@@ -22,6 +22,7 @@ def heard_report(wanted: Wanted) -> dict[str, Any]:
     heard = wanted.heard
     return {
         "language": None if heard.words is None else heard.words.language,
+        "foreign": heard.foreign,
         "kind_is_guessed": wanted.kind_is_guessed,
         "likely": [
             {"wish": wish_line(w.change), "certainty": round(w.certainty, 3)}
@@ -43,6 +44,11 @@ def heard_notes(wanted: Wanted) -> list[str]:
     heard, found = wanted.heard, []
     if heard.words is not None and heard.words.language in _LANGUAGES:
         found.append(f"Read as {_LANGUAGES[heard.words.language]}, by the words of its lexicon.")
+    if heard.foreign is not None:
+        found.append(
+            f"This seems to be {heard.foreign}, which is not read. English is, and German, French and Spanish by "
+            "their words of clothes."
+        )
     if heard.unread:
         found.append(f"Not understood: {_quoted(heard.unread)}.")
     if heard.guess:

@@ -22,7 +22,7 @@ from swifttailor.wishes.lexicon_spelling import guessed_name, is_garment, lexico
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.spelling import put_right
-from swifttailor.wishes.spoken_hems import spoken_hem
+from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
 from swifttailor.wishes.spoken_measures import SpokenMeasure, same_number, spoken_measures
 from swifttailor.wishes.spoken_changes import SpokenChanges, SpokenClause, other_than, spoken_changes
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
@@ -35,6 +35,7 @@ from swifttailor.wording.lexicon import (
     WordReading,
     cannot_texts,
     exclude,
+    foreign_language,
     read_words,
 )
 
@@ -45,6 +46,8 @@ SURE_BESIDE = 0.97
 """Enough in a clause of an instruction that words alone explain in part."""
 SURE_OF_EVERY_WORD = 0.96
 """Enough for the network to come before the lexicon, where it leaves no word out."""
+_PHRASE = 4
+"""Words of an entry of the lexicon that is surer than anything the network reads in it."""
 _DETAIL = {"certain": SURENESS["certain"], "usual": 0.92}
 """How sure what is said of a detail is: it is asked for, whatever is usual."""
 _OF_BOTH_SIDES = {"neckline": "neckline", "sleeve": "sleeves"}
@@ -113,6 +116,11 @@ class Heard:
         return tuple([cannot_texts()[lack.what] for lack in self.lacks if not lack.said])
 
     @property
+    def foreign(self) -> str | None:
+        """The language that it is in, where that is none that is read."""
+        return None if self.words is None else foreign_language(self.text, self.words.unknown)
+
+    @property
     def contradictions(self) -> tuple[tuple[str, str], ...]:
         """Pairs of words in it that cannot both be true."""
         found = () if self.words is None else self.words.contradictions
@@ -166,6 +174,10 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     measures = spoken_measures(text, named)
     hem = spoken_hem(text, named)
     said = [m.claim for m in measures if m.claim is not None] + ([] if hem is None else [hem])
+    said += spoken_bounds(text, words)
+    if (slit := spoken_slit(text, words)) is not None:
+        said.append(slit)
+    network = [w for w in network if not _is_against_phrase(w, words)]
     never = (*words.never, *_with_parts(words))
     network = [w for w in network if not _is_measured(w, measures) and not _is_outdone(w, said, never)]
     found = _explained(text, words, network) or united(text, words, network)
@@ -187,6 +199,15 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
 
 def _changes(wishes: Iterable[Wish]) -> list[Change]:
     return [wish.change for wish in wishes]
+
+
+def _is_against_phrase(wish: Wish, words: WordReading) -> bool:
+    """Whether the network takes a part of a phrase for all of it: in "one and a half circles" a half circle."""
+    if not isinstance(wish.change, Gain):
+        return False
+    claim = wish.change.claim
+    long = [i.claim for i in words.implications if i.said and len(i.mark.word.split()) >= _PHRASE]
+    return claim not in long and any(claim.name == other.name for other in long)
 
 
 def _with_parts(words: WordReading) -> tuple[Claim, ...]:

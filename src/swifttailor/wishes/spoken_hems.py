@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from swifttailor.describing.claims import Claim
+from swifttailor.wording.lexicon import WordReading
 
 _LONGER = (
     r"longer|lower|more long|dropping|drops?|dipping|dips?|falling|falls?|sloping|slopes?|slanting|slants?"
@@ -47,4 +48,37 @@ def spoken_hem(text: str, kind: str | None) -> Claim | None:
             return Claim("hem_shape", f"lower {lower}")
         if lower == "back":
             return Claim("hem_shape", "high-low")
+    return None
+
+
+_THAN = re.compile(r"(?<!\w)(?:than|als|que)\s+(?:the|my|to the|a)?\s*$", re.IGNORECASE)
+_LENGTHS = frozenset({"skirt_hem", "top_hem", "leg_hem", "sleeves"})
+
+
+def spoken_bounds(text: str, words: WordReading) -> list[Claim]:
+    """Lengths beyond which nothing may go: "nothing shorter than the calf" asks for the calf.
+
+    Args:
+        text: That the lexicon has read.
+        words: By the lexicon; what stands behind "than" is denied in it.
+    """
+    found = []
+    for mark in words.marks:
+        if not mark.denied or not _THAN.search(text[: mark.start]):
+            continue
+        claims = [each.claim for entry in mark.entries for each in entry.implied]
+        found += [claim for claim in claims if claim.name in _LENGTHS][:1]
+    return found
+
+
+def spoken_slit(text: str, words: WordReading) -> Claim | None:
+    """Where a slit is whose place stands apart from it: "slit to mid-thigh on the right"."""
+    if any(i.claim.name == "slit" for i in words.implications):
+        return None
+    for mark in words.marks:
+        if mark.denied or not mark.entries or mark.entries[0].part != "slit":
+            continue
+        clause = re.split(r"[.;,\n]", text[mark.start :].lower())[0]
+        place = re.search(rf"(?<!\w)(?:{_PLACE})(?!\w)", clause)
+        return Claim("slit", next(name for name in _OTHER_SIDE if place[name]) if place else "left")
     return None

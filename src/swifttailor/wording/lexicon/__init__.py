@@ -9,6 +9,7 @@ from swifttailor.first_use import loaded_on_first_use
 if TYPE_CHECKING:
     from swifttailor.wording.lexicon.conflicts import exclude
     from swifttailor.wording.lexicon.entries import Entry
+    from swifttailor.wording.lexicon.foreign import foreign_language
     from swifttailor.wording.lexicon.reading import (
         SURENESS,
         Implication,
@@ -29,6 +30,7 @@ _PUBLIC = {
     "all_entries": "vocabulary",
     "cannot_texts": "vocabulary",
     "exclude": "conflicts",
+    "foreign_language": "foreign",
     "read_words": "reading",
 }
 
@@ -42,6 +44,7 @@ __all__ = [
     "all_entries",
     "cannot_texts",
     "exclude",
+    "foreign_language",
     "read_words",
 ]
 
