@@ -365,6 +365,8 @@ def united(text: str, words: WordReading, network: Iterable[Wish]) -> tuple[Wish
     ]
     told = [wish.change.claim for wish in found if isinstance(wish.change, Gain)]
     kind = next((str(claim.value) for claim in told if claim.name == "kind"), None)
+    if kind == "skirt":  # "a skirt, no darts" asks for nothing of a bodice
+        found = [w for w in found if not (isinstance(w.change, Gain) and w.change.claim.name == "bodice")]
     names = [Wish(Gain(each.claim), SURENESS[each.certainty]) for each in implied if each.claim not in told]
     for wish in (*network, *names):
         if not isinstance(wish.change, Gain):

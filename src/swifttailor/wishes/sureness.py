@@ -31,8 +31,8 @@ def likely_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
 def _is_alone(claim: Claim, claims: Sequence[Claim]) -> bool:
     """Whether nothing else is read of the same thing, but for what can be true together with it."""
     others = [other for other in claims if other.name == claim.name and other != claim]
-    if claim.name in _ON_A_SCALE:
-        return claims.count(claim) == 1 and not others
+    if claim.name in _ON_A_SCALE and next(other for other in claims if other.name == claim.name) != claim:
+        return False
     return claims.count(claim) == 1 and not any(exclude(claim, other) for other in others)
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from swifttailor.wording.word_tables import read_table
 
-_TABLE = Path(__file__).parent / "words" / "foreign.txt"
+_TABLE = Path(__file__).with_name("foreign.txt")
 _WORD = re.compile(r"[^\W\d_]+")
 _SCRIPTS = {
     "HIRAGANA": "Japanese",
