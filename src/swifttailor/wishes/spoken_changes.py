@@ -25,7 +25,7 @@ from swifttailor.wishes.change_words import (
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.unread import is_function_word
 from swifttailor.wording.claim_kinds import fits_kind
-from swifttailor.wording.lexicon import Implication, WordMark, WordReading, exclude
+from swifttailor.wording.lexicon import Implication, WordMark, WordReading, exclude, read_words
 
 _JOINT = re.compile(
     r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+]\s|\s(?:and|but|then|und|aber|et|mais|y|pero)\s|\sso\s(?=it|that|can|could|i\b|she|he|they)", re.IGNORECASE
@@ -116,7 +116,7 @@ def spoken_changes(
         clause = _clause(
             small, (start, end), (changes, inside, mentions), implied, words, kind, last, them=them
         )
-        found.append(clause)
+        found.append(_read_alone(text, clause, kind))
         named = [p.part for p in inside if p.part not in ("all", "waist")]
         last = named[-1] if named else last
     found = _joined(small, found, mentions, parts)
@@ -140,6 +140,18 @@ def spoken_changes(
     return SpokenChanges(
         kept_clauses, frozenset(kept - said | (kept & dropped)), tuple([(a, b) for a, b, _ in clashes])
     )
+
+
+def _read_alone(text: str, clause: SpokenClause, kind: str) -> SpokenClause:
+    """A clause whose words something said before outdoes: "it is square; I'd have it boat-shaped"."""
+    if clause.changes or not clause.left_over:
+        return clause
+    words = read_words(text[clause.start : clause.end], kind=kind)
+    details = [i for i in words.implications if i.said and i.certainty != "likely" and i.claim.name != "kind"]
+    gains = [Gain(i.claim) for i in details if fits_kind(i.claim.name, kind)]
+    said = {word for i in details for word in i.mark.word.lower().split()}
+    left = tuple([words for words in clause.left_over if not set(re.split(r"[\s-]+", words)) & said])
+    return replace(clause, changes=tuple(gains), left_over=left if gains else clause.left_over)
 
 
 def _joined(
