@@ -26,14 +26,15 @@ _PART = {name: part for part, names in _PARTS.items() for name in names.split()}
 _WITH = {
     "sleeves": {"shoulders"},
     "neck": {"shoulders"},
-    "shoulders": {"neck", "sleeves"},
+    "shoulders": {"neck", "sleeves", "hem", "waist"},
     "bodice": {"shoulders", "sleeves", "waist", "skirt", "hem"},
     "waist": {"bodice", "skirt"},
     "hem": {"skirt", "legs", "waist"},
     "skirt": {"hem", "waist"},
     "legs": {"hem", "skirt"},
 }
-"""What cannot but change with a part: armholes are seen without sleeves, a hem widens with its length."""
+"""What cannot but change with a part: armholes are seen without sleeves, a hem widens with its length, and
+lengths are measured from the shoulder."""
 _EVERYTHING = frozenset({"kind", "sides"})
 
 

@@ -32,6 +32,12 @@ from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 
 _UNSAID = (Claim("hem_shape", "level"), Claim("sides", "alike"))
+_NO_SLIT = Claim("slit", "none")
+_UNSAID_OF = {
+    "skirt": (_NO_SLIT,),
+    "dress": (_NO_SLIT,),
+}
+"""The same by kind of garment."""
 _USUAL = 0.8
 """What known patterns are preferred for where nobody speaks of it, and how much."""
 _UNREAD = (
@@ -119,7 +125,8 @@ class Wanted:
         said = [w for w in (*self.wishes, *self.likely) if w not in self.seen]
         if self.unsaid and said:
             names = {w.change.claim.name for w in said if isinstance(w.change, Gain)}
-            said += [Wish(Gain(claim), _USUAL) for claim in _UNSAID if claim.name not in names]
+            usual = (*_UNSAID, *_UNSAID_OF.get(self.heard.kind or "", ()))
+            said += [Wish(Gain(claim), _USUAL) for claim in usual if claim.name not in names]
         return Sought.of(self.part, said, self.heard.never)
 
     @property

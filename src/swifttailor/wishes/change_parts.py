@@ -77,15 +77,16 @@ def changes_of(
     Returns:
         Nothing where the garment has no such thing to measure.
     """
-    if part in ("waist", "hips") and what == "width" and amount is None and part == "waist" and sign < 0:
-        return () if kind in _LOWER or kind == "skirt" else (Gain(Claim("bodice", "darted")),)
     if part == "sleeve_end" and kind in (*_LOWER, "skirt"):
         part = "leg_end" if kind in _LOWER else "hem"
     found = _way(part or "all", what, kind)
     if found is None:
         return ()
     quantity, factor = found
-    return (Step(quantity, sign * factor, amount),)
+    step = Step(quantity, sign * factor, amount)
+    if part == "straps" and sign < 0 and amount is None:
+        return step, Gain(Claim("straps", "narrow"))
+    return (step,)
 
 
 def _way(part: str, what: Property, kind: str) -> _Way | None:

@@ -14,6 +14,7 @@ from functools import cached_property
 
 from swifttailor.describing.claims import Claim, claims_of
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
+from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.wishes.accounting import unaccounted
@@ -267,9 +268,12 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         if measure.claim is not None and clause is not None and not stepped:
             stated[clause.start] = measure
             told.append(Gain(measure.claim))
+    covered = facts is not None and QUANTITIES["armholes"].of(facts) is None
+    hidden = [c for c in told if covered and isinstance(c, Step) and c.quantity == "armholes"]
+    told = [change for change in told if change not in hidden]  # nobody takes sleeves off for that
     sure = [Wish(change, SURENESS["certain"]) for change in told]
     likely: list[Wish] = []
-    unread: list[str] = []
+    unread: list[str] = ["armholes (below sleeves they cannot be changed)"] if hidden else []
     for clause in spoken.clauses:
         if not clause.left_over or clause.start in stated:
             continue

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable
 from functools import cache
 
+from swifttailor.wishes.spelling import neighbours
 from swifttailor.wording.lexicon import all_entries
 
 SHORTEST = 5
@@ -32,6 +33,10 @@ def lexicon_spelling(word: str) -> str | None:
     small = word.lower()
     if len(small) < SHORTEST or len(small) > _LONGEST or not small.isascii() or not small.isalpha():
         return None
+    slips = [near for near in neighbours(small) & _all_words() if near[0] == small[0] and len(near) >= SHORTEST]
+    slips = [near for near in slips if near != f"{small}s"]
+    if len(slips) == 1:
+        return slips[0]
     meant = _by_sound().get(_sound(small), frozenset())
     same = sorted(known for known in meant if known[0] == small[0])
     if len(same) > 1 and len({place for place, known in _places() if known in same}) > 1:
@@ -79,6 +84,13 @@ def _by_sound() -> dict[str, frozenset[str]]:
             if word.isalpha() and word.isascii() and len(word) >= SHORTEST - 1:
                 found.setdefault(_sound(word), set()).add(word)
     return {sound: frozenset(words) for sound, words in found.items()}
+
+
+@cache
+def _all_words() -> frozenset[str]:
+    """Single words of the English tables."""
+    words = [text.lower() for entry in all_entries() if entry.english is None for text in entry.words]
+    return frozenset([word for word in words if word.isalpha() and word.isascii()])
 
 
 @cache

@@ -37,10 +37,21 @@ _TO = re.compile(r"(?<!\w)(?:to|auf|à|a)\s*$")
 _SILENT = frozenset(["function", "polite", "degrees", "numbers", "negations", "generic"])
 _BASES = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 _PARTS_OF = {"dress": ("skirt", "top"), "jumpsuit": ("trousers", "top"), "playsuit": ("shorts", "top")}
+_WITH_LEGS = frozenset(["trousers", "shorts", "jumpsuit", "playsuit"])
+_NAMED = {
+    **dict.fromkeys(["pants", "trousers", "hose", "pantalon", "pantalón", "shorts"], _WITH_LEGS),
+    **dict.fromkeys(["dress", "kleid", "robe", "vestido"], frozenset(["dress", "tunic", "jumpsuit"])),
+    **dict.fromkeys(["top", "shirt", "blouse", "jumper", "sweater", "hoodie"], frozenset(["top", "tunic", "dress"])),
+}
+"""Kinds that a name of a garment can mean where one is there already."""
 _CAREFUL_CM = 6.0
 """A step of no stated size where something beyond it is refused: "shorter, but not mini"."""
 _TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
 _TO_BE = re.compile(r"(?<!\w)(?:make|made|be|become|want|wants|need|prefer|should|mach|rends|haz)(?!\w)")
+_TOO_CLOSE = re.compile(
+    r"(?<!\w)(?:remove|off|away|lose|strangl\w*|chok\w*|scratch\w*|itch\w*|suffocat\w*|weg|würgt|étrangle)(?!\w)"
+)
+_YEAR = re.compile(r"(?<!\w)(?:1[5-9]\d\d|\d0)s(?!\w)|(?<!\w)1[5-9]\d\d(?!\w)")
 _CLOSED = re.compile(r"(?<!\w)(?:close|closed|shut|sew up|sewn up|zu|fermer|cerrar)(?!\w)")
 _SIDE = re.compile(
     r"(?<!\w)(?:(?P<left>left|links|gauche|izquierda)|(?P<right>right|rechts|droite|derecha)"
@@ -120,7 +131,7 @@ def spoken_changes(
         named = [p.part for p in inside if p.part not in ("all", "waist")]
         last = named[-1] if named else last
     found = _joined(small, found, mentions, parts)
-    found = _without_what_is_so(found, is_so)
+    found = _without_what_is_so([_at_the_neck(small, c, is_so) for c in found], is_so)
     clashes = _clashes(found, words, is_so)
     wanted = [change for clause in found for change in clause.changes]
     dropped = {subject for *_, subject in clashes}
@@ -152,6 +163,17 @@ def _read_alone(text: str, clause: SpokenClause, kind: str) -> SpokenClause:
     said = {word for i in details for word in i.mark.word.lower().split()}
     left = tuple([words for words in clause.left_over if not set(re.split(r"[\s-]+", words)) & said])
     return replace(clause, changes=tuple(gains), left_over=left if gains else clause.left_over)
+
+
+def _at_the_neck(text: str, clause: SpokenClause, is_so: Callable[[Claim], bool]) -> SpokenClause:
+    """A collar that is not named: "remove what is around the neck", "the neck is strangling me"."""
+    said = text[clause.start : clause.end]
+    if clause.changes or not any(p.part == "neck" for p in find_parts(said)) or not _TOO_CLOSE.search(said):
+        return clause
+    collars = [Claim("collar", kind) for kind in ("stand", "turtleneck", "lapel")]
+    if not any(is_so(collar) for collar in collars):
+        return clause
+    return replace(clause, changes=(Gain(Claim("collar", "none")),), left_over=())
 
 
 def _joined(
@@ -273,7 +295,7 @@ def _clause(
         named = _part_of(word, parts, spans)
         amount = None if numbers and _TO.search(text[: numbers[0].start]) else length
         made: tuple[Change, ...] = () if bare else _hem_shape(said, named, word, kind)
-        for part in (named or (last if bare or them else None), last):
+        for part in (named or (last if bare or them else None), last, None):
             made = made or changes_of(part, word.what, word.sign, kind, amount)
         changes += made
         if made or claims:
@@ -288,10 +310,15 @@ def _clause(
         changes += _slit(said, any(m.denied and start <= m.start < end for m in words.marks))
     stepped = any(isinstance(c, Step) for c in changes)
     changes += [Gain(i.claim) for i in (details if stepped else claims)]
-    used += [(p.start, p.end) for p in parts if changes or p.part == "all"]
+    used += [(p.start, p.end) for p in parts if changes or (p.part == "all" and _is_it(p.word, kind))]
     used += [(i.mark.start, i.mark.end) for i in claims]
     used += [(m.start, m.end) for m in numbers if not m.is_length or any(_has(c, m.value) for c in changes)]
     return SpokenClause(start, end, tuple(dict.fromkeys(changes)), _left_over(text, bounds, used, words))
+
+
+def _is_it(word: str, kind: str) -> bool:
+    """Whether a word can mean the garment that is there."""
+    return kind in _NAMED.get(word, {kind})
 
 
 def _within(mark: WordMark, grown: Sequence[ChangeWord]) -> bool:
@@ -367,14 +394,19 @@ def _left_over(
             joined[-1].append(match)
         else:
             joined.append([match])
-    return tuple([text[group[0].start() : group[-1].end()] for group in joined])
+    years = [match[0] for match in _YEAR.finditer(text, start, end)]
+    return tuple([*[text[group[0].start() : group[-1].end()] for group in joined], *years])
 
 
 def _without_what_is_so(found: Sequence[SpokenClause], is_so: Callable[[Claim], bool]) -> list[SpokenClause]:
     """Leaves out what is so already where something else is asked of the same thing."""
     changes = [change for clause in found for change in clause.changes]
 
+    hooded = Gain(Claim("hood", "hood")) in changes
+
     def outdone(change: Change) -> bool:
+        if hooded and change == Gain(Claim("collar", "none")):
+            return True  # where there is a hood there is no collar to be seen
         return (
             isinstance(change, Gain)
             and any(_oppose(change, other) for other in changes)
