@@ -12,6 +12,7 @@ import time
 from collections import Counter
 
 import swifttailor
+from answer_doubts import doubts
 from people_prompts import WORDS, Expectation, PeoplePrompt, read_people_prompts
 from swifttailor.describing import Claim
 from swifttailor.describing.claims import CLAIM_TYPES, claims_of
@@ -47,15 +48,11 @@ def judge(prompt: PeoplePrompt, tailor: swifttailor.Tailor, counts: Counter[str]
     counts["refused, and so"] += len(broken)
     whole = not open_ones and not broken
     counts["prompts in all"] += whole
-    heard = answer.wanted.heard
-    doubted = (
-        answer.is_other_than_wanted or heard.unread or heard.cannot or heard.left_out or heard.contradictions
-    )
-    counts["wrong in silence"] += not whole and not doubted
+    counts["wrong in silence"] += not whole and not doubts(answer)
     if not whole:
         wanted = [f"{e.claim}={'/'.join(e.values) or e.number}" for e in open_ones]
         seen = [f"{c.name}={c.value}" for c in claims_of(facts) if c.name in {e.claim for e in open_ones}]
-        misses.append(f"{prompt.id} {prompt.text!r}: wanted {wanted}, never {broken}; is {seen}")
+        misses.append(f"{prompt.id} {prompt.text!r}: wanted {wanted}, never {broken}; is {seen}; {doubts(answer)}")
 
 
 def main() -> None:

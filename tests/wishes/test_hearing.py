@@ -6,8 +6,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import swifttailor
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
+from swifttailor.describing.measuring import measure_facts
 from swifttailor.wishes.hearing import HEARD_NOTHING, hear_description, hear_instruction
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wording.lexicon import exclude
@@ -106,23 +108,29 @@ def test_refusals_are_kept_apart(reader):
 
 
 def test_a_garment_that_nobody_knows_has_no_kind_and_near_names(reader):
-    heard = hear_description("a bathrobbbe", Saying())
-    assert heard.kind is None and "bathrobe" in heard.near
+    heard = hear_description("a bxthrzbe", Saying())
+    assert heard.kind is None and not heard.guess
+    heard = hear_description("a grey cardagan", Saying())
+    assert heard.kind == "top" and heard.guess == "cardigan", "a guess, and said to be one"
+    assert "cardagan" in heard.unread
     assert hear_description("short maxi dress", reader).contradictions == (("short", "maxi dress"),)
 
 
 def test_typing_errors_are_put_right_in_words_that_nobody_knows_alone():
     network = Saying()
+    dress = measure_facts(swifttailor.draft("fitted-dress"))
     heard = hear_description("a sleevless dres and a rock", network)
     assert network.texts == [heard.text] and "rock" in heard.text, "a first letter is right"
     assert "dress" in heard.text
-    assert hear_instruction("rock it, sleevless", network, "dress").text == "rock it, sleeveless"
+    assert hear_instruction("rock it, sleevless", network, dress).text == "rock it, sleeveless"
 
 
-def test_in_an_instruction_the_lexicon_counts_where_the_network_is_not_sure():
+def test_in_an_instruction_words_count_and_the_network_where_they_leave_some_over():
+    top = measure_facts(swifttailor.draft("t-shirt"))
     hood = Wish(Gain(Claim("hood", "hood")), 0.97)
-    assert hear_instruction("swap the sleeves for a V neck", Saying(hood), "top").sure == (hood,)
-    heard = hear_instruction("a V neck instead, please", Saying(), "top")
+    assert hood in hear_instruction("give it whatever a monk wears", Saying(hood), top).sure
+    assert hood not in hear_instruction("a V neck instead, please", Saying(hood), top).sure
+    heard = hear_instruction("a V neck instead, please", Saying(), top)
     assert Claim("neckline", "v") in claims(heard.sure)
 
 
@@ -133,7 +141,8 @@ def test_fabrics_of_an_instruction_are_understood(text, reader):
 
 
 def test_lengths_that_were_read_are_no_sizes(reader):
-    assert hear_instruction("make it 6 cm longer", reader, "dress").cannot == ()
+    dress = measure_facts(swifttailor.draft("fitted-dress"))
+    assert hear_instruction("make it 6 cm longer", reader, dress).cannot == ()
     assert any("sizes" in text for text in hear_description("a dress in size 12", reader).cannot)
 
 

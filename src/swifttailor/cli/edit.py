@@ -62,6 +62,7 @@ class Edit(Making):
                 )
         self.require_options()
         from swifttailor.garment.cloth_color import stated_color
+        from swifttailor.garment.cloth_print import stated_print
         from swifttailor.pattern import read_pattern_file, repair_pattern
 
         report = _read_report(source.with_name(REPORT)) if source.name == PATTERN else None
@@ -69,7 +70,8 @@ class Edit(Making):
         pattern = reading.pattern
         if self.repair:
             pattern = repair_pattern(pattern, reading.findings).pattern
-        return self.make(self.order(self.instruction, edit=pattern, color=stated_color(report or {})))
+        cloth = {"color": stated_color(report or {}), "print": stated_print(report or {})}
+        return self.make(self.order(self.instruction, edit=pattern, **cloth))
 
     def usual_place(self) -> Path:
         """Named after the pattern."""

@@ -16,6 +16,7 @@ from swifttailor.pattern import Pattern
 
 if TYPE_CHECKING:
     from swifttailor.body import Body
+    from swifttailor.garment.cloth_print import ClothPrint
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,6 +30,11 @@ class Garment:
     """What made it and how well: JSON values, written as report.json."""
     color: str | None = None
     """Of the right side of the cloth, ``#rrggbb``; what its pattern has by itself (`cloth_color`) if None."""
+
+    cloth: str | None = None
+    """What it is of, a name of `draping.FABRICS`, for how it shines; of cotton if None."""
+    print: ClothPrint | None = None
+    """Of the right side of the cloth; one colour if None."""
 
     def __post_init__(self) -> None:
         vertices = np.array(self.vertices, dtype=np.float64)
@@ -50,10 +56,11 @@ class Garment:
             InputError: The folder's files are missing, unreadable, or do not belong together.
         """
         from swifttailor.garment.cloth_color import stated_color
+        from swifttailor.garment.cloth_print import stated_print
         from swifttailor.garment.folder_reader import read_folder
 
         mesh, vertices, report = read_folder(folder)
-        return cls(mesh, vertices, report, stated_color(report))
+        return cls(mesh, vertices, report, stated_color(report), stated_print(report))
 
     @property
     def pattern(self) -> Pattern:

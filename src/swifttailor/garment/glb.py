@@ -14,10 +14,13 @@ from swifttailor.atomic_files import write_bytes
 from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.garment.units import to_metres
 from swifttailor.render.color import to_linear
+from swifttailor.render.png import encode_png
 
 _FLOAT, _UINT = 5126, 5125
 _VERTICES, _INDICES = 34962, 34963
 _LINES, _TRIANGLES = 1, 4
+_LINEAR, _MIPMAPS = 9729, 9987
+_SEAM_ROUGHNESS = 0.85
 _SEAM_SHARE = 0.28
 """How light a seam is beside its cloth."""
 
@@ -78,6 +81,8 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         nodes.append({"name": "seams", "mesh": len(meshes)})
         meshes.append({"name": "seams", "primitives": [primitive]})
     cloth = to_linear(mesh.color)
+    printed = mesh.texture is not None and flat.uv is not None
+    picture = buffer.add_bytes(encode_png(mesh.texture)) if printed else None
     root = {"name": "garment", "children": list(range(1, len(nodes) + 1))}
     document = {
         "asset": {"version": "2.0", "generator": "swifttailor"},
@@ -85,7 +90,13 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         "scenes": [{"nodes": [0]}],
         "nodes": [root, *nodes],
         "meshes": meshes,
-        "materials": [_material("cloth", cloth), _material("seam", _SEAM_SHARE * cloth)],
+        "materials": [
+            _material("cloth", np.ones(3) if printed else cloth, mesh.roughness, textured=printed),
+            _material("seam", _SEAM_SHARE * cloth, _SEAM_ROUGHNESS),
+        ],
+        "textures": [{"source": 0, "sampler": 0}] if printed else [],
+        "images": [{"bufferView": picture, "mimeType": "image/png", "name": "print"}] if printed else [],
+        "samplers": [{"magFilter": _LINEAR, "minFilter": _MIPMAPS}] if printed else [],
         "accessors": buffer.accessors,
         "bufferViews": buffer.views,
         "buffers": [{"byteLength": len(buffer.data)}] if buffer.data else [],
@@ -116,6 +127,13 @@ class _Buffer:
         """Adds vertex indices of any shape and returns their accessor."""
         return self._add(np.ascontiguousarray(values.ravel(), np.uint32), _UINT, "SCALAR", _INDICES)
 
+    def add_bytes(self, content: bytes) -> int:
+        """Adds the content of a file and returns its view."""
+        self.data += b"\0" * (-len(self.data) % 4)
+        self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(content)})
+        self.data += content
+        return len(self.views) - 1
+
     def _add(self, values: Array, component: int, kind: str, target: int) -> int:
         content = values.tobytes()
         self.views.append(
@@ -133,12 +151,14 @@ class _Buffer:
         return len(self.accessors) - 1
 
 
-def _material(name: str, color: Array) -> dict[str, Any]:
-    surface = {
+def _material(name: str, color: Array, roughness: float, *, textured: bool = False) -> dict[str, Any]:
+    surface: dict[str, Any] = {
         "baseColorFactor": [*np.round(color, 4).tolist(), 1.0],
         "metallicFactor": 0.0,
-        "roughnessFactor": 0.85,
+        "roughnessFactor": roughness,
     }
+    if textured:
+        surface["baseColorTexture"] = {"index": 0}
     return {"name": name, "pbrMetallicRoughness": surface, "doubleSided": True}
 
 

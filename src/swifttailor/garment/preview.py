@@ -10,6 +10,7 @@ from swifttailor.arrays import Array
 from swifttailor.body.mannequin import mannequin
 from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.garment.cloth_color import cloth_color
+from swifttailor.garment.cloth_print import cloth_at
 from swifttailor.render.backdrop import wall
 from swifttailor.render.color import BACKGROUND, BODY, Color, encode_srgb, to_linear
 from swifttailor.render.framing import frame_views
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.garment.garment import Garment
 
+_SHEEN, _GLOSS = {"silk": 0.22, "denim": 0.06}, {"silk": 0.08}
+"""Of cloths that shine otherwise than cotton does."""
 _put_before = CompiledLoop("swifttailor.render.shading_kernels", "put_before")
 
 
@@ -52,8 +55,18 @@ def cloth_surface(
             LineSet(_seam_edges(garment), strength=0.42, width=1.1),
             LineSet(border_edges(garment.faces), strength=0.30, width=1.2),
         )
+    printed = garment.print if color is None else None
     return Surface(
-        garment.vertices, garment.faces, np.clip(right, 0, 1), inside, lines=drawn, lift=0.35, sheen=0.10
+        garment.vertices,
+        garment.faces,
+        np.clip(right, 0, 1),
+        inside,
+        lines=drawn,
+        lift=0.35,
+        sheen=_SHEEN.get(garment.cloth or "", 0.10),
+        gloss=_GLOSS.get(garment.cloth or "", 0.0),
+        print=None if printed is None else printed.drawn(),
+        print_at=None if printed is None else cloth_at(garment),
     )
 
 

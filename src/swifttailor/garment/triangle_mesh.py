@@ -11,11 +11,14 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.errors import InputError
 from swifttailor.garment.cloth_color import PALETTE, cloth_color
+from swifttailor.garment.cloth_print import texture
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
 
 
+ROUGHNESS = {"cotton": 0.85, "denim": 0.95, "jersey": 0.9, "silk": 0.4}
+"""Of cloths, as materials of files state it."""
 _LARGEST = float(np.finfo(np.float32).max)
 """What lies beyond is infinite in the files that meshes are written to."""
 
@@ -44,6 +47,11 @@ class TriangleMesh:
     """Polylines of vertex indices: the seams."""
     color: str = PALETTE[0]
     """Of the cloth, ``#rrggbb``; for formats with materials."""
+    roughness: float = ROUGHNESS["cotton"]
+    """How matt the cloth is, 0 to 1."""
+    texture: Array | None = None
+    """(h, w, 3) uint8 sRGB, row 0 at the top: what takes the place of the colour where texture coordinates lie;
+    for formats that hold pictures."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "vertices", _floats("vertices", self.vertices, 3))
@@ -127,6 +135,8 @@ def mesh_of_garment(garment: Garment) -> TriangleMesh:
         mesh.face_panel if len(garment.pattern.panels) else None,
         tuple(seam.vertices for seam in garment.seams),
         garment.color or cloth_color(garment.pattern),
+        ROUGHNESS.get(garment.cloth or "cotton", ROUGHNESS["cotton"]),
+        None if garment.print is None else texture(garment),
     )
 
 

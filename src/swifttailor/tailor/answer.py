@@ -10,12 +10,16 @@ from swifttailor.pattern import Pattern
 from swifttailor.pattern.check.repair import Change
 from swifttailor.tailor.verdict import Verdict
 
+USUAL = 0.8
+"""Certainty of what the names of garments usually mean; what they perhaps mean may be otherwise."""
+
 if TYPE_CHECKING:
     from swifttailor.describing.differences import Change as Difference
     from swifttailor.pattern_maker.asking.confidence import Confidence
     from swifttailor.pattern_maker.maker import WrittenPattern
     from swifttailor.tailor.reading import Wanted
     from swifttailor.tailor.refining import Refinement
+    from swifttailor.wishes.reader import Wish
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,19 +68,30 @@ class Answer:
         edit = None if self.wanted is None else self.wanted.order.edit
         return None if edit is None else changes_seen(edit, self.pattern)
 
+    @cached_property
+    def not_done(self) -> tuple[Wish, ...]:
+        """What the text may ask for and is not so: it was not certain enough to be insisted on."""
+        from swifttailor.tailor.reading import facts_of
+
+        wanted = self.wanted
+        unsure = [] if wanted is None else [w for w in wanted.likely if w not in wanted.seen]
+        facts = facts_of(self.pattern) if unsure else None
+        return tuple([w for w in unsure if facts is None or not w.change.holds(facts, facts)])
+
     @property
     def is_other_than_wanted(self) -> bool:
         """Whether something that was understood does not hold, or too little was understood to tell.
 
-        Of an instruction every word may be a change that is missing; descriptions are full of other words.
+        What the name of a garment usually means counts, too, what cannot be made, and words that nobody knows.
         """
         if self.verdict.open or self.verdict.refused:
             return True
         wanted = self.wanted
         if wanted is None:
             return False
-        unheard = wanted.order.edit is not None and bool(wanted.heard.unread)
-        return unheard or bool(wanted.heard.cannot) or wanted.misses or wanted.kind_is_guessed
+        missing = any(wish.certainty >= USUAL for wish in self.not_done)
+        unheard = bool(wanted.heard.unread or wanted.heard.cannot)
+        return missing or unheard or wanted.misses or wanted.kind_is_guessed
 
     @property
     def rank(self) -> tuple[bool, int, int, float]:

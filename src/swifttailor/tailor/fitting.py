@@ -30,10 +30,30 @@ BARE_CM = 4.0
 """No skirt ends so far above the crotch; 0.5 cm is the highest of those."""
 
 
-def unaltered(wanted: Wanted) -> Answer | None:
-    """The pattern to edit as it is, where nothing is understood of how to change it; None otherwise."""
+def from_edit(wanted: Wanted) -> Answer | None:
+    """The answer that the pattern to edit gives by itself; None where a writer may do better.
+
+    It is left as it is where nothing is understood of how to change it. Where cutting does some of what is
+    asked for, that is the answer: everything else stays exactly as it was, and what is missing is said.
+    """
     edit = wanted.order.edit
-    return _as_it_is(edit, wanted) if edit is not None and wanted.leaves_cut else None
+    if edit is None:
+        return None
+    if wanted.leaves_cut:
+        return _as_it_is(edit, wanted)
+    recut = wanted.recut
+    if recut is None or len(recut.open) == len(wanted.wishes) or _is_remade(edit, recut):
+        return None
+    verdict = Verdict(
+        tuple(check_pattern(recut.pattern)),
+        wanted.tolerated,
+        senseless=_is_senseless(recut.facts),
+        open=recut.open,
+        refused=_refused(recut.facts, wanted),
+    )
+    if verdict.unsound:
+        return None
+    return Answer(recut.pattern, verdict, wanted=wanted, cuts=recut.cuts, of_edit=True)
 
 
 def _as_it_is(edit: Pattern, wanted: Wanted, written: WrittenPattern | None = None) -> Answer:

@@ -22,6 +22,7 @@ def heard_report(wanted: Wanted) -> dict[str, Any]:
     heard = wanted.heard
     return {
         "language": None if heard.words is None else heard.words.language,
+        "foreign": heard.foreign,
         "kind_is_guessed": wanted.kind_is_guessed,
         "likely": [
             {"wish": wish_line(w.change), "certainty": round(w.certainty, 3)}
@@ -30,6 +31,7 @@ def heard_report(wanted: Wanted) -> dict[str, Any]:
         ],
         "refused": [f"{claim.name}: {claim.value}" for claim in heard.never],
         "color": heard.color,
+        "print": None if heard.print is None else heard.print.to_json(),
         "cloth": heard.cloth,
         "cannot": list(heard.cannot),
         "left_out": list(heard.left_out),
@@ -42,17 +44,29 @@ def heard_notes(wanted: Wanted) -> list[str]:
     heard, found = wanted.heard, []
     if heard.words is not None and heard.words.language in _LANGUAGES:
         found.append(f"Read as {_LANGUAGES[heard.words.language]}, by the words of its lexicon.")
+    if heard.foreign is not None:
+        found.append(
+            f"This seems to be {heard.foreign}, which is not read. English is, and German, French and Spanish by "
+            "their words of clothes."
+        )
     if heard.unread:
         found.append(f"Not understood: {_quoted(heard.unread)}.")
-    if wanted.kind_is_guessed:
+    if heard.guess:
+        found.append(f'Which garment is meant was not understood; "{heard.guess}" is a guess.')
+    elif wanted.kind_is_guessed:
         near = f" Names that are known: {_quoted(heard.near)}." if heard.near else ""
         found.append(f"Which garment is meant was not understood, so this one is a guess.{near}")
     found += [f"{_quoted(pair)} contradict each other." for pair in heard.contradictions]
     if heard.color is not None and heard.words is not None:
-        others = [color.words for color in heard.words.colors[1:]]
+        inks = () if heard.print is None else heard.print.colors
+        others = [color.words for color in heard.words.colors[1:] if f"#{color.rgb}" not in inks]
         more = f"; of several colours the first is used, so not {_quoted(others)}" if others else ""
         named = f"{heard.words.colors[0].words} ({heard.color})" if heard.words.colors else heard.color
         found.append(f"Colour: {named}{more}.")
+    if heard.print is not None:
+        from swifttailor.wishes.heard_print import print_line
+
+        found.append(f"Print: {print_line(heard.print)}.")
     if heard.cloth is not None and heard.words is not None and (heard.words.cloths or wanted.order.finish):
         use = "the cloth that it was finished with" if wanted.order.finish else "used with --finish alone"
         found.append(f"Fabric: {heard.cloth}, {use}.")

@@ -16,6 +16,7 @@ from swifttailor.pattern import Pattern
 from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 
 if TYPE_CHECKING:
+    from swifttailor.garment.cloth_print import ClothPrint
     from swifttailor.tailor.looking import SeenPicture
 
 MOST_SAMPLES = MOST_ATTEMPTS = 64
@@ -48,6 +49,8 @@ class Order:
     """Pattern to change."""
     color: str | None = None
     """Of the cloth of the garment to change, ``#rrggbb``; what its pattern has by itself when None."""
+    print: ClothPrint | None = None
+    """Of the cloth of the garment to change."""
     part: Part | None = None
     """Which of the garments in the picture; the one that covers most of it when None."""
     crop: bool = True

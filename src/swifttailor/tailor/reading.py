@@ -15,6 +15,7 @@ from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError, NothingSeenError, SwiftTailorError
 from swifttailor.garment.cloth_color import cloth_color
+from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern import Pattern, check_pattern
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
@@ -31,6 +32,12 @@ from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 
 _UNSAID = (Claim("hem_shape", "level"), Claim("sides", "alike"))
+_NO_SLIT = Claim("slit", "none")
+_UNSAID_OF = {
+    "skirt": (_NO_SLIT,),
+    "dress": (_NO_SLIT,),
+}
+"""The same by kind of garment."""
 _USUAL = 0.8
 """What known patterns are preferred for where nobody speaks of it, and how much."""
 _UNREAD = (
@@ -90,6 +97,12 @@ class Wanted:
         return self.heard.color or kept
 
     @property
+    def print(self) -> ClothPrint | None:
+        """The print asked for, or that of the garment that it is made from where no colour is asked for."""
+        kept = None if self.heard.color or self.heard.plain else self.order.print
+        return self.heard.print or kept
+
+    @property
     def leaves_cut(self) -> bool:
         """Whether there is a text, and nothing in it for certain of how the garment is cut."""
         return self.order.alter and bool(one_line(self.order.text)) and not self.said
@@ -97,13 +110,14 @@ class Wanted:
     @property
     def misses(self) -> bool:
         """Whether there is a text and nothing was understood of it for certain."""
-        return self.leaves_cut and not (self.order.edit is not None and self.heard.color)
+        clothed = self.heard.color or self.heard.print or self.heard.plain
+        return self.leaves_cut and not (self.order.edit is not None and clothed)
 
     @property
     def kind_is_guessed(self) -> bool:
         """Whether a garment is described, and nothing in text or pictures tells which it is."""
         described = self.order.edit is None and bool(one_line(self.order.text)) and not self.order.images
-        return self.order.alter and described and self.heard.kind is None
+        return self.order.alter and described and (self.heard.kind is None or bool(self.heard.guess))
 
     @cached_property
     def sought(self) -> Sought:
@@ -111,7 +125,8 @@ class Wanted:
         said = [w for w in (*self.wishes, *self.likely) if w not in self.seen]
         if self.unsaid and said:
             names = {w.change.claim.name for w in said if isinstance(w.change, Gain)}
-            said += [Wish(Gain(claim), _USUAL) for claim in _UNSAID if claim.name not in names]
+            usual = (*_UNSAID, *_UNSAID_OF.get(self.heard.kind or "", ()))
+            said += [Wish(Gain(claim), _USUAL) for claim in usual if claim.name not in names]
         return Sought.of(self.part, said, self.heard.never)
 
     @property
@@ -215,8 +230,7 @@ def _heard(order: Order, reader: WishReader) -> Heard:
     """The text of an order, as an instruction where there is a pattern to edit."""
     if order.edit is None:
         return hear_description(order.text, reader)
-    facts = facts_of(order.edit)
-    return hear_instruction(order.text, reader, None if facts is None else facts.kind)
+    return hear_instruction(order.text, reader, facts_of(order.edit))
 
 
 def _doubts(pictures: Sequence[SeenPicture]) -> tuple[str, ...]:

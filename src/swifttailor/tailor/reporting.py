@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from swifttailor.clock import DIGITS, Clock
 from swifttailor.garment.cloth_color import COLOR
+from swifttailor.garment.cloth_print import PRINT
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern.check import Change as Mending
 from swifttailor.tailor.answer import Answer
@@ -60,6 +61,8 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
     }
     if garment.color is not None:
         report[COLOR] = garment.color
+    if garment.print is not None:
+        report[PRINT] = garment.print.to_json()
     if tailor.body is not None:
         report["body"] = tailor.body.name
     if sewn.changes:
@@ -162,7 +165,7 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     if wanted.misses:
         found.append(NOTHING_UNDERSTOOD if order.edit is None else AS_IT_WAS)
     found += heard_notes(wanted)
-    unsure = _not_done(answer, wanted)
+    unsure = [wish.change for wish in answer.not_done]
     if unsure:
         found.append(f"Perhaps asked for, and not done: {'; '.join(map(wish_line, unsure))}.")
     assumed = _assumed(wanted, unsure)
@@ -177,15 +180,6 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     if answer.verdict.refused:
         found.append(f"Refused, and so nevertheless: {'; '.join(map(wish_line, answer.verdict.refused))}.")
     return found
-
-
-def _not_done(answer: Answer, wanted: Wanted) -> list[Change]:
-    """What the text may ask for and was not certain enough to be insisted on, where it does not hold."""
-    from swifttailor.tailor.reading import facts_of
-
-    unsure = [wish.change for wish in wanted.likely if wish not in wanted.seen]
-    facts = facts_of(answer.pattern) if unsure else None
-    return [change for change in unsure if facts is None or not change.holds(facts, facts)]
 
 
 def _assumed(wanted: Wanted, not_done: Sequence[Change]) -> list[Change]:

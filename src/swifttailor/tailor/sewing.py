@@ -177,7 +177,8 @@ def _handed_over(garment: Garment, answer: Answer, predicted: Any, body: Body | 
     """Images are those that the network saw and drew, where it is one that does."""
     images = answer.prepared if isinstance(answer.prepared, Prepared) else None
     if answer.wanted is not None:
-        garment = replace(garment, color=answer.wanted.color)
+        garment = replace(garment, color=answer.wanted.color, print=answer.wanted.print)
+        garment = replace(garment, cloth=answer.wanted.heard.cloth)
     return Tailored(
         garment,
         replace(answer, prepared=None),

@@ -25,6 +25,7 @@ from swifttailor.tailor.workshop import Workshop
 if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.draping.fabric import Fabric
+    from swifttailor.garment.cloth_print import ClothPrint
     from swifttailor.pattern_library.known import PatternLibrary
     from swifttailor.tailor.looking import ReadsPictures, SeenPicture
     from swifttailor.tailor.reading import Wanted
@@ -135,6 +136,7 @@ class Tailor(Workshop):
         instruction: str,
         *,
         color: str | None = None,
+        print: ClothPrint | None = None,
         seed: int = 0,
         temperature: float = USUAL_TEMPERATURE,
         attempts: int | None = None,
@@ -149,6 +151,7 @@ class Tailor(Workshop):
             pattern: To change; it stays as it is.
             instruction: In words, such as "make the sleeves longer".
             color: See `Order`.
+            print: See `Order`.
             seed: See `generate`.
             temperature: See `Order`.
             attempts: See `Order`.
@@ -165,6 +168,7 @@ class Tailor(Workshop):
             instruction,
             edit=pattern,
             color=color,
+            print=print,
             seed=seed,
             temperature=temperature,
             attempts=attempts,

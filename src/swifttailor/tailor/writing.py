@@ -11,7 +11,7 @@ from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.pattern_maker.temperatures import HIGHEST_TEMPERATURE
 from swifttailor.tailor.answer import Answer
-from swifttailor.tailor.fitting import fit, unaltered
+from swifttailor.tailor.fitting import fit, from_edit
 from swifttailor.tailor.known import KNOWN_ATTEMPTS, KnownCandidates, known_candidates
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.protocols import PatternWriter, Sewer
@@ -68,7 +68,7 @@ def write_patterns(
     if library is not None:
         clock.stop("searching")
     tried: list[list[Answer]] = [[] for _ in samples]
-    kept = {k: replace(one, seed=seed) for k, (w, seed) in enumerate(samples) if (one := unaltered(w))}
+    kept = {k: replace(one, seed=seed) for k, (w, seed) in enumerate(samples) if (one := from_edit(w))}
     for attempt in range(attempts):
         waiting = [
             k

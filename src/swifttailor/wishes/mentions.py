@@ -10,7 +10,11 @@ from swifttailor.wording.numbers import CM_PER_INCH
 _WORDS = (
     "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen"
 ).split()
-_COUNTS: dict[str, float] = {word: float(k) for k, word in enumerate(_WORDS)}
+_TENS = {"eighteen": 18, "twenty": 20, "thirty": 30, "forty": 40, "fifty": 50, "sixty": 60, "seventy": 70}
+_TENS |= {"eighty": 80, "ninety": 90}
+_COUNTS: dict[str, float] = {word: float(k) for k, word in enumerate(_WORDS)} | {
+    word: float(value) for word, value in _TENS.items()
+}
 _CM = {"mm": 0.1, "cm": 1.0, "m": 100.0, "in": CM_PER_INCH, "ft": 12 * CM_PER_INCH}
 _SPOKEN = r"millimet(?:re|er)s?|centimet(?:re|er)s?|met(?:re|er)s?|inch(?:es)?|foot|feet"
 _UNIT = rf"{_SPOKEN}|mm|cms?|m|ins?|ft|[\"\u201d\u2033]"
@@ -20,7 +24,7 @@ _FIGURE = r"\d{1,5} \d/\d|\d/\d|\d{1,5}(?:[.,]\d{1,3})?"
 _MENTION = re.compile(
     rf"(?<![\w.,/])(?:(?P<figure>{_FIGURE})(?:[ -]?(?P<unit>{_UNIT})(?!\w)(?! (?:the|front|back|one)\b))?"
     rf"|(?P<part>half|(?:a )?third|(?:a )?quarter)(?: of)? an? (?P<whole>{_SPOKEN})"
-    rf"|(?P<word>{'|'.join(_WORDS)})(?:[ -](?P<words_unit>{_SPOKEN}))?)(?![\w/])",
+    rf"|(?P<word>{'|'.join(_COUNTS)})(?:[ -](?P<words_unit>{_SPOKEN}))?)(?![\w/])",
     re.IGNORECASE,
 )
 _LARGEST = 99_999.0

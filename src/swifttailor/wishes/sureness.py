@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.wishes.reader import SURE, Wish
+from swifttailor.wording.lexicon import exclude
 
 _NONE = "none"
+_ON_A_SCALE = frozenset({"skirt_hem", "top_hem", "leg_hem", "sleeves", "fit", "neck_depth", "back_depth"})
+"""What has one value alone, of which the next is another."""
 
 
 def likely_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
@@ -15,13 +19,21 @@ def likely_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:
 
     They are cut last, where that costs nothing that is asked for; left undone they are no fault.
     """
-    spoken = [w.change.claim.name for w in found if isinstance(w.change, Gain)]
+    claims = [w.change.claim for w in found if isinstance(w.change, Gain)]
     likely = [
         w
         for w in found
         if w.certainty < SURE and isinstance(w.change, Gain) and isinstance(w.change.claim.value, str)
     ]
-    return tuple(w for w in likely if isinstance(w.change, Gain) and spoken.count(w.change.claim.name) == 1)
+    return tuple(w for w in likely if isinstance(w.change, Gain) and _is_alone(w.change.claim, claims))
+
+
+def _is_alone(claim: Claim, claims: Sequence[Claim]) -> bool:
+    """Whether nothing else is read of the same thing, but for what can be true together with it."""
+    others = [other for other in claims if other.name == claim.name and other != claim]
+    if claim.name in _ON_A_SCALE and next(other for other in claims if other.name == claim.name) != claim:
+        return False
+    return claims.count(claim) == 1 and not any(exclude(claim, other) for other in others)
 
 
 def sure_wishes(found: Sequence[Wish]) -> tuple[Wish, ...]:

@@ -184,6 +184,12 @@ def _garments() -> frozenset[str]:
     return frozenset(word for text in texts for word in _WORD.findall(_PLACE.sub(" ", text).lower()))
 
 
+def is_function_word(word: str) -> bool:
+    """Whether a word asks for nothing by itself."""
+    small = word.lower().replace("’", "'")
+    return len(small) == 1 or small in _function_words()
+
+
 @cache
 def _function_words() -> frozenset[str]:
     lines = _FUNCTION_WORDS.read_text(encoding="utf-8").splitlines()

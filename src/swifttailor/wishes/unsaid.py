@@ -38,6 +38,8 @@ _USUAL = (
     _usual(
         "skirt_hem", "knee,above the knee,below the knee,midi,maxi,mini", kinds="skirt dress", unless=_LENGTHS
     ),
+    _usual("leg_cuffs", "none", kinds="trousers jumpsuit", unless="leg_cuff_cm"),
+    _usual("slit", "none,back", kinds="skirt dress", unless="slit_size slit_cm"),
     _usual("top_hem", "hip,long", kinds="top", unless=f"{_LENGTHS} waistband"),
 )
 _SHORT_LEGS = frozenset({"shorts", "playsuit"})

@@ -12,6 +12,7 @@ from swifttailor.recutting.levers.exchanges import CURVED_LEVERS, EXCHANGE_LEVER
 from swifttailor.recutting.levers.fit import FIT_LEVERS
 from swifttailor.recutting.levers.godets import GODET_LEVERS, GODET_TRICKS
 from swifttailor.recutting.levers.hem_shapes import HEM_SHAPE_LEVERS
+from swifttailor.recutting.levers.leg_room import LEG_ROOM_LEVERS
 from swifttailor.recutting.levers.lengths import LENGTH_LEVERS
 from swifttailor.recutting.levers.lever import Lever, Trick
 from swifttailor.recutting.levers.necks import NECK_LEVERS, NECK_TRICKS
@@ -28,6 +29,7 @@ LEVERS: tuple[Lever, ...] = (
     *HEM_SHAPE_LEVERS,
     *CURVED_LEVERS,
     *WIDTH_LEVERS,
+    *LEG_ROOM_LEVERS,
     *SLEEVE_WIDTH_LEVERS,
     *SLIT_LEVERS,
     *ADDED_PARTS,
@@ -55,7 +57,6 @@ LEVERS_OF: Mapping[str, tuple[Lever, ...]] = {
 }
 """What cuts each dimension; nothing for those of `NOT_CUT`."""
 NOT_CUT: Mapping[str, str] = {
-    "thigh": "the seat and the crotch seam would have to be drawn anew",
     "gores": "a skirt of other panels would have to be drafted",
     "tier gathers": "lower rows are sewn to upper ones, so all of them would have to be drafted",
 }

@@ -9,28 +9,42 @@ from swifttailor.first_use import loaded_on_first_use
 if TYPE_CHECKING:
     from swifttailor.wording.lexicon.conflicts import exclude
     from swifttailor.wording.lexicon.entries import Entry
-    from swifttailor.wording.lexicon.reading import SURENESS, Lack, WordReading, read_words
+    from swifttailor.wording.lexicon.foreign import foreign_language
+    from swifttailor.wording.lexicon.reading import (
+        SURENESS,
+        Implication,
+        Lack,
+        WordMark,
+        WordReading,
+        read_words,
+    )
     from swifttailor.wording.lexicon.vocabulary import all_entries, cannot_texts
 
 _PUBLIC = {
     "SURENESS": "reading",
     "Entry": "entries",
+    "Implication": "reading",
     "Lack": "reading",
+    "WordMark": "reading",
     "WordReading": "reading",
     "all_entries": "vocabulary",
     "cannot_texts": "vocabulary",
     "exclude": "conflicts",
+    "foreign_language": "foreign",
     "read_words": "reading",
 }
 
 __all__ = [
     "SURENESS",
     "Entry",
+    "Implication",
     "Lack",
+    "WordMark",
     "WordReading",
     "all_entries",
     "cannot_texts",
     "exclude",
+    "foreign_language",
     "read_words",
 ]
 

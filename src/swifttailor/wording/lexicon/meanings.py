@@ -18,6 +18,7 @@ second: another one. theirs: one that is there already, "over my dress". like: w
 "sweater skirt". part: a part of it. word: anything else.
 """
 _JOINING = frozenset(["and", "or", "nor", "&", "und", "oder", "et", "ou", "ni", "y", "e", "o", "u"])
+_ARTICLES = frozenset(["the", "its", "his", "her", "my", "die", "den", "der", "das", "les", "la", "el", "los"])
 _SIZELESS = frozenset(["function", "polite", "degrees", "comparisons", "numbers", "negations"])
 """Categories of words that hold texts together."""
 _MINE = frozenset(["my", "her", "his", "their", "under", "over", "beneath", "underneath", "match"])
@@ -236,7 +237,7 @@ def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[in
             if word.is_noun and word.role != "like":
                 break
         elif word.category not in _ADJECTIVES and word.category != "degrees":
-            if word.found.word not in _JOINING:
+            if word.found.word not in _JOINING and word.found.word not in _ARTICLES:
                 break
     for j in range(k - 1, -1, -1):
         if words[j].found.gap in ("pause", "stop"):

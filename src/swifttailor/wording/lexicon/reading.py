@@ -214,6 +214,8 @@ def _with_kind(kept: list[Implication], never: Sequence[Claim]) -> list[Implicat
     """Adds the kind where details alone tell it: what has sleeves and a skirt is a dress."""
     said = [i for i in kept if i.said and i.certainty != "likely" and i.claim.name != "kind"]
     named = next((i for i in kept if i.claim.name == "kind"), None)
+    if named is not None:  # "a skirt, no darts" is a skirt
+        said = [i for i in said if not i.mark.denied and i.claim.name != "bodice"]
     if not said or (named is not None and named.claim.value not in _LOWER):
         return kept
     lower = [Claim(_LOWER[str(named.claim.value)], "straight")] if named is not None else []

@@ -1,0 +1,27 @@
+"""What an answer says is wrong with it or was not understood: where it says nothing, a mistake is silent."""
+
+from __future__ import annotations
+
+from swifttailor.tailor.answer import USUAL, Answer
+from swifttailor.wording.wish_lines import wish_line
+
+
+def doubts(answer: Answer) -> list[str]:
+    """What a person reads on the terminal that tells them to look; nothing where all seems well.
+
+    What the name of a garment means and cannot be made (a drawstring of trousers) is said, too, but is no
+    doubt about what the text asks for, so it does not count here.
+    """
+    wanted = answer.wanted
+    assert wanted is not None
+    heard = wanted.heard
+    found = [f"not met: {wish_line(change)}" for change in answer.verdict.open]
+    found += [f"refused: {wish_line(change)}" for change in answer.verdict.refused]
+    found += ["nothing understood"] if wanted.misses else []
+    found += ["kind is a guess"] if wanted.kind_is_guessed else []
+    found += [f"not understood: {word}" for word in heard.unread]
+    found += [f"cannot be made: {what}" for what in heard.cannot]
+    found += [f"contradiction: {one}, {other}" for one, other in heard.contradictions]
+    missing = [wish.change for wish in answer.not_done if wish.certainty >= USUAL]
+    found += [f"not done: {wish_line(change)}" for change in missing]
+    return found

@@ -1,0 +1,116 @@
+"""The print of a garment's cloth: stripes, checks, dots and motifs, in previews and as a texture in .glb files."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from swifttailor.arrays import Array
+
+if TYPE_CHECKING:
+    from swifttailor.garment.garment import Garment
+    from swifttailor.render.prints import KnownPrint
+
+PRINT = "print"
+"""What a report calls it."""
+KINDS = ("stripes", "checks", "plaid", "dots", "motif")
+MOTIFS = ("flowers", "leaves", "blotches", "spots", "shapes")
+TEXTURE_SIDE = 2048
+"""Pixels: a millimetre or two of cloth each."""
+_SMALLEST_CM, _LARGEST_CM = 0.05, 200.0
+_USUAL: Mapping[str, float] = {"width": 2.5, "gap": 2.5, "spacing": 4.0, "radius": 0.8, "repeat": 20.0, "angle": 0.0}
+_FEWEST, _MOST = 2, 4
+_GRAIN = 0.03
+_HEX = re.compile("#[0-9a-f]{6}")
+
+
+@dataclass(frozen=True)
+class ClothPrint:
+    """What is printed on or woven into a cloth, in centimetres and degrees."""
+
+    kind: str
+    """One of `KINDS`."""
+    colors: tuple[str, ...]
+    """Two to four, ``#rrggbb``: of stripes the first is the band's and the second the gap's; of dots and
+    motifs the first is the ground's."""
+    sizes: Mapping[str, float] = field(default_factory=dict)
+    """``width`` and ``gap`` of stripes, ``width`` of checks, ``spacing`` of plaid and dots, ``radius`` of
+    dots, ``repeat`` of motifs, ``angle``: 0 runs around the body, 90 down it."""
+    motif: str = "shapes"
+    """One of `MOTIFS`."""
+
+    def size(self, name: str) -> float:
+        """A size, or what is usual."""
+        return float(self.sizes.get(name, _USUAL[name]))
+
+    def drawn(self) -> KnownPrint:
+        """The print as the renderer takes it."""
+        from swifttailor.render.color import to_linear
+        from swifttailor.render.prints import Checks, Dots, Motif, Plaid, Stripes
+
+        red_green_blue = [tuple(float(part) for part in to_linear(color)) for color in self.colors]
+        first, second = red_green_blue[0], red_green_blue[1]
+        angle = self.size("angle")
+        if self.kind == "stripes":
+            return Stripes(first, second, self.size("width"), self.size("gap"), angle, _GRAIN)
+        if self.kind == "checks":
+            return Checks(first, second, self.size("width"), angle, _GRAIN)
+        if self.kind == "plaid":
+            return Plaid(first, second, red_green_blue[-1], self.size("spacing"), angle=angle, grain=_GRAIN)
+        if self.kind == "dots":
+            return Dots(first, second, self.size("spacing"), self.size("radius"), angle, _GRAIN)
+        number = MOTIFS.index(self.motif)
+        return Motif(tuple(red_green_blue), number, self.size("repeat"), angle, _GRAIN)
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain JSON values."""
+        motif = {"motif": self.motif} if self.kind == "motif" else {}
+        return {"kind": self.kind, "colors": list(self.colors), **motif, "sizes": dict(self.sizes)}
+
+
+def stated_print(report: Mapping[str, Any]) -> ClothPrint | None:
+    """The print that a report states; None where it states none, or one that cannot be drawn."""
+    said = report.get(PRINT)
+    if not isinstance(said, dict) or said.get("kind") not in KINDS or said.get("motif", "shapes") not in MOTIFS:
+        return None
+    colors, sizes = said.get("colors"), said.get("sizes", {})
+    known = isinstance(colors, list) and _FEWEST <= len(colors) <= _MOST
+    if not known or not all(isinstance(color, str) and _HEX.fullmatch(color) for color in colors):
+        return None
+    if not isinstance(sizes, dict) or not all(_is_size(name, value) for name, value in sizes.items()):
+        return None
+    return ClothPrint(said["kind"], tuple(colors), sizes, said.get("motif", "shapes"))
+
+
+def _is_size(name: object, value: object) -> bool:
+    if name not in _USUAL or isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    return -360.0 <= value <= 360.0 if name == "angle" else _SMALLEST_CM <= value <= _LARGEST_CM
+
+
+def cloth_at(garment: Garment) -> Array:
+    """(f, 3, 2) where on the cloth the corners of the faces lie, cm, seen from its right side."""
+    return (garment.uv * garment.uv_scale)[garment.mesh.flat_faces]
+
+
+def texture(garment: Garment, side: int = TEXTURE_SIDE) -> Array:
+    """The print over all of the unit square of texture coordinates.
+
+    Args:
+        garment: With a print.
+        side: Pixels of the picture.
+
+    Returns:
+        (side, side, 3) uint8 sRGB, row 0 at the top.
+    """
+    from swifttailor.render.color import encode_srgb
+
+    assert garment.print is not None
+    across = (np.arange(side) + 0.5) / side * garment.uv_scale
+    u, v = np.meshgrid(across, across[::-1])
+    points = np.stack([u.ravel(), v.ravel()], axis=1)
+    return encode_srgb(garment.print.drawn().colors(points).reshape(side, side, 3))

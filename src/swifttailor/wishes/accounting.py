@@ -1,0 +1,85 @@
+"""Which words of a description nothing came of, although they speak of how a garment is cut.
+
+Whoever names sleeves and gets what comes by chance should be told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain, subject_of
+from swifttailor.wording.lexicon import WordMark, WordReading
+
+_ABOUT = {
+    "sleeves": "sleeves sleeve_shape left_sleeve right_sleeve cuffs sleeve_cm sleeve_width_cm cuff_cm",
+    "left_sleeve": "sleeves left_sleeve",
+    "right_sleeve": "sleeves right_sleeve",
+    "sleeve_head": "sleeve_shape",
+    "neckline": "neckline neck_depth neck_depth_cm left_neckline right_neckline collar shoulders hood",
+    "back_neckline": "back_neckline back_depth back_depth_cm",
+    "collar": "collar collar_cm",
+    "hood": "hood",
+    "cuffs": "cuffs cuff_cm leg_cuffs leg_cuff_cm",
+    "leg_cuffs": "leg_cuffs leg_cuff_cm",
+    "waistband": "waistband waistband_cm",
+    "hem_band": "waistband",
+    "hem": "skirt_hem top_hem leg_hem hem_shape hem_cm leg_width_cm skirt_length_cm length_cm waistband legs slit",
+    "slit": "slit slit_size slit_cm",
+    "straps": "straps shoulders",
+    "shoulders": "shoulders straps sleeves sleeve_shape neckline",
+    "legs": "legs leg_hem inseam_cm leg_width_cm leg_cuffs slit slit_size",
+    "tiers": "tiers skirt",
+    "gores": "gores skirt",
+    "godets": "godets skirt",
+    "skirt": "skirt skirt_hem hem_cm skirt_length_cm hips tiers gores",
+    "darts": "bodice",
+}
+"""Claims that are about a part; parts that are named only to say where something is are left out."""
+_OF_THE_CUT = frozenset(["fits", "lengths", "styles", "parts"])
+
+
+def unaccounted(
+    words: WordReading, changes: Sequence[Change], never: Sequence[Claim] = (), numbers: Sequence[int] = ()
+) -> tuple[str, ...]:
+    """Words about the cut that nothing came of, in their order.
+
+    Args:
+        words: By the lexicon.
+        changes: What was understood of the text.
+        never: What the text refuses.
+        numbers: Where the numbers of the text end that are measures: what "long" behind one says is known.
+    """
+    claims = {change.claim for change in changes if isinstance(change, Gain)}
+    subjects = {subject_of(change) for change in changes}
+    refused = {*words.never, *never}
+    lacking = [lack.mark for lack in words.lacks]
+    found = []
+    for k, mark in enumerate(words.marks):
+        if not mark.entries or mark.entries[0].category not in _OF_THE_CUT or mark.role == "theirs":
+            continue
+        if any(0 <= mark.start - end <= 2 for end in numbers):
+            continue
+        # What stands beside something that cannot be made says where that is: "a zip at the side".
+        if any(near in lacking for near in words.marks[max(0, k - 2) : k + 3]):
+            continue
+        if not _is_answered(mark, claims, subjects, refused):
+            found.append(mark.word)
+    return tuple(dict.fromkeys(found))
+
+
+def _is_answered(
+    mark: WordMark, claims: Collection[Claim], subjects: Collection[str], refused: Collection[Claim]
+) -> bool:
+    entry = mark.entries[0]
+    if entry.category == "parts":
+        about = _ABOUT.get(entry.part or "", "").split()
+        return not about or bool(subjects.intersection(about)) or any(c.name in about for c in refused)
+    said = [each.claim for one in mark.entries for each in one.implied]
+    if not said:
+        return True
+    if mark.denied:
+        gone = [claim for one in mark.entries for claim in one.without]
+        return any(claim in claims for claim in gone) or any(claim in refused for claim in said)
+    names = {claim.name for claim in said}
+    return bool(names & set(subjects)) or any(claim in claims for claim in said)

@@ -1,0 +1,115 @@
+"""What grows or shrinks when a part of a garment is said to be longer, wider or higher."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain, Step
+
+Property = Literal["length", "width", "height"]
+_LEGS = frozenset({"trousers", "shorts", "jumpsuit", "playsuit"})
+_LOWER = frozenset({"trousers", "shorts"})
+_Way = tuple[str, int]
+"""A quantity, and whether it grows with the property (1) or shrinks (-1)."""
+
+_OF: Mapping[str, Mapping[Property, _Way]] = {
+    "sleeves": {"length": ("sleeve length", 1), "width": ("sleeve width", 1)},
+    "sleeve_end": {"width": ("sleeve end", 1)},
+    "legs": {"length": ("leg length", 1), "width": ("leg end", 1)},
+    "leg_end": {"width": ("leg end", 1)},
+    "inseam": {"length": ("leg length", 1)},
+    "thigh": {"width": ("thigh", 1)},
+    "neck": {"height": ("neck depth", -1), "width": ("neck width", 1), "length": ("neck depth", 1)},
+    "back_neck": {"height": ("back depth", -1)},
+    "back": {"height": ("back depth", -1)},
+    "chest": {"width": ("chest", 1), "length": ("bodice length", 1)},
+    "shoulders": {"width": ("shoulders", 1)},
+    "straps": {"width": ("shoulders", 1)},
+    "collar": {"height": ("collar height", 1), "length": ("collar height", 1), "width": ("collar height", 1)},
+    "hood": {"width": ("hood depth", 1), "height": ("hood height", 1), "length": ("hood height", 1)},
+    "cuffs": {"length": ("cuff length", 1), "width": ("cuff length", 1), "height": ("cuff length", 1)},
+    "leg_cuffs": {"length": ("leg cuff length", 1), "width": ("leg cuff length", 1)},
+    "band": {"width": ("waistband height", 1), "height": ("waistband height", 1)},
+    "armholes": {"height": ("armholes", -1), "width": ("armholes", 1), "length": ("armholes", 1)},
+    "tiers": {"length": ("tiers", 1), "width": ("tiers", 1)},
+    "back_slit": {"length": ("back slit", 1), "height": ("back slit", 1)},
+}
+PARTS = frozenset({*_OF, "hem", "waist", "hips", "skirt", "slit", "all"})
+_SUBJECTS: Mapping[str, str] = {
+    "sleeves": "sleeves sleeve_shape left_sleeve right_sleeve sleeve_cm sleeve_width_cm",
+    "legs": "legs leg_hem inseam_cm leg_width_cm",
+    "neck": "neckline neck_depth neck_depth_cm",
+    "back": "back_neckline back_depth",
+    "collar": "collar collar_cm",
+    "hood": "hood",
+    "cuffs": "cuffs cuff_cm",
+    "band": "waistband waistband_cm",
+    "skirt": "skirt skirt_hem",
+    "slit": "slit slit_size slit_cm",
+    "tiers": "tiers",
+    "straps": "straps",
+    "shoulders": "shoulders",
+    "chest": "fit chest_cm",
+    "waist": "waist_seam",
+}
+
+
+def subjects_of(part: str) -> frozenset[str]:
+    """Claims and quantities that are about a part."""
+    quantities = {quantity for quantity, _ in _OF.get(part, {}).values()}
+    return quantities.union(_SUBJECTS.get(part, "").split())
+
+
+def changes_of(
+    part: str | None, what: Property, sign: int, kind: str, amount: float | None
+) -> tuple[Change, ...]:
+    """What is asked for where a part is to be longer, wider or higher, or less so.
+
+    Args:
+        part: One of `PARTS`; None where none is named, which means the garment.
+        what: The property.
+        sign: 1 for more of it, -1 for less.
+        kind: Of the garment.
+        amount: cm or pieces, where it is said.
+
+    Returns:
+        Nothing where the garment has no such thing to measure.
+    """
+    if part == "sleeve_end" and kind in (*_LOWER, "skirt"):
+        part = "leg_end" if kind in _LOWER else "hem"
+    found = _way(part or "all", what, kind)
+    if found is None:
+        return ()
+    quantity, factor = found
+    step = Step(quantity, sign * factor, amount)
+    if part == "straps" and sign < 0 and amount is None:
+        return step, Gain(Claim("straps", "narrow"))
+    return (step,)
+
+
+def _way(part: str, what: Property, kind: str) -> _Way | None:
+    if part == "all":
+        if what == "height":
+            return None
+        if kind in _LEGS and (what == "length" or kind in _LOWER):
+            return ("leg length", 1) if what == "length" else ("leg end", 1)
+        return ("length", 1) if what == "length" else ("skirt hem" if kind == "skirt" else "chest", 1)
+    if part == "hem":
+        if what == "width":
+            return {"skirt": ("skirt hem", 1), "dress": ("skirt hem", 1)}.get(
+                kind, ("leg end", 1) if kind in _LEGS else ("top width", 1)
+            )
+        return "leg length" if kind in _LEGS else "length", 1 if what == "length" else -1
+    if part == "skirt":
+        return {"length": ("length", 1), "width": ("skirt hem", 1)}.get(what)
+    if part in ("hips", "waist"):
+        if what != "width":
+            return None
+        if part == "waist":
+            return None if kind in _LOWER or kind == "skirt" else ("chest", 1)
+        return ("leg end", 1) if kind in _LEGS else ("chest", 1) if kind in ("top", "tunic") else ("skirt hem", 1)
+    if part == "slit":
+        return None
+    return _OF.get(part, {}).get(what)

@@ -1,0 +1,234 @@
+"""Numbers of a text with the measures that they are said of: "inside leg 78", "an 8 cm cuff", "five gores".
+
+Rules and a table, no network. Ranges count as their middle, "at least" as a tenth more, and what stands in
+relation to the body ("two inches above the knee") as the length that leads there.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from swifttailor.describing.claims import CLAIM_TYPES, Claim
+from swifttailor.wishes.mentions import Mention, find_mentions
+from swifttailor.wording.numbers import CM_PER_INCH
+from swifttailor.wording.word_tables import read_table
+
+_TABLE = Path(__file__).with_name("measure_words.txt")
+_RANGE = re.compile(r"\s*(?:to|-|–|or|bis|à|a|and)\s*", re.IGNORECASE)
+_BETWEEN = re.compile(r"between\s*$", re.IGNORECASE)
+_CLAUSE = re.compile(r"[;:\n]|\.(?=\s|$)|,(?!\d)|(?<!\w)(?:and|with|und|mit|et|avec|y|con)(?!\w)", re.IGNORECASE)
+_KNEE = re.compile(r"\s*(?P<way>above|over|below|under)\s+(?:the|my|her|your)?\s*knees?(?!\w)", re.IGNORECASE)
+_FLOOR = re.compile(r"\s*(?:above|off|from)\s+(?:the\s+)?(?:floor|ground)(?!\w)", re.IGNORECASE)
+_RELATIVE = re.compile(r"\s*(?:above|over|below|under|past|from|off|higher|lower|longer|shorter)(?!\w)", re.IGNORECASE)
+_OFF = re.compile(r"\s*(?:off|more|less|extra|plus|minus)(?!\w)", re.IGNORECASE)
+_KNEE_CM, _SHOULDER_CM, _WAIST_CM = 45.9, 144.5, 108.8
+"""Heights of the default body."""
+_LEAST, _MOST = 1.1, 0.95
+_INCHES_BELOW = 40.0
+"""An inseam of a smaller number without unit is in inches."""
+_NEAR = 26
+"""Characters between a number and what it is said of."""
+_BOUNDS = {"collar_cm": (1, 30), "cuff_cm": (1, 40), "sleeve_cm": (4, 90), "inseam_cm": (2, 110), "hem_cm": (40, 1500)}
+_USUAL = (1.0, 400.0)
+_LOWER = frozenset({"skirt", "trousers", "shorts"})
+
+
+@dataclass(frozen=True)
+class SpokenMeasure:
+    """A number of a text, and what it says."""
+
+    mention: Mention
+    claim: Claim | None
+    """None where it is a measure that is not made."""
+
+
+def spoken_measures(text: str, kind: str | None) -> list[SpokenMeasure]:
+    """Measures that a text states.
+
+    Args:
+        text: In English, German, French or Spanish.
+        kind: Of the garment, where that is known.
+    """
+    small = text.lower()
+    numbers = _with_ranges(small, find_mentions(text))
+    found: list[SpokenMeasure] = []
+    corrected = [m.end() for m in _words("corrections").finditer(re.sub(r"[^\w\s]", " ", small))]
+    for k, mention in enumerate(numbers):
+        count = _count(small, mention)
+        if count is not None:
+            found.append(SpokenMeasure(mention, count))
+            continue
+        said = _relative(small, mention, kind)
+        if said is not None:
+            found.append(said)
+            continue
+        if _OFF.match(small, mention.end):
+            continue
+        start, end = _bounds(small, mention, numbers, k)
+        claim, known = _said_of(small, mention, (start, end), kind)
+        if known:
+            found.append(SpokenMeasure(mention, claim))
+    last = max(corrected, default=0)
+    behind = [f for f in found if f.mention.start >= last and f.claim is not None]
+    if last and behind:
+        found = [f if f.mention.start >= last else SpokenMeasure(f.mention, None) for f in found]
+    return found
+
+
+def _with_ranges(text: str, mentions: Sequence[Mention]) -> list[Mention]:
+    """Mentions, those that form a range joined to their middle."""
+    found: list[Mention] = []
+    for mention in mentions:
+        if found:
+            before = found[-1]
+            gap = text[before.end : mention.start]
+            joins = _RANGE.fullmatch(gap) is not None and ("and" not in gap or _BETWEEN.search(text[: before.start]))
+            if joins and (mention.is_length or not before.is_length):
+                low = before.value
+                if mention.is_length and not before.is_length:
+                    plain = _plain(text[mention.start : mention.end])
+                    low *= mention.value / plain if plain else 1.0
+                if 0 < low < mention.value:
+                    found[-1] = Mention(before.start, mention.end, (low + mention.value) / 2, mention.is_length)
+                    continue
+        found.append(mention)
+    return found
+
+
+def _plain(said: str) -> float:
+    """The number of a mention without its unit."""
+    bare = re.sub(r"[^\d.,/ ]+$", "", said).strip()
+    inner = find_mentions(bare) or find_mentions(said.split()[0])
+    return inner[0].value if inner else 0.0
+
+
+def _count(text: str, mention: Mention) -> Claim | None:
+    if mention.is_length:
+        return None
+    behind = re.match(r"[\s-]*", text[mention.end :])
+    assert behind is not None
+    place = mention.end + behind.end()
+    for claim, pattern in _counts():
+        after = pattern.match(text, place)
+        before = re.search(rf"(?:{pattern.pattern})\s*[,:]?\s*$", text[: mention.start])
+        if (after or before) and 1 < mention.value <= 40 and mention.value == int(mention.value):
+            return Claim(claim, mention.value)
+    return None
+
+
+def _relative(text: str, mention: Mention, kind: str | None) -> SpokenMeasure | None:
+    """A length that is said from the knee or the floor."""
+    if not mention.is_length:
+        return None
+    knee, floor = _KNEE.match(text, mention.end), _FLOOR.match(text, mention.end)
+    if knee is None and floor is None:
+        return None
+    if knee is not None:
+        level = _KNEE_CM + mention.value * (1 if knee["way"] in ("above", "over") else -1)
+    else:
+        level = mention.value
+    if kind == "skirt":
+        return SpokenMeasure(mention, Claim("skirt_length_cm", round(_WAIST_CM - level, 1)))
+    if kind == "dress":
+        return SpokenMeasure(mention, Claim("length_cm", round(_SHOULDER_CM - level, 1)))
+    return SpokenMeasure(mention, None)
+
+
+def _bounds(text: str, mention: Mention, numbers: Sequence[Mention], k: int) -> tuple[int, int]:
+    """The stretch of text in which the word for a number stands."""
+    start = numbers[k - 1].end if k else 0
+    end = numbers[k + 1].start if k + 1 < len(numbers) else len(text)
+    for joint in _CLAUSE.finditer(text, start, mention.start):
+        if mention.start - joint.end() > 3 or joint[0] in ".;\n" or joint[0].strip().isalpha():
+            start = joint.end()
+    joint = _CLAUSE.search(text, mention.end, end)
+    return start, joint.start() if joint else end
+
+
+def _said_of(
+    text: str, mention: Mention, bounds: tuple[int, int], kind: str | None
+) -> tuple[Claim | None, bool]:
+    start, end = bounds
+    near: list[tuple[int, str, int]] = []
+    for rank, (claim, kinds, pattern) in enumerate(_measures()):
+        if kinds and kind not in kinds:
+            continue
+        if not kinds and kind in _LOWER and claim in ("sleeve_cm", "cuff_cm", "collar_cm"):
+            continue
+        for match in pattern.finditer(text, start, end):
+            gap = match.start() - mention.end if match.start() >= mention.end else mention.start - match.end()
+            if 0 <= gap <= _NEAR:
+                behind = match.start() >= mention.end
+                words = len(text[mention.end : match.start()].split()) if behind else 0
+                near.append((gap - len(match[0]) + (3 * words if behind else 0), claim, rank))
+    if not near:
+        whole = text[start:end].strip(" .,!?")
+        alone = mention.is_length and len(re.findall(r"[^\W\d_]{3,}", whole)) <= 2
+        if alone and kind in ("skirt", "dress", "top", "tunic") and mention.value >= 20:
+            if _RELATIVE.match(text, mention.end) is None:
+                return Claim("skirt_length_cm" if kind == "skirt" else "length_cm", _exact(text, mention)), True
+        return None, False
+    _, claim, _ = min(near)
+    if claim == "none":
+        return None, mention.is_length
+    value = _exact(text, mention)
+    if not mention.is_length and claim == "inseam_cm" and value < _INCHES_BELOW and kind != "shorts":
+        value = round(value * CM_PER_INCH, 2)
+    least, most = _BOUNDS.get(claim, _USUAL)
+    if not least <= value <= most or (not mention.is_length and value < 12):
+        return None, False
+    return Claim(claim, value), True
+
+
+def _exact(text: str, mention: Mention) -> float:
+    before = text[max(0, mention.start - 16) : mention.start].rstrip()
+    value = mention.value
+    if _words("at_least", end=True).search(before):
+        value *= _LEAST
+    elif _words("at_most", end=True).search(before):
+        value *= _MOST
+    return round(value, 2)
+
+
+@cache
+def _measures() -> list[tuple[str, frozenset[str], re.Pattern[str]]]:
+    found = []
+    for row in read_table(_TABLE):
+        if row.section != "measures":
+            continue
+        row.check_options("of")
+        (claim,) = row.words
+        if claim != "none" and claim not in CLAIM_TYPES:
+            row.wrong(f"there is no claim '{claim}'.")
+        kinds = frozenset(row.options.get("of", ()))
+        found.append((claim, kinds, _any_of(row.texts)))
+    return found
+
+
+@cache
+def _counts() -> list[tuple[str, re.Pattern[str]]]:
+    return [(row.words[0], _any_of(row.texts)) for row in read_table(_TABLE) if row.section == "counts"]
+
+
+@cache
+def _words(section: str, *, end: bool = False) -> re.Pattern[str]:
+    texts = [text for row in read_table(_TABLE) if row.section == section for text in row.texts]
+    pattern = _any_of(texts)
+    return re.compile(pattern.pattern + "$") if end else pattern
+
+
+def _any_of(words: Sequence[str]) -> re.Pattern[str]:
+    longest = sorted(map(re.escape, words), key=len, reverse=True)
+    return re.compile(rf"(?<!\w)(?:{'|'.join(longest)})(?!\w)")
+
+
+def same_number(measure: SpokenMeasure, value: object) -> bool:
+    """Whether a number that something else read is the number of a measure."""
+    return isinstance(value, float | int) and abs(measure.mention.value - value) < 0.05
+
+
+

@@ -1,0 +1,78 @@
+"""Prints of garments: what reports state, what files and previews show."""
+
+from __future__ import annotations
+
+import json
+import struct
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import swifttailor
+from swifttailor.garment.cloth_print import ClothPrint, cloth_at, stated_print, texture
+from swifttailor.garment.garment import Garment
+from swifttailor.garment.glb import glb_bytes
+from swifttailor.garment.triangle_mesh import mesh_of_garment
+from swifttailor.panel_mesh import mesh_pattern
+
+STRIPES = ClothPrint("stripes", ("#ff0000", "#ffffff"), {"width": 4.0, "gap": 4.0, "angle": 0.0})
+
+
+@pytest.fixture(scope="module")
+def garment():
+    mesh = mesh_pattern(swifttailor.draft("circle-skirt"), 4.0)
+    return Garment(mesh, np.zeros((mesh.vertex_count, 3)), print=STRIPES)
+
+
+def test_a_report_states_a_print_and_is_read_back():
+    for found in (STRIPES, ClothPrint("motif", ("#000000", "#ffffff", "#ff0000"), {"repeat": 9.0}, "flowers")):
+        assert stated_print(json.loads(json.dumps({"print": found.to_json()}))) == found
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        None,
+        "stripes",
+        {"kind": "holes", "colors": ["#000000", "#ffffff"]},
+        {"kind": "stripes", "colors": ["#000000"]},
+        {"kind": "stripes", "colors": ["red", "#ffffff"]},
+        {"kind": "stripes", "colors": ["#000000", "#ffffff"], "sizes": {"width": 0.0}},
+        {"kind": "stripes", "colors": ["#000000", "#ffffff"], "sizes": {"width": float("nan")}},
+        {"kind": "motif", "colors": ["#000000", "#ffffff"], "motif": "dragons"},
+    ],
+)
+def test_what_cannot_be_drawn_is_no_print(said):
+    assert stated_print({"print": said}) is None
+
+
+def test_stripes_of_a_texture_have_their_width(garment):
+    picture = texture(garment, 512).astype(int)
+    red = (picture[:, :, 1] < 128).mean()
+    assert abs(red - 0.5) < 0.1
+    column = picture[:, 256, 1] < 128
+    bands = np.count_nonzero(np.diff(column.astype(int)) == 1)
+    assert abs(bands - garment.uv_scale / 8.0) <= 1.5, "a band and a gap every 8 cm"
+    assert (np.ptp(picture[256, :, 1]) < 60), "around the body a stripe goes on"
+
+
+def test_the_file_holds_the_texture(garment):
+    content = glb_bytes(mesh_of_garment(garment))
+    length = struct.unpack_from("<I", content, 12)[0]
+    document = json.loads(content[20 : 20 + length])
+    material = document["materials"][0]["pbrMetallicRoughness"]
+    assert material["baseColorTexture"] == {"index": 0} and material["baseColorFactor"] == [1.0] * 4
+    view = document["bufferViews"][document["images"][0]["bufferView"]]
+    start = 20 + length + 8 + view["byteOffset"]
+    assert content[start : start + 4] == b"\x89PNG" and view["byteOffset"] % 4 == 0
+    plain = glb_bytes(mesh_of_garment(replace(garment, print=None, cloth="silk")))
+    bare = json.loads(plain[20 : 20 + struct.unpack_from("<I", plain, 12)[0]])
+    assert "images" not in bare and bare["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] == 0.4
+
+
+def test_corners_of_faces_lie_on_the_cloth_at_its_scale(garment):
+    at = cloth_at(garment)
+    flat = garment.mesh.flat_vertices[garment.mesh.flat_faces]
+    sides = np.linalg.norm(at - np.roll(at, 1, axis=1), axis=2)
+    assert np.allclose(sides, np.linalg.norm(flat - np.roll(flat, 1, axis=1), axis=2), atol=1e-6)
