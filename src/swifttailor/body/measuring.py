@@ -159,7 +159,7 @@ def _arm(
     # The hand is about a ninth of the height; the wrist is the narrowest slice around its beginning.
     expected = reach.max() - 0.105 * height
     places = np.arange(expected - 0.025 * height, expected + 0.025 * height, _STEP)
-    sizes = [_slice_girth(vertices, own, axis, float(shoulder @ axis + place)) for place in places]
+    sizes = [slice_girth(vertices, own, axis, float(shoulder @ axis + place)) for place in places]
     if min(sizes) <= 0:
         return {}
     narrowest = int(np.argmin(sizes))
@@ -198,8 +198,15 @@ def _foremost_level(vertices: Array, faces: Array, height: float) -> float:
     return float(chest[chest[:, 2].argmax(), 1]) if len(chest) else (low + high) / 2 * height
 
 
-def _slice_girth(vertices: Array, faces: Array, axis: Array, offset: float) -> float:
-    """Perimeter of the convex hull of a slice across `axis`."""
+def slice_girth(vertices: Array, faces: Array, axis: Array, offset: float) -> float:
+    """Length of a tape measure around a slice across `axis`: the perimeter of its convex hull, cm.
+
+    Args:
+        vertices: (N, 3) positions, cm.
+        faces: (M, 3) vertex indices of the parts the tape goes around.
+        axis: (3,) unit normal of the slice.
+        offset: Position of the slice along `axis`, cm.
+    """
     points = slice_points(vertices, faces, axis, offset)
     helper = np.eye(3)[np.abs(axis).argmin()]
     u = np.cross(axis, helper)
@@ -224,6 +231,14 @@ def _perimeter(outline: Array) -> float:
     return (
         float(np.linalg.norm(np.roll(outline, -1, axis=0) - outline, axis=1).sum()) if len(outline) else 0.0
     )
+
+
+def open_girth(points: Array) -> float:
+    """Length of a tape measure laid around points (K, 2) from the leftmost to the rightmost, cm."""
+    outline = _hull(points)
+    if not len(outline):
+        return 0.0
+    return _perimeter(outline) - float(np.ptp(outline[:, 0]))
 
 
 _BACK_OF = {"bust": "back_width", "waist": "waist_back_width", "hips": "hip_back_width"}
