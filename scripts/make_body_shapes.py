@@ -129,14 +129,16 @@ def draw_group(model: Any, group: str, chance: np.random.Generator) -> list[Arra
         share = {
             "women": {"gender": FEMALE, "age": (0.62, 0.95)},
             "men": {"gender": MALE, "age": (0.62, 0.95)},
-            "children": {"gender": (0.0, 1.0), "age": (0.36, 0.64)},
+            "children": {"gender": (0.0, 1.0), "age": (0.25, 0.52)},
         }[group]
         value = torch.sigmoid(first[0]).numpy().copy()
         for k, name in enumerate(labels):
             low, high = share.get(name, (0.0, 0.0))
             if name in share:
                 value[k] = chance.uniform(low, high)
-            elif name in ("muscle", "weight", "height", "proportions", "cupsize", "firmness"):
+            elif name == "height":  # Anny's end at 1.3 and 2.5 m
+                value[k] = np.clip(chance.normal(0.43, 0.1), 0.02, 0.98)
+            elif name in ("muscle", "weight", "proportions"):
                 value[k] = np.clip(chance.normal(0.5, 0.24), 0.02, 0.98)
         spread = np.where(pulled, LOCAL_SPREAD, LOCAL_SPREAD / 3)
         kept = chance.uniform(0.0, 1.0) * (0.5 if group == "children" else 1.0)
@@ -156,7 +158,7 @@ def draw_group(model: Any, group: str, chance: np.random.Generator) -> list[Arra
     return drawn
 
 
-FEMALE, MALE = (0.0, 0.15), (0.85, 1.0)
+FEMALE, MALE = (0.85, 1.0), (0.0, 0.15)
 """Anny's gender."""
 
 

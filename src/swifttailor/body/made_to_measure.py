@@ -18,12 +18,14 @@ TOLERANCE_CM, TOLERANCE = 0.5, 0.008
 """A measure counts as met within the first, or this share of it."""
 _EXACT_CM = 0.08
 """How far off a measure is as unlikely as a body one standard deviation from the mean."""
-_MOST_ROUNDS = 8
-_SETTLED = 0.02
+_LOOSEST_CM = 20.0
+_MOST_ROUNDS = 30
+_LONGEST_STEP = 3.0
+_SETTLED = 0.01
 _STEP = 0.05
 """Of a coordinate, for slopes."""
-_UNLIKELY = 5.0
-"""Root mean square of standard deviations beyond which there is no such person in the shapes."""
+_UNLIKELY = 7.0
+"""Standard deviations from the mean of the figure beyond which there is no such person."""
 CHILD_CM = 148.0
 """Who is smaller counts as a child where nothing else is said."""
 
@@ -44,8 +46,8 @@ def body_to_measure(
 ) -> MadeBody:
     """Makes the likeliest body that has given measures.
 
-    Coordinates are found by damped Gauss-Newton on the measures, which are taken on the mesh, and on the
-    distance from the mean of the figure.
+    Coordinates are found by least squares on the measures, which are taken on the mesh, and on the distance
+    from the mean of the figure.
 
     Args:
         measures: By the names of `MEASURES`, cm.
@@ -66,8 +68,7 @@ def body_to_measure(
     coordinates = _solve(space, measures, mean, spread)
     landmarks = Landmarks(space.vertices(coordinates))
     taken = {one: take(one, landmarks) for one in measures}
-    away = np.linalg.solve(spread, coordinates - mean)
-    _require_met(measures, taken, float(np.sqrt((away**2).mean())))
+    _require_met(measures, taken)
     default = Body.default()
     body = Body(name, landmarks.vertices, default.faces, default.vertex_part, measurements_of(landmarks))
     return MadeBody(body, coordinates, taken)
@@ -75,30 +76,57 @@ def body_to_measure(
 
 def _solve(space: ShapeSpace, measures: Mapping[str, float], mean: Array, spread: Array) -> Array:
     """Coordinates (K,); they are sought as standard deviations from the mean of the figure."""
-    wanted = np.array(list(measures.values()))
+    exact = {name: _EXACT_CM for name in measures}
+    away = _nearest(space, measures, exact, mean, spread)
+    while np.linalg.norm(away) > _UNLIKELY and max(exact.values()) < _LOOSEST_CM:
+        # No such person: what is the nearest that there might be?
+        exact = {name: 4.0 * value for name, value in exact.items()}
+        away = _nearest(space, measures, exact, mean, spread, away * (_UNLIKELY / np.linalg.norm(away)))
+    return mean + spread @ away
 
-    def measured(away: Array) -> Array:
-        landmarks = Landmarks(space.vertices(mean + spread @ away))
+
+def _nearest(
+    space: ShapeSpace,
+    measures: Mapping[str, float],
+    exact: Mapping[str, float],
+    mean: Array,
+    spread: Array,
+    start: Array | None = None,
+) -> Array:
+    """Standard deviations (K,) with the least sum of squares of themselves and of what the measures lack.
+
+    The slopes of the measures are taken by differences once, and then mended after every step (Broyden).
+    """
+    wanted = np.array(list(measures.values()))
+    loose = np.array([exact[name] for name in measures])
+    away = np.zeros(space.count) if start is None else start
+    if not len(wanted):
+        return away
+    unit = np.tensordot(spread.T.astype(np.float32), space.directions, axes=1)
+    middle = space.base + np.tensordot(mean.astype(np.float32), space.directions, axes=1)
+
+    def measured(vertices: Array) -> Array:
+        landmarks = Landmarks(vertices - [0.0, vertices[:, 1].min(), 0.0])
         return np.array([take(name, landmarks) for name in measures])
 
-    away = np.zeros(space.count)
-    if not len(wanted):
-        return mean
-    now = measured(away)
+    def vertices(at: Array) -> Array:
+        return middle + np.tensordot(at.astype(np.float32), unit, axes=1)
+
+    shape = vertices(away)
+    now = measured(shape)
+    slope = np.stack([(measured(shape + _STEP * one) - now) / _STEP for one in unit], axis=1)
     for _ in range(_MOST_ROUNDS):
-        # Measures move most along few directions of the spread, but their slopes are cheap.
-        slope = np.stack(
-            [(measured(away + _STEP * one) - now) / _STEP for one in np.eye(space.count)], axis=1
-        )
-        # The nearest to the mean that has the measures: min |x|^2 + |(slope (x - away) + now - wanted) / e|^2.
-        gram = slope @ slope.T + _EXACT_CM**2 * np.eye(len(wanted))
+        # min |x|^2 + |(slope (x - away) + now - wanted) / loose|^2
+        gram = slope @ slope.T + np.diag(loose**2)
         target = slope.T @ np.linalg.solve(gram, wanted - now + slope @ away)
-        step, size = target - away, float(np.abs(target - away).max())
-        away = away + step * min(1.0, 2.5 / max(size, 1e-9))
-        now = measured(away)
-        if size < _SETTLED or np.abs(now - wanted).max() < 0.02:
+        step = target - away
+        step *= min(1.0, _LONGEST_STEP / max(float(np.linalg.norm(step)), 1e-9))
+        away = away + step
+        before, now = now, measured(vertices(away))
+        if np.linalg.norm(step) < _SETTLED:
             break
-    return mean + spread @ away
+        slope = slope + np.outer(now - before - slope @ step, step) / (step @ step)
+    return away
 
 
 def _require_measures(measures: Mapping[str, float]) -> None:
@@ -113,13 +141,13 @@ def _require_measures(measures: Mapping[str, float]) -> None:
             )
 
 
-def _require_met(wanted: Mapping[str, float], taken: Mapping[str, float], unlikely: float) -> None:
+def _require_met(wanted: Mapping[str, float], taken: Mapping[str, float]) -> None:
     missed = [
         name
         for name, value in wanted.items()
         if abs(taken[name] - value) > max(TOLERANCE_CM, TOLERANCE * value)
     ]
-    if not missed and unlikely <= _UNLIKELY:
+    if not missed:
         return
     nearest = ", ".join(f"{name}={taken[name]:.1f}" for name in wanted)
     asked = ", ".join(f"{name}={value:g}" for name, value in wanted.items())

@@ -9,6 +9,7 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.body.measurements import BodyMeasurements
 from swifttailor.body.parts import BodyPart, face_parts
+from swifttailor.errors import InputError
 
 # Heights as fractions of the body's own, between which the fullest or narrowest slice is looked for.
 _BUST_WINDOW = (0.695, 0.76)
@@ -171,6 +172,21 @@ def _arm(
         "arm_pose_angle": float(np.degrees(np.arctan2(-fall[1], abs(fall[0])))),
         "wrist": sizes[narrowest],
     }
+
+
+def arm_axis(vertices: Array, faces: Array, vertex_part: Array, part: BodyPart) -> tuple[Array, Array]:
+    """Middle (3,) of the joint of an arm, cm, and the direction (3,) from there to the tip of the hand.
+
+    Raises:
+        InputError: The body has no such arm.
+    """
+    joint = _joint(vertices, faces, vertex_part, part)
+    if joint is None:
+        raise InputError("The body has no arms where an A-pose has them; sleeves cannot be measured on it.")
+    shoulder = joint.mean(axis=0)
+    points = vertices[np.asarray(vertex_part) == part]
+    tip = points[np.linalg.norm(points - shoulder, axis=1).argmax()]
+    return shoulder, (tip - shoulder) / np.linalg.norm(tip - shoulder)
 
 
 def _joint(vertices: Array, faces: Array, vertex_part: Array, part: BodyPart) -> Array | None:

@@ -1,0 +1,217 @@
+"""How much wider and longer each place of a garment becomes on another body, from where it lies on the first.
+
+Widths take on as many cm as the body does there: a garment that goes around keeps its ease, and what hangs from
+the hips becomes as much wider as they do. Lengths follow the body's lengths. Above the armpits widths follow
+shoulders and neck, and sleeves the arm.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import PchipInterpolator
+
+from swifttailor.arrays import Bools, Floats
+from swifttailor.body.worn import legs_and_skirt
+from swifttailor.garment.garment import Garment
+from swifttailor.pattern.check import panel_regions
+from swifttailor.refitting.body_profile import ARM_PLACES, BodyProfile
+from swifttailor.refitting.cloth_girths import cloth_around
+
+_STEP_CM = 2.0
+"""From one height to the next at which cloth is measured."""
+_EVEN_CM = 3.0
+"""Over so much height its width is averaged: folds are no more cloth."""
+_SIDE_CM = 3.0
+"""Front and back change into each other over so much depth at the sides."""
+_BLEND_CM = 5.0
+_LEAST, _MOST = 0.4, 2.5
+"""What cloth can be multiplied by."""
+_CROTCH, _HIPS, _ARMPIT, _SHOULDER, _NECK, _CROWN = 3, 4, 7, 8, 9, 10
+
+
+@dataclass(frozen=True, eq=False)
+class GarmentPlaces:
+    """Where the flat vertices of a garment lie on the body that wears it."""
+
+    points: Floats
+    """(m, 3) cm."""
+    arm: Bools
+    """(m,) in sleeves."""
+    leg: Bools
+    """(m,) in trouser legs, below the crotch or not."""
+    down_arm: Floats
+    """(m,) distance from the shoulder along the arm, cm."""
+
+    @property
+    def along(self) -> Floats:
+        """(m,) which way the body runs there: height, or backward along the arm."""
+        return np.where(self.arm, -self.down_arm, self.points[:, 1])
+
+
+def places_of(garment: Garment, body: BodyProfile) -> GarmentPlaces:
+    """Finds out where a garment's cloth lies.
+
+    Args:
+        garment: Sewn on the body.
+        body: What it was sewn on.
+    """
+    mesh = garment.mesh
+    points = garment.flat_positions
+    region = panel_regions(garment.pattern)
+    arms = np.array([region[p.name] == "arm" for p in garment.pattern.panels])[mesh.flat_panel]
+    on_leg = np.array([region[p.name] == "leg" for p in garment.pattern.panels])[mesh.flat_panel]
+    _, skirt = legs_and_skirt(garment.vertices, garment.faces)
+    trousers = on_leg & ~skirt[mesh.weld]
+    mirrored = points * np.where(points[:, :1] < 0, [-1.0, 1.0, 1.0], 1.0)
+    return GarmentPlaces(points, arms, trousers, (mirrored - body.shoulder) @ body.arm_axis)
+
+
+def stretches(
+    garment: Garment, places: GarmentPlaces, start: BodyProfile, end: BodyProfile
+) -> tuple[Floats, Floats]:
+    """What the cloth is multiplied by around and along the body at every flat vertex: (m,) and (m,).
+
+    Args:
+        garment: On the first body.
+        places: Where it lies there.
+        start: The body that it was drafted for.
+        end: The body that it is refitted to.
+    """
+    around, along = _trunk(garment, places, start, end)
+    if places.leg.any():
+        below, leg = _legs(garment, places, start, end)
+        around = around + below * (leg - around)
+    if places.arm.any():
+        sleeve = _sleeves(garment, places, start, end)
+        around = np.where(places.arm, sleeve, around)
+        arm_length = end.measurements.arm_length / start.measurements.arm_length
+        along = np.where(places.arm, arm_length, along)
+    return np.clip(around, _LEAST, _MOST), np.clip(along, _LEAST, _MOST)
+
+
+def height_map(start: BodyProfile, end: BodyProfile) -> PchipInterpolator:
+    """Heights on the first body to heights on the second, each landmark to the same."""
+    low, high = start.levels, end.levels
+    rise = (high[-1] - high[-2]) / (low[-1] - low[-2])
+    return PchipInterpolator(
+        np.concatenate([[low[0] - 20.0], low, [low[-1] + 30.0]]),
+        np.concatenate([[high[0] - 20.0], high, [high[-1] + 30.0 * rise]]),
+    )
+
+
+def _trunk(
+    garment: Garment, places: GarmentPlaces, start: BodyProfile, end: BodyProfile
+) -> tuple[Floats, Floats]:
+    y, z = places.points[:, 1], places.points[:, 2]
+    levels = start.levels
+    depth = np.interp(y, start.heights, start.side)
+    ahead = _ramp((z - depth) / _SIDE_CM)
+    counted = ~places.arm
+    heights = np.arange(y[counted].min(), y[counted].max() + _STEP_CM, _STEP_CM) if counted.any() else y[:1]
+    is_front = counted & (ahead > 0.5)
+    cloth = _evened(
+        cloth_around(
+            garment.mesh,
+            y,
+            counted[garment.mesh.flat_faces].all(axis=1),
+            heights,
+            (is_front, counted & ~is_front),
+        )
+    )
+    # What hangs below the hips grows as the hips do.
+    at = np.clip(heights, levels[_HIPS], levels[_ARMPIT])
+    more = []
+    for k, name in enumerate(("front", "back")):
+        own, other = getattr(start, name), getattr(end, name)
+        girth = np.interp(at, start.heights, own)
+        grown = np.interp(at, start.heights, other) - girth
+        more.append(np.interp(y, heights, 1.0 + grown / np.maximum(cloth[:, k], girth)))
+    around = ahead * more[0] + (1 - ahead) * more[1]
+    around = _shoulders(places, start, end, around)
+    rising = height_map(start, end).derivative()(np.clip(y, -5.0, levels[-1] + 20.0))
+    return around, rising * _over_the_bust(places, start, end)
+
+
+def _shoulders(places: GarmentPlaces, start: BodyProfile, end: BodyProfile, around: Floats) -> Floats:
+    """Above the armpits widths go over to those of shoulders, neck and head."""
+    y, across = places.points[:, 1], np.abs(places.points[:, 0])
+    a, b = start.measurements, end.measurements
+    neck = b.neck_w / a.neck_w
+    shoulder = (b.shoulder_w - b.neck_w) / (a.shoulder_w - a.neck_w)
+    out = _ramp((across - a.neck_w / 2) / 2.0)
+    upper = out * shoulder + (1 - out) * neck
+    levels = start.levels
+    rise = np.clip((y - levels[_ARMPIT]) / (levels[_SHOULDER] - levels[_ARMPIT]), 0.0, 1.0)
+    widths = (1 - rise) * around + rise * upper
+    head = np.clip((y - levels[_NECK]) / (levels[_CROWN] - levels[_NECK]) * 3.0, 0.0, 1.0)
+    return (1 - head) * widths + head * (b.head_l / a.head_l)
+
+
+def _over_the_bust(places: GarmentPlaces, start: BodyProfile, end: BodyProfile) -> Floats:
+    """(m,) how much more a fuller chest lengthens the middle of the front than the body is longer there."""
+    a, b = start.measurements, end.measurements
+    fuller = (b.waist_over_bust_line / b.waist_line) / (a.waist_over_bust_line / a.waist_line)
+    x, y, z = places.points.T
+    levels = start.levels
+    half = np.interp(y, start.heights, start.half_width)
+    front = _ramp((z - np.interp(y, start.heights, start.side)) / _SIDE_CM)
+    middle = np.clip(2.0 - 2.0 * np.abs(x) / np.maximum(half, 1.0), 0.0, 1.0)
+    waist, neck = levels[5], levels[_NECK]
+    within = np.clip((y - waist) / _BLEND_CM, 0.0, 1.0) * np.clip((neck - y) / _BLEND_CM, 0.0, 1.0)
+    return 1.0 + (fuller - 1.0) * front * middle * within * ~places.arm
+
+
+def _legs(
+    garment: Garment, places: GarmentPlaces, start: BodyProfile, end: BodyProfile
+) -> tuple[Floats, Floats]:
+    """How far the vertices belong to legs by themselves (m,), and what their cloth is multiplied by (m,)."""
+    y, x = places.points[:, 1], places.points[:, 0]
+    heights = np.arange(y[places.leg].min(), start.levels[_CROTCH] + _STEP_CM, _STEP_CM)
+    counted = places.leg[garment.mesh.flat_faces].all(axis=1)
+    cloth = _evened(cloth_around(garment.mesh, y, counted, heights, (places.leg & (x > 0), places.leg & (x <= 0))))
+    girth = np.interp(heights, start.leg_heights, start.leg)
+    # The same place of the other leg: as many slices between two landmarks.
+    grown = np.interp(heights, start.leg_heights, end.leg) - girth
+    sides = [
+        np.interp(y, heights, 1.0 + grown / np.maximum(cloth[:, k], girth)) for k in (0, 1)
+    ]
+    leg = np.where(x > 0, sides[0], sides[1])
+    below = places.leg * _ramp((start.levels[_CROTCH] - y) / _BLEND_CM)
+    return below, leg
+
+
+def _sleeves(garment: Garment, places: GarmentPlaces, start: BodyProfile, end: BodyProfile) -> Floats:
+    length = start.measurements.arm_length
+    down, x = places.down_arm, places.points[:, 0]
+    counted = places.arm[garment.mesh.flat_faces].all(axis=1)
+    along = ARM_PLACES * length
+    cloth = cloth_around(
+        garment.mesh, down, counted, along, (places.arm & (x > 0), places.arm & (x <= 0))
+    )
+    grown = end.arm - start.arm
+    sides = []
+    for k in (0, 1):
+        reached = np.flatnonzero(cloth[:, k] > 0)
+        width = np.maximum(cloth[:, k], start.arm)
+        # Short sleeves end before the first place; there they are as wide as the arm.
+        more = 1.0 + grown / width
+        last = reached[-1] + 1 if len(reached) else 1
+        sides.append(np.interp(down, along[:last], more[:last]))
+    return np.where(x > 0, sides[0], sides[1])
+
+
+def _evened(cloth: Floats) -> Floats:
+    """Widths (h, g) averaged over `_EVEN_CM`; where there is no cloth nothing counts."""
+    from scipy.ndimage import gaussian_filter1d
+
+    there = (cloth > 0).astype(float)
+    weight = gaussian_filter1d(there, _EVEN_CM / _STEP_CM, axis=0, mode="constant")
+    return gaussian_filter1d(cloth, _EVEN_CM / _STEP_CM, axis=0, mode="constant") / np.maximum(weight, 1e-3)
+
+
+def _ramp(value: Floats) -> Floats:
+    """From 0 at -1 to 1 at 1, without a kink."""
+    t = np.clip(value / 2 + 0.5, 0.0, 1.0)
+    return t * t * (3 - 2 * t)
