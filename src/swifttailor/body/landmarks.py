@@ -14,7 +14,7 @@ import numpy as np
 
 from swifttailor.arrays import Array
 from swifttailor.body.body import Body
-from swifttailor.body.measuring import girth, open_girth, slice_girth, slice_points
+from swifttailor.body.measuring import girth, open_girth, side_depth, slice_girth, slice_points
 from swifttailor.body.parts import BodyPart, face_parts
 
 _BAND_CM = 1.6
@@ -95,10 +95,10 @@ class Landmarks:
         return girth(self.vertices, _level_faces()[name], self.level(name))
 
     def widths(self, name: str) -> tuple[float, float]:
-        """Front and back part of a girth of the trunk, divided where the body is widest."""
+        """Front and back part of a girth of the trunk, divided at its sides."""
         cut = slice_points(self.vertices, _level_faces()[name], np.array([0.0, 1.0, 0.0]), self.level(name))
-        side = float(cut[cut[:, 0].argmax(), 2])
-        outline = cut[:, [0, 2]] - [0.0, side]
+        outline = cut[:, [0, 2]]
+        outline = outline - [0.0, side_depth(outline)]
         front, back = open_girth(outline[outline[:, 1] >= 0]), open_girth(outline[outline[:, 1] <= 0])
         whole = self.girth(name)
         return whole * front / (front + back), whole * back / (front + back)

@@ -257,6 +257,17 @@ def open_girth(points: Array) -> float:
     return _perimeter(outline) - float(np.ptp(outline[:, 0]))
 
 
+def side_depth(outline: Array) -> float:
+    """Depth of the sides of a slice: the middle of where it is nearly at its widest.
+
+    Args:
+        outline: (K, 2) x and z of the points of a slice, cm.
+    """
+    wide = np.abs(outline[:, 0]) > _NEARLY_WIDEST * np.abs(outline[:, 0]).max()
+    return float(outline[wide, 1].min() + outline[wide, 1].max()) / 2
+
+
+_NEARLY_WIDEST = 0.85
 _BACK_OF = {"bust": "back_width", "waist": "waist_back_width", "hips": "hip_back_width"}
 _ANGLES = frozenset({"shoulder_incl", "arm_pose_angle", "hip_inclination"})
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from swifttailor.arrays import Floats
 from swifttailor.body import Body, BodyMeasurements
-from swifttailor.body.measuring import arm_axis, girth, open_girth, slice_girth, slice_points
+from swifttailor.body.measuring import arm_axis, girth, open_girth, side_depth, slice_girth, slice_points
 from swifttailor.body.parts import BodyPart, face_parts
 
 KNEE = 0.621
@@ -32,11 +32,11 @@ class BodyProfile:
     """(n,) of the slices of the trunk, from the crotch to the armpits; as many between two levels on every
     body."""
     front: Floats
-    """(n,) girth of the trunk in front of its widest place."""
+    """(n,) girth of the trunk in front of its sides."""
     back: Floats
     """(n,) behind it."""
     side: Floats
-    """(n,) z of the widest place."""
+    """(n,) z of the sides."""
     half_width: Floats
     """(n,)."""
     ahead: Floats
@@ -102,11 +102,10 @@ def profile_of(body: Body) -> BodyProfile:
 
 
 def _trunk_slice(vertices: Floats, faces: Floats, height: float) -> tuple[float, ...]:
-    """Front and back girth, z of the widest place, half width, reach forward and backward."""
+    """Front and back girth, z of the sides, half width, reach forward and backward."""
     outline = slice_points(vertices, faces, np.array([0.0, 1.0, 0.0]), height)[:, [0, 2]]
     half = float(np.ptp(outline[:, 0])) / 2
-    wide = np.abs(outline[:, 0]) > 0.97 * np.abs(outline[:, 0]).max()
-    side = float(outline[wide, 1].mean())
+    side = side_depth(outline)
     whole = girth(vertices, faces, height)
     ahead, behind = outline[outline[:, 1] >= side], outline[outline[:, 1] <= side]
     front, back = open_girth(ahead), open_girth(behind)
