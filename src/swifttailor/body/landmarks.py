@@ -14,7 +14,7 @@ import numpy as np
 
 from swifttailor.arrays import Array
 from swifttailor.body.body import Body
-from swifttailor.body.measuring import girth, open_girth, side_depth, slice_girth, slice_points
+from swifttailor.body.measuring import girth, slice_girth, slice_points, split_girth
 from swifttailor.body.parts import BodyPart, face_parts
 
 _BAND_CM = 1.6
@@ -47,8 +47,11 @@ POINTS: dict[str, tuple[float, float, float]] = {
     "seat point": (9.117, 87.5, -13.0),
     "waist side": (14.0, 108.77, 0.0),
     "hip side": (18.0, 85.29, 0.0),
+    "chest side": (16.6, 124.53, -0.8),
 }
 """Near these places, on the wearer's left, cm; the surface next to them is taken."""
+SIDES = {"bust": "chest side", "waist": "waist side", "hips": "hip side"}
+"""Level: the point that divides its front from its back."""
 RINGS: dict[str, tuple[tuple[float, float, float], tuple[float, float, float]]] = {
     "upper arm": ((17.2, 136.3, -2.8), (35.4, 116.9, -0.9)),
     "elbow": ((17.2, 136.3, -2.8), (54.8, 101.2, 3.0)),
@@ -97,11 +100,7 @@ class Landmarks:
     def widths(self, name: str) -> tuple[float, float]:
         """Front and back part of a girth of the trunk, divided at its sides."""
         cut = slice_points(self.vertices, _level_faces()[name], np.array([0.0, 1.0, 0.0]), self.level(name))
-        outline = cut[:, [0, 2]]
-        outline = outline - [0.0, side_depth(outline)]
-        front, back = open_girth(outline[outline[:, 1] >= 0]), open_girth(outline[outline[:, 1] <= 0])
-        whole = self.girth(name)
-        return whole * front / (front + back), whole * back / (front + back)
+        return split_girth(cut[:, [0, 2]], float(self.point(SIDES[name])[2]))
 
 
 @functools.cache

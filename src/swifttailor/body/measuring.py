@@ -249,12 +249,21 @@ def _perimeter(outline: Array) -> float:
     )
 
 
-def open_girth(points: Array) -> float:
-    """Length of a tape measure laid around points (K, 2) from the leftmost to the rightmost, cm."""
-    outline = _hull(points)
-    if not len(outline):
-        return 0.0
-    return _perimeter(outline) - float(np.ptp(outline[:, 0]))
+def split_girth(outline: Array, side: float) -> tuple[float, float]:
+    """Parts of a tape measure around a slice that lie in front of its sides and behind them, cm.
+
+    Args:
+        outline: (K, 2) x and z of the points of the slice, cm.
+        side: z of the sides.
+    """
+    hull = _hull(outline)
+    if not len(hull):
+        return 0.0, 0.0
+    closed = np.concatenate([hull, hull[:1]])
+    length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
+    z = np.interp((np.arange(_TAPE) + 0.5) / _TAPE * length[-1], length, closed[:, 1])
+    ahead = float((z > side).mean())
+    return ahead * float(length[-1]), (1 - ahead) * float(length[-1])
 
 
 def side_depth(outline: Array) -> float:
@@ -268,6 +277,8 @@ def side_depth(outline: Array) -> float:
 
 
 _NEARLY_WIDEST = 0.85
+_TAPE = 2000
+"""Places on a tape that are asked on which side they lie."""
 _BACK_OF = {"bust": "back_width", "waist": "waist_back_width", "hips": "hip_back_width"}
 _ANGLES = frozenset({"shoulder_incl", "arm_pose_angle", "hip_inclination"})
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.ndimage import gaussian_filter1d
 
 from swifttailor.arrays import Floats
 from swifttailor.body import Body, BodyMeasurements
-from swifttailor.body.measuring import arm_axis, girth, open_girth, side_depth, slice_girth, slice_points
+from swifttailor.body.measuring import arm_axis, girth, side_depth, slice_girth, slice_points, split_girth
 from swifttailor.body.parts import BodyPart, face_parts
 
 KNEE = 0.621
@@ -16,6 +17,8 @@ KNEE = 0.621
 ANKLE = 0.125
 _STEPS = 6
 """Slices from one level to the next."""
+_UP = np.array([0.0, 1.0, 0.0])
+_BELOW_ARMPIT_CM = 3.5
 _ARM_PLACES = np.linspace(0.3, 1.0, 9)
 """Where arms are measured, as shares of the way from the shoulder to the wrist."""
 
@@ -88,7 +91,15 @@ def profile_of(body: Body) -> BodyProfile:
         ~np.isin(face_parts(body.faces, body.vertex_part), [BodyPart.LEFT_ARM, BodyPart.RIGHT_ARM])
     ]
     heights = np.interp(np.arange(3 * _STEPS, 7 * _STEPS + 1), np.arange(len(levels)) * _STEPS, levels)
-    slices = np.array([_trunk_slice(body.vertices, trunk, float(h)) for h in heights])
+    outlines = [slice_points(body.vertices, trunk, _UP, float(h))[:, [0, 2]] for h in heights]
+    # The sides run straight down; where they lie in one slice alone is not certain to a centimetre.
+    below = heights < levels[7] - _BELOW_ARMPIT_CM
+    depths = np.array([side_depth(outline) for outline in outlines])
+    sides = np.polyval(np.polyfit(heights[below], depths[below], 1), heights)
+    slices = np.array([_trunk_slice(outline, side) for outline, side in zip(outlines, sides, strict=True)])
+    # Close to the armpits slices cut what is left of the arms.
+    slices[~below] = slices[below][-1]
+    slices = gaussian_filter1d(slices, 1.0, axis=0, mode="nearest")
     leg_heights = np.interp(np.arange(_STEPS // 2, 3 * _STEPS), np.arange(len(levels)) * _STEPS, levels)
     left = trunk[body.vertices[trunk].mean(axis=1)[:, 0] > 0]
     legs = np.array([girth(body.vertices, left, float(h)) for h in leg_heights])
@@ -98,23 +109,13 @@ def profile_of(body: Body) -> BodyProfile:
     arm = np.array(
         [slice_girth(body.vertices, own, axis, start + place * m.arm_length) for place in _ARM_PLACES]
     )
-    return BodyProfile(m, levels, heights, *slices.T, leg_heights, legs, shoulder, axis, arm)
-
-
-def _trunk_slice(vertices: Floats, faces: Floats, height: float) -> tuple[float, ...]:
-    """Front and back girth, z of the sides, half width, reach forward and backward."""
-    outline = slice_points(vertices, faces, np.array([0.0, 1.0, 0.0]), height)[:, [0, 2]]
-    half = float(np.ptp(outline[:, 0])) / 2
-    side = side_depth(outline)
-    whole = girth(vertices, faces, height)
-    ahead, behind = outline[outline[:, 1] >= side], outline[outline[:, 1] <= side]
-    front, back = open_girth(ahead), open_girth(behind)
-    share = whole / max(front + back, 1e-6)
-    return (
-        front * share,
-        back * share,
-        side,
-        half,
-        float(outline[:, 1].max()) - side,
-        side - float(outline[:, 1].min()),
+    front, back, half, ahead, behind = slices.T
+    return BodyProfile(
+        m, levels, heights, front, back, sides, half, ahead, behind, leg_heights, legs, shoulder, axis, arm
     )
+
+
+def _trunk_slice(outline: Floats, side: float) -> tuple[float, ...]:
+    """Front and back girth, half width, reach forward and backward of the sides."""
+    x, z = outline.T
+    return *split_girth(outline, side), float(np.ptp(x)) / 2, float(z.max()) - side, side - float(z.min())

@@ -24,12 +24,16 @@ from swifttailor.refitting.even_lengths import keep_seam_ratios
 from swifttailor.refitting.growing import PanelSheet
 from swifttailor.refitting.outlines import moved_panel
 from swifttailor.refitting.placing import placed_on
-from swifttailor.refitting.stretch import GarmentPlaces, places_of, stretches
+from swifttailor.refitting.stretch import Stretches, ease_scale, places_of, stretches
 
 _EDGE_CM = 2.5
 """Of the mesh on which places are looked up."""
 _AMOUNTS_CM, _DIRECTIONS_CM = 3.0, 6.0
 """Over what distances on the cloth amounts and directions are evened out."""
+_ROUNDS = 3
+"""Of growing the panels and measuring what came of it."""
+_BAND_CM = 9.0
+"""Panels that are lower are bands."""
 _CLEAR = 0.15
 """Where cloth lies flatter than this to the body's length, its neighbours tell the direction."""
 
@@ -74,18 +78,25 @@ def refit(
     garment = sewn if sewn is not None else (sew or sewn_on(first, _EDGE_CM))(pattern)
     start, end = profile_of(first), profile_of(body)
     before = garment.pattern
-    places = places_of(garment, start)
-    grown = _grown(garment, places, start, end)
     likeness = find_likeness(before)
-    after = made_alike(_with_outlines(garment, grown), likeness)
-    after = made_alike(keep_seam_ratios(before, after), likeness)
+    stretch = stretches(garment, places_of(garment, start), start, end)
+    stretch = _bands_kept(garment, stretch, ease_scale(start, end))
+    sheets = [_Sheet(garment, number) for number in range(len(before.panels))]
+    along = places_of(garment, start).along
+    after, flat = before, np.array(garment.mesh.flat_vertices)
+    for _ in range(_ROUNDS):
+        grown = _grown(garment, sheets, along, stretch)
+        after = made_alike(_with_outlines(garment, grown), likeness)
+        after = made_alike(keep_seam_ratios(before, after), likeness)
+        flat = _filled(garment, sheets, grown, after)
+        stretch = stretch.corrected(garment.mesh, flat)
     after = placed_on(before, after, start, end)
     after = made_alike(after, likeness)
     order = {panel.name: panel for panel in after.panels}
     panels = tuple(order[panel.name] for panel in pattern.panels)
     # Edges keep their numbers, so the stitches are those of the pattern that was given.
     result = replace(pattern, panels=panels, drafted_for=body.made_for)
-    return Refitted(result, garment, grown)
+    return Refitted(result, garment, flat)
 
 
 def fit(
@@ -112,23 +123,50 @@ def fit(
     return refit(pattern, body, drafted_for=drafted_for, sewn=sewn).pattern
 
 
-def _grown(garment: Garment, places: GarmentPlaces, start: BodyProfile, end: BodyProfile) -> Floats:
-    """(m, 2) where the flat vertices lie in the grown panels."""
+def _bands_kept(garment: Garment, stretch: Stretches, scale: float) -> Stretches:
+    """Waistbands, cuffs and collars stay as high as they are; on a smaller person they are lower."""
     mesh = garment.mesh
-    around, along = stretches(garment, places, start, end)
-    result = np.array(mesh.flat_vertices, np.float64)
-    for number in range(len(mesh.pattern.panels)):
-        own = np.flatnonzero(mesh.flat_panel == number)
+    along = stretch.along.copy()
+    for number, panel in enumerate(mesh.pattern.panels):
+        if np.ptp(panel.outline(), axis=0).min() < _BAND_CM:
+            along[mesh.flat_panel == number] = scale
+    return replace(stretch, along=along)
+
+
+class _Sheet:
+    """A panel of a garment as a sheet."""
+
+    def __init__(self, garment: Garment, number: int) -> None:
+        mesh = garment.mesh
+        self.own = np.flatnonzero(mesh.flat_panel == number)
         faces = mesh.flat_faces[mesh.face_panel == number]
-        if not len(faces):
-            continue
-        sheet = PanelSheet(mesh.flat_vertices[own], np.searchsorted(own, faces))
-        amounts = sheet.smoothed(np.stack([around[own], along[own]], axis=1), _AMOUNTS_CM)
-        direction = _directions(sheet, places.along[own])
+        self.sheet = PanelSheet(mesh.flat_vertices[self.own], np.searchsorted(self.own, faces))
+
+
+def _grown(garment: Garment, sheets: list[_Sheet], along: Floats, stretch: Stretches) -> Floats:
+    """(m, 2) where the flat vertices lie in the grown panels."""
+    result = np.array(garment.mesh.flat_vertices, np.float64)
+    for one in sheets:
+        sheet, own = one.sheet, one.own
+        both = np.stack([stretch.around[own], stretch.along[own]], axis=1)
+        amounts = sheet.smoothed(both, _AMOUNTS_CM)
+        direction = _directions(sheet, along[own])
         across, down = (amounts[sheet.faces, k].mean(axis=1) for k in (0, 1))
         outer = np.einsum("fa,fb->fab", direction, direction)
-        stretch = across[:, None, None] * (np.eye(2) - outer) + down[:, None, None] * outer
-        result[own] = sheet.grown(stretch)
+        result[own] = sheet.grown(across[:, None, None] * (np.eye(2) - outer) + down[:, None, None] * outer)
+    return result
+
+
+def _filled(garment: Garment, sheets: list[_Sheet], grown: Floats, after: Pattern) -> Floats:
+    """(m, 2) of the flat vertices once the outlines are settled: the inner ones go along with the border."""
+    result = grown.copy()
+    for number, (one, panel) in enumerate(zip(sheets, after.panels, strict=True)):
+        moved = np.zeros_like(grown)
+        border = np.zeros(len(grown), np.bool_)
+        for k, edge in enumerate(garment.mesh.edge_vertices[number]):
+            moved[edge] = panel.sample_edge(k, len(edge)) - grown[edge]
+            border[edge] = True
+        result[one.own] += one.sheet.spread(moved[one.own], border[one.own])
     return result
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import factorized
 
-from swifttailor.arrays import Floats, Ints
+from swifttailor.arrays import Bools, Floats, Ints
 
 
 class PanelSheet:
@@ -62,3 +62,13 @@ class PanelSheet:
         moved[1:] = np.stack([solve(right[free, k]) for k in (0, 1)], axis=1)
         weight = self.mass[:, None] / self.mass.sum()
         return moved + ((self.vertices - moved) * weight).sum(axis=0)
+
+    def spread(self, values: Floats, border: Bools) -> Floats:
+        """Values (n, k) that are known at border vertices (n,) evened out over the rest."""
+        inner = ~border
+        result = values.copy()
+        if inner.any():
+            solve = factorized(self.stiffness[inner][:, inner].tocsc())
+            right = -(self.stiffness[inner][:, border] @ values[border])
+            result[inner] = np.stack([solve(column) for column in right.T], axis=1)
+        return result

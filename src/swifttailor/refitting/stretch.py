@@ -7,7 +7,7 @@ shoulders and neck, and sleeves the arm.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.interpolate import PchipInterpolator
@@ -15,6 +15,7 @@ from scipy.interpolate import PchipInterpolator
 from swifttailor.arrays import Bools, Floats
 from swifttailor.body.worn import legs_and_skirt
 from swifttailor.garment.garment import Garment
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern.check import panel_regions
 from swifttailor.refitting.body_profile import ARM_PLACES, BodyProfile
 from swifttailor.refitting.cloth_girths import cloth_around
@@ -68,10 +69,55 @@ def places_of(garment: Garment, body: BodyProfile) -> GarmentPlaces:
     return GarmentPlaces(points, arms, trousers, (mirrored - body.shoulder) @ body.arm_axis)
 
 
-def stretches(
-    garment: Garment, places: GarmentPlaces, start: BodyProfile, end: BodyProfile
-) -> tuple[Floats, Floats]:
-    """What the cloth is multiplied by around and along the body at every flat vertex: (m,) and (m,).
+@dataclass(frozen=True, eq=False)
+class Ring:
+    """Cloth that goes around one part of the body, and how wide it shall be."""
+
+    along: Floats
+    """(m,) of every flat vertex, how far along that part it lies, cm."""
+    members: Bools
+    """(m,) the flat vertices whose cloth counts."""
+    faces: Bools
+    """(f,) the faces that count."""
+    places: Floats
+    """(p,) where it is measured, along the part."""
+    wanted: Floats
+    """(p,) cm; 0 where there is no cloth."""
+
+
+@dataclass(frozen=True, eq=False)
+class Stretches:
+    """What a garment's cloth is multiplied by for another body."""
+
+    around: Floats
+    """(m,) across the body, at every flat vertex."""
+    along: Floats
+    """(m,) the way the body runs."""
+    rings: tuple[Ring, ...]
+    """What comes of it, to be measured."""
+
+    def corrected(self, mesh: PatternMesh, flat: Floats) -> Stretches:
+        """The stretches that make up for what rings lack.
+
+        Args:
+            mesh: Of the garment.
+            flat: (m, 2) where the flat vertices came to lie, cm.
+        """
+        grown = replace(mesh, flat_vertices=flat)
+        around = self.around.copy()
+        for ring in self.rings:
+            got = cloth_around(grown, ring.along, ring.faces, ring.places, (ring.members,))[:, 0]
+            there = (got > 0) & (ring.wanted > 0)
+            if not there.any():
+                continue
+            lack = np.clip(ring.wanted[there] / got[there], 0.8, 1.25)
+            factor = np.interp(ring.along, ring.places[there], lack)
+            around = np.where(ring.members, around * factor, around)
+        return replace(self, around=np.clip(around, _LEAST, _MOST))
+
+
+def stretches(garment: Garment, places: GarmentPlaces, start: BodyProfile, end: BodyProfile) -> Stretches:
+    """What the cloth is multiplied by around and along the body.
 
     Args:
         garment: On the first body.
@@ -79,16 +125,38 @@ def stretches(
         start: The body that it was drafted for.
         end: The body that it is refitted to.
     """
-    around, along = _trunk(garment, places, start, end)
+    around, along, rings = _trunk(garment, places, start, end)
     if places.leg.any():
-        below, leg = _legs(garment, places, start, end)
+        below, leg, more = _legs(garment, places, start, end)
         around = around + below * (leg - around)
+        rings += more
     if places.arm.any():
-        sleeve = _sleeves(garment, places, start, end)
+        sleeve, more = _sleeves(garment, places, start, end)
         around = np.where(places.arm, sleeve, around)
         arm_length = end.measurements.arm_length / start.measurements.arm_length
         along = np.where(places.arm, arm_length, along)
-    return np.clip(around, _LEAST, _MOST), np.clip(along, _LEAST, _MOST)
+        rings += more
+    return Stretches(np.clip(around, _LEAST, _MOST), np.clip(along, _LEAST, _MOST), tuple(rings))
+
+
+def ease_scale(start: BodyProfile, end: BodyProfile) -> float:
+    """What ease is multiplied by: a child's is less, as the child is smaller."""
+    return end.measurements.height / start.measurements.height
+
+
+def wanted_width(cloth: Floats, girth: Floats, other: Floats, scale: float) -> Floats:
+    """How wide cloth shall be that goes around a body.
+
+    Args:
+        cloth: (n,) its width on the first body, cm.
+        girth: (n,) of the first body there.
+        other: (n,) of the second body there.
+        scale: What ease is multiplied by.
+
+    Returns:
+        (n,) cm: the second body's girth and the ease; what does not go around keeps its share of the girth.
+    """
+    return np.where(cloth >= girth, other + scale * (cloth - girth), cloth * other / np.maximum(girth, 1e-6))
 
 
 def height_map(start: BodyProfile, end: BodyProfile) -> PchipInterpolator:
@@ -103,7 +171,7 @@ def height_map(start: BodyProfile, end: BodyProfile) -> PchipInterpolator:
 
 def _trunk(
     garment: Garment, places: GarmentPlaces, start: BodyProfile, end: BodyProfile
-) -> tuple[Floats, Floats]:
+) -> tuple[Floats, Floats, list[Ring]]:
     y, z = places.points[:, 1], places.points[:, 2]
     levels = start.levels
     depth = np.interp(y, start.heights, start.side)
@@ -111,27 +179,25 @@ def _trunk(
     counted = ~places.arm
     heights = np.arange(y[counted].min(), y[counted].max() + _STEP_CM, _STEP_CM) if counted.any() else y[:1]
     is_front = counted & (ahead > 0.5)
-    cloth = _evened(
-        cloth_around(
-            garment.mesh,
-            y,
-            counted[garment.mesh.flat_faces].all(axis=1),
-            heights,
-            (is_front, counted & ~is_front),
-        )
-    )
+    faces = counted[garment.mesh.flat_faces].all(axis=1)
+    parts = (is_front, counted & ~is_front)
+    raw = cloth_around(garment.mesh, y, faces, heights, parts)
+    cloth = _evened(raw)
     # What hangs below the hips grows as the hips do.
     at = np.clip(heights, levels[_HIPS], levels[_ARMPIT])
-    more = []
+    more, rings = [], []
+    ringed = (heights > levels[_CROTCH]) if places.leg.any() else np.ones(len(heights), np.bool_)
+    ringed &= heights < levels[_ARMPIT] - 1.0
     for k, name in enumerate(("front", "back")):
-        own, other = getattr(start, name), getattr(end, name)
-        girth = np.interp(at, start.heights, own)
-        grown = np.interp(at, start.heights, other) - girth
-        more.append(np.interp(y, heights, 1.0 + grown / np.maximum(cloth[:, k], girth)))
+        girth, other = (np.interp(at, start.heights, getattr(body, name)) for body in (start, end))
+        wanted = wanted_width(cloth[:, k], girth, other, ease_scale(start, end))
+        ratio = np.where(cloth[:, k] > 0, wanted / np.maximum(cloth[:, k], 1e-6), other / girth)
+        more.append(np.interp(y, heights, ratio))
+        rings.append(Ring(y, parts[k], faces, heights[ringed], (raw[:, k] * ratio)[ringed]))
     around = ahead * more[0] + (1 - ahead) * more[1]
     around = _shoulders(places, start, end, around)
     rising = height_map(start, end).derivative()(np.clip(y, -5.0, levels[-1] + 20.0))
-    return around, rising * _over_the_bust(places, start, end)
+    return around, rising * _over_the_bust(places, start, end), rings
 
 
 def _shoulders(places: GarmentPlaces, start: BodyProfile, end: BodyProfile, around: Floats) -> Floats:
@@ -165,41 +231,49 @@ def _over_the_bust(places: GarmentPlaces, start: BodyProfile, end: BodyProfile) 
 
 def _legs(
     garment: Garment, places: GarmentPlaces, start: BodyProfile, end: BodyProfile
-) -> tuple[Floats, Floats]:
+) -> tuple[Floats, Floats, list[Ring]]:
     """How far the vertices belong to legs by themselves (m,), and what their cloth is multiplied by (m,)."""
     y, x = places.points[:, 1], places.points[:, 0]
-    heights = np.arange(y[places.leg].min(), start.levels[_CROTCH] + _STEP_CM, _STEP_CM)
-    counted = places.leg[garment.mesh.flat_faces].all(axis=1)
-    cloth = _evened(cloth_around(garment.mesh, y, counted, heights, (places.leg & (x > 0), places.leg & (x <= 0))))
-    girth = np.interp(heights, start.leg_heights, start.leg)
+    crotch = start.levels[_CROTCH]
+    heights = np.arange(y[places.leg].min(), crotch + _STEP_CM, _STEP_CM)
+    faces = places.leg[garment.mesh.flat_faces].all(axis=1)
+    parts = places.leg & (x > 0), places.leg & (x <= 0)
+    raw = cloth_around(garment.mesh, y, faces, heights, parts)
+    cloth = _evened(raw)
     # The same place of the other leg: as many slices between two landmarks.
-    grown = np.interp(heights, start.leg_heights, end.leg) - girth
-    sides = [
-        np.interp(y, heights, 1.0 + grown / np.maximum(cloth[:, k], girth)) for k in (0, 1)
-    ]
-    leg = np.where(x > 0, sides[0], sides[1])
-    below = places.leg * _ramp((start.levels[_CROTCH] - y) / _BLEND_CM)
-    return below, leg
-
-
-def _sleeves(garment: Garment, places: GarmentPlaces, start: BodyProfile, end: BodyProfile) -> Floats:
-    length = start.measurements.arm_length
-    down, x = places.down_arm, places.points[:, 0]
-    counted = places.arm[garment.mesh.flat_faces].all(axis=1)
-    along = ARM_PLACES * length
-    cloth = cloth_around(
-        garment.mesh, down, counted, along, (places.arm & (x > 0), places.arm & (x <= 0))
-    )
-    grown = end.arm - start.arm
-    sides = []
+    girth, other = (np.interp(heights, start.leg_heights, body.leg) for body in (start, end))
+    sides, rings = [], []
+    ringed = heights < crotch - _BLEND_CM
     for k in (0, 1):
+        wanted = wanted_width(cloth[:, k], girth, other, ease_scale(start, end))
+        ratio = np.where(cloth[:, k] > 0, wanted / np.maximum(cloth[:, k], 1e-6), other / girth)
+        sides.append(np.interp(y, heights, ratio))
+        members = parts[k] & (y < crotch)
+        rings.append(Ring(y, members, faces, heights[ringed], (raw[:, k] * ratio)[ringed]))
+    leg = np.where(x > 0, sides[0], sides[1])
+    below = places.leg * _ramp((crotch - y) / _BLEND_CM)
+    return below, leg, rings
+
+
+def _sleeves(
+    garment: Garment, places: GarmentPlaces, start: BodyProfile, end: BodyProfile
+) -> tuple[Floats, list[Ring]]:
+    """What the cloth of sleeves is multiplied by around the arm (m,)."""
+    down, x = places.down_arm, places.points[:, 0]
+    faces = places.arm[garment.mesh.flat_faces].all(axis=1)
+    along = ARM_PLACES * start.measurements.arm_length
+    parts = places.arm & (x > 0), places.arm & (x <= 0)
+    cloth = cloth_around(garment.mesh, down, faces, along, parts)
+    sides, rings = [], []
+    for k in (0, 1):
+        wanted = wanted_width(cloth[:, k], start.arm, end.arm, ease_scale(start, end))
+        ratio = np.where(cloth[:, k] > 0, wanted / np.maximum(cloth[:, k], 1e-6), end.arm / start.arm)
         reached = np.flatnonzero(cloth[:, k] > 0)
-        width = np.maximum(cloth[:, k], start.arm)
         # Short sleeves end before the first place; there they are as wide as the arm.
-        more = 1.0 + grown / width
         last = reached[-1] + 1 if len(reached) else 1
-        sides.append(np.interp(down, along[:last], more[:last]))
-    return np.where(x > 0, sides[0], sides[1])
+        sides.append(np.interp(down, along[:last], ratio[:last]))
+        rings.append(Ring(down, parts[k], faces, along, wanted))
+    return np.where(x > 0, sides[0], sides[1]), rings
 
 
 def _evened(cloth: Floats) -> Floats:
