@@ -96,8 +96,8 @@ def measure_name(name: str) -> str:
     if known not in MEASURES:
         from difflib import get_close_matches
 
-        close = get_close_matches(plain, [*MEASURES, *EVERYDAY], n=1)
-        hint = f" Did you mean '{close[0]}'?" if close else ""
+        close = get_close_matches(plain, [*MEASURES, *EVERYDAY], n=2, cutoff=0.7)
+        hint = " Did you mean " + " or ".join(f"'{one}'" for one in close) + "?" if close else ""
         raise InputError(f"There is no measure '{name}'.{hint} There are: {', '.join(MEASURES)}.")
     return known
 

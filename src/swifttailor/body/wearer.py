@@ -48,7 +48,7 @@ class Wearer:
         wanted: dict[str, float] = {}
         figure, name = self.figure, ""
         if self.size is not None:
-            size = find_size(f"{self.figure or ''} {self.size}")
+            size = find_size(f"{self.figure} {self.size}" if self.figure else self.size)
             wanted |= size.measures
             figure, name = size.figure, size.title
         if self.file is not None:
