@@ -47,8 +47,12 @@ BODIES = {
     "men-58": Wearer(size="men EU 58"),
     "children-122": Wearer(size="children EU 122"),
     "children-146": Wearer(size="children EU 146"),
-    "petite": Wearer(measures=parse_measures(["height=155", "bust=90", "waist=74", "hips=98"]), figure="women"),
-    "tall-slim": Wearer(measures=parse_measures(["height=188", "bust=96", "waist=78", "hips=97", "inseam=88"]), figure="men"),
+    "petite": Wearer(
+        measures=parse_measures(["height=155", "bust=90", "waist=74", "hips=98"]), figure="women"
+    ),
+    "tall-slim": Wearer(
+        measures=parse_measures(["height=188", "bust=96", "waist=78", "hips=97", "inseam=88"]), figure="men"
+    ),
 }
 LEVELS = {"chest": 6, "waist": 5, "hips": 4}
 """Index in `BodyProfile.levels`."""
@@ -118,7 +122,9 @@ def main() -> None:
     parser.add_argument("--bodies", nargs="*", default=list(BODIES))
     parser.add_argument("--edge-length", type=float, default=2.0, help="cm")
     parser.add_argument("--unfitted", action="store_true", help="drape the patterns as they are, too")
-    parser.add_argument("--network", action="store_true", help="sew them by GarmentSewer beside the drape, too")
+    parser.add_argument(
+        "--network", action="store_true", help="sew them by GarmentSewer beside the drape, too"
+    )
     parser.add_argument("--out", type=Path, required=True)
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
@@ -128,7 +134,9 @@ def main() -> None:
     bodies = {name: BODIES[name].body() for name in options.bodies}
     profiles = {name: profile_of(body) for name, body in bodies.items()}
     first = profile_of(Body.default())
-    chosen = [p for k, p in enumerate(read_patterns(options.patterns)) if k % options.every == 0][: options.limit]
+    chosen = [p for k, p in enumerate(read_patterns(options.patterns)) if k % options.every == 0][
+        : options.limit
+    ]
     for item in chosen:
         pattern = item.read().pattern.canonical()
         wanted = None
@@ -164,7 +172,9 @@ def one(
             continue
         got = measured(garment, profile)
         quality["ease_off"] = {
-            k: None if got.ease[k] is None or wanted.ease[k] is None else got.ease[k] - ease_scale(first, profile) * wanted.ease[k]
+            k: None
+            if got.ease[k] is None or wanted.ease[k] is None
+            else got.ease[k] - ease_scale(first, profile) * wanted.ease[k]
             for k in LEVELS
         }
         quality["hem_off"] = got.lowest - float(to(wanted.lowest))
@@ -218,7 +228,8 @@ def line(values: list[float | None]) -> str:
     known = np.array([v for v in values if v is not None])
     if not len(known):
         return "none"
-    return f"within 1 cm {share(known)}, median |off| {np.median(np.abs(known)):.2f} cm, median {np.median(known):+.2f}"
+    middle = f"median |off| {np.median(np.abs(known)):.2f} cm, median {np.median(known):+.2f}"
+    return f"within 1 cm {share(known)}, {middle}"
 
 
 def share(values: Any) -> str:

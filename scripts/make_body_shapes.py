@@ -21,9 +21,9 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-import fit_default_body as default_fit
 import numpy as np
 
+import fit_default_body as default_fit
 from swifttailor.atomic_files import write_atomically
 from swifttailor.body import Body, BodyPart
 
@@ -224,7 +224,9 @@ def report(
         chosen = ~trained & (kind == k)
         rest = offsets[chosen] - np.einsum("sk,kvc->svc", places[chosen], directions)
         gap = np.linalg.norm(rest, axis=-1)[:, counted] * 10
-        print(f"{group}, {chosen.sum()} held out: mean {gap.mean():.1f} mm, p95 {np.percentile(gap, 95):.1f} mm")
+        print(
+            f"{group}, {chosen.sum()} held out: mean {gap.mean():.1f} mm, p95 {np.percentile(gap, 95):.1f} mm"
+        )
 
 
 if __name__ == "__main__":

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from swifttailor.pattern.drafts import draft
     from swifttailor.pattern_maker.maker import PatternMaker, WrittenPattern
     from swifttailor.recutting import alter
+    from swifttailor.refitting import fit
     from swifttailor.tailor import Tailor
     from swifttailor.tailor.one_pattern import sew
     from swifttailor.tailor.protocols import PatternWriter, Sewer
@@ -74,6 +75,7 @@ _PUBLIC = {
     "describe": "wording.description",
     "draft": "pattern.drafts",
     "drape": "draping",
+    "fit": "refitting",
     "load_pattern": "pattern",
     "register_engine": "draping",
     "repair": "pattern:repair_pattern",
@@ -113,6 +115,7 @@ __all__ = [
     "describe",
     "draft",
     "drape",
+    "fit",
     "load_pattern",
     "register_engine",
     "repair",

@@ -6,6 +6,7 @@ import functools
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -33,7 +34,7 @@ class Measure:
 
 def _straight(m: Landmarks, *names: str) -> float:
     points = [m.ring(n)[0] if n in ("elbow", "wrist") else m.point(n) for n in names]
-    return float(sum(np.linalg.norm(b - a) for a, b in zip(points[:-1], points[1:], strict=True)))
+    return float(sum(np.linalg.norm(b - a) for a, b in pairwise(points)))
 
 
 MEASURES: dict[str, Measure] = {

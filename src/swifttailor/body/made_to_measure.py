@@ -76,7 +76,7 @@ def body_to_measure(
 
 def _solve(space: ShapeSpace, measures: Mapping[str, float], mean: Array, spread: Array) -> Array:
     """Coordinates (K,); they are sought as standard deviations from the mean of the figure."""
-    exact = {name: _EXACT_CM for name in measures}
+    exact = dict.fromkeys(measures, _EXACT_CM)
     away = _nearest(space, measures, exact, mean, spread)
     while np.linalg.norm(away) > _UNLIKELY and max(exact.values()) < _LOOSEST_CM:
         # No such person: what is the nearest that there might be?

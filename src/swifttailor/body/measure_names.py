@@ -47,7 +47,7 @@ FREESEWING = {
     "waistToSeat": "hips_line",
     "wrist": "wrist",
 }
-"""FreeSewing's measurements that mean the same as one of ours; its ``hips`` lie above the seat, and do not."""
+"""FreeSewing's measurements that mean the same as one of ours; its ``hips`` lie above the seat."""
 FREESEWING_ALONE = frozenset(
     """bustFront bustPointToUnderbust bustSpan chest crossSeam crossSeamFront crotchDepth heel highBust
     highBustFront hpsToBust hpsToWaistBack hpsToWaistFront seat seatBack shoulderSlope shoulderToElbow
@@ -79,7 +79,8 @@ def parse_measures(words: Iterable[str]) -> dict[str, float]:
         name, equals, value = word.partition("=")
         if not equals:
             raise InputError(
-                f"'{word}' is no measure. Give name=cm, such as bust=96 height=172. Names: {', '.join(MEASURES)}."
+                f"'{word}' is no measure. Give name=cm, such as bust=96 height=172. "
+                f"Names: {', '.join(MEASURES)}."
             )
         found[measure_name(name)] = _length(value, word)
     return found

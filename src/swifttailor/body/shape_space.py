@@ -78,7 +78,7 @@ def _shipped() -> ShapeSpace:
         half = stored["half"].astype(np.int64)
         moves = stored["directions"].astype(np.float32) * stored["scale"].astype(np.float32)[:, None, None]
         directions = np.zeros((len(moves), len(default.vertices), 3), np.float32)
-        directions[:, _mirrors(default.vertices, half)] = moves * np.float32([-1, 1, 1])
+        directions[:, _mirrors(default.vertices, half)] = moves * np.array([-1, 1, 1], np.float32)
         directions[:, half] = moves
         middle = half[np.abs(default.vertices[half, 0]) < 1e-6]
         directions[:, middle, 0] = 0.0

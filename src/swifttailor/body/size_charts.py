@@ -96,7 +96,7 @@ def find_size(text: str) -> Size:
 
 
 def size_run(text: str) -> list[Size]:
-    """The sizes from one to another, of one chart: ``36-46``, ``men 46-54``, ``UK 8-16``; or a list ``36,40``.
+    """The sizes from one to another of a chart, ``36-46`` or ``men 46-54``, or a list of sizes, ``36,40``.
 
     Raises:
         InputError: There is no such size, or no two of one chart.

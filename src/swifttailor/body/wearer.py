@@ -30,6 +30,7 @@ class Wearer:
     figure: str | None = None
     """``women``, ``men`` or ``children``; the size says it otherwise."""
     pose: str = "A"
+    """One of `standing.POSES`; patterns are made for the A-pose."""
 
     def body(self) -> Body:
         """The body.
@@ -70,9 +71,9 @@ class Wearer:
     def _posed(self, body: Body) -> Body:
         if self.pose == "A":
             return body
-        from swifttailor.body.standing import standing
+        from swifttailor.body.standing import carried_to
 
-        return standing(body, self.pose)
+        return carried_to(self.pose, body)[0]
 
 
 def body_of(named: DraftedFor) -> Body:
@@ -91,5 +92,15 @@ def _known(body: Body) -> tuple[tuple[str, float], ...]:
     from swifttailor.body.body_measures import MEASURES
 
     values = body.measurements.as_dict()
-    main = ("height", "bust", "underbust", "waist", "hips", "waist_line", "hips_line", "arm_length", "shoulder_w")
+    main = (
+        "height",
+        "bust",
+        "underbust",
+        "waist",
+        "hips",
+        "waist_line",
+        "hips_line",
+        "arm_length",
+        "shoulder_w",
+    )
     return tuple((name, round(values[name], 2)) for name in main if name in MEASURES)

@@ -113,6 +113,11 @@ class Drape(GarmentResults, WearerOptions):
             )
         if self.batch is None:
             self._refuse_batch_options()
+        elif self.refits or self.pose != "A":
+            raise InputError(
+                "With --batch, patterns are draped as they were drafted: --size, --measure, --figure, --fit "
+                "and --pose go with a single pattern. Refit them first with: swifttailor fit"
+            )
         require_edge_length(self.edge_length)
         require_seed(self.seed)
         worker_count(self.workers)
@@ -189,10 +194,10 @@ class Drape(GarmentResults, WearerOptions):
                 progress=TimeLimit(self._time_limit(), progress, instead=MORE_TIME),
             )
             report = sewable.complete_report(garment.report, loaded - started)
-            garment = replace(garment, report=report)
+            garment, shown = self.posed(replace(garment, report=report), body)
             before_saving = time.perf_counter()
             progress("saving", 0.0)
-            save_garment(garment, output, body=body, preview=self.preview)
+            save_garment(garment, output, body=shown, preview=self.preview)
             saving = time.perf_counter() - before_saving
         return garment, sewable, saving
 

@@ -76,9 +76,7 @@ class Fit(WearerOptions):
 
         pattern = read_pattern_file(self.pattern, rotation=self.rotation).pattern
         first = None if self.drafted_for is None else Wearer(size=self.drafted_for).body()
-        bodies = [
-            self.wearer() if size is None else Wearer(size=size.title).body() for size, _ in wanted
-        ]
+        bodies = [self.wearer() if size is None else Wearer(size=size.title).body() for size, _ in wanted]
         return self._fit(pattern, first, [b for b in bodies if b is not None], [path for _, path in wanted])
 
     def _wanted(self) -> list[tuple[Size | None, Path]]:

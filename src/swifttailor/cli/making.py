@@ -6,7 +6,7 @@ import json
 import re
 import sys
 import time
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
@@ -144,8 +144,10 @@ class Making(GarmentResults, WearerOptions):
         """
         from swifttailor.tailor import Tailor
 
-        worn = {} if self.refits else {"body": self.wearer()}
-        return Tailor.load(self.maker_weights, self.sewer_weights, threads=self.threads, **worn, **networks)
+        body = None if self.refits else self.wearer()
+        return Tailor.load(
+            self.maker_weights, self.sewer_weights, body=body, threads=self.threads, **networks
+        )
 
     def several(self, tailor: Tailor, order: Order) -> dict[str, Order]:
         """The orders that one is, by their folder in DIR.
@@ -205,6 +207,10 @@ class Making(GarmentResults, WearerOptions):
         if self.preview and len(possible) > 1:
             output.require_own([SHEET])
 
+    def _posed(self, made: Tailored) -> Tailored:
+        garment, body = self.posed(made.garment, made.body)
+        return replace(made, garment=garment, body=body)
+
     def shows_what_is_seen(self) -> bool:
         """Whether pictures are read."""
         return False
@@ -224,6 +230,10 @@ class Making(GarmentResults, WearerOptions):
                 for folder, one in zip(
                     self.folders(within), tailor.make(part, progress=progress), strict=True
                 )
+            }
+            outcomes = {
+                folder: self._posed(one) if isinstance(one, Tailored) else one
+                for folder, one in outcomes.items()
             }
             made = {folder: one for folder, one in outcomes.items() if isinstance(one, Tailored)}
             if not made:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -126,6 +126,8 @@ class Sew(GarmentResults, WearerOptions):
         try:
             if isinstance(outcome, SwiftTailorError):
                 raise outcome
+            garment, body = self.posed(outcome.garment, outcome.body)
+            outcome = replace(outcome, garment=garment, body=body)
             if output.folder == self.folder:  # which is locked
                 outcome.save_in(output, preview=self.preview, images=False)
             else:

@@ -10,6 +10,7 @@ from swifttailor.cli.postponed_imports import tyro
 
 if TYPE_CHECKING:
     from swifttailor.body import Body
+    from swifttailor.garment.garment import Garment
 
 MESHES = (".obj", ".ply", ".glb", ".stl")
 
@@ -32,6 +33,10 @@ class WearerOptions:
     """Whether the pattern is refitted to that body. auto: to a size and to measures; on a mesh it is left as
     it was drafted."""
 
+    pose: Literal["A", "T", "down"] = "A"
+    """How the wearer stands in the end: A as it is sewn, T with level arms, or down with hanging arms. The
+    garment is carried along."""
+
     @property
     def names_body(self) -> bool:
         """Whether a body is asked for."""
@@ -42,6 +47,23 @@ class WearerOptions:
         """Whether patterns are refitted to it."""
         mesh = self.body is not None and self.body.suffix.lower() in MESHES
         return self.names_body and (self.fit == "always" or (self.fit == "auto" and not mesh))
+
+    def posed(self, garment: Garment, body: Body | None) -> tuple[Garment, Body | None]:
+        """A garment and its wearer in the pose that is asked for.
+
+        Raises:
+            InputError: The body has a mesh of its own.
+        """
+        if self.pose == "A":
+            return garment, body
+        from dataclasses import replace
+
+        from swifttailor.body import Body
+        from swifttailor.body.standing import carried_to
+
+        stood, cloth = carried_to(self.pose, body or Body.default(), garment.vertices, garment.faces)
+        report = garment.report | {"pose": self.pose}
+        return replace(garment, vertices=cloth, report=report), stood
 
     def wearer(self) -> Body | None:
         """The body that is asked for; None where none is.

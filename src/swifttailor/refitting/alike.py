@@ -74,9 +74,7 @@ def made_alike(pattern: Pattern, likeness: Likeness) -> Pattern:
             label=panels[j].label,
             edges=tuple(
                 replace(new, label=old.label)
-                for new, old in zip(
-                    reflected(mean, panels[j].name).edges, panels[j].edges, strict=True
-                )
+                for new, old in zip(reflected(mean, panels[j].name).edges, panels[j].edges, strict=True)
             ),
         )
     for i, shift in likeness.own:
@@ -94,4 +92,3 @@ def _even(panel: Panel, shift: int) -> Panel:
     mean = between(panel, Reflection(shift, axis, 0.0).image(panel))
     edges = tuple(replace(new, label=old.label) for new, old in zip(mean.edges, panel.edges, strict=True))
     return replace(mean, edges=edges)
-

@@ -1,4 +1,4 @@
-"""How much cloth goes around a body at each height: measured in the flat panels, where the garment is level."""
+"""How much cloth goes around a body at each height: measured in the flat panels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Edges that are sewn together keep the ratio of their lengths: equal ones stay equal, gathers stay as full."""
+"""Edges that are sewn together keep the ratio of their lengths: equal stays equal, gathers stay full."""
 
 from __future__ import annotations
 
@@ -70,9 +70,7 @@ def _once(before: Pattern, now: Pattern, target: Pattern) -> Pattern:
     right = np.array([r for _, _, r in rows])
     step = spsolve((system.T @ system).tocsc(), system.T @ right).reshape(-1, 2)
     moved = place + step
-    panels = [
-        with_corners(panel, moved[start[k] : start[k + 1]]) for k, panel in enumerate(now.panels)
-    ]
+    panels = [with_corners(panel, moved[start[k] : start[k + 1]]) for k, panel in enumerate(now.panels)]
     return replace(now, panels=tuple(panels))
 
 

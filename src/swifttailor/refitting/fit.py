@@ -19,7 +19,7 @@ from swifttailor.body import Body
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern import Pattern
 from swifttailor.refitting.alike import find_likeness, made_alike
-from swifttailor.refitting.body_profile import BodyProfile, profile_of
+from swifttailor.refitting.body_profile import profile_of
 from swifttailor.refitting.even_lengths import keep_seam_ratios
 from swifttailor.refitting.growing import PanelSheet
 from swifttailor.refitting.outlines import moved_panel

@@ -70,7 +70,9 @@ def _turned(offsets: Floats, before: Floats, chord: Floats) -> Floats:
 def _bernstein(t: Floats, degree: int) -> Floats:
     from math import comb
 
-    return np.concatenate([comb(degree, k) * t**k * (1 - t) ** (degree - k) for k in range(degree + 1)], axis=1)
+    return np.concatenate(
+        [comb(degree, k) * t**k * (1 - t) ** (degree - k) for k in range(degree + 1)], axis=1
+    )
 
 
 def _fitted_arc(curve: Arc, before: Floats, chord: Floats, trace: Floats) -> Curve:

@@ -1,8 +1,8 @@
-"""How much wider and longer each place of a garment becomes on another body, from where it lies on the first.
+"""How much wider and longer each place of a garment becomes, from where it lies on the first body.
 
-Widths take on as many cm as the body does there: a garment that goes around keeps its ease, and what hangs from
-the hips becomes as much wider as they do. Lengths follow the body's lengths. Above the armpits widths follow
-shoulders and neck, and sleeves the arm.
+Widths take on as many cm as the body does there: what goes around keeps its ease, and what hangs from the
+hips becomes as much wider as they do. Lengths follow the body's lengths. Above the armpits widths follow shoulders
+and neck, and sleeves the arm.
 """
 
 from __future__ import annotations
@@ -179,7 +179,7 @@ def _trunk(
     counted = ~places.arm
     heights = np.arange(y[counted].min(), y[counted].max() + _STEP_CM, _STEP_CM) if counted.any() else y[:1]
     is_front = counted & (ahead > 0.5)
-    faces = counted[garment.mesh.flat_faces].all(axis=1)
+    faces = np.asarray(counted[garment.mesh.flat_faces].all(axis=1))
     parts = (is_front, counted & ~is_front)
     raw = cloth_around(garment.mesh, y, faces, heights, parts)
     cloth = _evened(raw)
@@ -236,7 +236,7 @@ def _legs(
     y, x = places.points[:, 1], places.points[:, 0]
     crotch = start.levels[_CROTCH]
     heights = np.arange(y[places.leg].min(), crotch + _STEP_CM, _STEP_CM)
-    faces = places.leg[garment.mesh.flat_faces].all(axis=1)
+    faces = np.asarray(places.leg[garment.mesh.flat_faces].all(axis=1))
     parts = places.leg & (x > 0), places.leg & (x <= 0)
     raw = cloth_around(garment.mesh, y, faces, heights, parts)
     cloth = _evened(raw)
@@ -260,7 +260,7 @@ def _sleeves(
 ) -> tuple[Floats, list[Ring]]:
     """What the cloth of sleeves is multiplied by around the arm (m,)."""
     down, x = places.down_arm, places.points[:, 0]
-    faces = places.arm[garment.mesh.flat_faces].all(axis=1)
+    faces = np.asarray(places.arm[garment.mesh.flat_faces].all(axis=1))
     along = ARM_PLACES * start.measurements.arm_length
     parts = places.arm & (x > 0), places.arm & (x <= 0)
     cloth = cloth_around(garment.mesh, down, faces, along, parts)

@@ -301,7 +301,12 @@ class Tailor(Workshop):
         """
         options = options or SewingOptions()
         source = read_and_prepare(
-            self.garment_sewer, patterns, options, rotation, self.body, fit=self.fits and self.body is not None
+            self.garment_sewer,
+            patterns,
+            options,
+            rotation,
+            self.body,
+            fit=self.fits and self.body is not None,
         )
         while part := list(islice(source, BATCH)):
             sewn = self._sew([one for one in part if isinstance(one, Answer)], options, progress)

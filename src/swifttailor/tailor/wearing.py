@@ -64,8 +64,8 @@ def all_refitted(
     for answer in answers:
         if isinstance(answer, Answer):
             try:
-                answer = prepare(sewer, refitted(answer, body), options)  # noqa: PLW2901
+                answer = prepare(sewer, refitted(answer, body), options)
             except SwiftTailorError as error:
-                answer = error  # noqa: PLW2901
+                answer = error
         done.append(answer)
     return done

@@ -143,8 +143,6 @@ def _height(match: re.Match[str], found: dict[str, str], measures: dict[str, flo
     return True
 
 
-
-
 def _compiled(pattern: str, take: _Take) -> tuple[re.Pattern[str], _Take]:
     return re.compile(pattern, re.IGNORECASE), take
 
@@ -169,25 +167,38 @@ def _either_girth(match: re.Match[str], found: dict[str, str], measures: dict[st
 _PHRASES = [
     _compiled(
         rf"{_IN}\b(?:(?P<before>{_REGION})\s+)?size\s+(?:(?P<between>{_REGION})\s*)?"
-        rf"(?:(?P<number>\d{{1,3}})|(?P<letter>{_LETTER})|(?P<word>extra small|extra large|small|medium|large))\b"
+        rf"(?:(?P<number>\d{{1,3}})|(?P<letter>{_LETTER})|(?P<word>(?:extra )?(?:small|large)|medium))\b"
         rf"(?:\s+(?P<after>{_REGION})\b)?",
         _size,
     ),
     _compiled(rf"{_IN}\b(?P<before>{_REGION})\s*(?P<number>\d{{1,3}})\b", _size),
     _compiled(r"(?:\bin\s+|\ban?\s+)?(?<![\w-])(?P<letter>XXS|XS|XXL|XL|2XL)(?![\w-])", _size),
-    _compiled(r"(?:\bfor\s+)?(?:\ban?\s+)?\b(?P<age>\d{1,2})[- ]years?[- ]olds?\b|\baged?\s+(?P<aged>\d{1,2})\b", _age),
     _compiled(
-        rf"{_WHO}\b(?:who (?:is|am)\s+|of\s+|is\s+|am\s+)?(?:(?P<cm>\d{{2,3}})\s*cm|(?P<m>[12]\.\d{{1,2}})\s*m)\s+"
+        r"(?:\bfor\s+)?(?:\ban?\s+)?\b(?P<age>\d{1,2})[- ]years?[- ]olds?\b|\baged?\s+(?P<aged>\d{1,2})\b",
+        _age,
+    ),
+    _compiled(
+        rf"{_WHO}\b(?:who (?:is|am)\s+|of\s+|is\s+|am\s+)?"
+        r"(?:(?P<cm>\d{2,3})\s*cm|(?P<m>[12]\.\d{1,2})\s*m)\s+"
         r"(?:tall|high|in height)\b",
         _height,
     ),
-    _compiled(rf"\bfor\s+(?:an?\s+|my\s+)?(?:{_TALL_OR}\s+)?(?:{_ANYBODY})\s+(?:of|with)\s+"
-              r"(?:(?P<cm>\d{3})\s*cm|(?P<m>[12]\.\d{1,2})\s*m)\b", _height),
-    _compiled(r"(?:\bwith\s+)?(?:\ban?\s+)?\b(?:height|stature)\s*(?:of|is|:|=)?\s*(?:(?P<cm>\d{3})(?:\s*cm)?|(?P<m>[12]\.\d{1,2})\s*m)\b", _height),
+    _compiled(
+        rf"\bfor\s+(?:an?\s+|my\s+)?(?:{_TALL_OR}\s+)?(?:{_ANYBODY})\s+(?:of|with)\s+"
+        r"(?:(?P<cm>\d{3})\s*cm|(?P<m>[12]\.\d{1,2})\s*m)\b",
+        _height,
+    ),
+    _compiled(
+        r"(?:\bwith\s+)?(?:\ban?\s+)?\b(?:height|stature)\s*(?:of|is|:|=)?\s*(?:(?P<cm>\d{3})(?:\s*cm)?|(?P<m>[12]\.\d{1,2})\s*m)\b",
+        _height,
+    ),
     _compiled(_GIRTH, _either_girth),
     _compiled(_GIRTH, _either_girth),
     _compiled(_GIRTH, _either_girth),
     _compiled(rf"\bfor\s+(?:an?\s+|my\s+)?(?P<kind>{_TALL_OR})\s+(?:{_ANYBODY})\b", _kind),
-    _compiled(r"(?:\bin\s+)?(?<![\w-])(?P<kind>petite|plus[- ]sized?|curvy)\b(?:\s+(?:figure|woman|women|lady))?", _kind),
+    _compiled(
+        r"(?:\bin\s+)?(?<![\w-])(?P<kind>petite|plus[- ]sized?|curvy)\b(?:\s+(?:figure|woman|women|lady))?",
+        _kind,
+    ),
 ]
 """What is looked for, in this order; each phrase once."""
