@@ -33,7 +33,7 @@ from swifttailor.garment.garment import Garment
 from swifttailor.pattern.pattern_list import read_patterns
 from swifttailor.refitting.body_profile import BodyProfile, profile_of
 from swifttailor.refitting.cloth_girths import cloth_around
-from swifttailor.refitting.fit import Refitted, refit
+from swifttailor.refitting.refitted import Refitted, refit
 from swifttailor.refitting.stretch import ease_scale, height_map, places_of
 
 BODIES = {

@@ -178,7 +178,7 @@ class Drape(GarmentResults, WearerOptions):
             probe = probe_body(Body.default() if self.refits else body)
             sewable = require_sewable(reading, str(source), repair=self.repair, body=probe)
             if self.refits:
-                from swifttailor.refitting.fit import fit
+                from swifttailor.refitting.refitted import fit
 
                 sewable = replace(sewable, pattern=fit(sewable.pattern, body))
             loaded = time.perf_counter()

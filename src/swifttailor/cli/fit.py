@@ -96,7 +96,7 @@ class Fit(WearerOptions):
     ) -> int:
         from swifttailor.body.probe import probe_body
         from swifttailor.pattern import Severity, check_pattern
-        from swifttailor.refitting.fit import refit
+        from swifttailor.refitting.refitted import refit
 
         sewn, reports, flawed = None, [], False
         for body, path in zip(bodies, paths, strict=True):

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 from swifttailor.first_use import loaded_on_first_use
 
 if TYPE_CHECKING:
-    from swifttailor.refitting.fit import Refitted, fit, refit
+    from swifttailor.refitting.refitted import Refitted, fit, refit
 
-_PUBLIC = {"Refitted": "fit", "fit": "fit", "refit": "fit"}
+_PUBLIC = {"Refitted": "refitted", "fit": "refitted", "refit": "refitted"}
 
 __all__ = ["Refitted", "fit", "refit"]
 

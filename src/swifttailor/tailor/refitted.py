@@ -14,7 +14,7 @@ def refitted(answer: Answer, body: Body) -> Answer:
     Raises:
         SwiftTailorError: Its pattern cannot be sewn, or the body cannot be measured.
     """
-    from swifttailor.refitting.fit import fit
+    from swifttailor.refitting.refitted import fit
 
     if body.made_for is not None and answer.pattern.drafted_for == body.made_for:
         return answer
