@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from swifttailor.first_use import loaded_on_first_use
 
 if TYPE_CHECKING:
-    from swifttailor.body import Body
+    from swifttailor.body import Body, body_for
     from swifttailor.describing import Claim
     from swifttailor.draping import Engine, Fabric, Settled, SewnGarment, drape, register_engine
     from swifttailor.errors import SwiftTailorError
@@ -71,6 +71,7 @@ _PUBLIC = {
     "Tailor": "tailor",
     "WrittenPattern": "pattern_maker.maker",
     "alter": "recutting",
+    "body_for": "body",
     "check": "pattern:check_pattern",
     "describe": "wording.description",
     "draft": "pattern.drafts",
@@ -111,6 +112,7 @@ __all__ = [
     "WrittenPattern",
     "__version__",
     "alter",
+    "body_for",
     "check",
     "describe",
     "draft",

@@ -79,28 +79,6 @@ class Body:
         return _default_body()
 
     @staticmethod
-    def made_to(
-        measures: Mapping[str, float] | None = None, *, size: str | None = None, figure: str | None = None
-    ) -> Body:
-        """Makes the likeliest body for a size or for measures, without any other package; see docs/sizes.md.
-
-        Args:
-            measures: Names and cm, such as ``{"bust": 96, "height": 172}``; they outrank those of the size.
-            size: Of a chart: ``44``, ``UK 12``, ``men 50``, ``children 128``.
-            figure: ``women``, ``men`` or ``children``, whose shape completes the measures; the size's, or an
-                adult about the default body, when None.
-
-        Raises:
-            InputError: A measure or the size is unknown or out of range, or no body has all of them; the text
-                says which come nearest.
-        """
-        from swifttailor.body.measure_names import measure_name
-        from swifttailor.body.wearer import Wearer
-
-        named = {measure_name(name): float(value) for name, value in (measures or {}).items()}
-        return Wearer(size, named, figure=figure).body()
-
-    @staticmethod
     def load(path: Path | str, measurements_path: Path | str | None = None) -> Body:
         """Reads a user's own body.
 

@@ -72,6 +72,8 @@ class Landmarks:
 
     def level(self, name: str) -> float:
         """Height of a level above the floor."""
+        if name == "thigh":  # as `measure_body` takes it
+            return self.level("crotch") - 0.01 * float(np.ptp(self.vertices[:, 1]))
         riders, offset = _riders()[name]
         return float(self.vertices[riders, 1].mean()) + offset
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from swifttailor.body.body import Body
 from swifttailor.body.made_to_measure import body_to_measure
-from swifttailor.body.measure_names import read_measures
+from swifttailor.body.measure_names import measure_name, read_measures
 from swifttailor.body.mesh_files import FORMATS
 from swifttailor.body.size_charts import find_size
 from swifttailor.errors import InputError
@@ -74,6 +74,25 @@ class Wearer:
         from swifttailor.body.standing import carried_to
 
         return carried_to(self.pose, body)[0]
+
+
+def body_for(
+    size: str | None = None, measures: Mapping[str, float] | None = None, *, figure: str | None = None
+) -> Body:
+    """Makes the likeliest body for a size or for measures, without any other package; see docs/sizes.md.
+
+    Args:
+        size: Of a chart: ``44``, ``UK 12``, ``men 50``, ``children 128``.
+        measures: Names and cm, such as ``{"bust": 96, "height": 172}``; they outrank those of the size.
+        figure: ``women``, ``men`` or ``children``, whose shape completes the measures; the size's, or an adult
+            about the default body, when None.
+
+    Raises:
+        InputError: A measure or the size is unknown or out of range, or no body has all of them; the text says
+            which come nearest.
+    """
+    named = {measure_name(name): float(value) for name, value in (measures or {}).items()}
+    return Wearer(size, named, figure=figure).body()
 
 
 def body_of(named: DraftedFor) -> Body:

@@ -29,7 +29,7 @@ _SIDE_CM = 3.0
 _BLEND_CM = 5.0
 _LEAST, _MOST = 0.4, 2.5
 """What cloth can be multiplied by."""
-_CROTCH, _HIPS, _ARMPIT, _SHOULDER, _NECK, _CROWN = 3, 4, 7, 8, 9, 10
+_CROTCH, _HIPS, _BUST, _ARMPIT, _SHOULDER, _NECK, _CROWN = 3, 4, 6, 7, 8, 9, 10
 
 
 @dataclass(frozen=True, eq=False)
@@ -183,8 +183,9 @@ def _trunk(
     parts = (is_front, counted & ~is_front)
     raw = cloth_around(garment.mesh, y, faces, heights, parts)
     cloth = _evened(raw)
-    # What hangs below the hips grows as the hips do.
-    at = np.clip(heights, levels[_HIPS], levels[_ARMPIT])
+    # What hangs below the hips grows as the hips do, and up to the armhole all grows as the chest does: side
+    # seams are straight there, and it is the fullest place that has to fit.
+    at = np.clip(heights, levels[_HIPS], levels[_BUST])
     more, rings = [], []
     ringed = (heights > levels[_CROTCH]) if places.leg.any() else np.ones(len(heights), np.bool_)
     ringed &= heights < levels[_ARMPIT] - 1.0
