@@ -127,8 +127,21 @@ def _riders() -> dict[str, tuple[Array, float]]:
         chosen = where[part] & (np.abs(y - level) < _BAND_CM)
         if name == "crotch":  # between the legs, not at their outer sides
             chosen = (~arms) & (np.abs(x) < 2.0) & (np.abs(y - level) < 2.5)
+        if name == "armpit":  # under the arms: thick ones begin lower
+            chosen = _joint_vertices() & (y < level - 1.5)
         riders = np.flatnonzero(chosen)
         found[name] = riders, level - float(y[riders].mean())
+    return found
+
+
+def _joint_vertices() -> Array:
+    """(N,) bool: where arms begin."""
+    body = Body.default()
+    labels = body.vertex_part[body.faces]
+    arms = np.isin(labels, [BodyPart.LEFT_ARM, BodyPart.RIGHT_ARM])
+    mixed = arms.any(axis=1) & ~arms.all(axis=1)
+    found = np.zeros(len(body.vertices), np.bool_)
+    found[body.faces[mixed][arms[mixed]]] = True
     return found
 
 

@@ -32,8 +32,8 @@ class BodyProfile:
     """(L,) heights of floor, ankle, knee, crotch, hips, waist, bust, armpit, shoulder, neck and crown: the
     same on every body."""
     heights: Floats
-    """(n,) of the slices of the trunk, from the crotch to the armpits; as many between two levels on every
-    body."""
+    """(n,) of the slices of the trunk, from the knees to the armpits; as many between two levels on every
+    body. Below the crotch the tape goes around both legs."""
     front: Floats
     """(n,) girth of the trunk in front of its sides."""
     back: Floats
@@ -90,12 +90,14 @@ def profile_of(body: Body) -> BodyProfile:
     trunk = body.faces[
         ~np.isin(face_parts(body.faces, body.vertex_part), [BodyPart.LEFT_ARM, BodyPart.RIGHT_ARM])
     ]
-    heights = np.interp(np.arange(3 * _STEPS, 7 * _STEPS + 1), np.arange(len(levels)) * _STEPS, levels)
+    heights = np.interp(np.arange(2 * _STEPS, 7 * _STEPS + 1), np.arange(len(levels)) * _STEPS, levels)
     outlines = [slice_points(body.vertices, trunk, _UP, float(h))[:, [0, 2]] for h in heights]
     # The sides run straight down; where they lie in one slice alone is not certain to a centimetre.
     below = heights < levels[7] - _BELOW_ARMPIT_CM
     depths = np.array([side_depth(outline) for outline in outlines])
-    sides = np.polyval(np.polyfit(heights[below], depths[below], 1), heights)
+    trunk_alone = below & (heights > crotch)
+    straight = np.polyfit(heights[trunk_alone], depths[trunk_alone], 1)
+    sides = np.polyval(straight, np.maximum(heights, crotch))
     slices = np.array([_trunk_slice(outline, side) for outline, side in zip(outlines, sides, strict=True)])
     # Close to the armpits slices cut what is left of the arms.
     slices[~below] = slices[below][-1]

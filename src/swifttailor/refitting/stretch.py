@@ -27,6 +27,10 @@ _EVEN_CM = 3.0
 _SIDE_CM = 3.0
 """Front and back change into each other over so much depth at the sides."""
 _BLEND_CM = 5.0
+_PROFILE_SLICES = 2.0
+"""Over so many slices of the trunk its profile is evened out."""
+_LOOSE = 1.3
+"""A skirt that is so many times as wide as both legs hangs from the hips."""
 _LEAST, _MOST = 0.4, 2.5
 """What cloth can be multiplied by."""
 _CROTCH, _HIPS, _BUST, _ARMPIT, _SHOULDER, _NECK, _CROWN = 3, 4, 6, 7, 8, 9, 10
@@ -186,19 +190,32 @@ def _trunk(
     # What hangs below the hips grows as the hips do, and up to the armhole all grows as the chest does: side
     # seams are straight there, and it is the fullest place that has to fit.
     at = np.clip(heights, levels[_HIPS], levels[_BUST])
-    more, rings = [], []
+    more, rings, scale = [], [], ease_scale(start, end)
+    # A narrow skirt goes around the legs and not down from the hips.
+    both = np.interp(heights, start.heights, start.girth)
+    tight = (heights < levels[_HIPS]) * np.clip(
+        (_LOOSE - cloth.sum(axis=1) / both) / (_LOOSE - 1.0), 0.0, 1.0
+    )
     ringed = (heights > levels[_CROTCH]) if places.leg.any() else np.ones(len(heights), np.bool_)
     ringed &= heights < levels[_ARMPIT] - 1.0
     for k, name in enumerate(("front", "back")):
-        girth, other = (np.interp(at, start.heights, getattr(body, name)) for body in (start, end))
-        wanted = wanted_width(cloth[:, k], girth, other, ease_scale(start, end))
-        ratio = np.where(cloth[:, k] > 0, wanted / np.maximum(cloth[:, k], 1e-6), other / girth)
+        hanging, close = (
+            _ratio(cloth[:, k], *(np.interp(h, start.heights, getattr(b, name)) for b in (start, end)), scale)
+            for h in (at, np.minimum(heights, at[-1]))
+        )
+        ratio = (1 - tight) * hanging + tight * close
         more.append(np.interp(y, heights, ratio))
         rings.append(Ring(y, parts[k], faces, heights[ringed], (raw[:, k] * ratio)[ringed]))
     around = ahead * more[0] + (1 - ahead) * more[1]
     around = _shoulders(places, start, end, around)
     rising = height_map(start, end).derivative()(np.clip(y, -5.0, levels[-1] + 20.0))
-    return around, rising * _over_the_bust(places, start, end), rings
+    return around, rising * _over_the_middle(places, start, end), rings
+
+
+def _ratio(cloth: Floats, girth: Floats, other: Floats, scale: float) -> Floats:
+    """What cloth is multiplied by so that it is as wide as `wanted_width` says."""
+    wanted = wanted_width(cloth, girth, other, scale)
+    return np.where(cloth > 0, wanted / np.maximum(cloth, 1e-6), other / girth)
 
 
 def _shoulders(places: GarmentPlaces, start: BodyProfile, end: BodyProfile, around: Floats) -> Floats:
@@ -216,18 +233,39 @@ def _shoulders(places: GarmentPlaces, start: BodyProfile, end: BodyProfile, arou
     return (1 - head) * widths + head * (b.head_l / a.head_l)
 
 
-def _over_the_bust(places: GarmentPlaces, start: BodyProfile, end: BodyProfile) -> Floats:
-    """(m,) how much more a fuller chest lengthens the middle of the front than the body is longer there."""
-    a, b = start.measurements, end.measurements
-    fuller = (b.waist_over_bust_line / b.waist_line) / (a.waist_over_bust_line / a.waist_line)
+def _over_the_middle(places: GarmentPlaces, start: BodyProfile, end: BodyProfile) -> Floats:
+    """(m,) how much more chest, belly and back lengthen the middle than the body is longer there.
+
+    Cloth lies over them as over a drum: along the convex hull of the profile. Side seams hang straight down.
+    """
     x, y, z = places.points.T
-    levels = start.levels
     half = np.interp(y, start.heights, start.half_width)
     front = _ramp((z - np.interp(y, start.heights, start.side)) / _SIDE_CM)
     middle = np.clip(2.0 - 2.0 * np.abs(x) / np.maximum(half, 1.0), 0.0, 1.0)
-    waist, neck = levels[5], levels[_NECK]
-    within = np.clip((y - waist) / _BLEND_CM, 0.0, 1.0) * np.clip((neck - y) / _BLEND_CM, 0.0, 1.0)
-    return 1.0 + (fuller - 1.0) * front * middle * within * ~places.arm
+    longer = [
+        np.interp(y, start.heights, _slant(end, name) / _slant(start, name), right=1.0)
+        for name in ("ahead", "behind")
+    ]
+    both = front * longer[0] + (1 - front) * longer[1]
+    return 1.0 + (both - 1.0) * middle * ~places.arm
+
+
+def _slant(body: BodyProfile, name: str) -> Floats:
+    """(n,) length of the profile's convex hull over a centimetre of height, from the hips to the armpits."""
+    from scipy.ndimage import gaussian_filter1d
+    from scipy.spatial import ConvexHull
+
+    above = np.flatnonzero(body.heights >= body.levels[_HIPS])
+    points = np.stack([body.heights[above], getattr(body, name)[above]], axis=1)
+    neck = [body.levels[_NECK], 0.35 * points[-1, 1]]
+    closed = np.concatenate([points, [neck, [neck[0], -20.0], [points[0, 0], -20.0]]])
+    corners = closed[[k for k in ConvexHull(closed).vertices if closed[k, 1] > -19.0]]
+    corners = corners[np.argsort(corners[:, 0])]
+    out = np.interp(points[:, 0], *corners.T)
+    slope = np.gradient(out, points[:, 0])
+    result = np.ones(len(body.heights))
+    result[above] = gaussian_filter1d(np.sqrt(1.0 + slope**2), _PROFILE_SLICES, mode="nearest")
+    return result
 
 
 def _legs(
