@@ -96,12 +96,12 @@ class Landmarks:
     def _girth(self, name: str) -> float:
         if name in RINGS:
             center, axis = self.ring(name)
-            return slice_girth(self.vertices, _ring_faces()[name], axis, float(center @ axis))
-        return girth(self.vertices, _level_faces()[name], self.level(name))
+            return slice_girth(self.vertices, ring_faces()[name], axis, float(center @ axis))
+        return girth(self.vertices, level_faces()[name], self.level(name))
 
     def widths(self, name: str) -> tuple[float, float]:
         """Front and back part of a girth of the trunk, divided at its sides."""
-        cut = slice_points(self.vertices, _level_faces()[name], np.array([0.0, 1.0, 0.0]), self.level(name))
+        cut = slice_points(self.vertices, level_faces()[name], np.array([0.0, 1.0, 0.0]), self.level(name))
         return split_girth(cut[:, [0, 2]], float(self.point(SIDES[name])[2]))
 
 
@@ -146,7 +146,7 @@ def _joint_vertices() -> Array:
 
 
 @functools.cache
-def _level_faces() -> dict[str, Array]:
+def level_faces() -> dict[str, Array]:
     """Faces near each level, on one leg below the crotch."""
     body = Body.default()
     faces = _trunk()
@@ -190,7 +190,8 @@ def _ring_riders() -> dict[str, tuple[Array, Array, Array]]:
 
 
 @functools.cache
-def _ring_faces() -> dict[str, Array]:
+def ring_faces() -> dict[str, Array]:
+    """Faces (m, 3) of the left arm near each ring."""
     body = Body.default()
     own = body.faces[face_parts(body.faces, body.vertex_part) == BodyPart.LEFT_ARM]
     middle = body.vertices[own].mean(axis=1)

@@ -1,8 +1,8 @@
 """How much wider and longer each place of a garment becomes, from where it lies on the first body.
 
 Widths take on as many cm as the body does there: what goes around keeps its ease, and what hangs from the
-hips becomes as much wider as they do. Lengths follow the body's lengths. Above the armpits widths follow shoulders
-and neck, and sleeves the arm.
+hips becomes as much wider as they do. Lengths follow the body's lengths. Above the armpits widths follow
+shoulders and neck, and sleeves the arm.
 """
 
 from __future__ import annotations
