@@ -84,12 +84,12 @@ def body_for(
     Args:
         size: Of a chart: ``44``, ``UK 12``, ``men 50``, ``children 128``.
         measures: Names and cm, such as ``{"bust": 96, "height": 172}``; they outrank those of the size.
-        figure: ``women``, ``men`` or ``children``, whose shape completes the measures; the size's, or an adult
-            about the default body, when None.
+        figure: ``women``, ``men`` or ``children``, whose shape completes the measures; the size's, or an
+            adult about the default body, when None.
 
     Raises:
-        InputError: A measure or the size is unknown or out of range, or no body has all of them; the text says
-            which come nearest.
+        InputError: A measure or the size is unknown or out of range, or no body has all of them; the text
+            says which come nearest.
     """
     named = {measure_name(name): float(value) for name, value in (measures or {}).items()}
     return Wearer(size, named, figure=figure).body()

@@ -7,8 +7,8 @@ from functools import cache
 
 from swifttailor.body import Body
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.sewer import GarmentSewer
+from swifttailor.garment_sewer.to_scale import sewer_for
 from swifttailor.pattern import Pattern
 
 
@@ -33,11 +33,7 @@ def sewn_on(body: Body, edge_length: float) -> Callable[[Pattern], Garment]:
         body: Who wears them.
         edge_length: Of the mesh, cm.
     """
-    from dataclasses import replace
-
-    sewer = _sewer()
-    if body is not Body.default():
-        sewer = replace(sewer, body=BodyDistance.of(body))
+    sewer = _sewer() if body is Body.default() else sewer_for(_sewer(), body)
     return lambda pattern: sewer.sew(pattern, edge_length=edge_length)
 
 

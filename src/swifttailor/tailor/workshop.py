@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from copy import copy
-from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Self
@@ -69,17 +68,12 @@ class Workshop:
         other = copy(self)
         other.body = body
         sewer = other.__dict__.pop("garment_sewer", None)
-        if isinstance(sewer, GarmentSewer):
-            # Opened already; only what it keeps garments out of is another's.
-            other._sewer = sewer if body is not None else self._sewer_of_default(sewer)
+        if isinstance(sewer, GarmentSewer):  # opened already; only what it keeps garments out of is another's
+            from swifttailor.body import Body
+            from swifttailor.garment_sewer.to_scale import sewer_for
+
+            other._sewer = sewer if body is not None else sewer_for(sewer, Body.default())
         return other
-
-    @staticmethod
-    def _sewer_of_default(sewer: GarmentSewer) -> GarmentSewer:
-        from swifttailor.body import Body
-        from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
-
-        return replace(sewer, body=BodyDistance.of(Body.default()))
 
     @cached_property
     def pattern_maker(self) -> PatternWriter:
@@ -105,9 +99,9 @@ class Workshop:
         if sewer is None or isinstance(sewer, Path | str):
             sewer = GarmentSewer.load(sewer, threads=self._threads)
         if self.body is not None and isinstance(sewer, GarmentSewer):
-            from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
+            from swifttailor.garment_sewer.to_scale import sewer_for
 
-            return replace(sewer, body=BodyDistance.of(self.body))
+            return sewer_for(sewer, self.body)
         return sewer
 
     @cached_property
