@@ -1,4 +1,4 @@
-"""Draws docs/images/landmarks.webp, where measures are taken, and docs/images/sizes.webp, bodies of the charts.
+"""Draws docs/images/landmarks.webp, where measures are taken, and sizes.webp, bodies of the charts.
 
 ``python scripts/draw_landmarks.py`` from the repository root; half a minute.
 """
@@ -40,17 +40,30 @@ def landmarks(path: Path) -> None:
     for k, azimuth in enumerate((0.0, 90.0)):
         camera = Camera(target=(0.0, 88.0, 0.0), height=190.0, azimuth=azimuth)
         seen = render_view(
-            [Surface(body.vertices, body.faces, np.array([0.62, 0.58, 0.54]))], camera, SIZE, background=PAPER_LIGHT
+            [Surface(body.vertices, body.faces, np.array([0.62, 0.58, 0.54]))],
+            camera,
+            SIZE,
+            background=PAPER_LIGHT,
         )
         picture = Image.fromarray(seen)
         pen = ImageDraw.Draw(picture)
         for name in LEVELS:
             level = marks.level(name)
             if name in level_faces():
-                outline(pen, camera, slice_points(body.vertices, level_faces()[name], np.array([0.0, 1.0, 0.0]), level), RED)
+                outline(
+                    pen,
+                    camera,
+                    slice_points(body.vertices, level_faces()[name], np.array([0.0, 1.0, 0.0]), level),
+                    RED,
+                )
         for name in RINGS:
             center, axis = marks.ring(name)
-            outline(pen, camera, slice_points(body.vertices, ring_faces()[name], axis, float(center @ axis)), GREEN)
+            outline(
+                pen,
+                camera,
+                slice_points(body.vertices, ring_faces()[name], axis, float(center @ axis)),
+                GREEN,
+            )
         for name in POINTS:
             for sign in (1, -1):
                 x, y, _ = camera.project((marks.point(name) * [sign, 1, 1])[None], SIZE)[0]
@@ -66,7 +79,9 @@ def landmarks(path: Path) -> None:
 PAPER_LIGHT = tuple(((np.array(PAPER) / 255) ** 2.2).tolist())
 
 
-def outline(pen: ImageDraw.ImageDraw, camera: Camera, points: np.ndarray, color: tuple[int, int, int]) -> None:
+def outline(
+    pen: ImageDraw.ImageDraw, camera: Camera, points: np.ndarray, color: tuple[int, int, int]
+) -> None:
     """What the camera sees of a slice: its points, joined where they are next to each other."""
     if len(points) < 3:
         return
@@ -92,8 +107,9 @@ def name_points(pen: ImageDraw.ImageDraw, marks: Landmarks, camera: Camera) -> N
     for name in POINTS:
         x, y, _ = camera.project(marks.point(name)[None], SIZE)[0]
         left = x < SIZE[0] / 2
-        place = (x + 90, y - 10) if not left else (x - 200, y - 10)
-        pen.line([(x, y), (place[0] + (-4 if not left else 105), y)], fill=BLUE, width=1)
+        lower = {"waist side": 22, "hip side": 22}.get(name, 0)
+        place = (x + 90, y - 10 + lower) if not left else (x - 200, y - 10 + lower)
+        pen.line([(x, y), (place[0] + (-4 if not left else 105), y + lower)], fill=BLUE, width=1)
         pen.text(place, name, fill=BLUE, font=FONT)
 
 
