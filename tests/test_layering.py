@@ -272,7 +272,7 @@ def test_public_names():
     )
     more = "PatternMaker PatternWriter Placement Quadratic Settled Sewer SewnGarment Stitch"
     errors = "SwiftTailorError Tailor WrittenPattern"
-    functions = "alter check describe draft drape load_pattern register_engine repair sew"
+    functions = "alter body_for check describe draft drape fit load_pattern register_engine repair sew"
     names = f"{classes} {more} {errors} {functions}".split()
     assert sorted(swifttailor.__all__) == sorted(["__version__", *names])
     assert list(swifttailor._PUBLIC) == names

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from swifttailor.first_use import loaded_on_first_use
 
 if TYPE_CHECKING:
-    from swifttailor.body import Body
+    from swifttailor.body import Body, body_for
     from swifttailor.describing import Claim
     from swifttailor.draping import Engine, Fabric, Settled, SewnGarment, drape, register_engine
     from swifttailor.errors import SwiftTailorError
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from swifttailor.pattern.drafts import draft
     from swifttailor.pattern_maker.maker import PatternMaker, WrittenPattern
     from swifttailor.recutting import alter
+    from swifttailor.refitting import fit
     from swifttailor.tailor import Tailor
     from swifttailor.tailor.one_pattern import sew
     from swifttailor.tailor.protocols import PatternWriter, Sewer
@@ -70,10 +71,12 @@ _PUBLIC = {
     "Tailor": "tailor",
     "WrittenPattern": "pattern_maker.maker",
     "alter": "recutting",
+    "body_for": "body",
     "check": "pattern:check_pattern",
     "describe": "wording.description",
     "draft": "pattern.drafts",
     "drape": "draping",
+    "fit": "refitting",
     "load_pattern": "pattern",
     "register_engine": "draping",
     "repair": "pattern:repair_pattern",
@@ -109,10 +112,12 @@ __all__ = [
     "WrittenPattern",
     "__version__",
     "alter",
+    "body_for",
     "check",
     "describe",
     "draft",
     "drape",
+    "fit",
     "load_pattern",
     "register_engine",
     "repair",

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from swifttailor.body.measuring import girth, measure_body
     from swifttailor.body.parts import BodyPart
     from swifttailor.body.surface_distance import SurfaceTree, signed_distance
+    from swifttailor.body.wearer import body_for
 
 _PUBLIC = {
     "Body": "body",
@@ -26,6 +27,7 @@ _PUBLIC = {
     "BodyPart": "parts",
     "DistanceField": "distance_field",
     "SurfaceTree": "surface_distance",
+    "body_for": "wearer",
     "girth": "measuring",
     "measure_body": "measuring",
     "signed_distance": "surface_distance",
@@ -37,6 +39,7 @@ __all__ = [
     "BodyPart",
     "DistanceField",
     "SurfaceTree",
+    "body_for",
     "girth",
     "measure_body",
     "signed_distance",

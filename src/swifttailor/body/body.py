@@ -15,6 +15,7 @@ from swifttailor.body.distance_field import DistanceField
 from swifttailor.body.measurements import BodyMeasurements
 from swifttailor.body.parts import BodyPart
 from swifttailor.errors import InputError
+from swifttailor.pattern.drafted_for import DraftedFor
 
 DEFAULT_FILE = Path(__file__).with_name("default_body.npz")
 
@@ -36,6 +37,8 @@ class Body:
     """(N,) uint8 `BodyPart` of each vertex."""
     measurements: BodyMeasurements
     """GarmentCode's measurements of this body."""
+    made_for: DraftedFor | None = None
+    """The figure and measures that it was made to; None for the default body, and where it was not."""
     _made: dict[Any, Any] = field(default_factory=dict, init=False)
 
     def __post_init__(self) -> None:

@@ -19,6 +19,8 @@ _NEAR_CM, _FAR_CM = 2.0, 4.0
 _ROUNDS = 60
 _OUTWARD_CM = 0.5
 """A smoothed body of somebody's own fills hollows by at most this much, so that cloth stays outside."""
+_INWARD_CM = 0.4
+"""Under cloth it lies so far inside the body: the triangles of the cloth cut its curves."""
 
 
 def mannequin(body: Body, cloth: Array | None = None) -> tuple[Array, Array]:
@@ -29,14 +31,15 @@ def mannequin(body: Body, cloth: Array | None = None) -> tuple[Array, Array]:
 
     Args:
         body: Who wears the garment.
-        cloth: (k, 3) points of what is worn, cm. The mannequin fills some hollows of the default body; under
-            cloth they are empty again, so that it does not show through.
+        cloth: (k, 3) points of what is worn, cm. The mannequin fills some hollows of the body; under cloth
+            they are empty again, so that it does not show through.
 
     Returns:
         Vertices (n, 3) in cm and faces (m, 3), anticlockwise seen from outside.
     """
     if body is not Body.default():
-        return smoothed(body.vertices, body.faces), body.faces
+        surface = smoothed(body.vertices, body.faces)
+        return (surface if cloth is None else _under_cloth(surface, body, cloth)), body.faces
     made = _default()
     if cloth is None or not len(cloth):
         return made.vertices, made.faces
@@ -48,6 +51,19 @@ def mannequin(body: Body, cloth: Array | None = None) -> tuple[Array, Array]:
     vertices = made.vertices.copy()
     vertices[filled] -= (share * made.over[filled])[:, None] * made.normals[filled]
     return vertices, made.faces
+
+
+def _under_cloth(surface: Array, body: Body, cloth: Array) -> Array:
+    """A smoothed body (n, 3) that stays inside the body wherever cloth is near."""
+    from scipy.spatial import KDTree
+
+    if not len(cloth):
+        return surface
+    normals = _normals(body.vertices, body.faces)
+    over = np.einsum("ij,ij->i", surface - body.vertices, normals) + _INWARD_CM
+    away, _ = KDTree(cloth).query(body.vertices, distance_upper_bound=_FAR_CM)
+    share = np.clip((_FAR_CM - away) / (_FAR_CM - _NEAR_CM), 0.0, 1.0)
+    return surface - (share * np.maximum(over, 0.0))[:, None] * normals
 
 
 @dataclass(frozen=True, eq=False)

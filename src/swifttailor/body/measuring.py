@@ -9,6 +9,7 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.body.measurements import BodyMeasurements
 from swifttailor.body.parts import BodyPart, face_parts
+from swifttailor.errors import InputError
 
 # Heights as fractions of the body's own, between which the fullest or narrowest slice is looked for.
 _BUST_WINDOW = (0.695, 0.76)
@@ -159,7 +160,7 @@ def _arm(
     # The hand is about a ninth of the height; the wrist is the narrowest slice around its beginning.
     expected = reach.max() - 0.105 * height
     places = np.arange(expected - 0.025 * height, expected + 0.025 * height, _STEP)
-    sizes = [_slice_girth(vertices, own, axis, float(shoulder @ axis + place)) for place in places]
+    sizes = [slice_girth(vertices, own, axis, float(shoulder @ axis + place)) for place in places]
     if min(sizes) <= 0:
         return {}
     narrowest = int(np.argmin(sizes))
@@ -171,6 +172,21 @@ def _arm(
         "arm_pose_angle": float(np.degrees(np.arctan2(-fall[1], abs(fall[0])))),
         "wrist": sizes[narrowest],
     }
+
+
+def arm_axis(vertices: Array, faces: Array, vertex_part: Array, part: BodyPart) -> tuple[Array, Array]:
+    """Middle (3,) of the joint of an arm, cm, and the direction (3,) from there to the tip of the hand.
+
+    Raises:
+        InputError: The body has no such arm.
+    """
+    joint = _joint(vertices, faces, vertex_part, part)
+    if joint is None:
+        raise InputError("The body has no arms where an A-pose has them; sleeves cannot be measured on it.")
+    shoulder = joint.mean(axis=0)
+    points = vertices[np.asarray(vertex_part) == part]
+    tip = points[np.linalg.norm(points - shoulder, axis=1).argmax()]
+    return shoulder, (tip - shoulder) / np.linalg.norm(tip - shoulder)
 
 
 def _joint(vertices: Array, faces: Array, vertex_part: Array, part: BodyPart) -> Array | None:
@@ -198,8 +214,15 @@ def _foremost_level(vertices: Array, faces: Array, height: float) -> float:
     return float(chest[chest[:, 2].argmax(), 1]) if len(chest) else (low + high) / 2 * height
 
 
-def _slice_girth(vertices: Array, faces: Array, axis: Array, offset: float) -> float:
-    """Perimeter of the convex hull of a slice across `axis`."""
+def slice_girth(vertices: Array, faces: Array, axis: Array, offset: float) -> float:
+    """Length of a tape measure around a slice across `axis`: the perimeter of its convex hull, cm.
+
+    Args:
+        vertices: (N, 3) positions, cm.
+        faces: (M, 3) vertex indices of the parts the tape goes around.
+        axis: (3,) unit normal of the slice.
+        offset: Position of the slice along `axis`, cm.
+    """
     points = slice_points(vertices, faces, axis, offset)
     helper = np.eye(3)[np.abs(axis).argmin()]
     u = np.cross(axis, helper)
@@ -226,6 +249,36 @@ def _perimeter(outline: Array) -> float:
     )
 
 
+def split_girth(outline: Array, side: float) -> tuple[float, float]:
+    """Parts of a tape measure around a slice that lie in front of its sides and behind them, cm.
+
+    Args:
+        outline: (K, 2) x and z of the points of the slice, cm.
+        side: z of the sides.
+    """
+    hull = _hull(outline)
+    if not len(hull):
+        return 0.0, 0.0
+    closed = np.concatenate([hull, hull[:1]])
+    length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
+    z = np.interp((np.arange(_TAPE) + 0.5) / _TAPE * length[-1], length, closed[:, 1])
+    ahead = float((z > side).mean())
+    return ahead * float(length[-1]), (1 - ahead) * float(length[-1])
+
+
+def side_depth(outline: Array) -> float:
+    """Depth of the sides of a slice: the middle of where it is nearly at its widest.
+
+    Args:
+        outline: (K, 2) x and z of the points of a slice, cm.
+    """
+    wide = np.abs(outline[:, 0]) > _NEARLY_WIDEST * np.abs(outline[:, 0]).max()
+    return float(outline[wide, 1].min() + outline[wide, 1].max()) / 2
+
+
+_NEARLY_WIDEST = 0.85
+_TAPE = 2000
+"""Places on a tape that are asked on which side they lie."""
 _BACK_OF = {"bust": "back_width", "waist": "waist_back_width", "hips": "hip_back_width"}
 _ANGLES = frozenset({"shoulder_incl", "arm_pose_angle", "hip_inclination"})
 

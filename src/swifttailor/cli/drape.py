@@ -19,6 +19,7 @@ from swifttailor.cli.option_checks import (
 )
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import GarmentResults, file_name, new_place
+from swifttailor.cli.wearer_options import WearerOptions
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ MORE_TIME = "Choose a longer --edge-length, or give it more time with --time-lim
 
 
 @dataclass(frozen=True, kw_only=True)
-class Drape(GarmentResults):
+class Drape(GarmentResults, WearerOptions):
     """Sew a pattern together on a body and let it hang to rest.
 
     Writes pattern.json, pattern.svg, garment.glb, garment.obj, preview.png and report.json into a folder.
@@ -49,9 +50,6 @@ class Drape(GarmentResults):
 
     pattern: Annotated[tyro.conf.Positional[Path | None], tyro.conf.arg(metavar="PATTERN")] = None
     """GarmentCode JSON file to drape."""
-    body: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Body mesh to drape on (.obj, .ply, .glb, .stl), standing upright, facing +Z. The default body without
-    it."""
     fabric: str = "cotton"
     """cotton, denim, silk or jersey."""
     edge_length: float = 2.0
@@ -115,6 +113,11 @@ class Drape(GarmentResults):
             )
         if self.batch is None:
             self._refuse_batch_options()
+        elif self.refits or self.pose != "A":
+            raise InputError(
+                "With --batch, patterns are draped as they were drafted: --size, --measure, --figure, --fit "
+                "and --pose go with a single pattern. Refit them first with: swifttailor fit"
+            )
         require_edge_length(self.edge_length)
         require_seed(self.seed)
         worker_count(self.workers)
@@ -171,8 +174,13 @@ class Drape(GarmentResults):
             from swifttailor.draping.time_limit import TimeLimit
 
             fabric = get_fabric(self.fabric)
-            body = Body.default() if self.body is None else Body.load(self.body)
-            sewable = require_sewable(reading, str(source), repair=self.repair, body=probe_body(body))
+            body = self.wearer() or Body.default()
+            probe = probe_body(Body.default() if self.refits else body)
+            sewable = require_sewable(reading, str(source), repair=self.repair, body=probe)
+            if self.refits:
+                from swifttailor.refitting.refitted import fit
+
+                sewable = replace(sewable, pattern=fit(sewable.pattern, body))
             loaded = time.perf_counter()
             if not solver_is_compiled():
                 progress.note(COMPILE_NOTE)
@@ -186,10 +194,10 @@ class Drape(GarmentResults):
                 progress=TimeLimit(self._time_limit(), progress, instead=MORE_TIME),
             )
             report = sewable.complete_report(garment.report, loaded - started)
-            garment = replace(garment, report=report)
+            garment, shown = self.posed(replace(garment, report=report), body)
             before_saving = time.perf_counter()
             progress("saving", 0.0)
-            save_garment(garment, output, body=body, preview=self.preview)
+            save_garment(garment, output, body=shown, preview=self.preview)
             saving = time.perf_counter() - before_saving
         return garment, sewable, saving
 

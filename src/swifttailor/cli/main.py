@@ -218,6 +218,12 @@ def _load_sew() -> Runner:
     return _runner(Sew, "sew")
 
 
+def _load_fit() -> Runner:
+    from swifttailor.cli.fit import Fit
+
+    return _runner(Fit, "fit")
+
+
 def _load_generate() -> Runner:
     from swifttailor.cli.generate import Generate
 
@@ -262,6 +268,11 @@ COMMANDS: dict[str, Command] = {
         "Draft a sewing pattern from a garment's name, a few options and a body.",
         "swifttailor draft t-shirt --out t-shirt.json    all garments: --list",
         _load_draft,
+    ),
+    "fit": Command(
+        "Refit a pattern to another body: a size, measures, or a run of sizes.",
+        "swifttailor fit PATTERN --size 44 --out FILE    or a run: --sizes 36-46 --out DIR",
+        _load_fit,
     ),
     "check": Command(
         "Find faults in a sewing pattern, and repair those that are safe to repair.",

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 import time
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
@@ -19,6 +20,7 @@ from swifttailor.cli.option_checks import (
 from swifttailor.cli.plain_options import operands
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import GarmentResults
+from swifttailor.cli.wearer_options import WearerOptions
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
@@ -30,11 +32,12 @@ UNUSABLE = 2
 SHEET = "sheet.png"
 MOST_SAMPLES = MOST_ATTEMPTS = 64
 HIGHEST_TEMPERATURE = 10.0
+MEASURE = re.compile(r"\w+=[\w.]+")
 PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".gif", ".tif", ".tiff")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Making(GarmentResults):
+class Making(GarmentResults, WearerOptions):
     """Options of both commands."""
 
     asks_for: ClassVar[str]
@@ -76,7 +79,11 @@ class Making(GarmentResults):
         """
         if not arguments:
             raise cls.nothing_requested()
-        words = [word for word in operands(cls, arguments) if Path(word).suffix.lower() not in PICTURES]
+        words = [
+            word
+            for word in operands(cls, arguments)
+            if Path(word).suffix.lower() not in PICTURES and not MEASURE.fullmatch(word)
+        ]
         count = sum("Positional" in str(field.type) for field in fields(cls))
         if {"-h", "--help"}.isdisjoint(arguments) and len(words) > count:
             before = "".join(f"{word} " for word in words[: count - 1])
@@ -137,7 +144,10 @@ class Making(GarmentResults):
         """
         from swifttailor.tailor import Tailor
 
-        return Tailor.load(self.maker_weights, self.sewer_weights, threads=self.threads, **networks)
+        body = None if self.refits else self.wearer()
+        return Tailor.load(
+            self.maker_weights, self.sewer_weights, body=body, threads=self.threads, **networks
+        )
 
     def several(self, tailor: Tailor, order: Order) -> dict[str, Order]:
         """The orders that one is, by their folder in DIR.
@@ -162,6 +172,7 @@ class Making(GarmentResults):
         return Order(
             text,
             **asked,
+            body=self.wearer() if self.refits else None,
             samples=self.samples,
             seed=self.seed,
             temperature=self.temperature,
@@ -196,6 +207,10 @@ class Making(GarmentResults):
         if self.preview and len(possible) > 1:
             output.require_own([SHEET])
 
+    def _posed(self, made: Tailored) -> Tailored:
+        garment, body = self.posed(made.garment, made.body)
+        return replace(made, garment=garment, body=body)
+
     def shows_what_is_seen(self) -> bool:
         """Whether pictures are read."""
         return False
@@ -215,6 +230,10 @@ class Making(GarmentResults):
                 for folder, one in zip(
                     self.folders(within), tailor.make(part, progress=progress), strict=True
                 )
+            }
+            outcomes = {
+                folder: self._posed(one) if isinstance(one, Tailored) else one
+                for folder, one in outcomes.items()
             }
             made = {folder: one for folder, one in outcomes.items() if isinstance(one, Tailored)}
             if not made:

@@ -144,8 +144,8 @@ def _option(field: Field[Any]) -> _Option:
     if configured - {"Positional", "FlagCreatePairsOff", ""}:
         raise _NotPlain
     kind, positional = ast.unparse(node), "Positional" in configured
-    several = kind == "tuple[Path, ...]"
-    kind = "Path" if several else kind.removesuffix(" | None")
+    several = kind in ("tuple[Path, ...]", "tuple[str, ...]")
+    kind = kind.removeprefix("tuple[").removesuffix(", ...]") if several else kind.removesuffix(" | None")
     if kind.startswith("Literal["):
         kind = f"({kind.removeprefix('Literal[').removesuffix(']')},)"
     elif kind not in ("Path", "str", "bool", *_NUMBERS) or (

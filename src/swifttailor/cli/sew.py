@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from swifttailor.cli.option_checks import require_edge_length, require_threads, require_writable_folder
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import GarmentResults, new_place
+from swifttailor.cli.wearer_options import WearerOptions
 from swifttailor.errors import DiskFullError, InputError, SwiftTailorError
 
 if TYPE_CHECKING:
@@ -25,8 +26,8 @@ SEW_AGAIN = (
 
 
 @dataclass(frozen=True, kw_only=True)
-class Sew(GarmentResults):
-    """Turn sewing patterns into stitched garments on the default body, in a fraction of a second each.
+class Sew(GarmentResults, WearerOptions):
+    """Turn sewing patterns into stitched garments on a body, in a fraction of a second each.
 
     Writes pattern.json, pattern.svg, garment.glb, garment.obj, preview.png and report.json into a folder; of
     several patterns each gets a folder of its own in DIR, named after its file. What is wrong with a pattern
@@ -75,7 +76,9 @@ class Sew(GarmentResults):
 
         for _, output in outputs:
             output.require_own(names_written(preview=self.preview))
-        tailor = Tailor.load(garment_sewer=self.weights, threads=self.threads)
+        tailor = Tailor.load(
+            garment_sewer=self.weights, body=self.wearer(), fit=self.refits, threads=self.threads
+        )
         for note in tailor.compile_notes(finish=self.finish):
             print(note, file=sys.stderr, flush=True)  # noqa: T201
         options = SewingOptions(self.edge_length, self.resolution, self.repair, self.finish)
@@ -123,6 +126,8 @@ class Sew(GarmentResults):
         try:
             if isinstance(outcome, SwiftTailorError):
                 raise outcome
+            garment, body = self.posed(outcome.garment, outcome.body)
+            outcome = replace(outcome, garment=garment, body=body)
             if output.folder == self.folder:  # which is locked
                 outcome.save_in(output, preview=self.preview, images=False)
             else:

@@ -18,6 +18,7 @@ from swifttailor.arrays import Floats
 from swifttailor.errors import PatternError
 from swifttailor.pattern import json_values as values
 from swifttailor.pattern.curve import Arc, Cubic, Curve, Line, Quadratic, to_relative
+from swifttailor.pattern.drafted_for import DraftedFor
 from swifttailor.pattern.edge_loop import Loop, RawEdge, order_loop
 from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.finding_kinds import found
@@ -137,7 +138,8 @@ def read_specification(
         panels[key], edge_ids[key] = _read_panel(key, raw, context)
     ordered = [panels[n] for n in _panel_order(body.get("panel_order"), panels, context)]
     stitches = _read_stitches(body.get("stitches", []), panels, edge_ids, context)
-    return Reading(Pattern(tuple(ordered), stitches, name), tuple(context.findings))
+    named = DraftedFor.from_json(values.as_object(top.get("properties", {}), "properties").get("drafted_for"))
+    return Reading(Pattern(tuple(ordered), stitches, name, named), tuple(context.findings))
 
 
 def _read_properties(raw: Any, rotation: RotationReading) -> _Context:

@@ -35,6 +35,7 @@ def to_specification(pattern: Pattern) -> dict[str, Any]:
             "normalize_panel_translation": False,
             "normalized_edge_loops": True,
             "units_in_meter": 100,
+            **({} if pattern.drafted_for is None else {"drafted_for": pattern.drafted_for.to_json()}),
         },
     }
 

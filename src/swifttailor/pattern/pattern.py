@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from swifttailor.errors import PatternError
+from swifttailor.pattern.drafted_for import DraftedFor
 from swifttailor.pattern.names import canonical_key
 from swifttailor.pattern.panel import Panel, RotationReading
 
@@ -44,6 +45,8 @@ class Pattern:
     panels: tuple[Panel, ...]
     stitches: tuple[Stitch, ...] = ()
     name: str = field(default="pattern", compare=False)
+    drafted_for: DraftedFor | None = field(default=None, compare=False)
+    """The body that it was drafted for; the default body when None."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "panels", tuple(self.panels))

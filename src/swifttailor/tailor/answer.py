@@ -52,6 +52,8 @@ class Answer:
     """What came of looking again; None where that was not done."""
     prepared: Any = None
     """What the sewer made of it; None where it was not prepared to be sewn."""
+    fitted_to: str = ""
+    """Name of the body that the pattern was refitted to; empty where it was not."""
     seconds: dict[str, float] = field(default_factory=dict)
     """Its own, by stage: of what is done for all garments of an order together, a `Clock` takes the time."""
 

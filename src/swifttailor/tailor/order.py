@@ -16,6 +16,7 @@ from swifttailor.pattern import Pattern
 from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 
 if TYPE_CHECKING:
+    from swifttailor.body import Body
     from swifttailor.garment.cloth_print import ClothPrint
     from swifttailor.tailor.looking import SeenPicture
 
@@ -72,6 +73,8 @@ class Order:
     """Edits are always written."""
     alter: bool = True
     """Whether patterns are recut until what the text asks for holds, as far as that can be cut."""
+    body: Body | None = None
+    """Whom patterns are refitted to; the one that the text names, or the tailor's, when None."""
     edge_length: float = 2.0
     """Of the mesh, cm."""
     finish: bool = False

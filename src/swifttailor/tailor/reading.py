@@ -30,6 +30,7 @@ from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
 from swifttailor.wishes.hearing import HEARD_NOTHING, Heard, hear_description, hear_instruction
 from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import SURE, Wish, WishReader
+from swifttailor.wishes.wearer_words import hear_wearer
 
 _UNSAID = (Claim("hem_shape", "level"), Claim("sides", "alike"))
 _NO_SLIT = Claim("slit", "none")
@@ -228,9 +229,11 @@ def read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | No
 
 def _heard(order: Order, reader: WishReader) -> Heard:
     """The text of an order, as an instruction where there is a pattern to edit."""
+    # Who wears it is heard by `wearing.body_wanted`.
+    rest = hear_wearer(order.text, instruction=order.edit is not None).rest
     if order.edit is None:
-        return hear_description(order.text, reader)
-    return hear_instruction(order.text, reader, facts_of(order.edit))
+        return hear_description(rest, reader)
+    return hear_instruction(rest, reader, facts_of(order.edit))
 
 
 def _doubts(pictures: Sequence[SeenPicture]) -> tuple[str, ...]:

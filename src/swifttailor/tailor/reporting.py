@@ -17,6 +17,7 @@ from swifttailor.tailor.order import one_line
 from swifttailor.tailor.provenance import versions, weights
 
 if TYPE_CHECKING:
+    from swifttailor.body import Body
     from swifttailor.describing.differences import Change
     from swifttailor.tailor.reading import Wanted
     from swifttailor.tailor.tailor import Tailor
@@ -65,6 +66,9 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
         report[PRINT] = garment.print.to_json()
     if tailor.body is not None:
         report["body"] = tailor.body.name
+        if answer.fitted_to:
+            report["fitted_to"] = fitted_report(tailor.body)
+            notes.append(fitted_note(tailor.body))
     if sewn.changes:
         report["mended"] = [change_line(c) for c in sewn.changes]
     warnings = order_warnings(answer)
@@ -74,6 +78,20 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
         report["notes"] = notes
     garment = replace(garment, report=report)
     return replace(sewn, garment=garment, notes=tuple(notes), warnings=tuple(warnings))
+
+
+def fitted_report(body: Body) -> dict[str, Any]:
+    """Whom a pattern was refitted to: JSON values, cm."""
+    m = body.measurements
+    main = {name: round(getattr(m, name), 1) for name in ("height", "bust", "waist", "hips")}
+    return {"name": body.name, "measures": main}
+
+
+def fitted_note(body: Body) -> str:
+    """The same for a person."""
+    measures = fitted_report(body)["measures"]
+    shown = ", ".join(f"{name} {value:g}" for name, value in measures.items())
+    return f"Refitted to {body.name} ({shown} cm)."
 
 
 def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:

@@ -59,9 +59,20 @@ def read_and_prepare(
     options: SewingOptions,
     rotation: RotationReading,
     body: Body | None = None,
+    *,
+    fit: bool = False,
 ) -> Iterator[Answer | SwiftTailorError]:
-    """Reads, checks and prepares patterns one by one; what is wrong with one concerns no other."""
-    probe = probe_body(Body.default() if body is None else body)
+    """Reads, checks and prepares patterns one by one; what is wrong with one concerns no other.
+
+    Args:
+        sewer: Prepares them.
+        patterns: Patterns, or GarmentCode JSON files.
+        options: How they are sewn.
+        rotation: How files mean their placement angles.
+        body: Who wears them.
+        fit: Whether they are refitted to `body` first.
+    """
+    probe = probe_body(Body.default() if body is None or fit else body)
     for source in patterns:
         started = time.perf_counter()
         try:
@@ -72,6 +83,10 @@ def read_and_prepare(
             )
             answer = (_mended if options.repair else _checked)(reading, probe)
             answer = replace(answer, seconds={"loading": time.perf_counter() - started})
+            if fit and body is not None:
+                from swifttailor.tailor.refitted import refitted
+
+                answer = refitted(answer, body)
             try:
                 yield prepare(sewer, answer, options)
             except SwiftTailorError:

@@ -20,6 +20,7 @@ from swifttailor.tailor.protocols import PatternWriter, Sewer
 from swifttailor.tailor.reporting import described
 from swifttailor.tailor.sewing import SewingOptions, read_and_prepare, sew_answers
 from swifttailor.tailor.tailored import Tailored
+from swifttailor.tailor.wearing import all_refitted, body_wanted, named_as
 from swifttailor.tailor.workshop import Workshop
 
 if TYPE_CHECKING:
@@ -49,6 +50,7 @@ class Tailor(Workshop):
         pattern_library: PatternLibrary | Path | str | None = None,
         body: Body | None = None,
         fabric: Fabric | str = "cotton",
+        fit: bool = False,
         threads: int = 1,
     ) -> Tailor:
         """The same as the constructor, under the name that networks have for it."""
@@ -60,6 +62,7 @@ class Tailor(Workshop):
             pattern_library=pattern_library,
             body=body,
             fabric=fabric,
+            fit=fit,
             threads=threads,
         )
 
@@ -193,11 +196,22 @@ class Tailor(Workshop):
         say("loading", 0.0)
         self._open(order)
         clock.stop("loading")
+        body = body_wanted(order, self.body if self.fits else None)
+        options = SewingOptions(order.edge_length, finish=order.finish)
         say("writing", 0.0)
-        answers = self.write([order], clock)
+        if body is None:
+            dressed, answers = self, self.write([order], clock)
+        else:
+            # Patterns are written, and checked, for the default body.
+            answers = (self.worn_by(None) if self.body is not None else self).write([order], clock)
+            dressed = self.worn_by(body)
+            clock.restart()
+            answers = [named_as(one, order.edit) for one in answers]
+            answers = all_refitted(answers, body, dressed.garment_sewer, options)
+            clock.stop("fitting")
         say("sewing", 0.0)
         written = [one for one in answers if isinstance(one, Answer)]
-        sewn = self._sew(written, SewingOptions(order.edge_length, finish=order.finish), progress, clock)
+        sewn = dressed._sew(written, options, progress, clock)
         return [next(sewn) if isinstance(one, Answer) else one for one in answers]
 
     def write(self, orders: Sequence[Order], clock: Clock | None = None) -> list[Answer | SwiftTailorError]:
@@ -290,7 +304,14 @@ class Tailor(Workshop):
             InputError: The weights cannot be used.
         """
         options = options or SewingOptions()
-        source = read_and_prepare(self.garment_sewer, patterns, options, rotation, self.body)
+        source = read_and_prepare(
+            self.garment_sewer,
+            patterns,
+            options,
+            rotation,
+            self.body,
+            fit=self.fits and self.body is not None,
+        )
         while part := list(islice(source, BATCH)):
             sewn = self._sew([one for one in part if isinstance(one, Answer)], options, progress)
             for one in part:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from copy import copy
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.tailor.order import Order
@@ -33,6 +33,7 @@ class Workshop:
         pattern_library: PatternLibrary | Path | str | None = None,
         body: Body | None = None,
         fabric: Fabric | str = "cotton",
+        fit: bool = False,
         threads: int = 1,
     ) -> None:
         """Prepares to work; a network is opened when it is first needed.
@@ -50,15 +51,29 @@ class Workshop:
                 the package when None, unless a writer or weights of your own are given: these write them all.
             body: Who wears the garments: a `GarmentSewer` sews them around it and keeps them out of it,
                 physics hangs them on it (`finish`), and previews show it. Somebody else's sewer has to know
-                it by itself, and patterns are written for the default body whoever wears them. The default
-                body when None.
+                it by itself. The default body when None.
             fabric: What hangs where garments are finished by physics: a `Fabric` or the name of a preset.
+            fit: Whether patterns are refitted to `body`; else they are sewn on it as they were drafted, for
+                the default body or the one that a pattern names.
             threads: CPU cores for the networks.
         """
+        self.fits = fit
         self._maker, self._sewer, self._reader = pattern_maker, garment_sewer, wish_reader
         self._eyes, self._library = picture_reader, pattern_library
         self.body, self.fabric = body, fabric
         self._threads = threads
+
+    def worn_by(self, body: Body | None) -> Self:
+        """The same workshop with the same networks, for another body."""
+        other = copy(self)
+        other.body = body
+        sewer = other.__dict__.pop("garment_sewer", None)
+        if isinstance(sewer, GarmentSewer):  # opened already; only what it keeps garments out of is another's
+            from swifttailor.body import Body
+            from swifttailor.garment_sewer.to_scale import sewer_for
+
+            other._sewer = sewer if body is not None else sewer_for(sewer, Body.default())
+        return other
 
     @cached_property
     def pattern_maker(self) -> PatternWriter:
@@ -84,9 +99,9 @@ class Workshop:
         if sewer is None or isinstance(sewer, Path | str):
             sewer = GarmentSewer.load(sewer, threads=self._threads)
         if self.body is not None and isinstance(sewer, GarmentSewer):
-            from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
+            from swifttailor.garment_sewer.to_scale import sewer_for
 
-            return replace(sewer, body=BodyDistance.of(self.body))
+            return sewer_for(sewer, self.body)
         return sewer
 
     @cached_property

@@ -1,0 +1,125 @@
+"""Bodies as they are asked for: by a size, by measures, by a file of either."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from swifttailor.body.body import Body
+from swifttailor.body.made_to_measure import body_to_measure
+from swifttailor.body.measure_names import measure_name, read_measures
+from swifttailor.body.mesh_files import FORMATS
+from swifttailor.body.size_charts import find_size
+from swifttailor.errors import InputError
+from swifttailor.pattern.drafted_for import DraftedFor
+
+MEASURE_FILES = (".yaml", ".yml", ".json")
+
+
+@dataclass(frozen=True)
+class Wearer:
+    """Who wears a garment, as far as is said; the default body where nothing is."""
+
+    size: str | None = None
+    """As `size_charts.find_size` reads it."""
+    measures: Mapping[str, float] | None = None
+    """By the names of `body_measures.MEASURES`, cm; they outrank those of the size."""
+    file: Path | None = None
+    """A mesh, or a file of measurements."""
+    figure: str | None = None
+    """``women``, ``men`` or ``children``; the size says it otherwise."""
+    pose: str = "A"
+    """One of `standing.POSES`; patterns are made for the A-pose."""
+
+    def body(self) -> Body:
+        """The body.
+
+        Raises:
+            InputError: The size, a measure or the file cannot be used, or no body has these measures.
+        """
+        if self.file is not None and self.file.suffix.lower() in FORMATS:
+            if self.size is not None or self.measures:
+                raise InputError(
+                    f"Both a body mesh ('{self.file}') and a size or measures were given. Give one of them."
+                )
+            body = Body.load(self.file)
+            named = DraftedFor(self.file.stem, None, _known(body))
+            return self._posed(replace(body, made_for=named))
+        wanted: dict[str, float] = {}
+        figure, name = self.figure, ""
+        if self.size is not None:
+            size = find_size(f"{self.figure} {self.size}" if self.figure else self.size)
+            wanted |= size.measures
+            figure, name = size.figure, size.title
+        if self.file is not None:
+            if self.file.suffix.lower() not in MEASURE_FILES:
+                raise InputError(
+                    f"'{self.file}' is no body: a mesh ({', '.join(FORMATS)}) or a file of measurements "
+                    f"({', '.join(MEASURE_FILES)}) is accepted."
+                )
+            wanted |= read_measures(self.file)
+            name = self.file.stem
+        if self.measures:
+            wanted |= self.measures
+            given = ", ".join(f"{k} {v:g}" for k, v in self.measures.items())
+            name = f"{name}, {given}" if name else given
+        if not wanted and figure is None:
+            return self._posed(Body.default())
+        return self._posed(body_of(DraftedFor(name or figure or "", figure, tuple(wanted.items()))))
+
+    def _posed(self, body: Body) -> Body:
+        if self.pose == "A":
+            return body
+        from swifttailor.body.standing import carried_to
+
+        return carried_to(self.pose, body)[0]
+
+
+def body_for(
+    size: str | None = None, measures: Mapping[str, float] | None = None, *, figure: str | None = None
+) -> Body:
+    """Makes the likeliest body for a size or for measures, without any other package; see docs/sizes.md.
+
+    Args:
+        size: Of a chart: ``44``, ``UK 12``, ``men 50``, ``children 128``.
+        measures: Names and cm, such as ``{"bust": 96, "height": 172}``; they outrank those of the size.
+        figure: ``women``, ``men`` or ``children``, whose shape completes the measures; the size's, or an
+            adult about the default body, when None.
+
+    Raises:
+        InputError: A measure or the size is unknown or out of range, or no body has all of them; the text
+            says which come nearest.
+    """
+    named = {measure_name(name): float(value) for name, value in (measures or {}).items()}
+    return Wearer(size, named, figure=figure).body()
+
+
+def body_of(named: DraftedFor) -> Body:
+    """The body that a figure and measures stand for.
+
+    Raises:
+        InputError: No body has these measures.
+    """
+    if not named.measures and named.figure is None:
+        return Body.default()
+    made = body_to_measure(dict(named.measures), figure=named.figure, name=named.name)
+    return replace(made.body, made_for=named)
+
+
+def _known(body: Body) -> tuple[tuple[str, float], ...]:
+    from swifttailor.body.body_measures import MEASURES
+
+    values = body.measurements.as_dict()
+    main = (
+        "height",
+        "bust",
+        "underbust",
+        "waist",
+        "hips",
+        "waist_line",
+        "hips_line",
+        "arm_length",
+        "shoulder_w",
+    )
+    return tuple((name, round(values[name], 2)) for name in main if name in MEASURES)

@@ -1,0 +1,204 @@
+"""Who is to wear a garment, as a text says it: sizes, heights, girths, figures and ages."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from swifttailor.body.size_charts import charts, find_size
+from swifttailor.body.wearer import Wearer
+from swifttailor.errors import InputError
+
+PETITE_CM, TALL_CM = {"women": 157.0}, {"women": 180.0, "men": 192.0}
+"""Heights of those who are called so."""
+PLUS_SIZE = "women EU 50"
+CHILD_SIZE = "children EU 128"
+"""A child of whom nothing else is said."""
+
+_REGION = r"(?:EU|EUR|European|UK|GB|British|US|USA|American)"
+_LETTER = r"(?:XXS|XS|XXL|XL|S|M|L|2XL)"
+_WORD_SIZES = {"small": "S", "medium": "M", "large": "L", "extra large": "XL", "extra small": "XS"}
+_FIGURES = {
+    "women": r"women'?s?|woman'?s?|lad(?:y|ies)'?s?|her|wife|mother|mum|mom|girlfriend",
+    "men": r"men'?s?|man'?s?|gent(?:s|lemen|leman)?'?s?|him|husband|father|dad|boyfriend",
+    "children": r"child(?:ren)?'?s?|kid'?s?|girl'?s?|boy'?s?|daughter|son|toddler",
+}
+_ANYBODY = "|".join(_FIGURES.values())
+_TALL_OR = r"(?:tall|petite|short|plus[- ]size[d]?|curvy)"
+
+
+@dataclass(frozen=True)
+class HeardWearer:
+    """What a text says of the wearer."""
+
+    wearer: Wearer | None
+    """None where it says nothing that changes the body."""
+    rest: str
+    """The text without the words that say it."""
+
+
+def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
+    """Takes out of a text what it says of who wears the garment.
+
+    A lone "women's" or "men's" changes nothing: garments are made for the default body then.
+
+    Args:
+        text: Description or instruction.
+        instruction: Whether it says what to change, so that girths are the garment's and not the wearer's.
+    """
+    found: dict[str, str] = {}
+    measures: dict[str, float] = {}
+    rest = text
+    for pattern, take in _PHRASES:
+        if instruction and take is _either_girth:
+            continue
+        match = pattern.search(rest)
+        if match is not None and take(match, found, measures):
+            rest = rest[: match.start()] + " " + rest[match.end() :]
+    figure = _figure(text)
+    wearer = _wearer(found, measures, figure)
+    if wearer is None:
+        return HeardWearer(None, text)
+    rest = re.sub(rf"\bfor (?:an? |my )?(?:{_ANYBODY})\b(?!['\w])", " ", rest, flags=re.IGNORECASE)
+    if figure == "children":
+        rest = re.sub(rf"\b(?:an? )?(?:{_FIGURES['children']})\b", " ", rest, flags=re.IGNORECASE)
+    rest = re.sub(r"\s+([,.;])", r"\1", " ".join(rest.split()))
+    rest = re.sub(r"(?:[,;]\s*)+(?=[,;.]|$)", "", rest).strip(" ,;")
+    return HeardWearer(wearer, rest)
+
+
+def _figure(text: str) -> str | None:
+    for figure in ("children", "men", "women"):
+        if re.search(rf"(?<![\w-])(?:{_FIGURES[figure]})(?![\w-])", text, re.IGNORECASE):
+            return figure
+    return None
+
+
+def _wearer(found: dict[str, str], measures: dict[str, float], figure: str | None) -> Wearer | None:
+    size = found.get("size")
+    kind = found.get("kind", "")
+    if size is None and "age" in found:
+        size, figure = f"UK {found['age']}", "children"
+    if size is not None:
+        title = _size_title(size, figure)
+        if title is None:
+            return None
+        return Wearer(size=title, measures=measures or None)
+    if kind.startswith(("plus", "curvy")):
+        return Wearer(size=PLUS_SIZE, measures=measures or None)
+    if kind in ("petite", "short"):
+        measures.setdefault("height", PETITE_CM["women"] if figure != "men" else 166.0)
+        figure = figure or "women"
+    elif kind == "tall" and figure in TALL_CM:
+        measures.setdefault("height", TALL_CM[figure])
+    if measures:
+        return Wearer(measures=measures, figure=figure)
+    return Wearer(size=CHILD_SIZE) if figure == "children" else None
+
+
+def _size_title(size: str, figure: str | None) -> str | None:
+    """The size of a chart that is meant; a number that no EU chart has is British."""
+    for attempt in (f"{figure or ''} {size}", f"{figure or ''} UK {size}", f"{figure or ''} US {size}"):
+        try:
+            return find_size(attempt).title
+        except InputError:
+            continue
+    return None
+
+
+_Take = Callable[[re.Match[str], dict[str, str], dict[str, float]], bool]
+
+
+def _size(match: re.Match[str], found: dict[str, str], measures: dict[str, float]) -> bool:
+    groups = {k: v for k, v in match.groupdict().items() if v}
+    label = groups.get("number") or groups.get("letter") or _WORD_SIZES[groups["word"].lower()]
+    region = groups.get("before") or groups.get("between") or groups.get("after") or ""
+    known = {one for chart in charts().values() for one in chart}
+    if "size" in found or label.upper() not in known:
+        return False
+    found["size"] = f"{region} {label}".strip()
+    return True
+
+
+def _kind(match: re.Match[str], found: dict[str, str], measures: dict[str, float]) -> bool:
+    found["kind"] = match["kind"].lower()
+    return True
+
+
+def _age(match: re.Match[str], found: dict[str, str], measures: dict[str, float]) -> bool:
+    age = int(match["age"] or match["aged"])
+    if not 4 <= age <= 12:
+        return False
+    found["age"] = str(age)
+    return True
+
+
+def _height(match: re.Match[str], found: dict[str, str], measures: dict[str, float]) -> bool:
+    groups = match.groupdict()
+    value = float(groups.get("cm") or 0) or 100.0 * float(groups.get("m") or 0)
+    if not 95.0 <= value <= 215.0:
+        return False
+    measures["height"] = value
+    return True
+
+
+def _compiled(pattern: str, take: _Take) -> tuple[re.Pattern[str], _Take]:
+    return re.compile(pattern, re.IGNORECASE), take
+
+
+_IN = r"(?:\b(?:in|of|a|an)\s+)*"
+_WHO = rf"(?:(?:for\s+)?(?:an?\s+|my\s+)?(?:{_ANYBODY})\s+)?"
+_GIRTH = (
+    r"(?:\b(?:with|and|a|of|at)\s+)*\b(?:(?P<before>\d{2,3}(?:\.\d)?)\s*cm\s+(?P<name>bust|chest|waist|hips?)"
+    r"|(?P<name2>bust|chest|waist|hips?)\s*(?:of|is|are|:|=)?\s*(?P<after>\d{2,3}(?:\.\d)?)(?:\s*cm)?)\b(?!\s*cm)"
+)
+
+
+def _either_girth(match: re.Match[str], found: dict[str, str], measures: dict[str, float]) -> bool:
+    value = float(match["before"] or match["after"])
+    name = (match["name"] or match["name2"]).lower()
+    if not 45.0 <= value <= 180.0:
+        return False
+    measures["bust" if name == "chest" else "hips" if name == "hip" else name] = value
+    return True
+
+
+_PHRASES = [
+    _compiled(
+        rf"{_IN}\b(?:(?P<before>{_REGION})\s+)?size\s+(?:(?P<between>{_REGION})\s*)?"
+        rf"(?:(?P<number>\d{{1,3}})|(?P<letter>{_LETTER})|(?P<word>(?:extra )?(?:small|large)|medium))\b"
+        rf"(?:\s+(?P<after>{_REGION})\b)?",
+        _size,
+    ),
+    _compiled(rf"{_IN}\b(?P<before>{_REGION})\s*(?P<number>\d{{1,3}})\b", _size),
+    _compiled(r"(?:\bin\s+|\ban?\s+)?(?<![\w-])(?P<letter>XXS|XS|XXL|XL|2XL)(?![\w-])", _size),
+    _compiled(
+        r"(?:\bfor\s+)?(?:\ban?\s+)?\b(?P<age>\d{1,2})[- ]years?[- ]olds?\b|\baged?\s+(?P<aged>\d{1,2})\b",
+        _age,
+    ),
+    _compiled(
+        rf"{_WHO}\b(?:who (?:is|am)\s+|of\s+|is\s+|am\s+)?"
+        r"(?:(?P<cm>\d{2,3})\s*cm|(?P<m>[12]\.\d{1,2})\s*m)\s+"
+        r"(?:tall|high|in height)\b",
+        _height,
+    ),
+    _compiled(
+        rf"\bfor\s+(?:an?\s+|my\s+)?(?:{_TALL_OR}\s+)?(?:{_ANYBODY})\s+(?:of|with)\s+"
+        r"(?:(?P<cm>\d{3})\s*cm|(?P<m>[12]\.\d{1,2})\s*m)\b",
+        _height,
+    ),
+    _compiled(
+        r"(?:\bwith\s+)?(?:\ban?\s+)?\b(?:height|stature)\s*(?:of|is|:|=)?\s*(?:(?P<cm>\d{3})(?:\s*cm)?|(?P<m>[12]\.\d{1,2})\s*m)\b",
+        _height,
+    ),
+    _compiled(_GIRTH, _either_girth),
+    _compiled(_GIRTH, _either_girth),
+    _compiled(_GIRTH, _either_girth),
+    _compiled(rf"\bfor\s+(?:an?\s+|my\s+)?(?P<kind>{_TALL_OR})\s+(?:{_ANYBODY})\b", _kind),
+    _compiled(
+        r"(?:\bin\s+)?(?<![\w-])(?P<kind>petite|plus[- ]sized?|curvy)\b(?:\s+(?:figure|woman|women|lady))?",
+        _kind,
+    ),
+]
+"""What is looked for, in this order; each phrase once."""

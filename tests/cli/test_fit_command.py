@@ -1,0 +1,68 @@
+"""``swifttailor fit`` and the options of the wearer."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from swifttailor.cli.main import run
+from swifttailor.pattern import load_pattern
+from swifttailor.pattern.drafts import draft
+
+
+@pytest.fixture
+def shirt(tmp_path):
+    return draft("t-shirt").save(tmp_path / "shirt.json")
+
+
+def test_a_size_run_writes_a_pattern_for_each_size(shirt, tmp_path, capsys):
+    assert run(["fit", str(shirt), "--sizes", "36,44", "--out", str(tmp_path / "run"), "--json"]) == 0
+    reports = json.loads(capsys.readouterr().out)
+    assert [r["body"] for r in reports] == ["women EU 36", "women EU 44"]
+    widths = [load_pattern(r["file"]).panel("left_btorso").bounding_box()[1, 0] for r in reports]
+    assert len(set(widths)) == 2
+
+
+def test_sew_refits_to_a_size_and_stands_in_a_pose(shirt, tmp_path, capsys):
+    out = tmp_path / "sewn"
+    arguments = ["sew", str(shirt), "--measure", "bust=96", "height=176", "--figure", "men"]
+    assert run([*arguments, "--pose", "down", "--edge-length", "4", "--no-preview", "--out", str(out)]) in (
+        0,
+        1,
+    )
+    report = json.loads((out / "report.json").read_text())
+    assert report["pose"] == "down"
+    assert report["fitted_to"]["measures"]["bust"] == pytest.approx(96, abs=0.5)
+    assert load_pattern(out / "pattern.json").drafted_for.figure == "men"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--measure", "waist=0"], "38 to 190 cm is accepted"),
+        (["--measure", "waist=400"], "38 to 190 cm is accepted"),
+        (["--measure", "bust=60", "waist=120"], "The nearest that one has"),
+        (["--measure", "girth=90"], "There is no measure 'girth'"),
+        (["--size", "99"], "There is no size '99'"),
+        (["--size", "44", "--sizes", "36-40"], "Give one of them"),
+        (["--sizes", "44-36"], "no run of sizes"),
+        ([], "No body was given"),
+    ],
+)
+def test_bad_input_is_a_sentence_and_nothing_is_written(shirt, tmp_path, capsys, arguments, said):
+    before = sorted(tmp_path.iterdir())
+    assert run(["fit", str(shirt), *arguments, "--out", str(tmp_path / "x")]) == 2
+    assert said in capsys.readouterr().err
+    assert sorted(tmp_path.iterdir()) == before
+
+
+def test_the_pattern_itself_is_not_replaced(shirt, capsys):
+    before = shirt.read_bytes()
+    assert run(["fit", str(shirt), "--size", "44", "--out", str(shirt), "--overwrite"]) == 2
+    assert shirt.read_bytes() == before
+
+
+def test_batches_are_draped_as_they_are(tmp_path, capsys):
+    assert run(["drape", "--batch", str(tmp_path), "--size", "44", "--out", str(tmp_path / "o")]) == 2
+    assert "swifttailor fit" in capsys.readouterr().err

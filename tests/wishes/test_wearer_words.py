@@ -1,0 +1,68 @@
+"""Who wears a garment, as texts say it."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from swifttailor.wishes.wearer_words import hear_wearer
+
+
+@pytest.mark.parametrize(
+    ("text", "rest", "size", "measures", "figure"),
+    [
+        ("a dress in size 12", "a dress", "women UK 12", None, None),
+        ("a red EU 40 skirt", "a red skirt", "women EU 40", None, None),
+        ("a men's T-shirt in size L", "a men's T-shirt", "men L", None, None),
+        ("hoodie XL", "hoodie", "women XL", None, None),
+        ("US 8 dress", "dress", "women US 8", None, None),
+        ("a dress for a woman of 160 cm", "a dress", None, {"height": 160.0}, "women"),
+        ("trousers for a man who is 1.9 m tall", "trousers", None, {"height": 190.0}, "men"),
+        ("a petite midi dress", "a midi dress", None, {"height": 157.0}, "women"),
+        ("a plus-size jumpsuit", "a jumpsuit", "women EU 50", None, None),
+        ("a dress for a girl", "a dress", "children EU 128", None, None),
+        ("a T-shirt for an 8-year-old", "a T-shirt", "children UK 8", None, None),
+        (
+            "a skirt, bust 92, waist 74 cm, hips 98",
+            "a skirt",
+            None,
+            {"bust": 92, "waist": 74, "hips": 98},
+            None,
+        ),
+    ],
+)
+def test_the_wearer_is_taken_out_of_a_text(text, rest, size, measures, figure):
+    heard = hear_wearer(text)
+    assert heard.rest == rest
+    assert heard.wearer is not None
+    assert (heard.wearer.size, heard.wearer.measures, heard.wearer.figure) == (size, measures, figure)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a knee-length dress",
+        "a women's blouse",
+        "boyfriend jeans",
+        "an oversized shirt with a large collar",
+        "a dress 10 cm longer at the waist",
+        "make it 5 cm wider around the chest",
+        "a medium length skirt",
+        "",
+    ],
+)
+def test_other_texts_stay_as_they_are(text):
+    heard = hear_wearer(text)
+    assert heard.wearer is None and heard.rest == text
+
+
+def test_girths_of_an_instruction_are_the_garments():
+    assert hear_wearer("make the waist 70 cm", instruction=True).wearer is None
+    assert hear_wearer("make it size 46", instruction=True).wearer is not None
+
+
+@given(st.text(max_size=200))
+def test_any_text_is_read(text):
+    heard = hear_wearer(text)
+    assert len(heard.rest) <= len(text) or heard.wearer is None
