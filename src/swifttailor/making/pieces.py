@@ -124,7 +124,7 @@ class Piece:
     def grain(self) -> Floats:
         """Ends (2, 2) of the grain line, cm."""
         low, high = self.box
-        x = self.middle + 0.18 * (low[0] - self.middle) if self.on_fold else self.middle
+        x = self.middle + 0.18 * (high[0] - self.middle) if self.on_fold else self.middle
         span = _inside_span(self.cut.outline, x)
         inset = 0.2 * (span[1] - span[0])
         return np.array([[x, span[0] + inset], [x, span[1] - inset]])
