@@ -20,7 +20,6 @@ from swifttailor.making.test_square import OUTER_CM, draw_test_square
 
 _BORDER_CM = 1.5
 _BODY_CM, _LINE_CM = 0.36, 0.52
-_LIGHT = {"cut": 0.12}
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,7 +144,7 @@ def _page_map(facts: CoverFacts, left: float, bottom: float, width: float, heigh
             if stroke.style.name in ("cut", "fold"):
                 style = stroke.style._replace(width=0.15, dash=())
                 strokes.append(Stroke(stroke.points * scale + origin, style, stroke.closed))
-    for number, placed in enumerate(facts.placed[:-1], start=1):
+    for number, placed in enumerate(facts.placed[: len(facts.plan.pieces)], start=1):
         points = np.concatenate([s.points for s in placed.strokes if s.style.name == "cut"])
         x, y = (points.min(axis=0) + points.max(axis=0)) / 2 * scale + origin
         texts.append(Text(str(number), float(x), float(y) - 0.13, 0.36, bold=True))

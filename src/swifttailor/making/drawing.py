@@ -76,12 +76,17 @@ class Drawing:
     """Name of a layer that can be shown or hidden: the size, where a file holds several."""
 
     def moved(self, turn: Floats, shift: Floats) -> Drawing:
-        """The drawing turned by a rotation matrix (2, 2), then shifted by (2,) cm; texts stay readable."""
+        """The drawing turned by a rotation matrix (2, 2), then shifted by (2,) cm; no text stands on its head."""
         angle = float(np.degrees(np.arctan2(turn[1, 0], turn[0, 0])))
         texts = []
         for text in self.texts:
             x, y = turn @ np.array([text.x, text.y]) + shift
-            texts.append(replace(text, x=float(x), y=float(y), angle=text.angle + angle))
+            turned = (text.angle + angle + 180.0) % 360.0 - 180.0
+            if not -91.0 < turned <= 91.0 and text.anchor == "middle":
+                up = np.radians(turned + 90.0)
+                x, y = x + 0.7 * text.size * np.cos(up), y + 0.7 * text.size * np.sin(up)
+                turned += 180.0
+            texts.append(replace(text, x=float(x), y=float(y), angle=turned))
         strokes = tuple(replace(s, points=s.points @ turn.T + shift) for s in self.strokes)
         return replace(self, strokes=strokes, texts=tuple(texts))
 

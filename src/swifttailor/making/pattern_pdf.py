@@ -62,9 +62,11 @@ def write_pdf(
     """
     path = Path(path)
     shapes = [drawn_shape(piece) for piece in plan.pieces]
-    sheet = lay_out_sheet([*shapes, _square_shape()], paper)
     drawings = [draw_piece(piece, plan.name) for piece in plan.pieces]
-    drawings.append(draw_test_square(0.0, 0.0))
+    if paper.for_reading != paper:  # the cover is printed elsewhere, so the large sheet is measured by itself
+        shapes.append(_square_shape())
+        drawings.append(draw_test_square(0.0, 0.0))
+    sheet = lay_out_sheet(shapes, paper)
     placed = [
         d.moved(turn, shift) for d, turn, shift in zip(drawings, sheet.turns, sheet.shifts, strict=True)
     ]

@@ -136,8 +136,9 @@ def _edge_mark(mark: EdgeMark) -> tuple[Stroke, Text]:
 def _numbers(piece: Piece) -> list[tuple[Floats, str]]:
     found = []
     for mark in piece.seam_marks:
-        if mark.length >= _NUMBER_FROM_CM and _is_drawn(piece, mark.point):
-            found.append((_number_place(piece, mark), str(mark.number)))
+        place = _number_place(piece, mark)
+        if mark.length >= _NUMBER_FROM_CM and (not piece.on_fold or place[0] > piece.middle + 0.4):
+            found.append((place, str(mark.number)))
     return found
 
 
@@ -182,7 +183,6 @@ def _label(piece: Piece, title: str, shape: shapely.Polygon) -> list[Text]:
     full = [piece.name, piece.instruction, title + (f", size {piece.size}" if piece.size else "")]
     center = shapely.get_coordinates(shapely.maximum_inscribed_circle(shape, tolerance=0.2))
     middle, radius = center[0], float(np.hypot(*(center[1] - center[0])))
-    clear = 1.2 if radius > 4 else 0.0  # beside the grain line
     x0, x1 = _across(shape, float(middle[1]))
     if piece.on_fold:
         x0 = min(x0 + min(2.2, 0.3 * (x1 - x0)), x1)
@@ -196,8 +196,6 @@ def _label(piece: Piece, title: str, shape: shapely.Polygon) -> list[Text]:
             best = size, lines
     size, lines = max(best[0], _SMALLEST), best[1]
     x, y = (x0 + x1) / 2, float(middle[1]) + 0.675 * size * (len(lines) - 2) + 0.3 * size
-    if abs(x - piece.grain[0, 0]) < 0.1 and clear:
-        x += 0.0
     return [Text(line, x, y - 1.35 * size * k, size if k == 0 else 0.8 * size, bold=k == 0) for k, line in enumerate(lines)]
 
 

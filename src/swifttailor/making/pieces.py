@@ -124,8 +124,14 @@ class Piece:
     def grain(self) -> Floats:
         """Ends (2, 2) of the grain line, cm."""
         low, high = self.box
-        x = self.middle + 0.18 * (high[0] - self.middle) if self.on_fold else self.middle
-        span = _inside_span(self.cut.outline, x)
+        if self.on_fold:
+            choices = [self.middle + share * (high[0] - self.middle) for share in (0.8, 0.7, 0.3)]
+        else:
+            choices = [low[0] + share * (high[0] - low[0]) for share in (0.3, 0.7, 0.25, 0.75)]
+        spans = [(x, *_inside_span(self.cut.outline, x)) for x in choices]
+        longest = max(top - bottom for _, bottom, top in spans)
+        # The first that is about as long as any: beside the label, which stands in the middle.
+        x, *span = next(s for s in spans if s[2] - s[1] > 0.75 * longest)
         inset = 0.2 * (span[1] - span[0])
         return np.array([[x, span[0] + inset], [x, span[1] - inset]])
 
