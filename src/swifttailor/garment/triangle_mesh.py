@@ -11,6 +11,7 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.errors import InputError
 from swifttailor.garment.cloth_color import PALETTE, cloth_color
+from swifttailor.garment.seam_names import seam_name
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
@@ -18,6 +19,17 @@ if TYPE_CHECKING:
 
 _LARGEST = float(np.finfo(np.float32).max)
 """What lies beyond is infinite in the files that meshes are written to."""
+
+
+@dataclass(frozen=True, eq=False)
+class ClothPrint:
+    """A picture that repeats all over the cloth."""
+
+    png: bytes
+    """The picture, a PNG file."""
+    repeats: Array
+    """(k, 2) where each texture vertex of the mesh lies on the cloth, in repeats of the picture; origin at its
+    lower left corner."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +56,12 @@ class TriangleMesh:
     """Polylines of vertex indices: the seams."""
     color: str = PALETTE[0]
     """Of the cloth, ``#rrggbb``; for formats with materials."""
+    line_names: tuple[str, ...] = ()
+    """A name for each line, or none at all; names of seams: `seam_names`."""
+    print: ClothPrint | None = None
+    """A picture on the cloth; for formats with textures. Needs `uv`."""
+    wearer: tuple[Array, Array] | None = None
+    """Vertices (n, 3) in cm and faces (m, 3) of the body that wears it; for formats with several objects."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "vertices", _floats("vertices", self.vertices, 3))
@@ -68,6 +86,10 @@ class TriangleMesh:
         object.__setattr__(
             self, "lines", tuple(_indices("lines", line, len(self.vertices), 1) for line in self.lines)
         )
+        if self.line_names and len(self.line_names) != len(self.lines):
+            raise InputError(f"A mesh of {len(self.lines)} lines has {len(self.line_names)} names of lines.")
+        if self.print is not None and (self.uv is None or len(self.print.repeats) != len(self.uv)):
+            raise InputError("A print needs a place on it for every texture coordinate of the mesh.")
 
     def _require_length(self, name: str) -> None:
         if len(getattr(self, name)) != len(self.faces):
@@ -96,6 +118,7 @@ class TriangleMesh:
         return FlatMesh(
             weld=unique[:, 2].astype(np.int32),
             uv=None if self.uv is None else self.uv[unique[:, 1]],
+            repeats=None if self.print is None else self.print.repeats[unique[:, 1]],
             faces=inverse.reshape(-1, 3).astype(np.int32),
             group=unique[:, 0].astype(np.int32),
         )
@@ -113,6 +136,8 @@ class FlatMesh:
     """(m, 3) indices from 0 to k - 1, faces in the order of the `TriangleMesh`."""
     group: Array
     """(k,) group of each vertex."""
+    repeats: Array | None = None
+    """(k, 2) places on the print or None."""
 
 
 def mesh_of_garment(garment: Garment) -> TriangleMesh:
@@ -127,6 +152,7 @@ def mesh_of_garment(garment: Garment) -> TriangleMesh:
         mesh.face_panel if len(garment.pattern.panels) else None,
         tuple(seam.vertices for seam in garment.seams),
         garment.color or cloth_color(garment.pattern),
+        tuple(seam_name(seam.stitch, garment.pattern.stitches[seam.stitch]) for seam in garment.seams),
     )
 
 
