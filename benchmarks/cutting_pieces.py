@@ -1,6 +1,6 @@
 """Counts cut lines that cannot be cut, and notches that do not match, over many patterns.
 
-    .venv/bin/python benchmarks/cutting_pieces.py ../shared/garmentcode/train.jsonl.gz --limit 1000
+.venv/bin/python benchmarks/cutting_pieces.py ../shared/garmentcode/train.jsonl.gz --limit 1000
 """
 
 from __future__ import annotations

@@ -30,10 +30,11 @@ _MOST_ALLOWANCE_CM = 10.0
 class Convert:
     """Convert a sewing pattern or a garment to another format, chosen by the target's ending.
 
-    A pattern (.json) becomes .pdf (to print, cut and sew), .dxf (for cutting rooms), .md (sewing steps), .zip (a
-    bundle for CLO and Style3D), .obj (flat panels with sewing springs, for Blender), .svg or .json. A garment (.glb,
-    .obj, .ply, .stl, .usd, .usda, .usdc, .usdz, or a folder written by another command) becomes any of these
-    formats. A folder is taken as its pattern where the target is a pattern's format other than .obj.
+    A pattern (.json) becomes .pdf (to print, cut and sew), .dxf (for cutting rooms), .md (sewing steps),
+    .zip (a bundle for CLO and Style3D), .obj (flat panels with sewing springs, for Blender), .svg or
+    .json. A garment (.glb, .obj, .ply, .stl, .usd, .usda, .usdc, .usdz, or a folder written by another
+    command) becomes any of these formats. A folder is taken as its pattern where the target is a pattern's
+    format other than .obj.
     """
 
     source: Annotated[Path, tyro.conf.Positional]
@@ -99,13 +100,15 @@ class Convert:
         return self.target.suffix.lower()
 
     def _require_sense(self) -> None:
-        """Refuses options that the target has no use for, and values out of range, before anything is loaded."""
+        """Refuses options that the target has no use for, and values out of range."""
         for option, value in (
             ("--allowance", self.allowance),
             ("--hem-allowance", self.hem_allowance),
             ("--edge-allowance", self.edge_allowance),
         ):
-            in_range(option, value, 0.0, _MOST_ALLOWANCE_CM, "cm is accepted. Usual are 1 for seams, 3 for hems.")
+            in_range(
+                option, value, 0.0, _MOST_ALLOWANCE_CM, "cm is accepted. Usual are 1 for seams, 3 for hems."
+            )
             if value is not None and self._ending not in _CUT:
                 raise InputError(f"{option} has no use in '{self.target.name}'. It is for {', '.join(_CUT)}.")
         require_edge_length(self.edge_length)
@@ -115,7 +118,9 @@ class Convert:
             ("--with-body", self.with_body, _COLORED),
         ):
             if given and self._ending not in endings:
-                raise InputError(f"{option} has no use in '{self.target.name}'. It is for {', '.join(endings)}.")
+                raise InputError(
+                    f"{option} has no use in '{self.target.name}'. It is for {', '.join(endings)}."
+                )
 
     def _file_in_folder(self) -> Path:
         """The file of a garment's folder that serves the target."""
@@ -199,10 +204,15 @@ class Convert:
                 f"{_why_not(self._ending)}. Accepted: {', '.join(MESH_ENDINGS)}; of its "
                 f"pattern, {', '.join(_OF_FOLDERS)}."
             )
-        mesh = self._dressed() if self.source.is_dir() and self._ending in _COLORED else read_garment_mesh(source)
+        mesh = (
+            self._dressed()
+            if self.source.is_dir() and self._ending in _COLORED
+            else read_garment_mesh(source)
+        )
         if self.print is not None and mesh.print is None:
             raise InputError(
-                f"Where a print lies on the panels is known of a garment's folder alone, not of '{source.name}'. "
+                "Where a print lies on the panels is known of a garment's folder alone, not of "
+                f"'{source.name}'. "
                 "Give the folder."
             )
         mesh = self._colored(mesh)

@@ -30,7 +30,8 @@ class MakeMarker:
     width: float = 140.0
     """Width of the cloth, cm."""
     out: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Drawing to write: .svg, .pdf, .png or .dxf. Default: a new one in the current folder, PATTERN-marker.svg."""
+    """Drawing to write: .svg, .pdf, .png or .dxf. Default: a new one in the current folder,
+    PATTERN-marker.svg."""
     seconds: int = 10
     """Time for the search; more seconds waste less cloth."""
     seed: int = 0
@@ -64,7 +65,9 @@ class MakeMarker:
         require_width(self.width)
         source = self.pattern / "pattern.json" if self.pattern.is_dir() else self.pattern
         if not source.exists():
-            raise InputError(f"There is no pattern '{source}'. Give a GarmentCode JSON file or a garment's folder.")
+            raise InputError(
+                f"There is no pattern '{source}'. Give a GarmentCode JSON file or a garment's folder."
+            )
         name = self.pattern.name if self.pattern.is_dir() else source.stem
         out = self.out if self.out is not None else new_place(f"{name}-marker", ".svg")
         require_ending(out)
@@ -107,4 +110,6 @@ class MakeMarker:
             ("--hem-allowance", self.hem_allowance),
             ("--edge-allowance", self.edge_allowance),
         ):
-            in_range(option, value, 0.0, _MOST_ALLOWANCE_CM, "cm is accepted. Usual are 1 for seams, 3 for hems.")
+            in_range(
+                option, value, 0.0, _MOST_ALLOWANCE_CM, "cm is accepted. Usual are 1 for seams, 3 for hems."
+            )

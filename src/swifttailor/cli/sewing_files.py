@@ -1,4 +1,4 @@
-"""What `convert` and `marker` share: the printed pattern with its need of cloth, and what is said of pieces."""
+"""The printed pattern with its need of cloth, and what is said of its pieces."""
 
 from __future__ import annotations
 
@@ -44,7 +44,9 @@ def write_pattern_pdf(
         plan, path, paper=sheet, cloth=_cloth(plan, cloth_width), preview=preview, overwrite=overwrite
     )
     tiles = len(printed.sheet.tiles)
-    sys.stdout.write(f"{len(plan.pieces)} pieces on {tiles} page{'s' * (tiles != 1)}, {printed.pages} pages in all\n")
+    sys.stdout.write(
+        f"{len(plan.pieces)} pieces on {tiles} page{'s' * (tiles != 1)}, {printed.pages} pages in all\n"
+    )
 
 
 def print_findings(findings: Iterable[Finding]) -> None:
@@ -61,6 +63,7 @@ def _cloth(plan: CuttingPlan, width: float) -> list[str]:
     except InputError as error:  # a piece wider than the cloth is no reason not to print it
         return [f"Not computed: {error}"]
     return [
-        f"{marker.length / 100:.2f} m of cloth {width:g} cm wide, nested closely without nap or print to match; "
+        f"{marker.length / 100:.2f} m of cloth {width:g} cm wide, nested closely without nap or print to "
+        "match; "
         f"{100 * marker.waste:.0f} % is left over. Add for shrinkage."
     ]

@@ -28,10 +28,10 @@ def write_glb(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) 
 
     Panels become nodes of their names under one root. Vertices on seams are repeated in every panel, with
     the same position and normal, so that no seam shows as a crease; the attribute ``_WELD`` numbers the
-    vertices of the stitched mesh, so that readers can join them again. Seams are lines, each a node of its name
-    (`seam_names`) under the node ``seams``. A print is a texture whose coordinates count its repeats, so that it has
-    its true size on the cloth; the panels' places in the unit square are then ``TEXCOORD_1``. The wearer is the
-    node ``body``.
+    vertices of the stitched mesh, so that readers can join them again. Seams are lines, each a node of its
+    name (`seam_names`) under the node ``seams``. A print is a texture whose coordinates count its repeats,
+    so that it has its true size on the cloth; the panels' places in the unit square are then
+    ``TEXCOORD_1``. The wearer is the node ``body``.
     """
     return write_bytes(path, glb_bytes(mesh), overwrite=overwrite)
 
@@ -81,11 +81,17 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
     for k in seams:
         name = mesh.line_names[k] if mesh.line_names else f"seam_{k:03d}"
         line = mesh.lines[k]
-        attributes = {"POSITION": buffer.add(positions[line], bounds=True), "_WELD": buffer.add(line.astype(np.float32))}
+        attributes = {
+            "POSITION": buffer.add(positions[line], bounds=True),
+            "_WELD": buffer.add(line.astype(np.float32)),
+        }
         primitive = {"attributes": attributes, "material": 1, "mode": _LINE_STRIP}
         nodes.append({"name": name, "mesh": len(meshes), "extras": {"seam": name}})
         meshes.append({"name": name, "primitives": [primitive]})
-    materials = [_material("cloth", to_linear(mesh.color)), _material("seam", _SEAM_SHARE * to_linear(mesh.color))]
+    materials = [
+        _material("cloth", to_linear(mesh.color)),
+        _material("seam", _SEAM_SHARE * to_linear(mesh.color)),
+    ]
     if mesh.wearer is not None:
         nodes.append({"name": "body", "mesh": len(meshes), "extras": {"role": "body"}})
         children.append(len(nodes))

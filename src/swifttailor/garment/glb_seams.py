@@ -42,7 +42,7 @@ def read_seams(path: Path, document: dict[str, Any], weld: Array) -> tuple[tuple
 
 
 def second_coordinates(path: Path, document: dict[str, Any]) -> dict[str, Array]:
-    """By mesh name, the places of panels in the unit square, where the first coordinates are those of a print."""
+    """By mesh name, places in the unit square, where the first coordinates are those of a print."""
     found = {}
     for k, mesh in enumerate(_dicts(document.get("meshes"))):
         values = _attribute(path, document, k, "TEXCOORD_1")
@@ -52,7 +52,7 @@ def second_coordinates(path: Path, document: dict[str, Any]) -> dict[str, Array]
 
 
 def _attribute(path: Path, document: dict[str, Any], mesh: object, name: str) -> Array | None:
-    """An attribute (n, c) of a mesh's only primitive; None where there is none, or it is not as it should be."""
+    """An attribute (n, c) of a mesh's only primitive; None where there is none that can be read."""
     try:
         primitives = document["meshes"][mesh]["primitives"]
         accessor = document["accessors"][primitives[0]["attributes"][name]]

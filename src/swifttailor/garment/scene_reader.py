@@ -25,7 +25,9 @@ def read_glb(path: Path) -> TriangleMesh:
     wearers = {
         str(node.get("name"))
         for node in document.get("nodes", [])
-        if isinstance(node, dict) and isinstance(node.get("extras"), dict) and node["extras"].get("role") == "body"
+        if isinstance(node, dict)
+        and isinstance(node.get("extras"), dict)
+        and node["extras"].get("role") == "body"
     }
     second_uv = glb_seams.second_coordinates(path, document)
     scene = trimesh.load_scene(path, file_type="glb", process=False)
@@ -139,7 +141,7 @@ def _face_values(data: Any, name: str, count: int) -> Array | None:
 
 
 def _check_glb_counts(path: Path) -> dict[str, Any]:
-    """Gives what the file says of itself; refuses files whose header announces more than the file can hold, before memory is given to it."""
+    """The JSON part of a file; refuses one that announces more than the file can hold."""
     size = path.stat().st_size
     with path.open("rb") as file:
         magic, version, _ = struct.unpack("<4sII", file.read(12))

@@ -1,8 +1,8 @@
 """Names of seams in files, which say what is sewn to what, and are read back.
 
-``seam_007:skirt_front.2+skirt_back.5`` is stitch 7 of the pattern: edge 2 of one panel and edge 5 of another; an
-exclamation mark at the end says that right side meets wrong side. Panel names are percent-encoded, so that every
-name can be told from what stands around it.
+``seam_007:skirt_front.2+skirt_back.5`` is stitch 7 of the pattern: edge 2 of one panel and edge 5 of
+another; an exclamation mark at the end says that right side meets wrong side. Panel names are
+percent-encoded, so that every name can be told from what stands around it.
 """
 
 from __future__ import annotations

@@ -28,8 +28,8 @@ class ClothPrint:
     png: bytes
     """The picture, a PNG file."""
     repeats: Array
-    """(k, 2) where each texture vertex of the mesh lies on the cloth, in repeats of the picture; origin at its
-    lower left corner."""
+    """(k, 2) where each texture vertex of the mesh lies on the cloth, in repeats of the picture; origin at
+    its lower left corner."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,8 +26,8 @@ def write_usd(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) 
     """Writes a mesh as USD; the ending chooses text (.usda), binary (.usdc, .usd) or package (.usdz).
 
     ``/garment/cloth`` is a polygon mesh over the stitched vertices with face-varying ``primvars:st`` and a
-    ``materialBind`` subset per panel; below ``/garment/seams`` is a linear curve per seam, with the seam's name
-    for display; a print repeats by ``primvars:repeats``; the wearer is ``/garment/body``. Metres, Y up.
+    ``materialBind`` subset per panel; below ``/garment/seams`` is a linear curve per seam, with the seam's
+    name for display; a print repeats by ``primvars:repeats``; the wearer is ``/garment/body``. Metres, Y up.
 
     Raises:
         MissingExtraError: usd-core is not installed.

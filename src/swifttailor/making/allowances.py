@@ -54,7 +54,8 @@ class Allowances:
             value = getattr(self, entry.name)
             if not (math.isfinite(value) and 0.0 <= value <= MOST_CM):
                 raise InputError(
-                    f"The allowance for '{entry.name}' is {value:g} cm; from 0 to {MOST_CM:g} cm is accepted. "
+                    f"The allowance for '{entry.name}' is {value:g} cm; from 0 to {MOST_CM:g} cm is "
+                    "accepted. "
                     "Usual are 1 for seams and 3 for hems."
                 )
 

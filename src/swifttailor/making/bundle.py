@@ -24,9 +24,9 @@ _README = """{name}: a sewing pattern for garment CAD
 cut-lines-astm.dxf   pieces with seam allowance, by ASTM D6673-10 (millimetres; grain along x)
 cut-lines-aama.dxf   the same with the AAMA header, for programs that accept no other
 sew-lines-astm.dxf   the same pieces without allowance: layer 1 is the sew line. Import this one to simulate
-panels.obj           all panels, flat, placed around the body (centimetres, Y up); a group per panel; in each group
-                     seam_NUMBER:PANEL.EDGE+PANEL.EDGE a line for each pair of vertices to be sewn
-seams.csv            what is sewn to what: panels, edges, lengths in cm, the number that is printed on the pieces
+panels.obj           all panels, flat, placed around the body (centimetres, Y up), a group each; groups called
+                     seam_NUMBER:PANEL.EDGE+PANEL.EDGE hold a line for each pair of vertices to be sewn
+seams.csv            what is sewn to what: panels, edges, lengths in cm, the number printed on the pieces
 steps.md             in what order to sew
 pattern.json         the pattern itself, in GarmentCode's format
 
@@ -73,7 +73,8 @@ def seams_table(plan: CuttingPlan) -> str:
     rows = io.StringIO()
     table = csv.writer(rows, lineterminator="\n")
     table.writerow(
-        ["stitch", "name", "number_on_pieces", "kind", "first_panel", "first_edge", "first_piece", "first_length_cm",
+        ["stitch", "name", "number_on_pieces", "kind", "first_panel", "first_edge", "first_piece",
+        "first_length_cm",
          "second_panel", "second_edge", "second_piece", "second_length_cm", "right_wrong"]
     )  # fmt: skip
     stitches = plan.sewn.pattern.stitches

@@ -23,9 +23,10 @@ MIN_WIDTH_CM, MAX_WIDTH_CM = 0.5, 500.0
 def cloth_print(garment: Garment, picture: Path | str, width: float) -> ClothPrint:
     """A picture that repeats over all panels of a garment.
 
-    Each panel shows the part of the printed cloth that it would be cut from: the picture stands upright along the
-    grain and has its true size. Panels are laid so that the picture meets at the side seams as nearly as it can:
-    at the height and the distance from the middle where they are worn. On sleeves it follows the arm.
+    Each panel shows the part of the printed cloth that it would be cut from: the picture stands upright
+    along the grain and has its true size. Panels are laid so that the picture meets at the side seams as
+    nearly as it can: at the height and the distance from the middle where they are worn. On sleeves it
+    follows the arm.
 
     Args:
         garment: What is printed.
@@ -37,7 +38,8 @@ def cloth_print(garment: Garment, picture: Path | str, width: float) -> ClothPri
     """
     if not MIN_WIDTH_CM <= width <= MAX_WIDTH_CM:
         raise InputError(
-            f"One repeat of the print is {width:g} cm wide; from {MIN_WIDTH_CM:g} to {MAX_WIDTH_CM:g} cm is accepted."
+            f"One repeat of the print is {width:g} cm wide; from {MIN_WIDTH_CM:g} to {MAX_WIDTH_CM:g} cm "
+            "is accepted."
         )
     pixels = read_picture(picture)
     height = width * pixels.shape[0] / pixels.shape[1]

@@ -14,9 +14,9 @@ from swifttailor.making.drawing import Drawing, Stroke, Text
 from swifttailor.making.paper import Paper
 from swifttailor.making.pdf_canvas import POINTS_PER_CM, draw, start_page, wrapped
 from swifttailor.making.pieces import CuttingPlan
+from swifttailor.making.scale_square import OUTER_CM, draw_test_square
 from swifttailor.making.sewing_steps import preparation, sewing_steps
 from swifttailor.making.sheet_layout import Sheet
-from swifttailor.making.test_square import OUTER_CM, draw_test_square
 
 _BORDER_CM = 1.5
 _BODY_CM, _LINE_CM = 0.36, 0.52
@@ -46,7 +46,8 @@ def draw_cover(canvas: Any, facts: CoverFacts) -> int:
     lines = [
         Text(plan.name, _BORDER_CM, top, 0.8, anchor="start", bold=True),
         Text(
-            f"{len(plan.pieces)} patterns for {count} pieces of cloth, on {pages}. Print at 100 % (\u201cactual size\u201d), "
+            f"{len(plan.pieces)} patterns for {count} pieces of cloth, on {pages}. Print at 100 % "
+            "(\u201cactual size\u201d), "
             "one-sided.",
             _BORDER_CM, top - 0.9, _BODY_CM, anchor="start",
         ),
@@ -88,7 +89,9 @@ def _pieces_beside(canvas: Any, facts: CoverFacts, paper: Paper, left: float, to
     """List of pieces and cloth beside the page map, continued on a page of its own where it is long."""
     plan = facts.plan
     entries: list[tuple[str, bool]] = [("Pieces", True)]
-    entries += [(f"{k}. {p.name}: {p.instruction.lower()}", False) for k, p in enumerate(plan.pieces, start=1)]
+    entries += [
+        (f"{k}. {p.name}: {p.instruction.lower()}", False) for k, p in enumerate(plan.pieces, start=1)
+    ]
     entries.append(("Cloth", True))
     entries += [(line, False) for line in facts.cloth or ("Not computed.",)]
     entries.append(("Allowances", True))
@@ -138,7 +141,8 @@ def _page_map(facts: CoverFacts, left: float, bottom: float, width: float, heigh
         corners = np.array([low, [high[0], low[1]], high, [low[0], high[1]]])
         strokes.append(Stroke(corners, drawing.FRAME, closed=True))
         letter = float(np.clip(0.35 * min(high - low), 0.12, 0.9))
-        texts.append(Text(shown.name, *((low + high) / 2 - (0, 0.35 * letter)).tolist(), letter, color=drawing.GUIDE.color))
+        x, y = ((low + high) / 2).tolist()
+        texts.append(Text(shown.name, x, y - 0.35 * letter, letter, color=drawing.GUIDE.color))
     for placed in facts.placed:
         for stroke in placed.strokes:
             if stroke.style.name in ("cut", "fold"):

@@ -1,8 +1,9 @@
 """The line that is cut: the sew line moved outward by the allowance of each edge.
 
-The cloth to cut is the union of the piece, a strip along each edge, and what fills the corners between strips.
-A union of areas cannot cross itself, and contains every strip whole, so no allowance can be missing; where strips
-of different edges overlap (narrow slits, sharp inner corners) they become one, and the sew lines tell where to cut.
+The cloth to cut is the union of the piece, a strip along each edge, and what fills the corners between
+strips. A union of areas cannot cross itself, and contains every strip whole, so no allowance can be
+missing; where strips of different edges overlap (narrow slits, sharp inner corners) they become one, and
+the sew lines tell where to cut.
 """
 
 from __future__ import annotations
@@ -116,7 +117,13 @@ def _strip(points: Floats, width: float) -> shapely.Geometry:
     normal = outward(points)
     low, high = points[:-1], points[1:]
     quads = np.stack(
-        [low - _OVERLAP_CM * normal, low + width * normal, high + width * normal, high - _OVERLAP_CM * normal], 1
+        [
+            low - _OVERLAP_CM * normal,
+            low + width * normal,
+            high + width * normal,
+            high - _OVERLAP_CM * normal,
+        ],
+        1,
     )
     parts = list(shapely.polygons(quads))
     n, m = normal[:-1], normal[1:]
@@ -125,7 +132,9 @@ def _strip(points: Floats, width: float) -> shapely.Geometry:
     for k in np.flatnonzero((cross > 1e-9) & (bend > 0.2)):  # gaps on the outer side of a bend
         middle = points[k + 1]
         tip = middle + width * (n[k] + m[k]) / bend[k]
-        parts.append(shapely.Polygon([middle - _OVERLAP_CM * n[k], middle + width * n[k], tip, middle + width * m[k]]))
+        parts.append(
+            shapely.Polygon([middle - _OVERLAP_CM * n[k], middle + width * n[k], tip, middle + width * m[k]])
+        )
     return shapely.union_all(parts)
 
 
@@ -196,7 +205,9 @@ def _turned_corner(
     flap = _hull([corner - _OVERLAP_CM * (n + t), foot, end, corner + hem_cm * n])
     lift, drop = -2 * _OVERLAP_CM * folded, 0.1 * folded
     beyond = shapely.Polygon([foot + lift, end + drop, end + drop + far * t, foot + lift + far * t])
-    below = shapely.Polygon([corner - 0.2 * _OVERLAP_CM * t, corner + far * t, corner + far * (t + n), corner + far * n])
+    below = shapely.Polygon(
+        [corner - 0.2 * _OVERLAP_CM * t, corner + far * t, corner + far * (t + n), corner + far * n]
+    )
     fill = _hull([corner - _OVERLAP_CM * t, corner + side_cm * out_of_side, foot, corner])
     fill = fill.difference(below)
     return flap, beyond, below, fill

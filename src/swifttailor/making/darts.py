@@ -37,7 +37,8 @@ class Dart:
 def find_darts(pattern: Pattern, partner: Mapping[EdgeRef, EdgeRef]) -> tuple[Dart, ...]:
     """Finds neighbouring edges of one panel that are sewn together around a notch in its outline.
 
-    Wedges that are very wide, or uneven, are not darts: they are cut out, with seam allowances along both edges.
+    Wedges that are very wide, or uneven, are not darts: they are cut out, with seam allowances along both
+    edges.
 
     Args:
         pattern: Any pattern.

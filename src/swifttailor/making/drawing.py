@@ -76,7 +76,7 @@ class Drawing:
     """Name of a layer that can be shown or hidden: the size, where a file holds several."""
 
     def moved(self, turn: Floats, shift: Floats) -> Drawing:
-        """The drawing turned by a rotation matrix (2, 2), then shifted by (2,) cm; no text stands on its head."""
+        """The drawing turned by a matrix (2, 2), then shifted by (2,) cm; no text stands on its head."""
         angle = float(np.degrees(np.arctan2(turn[1, 0], turn[0, 0])))
         texts = []
         for text in self.texts:

@@ -19,10 +19,10 @@ from swifttailor.pattern import Pattern
 
 
 def flat_panels(pattern: Pattern, edge_length: float = 2.0) -> TriangleMesh:
-    """The panels as they are placed around the body, not sewn, with a line for each pair of vertices to be sewn.
+    """The panels as placed around the body, not sewn, with a line for each pair of vertices to be sewn.
 
-    The two edges of a seam have equally many vertices; line k of a seam joins vertex k of one edge with the vertex
-    that it meets. All lines of a seam have the seam's name.
+    The two edges of a seam have equally many vertices; line k of a seam joins vertex k of one edge with
+    the vertex that it meets. All lines of a seam have the seam's name.
 
     Args:
         pattern: A pattern placed around a body.
@@ -42,7 +42,8 @@ def flat_panels(pattern: Pattern, edge_length: float = 2.0) -> TriangleMesh:
     lines, names = [], []
     for number, stitch in enumerate(pattern.stitches):
         first, second = (
-            mesh.edge_vertices[pattern.panel_index(side.panel)][side.edge].astype(np.int64) for side in stitch.sides
+            mesh.edge_vertices[pattern.panel_index(side.panel)][side.edge].astype(np.int64)
+            for side in stitch.sides
         )
         pairs = stitched_pairs(first, second, stitch.right_wrong)
         pairs = pairs[pairs[:, 0] != pairs[:, 1]]  # the point of a dart is sewn already
@@ -74,7 +75,9 @@ def panels_obj(pattern: Pattern, edge_length: float = 2.0, *, metres: bool = Tru
     return "\n".join([*notes, *text.splitlines()[3:]]) + "\n"
 
 
-def write_panels(pattern: Pattern, path: Path | str, *, edge_length: float = 2.0, overwrite: bool = False) -> Path:
+def write_panels(
+    pattern: Pattern, path: Path | str, *, edge_length: float = 2.0, overwrite: bool = False
+) -> Path:
     """Writes `panels_obj` in metres.
 
     Raises:

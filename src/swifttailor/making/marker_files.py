@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
 import numpy as np
@@ -14,6 +15,9 @@ from swifttailor.making.drawing import Drawing, Stroke, Text, arrow_head
 from swifttailor.making.dxf_text import DxfText
 from swifttailor.making.nesting import LaidPiece, Marker
 from swifttailor.making.pattern_dxf import CUT, GRAIN, SEW, simpler
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
 
 ENDINGS = (".svg", ".png", ".pdf", ".dxf")
 _PICTURE_PIXELS = 2400
@@ -44,7 +48,9 @@ def write_marker(marker: Marker, path: Path | str, *, title: str, overwrite: boo
     if ending == ".svg":
         return write_text(path, drawing_svg(whole, size), overwrite=overwrite)
     if ending == ".png":
-        return write_atomically(path, lambda target: _picture(whole, size).save(target, "PNG"), overwrite=overwrite)
+        return write_atomically(
+            path, lambda target: _picture(whole, size).save(target, "PNG"), overwrite=overwrite
+        )
     return write_atomically(path, lambda target: _pdf(whole, size, title, target), overwrite=overwrite)
 
 
@@ -55,7 +61,9 @@ def require_ending(path: Path) -> None:
         InputError: The ending is not among `ENDINGS`.
     """
     if path.suffix.lower() not in ENDINGS:
-        raise InputError(f"A marker cannot be written as '{path.name}'. Accepted endings: {', '.join(ENDINGS)}.")
+        raise InputError(
+            f"A marker cannot be written as '{path.name}'. Accepted endings: {', '.join(ENDINGS)}."
+        )
 
 
 def draw_marker(marker: Marker, title: str) -> Drawing:
@@ -107,7 +115,8 @@ def drawing_svg(whole: Drawing, size: tuple[float, float]) -> str:
         dash = f' stroke-dasharray="{" ".join(map(str, stroke.style.dash))}"' if stroke.style.dash else ""
         kind = "polygon" if stroke.closed else "polyline"
         parts.append(
-            f'<{kind} class="{stroke.style.name}" points="{points}" fill="none" stroke="{stroke.style.color}" '
+            f'<{kind} class="{stroke.style.name}" points="{points}" fill="none" '
+            f'stroke="{stroke.style.color}" '
             f'stroke-width="{2 * stroke.style.width:.2f}"{dash}/>'
         )
     for text in whole.texts:
@@ -138,11 +147,12 @@ def _laid(item: LaidPiece) -> Drawing:
     return Drawing(strokes, (Text(name, float(x), float(y) + 0.4 * size, size),))
 
 
-def _picture(whole: Drawing, size: tuple[float, float]) -> object:
-    from PIL import Image, ImageDraw, ImageFont
+def _picture(whole: Drawing, size: tuple[float, float]) -> Image:
+    from PIL import Image as images
+    from PIL import ImageDraw, ImageFont
 
     scale = _PICTURE_PIXELS / max(size)
-    image = Image.new("RGB", (max(int(size[0] * scale), 1), max(int(size[1] * scale), 1)), "white")
+    image = images.new("RGB", (max(int(size[0] * scale), 1), max(int(size[1] * scale), 1)), "white")
     pen = ImageDraw.Draw(image)
     for stroke in whole.strokes:
         points = [(x * scale, (size[1] - y) * scale) for x, y in stroke.points.tolist()]
@@ -151,7 +161,9 @@ def _picture(whole: Drawing, size: tuple[float, float]) -> object:
     for text in whole.texts:
         font = ImageFont.load_default(size=max(8.0, text.size * scale))
         anchor = {"start": "ls", "middle": "ms", "end": "rs"}[text.anchor]
-        pen.text((text.x * scale, (size[1] - text.y) * scale), text.text, fill="black", font=font, anchor=anchor)
+        pen.text(
+            (text.x * scale, (size[1] - text.y) * scale), text.text, fill="black", font=font, anchor=anchor
+        )
     return image
 
 

@@ -67,8 +67,8 @@ def nest(
 ) -> Marker:
     """Nests pieces by their true outlines; falls back on nothing: what comes back has no overlap.
 
-    The search (spyrrow, which binds the packer "sparrow") takes the time it is given on one core. The same seed
-    gives the same search; a faster machine gets further in it.
+    The search (spyrrow, which binds the packer "sparrow") takes the time it is given on one core. The same
+    seed gives the same search; a faster machine gets further in it.
 
     Args:
         pieces: What to cut; each as often as it is needed.
@@ -152,7 +152,9 @@ def _items(pieces: Sequence[Piece], width: float) -> list[tuple[Piece, bool]]:
                 f"'{piece.name}' is {across:.1f} cm across the grain, wider than the cloth ({width:g} cm). "
                 "Take wider cloth, or divide the panel."
             )
-    items = [(p, mirrored) for p in pieces for mirrored in (False,) * len(p.panels) + (True,) * len(p.mirrored)]
+    items = [
+        (p, mirrored) for p in pieces for mirrored in (False,) * len(p.panels) + (True,) * len(p.mirrored)
+    ]
     if len(items) > MOST_PIECES:
         raise InputError(f"The pattern has {len(items)} pieces to cut; at most {MOST_PIECES} are nested.")
     return items

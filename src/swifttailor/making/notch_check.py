@@ -22,8 +22,8 @@ def notch_faults(plan: CuttingPlan) -> list[str]:
     """Everything about the printed notches that would mislead; nothing when all match.
 
     For every seam, the notches on one edge must lie at the same shares of its length, with as many teeth, as
-    those on the other edge, seen the way in which the edges are sewn together. A mark at the end of an edge may
-    face a corner, which needs no mark. Long seams must not be without notches.
+    those on the other edge, seen the way in which the edges are sewn together. A mark at the end of an
+    edge may face a corner, which needs no mark. Long seams must not be without notches.
     """
     faults = []
     printed = {p.name: _on_panel(plan.piece_of(p.name), p, plan) for p in plan.sewn.panels}
@@ -74,5 +74,3 @@ def _shares(notches: list[tuple[Floats, int]], panel: FlatPanel, ref: EdgeRef) -
 
 def _middle(outline: Floats) -> Floats:
     return (outline.min(axis=0) + outline.max(axis=0)) / 2
-
-

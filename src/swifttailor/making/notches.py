@@ -45,8 +45,8 @@ class NotchPair:
 def pair_notches(sewn: SewnPattern) -> tuple[NotchPair, ...]:
     """Finds the points of all seams that need marking, darts aside.
 
-    Seams get notches at least every `EVERY_CM`, at equal shares of both edges, so that they also match where one
-    edge is gathered; and where one seam ends and another begins on an outline without a corner.
+    Seams get notches at least every `EVERY_CM`, at equal shares of both edges, so that they also match
+    where one edge is gathered; and where one seam ends and another begins on an outline without a corner.
     """
     dart_edges = {ref for dart in sewn.darts for ref in dart.legs}
     pairs = []
@@ -65,7 +65,9 @@ def pair_notches(sewn: SewnPattern) -> tuple[NotchPair, ...]:
             ends = (end, end if stitch.right_wrong else 1.0 - end)
             smooth = [_is_smooth(p, s.edge, e) for p, s, e in zip(panels, stitch.sides, ends, strict=True)]
             clear = all(
-                _is_clear(p, s, e) for p, s, e, is_smooth in zip(panels, stitch.sides, ends, smooth, strict=True) if is_smooth
+                _is_clear(p, s, e)
+                for p, s, e, is_smooth in zip(panels, stitch.sides, ends, smooth, strict=True)
+                if is_smooth
             )
             if any(smooth) and clear:
                 pairs.append(NotchPair(number, ends, teeth, (smooth[0], smooth[1])))

@@ -42,8 +42,10 @@ def overlap_findings(piece: str, panel: str, runs: Sequence[Run], cut: CutLine) 
             Finding(
                 "allowance-overlap",
                 Severity.INFO,
-                f"{piece}: along {filled:.0f} cm the edges are so close together that their allowances overlap and "
-                "were joined; the sew lines are drawn, cut between them after sewing or finish the edges narrowly",
+                f"{piece}: along {filled:.0f} cm the edges are so close together that their allowances "
+                "overlap and "
+                "were joined; the sew lines are drawn, cut between them after sewing or finish the edges "
+                "narrowly",
                 panel=panel,
                 value=round(filled, 1),
             )
@@ -53,7 +55,8 @@ def overlap_findings(piece: str, panel: str, runs: Sequence[Run], cut: CutLine) 
             Finding(
                 "blunt-corner",
                 Severity.INFO,
-                f"{piece}: the allowance of {len(cut.blunted)} sharp corner{'s' * (len(cut.blunted) > 1)} is cut off square",
+                f"{piece}: the allowance of {len(cut.blunted)} sharp corner{'s' * (len(cut.blunted) > 1)} "
+                "is cut off square",
                 panel=panel,
                 value=len(cut.blunted),
             )
@@ -64,9 +67,9 @@ def overlap_findings(piece: str, panel: str, runs: Sequence[Run], cut: CutLine) 
 def allowance_faults(runs: Sequence[Run], cut: CutLine) -> list[str]:
     """Everything that is wrong with a cut line; nothing when it can be cut.
 
-    Checked anew from the sew line: the cut line is one loop that does not cross itself; the piece lies within it;
-    and every point of the sew line has its whole allowance, straight outward, except where a hem's end is shaped
-    to be folded.
+    Checked anew from the sew line: the cut line is one loop that does not cross itself; the piece lies
+    within it; and every point of the sew line has its whole allowance, straight outward, except where a
+    hem's end is shaped to be folded.
     """
     faults = []
     polygon = shapely.Polygon(cut.outline)
@@ -85,7 +88,9 @@ def allowance_faults(runs: Sequence[Run], cut: CutLine) -> list[str]:
             points, normals = points[away > reach], normals[away > reach]
         short = ~shapely.contains_xy(grown, points + run.allowance * normals)
         if short.any():
-            faults.append(f"edge {run.edge}: the allowance is missing at {points[short][0].round(2).tolist()}")
+            faults.append(
+                f"edge {run.edge}: the allowance is missing at {points[short][0].round(2).tolist()}"
+            )
     return faults
 
 

@@ -47,7 +47,8 @@ class Paper:
         found = _OWN_SIZE.fullmatch(key)
         if found is None:
             raise InputError(
-                f"There is no paper {name!r}. Accepted: {', '.join(PAPERS)}, or a size such as 90x200cm or 24x36in."
+                f"There is no paper {name!r}. Accepted: {', '.join(PAPERS)}, or a size such as 90x200cm "
+                "or 24x36in."
             )
         factor = {"mm": 0.1, "in": INCH_CM}.get(found[3] or "cm", 1.0)
         width, height = float(found[1]) * factor, float(found[2]) * factor
@@ -66,7 +67,11 @@ class Paper:
     @property
     def for_reading(self) -> Paper:
         """Paper for the cover and the steps: this one where it is small, else A4 or Letter."""
-        if self.width <= PAPERS["a3"][0] + 1e-6 and self.height <= PAPERS["a3"][1] + 1e-6 and self.width >= 18:
+        if (
+            self.width <= PAPERS["a3"][0] + 1e-6
+            and self.height <= PAPERS["a3"][1] + 1e-6
+            and self.width >= 18
+        ):
             return self
         inches = self.name in ("legal", "tabloid", "arch-d") or self.name.endswith("in")
         return Paper.named("letter" if inches else "a4")

@@ -1,7 +1,8 @@
 """DXF of cutting rooms: ASTM D6673-10, or the older AAMA header that some programs ask for.
 
 A block for each piece, inserted once; millimetres; the grain lies along x, as cutters lay cloth. The file is
-written group by group, since general DXF writers add blocks of their own that some cutting rooms' readers refuse.
+written group by group, since general DXF writers add blocks of their own that some cutting rooms' readers
+refuse.
 """
 
 from __future__ import annotations
@@ -18,7 +19,17 @@ from swifttailor.making.dxf_text import DxfText, block_names
 from swifttailor.making.pieces import CuttingPlan, Piece
 
 Dialect = Literal["astm", "aama"]
-CUT, TURN_POINT, CURVE_POINT, SLIT_NOTCH, GRAIN, INTERNAL, DRILL_HOLE, SEW, ANNOTATION = 1, 2, 3, 4, 7, 8, 13, 14, 15
+CUT, TURN_POINT, CURVE_POINT, SLIT_NOTCH, GRAIN, INTERNAL, DRILL_HOLE, SEW, ANNOTATION = (
+    1,
+    2,
+    3,
+    4,
+    7,
+    8,
+    13,
+    14,
+    15,
+)
 VALIDATION = {CUT: 84, INTERNAL: 85, SEW: 87}
 """Each line once more, for readers to check their curves against."""
 NOTCH_DEPTH_MM = 5.0
@@ -53,7 +64,9 @@ def write_dxf(
     Raises:
         InputError: The file cannot be written.
     """
-    return write_bytes(path, dxf_text(plan, dialect=dialect, seam_names=seam_names).encode("ascii"), overwrite=overwrite)
+    return write_bytes(
+        path, dxf_text(plan, dialect=dialect, seam_names=seam_names).encode("ascii"), overwrite=overwrite
+    )
 
 
 def dxf_text(plan: CuttingPlan, *, dialect: Dialect = "astm", seam_names: bool = False) -> str:
@@ -115,13 +128,14 @@ def _style_texts(plan: CuttingPlan, dialect: Dialect) -> list[str]:
         "Curve Tolerance:0.05",
     ]
     if dialect == "aama":
-        return [line.split(":")[0].upper() + ":" + line.split(":", 1)[1] for line in lines] + ["ANSI/AAMA VERSION:292-B"]
+        return [line.split(":")[0].upper() + ":" + line.split(":", 1)[1] for line in lines] + [
+            "ANSI/AAMA VERSION:292-B"
+        ]
     return [*lines, "ASTM/D13Proposal 1 Version:D6673-10"]
 
 
 def _piece(dxf: DxfText, piece: Piece, dialect: Dialect, seam_names: bool) -> None:
     cut, sew = simpler(piece.cut.outline), simpler(piece.sew_line)
-    low, _ = _box(piece)
     plain, mirrored = (piece.count, 0) if piece.symmetric else (len(piece.panels), len(piece.mirrored))
     texts = [
         f"Piece Name:{piece.name}",
@@ -188,5 +202,3 @@ def _box(piece: Piece) -> tuple[Floats, Floats]:
 def _section(dxf: DxfText, name: str) -> None:
     dxf.start("SECTION")
     dxf.add(2, name)
-
-

@@ -17,8 +17,8 @@ from swifttailor.making.paper import MARGIN_CM, Paper, Tile
 from swifttailor.making.pdf_canvas import POINTS_PER_CM, draw, new_canvas, start_page
 from swifttailor.making.piece_drawing import draw_piece, drawn_shape
 from swifttailor.making.pieces import CuttingPlan
+from swifttailor.making.scale_square import OUTER_CM, SIZE_CM, draw_test_square
 from swifttailor.making.sheet_layout import GAP_CM, Sheet, lay_out_sheet
-from swifttailor.making.test_square import OUTER_CM, SIZE_CM, draw_test_square
 from swifttailor.pattern.finding import Finding
 
 _CROSS_CM = 0.6
@@ -93,7 +93,9 @@ def _square_shape() -> Any:
 
 def _tiles(canvas: Any, sheet: Sheet, paper: Paper, whole: Drawing, name: str) -> None:
     width, height = paper.tile
-    canvas.beginForm(_FORM, -GAP_CM, -GAP_CM, sheet.columns * width * POINTS_PER_CM, sheet.rows * height * POINTS_PER_CM)
+    canvas.beginForm(
+        _FORM, -GAP_CM, -GAP_CM, sheet.columns * width * POINTS_PER_CM, sheet.rows * height * POINTS_PER_CM
+    )
     draw(canvas, whole)
     canvas.endForm()
     present = set(sheet.tiles)
@@ -136,8 +138,9 @@ def _crosses(tile: Tile, present: set[Tile], width: float, height: float) -> Dra
             x = {"left": 0.0, "right": width}.get(side, share * width)
             y = {"bottom": 0.0, "top": height}.get(side, share * height)
             for sign in (1.0, -1.0):
-                arm = np.array([_CROSS_CM, sign * _CROSS_CM])
-                strokes.append(Stroke(np.array([[x, y] - arm, [x, y] + arm]), drawing.FRAME._replace(width=0.35)))
+                rise = sign * _CROSS_CM
+                arm = np.array([[x - _CROSS_CM, y - rise], [x + _CROSS_CM, y + rise]])
+                strokes.append(Stroke(arm, drawing.FRAME._replace(width=0.35)))
     return Drawing(tuple(strokes))
 
 

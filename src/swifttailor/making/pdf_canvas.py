@@ -98,6 +98,8 @@ def _text(canvas: Any, text: Text) -> None:
     canvas.setFont(BOLD if text.bold else PLAIN, text.size * POINTS_PER_CM)
     canvas.translate(text.x * POINTS_PER_CM, text.y * POINTS_PER_CM)
     canvas.rotate(text.angle)
-    place = {"start": canvas.drawString, "end": canvas.drawRightString}.get(text.anchor, canvas.drawCentredString)
+    place = {"start": canvas.drawString, "end": canvas.drawRightString}.get(
+        text.anchor, canvas.drawCentredString
+    )
     place(0, 0, printable(text.text))
     canvas.restoreState()

@@ -58,7 +58,9 @@ def draw_piece(piece: Piece, title: str) -> Drawing:
             texts.append(word)
     for number in _numbers(piece):
         strokes.append(Stroke(circle(number[0], 0.32), drawing.NUMBER, closed=True))
-        texts.append(Text(number[1], float(number[0][0]), float(number[0][1]) - 0.13, 0.36, color=drawing.NUMBER.color))
+        texts.append(
+            Text(number[1], float(number[0][0]), float(number[0][1]) - 0.13, 0.36, color=drawing.NUMBER.color)
+        )
     strokes += _grain(piece)
     texts += _label(piece, title, shape)
     return Drawing(tuple(strokes), tuple(texts), layer=piece.size)
@@ -105,7 +107,8 @@ def _notch(notch: PlacedNotch) -> list[Stroke]:
     offsets = [0.0] if notch.teeth == 1 else [-_TEETH_APART_CM / 2, _TEETH_APART_CM / 2]
     return [
         Stroke(
-            np.array([notch.point - inside * notch.outward, notch.point + notch.depth * notch.outward]) + o * along,
+            np.array([notch.point - inside * notch.outward, notch.point + notch.depth * notch.outward])
+            + o * along,
             drawing.NOTCH,
         )
         for o in offsets
@@ -130,7 +133,9 @@ def _edge_mark(mark: EdgeMark) -> tuple[Stroke, Text]:
     room = 0.75 if upright != angle else 0.35
     size = float(np.clip(0.5 * length[-1] / (_LETTER * len(mark.text)), 0.15, 0.32))
     x, y = at + room * normal[k]
-    return Stroke(line, drawing.GATHER), Text(mark.text, float(x), float(y), size, upright, color=drawing.GATHER.color)
+    return Stroke(line, drawing.GATHER), Text(
+        mark.text, float(x), float(y), size, upright, color=drawing.GATHER.color
+    )
 
 
 def _numbers(piece: Piece) -> list[tuple[Floats, str]]:
@@ -143,7 +148,9 @@ def _numbers(piece: Piece) -> list[tuple[Floats, str]]:
 
 
 def _number_place(piece: Piece, mark: SeamMark) -> Floats:
-    crowded = any(np.hypot(*(m.points[len(m.points) // 2] - mark.point)) < 0.5 * mark.length for m in piece.edge_marks)
+    crowded = any(
+        np.hypot(*(m.points[len(m.points) // 2] - mark.point)) < 0.5 * mark.length for m in piece.edge_marks
+    )
     return mark.point + (1.25 if crowded else 0.75) * mark.inward
 
 
@@ -165,7 +172,14 @@ def _fold(piece: Piece) -> tuple[list[Stroke], list[Text]]:
     low, high = float(points[:, 1].min()), float(points[:, 1].max())
     x, inset = piece.middle, 0.12 * (high - low)
     depth = min(1.0, 0.15 * float(np.ptp(shapely.get_coordinates(shape)[:, 0])))
-    bracket = np.array([[x + depth * 0.1, low + inset], [x + depth, low + inset], [x + depth, high - inset], [x + depth * 0.1, high - inset]])
+    bracket = np.array(
+        [
+            [x + depth * 0.1, low + inset],
+            [x + depth, low + inset],
+            [x + depth, high - inset],
+            [x + depth * 0.1, high - inset],
+        ]
+    )
     left = np.array([-1.0, 0.0])
     strokes = [
         Stroke(np.array([[x, low], [x, high]]), drawing.FOLD),
@@ -175,7 +189,9 @@ def _fold(piece: Piece) -> tuple[list[Stroke], list[Text]]:
     ]
     words = "place on the fold"
     size = float(np.clip(0.7 * (high - low) / (_LETTER * len(words)), 0.15, 0.4))
-    return strokes, [Text(words, x + depth + 1.25 * size, (low + high) / 2, size, 90.0, color=drawing.FOLD.color)]
+    return strokes, [
+        Text(words, x + depth + 1.25 * size, (low + high) / 2, size, 90.0, color=drawing.FOLD.color)
+    ]
 
 
 def _label(piece: Piece, title: str, shape: shapely.Polygon) -> list[Text]:
@@ -189,14 +205,15 @@ def _label(piece: Piece, title: str, shape: shapely.Polygon) -> list[Text]:
     best: tuple[float, list[str]] = (0.0, full[:1])
     for lines in (full, full[:2], [f"{piece.name}: {piece.instruction}"], full[:1]):
         longest = max(len(line) for line in lines)
-        size = min(
-            1.5 * radius / (1.35 * len(lines)), 0.85 * (x1 - x0) / (_LETTER * longest), _LARGEST
-        )
+        size = min(1.5 * radius / (1.35 * len(lines)), 0.85 * (x1 - x0) / (_LETTER * longest), _LARGEST)
         if size > best[0] * 1.25:
             best = size, lines
     size, lines = max(best[0], _SMALLEST), best[1]
     x, y = (x0 + x1) / 2, float(middle[1]) + 0.675 * size * (len(lines) - 2) + 0.3 * size
-    return [Text(line, x, y - 1.35 * size * k, size if k == 0 else 0.8 * size, bold=k == 0) for k, line in enumerate(lines)]
+    return [
+        Text(line, x, y - 1.35 * size * k, size if k == 0 else 0.8 * size, bold=k == 0)
+        for k, line in enumerate(lines)
+    ]
 
 
 def _across(shape: shapely.Polygon, y: float) -> tuple[float, float]:

@@ -48,7 +48,7 @@ def _name(group: Sequence[PlacedPart]) -> str:
         name += " flounce"
     number = _NUMBER.search(first.panel.name)
     tiered = first.part is Part.SKIRT and number and re.search(r"_(front|back)_\d+$", first.panel.name)
-    if tiered and number:
+    if tiered:
         name += f" tier {int(number[1]) + 2}"
     if len(faces) == 1 and first.part not in _NO_FACE and "skirt_panel" not in first.panel.name:
         name += f" {first.face}"

@@ -20,7 +20,7 @@ from swifttailor.making.twins import Match, Shape, along, on_edge
 from swifttailor.pattern import EdgeRef, Finding, Pattern
 
 FOLD_FROM_CM = 20.0
-"""Pieces that are their own mirror image are cut on the fold from this width on; smaller ones are drawn whole."""
+"""From this width on, pieces that are their own mirror image are cut on the fold; others are drawn whole."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,7 +117,11 @@ class Piece:
         if self.symmetric or not self.mirrored:
             return f"Cut {self.count}"
         if len(self.panels) == len(self.mirrored):
-            return f"Cut {self.count}, mirrored" if self.count == 2 else f"Cut {self.count}, half of them mirrored"
+            return (
+                f"Cut {self.count}, mirrored"
+                if self.count == 2
+                else f"Cut {self.count}, half of them mirrored"
+            )
         return f"Cut {self.count}, {len(self.mirrored)} of them mirrored"
 
     @property
@@ -289,7 +293,7 @@ def _runs(sewn: SewnPattern, panel: FlatPanel, allowances: Allowances) -> tuple[
         runs.append(Run(np.array([leg_in[0], peak, leg_out[-1]]), kind, allowances.of(kind), -1))
     # The run across the dart that begins the loop may end it too; runs follow each other either way.
     start = 1 if (count - 1) in darts and 0 in out_legs else 0
-    return tuple(runs) if not start else tuple([runs[-1], *runs[:-1]])
+    return tuple(runs) if not start else (runs[-1], *runs[:-1])
 
 
 def _placed(

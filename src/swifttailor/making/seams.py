@@ -113,7 +113,10 @@ def _near(sewn: SewnPattern, x: EdgeRef, y: EdgeRef) -> bool:
     if (x.edge - y.edge) % count in (1, count - 1):
         return True
     for first, last in ((x.edge, y.edge), (y.edge, x.edge)):  # a dart between them is sewn before
-        if any(d.panel == x.panel and (first + 1) % count == d.leg_in and (d.leg_out + 1) % count == last for d in sewn.darts):
+        if any(
+            d.panel == x.panel and (first + 1) % count == d.leg_in and (d.leg_out + 1) % count == last
+            for d in sewn.darts
+        ):
             return True
     return False
 

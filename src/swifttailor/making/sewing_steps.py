@@ -26,26 +26,46 @@ class SewingStep:
 
 
 _HOW = {
-    SeamRole.DART: "Fold each dart right sides together so that its two lines meet. Sew from the edge to the point "
+    SeamRole.DART: "Fold each dart right sides together so that its two lines meet. Sew from the edge to "
+    "the point "
     "and press it towards the centre, or down.",
     SeamRole.ARMHOLE: "The garment still lies flat: sew the sleeve in before the side seams are closed.",
     SeamRole.UNDERARM: "Close each sleeve along the arm, right sides together.",
     SeamRole.TIER: "Close each tier to a ring first, then sew the rings together, side seams on side seams.",
     SeamRole.BAND_ENDS: "Sew the ends together to a ring.",
-    SeamRole.WAIST: "Slip one part into the other, right sides together, and match side seams, centres and notches.",
+    SeamRole.WAIST: "Slip one part into the other, right sides together, and match side seams, centres "
+    "and notches.",
     SeamRole.CROTCH: "Turn one leg right side out, slip it into the other, and sew the crotch in one go.",
     SeamRole.CUFF: "Slip the cuff over the end, right sides together, seams on seams.",
     SeamRole.NECKLINE: "Match the centre back and the shoulder seams first, then the notches.",
     SeamRole.GODET: "Sew one side of each godet from the hem to the point, then the other.",
 }
 _FINISHES = {
-    EdgeKind.NECKLINE: ("Neckline", "Face or bind the neckline, or turn its allowance under and stitch it down."),
-    EdgeKind.ARMHOLE: ("Armholes", "Face or bind the armholes, or turn their allowance under and stitch it down."),
-    EdgeKind.TOP: ("Upper edge", "Finish the upper edge: face it, or turn it under to make a casing for elastic."),
+    EdgeKind.NECKLINE: (
+        "Neckline",
+        "Face or bind the neckline, or turn its allowance under and stitch it down.",
+    ),
+    EdgeKind.ARMHOLE: (
+        "Armholes",
+        "Face or bind the armholes, or turn their allowance under and stitch it down.",
+    ),
+    EdgeKind.TOP: (
+        "Upper edge",
+        "Finish the upper edge: face it, or turn it under to make a casing for elastic.",
+    ),
     EdgeKind.SLIT: ("Slits", "Press the allowances of the slits to the inside and stitch them down."),
-    EdgeKind.OPENING: ("Open edges", "Turn the allowances of the remaining open edges under and stitch them down."),
-    EdgeKind.HEM: ("Hems", "Press the hem allowance up, turn its edge in, and stitch it down by hand or machine."),
-    EdgeKind.CURVED_HEM: ("Hems", "Press the narrow allowance of the curved hem up bit by bit, and stitch it down."),
+    EdgeKind.OPENING: (
+        "Open edges",
+        "Turn the allowances of the remaining open edges under and stitch them down.",
+    ),
+    EdgeKind.HEM: (
+        "Hems",
+        "Press the hem allowance up, turn its edge in, and stitch it down by hand or machine.",
+    ),
+    EdgeKind.CURVED_HEM: (
+        "Hems",
+        "Press the narrow allowance of the curved hem up bit by bit, and stitch it down.",
+    ),
 }
 
 
@@ -54,7 +74,9 @@ def sewing_steps(plan: CuttingPlan) -> tuple[SewingStep, ...]:
     steps = []
     both = {SeamRole.SIDE, SeamRole.UNDERARM}
     in_one_go = both <= {seam.role for seam in plan.seams}
-    for role, group in groupby(plan.seams, key=lambda s: SeamRole.SIDE if in_one_go and s.role in both else s.role):
+    for role, group in groupby(
+        plan.seams, key=lambda s: SeamRole.SIDE if in_one_go and s.role in both else s.role
+    ):
         seams = list(group)
         title, lines = role.words, [_HOW[role]] if role in _HOW else []
         if in_one_go and role is SeamRole.SIDE:
@@ -68,7 +90,9 @@ def sewing_steps(plan: CuttingPlan) -> tuple[SewingStep, ...]:
         pieces = [p for p in plan.pieces if any(r.kind is kind for r in p.runs)]
         if pieces:
             width = plan.allowances.of(kind)
-            allowance = f" The allowance is {width:g} cm." if width > 0 else " It is cut without an allowance."
+            allowance = (
+                f" The allowance is {width:g} cm." if width > 0 else " It is cut without an allowance."
+            )
             names = _listed(piece.name for piece in pieces)
             steps.append(SewingStep(title, (f"{text}{allowance} ({names}.)",)))
     return tuple(steps)
@@ -97,17 +121,24 @@ def steps_markdown(plan: CuttingPlan, *, cloth: Sequence[str] = ()) -> str:
 def preparation(plan: CuttingPlan) -> list[str]:
     """What holds for all steps."""
     widths = plan.allowances
+    curved = min(widths.curved_hem, widths.hem)
     return [
-        f"Seam allowance {widths.seam:g} cm, hems {widths.hem:g} cm (curved ones {min(widths.curved_hem, widths.hem):g} cm), "
-        f"other edges {widths.edge:g} cm. The outer line is cut, the dashed line is sewn.",
-        "Lay the grain line along the selvedge. Transfer notches, darts and the points of slits before the paper comes off.",
-        "Seams are sewn right sides together. Single notches meet single ones, double notches (back) double ones; "
+        f"Seam allowance {widths.seam:g} cm, hems {widths.hem:g} cm (curved ones {curved:g} cm), other edges "
+        f"{widths.edge:g} cm. The outer line is cut, the dashed line is sewn.",
+        "Lay the grain line along the selvedge. Transfer notches, darts and the points of slits before "
+        "the paper "
+        "comes off.",
+        "Seams are sewn right sides together. Single notches meet single ones, double notches (back) "
+        "double ones; "
         "equal numbers beside two edges mean that these edges are sewn together.",
-        "To gather an edge, sew two rows of long stitches within its allowance, draw them up, and spread the fullness "
-        "evenly between the notches.",
+        "To gather an edge, sew two rows of long stitches within its allowance, draw them up, and spread the "
+        "fullness evenly between the notches.",
         "Press every seam before another one crosses it.",
-        "The pattern has no zip and no buttons. In cloth that does not stretch, try before you close the last seams whether "
-        "you can slip it on; leave an opening for a zip in the centre back seam or, where there is none, in the left side seam.",
+        "The pattern has no zip and no buttons. In cloth that does not stretch, try before you close the "
+        "last seams "
+        "whether you can slip it on; leave an opening for a zip in the centre back seam or, where there "
+        "is none, in "
+        "the left side seam.",
     ]
 
 
@@ -130,14 +161,18 @@ def _joins(plan: CuttingPlan, seams: Sequence[Seam]) -> list[str]:
     for number, alike in by_number.items():
         seam = alike[0]
         first, second = (plan.piece_of(name) for name in seam.panels)
-        times = "" if len(alike) == 1 else " (left and right)" if len(alike) == 2 else f" ({len(alike)} times)"
+        times = (
+            "" if len(alike) == 1 else " (left and right)" if len(alike) == 2 else f" ({len(alike)} times)"
+        )
         lines.append(f"Seam {number}: {_pair(first, second, seam)}{times}.{_fit(plan, seam)}")
     return lines
 
 
 def _pair(first: Piece, second: Piece, seam: Seam) -> str:
     if first is second:
-        return f"{first.name} to itself" if seam.panels[0] == seam.panels[1] else f"{first.name} to {first.name}"
+        return (
+            f"{first.name} to itself" if seam.panels[0] == seam.panels[1] else f"{first.name} to {first.name}"
+        )
     return f"{first.name} to {second.name}"
 
 

@@ -121,7 +121,7 @@ def require_sewable(pattern: Pattern) -> None:
 
 def _edge_kinds(anatomy: Anatomy, darts: tuple[Dart, ...]) -> dict[EdgeRef, EdgeKind]:
     pattern = anatomy.pattern
-    kinds = {r: EdgeKind.SEAM for r in anatomy.cloth.samples}
+    kinds = dict.fromkeys(anatomy.cloth.samples, EdgeKind.SEAM)
     for dart in darts:
         for ref in dart.legs:
             kinds[ref] = EdgeKind.DART

@@ -96,7 +96,7 @@ def skyline(sizes: Floats, width: float) -> tuple[Floats, float]:
 
 
 def _turned(sizes: Floats, width: float, height: float) -> np.ndarray:
-    """(n,) which boxes lie down: those too wide for the sheet, and those that then fit into fewer pages' height."""
+    """(n,) which boxes lie down: those too wide for the sheet, and those that then need fewer pages."""
     too_wide = (sizes[:, 0] > width + GAP_CM) & (sizes[:, 1] <= width + GAP_CM)
     if height <= 0:
         return too_wide
@@ -105,7 +105,12 @@ def _turned(sizes: Floats, width: float, height: float) -> np.ndarray:
 
 
 def _sheet(
-    shapes: Sequence[shapely.Polygon], turned: np.ndarray, corners: Floats, columns: int, rows: int, paper: Paper
+    shapes: Sequence[shapely.Polygon],
+    turned: np.ndarray,
+    corners: Floats,
+    columns: int,
+    rows: int,
+    paper: Paper,
 ) -> Sheet:
     width, height = paper.tile
     turns, shifts, moved = [], [], []

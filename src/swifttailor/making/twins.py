@@ -64,7 +64,9 @@ class Shape:
         same = all(
             self.kinds[k] is other.kinds[j] and self.marks[k] == other.marks[j] for k, j in enumerate(to)
         )
-        return same and {_moved(n, match, count) for n in self.notches} == {_rounded(n) for n in other.notches}
+        return same and {_moved(n, match, count) for n in self.notches} == {
+            _rounded(n) for n in other.notches
+        }
 
 
 def on_edge(match: Match, edge: int, count: int) -> int:
