@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -138,6 +138,8 @@ class Convert:
                 f"For a garment in 3D: swifttailor drape {source} --out DIR."
             )
         pattern = load_pattern(source, rotation=self.rotation)
+        if self.source.is_dir() and self._ending in _CUT:  # all garments' patterns are called "pattern"
+            pattern = replace(pattern, name=self.source.resolve().name or pattern.name)
         if self._ending == ".svg":
             from swifttailor.pattern.svg import write_svg
 
@@ -220,8 +222,6 @@ class Convert:
 
     def _dressed(self) -> TriangleMesh:
         """The garment of a folder, with its print."""
-        from dataclasses import replace
-
         from swifttailor.garment import Garment
         from swifttailor.garment.triangle_mesh import mesh_of_garment
 
@@ -234,8 +234,6 @@ class Convert:
         return replace(mesh, print=cloth_print(garment, self.print, self.print_width))
 
     def _colored(self, mesh: TriangleMesh) -> TriangleMesh:
-        from dataclasses import replace
-
         if self.color is not None:
             from swifttailor.render.color import to_linear
 

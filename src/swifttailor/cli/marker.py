@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated
 
@@ -68,14 +68,17 @@ class MakeMarker:
             raise InputError(
                 f"There is no pattern '{source}'. Give a GarmentCode JSON file or a garment's folder."
             )
-        name = self.pattern.name if self.pattern.is_dir() else source.stem
+        name = self.pattern.resolve().name if self.pattern.is_dir() else source.stem
         out = self.out if self.out is not None else new_place(f"{name}-marker", ".svg")
         require_ending(out)
         require_free(out, overwrite=self.overwrite)
         usual = Allowances()
         given = {"seam": self.allowance, "hem": self.hem_allowance, "edge": self.edge_allowance}
         allowances = Allowances(**{k: getattr(usual, k) if v is None else v for k, v in given.items()})
-        plan = cutting_plan(load_pattern(source, rotation=self.rotation), allowances)
+        pattern = load_pattern(source, rotation=self.rotation)
+        if self.pattern.is_dir():
+            pattern = replace(pattern, name=self.pattern.resolve().name or pattern.name)
+        plan = cutting_plan(pattern, allowances)
         boxes = pack_boxes(plan.pieces, self.width)
         marker = nest(plan.pieces, self.width, seconds=self.seconds, seed=self.seed, one_way=self.one_way)
         write_marker(marker, out, title=plan.name, overwrite=self.overwrite)

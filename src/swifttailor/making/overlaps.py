@@ -42,10 +42,9 @@ def overlap_findings(piece: str, panel: str, runs: Sequence[Run], cut: CutLine) 
             Finding(
                 "allowance-overlap",
                 Severity.INFO,
-                f"{piece}: along {filled:.0f} cm the edges are so close together that their allowances "
-                "overlap and "
-                "were joined; the sew lines are drawn, cut between them after sewing or finish the edges "
-                "narrowly",
+                f"{piece}: for {filled:.0f} cm, edges are closer together than their allowances, as in a "
+                "narrow slit; "
+                "the allowances were joined. Sew along the dashed lines, then cut between them",
                 panel=panel,
                 value=round(filled, 1),
             )

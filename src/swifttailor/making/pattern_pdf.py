@@ -31,7 +31,9 @@ class PrintedPattern:
 
     path: Path
     pages: int
-    """Of the PDF, cover and steps included."""
+    """Of the PDF: cover, tiles, steps."""
+    steps_pages: int
+    """The last pages, which hold the sewing steps."""
     sheet: Sheet
     paper: Paper
     findings: tuple[Finding, ...]
@@ -70,18 +72,20 @@ def write_pdf(
     placed = [
         d.moved(turn, shift) for d, turn, shift in zip(drawings, sheet.turns, sheet.shifts, strict=True)
     ]
-    pages = [0]
+    cover_pages = steps_pages = 0
 
     def write(temporary: Path) -> None:
         canvas = new_canvas(temporary, f"{plan.name}, sewing pattern", (paper.width, paper.height))
         facts = CoverFacts(plan, sheet, paper, placed, tuple(cloth), preview)
-        pages[0] = draw_cover(canvas, facts)
+        nonlocal cover_pages, steps_pages
+        cover_pages = draw_cover(canvas, facts)
         _tiles(canvas, sheet, paper, Drawing.joined(placed), plan.name)
-        pages[0] += len(sheet.tiles) + draw_steps(canvas, facts)
+        steps_pages = draw_steps(canvas, facts)
         canvas.save()
 
     write_atomically(path, write, overwrite=overwrite)
-    return PrintedPattern(path, pages[0], sheet, paper, plan.findings)
+    pages = cover_pages + len(sheet.tiles) + steps_pages
+    return PrintedPattern(path, pages, steps_pages, sheet, paper, plan.findings)
 
 
 def _square_shape() -> Any:

@@ -19,6 +19,7 @@ from swifttailor.making.upright import turn_upright
 from swifttailor.pattern import EdgeRef, Pattern, check_pattern
 from swifttailor.pattern.finding import Severity
 
+MOST_PANELS, MOST_EDGES = 300, 4000
 _FLAT_CM = 0.002
 """Polylines stay this close to the curves."""
 _STEEP = 0.8
@@ -110,6 +111,11 @@ def require_sewable(pattern: Pattern) -> None:
     """
     if not pattern.panels:
         raise PatternError("The pattern has no panels, so there is nothing to cut. Give one with panels.")
+    if len(pattern.panels) > MOST_PANELS or sum(len(p.edges) for p in pattern.panels) > MOST_EDGES:
+        raise PatternError(
+            f"The pattern has {len(pattern.panels)} panels; at most {MOST_PANELS}, with {MOST_EDGES} edges "
+            "in all, are made into files to sew from. Divide it into garments."
+        )
     errors = [f for f in check_pattern(pattern) if f.severity is Severity.ERROR]
     if errors:
         more = f" ({len(errors)} errors in all)" if len(errors) > 1 else ""

@@ -9,11 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from swifttailor.arrays import Floats
+from swifttailor.arrays import Bools, Floats
+from swifttailor.errors import InputError
+from swifttailor.making.close_packing import pack_closely
 from swifttailor.making.paper import Paper, Tile
 
 GAP_CM = 1.0
-_MOST_COLUMNS = 10
+MOST_PAGES = 600
+_MOST_COLUMNS, _CLOSE_COLUMNS = 10, 6
 _QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
 
 
@@ -40,8 +43,14 @@ def lay_out_sheet(shapes: Sequence[shapely.Polygon], paper: Paper) -> Sheet:
 
     Returns:
         The sheet; the lower left corner of page (0, rows - 1) is the origin.
+
+    Raises:
+        InputError: More pages would be needed than anybody tapes together.
     """
     width, height = paper.tile
+    area = sum(shape.area for shape in shapes) / (width * height)
+    if area > MOST_PAGES:
+        raise _too_many(area, paper)
     best: tuple[tuple[int, float], Sheet] | None = None
     sizes = np.array([np.subtract(s.bounds[2:], s.bounds[:2]) for s in shapes]) + GAP_CM
     for columns in range(1, _MOST_COLUMNS + 1):
@@ -50,15 +59,28 @@ def lay_out_sheet(shapes: Sequence[shapely.Polygon], paper: Paper) -> Sheet:
             turned = _turned(sizes, limit, rows_of_pages * height)
             placed = np.where(turned[:, None], sizes[:, ::-1], sizes)
             wide = max(limit, float(placed[:, 0].max()))
-            corners, used = skyline(placed, wide)
-            count_columns = math.ceil((float((corners + placed)[:, 0].max()) - GAP_CM) / width - 1e-9)
-            count_rows = math.ceil((used - GAP_CM) / height - 1e-9)
-            sheet = _sheet(shapes, turned, corners, count_columns, count_rows, paper)
-            cost = (len(sheet.tiles), float(count_columns * count_rows))
+            corners, _ = skyline(placed, wide)
+            sheet = _sheet(shapes, turned, corners, paper)
+            cost = (len(sheet.tiles), float(sheet.columns * sheet.rows))
             if best is None or cost < best[0]:
                 best = cost, sheet
     assert best is not None
+    for columns in range(1, _CLOSE_COLUMNS + 1):
+        packed = pack_closely(shapes, columns * width, float(sizes.max(axis=1).sum()))
+        if packed is not None:
+            sheet = _placed(shapes, [t for t, _ in packed], [s for _, s in packed], paper)
+            cost = (len(sheet.tiles), float(sheet.columns * sheet.rows))
+            best = (cost, sheet) if cost < best[0] else best
+    if len(best[1].tiles) > MOST_PAGES:
+        raise _too_many(len(best[1].tiles), paper)
     return best[1]
+
+
+def _too_many(pages: float, paper: Paper) -> InputError:
+    return InputError(
+        f"The pattern would take {math.ceil(pages)} pages of {paper.name}; at most {MOST_PAGES} are printed. "
+        "Take larger paper, such as --paper a0, or check the pattern's size: swifttailor check PATTERN"
+    )
 
 
 def skyline(sizes: Floats, width: float) -> tuple[Floats, float]:
@@ -95,7 +117,7 @@ def skyline(sizes: Floats, width: float) -> tuple[Floats, float]:
     return corners, top
 
 
-def _turned(sizes: Floats, width: float, height: float) -> np.ndarray:
+def _turned(sizes: Floats, width: float, height: float) -> Bools:
     """(n,) which boxes lie down: those too wide for the sheet, and those that then need fewer pages."""
     too_wide = (sizes[:, 0] > width + GAP_CM) & (sizes[:, 1] <= width + GAP_CM)
     if height <= 0:
@@ -104,23 +126,27 @@ def _turned(sizes: Floats, width: float, height: float) -> np.ndarray:
     return too_wide | flat
 
 
-def _sheet(
-    shapes: Sequence[shapely.Polygon],
-    turned: np.ndarray,
-    corners: Floats,
-    columns: int,
-    rows: int,
-    paper: Paper,
+def _sheet(shapes: Sequence[shapely.Polygon], turned: Bools, corners: Floats, paper: Paper) -> Sheet:
+    """Shapes of which some lie down, each with the lower left corner of its box at a place."""
+    turns = [_QUARTER if is_turned else np.eye(2) for is_turned in turned]
+    shifts = [
+        corner - (shapely.get_coordinates(shape) @ turn.T).min(axis=0)
+        for shape, turn, corner in zip(shapes, turns, corners, strict=True)
+    ]
+    return _placed(shapes, turns, shifts, paper)
+
+
+def _placed(
+    shapes: Sequence[shapely.Polygon], turns: Sequence[Floats], shifts: Sequence[Floats], paper: Paper
 ) -> Sheet:
+    """The pages that shapes lie on."""
     width, height = paper.tile
-    turns, shifts, moved = [], [], []
-    for shape, is_turned, corner in zip(shapes, turned, corners, strict=True):
-        turn = _QUARTER if is_turned else np.eye(2)
-        points = shapely.get_coordinates(shape) @ turn.T
-        shift = corner - points.min(axis=0)
-        turns.append(turn)
-        shifts.append(shift)
-        moved.append(shapely.Polygon(points + shift))
+    moved = [
+        shapely.Polygon(shapely.get_coordinates(shape) @ turn.T + shift)
+        for shape, turn, shift in zip(shapes, turns, shifts, strict=True)
+    ]
+    reach = np.array([m.bounds[2:] for m in moved]).max(axis=0)
+    columns, rows = (math.ceil(r / size - 1e-9) for r, size in zip(reach, (width, height), strict=True))
     tree = shapely.STRtree(moved)
     tiles = []
     for row in range(rows):
