@@ -14,9 +14,10 @@ _REACH_CM = 0.9
 """A shape takes the cells whose middles are this close: two shapes without a cell in common are 3 mm
 apart."""
 _MOST_CELLS = 600_000
-_TURNS = tuple(
-    np.array(m, float) for m in ([[1, 0], [0, 1]], [[0, -1], [1, 0]], [[-1, 0], [0, -1]], [[0, 1], [-1, 0]])
-)
+_BESIDE_CM = 0.2
+"""Left free around the box of a shape."""
+_QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
+_TURNS = tuple(np.linalg.matrix_power(_QUARTER, k) for k in range(4))
 
 
 def pack_closely(
