@@ -8,7 +8,6 @@ import numpy as np
 import shapely
 
 from swifttailor.arrays import Floats
-from swifttailor.making.allowances import FOLDED_UP
 from swifttailor.making.cut_line import CutLine, Run, outward
 from swifttailor.pattern.finding import Finding, Severity
 
@@ -81,7 +80,7 @@ def allowance_faults(runs: Sequence[Run], cut: CutLine) -> list[str]:
         points, normals = sampled(run, _STEP_CM / 2)
         if not shapely.contains_xy(grown, points).all():
             faults.append(f"edge {run.edge}: the sew line leaves the cut line")
-        reach = 3.5 * max(r.allowance for r in runs if r.kind in FOLDED_UP) if len(turned) else 0.0
+        reach = 3.5 * max(r.allowance for r in runs) if len(turned) else 0.0
         if len(turned) and reach:
             away = np.hypot(*(points[:, None] - turned[None]).transpose(2, 0, 1)).min(axis=1)
             points, normals = points[away > reach], normals[away > reach]
