@@ -159,8 +159,9 @@ def _piece(dxf: DxfText, piece: Piece, dialect: Dialect, seam_names: bool) -> No
     for mark in piece.edge_marks:
         dxf.text(ANNOTATION, mark.text, on_table(mark.points[len(mark.points) // 2]))
     if seam_names:
-        for number in piece.seam_marks:
-            dxf.text(ANNOTATION, f"Seam {number.number}", on_table(number.point + 0.6 * number.inward))
+        for mark in piece.seam_marks:
+            for k, number in enumerate(mark.numbers):
+                dxf.text(ANNOTATION, f"Seam {number}", on_table(mark.point + 0.6 * (k + 1) * mark.inward))
     ring = shapely.LinearRing(piece.cut.outline)
     for notch in piece.notches:
         along = np.array([-notch.outward[1], notch.outward[0]])

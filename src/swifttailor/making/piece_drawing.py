@@ -56,11 +56,11 @@ def draw_piece(piece: Piece, title: str) -> Drawing:
             added, word = _edge_mark(mark)
             strokes.append(added)
             texts.append(word)
-    for number in _numbers(piece):
-        strokes.append(Stroke(circle(number[0], 0.32), drawing.NUMBER, closed=True))
-        texts.append(
-            Text(number[1], float(number[0][0]), float(number[0][1]) - 0.13, 0.36, color=drawing.NUMBER.color)
-        )
+    for place, number in _numbers(piece):
+        if len(number) <= 2:
+            strokes.append(Stroke(circle(place, 0.32), drawing.NUMBER, closed=True))
+        x, y = place.tolist()
+        texts.append(Text(number, x, y - 0.13, 0.36, color=drawing.NUMBER.color))
     strokes += _grain(piece)
     texts += _label(piece, title, shape)
     return Drawing(tuple(strokes), tuple(texts), layer=piece.size)
@@ -143,7 +143,7 @@ def _numbers(piece: Piece) -> list[tuple[Floats, str]]:
     for mark in piece.seam_marks:
         place = _number_place(piece, mark)
         if mark.length >= _NUMBER_FROM_CM and (not piece.on_fold or place[0] > piece.middle + 0.4):
-            found.append((place, str(mark.number)))
+            found.append((place, "/".join(map(str, mark.numbers))))
     return found
 
 

@@ -56,9 +56,9 @@ class EdgeMark:
 
 @dataclass(frozen=True, eq=False)
 class SeamMark:
-    """The number of a seam beside its edge."""
+    """The numbers of an edge's seams: several where panels that are cut alike are sewn differently."""
 
-    number: int
+    numbers: tuple[int, ...]
     point: Floats
     """(2,) middle of the edge, cm."""
     inward: Floats
@@ -202,7 +202,7 @@ def cutting_plan(pattern: Pattern, allowances: Allowances | None = None) -> Cutt
                 if d.panel == panel.name
             ),
             tuple(EdgeMark(panel.edges[k], text) for k, (_, text) in enumerate(marks[panel.name]) if text),
-            _seam_marks(panel, numbers),
+            _seam_marks(panel, group, numbers),
             own_mirrors[panel.name] is not None,
             float(panel.outline[:, 0].min() + panel.outline[:, 0].max()) / 2,
         )
@@ -325,17 +325,27 @@ def _at(panel: FlatPanel, edge: int, fraction: float) -> tuple[Floats, Floats]:
     return point, np.array([tangent[1], -tangent[0]])
 
 
-def _seam_marks(panel: FlatPanel, numbers: dict[EdgeRef, int]) -> tuple[SeamMark, ...]:
-    """One number for each run of edges of one seam, at the middle of its longest edge."""
-    best: dict[int, int] = {}
-    for k, length in enumerate(panel.lengths):
-        number = numbers.get(EdgeRef(panel.name, k))
-        if number and panel.kinds[k] is EdgeKind.SEAM and length > panel.lengths[best.get(number, k)] - 1e-9:
-            best[number] = k
+def _seam_marks(
+    panel: FlatPanel, group: Sequence[tuple[str, Match]], numbers: dict[EdgeRef, int]
+) -> tuple[SeamMark, ...]:
+    """The numbers of every seam, at the middle of its longest edge on the piece."""
+    count = len(panel.edges)
+    of_edge: dict[int, set[int]] = {}
+    for name, match in group:
+        for k in range(count):
+            number = numbers.get(EdgeRef(name, k))
+            on_piece = on_edge(match, k, count)
+            if number and panel.kinds[on_piece] is EdgeKind.SEAM:
+                of_edge.setdefault(on_piece, set()).add(number)
+    longest: dict[tuple[int, ...], int] = {}
+    for k in sorted(of_edge):
+        key = tuple(sorted(of_edge[k]))
+        if key not in longest or panel.lengths[k] > panel.lengths[longest[key]] + 1e-9:
+            longest[key] = k
     marks = []
-    for number, k in best.items():
+    for own, k in longest.items():
         point, normal = _at(panel, k, 0.5 if panel.lengths[k] < 25 else 0.45)
-        marks.append(SeamMark(number, point, -normal, panel.lengths[k]))
+        marks.append(SeamMark(own, point, -normal, panel.lengths[k]))
     return tuple(marks)
 
 
