@@ -47,7 +47,6 @@ COMMANDS: dict[str, tuple[str, tuple[str, ...]]] = {
     "convert to zip": ("convert skirt.json OUT/a.zip", ("a.zip",)),
     "convert to panels": ("convert skirt.json OUT/a.obj", ("a.obj",)),
     "convert to glb with body": ("convert worn OUT/a.glb --with-body --color #aa2233", ("a.glb",)),
-    "marker": ("marker skirt.json --out OUT/a.svg --seconds 1", ("a.svg",)),
     "convert to obj": ("convert worn OUT/a.obj", ("a.obj",)),
     "convert to glb": ("convert worn OUT/a.glb", ("a.glb",)),
     "convert to ply": ("convert worn OUT/a.ply", ("a.ply",)),

@@ -62,6 +62,16 @@ def test_a_marker_tells_its_length(shirt, tmp_path, capsys):
     assert 0 < told["waste"] < 0.6 and out.exists()
 
 
+def test_a_marker_replaces_nothing_unasked(shirt, tmp_path, capsys):
+    """Searches end where their time does, so the same command may draw another marker."""
+    out = tmp_path / "m.svg"
+    out.write_text("mine")
+    command = ["marker", str(shirt / "shirt.json"), "--out", str(out), "--seconds", "1"]
+    assert run(command) == 2 and out.read_text() == "mine"
+    assert "would be replaced" in capsys.readouterr().err
+    assert run([*command, "--overwrite"]) == 0 and "<svg" in out.read_text()
+
+
 def test_a_garment_with_color_print_and_body(shirt, tmp_path):
     for name, options in {
         "plain": [],

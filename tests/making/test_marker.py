@@ -15,7 +15,7 @@ from PIL import Image
 
 from swifttailor.errors import InputError
 from swifttailor.making.marker_files import draw_marker, write_marker
-from swifttailor.making.nesting import GAP_CM, nest, pack_boxes
+from swifttailor.making.nesting import GAP_CM, estimate_length, nest, pack_boxes
 
 
 @pytest.fixture(scope="module")
@@ -60,6 +60,12 @@ def signed_area(points) -> float:
 
 def test_nesting_needs_less_cloth_than_boxes(plan, marker):
     assert marker.length < 0.95 * pack_boxes(plan.pieces, 140.0).length
+
+
+def test_the_estimate_is_enough_and_near(plan, marker):
+    length = estimate_length(plan.pieces, 140.0)
+    assert marker.length <= length <= 1.3 * marker.length and length % 5 == 0
+    assert length == estimate_length(plan.pieces, 140.0)
 
 
 def test_narrow_cloth_and_absurd_widths_are_refused(plan):

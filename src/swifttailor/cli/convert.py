@@ -154,12 +154,10 @@ class Convert:
             self._write_files_to_sew_from(pattern)
 
     def _write_files_to_sew_from(self, pattern: Pattern) -> None:
-        from swifttailor.atomic_files import require_free, write_text
+        from swifttailor.atomic_files import write_text
         from swifttailor.cli.sewing_files import print_findings, write_pattern_pdf
         from swifttailor.making import cutting_plan
 
-        if self._ending == ".pdf":  # its cover takes seconds to compute
-            require_free(self.target, overwrite=self.overwrite)
         plan = cutting_plan(pattern, self._allowances())
         if self._ending == ".pdf":
             preview = self.source / "preview.png" if self.source.is_dir() else None
@@ -207,7 +205,7 @@ class Convert:
                 f"pattern, {', '.join(_OF_FOLDERS)}."
             )
         mesh = (
-            self._dressed()
+            self._dressed(source)
             if self.source.is_dir() and self._ending in _COLORED
             else read_garment_mesh(source)
         )
@@ -220,18 +218,25 @@ class Convert:
         mesh = self._colored(mesh)
         write_garment_mesh(mesh, self.target, overwrite=self.overwrite)
 
-    def _dressed(self) -> TriangleMesh:
-        """The garment of a folder, with its print."""
+    def _dressed(self, source: Path) -> TriangleMesh:
+        """The garment of a folder, in its colour, with its print."""
+        from swifttailor.garment.cloth_color import cloth_color
+        from swifttailor.garment.folder import PATTERN
+        from swifttailor.garment.formats import read_garment_mesh
+        from swifttailor.pattern import load_pattern
+
+        if self.print is None:
+            mesh = read_garment_mesh(source)
+            pattern = self.source / PATTERN
+            if pattern.is_file():
+                mesh = replace(mesh, color=cloth_color(load_pattern(pattern).canonical()))
+            return mesh
         from swifttailor.garment import Garment
         from swifttailor.garment.triangle_mesh import mesh_of_garment
-
-        garment = Garment.load(self.source)
-        mesh = mesh_of_garment(garment)
-        if self.print is None:
-            return mesh
         from swifttailor.making.cloth_print import cloth_print
 
-        return replace(mesh, print=cloth_print(garment, self.print, self.print_width))
+        garment = Garment.load(self.source)
+        return replace(mesh_of_garment(garment), print=cloth_print(garment, self.print, self.print_width))
 
     def _colored(self, mesh: TriangleMesh) -> TriangleMesh:
         if self.color is not None:

@@ -13,9 +13,6 @@ if TYPE_CHECKING:
     from swifttailor.making import CuttingPlan
     from swifttailor.pattern import Finding
 
-_SECONDS = 3
-"""For nesting, where the length of cloth is all that is wanted."""
-
 
 def write_pattern_pdf(
     plan: CuttingPlan, path: Path, *, paper: str, cloth_width: float, preview: Path | None, overwrite: bool
@@ -56,14 +53,13 @@ def print_findings(findings: Iterable[Finding]) -> None:
 
 
 def _cloth(plan: CuttingPlan, width: float) -> list[str]:
-    from swifttailor.making.nesting import nest
+    from swifttailor.making.nesting import estimate_length
 
     try:
-        marker = nest(plan.pieces, width, seconds=_SECONDS)
+        length = estimate_length(plan.pieces, width)
     except InputError as error:  # a piece wider than the cloth is no reason not to print it
         return [f"Not computed: {error}"]
     return [
-        f"{marker.length / 100:.2f} m of cloth {width:g} cm wide, nested closely without nap or print to "
-        "match; "
-        f"{100 * marker.waste:.0f} % is left over. Add for shrinkage."
+        f"{length / 100:.2f} m of cloth {width:g} cm wide, without nap or print to match. Add for shrinkage. "
+        "swifttailor marker finds the closest layout."
     ]

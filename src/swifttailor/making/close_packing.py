@@ -21,14 +21,15 @@ _TURNS = tuple(np.linalg.matrix_power(_QUARTER, k) for k in range(4))
 
 
 def pack_closely(
-    shapes: Sequence[shapely.Polygon], width: float, height: float
+    shapes: Sequence[shapely.Polygon], width: float, height: float, *, upright: bool = False
 ) -> list[tuple[Floats, Floats]] | None:
-    """Packs shapes into a strip, turned by quarters where that helps.
+    """Packs shapes into a strip, turned by quarters where that helps; the same every time.
 
     Args:
         shapes: cm.
         width: Of the strip, cm.
         height: Enough for all of them in any packing, cm.
+        upright: Whether shapes may only stand upright or on their head, as grain lines on cloth demand.
 
     Returns:
         Rotation (2, 2) and shift (2,) of each; None where a shape does not fit, or the strip is too large
@@ -44,8 +45,8 @@ def pack_closely(
     order = sorted(range(len(shapes)), key=lambda k: (-shapes[k].envelope.area, k))
     used = 1
     for k in order:
-        best: tuple[tuple[int, int, int], Bools, Floats] | None = None
-        for number, turn in enumerate(_TURNS):
+        best: tuple[tuple[int, int, int], Bools, Floats, Floats] | None = None
+        for number, turn in enumerate(_TURNS[::2] if upright else _TURNS):
             cells, low = _cells(shapes[k], turn)
             if cells.shape[1] > columns or cells.shape[0] > rows:
                 continue
@@ -57,13 +58,13 @@ def pack_closely(
                 y, x = free[0].tolist()
                 key = (y + cells.shape[0], x, number)
                 if best is None or key < best[0]:
-                    best = key, cells, np.array([x, y]) * CELL_CM - low
+                    best = key, cells, np.array([x, y]) * CELL_CM - low, turn
         if best is None:
             return None
-        (top, x, number), cells, shift = best
+        (top, x, _), cells, shift, turn = best
         taken[top - cells.shape[0] : top, x : x + cells.shape[1]] += cells
         used = max(used, top)
-        placed[k] = _TURNS[number], shift
+        placed[k] = turn, shift
     return placed
 
 

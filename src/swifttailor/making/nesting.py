@@ -11,6 +11,7 @@ import shapely
 
 from swifttailor.arrays import Floats
 from swifttailor.errors import InputError, MissingExtraError
+from swifttailor.making.close_packing import pack_closely
 from swifttailor.making.pieces import Piece
 from swifttailor.making.sheet_layout import skyline
 
@@ -128,6 +129,30 @@ def pack_boxes(pieces: Sequence[Piece], width: float) -> Marker:
         low = item.outline.min(axis=0)
         laid.append(LaidPiece(piece, mirrored, _LEFT_TURN.T, corner[::-1] - low))
     return _marker(laid, width)
+
+
+def estimate_length(pieces: Sequence[Piece], width: float) -> float:
+    """A length of cloth in cm, in whole 5 cm, that is enough for all pieces; the same every time.
+
+    They are packed by their outlines on a coarse grid, at once; `nest` searches for less.
+
+    Raises:
+        InputError: The width is out of range, or a piece is wider than the cloth.
+    """
+    items = _items(pieces, width)
+    shapes = [
+        shapely.Polygon(piece.cut.outline * (-1.0 if mirrored else 1.0, 1.0)) for piece, mirrored in items
+    ]
+    packed = pack_closely(shapes, width, sum(s.bounds[3] - s.bounds[1] + 2.0 for s in shapes), upright=True)
+    boxes = pack_boxes(pieces, width).length
+    length = boxes
+    if packed is not None:
+        placed = zip(shapes, packed, strict=True)
+        tops = [
+            float((shapely.get_coordinates(s) @ turn.T + shift)[:, 1].max()) for s, (turn, shift) in placed
+        ]
+        length = min(boxes, max(tops))
+    return 5.0 * math.ceil(length / 5.0)
 
 
 def require_width(width: float) -> None:
