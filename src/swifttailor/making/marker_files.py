@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
 import numpy as np
+import shapely
 
 from swifttailor.atomic_files import write_atomically, write_bytes, write_text
 from swifttailor.errors import InputError
@@ -143,8 +144,9 @@ def _laid(item: LaidPiece) -> Drawing:
     name = item.piece.name + (" (mirrored)" if item.mirrored else "")
     box = np.ptp(item.outline, axis=0)
     size = float(min(2.4, 0.8 * box[0] / (_LETTER * len(name)), 0.4 * box[1]))
-    x, y = (low + high) / 2
-    return Drawing(strokes, (Text(name, float(x), float(y) + 0.4 * size, size),))
+    circle = shapely.maximum_inscribed_circle(shapely.Polygon(item.outline), tolerance=0.5)
+    x, y = shapely.get_coordinates(circle)[0].tolist()
+    return Drawing(strokes, (Text(name, x, y - 0.3 * size, size),))
 
 
 def _picture(whole: Drawing, size: tuple[float, float]) -> Image:
