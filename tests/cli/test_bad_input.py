@@ -63,6 +63,8 @@ COMMANDS = {
     "drape --repair": lambda file, out: ["drape", file, "--out", out, "--repair"],
     "drape --json": lambda file, out: ["drape", file, "--out", out, "--json"],
     "convert": lambda file, out: ["convert", file, out / "pattern.svg"],
+    "convert to pdf": lambda file, out: ["convert", file, out / "pattern.pdf"],
+    "marker": lambda file, out: ["marker", file, "--out", out / "marker.svg"],
     "ggi": lambda file, out: ["ggi", file, "--out", out],
     "ggi --decode": lambda file, out: ["ggi", "--decode", file, "--out", out],
 }

@@ -9,6 +9,7 @@ from sewn_tube import component_count, edge_counts, tube_garment
 
 from swifttailor.garment.formats import read_garment_mesh, write_garment_mesh
 from swifttailor.garment.glb import glb_bytes
+from swifttailor.garment.seam_names import seam_names
 from swifttailor.garment.triangle_mesh import mesh_of_garment
 
 trimesh = pytest.importorskip("trimesh")
@@ -72,7 +73,7 @@ def test_reading_closes_the_seams_again(tube, tube_mesh, tmp_path):
 def test_reading_joins_by_place_when_there_are_no_weld_numbers(tube, tube_mesh, tmp_path):
     path = write_garment_mesh(tube_mesh, tmp_path / "tube.glb")
     scene = trimesh.load_scene(path, process=False)
-    scene.delete_geometry("seams")
+    scene.delete_geometry([name for name in scene.geometry if name.startswith("seam_")])
     for mesh in scene.geometry.values():
         del mesh.vertex_attributes["_WELD"]
     other = tmp_path / "other.glb"
@@ -86,12 +87,13 @@ def test_seam_lines_follow_the_stitches(tube, tube_mesh):
     content = glb_bytes(tube_mesh)
     document = document_of(content)
     nodes = [n["name"] for n in document["nodes"]]
-    assert nodes == ["garment", "front", "back", "seams"]
-    lines = document["meshes"][-1]["primitives"][0]
-    assert lines["mode"] == 1
-    assert document["accessors"][lines["indices"]]["count"] == 2 * sum(
-        len(s.vertices) - 1 for s in tube.seams
-    )
+    named = list(seam_names(tube.pattern))
+    assert nodes == ["garment", "front", "back", "seams", *named]
+    assert document["nodes"][3]["children"] == [4, 5, 6] and document["nodes"][0]["children"] == [1, 2, 3]
+    for node, seam in zip(document["nodes"][4:], tube.seams, strict=True):
+        lines = document["meshes"][node["mesh"]]["primitives"][0]
+        assert lines["mode"] == 3
+        assert document["accessors"][lines["attributes"]["POSITION"]]["count"] == len(seam.vertices)
 
 
 def test_file_keeps_the_rules_of_gltf(tube_mesh):

@@ -9,6 +9,7 @@ from sewn_tube import component_count, tube_garment
 
 from swifttailor.errors import MissingExtraError
 from swifttailor.garment.formats import read_garment_mesh, write_garment_mesh
+from swifttailor.garment.seam_names import seam_names
 from swifttailor.garment.triangle_mesh import mesh_of_garment
 
 pxr = pytest.importorskip("pxr")
@@ -45,8 +46,9 @@ def test_stage_states_its_units_and_parts(tube, tube_mesh, tmp_path):
         k = ["front", "back"].index(subset.GetPrim().GetName())
         expected = np.flatnonzero(tube.mesh.face_panel == k)
         np.testing.assert_array_equal(subset.GetIndicesAttr().Get(), expected)
-    curves = UsdGeom.BasisCurves(stage.GetPrimAtPath("/garment/seams"))
-    assert list(curves.GetCurveVertexCountsAttr().Get()) == [len(s.vertices) for s in tube.seams]
+    curves = [UsdGeom.BasisCurves(prim) for prim in stage.GetPrimAtPath("/garment/seams").GetChildren()]
+    assert [c.GetCurveVertexCountsAttr().Get()[0] for c in curves] == [len(s.vertices) for s in tube.seams]
+    assert [c.GetPrim().GetDisplayName() for c in curves] == list(seam_names(tube.pattern))
 
 
 @pytest.mark.parametrize("ending", [".usda", ".usdc"])

@@ -1,26 +1,40 @@
-"""``swifttailor convert``: patterns to drawings, garments to other mesh formats."""
+"""``swifttailor convert``: patterns to drawings and files to sew from, garments to other mesh formats."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
+from swifttailor.cli.option_checks import in_range, require_edge_length
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError
 from swifttailor.pattern.panel import RotationReading
 
-PATTERN_ENDINGS = (".svg", ".json")
+if TYPE_CHECKING:
+    from swifttailor.garment.triangle_mesh import TriangleMesh
+    from swifttailor.making import Allowances
+    from swifttailor.pattern import Pattern
+
+PATTERN_ENDINGS = (".svg", ".json", ".pdf", ".dxf", ".md", ".zip", ".obj")
 """What a pattern is converted to."""
+_OF_FOLDERS = tuple(ending for ending in PATTERN_ENDINGS if ending != ".obj")
+"""Targets for which a garment's folder is taken as its pattern."""
+_CUT = (".pdf", ".dxf", ".md", ".zip")
+_COLORED = (".glb", ".usd", ".usda", ".usdc", ".usdz")
+_PRINTED = (".glb", ".usdz")
+_MOST_ALLOWANCE_CM = 10.0
 
 
 @dataclass(frozen=True)
 class Convert:
     """Convert a sewing pattern or a garment to another format, chosen by the target's ending.
 
-    A pattern (.json) becomes .svg or .json; this version cannot write PDF. A garment (.glb, .obj, .ply, .stl,
-    .usd, .usda, .usdc, .usdz, or a folder written by another command) becomes any of these. A folder is taken
-    as its pattern where the target is a pattern's format.
+    A pattern (.json) becomes .pdf (to print, cut and sew), .dxf (for cutting rooms), .md (sewing steps),
+    .zip (a bundle for CLO and Style3D), .obj (flat panels with sewing springs, for Blender), .svg or
+    .json. A garment (.glb, .obj, .ply, .stl, .usd, .usda, .usdc, .usdz, or a folder written by another
+    command) becomes any of these formats. A folder is taken as its pattern where the target is a pattern's
+    format other than .obj.
     """
 
     source: Annotated[Path, tyro.conf.Positional]
@@ -31,6 +45,30 @@ class Convert:
     """How to read the placement angles of a pattern: as GarmentCode's generator writes them (intrinsic), or
     as its simulator and older files do (extrinsic)."""
 
+    paper: str = "a4"
+    """Of .pdf: a4, a3, a2, a1, a0, letter, legal, tabloid, arch-d, or a size such as 90x200cm."""
+    allowance: float | None = None
+    """Seam allowance in cm of .pdf, .dxf, .md and .zip. Default: 1."""
+    hem_allowance: float | None = None
+    """Allowance of hems, cm; curved hems get at most 1.5. Default: 3."""
+    edge_allowance: float | None = None
+    """Allowance of necklines, armholes and other open edges, cm. Default: 1."""
+    cloth_width: float = 140.0
+    """Width in cm of the cloth whose length the .pdf tells."""
+    dialect: Literal["astm", "aama"] = "astm"
+    """Header of .dxf: ASTM D6673-10, or AAMA for programs that ask for it."""
+    edge_length: float = 2.0
+    """Edge length in cm of the panels' mesh in .obj and .zip."""
+
+    color: str | None = None
+    """Colour of the cloth in .glb and .usd, #rrggbb. Default: chosen by how the pattern is built."""
+    print: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Picture to print on the cloth in .glb and .usdz; it repeats. The source is a garment's folder."""
+    print_width: float = 20.0
+    """Width of one repeat of the print, cm."""
+    with_body: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Put the mannequin into .glb and .usd too."""
+
     overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
     """Replace the target where there is one already."""
     open: tyro.conf.FlagCreatePairsOff[bool] = False
@@ -38,6 +76,7 @@ class Convert:
 
     def run(self) -> int:
         """Converts, prints the file written, and returns the exit code."""
+        self._require_sense()
         source = self._file_in_folder() if self.source.is_dir() else self.source
         if not source.exists():
             raise InputError(f"There is no file '{source}'. Give a pattern, a garment or a garment's folder.")
@@ -56,28 +95,100 @@ class Convert:
             open_file(self.target)
         return 0
 
+    @property
+    def _ending(self) -> str:
+        return self.target.suffix.lower()
+
+    def _require_sense(self) -> None:
+        """Refuses options that the target has no use for, and values out of range."""
+        for option, value in (
+            ("--allowance", self.allowance),
+            ("--hem-allowance", self.hem_allowance),
+            ("--edge-allowance", self.edge_allowance),
+        ):
+            in_range(
+                option, value, 0.0, _MOST_ALLOWANCE_CM, "cm is accepted. Usual are 1 for seams, 3 for hems."
+            )
+            if value is not None and self._ending not in _CUT:
+                raise InputError(f"{option} has no use in '{self.target.name}'. It is for {', '.join(_CUT)}.")
+        require_edge_length(self.edge_length)
+        for option, given, endings in (
+            ("--color", self.color is not None, _COLORED),
+            ("--print", self.print is not None, _PRINTED),
+            ("--with-body", self.with_body, _COLORED),
+        ):
+            if given and self._ending not in endings:
+                raise InputError(
+                    f"{option} has no use in '{self.target.name}'. It is for {', '.join(endings)}."
+                )
+
     def _file_in_folder(self) -> Path:
         """The file of a garment's folder that serves the target."""
         from swifttailor.garment.folder import OBJ, PATTERN
 
-        return self.source / (PATTERN if self.target.suffix.lower() in PATTERN_ENDINGS else OBJ)
+        return self.source / (PATTERN if self._ending in _OF_FOLDERS else OBJ)
 
     def _convert_pattern(self, source: Path) -> None:
         from swifttailor.pattern import load_pattern
-        from swifttailor.pattern.svg import write_svg
 
-        ending = self.target.suffix.lower()
-        if ending not in PATTERN_ENDINGS:
+        if self._ending not in PATTERN_ENDINGS:
             raise InputError(
-                f"A pattern cannot be converted to '{self.target.name}': {_why_not(ending)}. "
+                f"A pattern cannot be converted to '{self.target.name}': {_why_not(self._ending)}. "
                 f"Accepted: {', '.join(PATTERN_ENDINGS)}. "
                 f"For a garment in 3D: swifttailor drape {source} --out DIR."
             )
         pattern = load_pattern(source, rotation=self.rotation)
-        if ending == ".svg":
+        if self.source.is_dir() and self._ending in _CUT:  # all garments' patterns are called "pattern"
+            pattern = replace(pattern, name=self.source.resolve().name or pattern.name)
+        if self._ending == ".svg":
+            from swifttailor.pattern.svg import write_svg
+
             write_svg(pattern, self.target, overwrite=self.overwrite)
-        else:
+        elif self._ending == ".json":
             pattern.save(self.target, overwrite=self.overwrite)
+        elif self._ending == ".obj":
+            from swifttailor.making.flat_panels import write_panels
+
+            write_panels(pattern, self.target, edge_length=self.edge_length, overwrite=self.overwrite)
+        else:
+            self._write_files_to_sew_from(pattern)
+
+    def _write_files_to_sew_from(self, pattern: Pattern) -> None:
+        from swifttailor.atomic_files import write_text
+        from swifttailor.cli.sewing_files import print_findings, write_pattern_pdf
+        from swifttailor.making import cutting_plan
+
+        plan = cutting_plan(pattern, self._allowances())
+        if self._ending == ".pdf":
+            preview = self.source / "preview.png" if self.source.is_dir() else None
+            write_pattern_pdf(
+                plan,
+                self.target,
+                paper=self.paper,
+                cloth_width=self.cloth_width,
+                preview=preview if preview and preview.is_file() else None,
+                overwrite=self.overwrite,
+            )
+        elif self._ending == ".dxf":
+            from swifttailor.making.pattern_dxf import write_dxf
+
+            write_dxf(plan, self.target, dialect=self.dialect, overwrite=self.overwrite)
+        elif self._ending == ".md":
+            from swifttailor.making.sewing_steps import steps_markdown
+
+            write_text(self.target, steps_markdown(plan), overwrite=self.overwrite)
+        else:
+            from swifttailor.making.bundle import write_bundle
+
+            write_bundle(plan, self.target, edge_length=self.edge_length, overwrite=self.overwrite)
+        print_findings(plan.findings)
+
+    def _allowances(self) -> Allowances:
+        from swifttailor.making import Allowances
+
+        usual = Allowances()
+        given = {"seam": self.allowance, "hem": self.hem_allowance, "edge": self.edge_allowance}
+        return Allowances(**{name: getattr(usual, name) if v is None else v for name, v in given.items()})
 
     def _convert_garment(self, source: Path) -> None:
         from swifttailor.garment.formats import MESH_ENDINGS, read_garment_mesh, write_garment_mesh
@@ -87,23 +198,61 @@ class Convert:
                 f"'{source}' is neither a pattern (.json) nor a garment. "
                 f"Accepted: .json, {', '.join(MESH_ENDINGS)}, or a folder with a garment."
             )
-        if self.target.suffix.lower() not in MESH_ENDINGS:
+        if self._ending not in MESH_ENDINGS:
             raise InputError(
                 f"A garment cannot be converted to '{self.target.name}': "
-                f"{_why_not(self.target.suffix.lower())}. Accepted: {', '.join(MESH_ENDINGS)}; of its "
-                f"pattern, {' and '.join(PATTERN_ENDINGS)}."
+                f"{_why_not(self._ending)}. Accepted: {', '.join(MESH_ENDINGS)}; of its "
+                f"pattern, {', '.join(_OF_FOLDERS)}."
             )
-        write_garment_mesh(read_garment_mesh(source), self.target, overwrite=self.overwrite)
+        mesh = (
+            self._dressed(source)
+            if self.source.is_dir() and self._ending in _COLORED
+            else read_garment_mesh(source)
+        )
+        if self.print is not None and mesh.print is None:
+            raise InputError(
+                "Where a print lies on the panels is known of a garment's folder alone, not of "
+                f"'{source.name}'. "
+                "Give the folder."
+            )
+        mesh = self._colored(mesh)
+        write_garment_mesh(mesh, self.target, overwrite=self.overwrite)
+
+    def _dressed(self, source: Path) -> TriangleMesh:
+        """The garment of a folder, in its colour, with its print."""
+        from swifttailor.garment.cloth_color import cloth_color
+        from swifttailor.garment.folder import PATTERN
+        from swifttailor.garment.formats import read_garment_mesh
+        from swifttailor.pattern import load_pattern
+
+        if self.print is None:
+            mesh = read_garment_mesh(source)
+            pattern = self.source / PATTERN
+            if pattern.is_file():
+                mesh = replace(mesh, color=cloth_color(load_pattern(pattern).canonical()))
+            return mesh
+        from swifttailor.garment import Garment
+        from swifttailor.garment.triangle_mesh import mesh_of_garment
+        from swifttailor.making.cloth_print import cloth_print
+
+        garment = Garment.load(self.source)
+        return replace(mesh_of_garment(garment), print=cloth_print(garment, self.print, self.print_width))
+
+    def _colored(self, mesh: TriangleMesh) -> TriangleMesh:
+        if self.color is not None:
+            from swifttailor.render.color import to_linear
+
+            to_linear(self.color)
+            mesh = replace(mesh, color=self.color)
+        if self.with_body:
+            from swifttailor.body import Body
+            from swifttailor.body.mannequin import mannequin
+
+            mesh = replace(mesh, wearer=mannequin(Body.default(), mesh.vertices))
+        return mesh
 
 
 def _why_not(ending: str) -> str:
-    if ending == ".pdf":
-        from swifttailor import __version__
-
-        return (
-            f"SwiftTailor {__version__} and earlier cannot write PDF; an .svg in true size can be opened and "
-            "printed by any browser"
-        )
     return f"the ending '{ending}' is unknown" if ending else "the name has no ending that tells a format"
 
 

@@ -200,6 +200,12 @@ def _load_convert() -> Runner:
     return _runner(Convert, "convert")
 
 
+def _load_marker() -> Runner:
+    from swifttailor.cli.marker import MakeMarker
+
+    return _runner(MakeMarker, "marker")
+
+
 def _load_ggi() -> Runner:
     from swifttailor.cli.ggi import Ggi
 
@@ -280,9 +286,14 @@ COMMANDS: dict[str, Command] = {
         _load_check,
     ),
     "convert": Command(
-        "Convert a pattern (.svg, .json) or a garment (.glb, .obj, .ply, .stl, .usd).",
+        "Convert a pattern (.pdf to print, .dxf, .svg, ...) or a garment (.glb, .obj, .usd, ...).",
         "swifttailor convert IN OUT",
         _load_convert,
+    ),
+    "marker": Command(
+        "Nest the pieces of a pattern on a width of cloth; tells the length needed.",
+        "swifttailor marker PATTERN --width 140 --out marker.svg",
+        _load_marker,
     ),
     "ggi": Command(
         "Draw a pattern or a garment as images, or turn images back into a garment.",

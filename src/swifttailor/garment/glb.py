@@ -13,14 +13,13 @@ from swifttailor.arrays import Array
 from swifttailor.atomic_files import write_bytes
 from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.garment.units import to_metres
-from swifttailor.render.color import to_linear
-from swifttailor.render.png import encode_png
+from swifttailor.render.color import BODY, to_linear
 
 _FLOAT, _UINT = 5126, 5125
 _VERTICES, _INDICES = 34962, 34963
-_LINES, _TRIANGLES = 1, 4
-_LINEAR, _MIPMAPS = 9729, 9987
-_SEAM_ROUGHNESS = 0.85
+_LINE_STRIP, _TRIANGLES = 3, 4
+_REPEAT, _LINEAR, _MIPMAPS = 10497, 9729, 9987
+_ROUGHNESS = 0.85
 _SEAM_SHARE = 0.28
 """How light a seam is beside its cloth."""
 
@@ -30,8 +29,10 @@ def write_glb(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) 
 
     Panels become nodes of their names under one root. Vertices on seams are repeated in every panel, with
     the same position and normal, so that no seam shows as a crease; the attribute ``_WELD`` numbers the
-    vertices of the stitched mesh, so that readers can join them again. Seams are line segments in the node
-    ``seams``.
+    vertices of the stitched mesh, so that readers can join them again. Seams are lines, each a node of its
+    name (`seam_names`) under the node ``seams``. A print is a texture whose coordinates count its repeats,
+    so that it has its true size on the cloth; the panels' places in the unit square are then
+    ``TEXCOORD_1``. The wearer is the node ``body``.
     """
     return write_bytes(path, glb_bytes(mesh), overwrite=overwrite)
 
@@ -59,7 +60,9 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         }
         if flat.uv is not None:
             # glTF counts v from the top of the texture.
-            attributes["TEXCOORD_0"] = buffer.add(flat.uv[of_panel] * (1.0, -1.0) + (0.0, 1.0))
+            places = [flat.uv] if flat.repeats is None else [flat.repeats, flat.uv]
+            for number, uv in enumerate(places):
+                attributes[f"TEXCOORD_{number}"] = buffer.add(uv[of_panel] * (1.0, -1.0) + (0.0, 1.0))
         attributes["_WELD"] = buffer.add(weld.astype(np.float32))
         primitive = {
             "attributes": attributes,
@@ -69,34 +72,52 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         }
         nodes.append({"name": name, "mesh": len(meshes)})
         meshes.append({"name": name, "primitives": [primitive]})
-    segments = [np.stack([line[:-1], line[1:]], axis=1) for line in mesh.lines if len(line) > 1]
-    if segments:
-        used, index = np.unique(np.concatenate(segments).astype(np.int32), return_inverse=True)
-        primitive = {
-            "attributes": {"POSITION": buffer.add(positions[used], bounds=True)},
-            "indices": buffer.add_indices(index),
-            "material": 1,
-            "mode": _LINES,
+    panels = list(range(1, len(nodes) + 1))
+    children = panels.copy()
+    seams = [k for k, line in enumerate(mesh.lines) if len(line) > 1]
+    if seams:
+        first = len(nodes) + 2
+        children.append(first - 1)
+        nodes.append({"name": "seams", "children": list(range(first, first + len(seams)))})
+    for k in seams:
+        name = mesh.line_names[k] if mesh.line_names else f"seam_{k:03d}"
+        line = mesh.lines[k]
+        attributes = {
+            "POSITION": buffer.add(positions[line], bounds=True),
+            "_WELD": buffer.add(line.astype(np.float32)),
         }
-        nodes.append({"name": "seams", "mesh": len(meshes)})
-        meshes.append({"name": "seams", "primitives": [primitive]})
-    cloth = to_linear(mesh.color)
-    printed = mesh.texture is not None and flat.uv is not None
-    picture = buffer.add_bytes(encode_png(mesh.texture)) if printed else None
-    root = {"name": "garment", "children": list(range(1, len(nodes) + 1))}
+        primitive = {"attributes": attributes, "material": 1, "mode": _LINE_STRIP}
+        nodes.append({"name": name, "mesh": len(meshes), "extras": {"seam": name}})
+        meshes.append({"name": name, "primitives": [primitive]})
+    materials = [
+        _material("cloth", to_linear(mesh.color), mesh.roughness),
+        _material("seam", _SEAM_SHARE * to_linear(mesh.color), _ROUGHNESS),
+    ]
+    if mesh.wearer is not None:
+        nodes.append({"name": "body", "mesh": len(meshes), "extras": {"role": "body"}})
+        children.append(len(nodes))
+        meshes.append({"name": "body", "primitives": [_wearer(buffer, *mesh.wearer)]})
+        materials.append(_material("body", to_linear(BODY), _ROUGHNESS))
+    textures: dict[str, Any] = {}
+    if mesh.print is not None:
+        surface = materials[0]["pbrMetallicRoughness"]
+        surface["baseColorFactor"] = [1.0, 1.0, 1.0, 1.0]
+        surface["baseColorTexture"] = {"index": 0, "texCoord": 0}
+        view = buffer.add_file(mesh.print.png)
+        textures = {
+            "images": [{"bufferView": view, "mimeType": "image/png", "name": "print"}],
+            "samplers": [{"wrapS": _REPEAT, "wrapT": _REPEAT, "magFilter": _LINEAR, "minFilter": _MIPMAPS}],
+            "textures": [{"source": 0, "sampler": 0}],
+        }
+    root = {"name": "garment", "children": children}
     document = {
         "asset": {"version": "2.0", "generator": "swifttailor"},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": [root, *nodes],
         "meshes": meshes,
-        "materials": [
-            _material("cloth", np.ones(3) if printed else cloth, mesh.roughness, textured=printed),
-            _material("seam", _SEAM_SHARE * cloth, _SEAM_ROUGHNESS),
-        ],
-        "textures": [{"source": 0, "sampler": 0}] if printed else [],
-        "images": [{"bufferView": picture, "mimeType": "image/png", "name": "print"}] if printed else [],
-        "samplers": [{"magFilter": _LINEAR, "minFilter": _MIPMAPS}] if printed else [],
+        "materials": materials,
+        **textures,
         "accessors": buffer.accessors,
         "bufferViews": buffer.views,
         "buffers": [{"byteLength": len(buffer.data)}] if buffer.data else [],
@@ -127,11 +148,10 @@ class _Buffer:
         """Adds vertex indices of any shape and returns their accessor."""
         return self._add(np.ascontiguousarray(values.ravel(), np.uint32), _UINT, "SCALAR", _INDICES)
 
-    def add_bytes(self, content: bytes) -> int:
-        """Adds the content of a file and returns its view."""
-        self.data += b"\0" * (-len(self.data) % 4)
+    def add_file(self, content: bytes) -> int:
+        """Adds a file and returns its buffer view."""
         self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(content)})
-        self.data += content
+        self.data += content + b"\0" * (-len(content) % 4)
         return len(self.views) - 1
 
     def _add(self, values: Array, component: int, kind: str, target: int) -> int:
@@ -151,14 +171,23 @@ class _Buffer:
         return len(self.accessors) - 1
 
 
-def _material(name: str, color: Array, roughness: float, *, textured: bool = False) -> dict[str, Any]:
-    surface: dict[str, Any] = {
+def _wearer(buffer: _Buffer, vertices: Array, faces: Array) -> dict[str, Any]:
+    """The body as one smooth primitive."""
+    mesh = TriangleMesh(vertices, faces)
+    attributes = {
+        "POSITION": buffer.add(to_metres(mesh.vertices).astype(np.float32), bounds=True),
+        "NORMAL": buffer.add(mesh.vertex_normals.astype(np.float32)),
+    }
+    indices = buffer.add_indices(mesh.faces)
+    return {"attributes": attributes, "indices": indices, "material": 2, "mode": _TRIANGLES}
+
+
+def _material(name: str, color: Array, roughness: float) -> dict[str, Any]:
+    surface = {
         "baseColorFactor": [*np.round(color, 4).tolist(), 1.0],
         "metallicFactor": 0.0,
         "roughnessFactor": roughness,
     }
-    if textured:
-        surface["baseColorTexture"] = {"index": 0}
     return {"name": name, "pbrMetallicRoughness": surface, "doubleSided": True}
 
 

@@ -17,7 +17,8 @@ def write_obj(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) 
     """Writes a mesh as OBJ.
 
     ``v`` are the vertices of the stitched mesh, shared by all panels; ``vt`` are the flat vertices of the
-    panels; ``g`` and ``usemtl`` name the panel; seams are ``l`` polylines in the group ``seams``.
+    panels; ``g`` and ``usemtl`` name the panel; seams are ``l`` polylines in groups of their
+    names (`seam_names`), or in the group ``seams``.
     """
     return write_text(path, obj_text(mesh), overwrite=overwrite)
 
@@ -48,10 +49,13 @@ def obj_text(mesh: TriangleMesh) -> str:
                 f"f {a}/{s}/{a} {b}/{t}/{b} {c}/{u}/{c}"
                 for (a, b, c), (s, t, u) in zip(faces, uv, strict=True)
             ]
-    polylines = [line for line in mesh.lines if len(line) > 1]
-    if polylines:
-        lines.append(f"g {SEAM_GROUP}")
-        lines += ["l " + " ".join(str(v + 1) for v in line.tolist()) for line in polylines]
+    current = ""
+    for k, line in enumerate(mesh.lines):
+        name = mesh.line_names[k] if mesh.line_names else SEAM_GROUP
+        if len(line) > 1:
+            lines += [f"g {name}"] if name != current else []
+            lines.append("l " + " ".join(str(v + 1) for v in line.tolist()))
+            current = name
     return "\n".join(lines) + "\n"
 
 

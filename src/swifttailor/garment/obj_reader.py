@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from swifttailor.errors import InputError
+from swifttailor.garment.seam_names import read_seam_name
 from swifttailor.garment.triangle_mesh import TriangleMesh
 
 
@@ -47,6 +48,7 @@ class _Parts:
         self.faces: list[tuple[int, int, int]] = []
         self.uv_faces: list[tuple[int, int, int]] = []
         self.lines: list[np.ndarray] = []
+        self.line_names: list[str] = []
         self.groups: dict[str, int] = {}
         self.face_group: list[int] = []
         self.current = ""
@@ -63,6 +65,7 @@ class _Parts:
         elif kind == "l":
             count = len(self.vertices)
             self.lines.append(np.array([_index(w.split("/")[0], count) for w in words[1:]], np.int32))
+            self.line_names.append(self.current)
         elif kind in ("g", "o"):
             name = " ".join(words[1:])
             # An object's name counts until a group is named; GarmentCode writes neither.
@@ -97,6 +100,7 @@ class _Parts:
             tuple(name or "mesh" for name in self.groups) if named else (),
             np.array(self.face_group) if named else None,
             tuple(self.lines),
+            line_names=tuple(self.line_names) if any(map(read_seam_name, self.line_names)) else (),
         )
 
 

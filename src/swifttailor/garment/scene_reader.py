@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.garment import glb_seams
 from swifttailor.garment.ply import PANEL_COMMENT
 from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.garment.units import from_metres
@@ -20,16 +21,25 @@ def read_glb(path: Path) -> TriangleMesh:
     """Reads binary glTF: every mesh node becomes a group; vertices that were one before export are joined."""
     import trimesh
 
-    _check_glb_counts(path)
+    document = _check_glb_counts(path)
+    wearers = {
+        str(node.get("name"))
+        for node in document.get("nodes", [])
+        if isinstance(node, dict)
+        and isinstance(node.get("extras"), dict)
+        and node["extras"].get("role") == "body"
+    }
+    second_uv = glb_seams.second_coordinates(path, document)
     scene = trimesh.load_scene(path, file_type="glb", process=False)
     parts: list[tuple[str, Array, Array, Array | None, Array | None]] = []
     for node in sorted(scene.graph.nodes_geometry, key=lambda n: _order(scene, n)):
         matrix, name = scene.graph[node]
         geometry = scene.geometry[name]
-        if not isinstance(geometry, trimesh.Trimesh) or not len(geometry.faces):
+        if not isinstance(geometry, trimesh.Trimesh) or not len(geometry.faces) or str(node) in wearers:
             continue
         vertices = np.asarray(geometry.vertices) @ matrix[:3, :3].T + matrix[:3, 3]
-        uv = getattr(geometry.visual, "uv", None)
+        uv = second_uv.get(str(name), getattr(geometry.visual, "uv", None))
+        uv = uv if uv is not None and len(uv) == len(vertices) else None
         weld = geometry.vertex_attributes.get("_WELD")
         parts.append((str(node), vertices, np.asarray(geometry.faces), uv, weld))
     if not parts:
@@ -41,7 +51,9 @@ def read_glb(path: Path) -> TriangleMesh:
     welds = [p[4] for p in parts]
     numbered = [np.asarray(w).ravel() for w in welds if w is not None]
     weld = np.concatenate(numbered) if len(numbered) == len(parts) else None
+    lines = () if weld is None else glb_seams.read_seams(path, document, weld)
     joined, weld = _join_vertices(vertices, weld)
+    lines = tuple(line for line in lines if line[1].max() < len(joined))
     group = np.repeat(np.arange(len(parts)), [len(p[2]) for p in parts])
     return TriangleMesh(
         joined,
@@ -50,6 +62,8 @@ def read_glb(path: Path) -> TriangleMesh:
         None if uv is None else faces,
         tuple(p[0] for p in parts),
         group,
+        tuple(line for _, line in lines),
+        line_names=tuple(name for name, _ in lines),
     )
 
 
@@ -126,8 +140,8 @@ def _face_values(data: Any, name: str, count: int) -> Array | None:
         return None
 
 
-def _check_glb_counts(path: Path) -> None:
-    """Refuses files whose header announces more than the file can hold, before memory is given to it."""
+def _check_glb_counts(path: Path) -> dict[str, Any]:
+    """The JSON part of a file; refuses one that announces more than the file can hold."""
     size = path.stat().st_size
     with path.open("rb") as file:
         magic, version, _ = struct.unpack("<4sII", file.read(12))
@@ -140,6 +154,7 @@ def _check_glb_counts(path: Path) -> None:
     for accessor in document.get("accessors", []):
         if not 0 <= accessor["count"] <= size:
             raise ValueError(f"it announces {accessor['count']} values, more than the file can hold")
+    return document
 
 
 def _check_ply_header(path: Path) -> list[str]:

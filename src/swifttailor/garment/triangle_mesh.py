@@ -12,6 +12,8 @@ from swifttailor.arrays import Array
 from swifttailor.errors import InputError
 from swifttailor.garment.cloth_color import PALETTE, cloth_color
 from swifttailor.garment.cloth_print import texture
+from swifttailor.garment.seam_names import seam_name
+from swifttailor.render.png import encode_png
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
@@ -21,6 +23,17 @@ ROUGHNESS = {"cotton": 0.85, "denim": 0.95, "jersey": 0.9, "silk": 0.4}
 """Of cloths, as materials of files state it."""
 _LARGEST = float(np.finfo(np.float32).max)
 """What lies beyond is infinite in the files that meshes are written to."""
+
+
+@dataclass(frozen=True, eq=False)
+class PrintedPicture:
+    """A picture on the cloth, once over the square of texture coordinates or repeating."""
+
+    png: bytes
+    """The picture, a PNG file."""
+    repeats: Array | None = None
+    """(k, 2) where each texture vertex of the mesh lies on the cloth, in repeats of the picture; origin at
+    its lower left corner. None: where its texture coordinates say."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,9 +62,12 @@ class TriangleMesh:
     """Of the cloth, ``#rrggbb``; for formats with materials."""
     roughness: float = ROUGHNESS["cotton"]
     """How matt the cloth is, 0 to 1."""
-    texture: Array | None = None
-    """(h, w, 3) uint8 sRGB, row 0 at the top: what takes the place of the colour where texture coordinates lie;
-    for formats that hold pictures."""
+    line_names: tuple[str, ...] = ()
+    """A name for each line, or none at all; names of seams: `seam_names`."""
+    print: PrintedPicture | None = None
+    """A picture on the cloth; for formats with textures. Needs `uv`."""
+    wearer: tuple[Array, Array] | None = None
+    """Vertices (n, 3) in cm and faces (m, 3) of the body that wears it; for formats with several objects."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "vertices", _floats("vertices", self.vertices, 3))
@@ -76,6 +92,13 @@ class TriangleMesh:
         object.__setattr__(
             self, "lines", tuple(_indices("lines", line, len(self.vertices), 1) for line in self.lines)
         )
+        if self.line_names and len(self.line_names) != len(self.lines):
+            raise InputError(f"A mesh of {len(self.lines)} lines has {len(self.line_names)} names of lines.")
+        repeats = None if self.print is None else self.print.repeats
+        if self.print is not None and (
+            self.uv is None or (repeats is not None and len(repeats) != len(self.uv))
+        ):
+            raise InputError("A print needs a place on it for every texture coordinate of the mesh.")
 
     def _require_length(self, name: str) -> None:
         if len(getattr(self, name)) != len(self.faces):
@@ -101,9 +124,11 @@ class TriangleMesh:
         uv_index = np.zeros_like(self.faces) if self.uv_faces is None else self.uv_faces
         corners = np.stack([np.repeat(group, 3), uv_index.ravel(), self.faces.ravel()], axis=1)
         unique, inverse = np.unique(corners, axis=0, return_inverse=True)
+        repeats = None if self.print is None else self.print.repeats
         return FlatMesh(
             weld=unique[:, 2].astype(np.int32),
             uv=None if self.uv is None else self.uv[unique[:, 1]],
+            repeats=None if repeats is None else repeats[unique[:, 1]],
             faces=inverse.reshape(-1, 3).astype(np.int32),
             group=unique[:, 0].astype(np.int32),
         )
@@ -121,6 +146,8 @@ class FlatMesh:
     """(m, 3) indices from 0 to k - 1, faces in the order of the `TriangleMesh`."""
     group: Array
     """(k,) group of each vertex."""
+    repeats: Array | None = None
+    """(k, 2) places on the print or None."""
 
 
 def mesh_of_garment(garment: Garment) -> TriangleMesh:
@@ -136,7 +163,8 @@ def mesh_of_garment(garment: Garment) -> TriangleMesh:
         tuple(seam.vertices for seam in garment.seams),
         garment.color or cloth_color(garment.pattern),
         ROUGHNESS.get(garment.cloth or "cotton", ROUGHNESS["cotton"]),
-        None if garment.print is None else texture(garment),
+        tuple(seam_name(seam.stitch, garment.pattern.stitches[seam.stitch]) for seam in garment.seams),
+        None if garment.print is None else PrintedPicture(encode_png(texture(garment))),
     )
 
 

@@ -7,8 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.garment.seam_names import read_seam_name
 from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.garment.units import CM_PER_METRE
+from swifttailor.garment.usd import WEARER
 from swifttailor.garment.usd_library import load_usd
 
 
@@ -21,9 +23,10 @@ def read_usd(path: Path) -> TriangleMesh:
     cache = UsdGeom.XformCache()
     vertices, faces, uv, uv_faces, groups, face_group = [], [], [], [], [], []
     lines: list[Array] = []
+    names: list[str] = []
     before = uv_before = 0
     for prim in stage.Traverse():
-        if not prim.IsA(UsdGeom.Mesh):
+        if not prim.IsA(UsdGeom.Mesh) or prim.GetCustomDataByKey(WEARER):
             continue
         cloth = UsdGeom.Mesh(prim)
         points = np.asarray(cloth.GetPointsAttr().Get() or [], np.float64).reshape(-1, 3)
@@ -59,6 +62,7 @@ def read_usd(path: Path) -> TriangleMesh:
         if at and at.HasValue() and len(faces) == 1:
             sizes = np.asarray(UsdGeom.BasisCurves(prim).GetCurveVertexCountsAttr().Get(), np.int64)
             lines += np.split(np.asarray(at.Get(), np.int64), np.cumsum(sizes)[:-1])
+            names += [prim.GetDisplayName() or prim.GetName()] * len(sizes)
     return TriangleMesh(
         np.concatenate(vertices),
         np.concatenate(faces),
@@ -67,6 +71,7 @@ def read_usd(path: Path) -> TriangleMesh:
         tuple(groups),
         np.concatenate(face_group),
         tuple(lines),
+        line_names=tuple(names) if len(names) == len(lines) and any(map(read_seam_name, names)) else (),
     )
 
 
