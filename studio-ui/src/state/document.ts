@@ -1,24 +1,66 @@
-import type { PatternJson } from "./pattern-json";
+import type { DimensionInfo, Document, FindingInfo, Reading, SeamInfo } from "../api/types";
+import { fromWire, type PatternJson } from "./pattern-json";
 
 /** One observation about a pattern, as `swifttailor check` makes it. */
-export interface Finding {
-  code: string;
-  severity: "error" | "warning" | "info";
-  message: string;
-  panel: string;
-  edge: number | null;
-  stitch: number | null;
-  value: number | string | null;
-  why: string;
-  /** What mends it, in words; empty where nobody knows. */
-  repair: string;
+export type Finding = FindingInfo;
+
+/**
+ * The document at one point of its history. Never changed in place.
+ *
+ * What is null has not been worked out yet for this pattern; the server's answer brings it.
+ */
+export interface Version extends Omit<Document, "pattern" | "findings" | "seams" | "reading" | "dimensions"> {
+  pattern: PatternJson;
+  findings: FindingInfo[] | null;
+  seams: SeamInfo[] | null;
+  reading: Reading | null;
+  dimensions: DimensionInfo[] | null;
 }
 
-/** The state of the document at one point of its history. Never changed in place. */
-export interface Version {
-  pattern: PatternJson;
-  /** null until the server has looked at this pattern. */
-  findings: Finding[] | null;
-  /** The garment sewn of this pattern: the mesh's name (a digest of its content), null until it is there. */
-  mesh: string | null;
+export function versionOf(document: Document): Version {
+  return { ...document, pattern: fromWire(document.pattern) };
+}
+
+/** A changed pattern: what was said about the one before no longer holds, but for who made it and its cloth. */
+export function changedVersion(before: Version, pattern: PatternJson): Version {
+  return {
+    ...before,
+    origin: "live",
+    pattern,
+    findings: null,
+    seams: null,
+    mesh: null,
+    unsewable: null,
+    reading: null,
+    dimensions: null,
+    notes: [],
+    warnings: [],
+    changes: [],
+    open: [],
+    quality: null,
+    garment: "none",
+    seconds: {},
+  };
+}
+
+const NOTHING_READ: Reading = {
+  made: [],
+  assumed: [],
+  cannot: [],
+  unknown: [],
+  shown: [],
+  language: null,
+  color: null,
+  fabric: null,
+};
+
+/** As the server keeps it; what is not known yet is empty. */
+export function documentOf(version: Version): Document {
+  return {
+    ...version,
+    findings: version.findings ?? [],
+    seams: version.seams ?? [],
+    reading: version.reading ?? NOTHING_READ,
+    dimensions: version.dimensions ?? [],
+  };
 }

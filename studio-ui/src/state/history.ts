@@ -28,10 +28,14 @@ export function pushed<T>(history: History<T>, label: string, value: T): History
   return { entries, index: entries.length - 1 };
 }
 
-/** The shown entry with another value: what was computed of it has arrived. */
-export function amended<T>(history: History<T>, change: (value: T) => T): History<T> {
-  const entries = history.entries.map((each, k) =>
-    k === history.index ? { ...each, value: change(each.value) } : each,
+/** Entries that `which` holds of, with another value: what was worked out of them has arrived. */
+export function amended<T>(
+  history: History<T>,
+  which: (value: T) => boolean,
+  change: (value: T) => T,
+): History<T> {
+  const entries = history.entries.map((each) =>
+    which(each.value) ? { ...each, value: change(each.value) } : each,
   );
   return { ...history, entries };
 }

@@ -1,6 +1,18 @@
-/** A sewing pattern as GarmentCode's JSON has it. Lengths in cm, angles in degrees, local y up. */
+/**
+ * A sewing pattern as GarmentCode's JSON has it. Lengths in cm, angles in degrees, local y up.
+ *
+ * The same as in api/types.ts, but with each kind of curve and its own numbers, so that the compiler helps.
+ */
 
-export type Point = [number, number];
+import type {
+  EdgePlace,
+  Point,
+  StitchJson,
+  PanelJson as WirePanel,
+  PatternJson as WirePattern,
+} from "../api/types";
+
+export type { EdgePlace, Point, StitchJson };
 
 export type Curvature =
   | { type: "quadratic"; params: [Point] }
@@ -14,29 +26,15 @@ export interface EdgeJson {
   label?: string;
 }
 
-export interface PanelJson {
-  translation: [number, number, number];
-  rotation: [number, number, number];
-  vertices: Point[];
+export interface PanelJson extends Omit<WirePanel, "edges"> {
   edges: EdgeJson[];
-  label?: string;
 }
 
-export interface StitchSide {
-  panel: string;
-  edge: number;
+export interface PatternJson extends Omit<WirePattern, "pattern"> {
+  pattern: Omit<WirePattern["pattern"], "panels"> & { panels: Record<string, PanelJson> };
 }
 
-/** Two edges; "right_wrong" as a third element: start meets start. */
-export type StitchJson = [StitchSide, StitchSide] | [StitchSide, StitchSide, "right_wrong"];
-
-export interface PatternJson {
-  pattern: {
-    panels: Record<string, PanelJson>;
-    stitches: StitchJson[];
-    panel_order?: string[];
-  };
-  parameters?: unknown;
-  parameter_order?: unknown;
-  properties?: Record<string, unknown>;
+/** The server has checked that numbers go with their kind of curve. */
+export function fromWire(pattern: WirePattern): PatternJson {
+  return pattern as PatternJson;
 }

@@ -1,7 +1,8 @@
-/** The studio's state: one document with its history, what is selected, how it is shown. See STORE.md. */
+/** The open document with its history, what is selected, and units and theme. See STORE.md. */
 
 import { create } from "zustand";
-import type { Finding, Version } from "./document";
+import type { FindingInfo, SeamInfo } from "../api/types";
+import { changedVersion, type Version } from "./document";
 import { amended, type History, movedTo, pushed, started } from "./history";
 import type { PatternJson } from "./pattern-json";
 import { sameTarget, type Target } from "./selection";
@@ -9,13 +10,22 @@ import type { Units } from "./units";
 
 export type Theme = "light" | "dark";
 
+/** What the last live answer said of the draft. */
+export interface DraftAnswer {
+  /** The pattern that the answer is about: the draft, or one just before it. */
+  pattern: PatternJson;
+  findings: FindingInfo[];
+  seams: SeamInfo[];
+  mesh: string | null;
+}
+
 export interface DocumentSlice {
   /** null: nothing is open. */
   history: History<Version> | null;
   /** The pattern while something is dragged: shown in place of the version's, not in the history yet. */
   draft: PatternJson | null;
-  /** What the last answer to the draft said, null while none has come. */
-  draftFindings: Finding[] | null;
+  /** null while no answer to the draft has come. */
+  draftAnswer: DraftAnswer | null;
 
   /** Shows this pattern and lets the garment follow, without an entry in the history. */
   preview: (pattern: PatternJson) => void;
@@ -25,8 +35,13 @@ export interface DocumentSlice {
   cancelPreview: () => void;
   /** Another document, with a history of its own. */
   open: (label: string, version: Version) => void;
-  /** What was computed of the shown version has arrived. */
-  amend: (change: Partial<Version>) => void;
+  /** The same document after work that brought everything along, as one entry in the history. */
+  add: (label: string, version: Version) => void;
+  /** All of a document with its history, as it was saved. */
+  restore: (history: History<Version>) => void;
+  /** What was worked out of `pattern` has arrived; dropped where that is no longer shown. */
+  amend: (pattern: PatternJson, change: Partial<Version>) => void;
+  answerDraft: (answer: DraftAnswer) => void;
   undo: () => void;
   redo: () => void;
   goTo: (index: number) => void;
@@ -52,44 +67,62 @@ export interface ViewSlice {
 
 export type StudioState = DocumentSlice & SelectionSlice & ViewSlice;
 
+const NO_DRAFT = { draft: null, draftAnswer: null } as const;
+
 export const useStudio = create<StudioState>()((set, get) => ({
   history: null,
-  draft: null,
-  draftFindings: null,
+  ...NO_DRAFT,
   preview: (pattern) => set({ draft: pattern }),
   apply: (label, pattern) => {
-    const { history } = get();
-    if (history === null) return;
-    const version: Version = { pattern, findings: null, mesh: null };
+    const { history, draftAnswer } = get();
+    const before = currentVersion(get());
+    if (history === null || before === null) return;
+    const version = changedVersion(before, pattern);
+    // Until the answer for the last state is there, the garment of the one before it stays in view.
+    if (draftAnswer?.pattern === pattern)
+      Object.assign(version, {
+        findings: draftAnswer.findings,
+        seams: draftAnswer.seams,
+        mesh: draftAnswer.mesh,
+      });
+    set({ history: pushed(history, label, version), ...NO_DRAFT, selection: kept(get().selection, pattern) });
+  },
+  cancelPreview: () => set(NO_DRAFT),
+  open: (label, version) =>
+    set({ history: started(label, version), ...NO_DRAFT, selection: [], hover: null, focus: null }),
+  add: (label, version) => {
+    const { history, selection } = get();
+    if (history === null) return get().open(label, version);
     set({
       history: pushed(history, label, version),
-      draft: null,
-      draftFindings: null,
-      selection: kept(get().selection, pattern),
+      ...NO_DRAFT,
+      selection: kept(selection, version.pattern),
     });
   },
-  cancelPreview: () => set({ draft: null, draftFindings: null }),
-  open: (label, version) =>
-    set({ history: started(label, version), draft: null, draftFindings: null, selection: [], hover: null }),
-  amend: (change) => {
+  restore: (history) => set({ history, ...NO_DRAFT, selection: [], hover: null, focus: null }),
+  amend: (pattern, change) => {
     const { history } = get();
-    if (history !== null) set({ history: amended(history, (version) => ({ ...version, ...change })) });
+    if (history !== null)
+      set({
+        history: amended(
+          history,
+          (version) => version.pattern === pattern,
+          (version) => ({ ...version, ...change }),
+        ),
+      });
+  },
+  answerDraft: (answer) => {
+    if (get().draft !== null) set({ draftAnswer: answer });
   },
   undo: () => get().goTo((get().history?.index ?? 0) - 1),
   redo: () => get().goTo((get().history?.index ?? 0) + 1),
   goTo: (index) => {
-    const { history } = get();
+    const { history, selection } = get();
     if (history === null) return;
     const next = movedTo(history, index);
     const pattern = next.entries[next.index]?.value.pattern;
     if (pattern === undefined) return;
-    set({
-      history: next,
-      draft: null,
-      draftFindings: null,
-      hover: null,
-      selection: kept(get().selection, pattern),
-    });
+    set({ history: next, ...NO_DRAFT, hover: null, selection: kept(selection, pattern) });
   },
 
   selection: [],
@@ -126,8 +159,20 @@ export function shownPattern(state: StudioState): PatternJson | null {
 }
 
 /** Findings of what is drawn; null while they are not known. */
-export function shownFindings(state: StudioState): Finding[] | null {
-  return state.draft !== null ? state.draftFindings : (currentVersion(state)?.findings ?? null);
+export function shownFindings(state: StudioState): FindingInfo[] | null {
+  return state.draft !== null
+    ? (state.draftAnswer?.findings ?? null)
+    : (currentVersion(state)?.findings ?? null);
+}
+
+/** Seams with lengths and mismatch, of what is drawn; null while they are not known. */
+export function shownSeams(state: StudioState): SeamInfo[] | null {
+  return state.draft !== null ? (state.draftAnswer?.seams ?? null) : (currentVersion(state)?.seams ?? null);
+}
+
+/** Name of the garment's mesh to show; null: keep what is shown until there is one. */
+export function shownMesh(state: StudioState): string | null {
+  return state.draftAnswer?.mesh ?? currentVersion(state)?.mesh ?? null;
 }
 
 function kept(selection: Target[], pattern: PatternJson): Target[] {
