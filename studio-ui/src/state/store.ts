@@ -42,6 +42,8 @@ export interface DocumentSlice {
   /** What was worked out of `pattern` has arrived; dropped where that is no longer shown. */
   amend: (pattern: PatternJson, change: Partial<Version>) => void;
   answerDraft: (answer: DraftAnswer) => void;
+  /** A draft that came with its garment, as when a slider is moved: nothing has to be sewn. */
+  previewAnswered: (answer: DraftAnswer) => void;
   undo: () => void;
   redo: () => void;
   goTo: (index: number) => void;
@@ -114,6 +116,7 @@ export const useStudio = create<StudioState>()((set, get) => ({
   answerDraft: (answer) => {
     if (get().draft !== null) set({ draftAnswer: answer });
   },
+  previewAnswered: (answer) => set({ draft: answer.pattern, draftAnswer: answer }),
   undo: () => get().goTo((get().history?.index ?? 0) - 1),
   redo: () => get().goTo((get().history?.index ?? 0) + 1),
   goTo: (index) => {
