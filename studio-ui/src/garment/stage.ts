@@ -110,12 +110,20 @@ export class Stage {
     this.invalidate();
   }
 
+  /** What is seen now, as a data URL. */
+  picture(): string {
+    this.beforeDraw();
+    this.renderer.render(this.scene, this.camera);
+    return this.renderer.domElement.toDataURL("image/webp", 0.9);
+  }
+
   dispose(): void {
     cancelAnimationFrame(this.asked);
     cancelAnimationFrame(this.turning);
     this.observer.disconnect();
     this.controls.dispose();
     this.renderer.dispose();
+    this.renderer.forceContextLoss();
     this.renderer.domElement.remove();
   }
 

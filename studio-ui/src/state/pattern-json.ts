@@ -31,10 +31,18 @@ export interface PanelJson extends Omit<WirePanel, "edges"> {
 }
 
 export interface PatternJson extends Omit<WirePattern, "pattern"> {
-  pattern: Omit<WirePattern["pattern"], "panels"> & { panels: Record<string, PanelJson> };
+  pattern: {
+    panels: Record<string, PanelJson>;
+    stitches: StitchJson[];
+    panel_order: string[];
+  };
 }
 
 /** The server has checked that numbers go with their kind of curve. */
-export function fromWire(pattern: WirePattern): PatternJson {
-  return pattern as PatternJson;
+export function fromWire({ pattern, ...rest }: WirePattern): PatternJson {
+  const panels = pattern.panels as Record<string, PanelJson>;
+  return {
+    ...rest,
+    pattern: { ...pattern, panels, panel_order: pattern.panel_order ?? Object.keys(panels) },
+  };
 }
