@@ -47,7 +47,17 @@ function sought(specification: Specification, name: string): Counterpart | null 
   const panel = panelOf(specification, name);
   const twin = twinName(name, (other) => Object.hasOwn(specification.pattern.panels, other));
   if (twin !== null) return laidOn(panel, panelOf(specification, twin), twin)?.counterpart ?? null;
-  if (saysSide(name)) return null;
+  if (SIDE.test(name)) return null;
+  const best = nearest(specification, name);
+  if (best === null || best.counterpart.panel === name) return best?.counterpart ?? null;
+  // Gores stand all around: two are counterparts only if each is the other's.
+  const back = nearest(specification, best.counterpart.panel);
+  return back?.counterpart.panel === name ? best.counterpart : null;
+}
+
+/** The panel that stands nearest to the mirrored place of one and has its outline; it may be the panel itself. */
+function nearest(specification: Specification, name: string): Laid | null {
+  const panel = panelOf(specification, name);
   let best: Laid | null = null;
   for (const other of panelNames(specification)) {
     const laid = laidOn(panel, panelOf(specification, other), other);
@@ -55,7 +65,7 @@ function sought(specification: Specification, name: string): Counterpart | null 
     if (best === null || laid.apart + laid.counterpart.deviation < best.apart + best.counterpart.deviation)
       best = laid;
   }
-  return best?.counterpart ?? null;
+  return best;
 }
 
 const SIDE = /(^|[^a-z])(left|right|l|r)(?=[^a-z]|$)/i;
@@ -68,10 +78,6 @@ export function twinName(name: string, exists: (name: string) => boolean): strin
     (_, before: string, side: string) => before + inCaseOf(side, OTHER[side.toLowerCase()] ?? side),
   );
   return other !== name && exists(other) ? other : null;
-}
-
-function saysSide(name: string): boolean {
-  return SIDE.test(name);
 }
 
 function inCaseOf(model: string, word: string): string {

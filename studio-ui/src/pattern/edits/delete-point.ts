@@ -10,7 +10,7 @@ import {
   shapeFromControl,
 } from "../geometry/curve";
 import { curveOf, edgeLengths } from "../geometry/outline";
-import { add, cross, distance, dot, norm, scaled, subtract } from "../geometry/point";
+import { add, between, cross, distance, dot, norm, scaled, subtract } from "../geometry/point";
 import {
   type Edge,
   type EdgeRef,
@@ -27,9 +27,9 @@ import { inLoop } from "./add-point";
 import {
   type Edit,
   edited,
+  followedBy,
   refused,
   renumbered,
-  followedBy,
   withoutStitch,
   withPanels,
   withStitches,
@@ -39,6 +39,8 @@ import { SHORTEST_EDGE_CM } from "./move-vertices";
 const FEWEST_VERTICES = 3;
 /** Edges that meet at less than this angle, radians, are taken for one smooth line. */
 const SMOOTH = 0.05;
+/** Control points this near to each other, as a share of the length, are one. */
+const ONE_CURVE = 1e-6;
 
 /**
  * Joins the two edges at a point into one. Pieces of one curve become exactly that curve again. Where both
@@ -163,9 +165,11 @@ function joinedShape(one: Curve, two: Curve): Shape {
   const chords = chordLength(one) + chordLength(two);
   const t = smooth && known ? norm(through) / (norm(through) + norm(on)) : chordLength(one) / chords;
   const share = Math.min(Math.max(t, 1e-6), 1 - 1e-6);
-  const kinds = [one.shape?.type ?? "line", two.shape?.type ?? "line"];
-  if (kinds.every((kind) => kind === "quadratic") && smooth)
-    return shapeFromControl([one.start, add(one.start, scaled(from, 1 / (2 * share))), two.end]);
+  // Of two pieces of one quadratic curve both ends tell the same control point.
+  const ahead = add(one.start, scaled(from, 1 / (2 * share)));
+  const behind = subtract(two.end, scaled(to, 1 / (2 * (1 - share))));
+  if (smooth && known && distance(ahead, behind) < ONE_CURVE * chords)
+    return shapeFromControl([one.start, between(ahead, behind, 0.5), two.end]);
   return shapeFromControl([
     one.start,
     add(one.start, scaled(from, 1 / (3 * share))),

@@ -19,7 +19,7 @@ import type { Moves } from "./move-vertices";
 /** Border that points elsewhere by more than this (cosine) is no longer the hem but a slit or a front edge. */
 const ALIKE = 0.7;
 /** A hem that points down but for so much (cosine) is moved straight down. */
-const UPRIGHT = 0.93;
+const UPRIGHT = 0.8;
 const LONGEST_WALK = 2000;
 
 export interface Hem {
