@@ -30,7 +30,8 @@ const PRINTS: { value: Print; label: string }[] = [
 const SWATCHES = ["#8fa9bd", "#1f2a44", "#2f5d50", "#a33b3b", "#d9a441", "#e9e4da", "#c98fa5", "#2b2b2e"];
 
 export function GarmentToolbar({ viewer }: { viewer: GarmentViewer | null }) {
-  const display = useDisplay();
+  const coloring = useDisplay((state) => state.coloring);
+  const { change } = useDisplay.getState();
   return (
     <div className="window-bar" role="toolbar" aria-label="Garment window">
       <h2>Garment</h2>
@@ -46,44 +47,46 @@ export function GarmentToolbar({ viewer }: { viewer: GarmentViewer | null }) {
             {label}
           </button>
         ))}
-        <IconButton
-          icon="fit"
-          label="All of the garment"
-          shortcut="0"
-          onClick={() => viewer?.frameAll(true)}
-        />
       </div>
       <div className="spring" />
       <Segmented
         label="Colouring"
-        value={display.coloring}
+        value={coloring}
         options={COLORINGS}
-        onChange={(coloring) => display.change({ coloring })}
+        onChange={(value) => change({ coloring: value })}
       />
       <ClothPopover />
-      <div className="group">
-        <IconButton
-          icon="body"
-          label="Body"
-          shortcut="B"
-          pressed={display.body}
-          onClick={() => display.change({ body: !display.body })}
-        />
-        <IconButton
-          icon="seam"
-          label="Seams"
-          shortcut="S"
-          pressed={display.seams}
-          onClick={() => display.change({ seams: !display.seams })}
-        />
-        <IconButton
-          icon="wire"
-          label="Wireframe"
-          shortcut="W"
-          pressed={display.wireframe}
-          onClick={() => display.change({ wireframe: !display.wireframe })}
-        />
-      </div>
+    </div>
+  );
+}
+
+/** What of the garment is seen: a column of buttons over the view. */
+export function ViewTools({ viewer }: { viewer: GarmentViewer | null }) {
+  const { body, seams, wireframe, change } = useDisplay();
+  return (
+    <div className="view-tools" role="toolbar" aria-label="What is shown" aria-orientation="vertical">
+      <IconButton icon="fit" label="All of the garment" shortcut="0" onClick={() => viewer?.frameAll(true)} />
+      <IconButton
+        icon="body"
+        label="Body"
+        shortcut="B"
+        pressed={body}
+        onClick={() => change({ body: !body })}
+      />
+      <IconButton
+        icon="seam"
+        label="Seams"
+        shortcut="S"
+        pressed={seams}
+        onClick={() => change({ seams: !seams })}
+      />
+      <IconButton
+        icon="wire"
+        label="Wireframe"
+        shortcut="W"
+        pressed={wireframe}
+        onClick={() => change({ wireframe: !wireframe })}
+      />
     </div>
   );
 }

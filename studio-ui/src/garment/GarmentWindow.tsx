@@ -5,7 +5,7 @@ import { currentVersion, useStudio } from "../state/store";
 import { lengthText } from "../state/units";
 import { Icon } from "../ui/Icon";
 import { DrapeBar } from "./DrapeBar";
-import { GarmentToolbar } from "./GarmentToolbar";
+import { GarmentToolbar, ViewTools } from "./GarmentToolbar";
 import { STRAIN_STOPS, strainGradient } from "./strain-colors";
 import { useGarmentViewer } from "./useGarmentViewer";
 import type { GarmentViewer } from "./viewer";
@@ -53,6 +53,7 @@ export function GarmentWindow() {
           onDoubleClick={() => viewer?.frameAll(true)}
         />
         {/* biome-ignore-end lint/a11y/noNoninteractiveTabindex: a view that is turned by keys. */}
+        <ViewTools viewer={viewer} />
         <State />
         <StrainLegend />
       </div>
