@@ -171,7 +171,17 @@ export interface QualityInfo {
   reasons: string[];
 }
 
-export type Origin = "example" | "generate" | "edit" | "sew" | "finish" | "drape" | "alter" | "repair" | "open" | "live";
+export type Origin =
+  | "example"
+  | "generate"
+  | "edit"
+  | "sew"
+  | "finish"
+  | "drape"
+  | "alter"
+  | "repair"
+  | "open"
+  | "live";
 
 /** What all work answers with. */
 export interface Document {
@@ -534,6 +544,8 @@ export interface SavedAnswer {
   id: string;
   revision: number;
   saved: string;
+  /** What a person should know of how it was saved; mostly empty. */
+  notes: string[];
 }
 
 /** POST /api/export: the file's bytes. What is not saved in a project is exported so. */
