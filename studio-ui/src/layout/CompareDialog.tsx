@@ -151,7 +151,9 @@ function Differences({ a, b, units }: { a: Version; b: Version; units: Units }) 
           <tbody>
             {rows.map(([name, left, right, difference]) => (
               <tr key={name}>
-                <th scope="row">{name}</th>
+                <th scope="row" className="sentence">
+                  {name}
+                </th>
                 <td>{left}</td>
                 <td>{right}</td>
                 <td>{difference}</td>

@@ -23,7 +23,9 @@ export function DimensionSliders() {
   if (shown.length === 0) return null;
   return (
     <section className="block" aria-label="Dimensions" data-tour="sliders">
-      <h3>Dimensions</h3>
+      <h3>
+        Dimensions <span className="muted">{units === "cm" ? "in cm" : "in inches"}</span>
+      </h3>
       {GROUPS.map(([group, title]) => {
         const own = shown.filter((dimension) => dimension.group === group);
         if (own.length === 0) return null;
@@ -48,7 +50,9 @@ function DimensionSlider({ dimension, units }: { dimension: DimensionInfo; units
     setMoved(null);
   }
   const value = moved ?? dimension.value;
-  const label = (at: number) => `${dimension.about}: ${valueText(at, dimension, units)}`;
+  const name = dimension.name.charAt(0).toUpperCase() + dimension.name.slice(1);
+  const about = dimension.about.charAt(0).toUpperCase() + dimension.about.slice(1);
+  const label = (at: number) => `${name}: ${valueText(at, dimension, units)}`;
   const inUnits = dimension.unit === "cm";
   const typed = inUnits ? fromCm(value, units) : value;
   const change = (to: number) => {
@@ -63,12 +67,15 @@ function DimensionSlider({ dimension, units }: { dimension: DimensionInfo; units
   return (
     <div className="slider">
       <label>
-        <span className="slider-name">{dimension.about}</span>
+        <span className="slider-name" title={about}>
+          {name}
+        </span>
         <input
           type="range"
           min={dimension.min}
           max={dimension.max}
           step={dimension.step}
+          title={about}
           value={value}
           aria-valuetext={valueText(value, dimension, units)}
           style={
@@ -85,7 +92,7 @@ function DimensionSlider({ dimension, units }: { dimension: DimensionInfo; units
       <input
         type="number"
         className="slider-number"
-        aria-label={`${dimension.about}, ${inUnits ? (units === "cm" ? "cm" : "inches") : dimension.unit}`}
+        aria-label={`${name}, ${inUnits ? (units === "cm" ? "cm" : "inches") : dimension.unit}`}
         value={Number(typed.toFixed(inUnits ? 1 : 2))}
         min={inUnits ? fromCm(dimension.min, units) : dimension.min}
         max={inUnits ? fromCm(dimension.max, units) : dimension.max}

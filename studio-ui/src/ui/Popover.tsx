@@ -65,7 +65,7 @@ export function Popover({ trigger, children, label, align = "start", kind = "dia
         <div
           ref={panel}
           id={id}
-          className={`popover ${kind}`}
+          className={`popover popover-${kind}`}
           role={kind}
           aria-label={label}
           onKeyDown={(event) => {
