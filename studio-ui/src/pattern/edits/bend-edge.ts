@@ -1,6 +1,5 @@
 /** Bends edges: curve handles, straight to curved and back, the depth of a curve in cm. */
 
-import { at } from "../geometry/at";
 import { bulge, type Curve, chordLength, type Shape, toRelative } from "../geometry/curve";
 import { curveOf } from "../geometry/outline";
 import { type EdgeRef, type Point, panelOf, type Specification } from "../specification";
@@ -98,11 +97,4 @@ export function shapeOfDepth(curve: Curve, depth: number): Shape {
 export function depthOf(specification: Specification, ref: EdgeRef): number {
   const curve = curveOf(panelOf(specification, ref.panel), ref.edge);
   return bulge(curve) * chordLength(curve);
-}
-
-/** Handles of an edge in cm: control points, or the middle of an arc. */
-export function handlesOf(curve: Curve, middle: Point, control: readonly Point[]): readonly Point[] {
-  if (curve.shape === undefined) return [];
-  if (curve.shape.type === "circle") return [middle];
-  return control.slice(1, -1).map((_, k) => at(control, k + 1));
 }
