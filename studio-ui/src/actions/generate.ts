@@ -38,7 +38,7 @@ export async function generate(): Promise<void> {
 export function openMade(document: Document): void {
   useSession.getState().set({ variants: null });
   useDisplay.getState().change({ clothColor: null });
-  newProject(document.title);
+  newProject(document.title.charAt(0).toUpperCase() + document.title.slice(1));
   useStudio
     .getState()
     .open(document.prompt !== "" ? "Made from words" : "Made from a picture", versionOf(document));

@@ -57,8 +57,8 @@ export function CompareDialog() {
               </Button>
             </div>
             <div className="compare-views">
-              <PatternThumbnail pattern={entry.value.pattern} label={`Pattern of ${entry.label}`} />
               <GarmentView entry={entry} link={link} />
+              <PatternThumbnail pattern={entry.value.pattern} label={`Pattern of ${entry.label}`} />
             </div>
           </section>
         ))}

@@ -16,6 +16,7 @@ const STAGES: Record<string, string> = {
   network: "Sewing",
   decoding: "Closing the seams",
   sewing: "Sewing",
+  meshing: "Laying out the cloth",
   draping: "Draping",
   finishing: "Finishing",
   saving: "Saving",
@@ -58,11 +59,11 @@ export function JobBar() {
           {physics && !queued ? "Stop" : "Cancel"}
         </Button>
       </div>
-      <progress max={1} value={queued ? undefined : share} aria-label={title} />
+      <progress max={1} value={queued || share === 0 ? undefined : share} aria-label={title} />
       <ol className="stages">
         {job.stages.map((each, k) => (
           <li key={`${each.name}-${String(k)}`} className={k === job.stages.length - 1 ? "now" : "done"}>
-            {STAGES[each.name] ?? each.name}
+            {STAGES[each.name] ?? each.name.charAt(0).toUpperCase() + each.name.slice(1)}
             <span className="muted"> {each.seconds.toFixed(1)} s</span>
           </li>
         ))}

@@ -36,7 +36,7 @@ function Instruct() {
     if (await editBy(text)) setText("");
   };
   return (
-    <section className="block first" aria-label="Change it in words">
+    <section className="block first" aria-label="Instruction">
       <form
         className="instruct"
         onSubmit={(event) => {

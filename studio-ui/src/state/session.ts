@@ -70,7 +70,7 @@ export function notify(
   const { notices, set } = useSession.getState();
   const others = notices.filter((each) => each.message !== message);
   set({ notices: [...others.slice(-3), { id, kind, message, hint, action }] });
-  if (kind === "ok" || kind === "info") setTimeout(() => dismiss(id), action === null ? 5000 : 9000);
+  if (kind !== "error") setTimeout(() => dismiss(id), kind === "warning" || action !== null ? 10_000 : 4500);
   return id;
 }
 
