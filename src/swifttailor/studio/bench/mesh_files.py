@@ -28,7 +28,8 @@ def garment_record(garment: Garment, edge_length: float) -> MeshRecord:
         edge_length: Of its mesh, cm.
     """
     mesh = garment.mesh
-    normals = smooth_normals(garment.vertices, mesh.faces)[mesh.weld]
+    vertices = garment.vertices.astype(np.float32).astype(np.float64)  # as they come back from the file
+    normals = smooth_normals(vertices, mesh.faces)[mesh.weld]
     edges = [
         ({"panel": panel.name, "edge": k}, mesh.edge_vertices[p][k])
         for p, panel in enumerate(mesh.pattern.panels)
@@ -47,13 +48,13 @@ def garment_record(garment: Garment, edge_length: float) -> MeshRecord:
         "color": garment.color,
     }
     blocks = {
-        "positions": garment.flat_positions,
+        "positions": vertices[mesh.weld],
         "normals": normals,
         "uv": mesh.flat_vertices,
         "panel": mesh.flat_panel,
         "weld": mesh.weld,
         "triangles": mesh.flat_faces,
-        "strain": strain_of(mesh, garment.vertices),
+        "strain": strain_of(mesh, vertices),
         **_lists("seam", [vertices for _, vertices in seams]),
         **_lists("edge", [vertices for _, vertices in edges]),
     }
@@ -77,7 +78,15 @@ def garment_of(record: MeshRecord) -> Garment:
         or np.abs(uv - mesh.flat_vertices.ravel()).max(initial=0.0) > _SAME_CM
     ):
         raise GeometryError("The garment was meshed by another version of the program. Sew it again.")
-    return Garment(mesh, flat.reshape(-1, 3)[mesh.representative], dict(record.report), record.color)
+    report = {
+        "edge_length_cm": record.edge_length,
+        "rotation": pattern.panels[0].placement.reading,
+        "vertices": mesh.vertex_count,
+        "faces": len(mesh.faces),
+        "panels": len(pattern.panels),
+        "stitches": len(pattern.stitches),
+    }
+    return Garment(mesh, flat.reshape(-1, 3)[mesh.representative], report | record.report, record.color)
 
 
 def strain_of(mesh: PatternMesh, vertices: Array) -> Array:
