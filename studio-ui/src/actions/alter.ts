@@ -5,8 +5,9 @@ import type { ChangeRequest, Document } from "../api/types";
 import { versionOf } from "../state/document";
 import { LatestWins } from "../state/latest-wins";
 import { fromWire, type PatternJson } from "../state/pattern-json";
+import { carriedReading } from "../state/reading";
 import { notify, useSession } from "../state/session";
-import { currentVersion, useStudio } from "../state/store";
+import { currentVersion, lastReading, useStudio } from "../state/store";
 import { tellFailure } from "./failures";
 
 /** One change at once, such as a chip: "hem: midi". */
@@ -29,7 +30,8 @@ export async function alter(label: string, change: ChangeRequest): Promise<void>
 export function addMade(label: string, document: Document): void {
   const before = currentVersion(useStudio.getState());
   const { title, prompt, seed } = before ?? document;
-  useStudio.getState().add(label, { ...versionOf(document), title, prompt, seed });
+  const reading = carriedReading(lastReading(useStudio.getState()), document.reading);
+  useStudio.getState().add(label, { ...versionOf(document), title, prompt, seed, reading });
   for (const open of document.open)
     notify("warning", `Not done: ${open}`, "Say it in other words, or move the pattern's points by hand.");
   for (const warning of document.warnings) notify("warning", warning);

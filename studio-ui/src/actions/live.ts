@@ -5,8 +5,9 @@ import type { LiveAnswer } from "../api/types";
 import { garmentMesh } from "../garment/mesh-cache";
 import { LatestWins } from "../state/latest-wins";
 import type { PatternJson } from "../state/pattern-json";
+import { carriedReading } from "../state/reading";
 import { useSession } from "../state/session";
-import { currentVersion, useStudio } from "../state/store";
+import { currentVersion, lastReading, useStudio } from "../state/store";
 import { tellFailure } from "./failures";
 
 const client = crypto.randomUUID();
@@ -54,7 +55,9 @@ async function describe(pattern: PatternJson): Promise<void> {
   const shown = currentVersion(useStudio.getState());
   if (shown?.pattern !== pattern || shown.dimensions !== null) return;
   try {
-    useStudio.getState().amend(pattern, await api.describe(pattern));
+    const before = lastReading(useStudio.getState());
+    const answer = await api.describe(pattern);
+    useStudio.getState().amend(pattern, { ...answer, reading: carriedReading(before, answer.reading) });
   } catch {
     // Words about the pattern are a convenience; the next change asks for them again.
   }

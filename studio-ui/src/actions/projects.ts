@@ -147,7 +147,9 @@ export function startAutosave(): () => void {
   const endProject = useProject.subscribe((state, before) => {
     if (state.name !== before.name && state.id === before.id) changed();
   });
+  window.addEventListener("pagehide", keepPlace);
   return () => {
+    window.removeEventListener("pagehide", keepPlace);
     endStudio();
     endProject();
     clearTimeout(timer);

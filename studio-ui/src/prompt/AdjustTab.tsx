@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { editBy } from "../actions/edit";
 import { useSession } from "../state/session";
-import { currentVersion, useStudio } from "../state/store";
+import { currentVersion, lastReading, useStudio } from "../state/store";
 import { Button } from "../ui/Button";
 import { Icon } from "../ui/Icon";
 import { ChipList } from "./ChipList";
@@ -10,16 +10,17 @@ import { DimensionSliders } from "./DimensionSliders";
 /** Instructions, sliders and everything that the pattern shows. */
 export function AdjustTab() {
   const version = useStudio(currentVersion);
+  const reading = useStudio(lastReading);
   if (version === null) return <p className="empty-note">Make a garment or open one first.</p>;
   return (
     <>
       <Instruct />
       <DimensionSliders />
-      {version.reading !== null && (
+      {reading !== null && (
         <section className="block" aria-label="Features">
           <h3>Features</h3>
-          <ChipList kind="shown" chips={version.reading.shown} />
-          {version.reading.shown.length === 0 && <ChipList kind="made" chips={version.reading.made} />}
+          <ChipList kind="made" chips={[...reading.made, ...reading.assumed]} />
+          <ChipList kind="shown" chips={reading.shown} />
         </section>
       )}
     </>

@@ -2,7 +2,7 @@ import { openExample } from "../actions/boot";
 import { generate } from "../actions/generate";
 import { randomSeed, usePrompt } from "../state/prompt";
 import { useSession } from "../state/session";
-import { currentVersion, useStudio } from "../state/store";
+import { currentVersion, lastReading, useStudio } from "../state/store";
 import { Button, IconButton } from "../ui/Button";
 import { Segmented } from "../ui/Segmented";
 import { ChipList } from "./ChipList";
@@ -88,8 +88,9 @@ export function DescribeTab() {
 
 function Read() {
   const version = useStudio(currentVersion);
-  if (version === null || version.reading === null) return null;
-  const { reading } = version;
+  // While a pattern that was changed by hand is looked at, the chips stay.
+  const reading = useStudio(lastReading);
+  if (version === null || reading === null) return null;
   const some = KINDS.some((kind) => reading[kind].length > 0);
   return (
     <section className="block" aria-label="What was read" data-tour="chips">

@@ -1,7 +1,7 @@
 /** The open document with its history, what is selected, and units and theme. See STORE.md. */
 
 import { create } from "zustand";
-import type { FindingInfo, SeamInfo } from "../api/types";
+import type { FindingInfo, Reading, SeamInfo } from "../api/types";
 import { changedVersion, type Version } from "./document";
 import { amended, type History, movedTo, pushed, started } from "./history";
 import type { PatternJson } from "./pattern-json";
@@ -176,6 +176,17 @@ export function shownSeams(state: StudioState): SeamInfo[] | null {
 /** Name of the garment's mesh to show; null: keep what is shown until there is one. */
 export function shownMesh(state: StudioState): string | null {
   return state.draftAnswer?.mesh ?? currentVersion(state)?.mesh ?? null;
+}
+
+/** What was read last, of the shown version or of the one it came from. */
+export function lastReading(state: StudioState): Reading | null {
+  const { history } = state;
+  if (history === null) return null;
+  for (let k = history.index; k >= 0; k -= 1) {
+    const reading = history.entries[k]?.value.reading;
+    if (reading) return reading;
+  }
+  return null;
 }
 
 function kept(selection: Target[], pattern: PatternJson): Target[] {
