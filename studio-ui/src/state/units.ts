@@ -31,6 +31,6 @@ export function lengthText(cm: number, units: Units): string {
 
 /** A number without needless zeros; a true minus sign. */
 export function trimmed(value: number, digits: number): string {
-  const text = value.toFixed(digits).replace(/\.?0+$/, "");
+  const text = digits > 0 ? value.toFixed(digits).replace(/\.?0+$/, "") : value.toFixed(0);
   return (text === "-0" ? "0" : text).replace("-", "−");
 }
