@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import itertools
 import json
 import struct
 import time
@@ -11,9 +12,9 @@ from copy import deepcopy
 
 import numpy as np
 import pytest
-from conftest import content_of, follow  # ty: ignore[unresolved-import]
 from PIL import Image
 
+from conftest import content_of, follow  # ty: ignore[unresolved-import]
 from swifttailor.pattern import read_specification
 from swifttailor.studio.mesh_record import unpack_mesh
 from swifttailor.studio.models.documents import Document
@@ -43,7 +44,7 @@ def test_the_first_page_is_filled_without_computing(client):
     assert len(state.examples) >= 6 and state.claims and state.dimensions
     for example in state.examples:
         document = Document.model_validate(client.get(f"/api/examples/{example.id}").json())
-        header, blocks = mesh_of(client, document.mesh)
+        header, _blocks = mesh_of(client, document.mesh)
         assert set(header["panels"]) == set(document.pattern["pattern"]["panels"])
         assert client.get(example.thumbnail).headers["content-type"] == "image/webp"
     body = client.get(f"/api/body/{state.body}")
@@ -102,7 +103,7 @@ def test_a_small_crossing_is_mended_from_the_findings(client, real_pattern):
     panel["vertices"] += [list(map(float, c)) for c in corners]
     start, end = panel["edges"][straight]["endpoints"]
     chain = [start, first, first + 1, end]
-    new = [{"endpoints": [i, j]} for i, j in zip(chain[:-1], chain[1:], strict=True)]
+    new = [{"endpoints": [i, j]} for i, j in itertools.pairwise(chain)]
     panel["edges"][straight : straight + 1] = new
     stitches = pattern["pattern"]["stitches"]
     kept = []
@@ -231,7 +232,7 @@ def test_a_drape_shows_frames_and_can_be_stopped(client, dress):
             frame = client.get(f"/api/jobs/{job['id']}/frame")
             if frame.status_code != 200:
                 continue
-            header, blocks = mesh_of(client, frame.headers["x-mesh"])
+            header, _blocks = mesh_of(client, frame.headers["x-mesh"])
             positions = np.frombuffer(frame.content, "<f4").reshape(-1, 3)
             assert len(positions) == header["welded"] and np.isfinite(positions).all()
             client.delete(f"/api/jobs/{job['id']}")

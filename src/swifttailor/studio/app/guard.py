@@ -62,7 +62,10 @@ class Guard:
             return  # there are no web sockets here
 
         async def with_headers(message: MutableMapping[str, Any]) -> None:
+            if body.error is not None and not body.answered:
+                return  # what an application says of a body that it could not read
             if message["type"] == "http.response.start":
+                body.answered = True
                 given = {name.lower() for name, _ in message["headers"]}
                 message["headers"] = [*message["headers"], *((n, v) for n, v in _HEADERS if n not in given)]
                 if b"cache-control" not in given:
@@ -80,9 +83,12 @@ class Guard:
                 body.refuse_announced(headers.get("content-length"))
             await self._app(scope, body.receive, with_headers)
         except StudioError as error:
-            if body.answered:
-                raise
-            await error.response()(scope, receive, with_headers)  # type: ignore[arg-type]
+            body.error = error
+        if body.error is not None and not body.answered:
+            answer = body.error.response()
+            answer.headers["Connection"] = "close"  # what may still come of the request is not read
+            body.error = None
+            await answer(scope, receive, with_headers)  # ty: ignore[invalid-argument-type]
 
     def _look_at(self, scope: Scope, headers: dict[str, str]) -> None:
         self._require_host(headers.get("host", ""))
@@ -149,6 +155,8 @@ class _Body:
         self._receive, self._seconds = receive, limits.body_seconds
         self.limit = 0
         self.answered = False
+        self.error: StudioError | None = None
+        """Why the rest of it is not read."""
         self._taken = 0
         self._done = False
         self._deadline: float | None = None
@@ -167,12 +175,14 @@ class _Body:
                 message = await self._receive()
         except TimeoutError:
             text = f"The body did not come within {self._seconds:g} s."
-            raise StudioError(408, "too-slow", text, "Try again.") from None
+            self.error = StudioError(408, "too-slow", text, "Try again.")
+            raise self.error from None
         if message["type"] == "http.request":
             self._taken += len(message.get("body", b""))
             self._done = not message.get("more_body", False)
             if self._taken > self.limit:
-                raise self._too_large()
+                self.error = self._too_large()
+                raise self.error
         return message
 
     def _too_large(self) -> StudioError:
