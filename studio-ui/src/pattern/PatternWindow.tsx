@@ -2,7 +2,7 @@ import { useEffect, useLayoutEffect, useMemo, useRef } from "react";
 import { shownPattern, useStudio } from "../state/store";
 import { arranged, kept } from "./layout/arrangement";
 import { panelNames, panelOf, type Specification } from "./specification";
-import { fitAll, showTarget } from "./window/commands";
+import { arrangeAnew, aspectOf, fitAll, showTarget } from "./window/commands";
 import { FindingsList } from "./window/FindingsList";
 import { listenForGestures } from "./window/gestures";
 import { Inspector } from "./window/Inspector";
@@ -36,10 +36,7 @@ export function PatternWindow() {
           <p>Nothing is open. Describe a garment, choose an example, or open a pattern file.</p>
         </div>
       ) : (
-        <>
-          <Drawing specification={specification} />
-          <Inspector specification={specification} />
-        </>
+        <Drawing specification={specification} />
       )}
     </div>
   );
@@ -60,13 +57,12 @@ function Drawing({ specification }: { specification: Specification }) {
   const toScreen = `matrix(${scale} 0 0 ${-scale} ${-corner[0] * scale} ${corner[1] * scale})`;
   return (
     <div className="pattern-drawing">
-      {/* biome-ignore lint/a11y/useSemanticElements: a fieldset is no drawing. */}
-      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: the drawing takes keys, as its panels do. */}
       <svg
         ref={svg}
         className="pattern-sheet"
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: the drawing takes keys, as its panels do.
         tabIndex={0}
-        role="group"
+        role="application"
         aria-label={`Sewing pattern of ${panelNames(specification).length} panels`}
         style={{ "--cm-per-px": 1 / scale } as React.CSSProperties}
       >
@@ -81,6 +77,7 @@ function Drawing({ specification }: { specification: Specification }) {
         {message}
       </p>
       <FindingsList />
+      <Inspector specification={specification} />
     </div>
   );
 }
@@ -139,7 +136,7 @@ function useSize(svg: React.RefObject<SVGSVGElement | null>): void {
       const { set, size } = usePatternView.getState();
       const first = size[0] === 0;
       set({ size: [element.clientWidth, element.clientHeight] });
-      if (first) fitAll();
+      if (first) arrangeAnew();
     });
     observer.observe(element);
     return () => observer.disconnect();
@@ -150,9 +147,12 @@ function useSize(svg: React.RefObject<SVGSVGElement | null>): void {
 function useArrangement(specification: Specification): void {
   const document = useStudio((state) => state.history?.entries[0]?.id ?? null);
   useLayoutEffect(() => {
-    const { arrangement, arrangedFor, set } = usePatternView.getState();
+    const { arrangement, arrangedFor, size, set } = usePatternView.getState();
     const same = arrangedFor !== null && arrangedFor.document === document;
-    const next = same ? kept(arrangement, arrangedFor.specification, specification) : arranged(specification);
+    const aspect = aspectOf(size);
+    const next = same
+      ? kept(arrangement, arrangedFor.specification, specification, aspect)
+      : arranged(specification, aspect);
     set({ arrangement: next, arrangedFor: { document, specification } });
     const stays = Object.keys(next).some((name) => next[name] === arrangement[name]);
     if (!same || !stays) fitAll();

@@ -26,13 +26,14 @@ export type Arrangement = Readonly<Record<string, Place>>;
 const FONT = 2;
 const GAP = 5;
 
-/** All panels side by side on a sheet whose upper left corner is the origin. */
-export function arranged(specification: Specification): Arrangement {
+/** All panels side by side on a sheet whose upper left corner is the origin; `aspect`: its width over its height. */
+export function arranged(specification: Specification, aspect: number | null = null): Arrangement {
   const names = panelNames(specification);
   const placed = names.map((name) => placePanel(name, panelOf(specification, name), FONT));
   const { corners } = shelves(
     placed.map((p) => p.size),
     GAP,
+    aspect,
   );
   return Object.fromEntries(
     names.map((name, k) => {
@@ -47,7 +48,12 @@ export function arranged(specification: Specification): Arrangement {
  * The arrangement for another state of the pattern: panels that are known stay exactly where they are, renamed
  * ones too, and new ones go below. Where most of the panels are new, all are arranged anew.
  */
-export function kept(arrangement: Arrangement, before: Specification, after: Specification): Arrangement {
+export function kept(
+  arrangement: Arrangement,
+  before: Specification,
+  after: Specification,
+  aspect: number | null = null,
+): Arrangement {
   const names = panelNames(after);
   const renamed = renamedPanel(before, after);
   const known = (name: string): Place | undefined =>
@@ -55,7 +61,7 @@ export function kept(arrangement: Arrangement, before: Specification, after: Spe
   const missing = names.filter((name) => known(name) === undefined);
   const gone = panelNames(before).length - (names.length - missing.length);
   if (missing.length === 0 && gone === 0 && renamed === null) return arrangement;
-  if (2 * missing.length > names.length) return arranged(after);
+  if (2 * missing.length > names.length) return arranged(after, aspect);
   const places: Record<string, Place> = {};
   for (const name of names) {
     const place = known(name);

@@ -10,14 +10,15 @@ export interface Shelves {
   readonly sheet: Point;
 }
 
-/** Boxes `gap` apart, in their order but for height, on a sheet a little wider than high. */
-export function shelves(sizes: readonly Point[], gap: number): Shelves {
+/** Boxes `gap` apart, in their order but for height, on a sheet a little wider than high, or of a given aspect. */
+export function shelves(sizes: readonly Point[], gap: number, aspect: number | null = null): Shelves {
   if (sizes.length === 0) return { corners: [], sheet: [0, 0] };
   const total = sizes.reduce((sum, [w, h]) => sum + (w + gap) * (h + gap), 0);
   const widest = Math.max(...sizes.map(([w]) => w));
   let best: (Shelves & { cost: number }) | null = null;
-  const low = Math.max(widest, 0.9 * Math.sqrt(total));
-  const high = Math.max(widest, 2.2 * Math.sqrt(total));
+  const [tall, wide] = aspect === null ? [1 / 0.8, 1.8] : [aspect, aspect];
+  const low = Math.max(widest, 0.9 * Math.sqrt(total * (aspect === null ? 1 : Math.min(aspect, 1))));
+  const high = Math.max(widest, 2.2 * Math.sqrt(total * (aspect === null ? 1 : Math.max(aspect, 1))));
   for (let k = 0; k < 24; k++) {
     const strip = low * (high / low) ** (k / 23);
     const corners = fill(sizes, strip, gap);
@@ -26,7 +27,7 @@ export function shelves(sizes: readonly Point[], gap: number): Shelves {
       Math.max(...corners.map(([, y], n) => y + at(sizes, n)[1])),
     ];
     // Little empty space, and a shape between a square and a screen.
-    const shape = Math.max(sheet[0] / sheet[1] / 1.8, sheet[1] / sheet[0] / 0.8, 1);
+    const shape = Math.max(sheet[0] / sheet[1] / wide, (sheet[1] / sheet[0]) * tall, 1);
     const cost = sheet[0] * sheet[1] * shape;
     if (best === null || cost < best.cost * (1 - 1e-9)) best = { corners, sheet, cost };
   }

@@ -26,7 +26,7 @@ interface PanelShapeProps {
   onEnter: (panel: string) => void;
 }
 
-const LETTER_PX = 6.6;
+const LETTER_PX = 7.2;
 const NAME_PX = 12;
 const LONGEST_GRAIN_CM = 14;
 
@@ -37,7 +37,7 @@ export const PanelShape = memo(function PanelShape(props: PanelShapeProps) {
   const { middle, room } = useMemo(() => deepest(outlineOf(panel, 0.2)), [panel]);
   const free = marks.filter((mark) => mark.seam < 0).length;
   const roomPx = 2 * room * scale;
-  const namePx = Math.min(NAME_PX, (1.5 * roomPx * NAME_PX) / (LETTER_PX * name.length));
+  const namePx = Math.min(NAME_PX, (1.35 * roomPx * NAME_PX) / (LETTER_PX * name.length));
   const grain = Math.min(LONGEST_GRAIN_CM, 1.1 * room);
   return (
     // biome-ignore lint/a11y/useSemanticElements: SVG has no button.
@@ -72,7 +72,7 @@ export const PanelShape = memo(function PanelShape(props: PanelShapeProps) {
           strokeDasharray={mark.seam < 0 ? undefined : seamDash(mark.seam)}
         />
       ))}
-      {names && namePx >= 7.5 && (
+      {names && namePx >= 8 && (
         <>
           {roomPx > 60 && <Grain middle={middle} half={grain / 2} />}
           <Text place={place} point={middle} className="name" size={Math.max(namePx, 8)}>
@@ -82,7 +82,7 @@ export const PanelShape = memo(function PanelShape(props: PanelShapeProps) {
       )}
       {numbers &&
         marks.map((mark, edge) => {
-          if (mark.seam < 0 || mark.length * scale < 20) return null;
+          if (mark.seam < 0 || mark.length * scale < (mark.dart ? 64 : 38)) return null;
           return (
             <Text
               // biome-ignore lint/suspicious/noArrayIndexKey: an edge is its number.

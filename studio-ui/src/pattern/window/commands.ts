@@ -209,8 +209,13 @@ export function keepArrangement(arrangement: ReturnType<typeof arranged>): void 
 export function arrangeAnew(): void {
   const specification = shownSpecification();
   if (specification === null) return;
-  keepArrangement(arranged(specification));
+  keepArrangement(arranged(specification, aspectOf(usePatternView.getState().size)));
   fitAll();
+}
+
+/** Width over height of the window, which the sheet should have too; null before it is known. */
+export function aspectOf(size: Point): number | null {
+  return size[0] > 0 && size[1] > 0 ? size[0] / size[1] : null;
 }
 
 export function fitAll(): void {
