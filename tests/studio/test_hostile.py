@@ -191,7 +191,7 @@ def test_prompts_that_are_too_long_or_odd(client):
 
 
 def test_a_job_that_cannot_work_fails_in_words(client):
-    from conftest import follow  # ty: ignore[unresolved-import]
+    from running_studio import follow
 
     for pattern in ({}, {"pattern": []}, {"pattern": {"panels": {}, "stitches": []}}):
         job = client.post("/api/jobs", json={"kind": "drape", "pattern": pattern}).json()
@@ -273,7 +273,7 @@ def test_what_is_no_http(studio):
 
 
 def test_projects_with_something_wrong_in_them(client, dress):
-    from conftest import content_of  # ty: ignore[unresolved-import]
+    from running_studio import content_of
 
     good = content_of(dress)
     wrong = [

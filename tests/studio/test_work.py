@@ -13,8 +13,8 @@ from copy import deepcopy
 import numpy as np
 import pytest
 from PIL import Image
+from running_studio import content_of, follow
 
-from conftest import content_of, follow  # ty: ignore[unresolved-import]
 from swifttailor.pattern import read_specification
 from swifttailor.studio.mesh_record import unpack_mesh
 from swifttailor.studio.models.documents import Document

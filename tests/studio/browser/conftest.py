@@ -1,4 +1,4 @@
-"""A real browser on a real server: Debian's chromium, or another that $SWIFTTAILOR_CHROMIUM names, by Playwright.
+"""A real browser on a real server: Debian's chromium, or what $SWIFTTAILOR_CHROMIUM names, by Playwright.
 
 Where there is none, the tests are skipped, and say so; CI has one.
 """
