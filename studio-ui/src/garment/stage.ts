@@ -43,7 +43,11 @@ export class Stage {
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.minDistance = 25;
     this.controls.maxDistance = 1200;
-    this.controls.addEventListener("change", () => this.invalidate());
+    this.controls.addEventListener("change", () => {
+      const [at, to] = [this.camera.position, this.controls.target];
+      this.mark("camera", [...at.toArray(), ...to.toArray()].map((each) => each.toFixed(2)).join(" "));
+      this.invalidate();
+    });
     this.controls.addEventListener("start", () => cancelAnimationFrame(this.turning));
     this.light();
     this.floor();
@@ -64,6 +68,7 @@ export class Stage {
       this.beforeDraw();
       this.renderer.render(this.scene, this.camera);
       this.lastFrameMs = performance.now() - start;
+      this.mark("frameMs", this.lastFrameMs.toFixed(2));
     });
   }
 
@@ -108,6 +113,11 @@ export class Stage {
     this.controls.target.add(shift);
     this.controls.update();
     this.invalidate();
+  }
+
+  /** Says in the page what is drawn, for tests and the curious: `data-mesh` and such at the canvas. */
+  mark(name: string, value: string): void {
+    this.renderer.domElement.dataset[name] = value;
   }
 
   /** What is seen now, as a data URL. */

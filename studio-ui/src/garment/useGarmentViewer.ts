@@ -72,6 +72,7 @@ function followMesh(viewer: GarmentViewer): () => void {
         // A newer one may have been asked for meanwhile; it comes by itself.
         if (wanted !== name) return;
         viewer.showGarment(data, seamColors(data));
+        viewer.stage.mark("mesh", name);
         // Only another document moves the camera.
         const first = useStudio.getState().history?.entries[0]?.id;
         if (first !== document) viewer.frameAll(document !== undefined);
@@ -131,6 +132,7 @@ function followFrames(viewer: GarmentViewer): () => void {
       if (useSession.getState().frame !== frame) return;
       viewer.showGarment(data, seamColors(data));
       viewer.showFrame(frame.positions);
+      viewer.stage.mark("frame", String(frame.number));
     });
   });
 }

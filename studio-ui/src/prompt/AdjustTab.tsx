@@ -18,7 +18,7 @@ export function AdjustTab() {
       <DimensionSliders />
       {reading !== null && (
         <section className="block" aria-label="Features">
-          <h3>Features</h3>
+          <h2>Features</h2>
           <ChipList kind="made" chips={[...reading.made, ...reading.assumed]} />
           <ChipList kind="shown" chips={reading.shown} />
         </section>
@@ -67,7 +67,7 @@ function Instruct() {
       </form>
       {version !== null && version.changes.length + version.open.length > 0 && (
         <div className="changes" role="status">
-          <h4>What changed</h4>
+          <h3>What changed</h3>
           <ul>
             {version.changes.map((change) => (
               <li key={change} className="done">

@@ -16,9 +16,9 @@ export function ChipList({ kind, chips }: { kind: ChipKind; chips: Chip[] }) {
   const { title, about } = TITLES[kind];
   return (
     <section className="chip-list" aria-label={title}>
-      <h4>
+      <h3>
         {title} <span className="muted">{about}</span>
-      </h4>
+      </h3>
       <ul className="chips">
         {chips.map((chip) => (
           <li key={chip.id}>

@@ -94,7 +94,7 @@ function Read() {
   const some = KINDS.some((kind) => reading[kind].length > 0);
   return (
     <section className="block" aria-label="What was read" data-tour="chips">
-      <h3>What was read</h3>
+      <h2>What was read</h2>
       {version.prompt !== "" && <p className="quote">{version.prompt}</p>}
       {some ? (
         KINDS.map((kind) => <ChipList key={kind} kind={kind} chips={reading[kind]} />)
@@ -115,7 +115,7 @@ function Gallery() {
   if (examples.length === 0) return null;
   return (
     <section className="block" aria-label="Examples">
-      <h3>Examples</h3>
+      <h2>Examples</h2>
       <ul className="gallery">
         {examples.map((example) => (
           <li key={example.id}>

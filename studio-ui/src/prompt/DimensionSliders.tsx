@@ -23,9 +23,9 @@ export function DimensionSliders() {
   if (shown.length === 0) return null;
   return (
     <section className="block" aria-label="Dimensions" data-tour="sliders">
-      <h3>
+      <h2>
         Dimensions <span className="muted">{units === "cm" ? "in cm" : "in inches"}</span>
-      </h3>
+      </h2>
       {GROUPS.map(([group, title]) => {
         const own = shown.filter((dimension) => dimension.group === group);
         if (own.length === 0) return null;

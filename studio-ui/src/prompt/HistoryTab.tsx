@@ -12,7 +12,7 @@ export function HistoryTab() {
   return (
     <section className="block first" aria-label="History">
       <div className="row">
-        <h3>History</h3>
+        <h2>History</h2>
         <div className="spring" />
         <button
           type="button"

@@ -37,7 +37,7 @@ const DEFAULTS: DisplayOptions = {
   seams: true,
   layout: "both",
   sidebar: true,
-  sidebarWidth: window.innerWidth < 1200 ? 288 : 336,
+  sidebarWidth: window.innerWidth < 1200 ? 272 : 336,
   split: 0.5,
 };
 
