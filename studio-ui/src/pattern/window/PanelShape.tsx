@@ -72,7 +72,7 @@ export const PanelShape = memo(function PanelShape(props: PanelShapeProps) {
           strokeDasharray={mark.seam < 0 ? undefined : seamDash(mark.seam)}
         />
       ))}
-      {names && namePx >= 8 && (
+      {names && namePx >= 8.5 && (
         <>
           {roomPx > 60 && <Grain middle={middle} half={grain / 2} />}
           <Text place={place} point={middle} className="name" size={Math.max(namePx, 8)}>

@@ -40,10 +40,11 @@ import {
 } from "../specification";
 import { perform, shownSpecification } from "./document";
 import { usePatternView } from "./pattern-view-state";
-import { fitted } from "./view";
+import { fitted, type Margins } from "./view";
 
-const FIT_MARGIN = 48;
-const FOCUS_MARGIN = 120;
+/** Rulers lie along the top and the left, measures along the bottom. */
+const FIT_MARGIN: Margins = { top: 36, right: 18, bottom: 70, left: 36 };
+const FOCUS_MARGIN: Margins = { top: 120, right: 90, bottom: 150, left: 110 };
 /** A place is looked at from no nearer than this, px per cm. */
 const FOCUS_NEAREST = 40;
 

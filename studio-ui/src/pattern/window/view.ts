@@ -36,17 +36,28 @@ export function panned(view: View, by: Point): View {
   };
 }
 
-/** The view that shows a box in the middle of a window, with a margin in px, no nearer than `nearest` px/cm. */
-export function fitted(box: Box, size: Point, margin: number, nearest = NEAREST): View {
+/** Room to leave along the sides of the window, px. */
+export interface Margins {
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+  readonly left: number;
+}
+
+/** The view that shows a box in the middle of what the margins leave, no nearer than `nearest` px per cm. */
+export function fitted(box: Box, size: Point, margins: Margins, nearest = NEAREST): View {
   const [width, height] = boxSize(box);
-  const free = [Math.max(size[0] - 2 * margin, 20), Math.max(size[1] - 2 * margin, 20)] as const;
+  const free = [
+    Math.max(size[0] - margins.left - margins.right, 20),
+    Math.max(size[1] - margins.top - margins.bottom, 20),
+  ] as const;
   const fit = Math.min(free[0] / Math.max(width, 1e-3), free[1] / Math.max(height, 1e-3));
   const scale = Math.min(Math.max(fit, FARTHEST), nearest);
   return {
     scale,
     corner: [
-      (box.low[0] + box.high[0]) / 2 - size[0] / scale / 2,
-      (box.low[1] + box.high[1]) / 2 + size[1] / scale / 2,
+      (box.low[0] + box.high[0]) / 2 - (margins.left + free[0] / 2) / scale,
+      (box.low[1] + box.high[1]) / 2 + (margins.top + free[1] / 2) / scale,
     ],
   };
 }
@@ -55,7 +66,7 @@ export function fitted(box: Box, size: Point, margin: number, nearest = NEAREST)
 export function gridStep(scale: number, unitCm: number, px: number, halves: boolean): number {
   const least = px / scale / unitCm;
   if (halves) {
-    // Inches are halved down to eighths, and grow by twelves' friends 1, 2, 6, 12, 60.
+    // Inches are halved down to eighths.
     for (const step of [1 / 8, 1 / 4, 1 / 2, 1, 2, 6, 12, 60, 120]) if (step >= least) return step * unitCm;
     return 600 * unitCm;
   }
