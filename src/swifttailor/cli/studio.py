@@ -66,7 +66,10 @@ class Studio:
             if self.open:
                 _open_browser(address)
 
-        serve(listening, host=self.host, projects=projects, token=token, started=started)
+        try:
+            serve(listening, host=self.host, projects=projects, token=token, started=started)
+        except KeyboardInterrupt:  # the usual end
+            sys.stdout.write("The studio is closed.\n")
         return 0
 
     def _validate(self) -> None:

@@ -49,7 +49,9 @@ class Studio:
         self.quick = QuickLane(
             Worker(warm=False), most_waiting=limits.quick_waiting, time_limit=limits.quick_seconds
         )
-        self.jobs = JobQueue(Worker(), self.meshes, most_waiting=limits.queue, time_limit=limits.job_seconds)
+        self.jobs = JobQueue(
+            Worker(patient=True), self.meshes, most_waiting=limits.queue, time_limit=limits.job_seconds
+        )
         self.pictures = PictureStore(limits.files)
         self.projects = ProjectStore(projects)
         self.saving = asyncio.Lock()

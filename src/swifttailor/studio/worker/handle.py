@@ -44,13 +44,14 @@ class StoppedError(Exception):
 class Worker:
     """One process. All methods are called on the server's event loop."""
 
-    def __init__(self, *, warm: bool = True) -> None:
+    def __init__(self, *, warm: bool = True, patient: bool = False) -> None:
         """Nothing is started yet.
 
         Args:
             warm: Whether networks are loaded before the first task.
+            patient: Whether it gives way to others where processors are short.
         """
-        self._warm = warm
+        self._warm, self._patient = warm, patient
         self._process: Any = None
         self._connection: Connection | None = None
         self._messages: asyncio.Queue[Message] = asyncio.Queue()
@@ -70,7 +71,9 @@ class Worker:
             return
         context = multiprocessing.get_context("spawn")
         ours, theirs = context.Pipe()
-        self._process = context.Process(target=process.live, args=(theirs, self._warm), daemon=True)
+        self._process = context.Process(
+            target=process.live, args=(theirs, self._warm, self._patient), daemon=True
+        )
         with single_threaded():
             self._process.start()
         theirs.close()

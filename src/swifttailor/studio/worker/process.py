@@ -11,10 +11,11 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-READY, FINISHED = "ready", "finished"
+READY = "ready"
+_PATIENCE = 8
 
 
-def live(connection: Connection, warm: bool) -> None:
+def live(connection: Connection, warm: bool, patient: bool) -> None:
     """Works until the server goes.
 
     Args:
@@ -22,10 +23,13 @@ def live(connection: Connection, warm: bool) -> None:
             them are tuples: ("stage", name, share), ("meshes", records), ("frame", mesh, bytes), and last
             ("done", answer, records), ("stopped", answer, records) or ("refused", error).
         warm: Whether networks are loaded before the first task.
+        patient: Whether it gives way to others where processors are short.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server decides what Ctrl-C means
     threading.Thread(target=_end_with_parent, daemon=True).start()
     _die_first_without_memory()
+    if patient and hasattr(os, "nice"):
+        os.nice(_PATIENCE)
     logging.basicConfig(level=logging.WARNING)
     from swifttailor.studio.bench.tasks import TASKS, warm_up
 
