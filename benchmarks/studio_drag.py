@@ -3,8 +3,8 @@
     .venv/bin/python benchmarks/studio_drag.py [--seconds 20] [--rate 5]
 
 Starts a server of its own and does what the client does: the hem of an example moves with the clock, at most
-one request is under way, the newest state follows, and a state is done when its mesh has been fetched. Measured
-is the time from the state to its mesh; states that were overtaken are counted.
+one request is under way, the newest state follows, and a state is done when its mesh has been fetched. Times
+are from a state to its mesh; states that were overtaken are counted.
 """
 
 from __future__ import annotations
