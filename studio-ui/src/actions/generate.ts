@@ -38,7 +38,8 @@ export async function generate(): Promise<void> {
 export function openMade(document: Document): void {
   useSession.getState().set({ variants: null });
   useDisplay.getState().change({ clothColor: null });
-  newProject(document.title.charAt(0).toUpperCase() + document.title.slice(1));
+  const title = document.prompt === "" ? "Garment from a picture" : document.title;
+  newProject(title.charAt(0).toUpperCase() + title.slice(1));
   useStudio
     .getState()
     .open(document.prompt !== "" ? "Made from words" : "Made from a picture", versionOf(document));

@@ -44,7 +44,7 @@ export function DrapeBar() {
         Drape
       </Button>
       <div className="spring" />
-      {version?.quality !== null && version !== null && (
+      {!busy && version !== null && version.quality !== null && (
         <span
           className={version.quality.accepted ? "quality ok" : "quality warning"}
           title={version.quality.reasons.join("; ")}

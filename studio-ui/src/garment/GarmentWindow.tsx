@@ -106,7 +106,15 @@ function State() {
   const lastSewn = useSession((state) => state.lastSewn);
   const version = useStudio(currentVersion);
   const draft = useStudio((state) => state.draft);
+  const job = useSession((state) => state.job);
   if (version === null) return null;
+  if (job?.kind === "drape" || job?.kind === "finish")
+    return (
+      <div className="stage-note" role="status" data-state="moving">
+        <span className="pulse on" aria-hidden="true" />
+        {job.kind === "drape" ? "Draping …" : "Finishing …"}
+      </div>
+    );
   if (unsewable !== null)
     return (
       <div className="stage-note warning" role="status">
@@ -141,13 +149,12 @@ function StrainLegend() {
   const high = STRAIN_STOPS.at(-1)?.[0] ?? 1;
   return (
     <figure className="legend">
-      <figcaption>Strain: how much the cloth is stretched</figcaption>
+      <figcaption>How much the cloth is stretched</figcaption>
       <div className="legend-bar" style={{ background: strainGradient() }} />
       <div className="legend-marks" aria-hidden="true">
-        {[-0.05, 0, 0.05, 0.12, 0.25].map((mark) => (
+        {[0, 0.05, 0.12, 0.25].map((mark) => (
           <span key={mark} style={{ left: `${(100 * (mark - low)) / (high - low)}%` }}>
-            {mark < 0 ? "−" : ""}
-            {Math.abs(Math.round(100 * mark))} %
+            {Math.round(100 * mark)} %
           </span>
         ))}
       </div>
