@@ -21,7 +21,8 @@ from swifttailor.pattern.garmentcode_reader import MAX_EDGES, MAX_PANELS
 from swifttailor.studio.bench.claim_labels import claim_options, dimension_options
 from swifttailor.studio.bench.documents import tailored_document
 from swifttailor.studio.body_mesh import body_record
-from swifttailor.studio.compact_mesh import shrink
+from swifttailor.studio.compact_mesh import expand, shrink
+from swifttailor.studio.mesh_record import name_of
 from swifttailor.studio.shipped import BODY, DOCUMENT, FOLDER, MESH, OPTIONS, THUMBNAIL
 
 EXAMPLES = {
@@ -62,23 +63,27 @@ def main() -> None:
     FOLDER.mkdir(exist_ok=True)
     for path in FOLDER.iterdir():
         path.unlink()
-    (FOLDER / BODY).write_bytes(shrink(body_record().data))
-    tailor = Tailor.load()
-    for name, (title, prompt, seed) in EXAMPLES.items():
-        made = tailor.generate(prompt, seed=seed, edge_length=EDGE_LENGTH, finish=True)
-        work = tailored_document(made, origin="example", prompt=prompt, edge_length=EDGE_LENGTH, title=title)
-        (FOLDER / f"{name}{DOCUMENT}").write_bytes(packed(work.answer))
-        (FOLDER / f"{name}{MESH}").write_bytes(shrink(work.meshes[0].data))
-        (FOLDER / f"{name}{THUMBNAIL}").write_bytes(thumbnail(made))
-        size = sum(p.stat().st_size for p in FOLDER.glob(f"{name}.*"))
-        print(f"{name}: {size / 1000:.0f} kB; {made.report['quality']['accepted']}; {'; '.join(made.notes)}")
+    body = shrink(body_record().data)
+    (FOLDER / BODY).write_bytes(body)
     options = {
         "examples": list(EXAMPLES),
+        "body": name_of(expand(body)),
         "claims": claim_options(),
         "dimensions": dimension_options(),
         "of_patterns": {"panels": MAX_PANELS, "edges": MAX_EDGES},
     }
-    (FOLDER / OPTIONS).write_bytes(packed(options))
+    (FOLDER / OPTIONS).write_bytes(packed(options))  # documents name the body
+    tailor = Tailor.load()
+    for name, (title, prompt, seed) in EXAMPLES.items():
+        made = tailor.generate(prompt, seed=seed, edge_length=EDGE_LENGTH, finish=True)
+        work = tailored_document(made, origin="example", prompt=prompt, edge_length=EDGE_LENGTH, title=title)
+        mesh = shrink(work.meshes[0].data)
+        document = work.answer | {"mesh": name_of(expand(mesh))}
+        (FOLDER / f"{name}{DOCUMENT}").write_bytes(packed(document))
+        (FOLDER / f"{name}{MESH}").write_bytes(mesh)
+        (FOLDER / f"{name}{THUMBNAIL}").write_bytes(thumbnail(made))
+        size = sum(p.stat().st_size for p in FOLDER.glob(f"{name}.*"))
+        print(f"{name}: {size / 1000:.0f} kB; {made.report['quality']['accepted']}; {'; '.join(made.notes)}")
     total = sum(path.stat().st_size for path in FOLDER.iterdir())
     print(f"{total / 1000:.0f} kB in all")
 

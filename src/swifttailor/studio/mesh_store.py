@@ -10,26 +10,19 @@ MOST_BYTES = 192 * 2**20
 
 
 class MeshStore:
-    """Keeps the meshes that were used last; those that are pinned, always."""
+    """Keeps the meshes that were used last."""
 
     def __init__(self, most_bytes: int = MOST_BYTES) -> None:
         """It is empty.
 
         Args:
-            most_bytes: Of what is not pinned.
+            most_bytes: Of all together.
         """
         self._most, self._bytes = most_bytes, 0
         self._records: OrderedDict[str, MeshRecord] = OrderedDict()
-        self._pinned: dict[str, MeshRecord] = {}
-
-    def pin(self, record: MeshRecord) -> None:
-        """Keeps a mesh for good."""
-        self._pinned[record.name] = record
 
     def add(self, record: MeshRecord) -> None:
         """Keeps a mesh, and drops those that were not used for longest where there are too many."""
-        if record.name in self._pinned:
-            return
         before = self._records.pop(record.name, None)
         self._bytes += record.size - (before.size if before else 0)
         self._records[record.name] = record
@@ -39,13 +32,11 @@ class MeshStore:
 
     def find(self, name: str) -> MeshRecord | None:
         """A mesh by its name; None where it was dropped or never was."""
-        if name in self._pinned:
-            return self._pinned[name]
         if name in self._records:
             self._records.move_to_end(name)
         return self._records.get(name)
 
     @property
     def size(self) -> int:
-        """Bytes of what is not pinned."""
+        """Bytes of all."""
         return self._bytes

@@ -14,10 +14,12 @@ from swifttailor.studio.mesh_record import MeshRecord
 from swifttailor.studio.mesh_store import MeshStore
 from swifttailor.studio.pictures import PictureStore
 from swifttailor.studio.project_store import ProjectStore
-from swifttailor.studio.shipped import shipped_body, shipped_examples, shipped_options
+from swifttailor.studio.shipped import shipped_examples, shipped_options
 from swifttailor.studio.worker.handle import Result, Worker
 from swifttailor.studio.worker.lane import LiveLane, QuickLane
 
+_FIRST_PAGE_SECONDS = 0.5
+"""That a browser has the processors for itself, about."""
 FABRICS = ("cotton", "denim", "silk", "jersey")
 _FORMATS = (
     ("json", "GarmentCode pattern", "pattern"),
@@ -55,6 +57,7 @@ class Studio:
         self.pictures = PictureStore(limits.files)
         self.projects = ProjectStore(projects)
         self.saving = asyncio.Lock()
+        self._starting: asyncio.Future[None] | None = None
         self.streams = 0
         """Event streams that are open."""
 
@@ -64,15 +67,19 @@ class Studio:
         return self.live.worker, self.quick.worker, self.jobs.worker
 
     async def start(self) -> None:
-        """Starts the workers; networks load in the background."""
-        self.meshes.pin(shipped_body())
-        for example in shipped_examples().values():
-            self.meshes.pin(example.mesh)
+        """Begins to start the workers, one after the other, when the first page is through."""
+        self._starting = asyncio.ensure_future(self._start())
+
+    async def _start(self) -> None:
+        await asyncio.sleep(_FIRST_PAGE_SECONDS)
         for worker in self.workers:
             worker.start()
+            await worker.wait_until_ready()
 
     async def close(self) -> None:
         """Ends the workers, once what is being saved is saved."""
+        if self._starting is not None:
+            self._starting.cancel()
         async with self.saving:
             for worker in self.workers:
                 worker.close()
@@ -94,7 +101,12 @@ class Studio:
 
     def mesh(self, name: str | None) -> MeshRecord | None:
         """A mesh by its name, where it is there."""
-        return None if name is None else self.meshes.find(name)
+        if name is None:
+            return None
+        found = self.meshes.find(name)
+        if found is None:
+            found = next((e.mesh for e in shipped_examples().values() if e.document["mesh"] == name), None)
+        return found
 
     def formats(self) -> list[dict[str, str]]:
         """What can be exported here, `models.projects.FormatInfo`."""
@@ -121,7 +133,7 @@ class Studio:
             "dimensions": options["dimensions"],
             "fabrics": list(FABRICS),
             "formats": formats,
-            "body": shipped_body().name,
+            "body": options["body"],
             "ready": all(worker.ready for worker in self.workers),
             "notices": notices,
         }

@@ -8,12 +8,12 @@ from __future__ import annotations
 import gzip
 import json
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
 from swifttailor.studio.compact_mesh import expand
-from swifttailor.studio.mesh_record import MeshRecord, name_of
+from swifttailor.studio.mesh_record import MeshRecord
 
 FOLDER = Path(__file__).with_name("shipped_data")
 OPTIONS, BODY = "options.json.gz", "body.mesh.gz"
@@ -27,9 +27,18 @@ class ShippedExample:
     id: str
     document: dict[str, Any]
     """`models.documents.Document`."""
-    mesh: MeshRecord
-    thumbnail: bytes
-    """image/webp."""
+
+    @cached_property
+    def mesh(self) -> MeshRecord:
+        """Its garment."""
+        document, data = self.document, expand((FOLDER / f"{self.id}{MESH}").read_bytes())
+        pattern = json.dumps(document["pattern"], separators=(",", ":"))
+        return MeshRecord(document["mesh"], data, pattern, document["edge_length"], {}, document["color"])
+
+    @cached_property
+    def thumbnail(self) -> bytes:
+        """Its picture, image/webp."""
+        return (FOLDER / f"{self.id}{THUMBNAIL}").read_bytes()
 
     def to_json(self) -> dict[str, str]:
         """As `models.projects.Example`."""
@@ -39,27 +48,23 @@ class ShippedExample:
 
 @cache
 def shipped_options() -> dict[str, Any]:
-    """``claims`` and ``dimensions`` of `bench.claim_labels`; ``of_patterns``, limits of their reader."""
+    """Ids of the ``examples``, name of the ``body``; ``claims`` and ``dimensions`` that can be chosen.
+
+    Also ``of_patterns``: how many panels and edges their reader accepts.
+    """
     return json.loads(gzip.decompress((FOLDER / OPTIONS).read_bytes()))
 
 
 @cache
 def shipped_body() -> MeshRecord:
     """The default body."""
-    data = expand((FOLDER / BODY).read_bytes())
-    return MeshRecord(name_of(data), data)
+    return MeshRecord(shipped_options()["body"], expand((FOLDER / BODY).read_bytes()))
 
 
 @cache
 def shipped_examples() -> dict[str, ShippedExample]:
     """All examples by id, in the order of the gallery."""
-    found = {}
-    for name in shipped_options()["examples"]:
-        document = json.loads(gzip.decompress((FOLDER / f"{name}{DOCUMENT}").read_bytes()))
-        data = expand((FOLDER / f"{name}{MESH}").read_bytes())
-        pattern = json.dumps(document["pattern"], separators=(",", ":"))
-        mesh = MeshRecord(name_of(data), data, pattern, document["edge_length"], {}, document["color"])
-        document |= {"mesh": mesh.name, "body": shipped_body().name, "origin": "example"}
-        thumbnail = (FOLDER / f"{name}{THUMBNAIL}").read_bytes()
-        found[name] = ShippedExample(name, document, mesh, thumbnail)
-    return found
+    return {
+        name: ShippedExample(name, json.loads(gzip.decompress((FOLDER / f"{name}{DOCUMENT}").read_bytes())))
+        for name in shipped_options()["examples"]
+    }

@@ -88,7 +88,7 @@ class Guard:
             answer = body.error.response()
             answer.headers["Connection"] = "close"  # what may still come of the request is not read
             body.error = None
-            await answer(scope, receive, with_headers)  # ty: ignore[invalid-argument-type]
+            await answer(scope, receive, with_headers)
 
     def _look_at(self, scope: Scope, headers: dict[str, str]) -> None:
         self._require_host(headers.get("host", ""))

@@ -11,7 +11,7 @@ from swifttailor.studio.app.guard import COOKIE
 from swifttailor.studio.app.studio_of import studio_of
 from swifttailor.studio.models.documents import Document
 from swifttailor.studio.models.projects import State
-from swifttailor.studio.shipped import ShippedExample, shipped_body, shipped_examples
+from swifttailor.studio.shipped import ShippedExample, shipped_body, shipped_examples, shipped_options
 
 MESH_TYPE = "application/octet-stream"
 _FOR_EVER = "private, max-age=31536000, immutable"
@@ -67,12 +67,11 @@ async def mesh(name: str, request: Request) -> Response:
 @api.get("/body/{name}", response_class=Response, responses=_BINARY)
 async def body(name: str, request: Request) -> Response:
     """Who wears it."""
-    record = shipped_body()
-    if name != record.name:
+    if name != shipped_options()["body"]:
         raise StudioError(
             404, "not-found", "There is no such body.", "GET /api/state names the one there is."
         )
-    return Response(record.data, media_type=MESH_TYPE, headers={"Cache-Control": _FOR_EVER})
+    return Response(shipped_body().data, media_type=MESH_TYPE, headers={"Cache-Control": _FOR_EVER})
 
 
 def _example(name: str) -> ShippedExample:

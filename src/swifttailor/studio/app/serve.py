@@ -91,7 +91,7 @@ def serve(
     app = make_application(projects, token=token, hosts=hosts, limits=limits)
     _WatchfulProtocol.seconds = limits.header_seconds
     config = uvicorn.Config(
-        app,  # ty: ignore[invalid-argument-type]
+        app,
         http=_WatchfulProtocol,
         ws="none",
         lifespan="on",

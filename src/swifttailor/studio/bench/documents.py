@@ -14,7 +14,7 @@ from swifttailor.studio.bench.chips import EMPTY_READING, reading_of, shown_chip
 from swifttailor.studio.bench.mesh_files import garment_record
 from swifttailor.studio.bench.pattern_facts import check, finding_infos, seam_infos
 from swifttailor.studio.mesh_record import MeshRecord
-from swifttailor.studio.shipped import shipped_body
+from swifttailor.studio.shipped import shipped_options
 from swifttailor.studio.worker.refusal import refusal_of
 from swifttailor.tailor.order import one_line
 from swifttailor.tailor.reading import facts_of
@@ -75,7 +75,7 @@ def document(
         "seams": seam_infos(pattern, findings),
         "mesh": None if record is None else record.name,
         "unsewable": None,
-        "body": shipped_body().name,
+        "body": shipped_options()["body"],
         "reading": EMPTY_READING | {"shown": shown_chips(facts)},
         "dimensions": sliders(facts),
         "description": caption(facts),

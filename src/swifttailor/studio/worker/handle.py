@@ -83,6 +83,12 @@ class Worker:
         reader = (ours, asyncio.get_running_loop(), self._generation)
         threading.Thread(target=self._read, args=reader, daemon=True).start()
 
+    async def wait_until_ready(self, seconds: float = 120.0) -> None:
+        """Waits until its networks are loaded, or for so long."""
+        end = time.monotonic() + seconds
+        while not self.ready and self._process is not None and time.monotonic() < end:
+            await asyncio.sleep(0.05)
+
     def kill(self) -> None:
         """Ends the process, whatever it does."""
         if self._process is None:
