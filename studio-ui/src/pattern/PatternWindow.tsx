@@ -1,4 +1,4 @@
-import { useEffect, useLayoutEffect, useMemo, useRef } from "react";
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "react";
 import { shownPattern, useStudio } from "../state/store";
 import { arranged, kept } from "./layout/arrangement";
 import { panelNames, panelOf, type Specification } from "./specification";
@@ -14,6 +14,8 @@ import { Grid, Rulers } from "./window/Sheet";
 import { type EdgeMark, seamMarks } from "./window/seam-marks";
 import { Toolbar } from "./window/Toolbar";
 import "./pattern.css";
+
+const SETTLED_MS = 90;
 
 /** The flat pattern: looked at, measured and changed. */
 export function PatternWindow() {
@@ -54,6 +56,7 @@ function Drawing({ specification }: { specification: Specification }) {
     if (focus !== null) showTarget(focus.target);
   }, [focus]);
   const { scale, corner } = view;
+  const settled = useSettled(scale);
   const toScreen = `matrix(${scale} 0 0 ${-scale} ${-corner[0] * scale} ${corner[1] * scale})`;
   return (
     <div className="pattern-drawing">
@@ -64,11 +67,11 @@ function Drawing({ specification }: { specification: Specification }) {
         tabIndex={0}
         role="application"
         aria-label={`Sewing pattern of ${panelNames(specification).length} panels`}
-        style={{ "--cm-per-px": 1 / scale } as React.CSSProperties}
+        style={{ "--cm-per-px": 1 / settled } as React.CSSProperties}
       >
         <Grid {...{ view, size, units }} />
         <g transform={toScreen}>
-          <Panels specification={specification} />
+          <Panels specification={specification} settled={settled} />
         </g>
         <Rulers {...{ view, size, units }} />
       </svg>
@@ -82,10 +85,10 @@ function Drawing({ specification }: { specification: Specification }) {
   );
 }
 
-function Panels({ specification }: { specification: Specification }) {
+function Panels({ specification, settled }: { specification: Specification; settled: number }) {
   const arrangement = usePatternView((state) => state.arrangement);
-  // Steps of the scale at which labels appear, so that a pinch does not draw all panels anew.
-  const scale = usePatternView((state) => 2 ** (Math.round(2 * Math.log2(state.view.scale)) / 2));
+  // Labels appear in steps, so that a little zoom does not draw all panels anew.
+  const scale = 2 ** (Math.round(2 * Math.log2(settled)) / 2);
   const numbers = usePatternView((state) => state.numbers);
   const names = usePatternView((state) => state.names);
   const theme = useStudio((state) => state.theme);
@@ -114,6 +117,16 @@ function Panels({ specification }: { specification: Specification }) {
       <Overlay specification={specification} arrangement={arrangement} />
     </>
   );
+}
+
+/** A value once it has not changed for a moment: while one zooms, labels grow with the sheet. */
+function useSettled(value: number): number {
+  const [settled, setSettled] = useState(value);
+  useEffect(() => {
+    const timer = setTimeout(() => setSettled(value), SETTLED_MS);
+    return () => clearTimeout(timer);
+  }, [value]);
+  return settled;
 }
 
 function onFocus(panel: string): void {

@@ -64,8 +64,7 @@ class PatternDrawing:
 
     def scale(self) -> float:
         """Pixels per cm."""
-        sheet = "getComputedStyle(document.querySelector('.pattern-sheet'))"
-        return 1 / float(self.page.evaluate(f"() => {sheet}.getPropertyValue('--cm-per-px')"))
+        return self.page.evaluate("() => document.querySelector('.panel').parentElement.getScreenCTM().a")
 
     def drag(self, start: tuple[float, float], by_cm: tuple[float, float], *, steps: int = 8) -> str:
         """Drags by so many cm to the right and down; returns what the window read off before letting go."""

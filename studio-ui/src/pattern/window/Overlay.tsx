@@ -1,5 +1,5 @@
 import type { Target } from "../../state/selection";
-import { useStudio } from "../../state/store";
+import { currentVersion, useStudio } from "../../state/store";
 import { lengthText } from "../../state/units";
 import { bendHandlesOf } from "../edits/bend-handles";
 import { mirroredEdge, mirroredVertex } from "../edits/mirror";
@@ -24,7 +24,9 @@ export function Overlay({ specification, arrangement }: OverlayProps) {
   const mirror = usePatternView((state) => state.mirror);
   const shown = hover !== null && isThere(hover, specification) ? hover : null;
   const active = activePanels(specification, selection);
-  const opposite = mirror ? mirroredTargets(specification, selection) : [];
+  // What mirrors what does not change while something is dragged, and takes a while to find.
+  const version: Specification = useStudio((state) => currentVersion(state)?.pattern) ?? specification;
+  const opposite = mirror ? mirroredTargets(version, selection).filter((t) => isThere(t, specification)) : [];
   return (
     <g className="overlay">
       {shown !== null && <Highlight {...{ specification, arrangement }} target={shown} look="hover" />}
@@ -68,6 +70,7 @@ function activePanels(specification: Specification, selection: readonly Target[]
 
 function mirroredTargets(specification: Specification, selection: readonly Target[]): Target[] {
   return selection.flatMap((target): Target[] => {
+    if (!isThere(target, specification)) return [];
     if (target.kind === "edge") {
       const edge = mirroredEdge(specification, target);
       return edge === null ? [] : [{ kind: "edge", ...edge }];

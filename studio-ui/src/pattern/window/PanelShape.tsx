@@ -26,7 +26,7 @@ interface PanelShapeProps {
   onEnter: (panel: string) => void;
 }
 
-const LETTER_PX = 7.2;
+const LETTER_PX = 7.8;
 const NAME_PX = 12;
 const LONGEST_GRAIN_CM = 14;
 

@@ -27,8 +27,10 @@ export interface Snapped {
   readonly guides: readonly Omit<Guide, "panel">[];
 }
 
-/** Snaps a point within `reach` cm. Equal lengths come first, then other points and the drag's start, then the grid. */
+/** Snaps a point within `reach` cm: to its start, to equal lengths, to the level of other points, to the grid. */
 export function snapPoint(point: Point, targets: SnapTargets, reach: number): Snapped {
+  // Back where it was: the hand has thought better of it.
+  if (distance(point, targets.origin) <= reach / 2) return { point: targets.origin, guides: [] };
   for (const { center, radius, label } of targets.circles) {
     const away = subtract(point, center);
     if (Math.abs(Math.hypot(...away) - radius) > reach || radius === 0) continue;
