@@ -4,6 +4,7 @@ import { versionOf } from "../state/document";
 import { randomSeed, usePrompt } from "../state/prompt";
 import { notify, useSession } from "../state/session";
 import { useStudio } from "../state/store";
+import { sentenceCase } from "../ui/sentence-case";
 import { runJob } from "./jobs";
 import { newProject } from "./projects";
 
@@ -39,7 +40,7 @@ export function openMade(document: Document): void {
   useSession.getState().set({ variants: null });
   useDisplay.getState().change({ clothColor: null });
   const title = document.prompt === "" ? "Garment from a picture" : document.title;
-  newProject(title.charAt(0).toUpperCase() + title.slice(1));
+  newProject(sentenceCase(title));
   useStudio
     .getState()
     .open(document.prompt !== "" ? "Made from words" : "Made from a picture", versionOf(document));

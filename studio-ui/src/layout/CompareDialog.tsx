@@ -11,6 +11,7 @@ import { lengthText, trimmed, type Units } from "../state/units";
 import { Button } from "../ui/Button";
 import { Dialog } from "../ui/Dialog";
 import { PatternThumbnail } from "../ui/PatternThumbnail";
+import { sentenceCase } from "../ui/sentence-case";
 import { cameraLink } from "./camera-link";
 
 /** Two versions side by side, turned together, with what differs between them. */
@@ -183,7 +184,7 @@ function dimensionRows(a: Version, b: Version, units: Units): [string, string, s
     const sign = by > 0 ? "+" : "";
     return [
       [
-        after.about,
+        sentenceCase(after.name),
         written(before.value, after.unit),
         written(after.value, after.unit),
         sign + written(by, after.unit),

@@ -3,6 +3,7 @@ import { slideEnds, slideTo } from "../actions/alter";
 import type { DimensionInfo } from "../api/types";
 import { currentVersion, useStudio } from "../state/store";
 import { fromCm, lengthText, toCm, trimmed, type Units } from "../state/units";
+import { sentenceCase } from "../ui/sentence-case";
 
 const GROUPS: [string, string][] = [
   ["length", "Length"],
@@ -50,8 +51,8 @@ function DimensionSlider({ dimension, units }: { dimension: DimensionInfo; units
     setMoved(null);
   }
   const value = moved ?? dimension.value;
-  const name = dimension.name.charAt(0).toUpperCase() + dimension.name.slice(1);
-  const about = dimension.about.charAt(0).toUpperCase() + dimension.about.slice(1);
+  const name = sentenceCase(dimension.name);
+  const about = sentenceCase(dimension.about);
   const label = (at: number) => `${name}: ${valueText(at, dimension, units)}`;
   const inUnits = dimension.unit === "cm";
   const typed = inUnits ? fromCm(value, units) : value;
