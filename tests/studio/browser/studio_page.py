@@ -67,9 +67,9 @@ class StudioPage:
         self.wait_for_work()
 
     def chip(self, label: str):
-        """The chip of what was read about this, such as "hem"."""
+        """The chip of the word that was read about this, such as "hem"; not that of a length."""
         return self.page.get_by_role("region", name="What was read").get_by_role(
-            "button", name=re.compile(f"^{label}:")
+            "button", name=re.compile(f"^{label}: [a-z]")
         )
 
     def choose(self, label: str, value: str) -> None:

@@ -20,15 +20,11 @@ def check(page):
         # By the debugger, not as a script of the page: its content security policy allows none.
         page.evaluate(AXE.read_text())
         found = page.evaluate("() => axe.run(document, {resultTypes: ['violations']})")
-        faults = [
-            {
-                "rule": each["id"],
-                "impact": each["impact"],
-                "at": [node["html"][:160] for node in each["nodes"][:4]],
-            }
+        return [
+            f"{each['id']} ({each['impact']}): {node['html'][:160]} {node['failureSummary'][:200]}"
             for each in found["violations"]
+            for node in each["nodes"][:4]
         ]
-        return json.dumps(faults, indent=1) if faults else ""
 
     return run
 

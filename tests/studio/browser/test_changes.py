@@ -26,6 +26,7 @@ def test_an_instruction_changes_the_garment_and_the_two_are_compared(studio_page
     changes.get_by_role("button", name="Compare with before").click()
     dialog = page.get_by_role("dialog", name="Compare two versions")
     row = dialog.get_by_role("row", name=re.compile("length", re.I)).first
+    row.wait_for()
     left, right, difference = (
         float(re.sub("[^0-9.−]", "", cell).replace("−", "-"))
         for cell in row.get_by_role("cell").all_inner_texts()

@@ -70,7 +70,7 @@ def test_a_wrong_chip_is_corrected_and_taken_back(studio_page):
 
 def test_four_variants_are_made_to_choose_from(studio_page, shot):
     page = studio_page.page
-    page.get_by_text("4", exact=True).click()
+    page.get_by_title("Four to choose from").click()
     page.get_by_role("spinbutton", name="Seed").fill("11")
     page.get_by_role("textbox", name="Describe a garment").fill("a flared skirt")
     before = studio_page.mesh()
