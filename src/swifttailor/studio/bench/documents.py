@@ -150,7 +150,7 @@ def caption(facts: GarmentFacts | None) -> str:
     if facts is None:
         return ""
     try:
-        return write_caption(facts, 0).text
+        return write_caption(facts, 0, style="description").text
     except SwiftTailorError:
         return ""
 
