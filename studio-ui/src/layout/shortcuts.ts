@@ -3,6 +3,7 @@
 import { generate } from "../actions/generate";
 import { cancelJob } from "../actions/jobs";
 import { saveProject } from "../actions/projects";
+import { PATTERN_KEYS } from "../pattern/window/keys";
 import { useDisplay } from "../state/display";
 import { useSession } from "../state/session";
 import { useStudio } from "../state/store";
@@ -12,7 +13,7 @@ export interface Shortcut {
   does: string;
 }
 
-export const SHORTCUTS: { where: string; list: Shortcut[] }[] = [
+export const SHORTCUTS: { where: string; list: readonly Shortcut[] }[] = [
   {
     where: "Everywhere",
     list: [
@@ -30,6 +31,7 @@ export const SHORTCUTS: { where: string; list: Shortcut[] }[] = [
       { keys: "Ctrl+V", does: "paste a picture" },
     ],
   },
+  { where: "Pattern window", list: PATTERN_KEYS },
   {
     where: "Garment window",
     list: [

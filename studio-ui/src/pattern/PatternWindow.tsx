@@ -15,7 +15,7 @@ import { type EdgeMark, seamMarks } from "./window/seam-marks";
 import { Toolbar } from "./window/Toolbar";
 import "./pattern.css";
 
-const SETTLED_MS = 90;
+const SETTLED_MS = 160;
 
 /** The flat pattern: looked at, measured and changed. */
 export function PatternWindow() {
