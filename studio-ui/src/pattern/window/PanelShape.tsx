@@ -40,67 +40,72 @@ export const PanelShape = memo(function PanelShape(props: PanelShapeProps) {
   const namePx = Math.min(NAME_PX, (1.35 * roomPx * NAME_PX) / (LETTER_PX * name.length));
   const grain = Math.min(LONGEST_GRAIN_CM, 1.1 * room);
   return (
-    // biome-ignore lint/a11y/useSemanticElements: SVG has no button.
-    <g
-      className="panel"
-      data-panel={name}
-      transform={placeTransform(place)}
-      role="button"
-      tabIndex={0}
-      aria-pressed={selected}
-      aria-label={`Panel ${name}: ${panel.edges.length} edges, ${free} of them free`}
-      onFocus={(event) => {
-        if (event.currentTarget.matches(":focus-visible")) onFocus(name);
-      }}
-      onKeyDown={(event) => {
-        if (event.key !== "Enter" && event.key !== " ") return;
-        event.preventDefault();
-        event.stopPropagation();
-        onEnter(name);
-      }}
-    >
-      <path className="cloth" d={outlinePath(panel)} data-selected={selected || undefined} />
-      {marks.map((mark, edge) => (
-        <path
-          // biome-ignore lint/suspicious/noArrayIndexKey: an edge is its number.
-          key={edge}
-          className={mark.seam < 0 ? "edge free" : mark.dart ? "edge dart" : "edge sewn"}
-          data-edge={edge}
-          data-seam={mark.seam < 0 ? undefined : mark.seam}
-          d={edgePath(panel, edge)}
-          stroke={mark.seam < 0 ? undefined : seamColor(mark.seam, theme)}
-          strokeDasharray={mark.seam < 0 ? undefined : seamDash(mark.seam)}
-        />
-      ))}
-      {names && namePx >= 8.5 && (
-        <>
-          {roomPx > 60 && <Grain middle={middle} half={grain / 2} />}
-          <Text place={place} point={middle} className="name" size={Math.max(namePx, 8)}>
-            {name}
-          </Text>
-        </>
-      )}
-      {numbers &&
-        marks.map((mark, edge) => {
-          if (mark.seam < 0 || mark.length * scale < (mark.dart ? 64 : 38)) return null;
-          return (
-            <Text
-              // biome-ignore lint/suspicious/noArrayIndexKey: an edge is its number.
-              key={edge}
-              place={place}
-              point={beside(panel, edge, -9 / scale)}
-              className="number"
-              size={10.5}
-              fill={seamColor(mark.seam, theme)}
-            >
-              {mark.seam}
-              {mark.longer > 0 && mark.length * scale > 60 && (
-                <tspan className="longer"> +{lengthText(mark.longer, units)}</tspan>
-              )}
+    <>
+      {/* biome-ignore lint/a11y/useSemanticElements: SVG has no button. */}
+      <g
+        className="panel"
+        data-panel={name}
+        transform={placeTransform(place)}
+        role="button"
+        tabIndex={0}
+        aria-pressed={selected}
+        aria-label={`Panel ${name}: ${panel.edges.length} edges, ${free} of them free`}
+        onFocus={(event) => {
+          if (event.currentTarget.matches(":focus-visible")) onFocus(name);
+        }}
+        onKeyDown={(event) => {
+          if (event.key !== "Enter" && event.key !== " ") return;
+          event.preventDefault();
+          event.stopPropagation();
+          onEnter(name);
+        }}
+      >
+        <path className="cloth" d={outlinePath(panel)} data-selected={selected || undefined} />
+        {marks.map((mark, edge) => (
+          <path
+            // biome-ignore lint/suspicious/noArrayIndexKey: an edge is its number.
+            key={edge}
+            className={mark.seam < 0 ? "edge free" : mark.dart ? "edge dart" : "edge sewn"}
+            data-edge={edge}
+            data-seam={mark.seam < 0 ? undefined : mark.seam}
+            d={edgePath(panel, edge)}
+            stroke={mark.seam < 0 ? undefined : seamColor(mark.seam, theme)}
+            strokeDasharray={mark.seam < 0 ? undefined : seamDash(mark.seam)}
+          />
+        ))}
+      </g>
+      {/* Beside the button and not in it: its name says all of this in words. */}
+      <g className="panel-words" transform={placeTransform(place)}>
+        {names && namePx >= 8.5 && (
+          <>
+            {roomPx > 60 && <Grain middle={middle} half={grain / 2} />}
+            <Text place={place} point={middle} className="name" size={Math.max(namePx, 8)}>
+              {name}
             </Text>
-          );
-        })}
-    </g>
+          </>
+        )}
+        {numbers &&
+          marks.map((mark, edge) => {
+            if (mark.seam < 0 || mark.length * scale < (mark.dart ? 64 : 38)) return null;
+            return (
+              <Text
+                // biome-ignore lint/suspicious/noArrayIndexKey: an edge is its number.
+                key={edge}
+                place={place}
+                point={beside(panel, edge, -9 / scale)}
+                className="number"
+                size={10.5}
+                fill={seamColor(mark.seam, theme)}
+              >
+                {mark.seam}
+                {mark.longer > 0 && mark.length * scale > 60 && (
+                  <tspan className="longer"> +{lengthText(mark.longer, units)}</tspan>
+                )}
+              </Text>
+            );
+          })}
+      </g>
+    </>
   );
 });
 
