@@ -1,5 +1,6 @@
 /** What holds for every edit, on real patterns and random places. */
 
+import "../testing/fast-check-seed";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { at } from "../geometry/at";

@@ -1,3 +1,4 @@
+import "../testing/fast-check-seed";
 import { readFileSync } from "node:fs";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";

@@ -352,7 +352,6 @@ function OnePanel({ specification, name }: { specification: Specification; name:
           onChange={(event) => setText(event.target.value)}
           onBlur={rename}
           onKeyDown={(event) => {
-            event.stopPropagation();
             if (event.key === "Enter") rename();
             if (event.key === "Escape") setText(name);
           }}

@@ -33,7 +33,6 @@ export function NumberField({ label, value, unit, digits = 2, step = 0.1, min, o
         onChange={(event) => setText(event.target.value)}
         onBlur={() => take(text)}
         onKeyDown={(event) => {
-          event.stopPropagation();
           if (event.key === "Enter") take(text);
           if (event.key === "Escape") {
             setText(shown);

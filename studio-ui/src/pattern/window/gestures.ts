@@ -192,11 +192,8 @@ export function listenForGestures(element: SVGSVGElement): () => void {
       return;
     }
     if (press !== null || (event.button !== 0 && event.button !== 1 && event.button !== 2)) return;
-    if (
-      event.button === 0 &&
-      document.activeElement?.closest(".pattern-window") !== element.closest(".pattern-window")
-    )
-      element.focus({ preventScroll: true });
+    // A field that is being typed in is left first, so that its number goes where it belongs.
+    if (!element.contains(document.activeElement)) element.focus({ preventScroll: true });
     const { view, tool } = usePatternView.getState();
     const pointer = kindOf(event);
     press = {
