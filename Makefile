@@ -95,6 +95,12 @@ types: $(READY)  ## check the type annotations, torch being anything
 types-networks: $(NETWORKS_READY)  ## check the type annotations with those of torch, transformers, onnx, ...
 	$(NETWORKS_BIN)/ty check --python .venv-networks src/swifttailor
 
+studio:  ## build the studio's page from studio-ui/ (needs Node 20); the built files are committed
+	cd studio-ui && npm ci --no-audit --no-fund && npm run build
+
+studio-check:  ## look for faults in the studio's page, and run its tests (needs Node 20)
+	cd studio-ui && npm ci --no-audit --no-fund && npm run check
+
 fuzz: $(READY)  ## feed damaged files to all readers: TARGETS (all), INPUTS (two minutes' worth), SEED (0)
 	$(BIN)/python -m fuzzing $(TARGETS) $(if $(INPUTS),--inputs $(INPUTS)) --seed $(or $(SEED),0)
 
@@ -115,4 +121,4 @@ clean: clean-cache  ## delete everything that was made, .venv included
 	rm -rf .venv .venv-networks .uv demo out .pytest_cache .ruff_cache .hypothesis dist build
 
 .PHONY: help setup setup-networks demo demo-generate demo-sew demo-drape test test-networks lint format types \
-	types-networks fuzz bench lock clean-cache clean
+	types-networks studio studio-check fuzz bench lock clean-cache clean

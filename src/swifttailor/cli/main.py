@@ -242,6 +242,12 @@ def _load_edit() -> Runner:
     return _runner(Edit, "edit")
 
 
+def _load_studio() -> Runner:
+    from swifttailor.cli.studio import Studio
+
+    return _runner(Studio, "studio")
+
+
 def _load_train() -> Runner:
     from swifttailor.cli.train import TRAIN
 
@@ -264,6 +270,11 @@ COMMANDS: dict[str, Command] = {
         "Change a pattern as instructed, and make its garment.",
         'swifttailor edit PATTERN "make the sleeves longer" --out DIR',
         _load_edit,
+    ),
+    "studio": Command(
+        "Open pattern and garment side by side in the browser.",
+        "swifttailor studio    needs: pip install 'swifttailor[studio]'",
+        _load_studio,
     ),
     "drape": Command(
         "Sew a pattern together on a body and let it hang: pattern in, 3D garment out.",

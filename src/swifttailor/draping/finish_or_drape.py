@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from typing import TYPE_CHECKING
 
 from swifttailor.body import Body
 from swifttailor.draping.drape import drape
@@ -12,6 +13,9 @@ from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
 from swifttailor.progress import StageProgress
 
+if TYPE_CHECKING:
+    from swifttailor.draping.simulation import SimulationSettings
+
 
 def finish_or_drape(
     garment: Garment,
@@ -19,6 +23,7 @@ def finish_or_drape(
     edge_length: float,
     body: Body | None = None,
     fabric: Fabric | str = "cotton",
+    settings: SimulationSettings | None = None,
     progress: StageProgress | None = None,
 ) -> Garment:
     """A garment at rest within the limits of quality, if physics finds one.
@@ -32,6 +37,7 @@ def finish_or_drape(
         edge_length: Of its mesh, cm.
         body: What it is worn by; the default body when None.
         fabric: A `Fabric` or the name of a preset.
+        settings: How long and how finely to simulate.
         progress: Called with the stage's name and the share of it that is done.
 
     Returns:
@@ -46,14 +52,19 @@ def finish_or_drape(
     found: dict[str, Garment] = {}
     first_reasons = ["the cloth moved to infinity"]
     try:
-        found["garment"] = finish(garment, body=body, fabric=fabric, progress=progress)
+        found["garment"] = finish(garment, body=body, fabric=fabric, settings=settings, progress=progress)
         first_reasons = _reasons(found["garment"])
     except SimulationError:
         pass
     if first_reasons:
         try:
             found["pattern"] = drape(
-                garment.mesh.pattern, body=body, fabric=fabric, edge_length=edge_length, progress=progress
+                garment.mesh.pattern,
+                body=body,
+                fabric=fabric,
+                edge_length=edge_length,
+                settings=settings,
+                progress=progress,
             )
         except SimulationError:
             if not found:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -51,6 +52,8 @@ class SimulationSettings:
     """A vertex is at rest when it moves less than this in a frame (GarmentCode's rule)."""
     still_share: float = 0.015
     """The garment is at rest when at most this share of its vertices still moves."""
+    watch: Callable[[Floats], object] | None = None
+    """Called after every frame with the positions (v, 3) in cm, which the next frame overwrites."""
 
 
 @dataclass(frozen=True)
@@ -150,6 +153,8 @@ class Simulation:
             self._clearance,
             step,
         )
+        if s.watch is not None:
+            s.watch(self.positions)
 
     def hold(self) -> None:
         """Holds the attached vertices at their level, or where they are if that is lower."""

@@ -136,7 +136,7 @@ class _Worker:
         context = multiprocessing.get_context("spawn")
         self.connection, theirs = context.Pipe()
         self.process = context.Process(target=_work, args=(theirs, function), daemon=True)
-        with _single_threaded():
+        with single_threaded():
             self.process.start()
         theirs.close()
         self.ready = False
@@ -247,7 +247,7 @@ def _die_first_without_memory() -> None:
 
 
 @contextmanager
-def _single_threaded() -> Generator[None]:
+def single_threaded() -> Generator[None]:
     """Processes started inside get one thread for their arrays: more workers, not more threads."""
     before = {name: os.environ.get(name) for name in THREAD_SETTINGS}
     os.environ.update(dict.fromkeys(THREAD_SETTINGS, "1"))

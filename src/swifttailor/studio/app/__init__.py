@@ -1,0 +1,1 @@
+"""The web side of the studio: who may ask, what is asked, where it goes."""

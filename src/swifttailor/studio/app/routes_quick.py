@@ -1,0 +1,125 @@
+"""Routes of quick work: live sewing, opening, checking, mending, describing, altering, exporting."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from fastapi import APIRouter, Request
+from fastapi.responses import Response
+
+from swifttailor.studio.app.answers import ERRORS, Responses, StudioError, json_answer
+from swifttailor.studio.app.studio_of import studio_of
+from swifttailor.studio.models.documents import Document
+from swifttailor.studio.models.quick import (
+    AlterRequest,
+    CheckAnswer,
+    CheckRequest,
+    DescribeAnswer,
+    DescribeRequest,
+    ExportRequest,
+    LiveAnswer,
+    LiveRequest,
+    OpenRequest,
+    RepairAnswer,
+    RepairRequest,
+)
+from swifttailor.studio.service import Studio
+
+api = APIRouter(prefix="/api", responses=ERRORS)
+_STALE: dict[str, Any] = {
+    "status": "stale",
+    "mesh": None,
+    "findings": [],
+    "seams": [],
+    "error": None,
+    "seconds": {},
+}
+_FILE: Responses = {200: {"content": {"application/octet-stream": {}}, "description": "The file."}}
+_TYPES = {
+    "json": "application/json",
+    "svg": "image/svg+xml",
+    "glb": "model/gltf-binary",
+    "obj": "model/obj",
+    "stl": "model/stl",
+    "png": "image/png",
+    "zip": "application/zip",
+    "usdz": "model/vnd.usdz+zip",
+}
+
+
+@api.post("/live", response_model=LiveAnswer)
+async def live(asked: LiveRequest, request: Request) -> Response:
+    """The garment of a pattern while it is dragged; of each client the latest state wins."""
+    studio = studio_of(request)
+    arguments = {"pattern": asked.pattern, "edge_length": asked.edge_length}
+    result = await studio.live.run(asked.client, asked.sequence, arguments)
+    answer = _STALE if result is None else studio.keep(result).answer
+    return json_answer({"client": asked.client, "sequence": asked.sequence} | answer)
+
+
+@api.post("/open", response_model=Document)
+async def open_pattern(asked: OpenRequest, request: Request) -> Response:
+    """A GarmentCode file as a document."""
+    return json_answer(
+        await studio_of(request).do("open", pattern=asked.pattern, title=asked.title, sew=asked.sew)
+    )
+
+
+@api.post("/check", response_model=CheckAnswer)
+async def check(asked: CheckRequest, request: Request) -> Response:
+    """What is wrong with a pattern."""
+    return json_answer(await studio_of(request).do("check", pattern=asked.pattern))
+
+
+@api.post("/repair", response_model=RepairAnswer)
+async def repair(asked: RepairRequest, request: Request) -> Response:
+    """The pattern with everything mended that can safely be."""
+    return json_answer(await studio_of(request).do("repair", pattern=asked.pattern))
+
+
+@api.post("/describe", response_model=DescribeAnswer)
+async def describe(asked: DescribeRequest, request: Request) -> Response:
+    """What a pattern shows."""
+    return json_answer(await studio_of(request).do("describe", pattern=asked.pattern))
+
+
+@api.post("/alter", response_model=Document)
+async def alter(asked: AlterRequest, request: Request) -> Response:
+    """A pattern recut to chips and sliders."""
+    changes = [change.model_dump() for change in asked.changes]
+    answer = await studio_of(request).do(
+        "alter", pattern=asked.pattern, changes=changes, sew=asked.sew, color=asked.color
+    )
+    return json_answer(answer)
+
+
+@api.post("/export", response_class=Response, responses=_FILE)
+async def export(asked: ExportRequest, request: Request) -> Response:
+    """A pattern or garment as a file."""
+    studio = studio_of(request)
+    facts = asked.model_dump(include={"title", "prompt", "seed", "color"})
+    return await exported(studio, asked.pattern, asked.mesh, asked.format, facts)
+
+
+async def exported(
+    studio: Studio, pattern: dict[str, Any], mesh: str | None, format: str, facts: dict[str, Any]
+) -> Response:
+    """A file to keep.
+
+    Args:
+        studio: Makes it.
+        pattern: What is shown.
+        mesh: Name of its garment's mesh.
+        format: Ending without the dot.
+        facts: Title, prompt, seed, color.
+    """
+    known = [one["name"] for one in studio.formats()]
+    if format not in known:
+        raise StudioError(
+            422, "unknown-format", f"There is no format '{format}' here.", f"There are: {', '.join(known)}."
+        )
+    content = await studio.do("export", pattern=pattern, mesh=studio.mesh(mesh), format=format, facts=facts)
+    name = re.sub(r"[^A-Za-z0-9]+", "-", facts.get("title") or "").strip("-").lower()[:60] or "garment"
+    headers = {"Content-Disposition": f'attachment; filename="{name}.{format}"'}
+    return Response(content, media_type=_TYPES.get(format, "application/octet-stream"), headers=headers)

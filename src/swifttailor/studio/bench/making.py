@@ -1,0 +1,73 @@
+"""Tasks of the main job: words and pictures to garments, edits, sewing with care."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from swifttailor.arrays import Pixels
+from swifttailor.errors import SwiftTailorError
+from swifttailor.studio.bench.documents import Work, read_pattern, tailored_document
+from swifttailor.studio.bench.tasks import tailor
+from swifttailor.studio.worker.link import Link
+from swifttailor.studio.worker.refusal import refusal_of
+from swifttailor.tailor.order import Order, Part
+from swifttailor.tailor.tailored import Tailored
+
+
+def generate(
+    link: Link,
+    *,
+    text: str,
+    pictures: list[Pixels],
+    part: Part | None,
+    seed: int,
+    variants: int,
+    finish: bool,
+) -> Work:
+    """Garments of a description, pictures, or both, one for each seed from `seed` on."""
+    order = Order(text, pictures or None, part=part, samples=variants, seed=seed, finish=finish)
+    return _made(link, order, origin="generate", prompt=text)
+
+
+def edit(
+    link: Link, *, pattern: dict[str, Any], instruction: str, color: str | None, seed: int, finish: bool
+) -> Work:
+    """A pattern changed as words say, and its garment."""
+    original = read_pattern(pattern).pattern.canonical()
+    order = Order(instruction, edit=original, color=color, seed=seed, finish=finish)
+    return _made(link, order, origin="edit", prompt=instruction)
+
+
+def sew(link: Link, *, pattern: dict[str, Any], edge_length: float, repair: bool, color: str | None) -> Work:
+    """The garment of a pattern."""
+    original = read_pattern(pattern).pattern.canonical()
+    link.stage("sewing", 0.0)
+    made = tailor().sew(original, edge_length=edge_length, repair=repair, progress=link.stage)
+    if color is not None:
+        made = replace(made, garment=replace(made.garment, color=color))
+    work = tailored_document(made, origin="sew", prompt="", edge_length=edge_length, seed=None)
+    return Work({"documents": [work.answer], "failures": []}, work.meshes)
+
+
+def _made(link: Link, order: Order, *, origin: str, prompt: str) -> Work:
+    documents, failures, meshes = [], [], []
+    for k, outcome in enumerate(tailor().make(order, progress=link.stage)):
+        if isinstance(outcome, Tailored):
+            link.stage("describing", k / order.samples)
+            work = tailored_document(outcome, origin=origin, prompt=prompt, edge_length=order.edge_length)
+            documents.append(work.answer)
+            meshes += work.meshes
+        else:
+            failures.append({"seed": order.seed + k, "error": refusal_of(outcome)})
+    if not documents:
+        raise _first_error(failures)
+    return Work({"documents": documents, "failures": failures}, tuple(meshes))
+
+
+class NoneMadeError(SwiftTailorError):
+    """None of the variants could be made."""
+
+
+def _first_error(failures: list[dict[str, Any]]) -> SwiftTailorError:
+    return NoneMadeError(failures[0]["error"]["message"])

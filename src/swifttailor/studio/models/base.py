@@ -1,0 +1,50 @@
+"""What all models have in common, and the numbers that bound them."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+
+Severity = Literal["error", "warning", "info"]
+Part = Literal["upper", "lower", "whole"]
+FabricName = Literal["cotton", "denim", "silk", "jersey"]
+Unit = Literal["cm", "pieces", "times"]
+UnitOrNone = Literal["", "cm", "pieces", "times"]
+Source = Literal["text", "picture", "pattern"]
+
+MOST_LETTERS = 2000
+"""Of a prompt or an instruction."""
+LARGEST_SEED = 2**31 - 1
+Seed = Annotated[int, Field(ge=0, le=LARGEST_SEED)]
+Prompt = Annotated[str, StringConstraints(max_length=MOST_LETTERS)]
+Title = Annotated[str, StringConstraints(max_length=200)]
+Color = Annotated[str, StringConstraints(pattern="^#[0-9a-f]{6}$")]
+Identifier = Annotated[str, StringConstraints(pattern="^[A-Za-z0-9_-]{8,64}$")]
+MeshName = Annotated[str, StringConstraints(pattern="^[0-9a-f]{32}$")]
+EdgeLength = Annotated[float, Field(ge=1.0, le=5.0)]
+"""Of a mesh, cm."""
+PatternJson = dict[str, Any]
+"""GarmentCode's specification; the reader of patterns looks into it."""
+
+
+class Model(BaseModel):
+    """A body: numbers are finite, and unknown fields are refused so that slips are noticed."""
+
+    model_config = ConfigDict(allow_inf_nan=False, extra="forbid", populate_by_name=True)
+
+
+class ErrorInfo(Model):
+    """What went wrong, for people."""
+
+    code: str
+    """Stable kebab-case name."""
+    message: str
+    hint: str = ""
+    """What to do next."""
+
+
+class ErrorAnswer(Model):
+    """The body of every answer that is an error."""
+
+    error: ErrorInfo

@@ -1,0 +1,135 @@
+"""Work that is answered at once."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, StringConstraints, model_validator
+
+from swifttailor.studio.models.base import (
+    Color,
+    ErrorInfo,
+    Identifier,
+    MeshName,
+    Model,
+    PatternJson,
+    Prompt,
+    Seed,
+    Title,
+)
+from swifttailor.studio.models.documents import DimensionInfo, FindingInfo, Reading, SeamInfo
+
+MOST_CHANGES = 20
+Name = Annotated[str, StringConstraints(min_length=1, max_length=40)]
+
+
+class OpenRequest(Model):
+    """A GarmentCode file that is opened."""
+
+    pattern: PatternJson
+    title: Title = ""
+    sew: bool = True
+
+
+class CheckRequest(Model):
+    """A pattern to check."""
+
+    pattern: PatternJson
+
+
+class CheckAnswer(Model):
+    """What was found in it."""
+
+    findings: list[FindingInfo]
+    seams: list[SeamInfo]
+
+
+class RepairRequest(Model):
+    """A pattern to mend."""
+
+    pattern: PatternJson
+
+
+class RepairAnswer(Model):
+    """The mended pattern."""
+
+    pattern: PatternJson
+    changes: list[str]
+    findings: list[FindingInfo]
+    seams: list[SeamInfo]
+
+
+class DescribeRequest(Model):
+    """A pattern to describe."""
+
+    pattern: PatternJson
+
+
+class DescribeAnswer(Model):
+    """What it shows."""
+
+    description: str
+    reading: Reading
+    dimensions: list[DimensionInfo]
+
+
+class ChangeRequest(Model):
+    """A chip that was corrected, or a slider that was moved."""
+
+    claim: Name | None = None
+    dimension: Name | None = None
+    value: Annotated[str, StringConstraints(max_length=40)] | float | None = None
+    by: float | None = None
+
+    @model_validator(mode="after")
+    def _one_of_three(self) -> ChangeRequest:
+        if (self.claim is None) == (self.dimension is None):
+            raise ValueError("give either claim or dimension")
+        if (self.value is None) == (self.by is None) or (self.claim is not None and self.value is None):
+            raise ValueError("give a value, or by how much a dimension changes (by)")
+        if self.dimension is not None and isinstance(self.value, str):
+            raise ValueError("the value of a dimension is a number")
+        return self
+
+
+class AlterRequest(Model):
+    """A pattern to recut."""
+
+    pattern: PatternJson
+    changes: Annotated[list[ChangeRequest], Field(min_length=1, max_length=MOST_CHANGES)]
+    sew: bool = True
+    color: Color | None = None
+
+
+class LiveRequest(Model):
+    """A pattern that is being dragged."""
+
+    client: Identifier
+    sequence: Annotated[int, Field(ge=1, le=2**53)]
+    pattern: PatternJson
+    edge_length: Annotated[float, Field(ge=2.0, le=5.0)] = 2.5
+
+
+class LiveAnswer(Model):
+    """Its garment, unless a later state has arrived."""
+
+    client: str
+    sequence: int
+    status: Literal["sewn", "unsewable", "stale"]
+    mesh: str | None
+    findings: list[FindingInfo]
+    seams: list[SeamInfo]
+    error: ErrorInfo | None
+    seconds: dict[str, float]
+
+
+class ExportRequest(Model):
+    """A pattern or garment that is wanted as a file."""
+
+    pattern: PatternJson
+    mesh: MeshName | None = None
+    format: Annotated[str, StringConstraints(pattern="^[a-z]{2,5}$")]
+    title: Title = ""
+    color: Color | None = None
+    prompt: Prompt = ""
+    seed: Seed | None = None

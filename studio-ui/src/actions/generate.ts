@@ -1,0 +1,48 @@
+import type { Document } from "../api/types";
+import { useDisplay } from "../state/display";
+import { versionOf } from "../state/document";
+import { randomSeed, usePrompt } from "../state/prompt";
+import { notify, useSession } from "../state/session";
+import { useStudio } from "../state/store";
+import { sentenceCase } from "../ui/sentence-case";
+import { runJob } from "./jobs";
+import { newProject } from "./projects";
+
+/** Makes a garment, or four to choose from, of the words and pictures. */
+export async function generate(): Promise<void> {
+  const prompt = usePrompt.getState();
+  const text = prompt.text.trim();
+  if (text === "" && prompt.pictures.length === 0) {
+    notify("info", "Describe a garment, or drop a picture of one.", "Or start with one of the examples.");
+    return;
+  }
+  if (!prompt.keepSeed) prompt.set({ seed: randomSeed() });
+  const { seed, variants, finish, part, pictures } = usePrompt.getState();
+  const job = await runJob(variants > 1 ? `Making ${variants} garments` : "Making the garment", {
+    kind: "generate",
+    ...(text !== "" ? { text } : {}),
+    ...(pictures.length > 0 ? { pictures: pictures.map((each) => each.id) } : {}),
+    ...(part !== null ? { part } : {}),
+    seed,
+    variants,
+    finish,
+  });
+  if (job === null) return;
+  const [first, ...others] = job.documents;
+  for (const { error } of job.failures) notify("warning", error.message, error.hint);
+  if (first === undefined) return;
+  if (others.length > 0) useSession.getState().set({ variants: job.documents });
+  else openMade(first);
+}
+
+/** Shows a garment that was made as a new project. */
+export function openMade(document: Document): void {
+  useSession.getState().set({ variants: null });
+  useDisplay.getState().change({ clothColor: null });
+  const title = document.prompt === "" ? "Garment from a picture" : document.title;
+  newProject(sentenceCase(title));
+  useStudio
+    .getState()
+    .open(document.prompt !== "" ? "Made from words" : "Made from a picture", versionOf(document));
+  if (document.seed !== null) usePrompt.getState().set({ seed: document.seed });
+}

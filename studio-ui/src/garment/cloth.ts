@@ -1,0 +1,155 @@
+/** The garment's surface: one geometry whose arrays are replaced in place wherever they fit. */
+
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+} from "three";
+import type { Coloring, Print } from "../state/display";
+import { PANEL_COLORS, type Rgb } from "./colors";
+import { computeNormals, type MeshData, spreadFrame } from "./mesh-file";
+import { printTexture } from "./prints";
+import { strainColor } from "./strain-colors";
+
+export interface ClothLook {
+  coloring: Coloring;
+  print: Print;
+  /** "#rrggbb" */
+  color: string;
+  wireframe: boolean;
+}
+
+export class Cloth {
+  readonly mesh: Mesh<BufferGeometry, MeshStandardMaterial>;
+  /** Panels that are pointed at or selected, drawn over the cloth. */
+  readonly glow: Mesh<BufferGeometry, MeshBasicMaterial>;
+  data: MeshData | null = null;
+  private look: ClothLook = { coloring: "cloth", print: "plain", color: "#8aa5b8", wireframe: false };
+  private readonly material: MeshStandardMaterial;
+
+  constructor(private readonly anisotropy: number) {
+    this.material = new MeshStandardMaterial({
+      side: DoubleSide,
+      roughness: 0.86,
+      metalness: 0,
+      polygonOffset: true,
+    });
+    this.material.polygonOffsetFactor = 1;
+    this.material.polygonOffsetUnits = 1;
+    // The wrong side of the cloth is darker, so that one sees into a neck or under a hem.
+    this.material.onBeforeCompile = (shader) => {
+      shader.fragmentShader = shader.fragmentShader.replace(
+        "#include <color_fragment>",
+        "#include <color_fragment>\n  if (!gl_FrontFacing) diffuseColor.rgb *= 0.62;",
+      );
+    };
+    this.mesh = new Mesh(new BufferGeometry(), this.material);
+    this.mesh.frustumCulled = false;
+    const glow = new MeshBasicMaterial({
+      transparent: true,
+      opacity: 0.28,
+      side: DoubleSide,
+      depthWrite: false,
+    });
+    this.glow = new Mesh(new BufferGeometry(), glow);
+    this.glow.frustumCulled = false;
+    this.glow.visible = false;
+  }
+
+  get positions(): Float32Array {
+    return this.mesh.geometry.getAttribute("position")?.array as Float32Array;
+  }
+
+  show(data: MeshData): void {
+    const geometry = this.mesh.geometry;
+    this.data = data;
+    if (geometry.getAttribute("position")?.count === data.vertices) {
+      this.copy("position", data.positions);
+      this.copy("normal", data.normals);
+      this.copy("uv", data.uv);
+    } else {
+      // Attributes are replaced and not the geometry, so that materials and draw order stay.
+      geometry.dispose();
+      geometry.setAttribute("position", new BufferAttribute(data.positions.slice(), 3));
+      geometry.setAttribute("normal", new BufferAttribute(data.normals.slice(), 3));
+      geometry.setAttribute("uv", new BufferAttribute(data.uv.slice(), 2));
+      geometry.setAttribute("color", new BufferAttribute(new Float32Array(3 * data.vertices), 3));
+    }
+    geometry.setIndex(new BufferAttribute(data.triangles, 1));
+    this.recolor();
+  }
+
+  /** Moves the vertices to a frame of the welded ones, (welded, 3). */
+  moveTo(frame: Float32Array): void {
+    if (this.data === null || frame.length !== 3 * this.data.welded) return;
+    const position = this.mesh.geometry.getAttribute("position") as BufferAttribute;
+    const normal = this.mesh.geometry.getAttribute("normal") as BufferAttribute;
+    spreadFrame(this.data, frame, position.array as Float32Array);
+    computeNormals(this.data, position.array as Float32Array, normal.array as Float32Array);
+    position.needsUpdate = true;
+    normal.needsUpdate = true;
+  }
+
+  setLook(look: ClothLook): void {
+    const before = this.look;
+    this.look = look;
+    const printed = look.coloring === "cloth";
+    if (before.print !== look.print || before.color !== look.color || before.coloring !== look.coloring) {
+      this.material.map?.dispose();
+      this.material.map = printed ? printTexture(look.print, look.color, this.anisotropy) : null;
+      this.material.vertexColors = !printed;
+      this.material.color.set(printed && this.material.map === null ? look.color : "#ffffff");
+      this.material.needsUpdate = true;
+      this.recolor();
+    }
+    this.material.wireframe = look.wireframe;
+  }
+
+  /** Draws these panels over the cloth in this colour; none: nothing. */
+  setGlow(panels: ReadonlySet<string>, color: string): void {
+    const data = this.data;
+    this.glow.visible = data !== null && panels.size > 0;
+    if (data === null || panels.size === 0) return;
+    const shown = new Set([...panels].map((name) => data.panels.indexOf(name)));
+    const triangles: number[] = [];
+    for (let t = 0; t < data.triangles.length; t += 3) {
+      const first = data.triangles[t] as number;
+      if (shown.has(data.panel[first] as number))
+        triangles.push(first, data.triangles[t + 1] as number, data.triangles[t + 2] as number);
+    }
+    const position = this.mesh.geometry.getAttribute("position");
+    if (position !== undefined) this.glow.geometry.setAttribute("position", position);
+    this.glow.geometry.setIndex(triangles);
+    this.glow.material.color.set(color);
+  }
+
+  private recolor(): void {
+    const data = this.data;
+    const { coloring } = this.look;
+    if (data === null || coloring === "cloth") return;
+    const color = this.mesh.geometry.getAttribute("color") as BufferAttribute;
+    const out = color.array as Float32Array;
+    for (let v = 0; v < data.vertices; v += 1) {
+      const rgb: Rgb =
+        coloring === "strain"
+          ? strainColor(data.strain[v] ?? 0)
+          : (PANEL_COLORS[(data.panel[v] as number) % PANEL_COLORS.length] as Rgb);
+      for (let c = 0; c < 3; c += 1) out[3 * v + c] = linear(rgb[c] as number);
+    }
+    color.needsUpdate = true;
+  }
+
+  private copy(name: string, values: Float32Array): void {
+    const attribute = this.mesh.geometry.getAttribute(name) as BufferAttribute;
+    (attribute.array as Float32Array).set(values);
+    attribute.needsUpdate = true;
+  }
+}
+
+/** Vertex colours are linear, ours are sRGB. */
+function linear(channel: number): number {
+  return channel <= 0.04045 ? channel / 12.92 : ((channel + 0.055) / 1.055) ** 2.4;
+}

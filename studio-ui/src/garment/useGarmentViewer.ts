@@ -1,0 +1,179 @@
+/** Keeps one viewer in step with the store. */
+
+import { type RefObject, useEffect, useState } from "react";
+import { tellFailure } from "../actions/failures";
+import { sewAgain } from "../actions/live";
+import { ApiError } from "../api/client";
+import { useDisplay } from "../state/display";
+import { seamColor } from "../state/seam-colors";
+import { useSession } from "../state/session";
+import { currentVersion, shownMesh, shownPattern, useStudio } from "../state/store";
+import { DEFAULT_CLOTH } from "./cloth-color";
+import { bodyMesh, garmentMesh } from "./mesh-cache";
+import type { MeshData } from "./mesh-file";
+import { GarmentViewer } from "./viewer";
+
+export function useGarmentViewer(box: RefObject<HTMLDivElement | null>): GarmentViewer | null {
+  const [viewer, setViewer] = useState<GarmentViewer | null>(null);
+  const [failed, setFailed] = useState<unknown>(null);
+  useEffect(() => {
+    if (box.current === null) return;
+    let made: GarmentViewer;
+    try {
+      made = new GarmentViewer(box.current);
+    } catch (error) {
+      setFailed(error);
+      return;
+    }
+    setViewer(made);
+    const ends = [
+      followMesh(made),
+      followBody(made),
+      followFrames(made),
+      followLook(made),
+      followMarks(made),
+    ];
+    return () => {
+      for (const end of ends) end();
+      made.dispose();
+      setViewer(null);
+    };
+  }, [box]);
+  if (failed !== null) throw failed;
+  return viewer;
+}
+
+/** Colours of the mesh's seams, by their place among the pattern's stitches: the same in both windows. */
+function seamColors(data: MeshData): string[] {
+  const { theme } = useStudio.getState();
+  const stitches = shownPattern(useStudio.getState())?.pattern.stitches ?? [];
+  const byPlace = new Map(
+    stitches.flatMap((stitch, k) => stitch.slice(0, 2).map((side) => [placeKey(side), k])),
+  );
+  return data.seams.map(({ first }) => seamColor(byPlace.get(placeKey(first)) ?? 0, theme));
+}
+
+const placeKey = (side: unknown): string => {
+  const { panel, edge } = side as { panel: string; edge: number };
+  return `${edge} ${panel}`;
+};
+
+function followMesh(viewer: GarmentViewer): () => void {
+  let wanted: string | null = null;
+  let document: number | undefined;
+  const update = () => {
+    const state = useStudio.getState();
+    const name = shownMesh(state);
+    if (currentVersion(state) === null) viewer.showGarment(null, []);
+    if (name === null || name === wanted) return;
+    wanted = name;
+    garmentMesh(name).then(
+      (data) => {
+        // A newer one may have been asked for meanwhile; it comes by itself.
+        if (wanted !== name) return;
+        viewer.showGarment(data, seamColors(data));
+        viewer.stage.mark("mesh", name);
+        // Only another document moves the camera.
+        const first = useStudio.getState().history?.entries[0]?.id;
+        if (first !== document) viewer.frameAll(document !== undefined);
+        document = first;
+      },
+      (error) => {
+        if (wanted !== name) return;
+        wanted = null;
+        if (error instanceof ApiError && error.status === 404) sewAgain();
+        else tellFailure(error);
+      },
+    );
+  };
+  update();
+  const end = useStudio.subscribe(update);
+  const endSession = useSession.subscribe((state, before) => {
+    // After live frames what the history shows comes back, also where the work was cancelled.
+    if (state.frame !== null || before.frame === null || wanted === null) return;
+    const name = wanted;
+    void garmentMesh(name).then((data) => {
+      if (wanted !== name) return;
+      viewer.showGarment(null, []);
+      viewer.showGarment(data, seamColors(data));
+    });
+  });
+  return () => {
+    end();
+    endSession();
+  };
+}
+
+function followBody(viewer: GarmentViewer): () => void {
+  let shown: string | null = null;
+  const update = () => {
+    const name = currentVersion(useStudio.getState())?.body ?? useSession.getState().server?.body ?? null;
+    if (name === null || name === shown) return;
+    shown = name;
+    bodyMesh(name).then((data) => {
+      if (shown !== name) return;
+      viewer.showBody(data);
+      viewer.setBodyVisible(useDisplay.getState().body);
+      if (viewer.data === null) viewer.frameAll(false);
+    }, tellFailure);
+  };
+  update();
+  const ends = [useStudio.subscribe(update), useSession.subscribe(update)];
+  return () => {
+    for (const end of ends) end();
+  };
+}
+
+function followFrames(viewer: GarmentViewer): () => void {
+  return useSession.subscribe((state, before) => {
+    const { frame } = state;
+    if (frame === null || frame === before.frame) return;
+    void garmentMesh(frame.mesh).then((data) => {
+      if (useSession.getState().frame !== frame) return;
+      viewer.showGarment(data, seamColors(data));
+      viewer.showFrame(frame.positions);
+      viewer.stage.mark("frame", String(frame.number));
+    });
+  });
+}
+
+function followLook(viewer: GarmentViewer): () => void {
+  const update = () => {
+    const { coloring, print, clothColor, body, wireframe, seams } = useDisplay.getState();
+    const color = clothColor ?? currentVersion(useStudio.getState())?.color ?? DEFAULT_CLOTH;
+    viewer.setLook({ coloring, print, color, wireframe });
+    viewer.setBodyVisible(body);
+    viewer.setSeamsVisible(seams);
+  };
+  update();
+  let color: string | null | undefined;
+  const ends = [
+    useDisplay.subscribe(update),
+    useStudio.subscribe((state) => {
+      const now = currentVersion(state)?.color;
+      if (now !== color) update();
+      color = now;
+    }),
+  ];
+  return () => {
+    for (const end of ends) end();
+  };
+}
+
+function followMarks(viewer: GarmentViewer): () => void {
+  const update = () => {
+    const { selection, hover, theme } = useStudio.getState();
+    const [selectColor, hoverColor] = theme === "dark" ? ["#ff9a5a", "#7ab8ff"] : ["#c2410c", "#0b63ce"];
+    viewer.setMarks({ selected: selection, hover, selectColor, hoverColor }, (stitch) => {
+      const found = shownPattern(useStudio.getState())?.pattern.stitches[stitch];
+      return found === undefined ? null : [found[0], found[1]];
+    });
+  };
+  update();
+  return useStudio.subscribe((state, before) => {
+    if (state.selection !== before.selection || state.hover !== before.hover || state.theme !== before.theme)
+      update();
+    if (state.theme !== before.theme && viewer.data !== null)
+      viewer.showGarment(viewer.data, seamColors(viewer.data));
+  });
+}

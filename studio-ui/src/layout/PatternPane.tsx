@@ -1,0 +1,1 @@
+export { PatternWindow as PatternPane } from "../pattern/PatternWindow";

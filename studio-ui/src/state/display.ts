@@ -1,0 +1,53 @@
+/** How the garment is shown, and how the window is divided. Kept in the browser. */
+
+import { create } from "zustand";
+import { remember, remembered } from "./remembered";
+
+export type Coloring = "cloth" | "panels" | "strain";
+export type Print = "plain" | "stripes" | "checks" | "dots" | "ruler";
+export type Side = "front" | "back" | "left" | "right";
+export type Layout = "both" | "pattern" | "garment";
+
+export interface DisplayOptions {
+  coloring: Coloring;
+  print: Print;
+  /** "#rrggbb" chosen by hand; null: the cloth's own. */
+  clothColor: string | null;
+  body: boolean;
+  wireframe: boolean;
+  seams: boolean;
+  layout: Layout;
+  /** Whether the column on the left is shown, and how wide it is, px. */
+  sidebar: boolean;
+  sidebarWidth: number;
+  /** Share of the pattern window of what is right of the column. */
+  split: number;
+}
+
+interface DisplayState extends DisplayOptions {
+  change: (options: Partial<DisplayOptions>) => void;
+}
+
+const DEFAULTS: DisplayOptions = {
+  coloring: "cloth",
+  print: "plain",
+  clothColor: null,
+  body: true,
+  wireframe: false,
+  seams: true,
+  layout: "both",
+  sidebar: true,
+  sidebarWidth: window.innerWidth < 1200 ? 272 : 336,
+  split: 0.5,
+};
+
+export const useDisplay = create<DisplayState>()((set, get) => ({
+  ...DEFAULTS,
+  ...remembered<Partial<DisplayOptions>>("display", {}),
+  clothColor: null,
+  change: (options) => {
+    set(options);
+    const { change: _, clothColor: __, ...kept } = get();
+    remember("display", kept);
+  },
+}));

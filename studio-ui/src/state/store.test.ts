@@ -1,0 +1,144 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import type { Document } from "../api/types";
+import { versionOf } from "./document";
+import type { PatternJson } from "./pattern-json";
+import { currentVersion, shownFindings, shownMesh, shownPattern, useStudio } from "./store";
+
+function square(side: number, panels = ["front"]): PatternJson {
+  const panel = {
+    translation: [0, 0, 0] as [number, number, number],
+    rotation: [0, 0, 0] as [number, number, number],
+    vertices: [
+      [0, 0],
+      [side, 0],
+      [side, side],
+      [0, side],
+    ] as [number, number][],
+    edges: [0, 1, 2, 3].map((k) => ({ endpoints: [k, (k + 1) % 4] as [number, number] })),
+  };
+  return {
+    pattern: {
+      panels: Object.fromEntries(panels.map((name) => [name, panel])),
+      stitches: [],
+      panel_order: panels,
+    },
+  };
+}
+
+const document = (pattern: PatternJson, mesh: string): Document => ({
+  origin: "example",
+  title: "A square",
+  pattern,
+  findings: [],
+  seams: [],
+  mesh,
+  unsewable: null,
+  body: "body",
+  reading: {
+    made: [],
+    assumed: [],
+    cannot: [],
+    unknown: [],
+    shown: [],
+    language: null,
+    color: null,
+    fabric: null,
+  },
+  dimensions: [],
+  description: "",
+  notes: [],
+  warnings: [],
+  changes: [],
+  open: [],
+  quality: null,
+  garment: "sewn",
+  color: "#123456",
+  fabric: "cotton",
+  edge_length: 2,
+  seed: 7,
+  prompt: "a square",
+  seconds: {},
+});
+
+const state = () => useStudio.getState();
+
+describe("the store", () => {
+  beforeEach(() => state().open("Opened", versionOf(document(square(10), "mesh-10"))));
+
+  it("makes one entry of a drag, however long it is", () => {
+    for (let side = 11; side < 40; side += 1) state().preview(square(side));
+    const last = square(40);
+    state().preview(last);
+    expect(state().history?.entries).toHaveLength(1);
+    expect(shownPattern(state())).toBe(last);
+    state().apply("Move point", last);
+    expect(state().history?.entries.map((entry) => entry.label)).toEqual(["Opened", "Move point"]);
+    expect(state().draft).toBeNull();
+  });
+
+  it("keeps the garment that came for the last state of a drag", () => {
+    const last = square(40);
+    state().preview(last);
+    state().answerDraft({ pattern: last, findings: [], seams: [], mesh: "mesh-40" });
+    expect(shownMesh(state())).toBe("mesh-40");
+    state().apply("Move point", last);
+    expect(currentVersion(state())).toMatchObject({
+      mesh: "mesh-40",
+      findings: [],
+      color: "#123456",
+      seed: 7,
+      reading: null,
+    });
+  });
+
+  it("asks anew where the garment is of an earlier state of the drag", () => {
+    state().preview(square(20));
+    state().answerDraft({ pattern: square(20), findings: [], seams: [], mesh: "mesh-20" });
+    state().apply("Move point", square(40));
+    expect(currentVersion(state())).toMatchObject({ mesh: null, findings: null });
+    expect(shownFindings(state())).toBeNull();
+  });
+
+  it("drops what arrives for a pattern that is gone", () => {
+    const other = square(99);
+    state().amend(other, { mesh: "mesh-99" });
+    expect(currentVersion(state())?.mesh).toBe("mesh-10");
+    state().answerDraft({ pattern: other, findings: [], seams: [], mesh: "mesh-99" });
+    expect(shownMesh(state())).toBe("mesh-10");
+  });
+
+  it("brings garment and pattern back together on undo", () => {
+    state().apply("Larger", square(20));
+    state().undo();
+    expect(shownMesh(state())).toBe("mesh-10");
+    expect(state().history?.entries).toHaveLength(2);
+    state().redo();
+    expect(shownPattern(state())?.pattern.panels.front?.vertices[1]).toEqual([20, 0]);
+  });
+
+  it("forgets selected places that a pattern no longer has", () => {
+    state().apply("Two panels", square(10, ["front", "back"]));
+    state().setSelection([
+      { kind: "panel", panel: "back" },
+      { kind: "edge", panel: "front", edge: 3 },
+      { kind: "edge", panel: "front", edge: 4 },
+    ]);
+    state().undo();
+    expect(state().selection).toEqual([{ kind: "edge", panel: "front", edge: 3 }]);
+  });
+
+  it("takes back a drag that was given up", () => {
+    state().preview(square(33));
+    state().cancelPreview();
+    expect(shownPattern(state())?.pattern.panels.front?.vertices[1]).toEqual([10, 0]);
+  });
+
+  it("toggles what is selected", () => {
+    state().select({ kind: "panel", panel: "front" }, "toggle");
+    state().select({ kind: "edge", panel: "front", edge: 1 }, "toggle");
+    state().select({ kind: "panel", panel: "front" }, "toggle");
+    expect(state().selection).toEqual([{ kind: "edge", panel: "front", edge: 1 }]);
+    state().select(null);
+    expect(state().selection).toEqual([]);
+  });
+});
