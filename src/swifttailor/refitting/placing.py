@@ -50,7 +50,7 @@ def _beside(panel: Panel) -> bool:
 
 
 def _leg_place(point: Floats, start: BodyProfile, end: BodyProfile) -> float:
-    """x beside the other leg as beside the first."""
+    """X beside the other leg as beside the first."""
     x, y, _ = point
     low, high = start.leg_heights[[0, -1]]
     at = float(np.clip(y, low, high))
