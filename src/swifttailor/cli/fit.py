@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from swifttailor.cli.option_checks import require_writable_folder
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import file_name, new_place
-from swifttailor.cli.wearer_options import WearerOptions
+from swifttailor.cli.wearer_options import BodyOptions
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ SOMETHING_TO_LOOK_AT = 1
 
 
 @dataclass(frozen=True, kw_only=True)
-class Fit(WearerOptions):
+class Fit(BodyOptions):
     """Refit a pattern to another body: by a size, by measures, or by a file of either.
 
     Ease, style lines and proportions are kept; seams that were equally long stay so, and what is symmetric
@@ -57,8 +57,6 @@ class Fit(WearerOptions):
         Raises:
             SwiftTailorError: An option or the pattern cannot be used.
         """
-        if self.fit != "auto":
-            raise InputError("--fit is for commands that make garments; this one always refits.")
         if self.sizes is None and not self.names_body:
             raise InputError(
                 "No body was given. Give one with --size 44, --measure bust=96 height=172, or --body FILE."

@@ -16,7 +16,7 @@ MESHES = (".obj", ".ply", ".glb", ".stl")
 
 
 @dataclass(frozen=True, kw_only=True)
-class WearerOptions:
+class BodyOptions:
     """A body by its size, its measures or a file."""
 
     size: Annotated[str | None, tyro.conf.arg(metavar="SIZE")] = None
@@ -29,6 +29,30 @@ class WearerOptions:
     body: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Body mesh (.obj, .ply, .glb, .stl), standing upright, facing +Z; or measurements (.yaml, .json) under
     GarmentCode's or FreeSewing's names. The default body without any of these."""
+
+    @property
+    def names_body(self) -> bool:
+        """Whether a body is asked for."""
+        return any((self.size is not None, self.measure, self.figure is not None, self.body is not None))
+
+    def wearer(self) -> Body | None:
+        """The body that is asked for; None where none is.
+
+        Raises:
+            InputError: There is no such size, measure or file, or no body has these measures.
+        """
+        if not self.names_body:
+            return None
+        from swifttailor.body.measure_names import parse_measures
+        from swifttailor.body.wearer import Wearer
+
+        return Wearer(self.size, parse_measures(self.measure), self.body, self.figure).body()
+
+
+@dataclass(frozen=True, kw_only=True)
+class WearerOptions(BodyOptions):
+    """A body, whether patterns are refitted to it, and how it stands."""
+
     fit: Literal["auto", "always", "never"] = "auto"
     """Whether the pattern is refitted to that body. auto: to a size and to measures; on a mesh it is left as
     it was drafted."""
@@ -36,11 +60,6 @@ class WearerOptions:
     pose: Literal["A", "T", "down"] = "A"
     """How the wearer stands in the end: A as it is sewn, T with level arms, or down with hanging arms. The
     garment is carried along."""
-
-    @property
-    def names_body(self) -> bool:
-        """Whether a body is asked for."""
-        return any((self.size is not None, self.measure, self.figure is not None, self.body is not None))
 
     @property
     def refits(self) -> bool:
@@ -64,16 +83,3 @@ class WearerOptions:
         stood, cloth = carried_to(self.pose, body or Body.default(), garment.vertices, garment.faces)
         report = garment.report | {"pose": self.pose}
         return replace(garment, vertices=cloth, report=report), stood
-
-    def wearer(self) -> Body | None:
-        """The body that is asked for; None where none is.
-
-        Raises:
-            InputError: There is no such size, measure or file, or no body has these measures.
-        """
-        if not self.names_body:
-            return None
-        from swifttailor.body.measure_names import parse_measures
-        from swifttailor.body.wearer import Wearer
-
-        return Wearer(self.size, parse_measures(self.measure), self.body, self.figure).body()

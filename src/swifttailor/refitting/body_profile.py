@@ -50,6 +50,8 @@ class BodyProfile:
     """(m,) of the slices of the legs, from the floor to below the crotch."""
     leg: Floats
     """(m,) girth of one leg."""
+    leg_middle: Floats
+    """(m,) x of the middle of the left leg."""
     shoulder: Floats
     """(3,) the middle of the left arm's joint."""
     arm_axis: Floats
@@ -105,6 +107,7 @@ def profile_of(body: Body) -> BodyProfile:
     leg_heights = np.interp(np.arange(_STEPS // 2, 3 * _STEPS), np.arange(len(levels)) * _STEPS, levels)
     left = trunk[body.vertices[trunk].mean(axis=1)[:, 0] > 0]
     legs = np.array([girth(body.vertices, left, float(h)) for h in leg_heights])
+    middles = np.array([_middle_x(slice_points(body.vertices, left, _UP, float(h))) for h in leg_heights])
     shoulder, axis = arm_axis(body.vertices, body.faces, body.vertex_part, BodyPart.LEFT_ARM)
     own = body.faces[face_parts(body.faces, body.vertex_part) == BodyPart.LEFT_ARM]
     start = float(shoulder @ axis)
@@ -113,8 +116,26 @@ def profile_of(body: Body) -> BodyProfile:
     )
     front, back, half, ahead, behind = slices.T
     return BodyProfile(
-        m, levels, heights, front, back, sides, half, ahead, behind, leg_heights, legs, shoulder, axis, arm
+        m,
+        levels,
+        heights,
+        front,
+        back,
+        sides,
+        half,
+        ahead,
+        behind,
+        leg_heights,
+        legs,
+        middles,
+        shoulder,
+        axis,
+        arm,
     )
+
+
+def _middle_x(points: Floats) -> float:
+    return float(points[:, 0].min() + points[:, 0].max()) / 2
 
 
 def _trunk_slice(outline: Floats, side: float) -> tuple[float, ...]:
