@@ -53,6 +53,15 @@ def test_allowances_and_paper_are_obeyed(shirt, tmp_path):
     assert "seams 1.5 cm, hems 4 cm" in " ".join(document[0].get_textpage().get_text_bounded().split())
 
 
+def test_fronts_are_cut_on_the_fold_where_asked(shirt, tmp_path, capsys):
+    for fold, expected in {"none": "cut 2, mirrored", "front": "cut 1 on the fold"}.items():
+        out = tmp_path / f"{fold}.md"
+        assert run(["convert", str(shirt / "shirt.json"), str(out), "--fold", fold]) == 0
+        assert f"**Bodice front**: {expected}" in out.read_text()
+    assert run(["convert", str(shirt / "shirt.json"), str(tmp_path / "a.svg"), "--fold", "both"]) == 2
+    assert "no use" in capsys.readouterr().err
+
+
 def test_a_marker_tells_its_length(shirt, tmp_path, capsys):
     out = tmp_path / "m.svg"
     command = ["marker", str(shirt / "worn"), "--width", "150", "--out", str(out), "--seconds", "1", "--json"]

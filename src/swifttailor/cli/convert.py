@@ -53,6 +53,8 @@ class Convert:
     """Allowance of hems, cm; curved hems get at most 1.5. Default: 3."""
     edge_allowance: float | None = None
     """Allowance of necklines, armholes and other open edges, cm. Default: 1."""
+    fold: Literal["none", "front", "back", "both"] = "none"
+    """What is cut on the fold, in .pdf, .dxf, .md and .zip, where there is a straight seam in the middle."""
     cloth_width: float = 140.0
     """Width in cm of the cloth whose length the .pdf tells."""
     dialect: Literal["astm", "aama"] = "astm"
@@ -111,6 +113,8 @@ class Convert:
             )
             if value is not None and self._ending not in _CUT:
                 raise InputError(f"{option} has no use in '{self.target.name}'. It is for {', '.join(_CUT)}.")
+        if self.fold != "none" and self._ending not in _CUT:
+            raise InputError(f"--fold has no use in '{self.target.name}'. It is for {', '.join(_CUT)}.")
         require_edge_length(self.edge_length)
         for option, given, endings in (
             ("--color", self.color is not None, _COLORED),
@@ -157,7 +161,13 @@ class Convert:
         from swifttailor.atomic_files import write_text
         from swifttailor.cli.sewing_files import print_findings, write_pattern_pdf
         from swifttailor.making import cutting_plan
+        from swifttailor.making.sewn_pattern import require_sewable
 
+        if self.fold != "none":
+            from swifttailor.making.centre_folds import fold_centres
+
+            require_sewable(pattern)
+            pattern = fold_centres(pattern, front=self.fold != "back", back=self.fold != "front")
         plan = cutting_plan(pattern, self._allowances())
         if self._ending == ".pdf":
             preview = self.source / "preview.png" if self.source.is_dir() else None

@@ -6,7 +6,7 @@ import json
 import sys
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 from swifttailor.cli.option_checks import in_range, require_seed
 from swifttailor.cli.postponed_imports import tyro
@@ -44,6 +44,8 @@ class MakeMarker:
     """Allowance of hems, cm. Default: 3."""
     edge_allowance: float | None = None
     """Allowance of necklines, armholes and other open edges, cm. Default: 1."""
+    fold: Literal["none", "front", "back", "both"] = "none"
+    """What is cut on the fold, where the pattern has a straight seam in the middle."""
     rotation: RotationReading = "intrinsic"
     """How to read the placement angles (see convert)."""
     overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
@@ -58,8 +60,10 @@ class MakeMarker:
         self._require_sense()
         from swifttailor.atomic_files import require_free
         from swifttailor.making import Allowances, cutting_plan
+        from swifttailor.making.centre_folds import fold_centres
         from swifttailor.making.marker_files import require_ending, write_marker
         from swifttailor.making.nesting import nest, pack_boxes, require_width
+        from swifttailor.making.sewn_pattern import require_sewable
         from swifttailor.pattern import load_pattern
 
         require_width(self.width)
@@ -78,6 +82,9 @@ class MakeMarker:
         pattern = load_pattern(source, rotation=self.rotation)
         if self.pattern.is_dir():
             pattern = replace(pattern, name=self.pattern.resolve().name or pattern.name)
+        if self.fold != "none":
+            require_sewable(pattern)
+            pattern = fold_centres(pattern, front=self.fold != "back", back=self.fold != "front")
         plan = cutting_plan(pattern, allowances)
         boxes = pack_boxes(plan.pieces, self.width)
         marker = nest(plan.pieces, self.width, seconds=self.seconds, seed=self.seed, one_way=self.one_way)
