@@ -18,7 +18,6 @@ from swifttailor.pattern.drafts import draft
 from swifttailor.tailor import Order, Tailor
 from swifttailor.tailor.changes_seen import changes_seen
 from swifttailor.tailor.reporting import AS_IT_WAS
-from swifttailor.wishes.reader import SURE
 
 DRESS, SHIRT = draft("fitted-dress"), draft("t-shirt")
 

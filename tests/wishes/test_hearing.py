@@ -10,7 +10,9 @@ import swifttailor
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.describing.measuring import measure_facts
-from swifttailor.wishes.hearing import HEARD_NOTHING, hear_description, hear_instruction
+from swifttailor.wishes.heard import HEARD_NOTHING
+from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.hearing_changes import hear_instruction
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wording.lexicon import exclude
 

@@ -24,7 +24,8 @@ _ABOUT = {
     "leg_cuffs": "leg_cuffs leg_cuff_cm",
     "waistband": "waistband waistband_cm",
     "hem_band": "waistband",
-    "hem": "skirt_hem top_hem leg_hem hem_shape hem_cm leg_width_cm skirt_length_cm length_cm waistband legs slit",
+    "hem": "skirt_hem top_hem leg_hem hem_shape hem_cm leg_width_cm skirt_length_cm length_cm waistband legs "
+    "slit",
     "slit": "slit slit_size slit_cm",
     "straps": "straps shoulders",
     "shoulders": "shoulders straps sleeves sleeve_shape neckline",
