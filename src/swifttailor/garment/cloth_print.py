@@ -1,4 +1,4 @@
-"""The print of a garment's cloth: stripes, checks, dots, motifs, in previews and as a texture in .glb files."""
+"""The print of a garment's cloth: stripes, checks, dots, motifs; in previews, and a texture in .glb files."""
 
 from __future__ import annotations
 
