@@ -13,7 +13,7 @@ from swifttailor.arrays import Array
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
-    from swifttailor.render.prints import KnownPrint
+    from swifttailor.render.prints import KnownPrint, LinearColor
 
 PRINT = "print"
 """What a report calls it."""
@@ -59,7 +59,10 @@ class ClothPrint:
         from swifttailor.render.color import to_linear
         from swifttailor.render.prints import Checks, Dots, Motif, Plaid, Stripes
 
-        red_green_blue = [tuple(float(part) for part in to_linear(color)) for color in self.colors]
+        red_green_blue: list[LinearColor] = []
+        for color in self.colors:
+            red, green, blue = (float(part) for part in to_linear(color))
+            red_green_blue.append((red, green, blue))
         first, second = red_green_blue[0], red_green_blue[1]
         angle = self.size("angle")
         if self.kind == "stripes":

@@ -50,7 +50,7 @@ class TriangleMesh:
     roughness: float = ROUGHNESS["cotton"]
     """How matt the cloth is, 0 to 1."""
     texture: Array | None = None
-    """(h, w, 3) uint8 sRGB, row 0 at the top: takes the place of the colour, in formats that hold pictures."""
+    """(h, w, 3) uint8 sRGB, row 0 at the top: instead of the colour, in formats that hold pictures."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "vertices", _floats("vertices", self.vertices, 3))

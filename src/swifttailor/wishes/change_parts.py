@@ -59,7 +59,7 @@ _SUBJECTS: Mapping[str, str] = {
 def subjects_of(part: str) -> frozenset[str]:
     """Claims and quantities that are about a part."""
     quantities = {quantity for quantity, _ in _OF.get(part, {}).values()}
-    return quantities.union(_SUBJECTS.get(part, "").split())
+    return frozenset({*quantities, *_SUBJECTS.get(part, "").split()})
 
 
 def changes_of(
