@@ -74,11 +74,6 @@ def test_the_file_holds_the_texture(garment):
     assert "images" not in bare and bare["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] == 0.4
 
 
-def test_a_folder_keeps_the_print(garment, tmp_path):
-    folder = replace(garment, report={"print": STRIPES.to_json()}).save(tmp_path / "skirt", preview=False)
-    assert Garment.load(folder).print == STRIPES
-
-
 def test_corners_of_faces_lie_on_the_cloth_at_its_scale(garment):
     at = cloth_at(garment)
     flat = garment.mesh.flat_vertices[garment.mesh.flat_faces]
