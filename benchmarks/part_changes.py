@@ -46,19 +46,25 @@ def part_of(subject: str) -> str | None:
 
 
 def changed_elsewhere(prompt: PeopleEdit, before: GarmentFacts, after: GarmentFacts) -> list[str]:
-    """What has visibly changed in parts that the instruction does not speak of, and that do not hang on these.
+    """What has visibly changed in parts that the instruction does not speak of, nor hang on those it does.
 
     Args:
         prompt: The instruction with what is expected of it.
         before: The garment that was given.
         after: The one that came out.
     """
-    spoken = {e.claim for e in (*prompt.expect, *prompt.never)} | {m for s in prompt.steps for m in s.measures}
+    spoken = {e.claim for e in (*prompt.expect, *prompt.never)} | {
+        m for s in prompt.steps for m in s.measures
+    }
     if spoken & _EVERYTHING:
         return []
     asked = {part for name in spoken if (part := part_of(name))}
     allowed = asked | {other for part in asked for other in _WITH[part]}
     gains, steps = find_differences(before, after)
     found = [f"{g.claim.name}={g.claim.value}" for g in gains if part_of(g.claim.name) not in allowed]
-    found += [f"{s.quantity} {s.direction * (s.amount or 0):+.1f}" for s in steps if part_of(s.quantity) not in allowed]
+    found += [
+        f"{s.quantity} {s.direction * (s.amount or 0):+.1f}"
+        for s in steps
+        if part_of(s.quantity) not in allowed
+    ]
     return found

@@ -8,6 +8,7 @@ Patterns are written as `generate` writes them, and measured. Of the final half 
 from __future__ import annotations
 
 import argparse
+import sys
 import time
 from collections import Counter
 
@@ -52,7 +53,9 @@ def judge(prompt: PeoplePrompt, tailor: swifttailor.Tailor, counts: Counter[str]
     if not whole:
         wanted = [f"{e.claim}={'/'.join(e.values) or e.number}" for e in open_ones]
         seen = [f"{c.name}={c.value}" for c in claims_of(facts) if c.name in {e.claim for e in open_ones}]
-        misses.append(f"{prompt.id} {prompt.text!r}: wanted {wanted}, never {broken}; is {seen}; {doubts(answer)}")
+        misses.append(
+            f"{prompt.id} {prompt.text!r}: wanted {wanted}, never {broken}; is {seen}; {doubts(answer)}"
+        )
 
 
 def main() -> None:
@@ -67,8 +70,10 @@ def main() -> None:
     prompts = [p for p in read_people_prompts(WORDS / args.half / "prompts.jsonl") if p.garment][: args.count]
     tailor, counts, misses = swifttailor.Tailor.load(), Counter[str](), list[str]()
     begun = time.perf_counter()
-    for prompt in prompts:
+    for number, prompt in enumerate(prompts, start=1):
         judge(prompt, tailor, counts, misses)
+        if number % 25 == 0:
+            print(f"  after {number}: {dict(counts)}", file=sys.stderr, flush=True)
     print(f"{args.half}: {len(prompts)} wishes, {(time.perf_counter() - begun) / len(prompts):.2f} s each")
     print(f"  expected statements that hold: {counts['hold']} of {counts['statements']}")
     print(f"  wishes of which all holds and nothing refused is so: {counts['prompts in all']}")

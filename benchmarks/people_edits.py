@@ -2,13 +2,14 @@
 
 python benchmarks/people_edits.py building|final [--misses] [--count N] [--only ID ...]
 
-Each instruction is given to a garment of which what it presupposes is true, made by the path of `generate`. Of
-the final half only counts are printed.
+Each instruction is given to a garment of which what it presupposes is true, made by the path of `generate`.
+Of the final half only counts are printed.
 """
 
 from __future__ import annotations
 
 import argparse
+import sys
 import time
 from collections import Counter
 
@@ -124,9 +125,13 @@ def main() -> None:
         prompts = tuple([p for p in prompts if p.id in args.only])
     tailor, counts, misses = swifttailor.Tailor.load(), Counter[str](), list[str]()
     begun = time.perf_counter()
-    for prompt in prompts:
+    for number, prompt in enumerate(prompts, start=1):
         judge(prompt, tailor, counts, misses)
-    print(f"{args.half}: {len(prompts)} instructions, {(time.perf_counter() - begun) / len(prompts):.2f} s each")
+        if number % 25 == 0:
+            print(f"  after {number}: {dict(counts)}", file=sys.stderr, flush=True)
+    print(
+        f"{args.half}: {len(prompts)} instructions, {(time.perf_counter() - begun) / len(prompts):.2f} s each"
+    )
     print(f"  expected statements and steps that hold: {counts['hold']} of {counts['statements']}")
     print(f"  instructions of which all holds and nothing refused is so: {counts['in all']}")
     print(f"  something changed elsewhere: {counts['changed elsewhere']}")

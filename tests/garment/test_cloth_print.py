@@ -26,7 +26,10 @@ def garment():
 
 
 def test_a_report_states_a_print_and_is_read_back():
-    for found in (STRIPES, ClothPrint("motif", ("#000000", "#ffffff", "#ff0000"), {"repeat": 9.0}, "flowers")):
+    for found in (
+        STRIPES,
+        ClothPrint("motif", ("#000000", "#ffffff", "#ff0000"), {"repeat": 9.0}, "flowers"),
+    ):
         assert stated_print(json.loads(json.dumps({"print": found.to_json()}))) == found
 
 
@@ -54,7 +57,7 @@ def test_stripes_of_a_texture_have_their_width(garment):
     column = picture[:, 256, 1] < 128
     bands = np.count_nonzero(np.diff(column.astype(int)) == 1)
     assert abs(bands - garment.uv_scale / 8.0) <= 1.5, "a band and a gap every 8 cm"
-    assert (np.ptp(picture[256, :, 1]) < 60), "around the body a stripe goes on"
+    assert np.ptp(picture[256, :, 1]) < 60, "around the body a stripe goes on"
 
 
 def test_the_file_holds_the_texture(garment):

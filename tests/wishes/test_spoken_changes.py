@@ -10,7 +10,8 @@ from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain, Step
 from swifttailor.wishes.change_parts import PARTS, changes_of
 from swifttailor.wishes.change_words import find_changes, find_parts
-from swifttailor.wishes.spoken_changes import other_than, spoken_changes
+from swifttailor.wishes.spoken_changes import spoken_changes
+from swifttailor.wishes.spoken_clauses import other_than
 from swifttailor.wording.lexicon import read_words
 
 

@@ -30,7 +30,11 @@ def stated(text, kind):
         ("5 gores, midi, flared", "skirt", {"gores": 5}),
         ("Rock, Länge 65 cm", "skirt", {"skirt_length_cm": 65}),
         ("between 60 and 70 cm long", "skirt", {"skirt_length_cm": 65}),
-        ('a jumper, 20" from underarm... no, make that 26 inches from the shoulder', "top", {"length_cm": 66.04}),
+        (
+            'a jumper, 20" from underarm... no, make that 26 inches from the shoulder',
+            "top",
+            {"length_cm": 66.04},
+        ),
     ],
 )
 def test_a_number_is_said_of_the_measure_beside_it(text, kind, claims):
@@ -78,7 +82,9 @@ def test_bounds_and_slits():
     def claims(text):
         return [(c.name, c.value) for c in spoken_bounds(text, read_words(text))]
 
-    assert claims("a dress, on no account anything shorter than the middle of my calves") == [("skirt_hem", "midi")]
+    assert claims("a dress, on no account anything shorter than the middle of my calves") == [
+        ("skirt_hem", "midi")
+    ]
     assert claims("a dress, not too short") == []
     text = "a gown, slit to mid-thigh on the right"
     found = spoken_slit(text, read_words(text))

@@ -1,4 +1,4 @@
-"""The print of a garment's cloth: stripes, checks, dots and motifs, in previews and as a texture in .glb files."""
+"""The print of a garment's cloth: stripes, checks, dots, motifs; in previews, and a texture in .glb files."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from swifttailor.arrays import Array
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
-    from swifttailor.render.prints import KnownPrint
+    from swifttailor.render.prints import KnownPrint, LinearColor
 
 PRINT = "print"
 """What a report calls it."""
@@ -22,7 +22,14 @@ MOTIFS = ("flowers", "leaves", "blotches", "spots", "shapes")
 TEXTURE_SIDE = 2048
 """Pixels: a millimetre or two of cloth each."""
 _SMALLEST_CM, _LARGEST_CM = 0.05, 200.0
-_USUAL: Mapping[str, float] = {"width": 2.5, "gap": 2.5, "spacing": 4.0, "radius": 0.8, "repeat": 20.0, "angle": 0.0}
+_USUAL: Mapping[str, float] = {
+    "width": 2.5,
+    "gap": 2.5,
+    "spacing": 4.0,
+    "radius": 0.8,
+    "repeat": 20.0,
+    "angle": 0.0,
+}
 _FEWEST, _MOST = 2, 4
 _GRAIN = 0.03
 _HEX = re.compile("#[0-9a-f]{6}")
@@ -52,7 +59,10 @@ class ClothPrint:
         from swifttailor.render.color import to_linear
         from swifttailor.render.prints import Checks, Dots, Motif, Plaid, Stripes
 
-        red_green_blue = [tuple(float(part) for part in to_linear(color)) for color in self.colors]
+        red_green_blue: list[LinearColor] = []
+        for color in self.colors:
+            red, green, blue = (float(part) for part in to_linear(color))
+            red_green_blue.append((red, green, blue))
         first, second = red_green_blue[0], red_green_blue[1]
         angle = self.size("angle")
         if self.kind == "stripes":
@@ -75,7 +85,11 @@ class ClothPrint:
 def stated_print(report: Mapping[str, Any]) -> ClothPrint | None:
     """The print that a report states; None where it states none, or one that cannot be drawn."""
     said = report.get(PRINT)
-    if not isinstance(said, dict) or said.get("kind") not in KINDS or said.get("motif", "shapes") not in MOTIFS:
+    if (
+        not isinstance(said, dict)
+        or said.get("kind") not in KINDS
+        or said.get("motif", "shapes") not in MOTIFS
+    ):
         return None
     colors, sizes = said.get("colors"), said.get("sizes", {})
     known = isinstance(colors, list) and _FEWEST <= len(colors) <= _MOST

@@ -60,7 +60,7 @@ class Garment:
         from swifttailor.garment.folder_reader import read_folder
 
         mesh, vertices, report = read_folder(folder)
-        return cls(mesh, vertices, report, stated_color(report), stated_print(report))
+        return cls(mesh, vertices, report, stated_color(report), print=stated_print(report))
 
     @property
     def pattern(self) -> Pattern:

@@ -46,8 +46,8 @@ def heard_notes(wanted: Wanted) -> list[str]:
         found.append(f"Read as {_LANGUAGES[heard.words.language]}, by the words of its lexicon.")
     if heard.foreign is not None:
         found.append(
-            f"This seems to be {heard.foreign}, which is not read. English is, and German, French and Spanish by "
-            "their words of clothes."
+            f"This seems to be {heard.foreign}, which is not read. English is, and German, French and "
+            "Spanish by their words of clothes."
         )
     if heard.unread:
         found.append(f"Not understood: {_quoted(heard.unread)}.")

@@ -27,7 +27,9 @@ from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted
 from swifttailor.tailor.order import NO_READER, Order, one_line
 from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
-from swifttailor.wishes.hearing import HEARD_NOTHING, Heard, hear_description, hear_instruction
+from swifttailor.wishes.heard import HEARD_NOTHING, Heard
+from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.hearing_changes import hear_instruction
 from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wishes.wearer_words import hear_wearer

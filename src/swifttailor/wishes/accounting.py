@@ -5,7 +5,7 @@ Whoever names sleeves and gets what comes by chance should be told.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Sequence, Set
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, subject_of
@@ -24,7 +24,8 @@ _ABOUT = {
     "leg_cuffs": "leg_cuffs leg_cuff_cm",
     "waistband": "waistband waistband_cm",
     "hem_band": "waistband",
-    "hem": "skirt_hem top_hem leg_hem hem_shape hem_cm leg_width_cm skirt_length_cm length_cm waistband legs slit",
+    "hem": "skirt_hem top_hem leg_hem hem_shape hem_cm leg_width_cm skirt_length_cm length_cm waistband legs "
+    "slit",
     "slit": "slit slit_size slit_cm",
     "straps": "straps shoulders",
     "shoulders": "shoulders straps sleeves sleeve_shape neckline",
@@ -69,12 +70,12 @@ def unaccounted(
 
 
 def _is_answered(
-    mark: WordMark, claims: Collection[Claim], subjects: Collection[str], refused: Collection[Claim]
+    mark: WordMark, claims: Collection[Claim], subjects: Set[str], refused: Collection[Claim]
 ) -> bool:
     entry = mark.entries[0]
     if entry.category == "parts":
         about = _ABOUT.get(entry.part or "", "").split()
-        return not about or bool(subjects.intersection(about)) or any(c.name in about for c in refused)
+        return not about or bool(subjects & set(about)) or any(c.name in about for c in refused)
     said = [each.claim for one in mark.entries for each in one.implied]
     if not said:
         return True

@@ -59,7 +59,7 @@ _SUBJECTS: Mapping[str, str] = {
 def subjects_of(part: str) -> frozenset[str]:
     """Claims and quantities that are about a part."""
     quantities = {quantity for quantity, _ in _OF.get(part, {}).values()}
-    return quantities.union(_SUBJECTS.get(part, "").split())
+    return frozenset({*quantities, *_SUBJECTS.get(part, "").split()})
 
 
 def changes_of(
@@ -109,7 +109,13 @@ def _way(part: str, what: Property, kind: str) -> _Way | None:
             return None
         if part == "waist":
             return None if kind in _LOWER or kind == "skirt" else ("chest", 1)
-        return ("leg end", 1) if kind in _LEGS else ("chest", 1) if kind in ("top", "tunic") else ("skirt hem", 1)
+        return (
+            ("leg end", 1)
+            if kind in _LEGS
+            else ("chest", 1)
+            if kind in ("top", "tunic")
+            else ("skirt hem", 1)
+        )
     if part == "slit":
         return None
     return _OF.get(part, {}).get(what)

@@ -59,7 +59,9 @@ def find_adjectives(text: str) -> list[ChangeWord]:
         text: In lower case.
     """
     _, meaning = _compiled()
-    return [ChangeWord(m.start(), m.end(), *meaning["adjectives"][m[0]]) for m in _adjectives().finditer(text)]
+    return [
+        ChangeWord(m.start(), m.end(), *meaning["adjectives"][m[0]]) for m in _adjectives().finditer(text)
+    ]
 
 
 @cache

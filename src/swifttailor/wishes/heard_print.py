@@ -22,9 +22,12 @@ _LIGHT_FROM = 190.0
 """Brightness from which a colour counts as light, 0 to 255."""
 _ON = re.compile(r"(?<!\w)(?:on|against|auf|sur|sobre)(?:\s+(?:a|an|the))?\s*$", re.IGNORECASE)
 _WITH = re.compile(r"(?<!\w)(?:with|mit|avec|à|con|in)\s*$", re.IGNORECASE)
-_ACROSS = re.compile(r"(?<!\w)(?:horizontal\w*|across|around|quer\w*|crosswise|waagerecht\w*|hoop\w*)(?!\w)", re.IGNORECASE)
+_ACROSS = re.compile(
+    r"(?<!\w)(?:horizontal\w*|across|around|quer\w*|crosswise|waagerecht\w*|hoop\w*)(?!\w)", re.IGNORECASE
+)
 _DOWN = re.compile(
-    r"(?<!\w)(?:vertical\w*|lengthwise|longitudinal|längs\w*|senkrecht\w*|verticales?|up and down)(?!\w)", re.IGNORECASE
+    r"(?<!\w)(?:vertical\w*|lengthwise|longitudinal|längs\w*|senkrecht\w*|verticales?|up and down)(?!\w)",
+    re.IGNORECASE,
 )
 _SLANTED = re.compile(r"(?<!\w)(?:diagonal\w*|slanted|bias|schräg\w*|diagonales?)(?!\w)", re.IGNORECASE)
 _DIRECTIONS = ((_SLANTED, 45.0), (_DOWN, 90.0), (_ACROSS, 0.0))
@@ -96,11 +99,15 @@ def _stated_sizes(text: str, mark: WordMark, kind: str) -> dict[str, float]:
 def _colors(
     text: str, words: WordReading, mark: WordMark, kind: str, inks: tuple[str, ...]
 ) -> tuple[str, ...]:
-    marks = [m for m in words.marks if not m.denied and any(e.category == "colors" and e.color for e in m.entries)]
+    marks = [
+        m for m in words.marks if not m.denied and any(e.category == "colors" and e.color for e in m.entries)
+    ]
     named = [f"#{color.rgb}" for color in words.colors]
     if len(named) != len(marks):
         marks = marks[: len(named)]
-    ground = next((c for c, m in zip(named, marks, strict=False) if _ON.search(text[: _start(text, m)])), None)
+    ground = next(
+        (c for c, m in zip(named, marks, strict=False) if _ON.search(text[: _start(text, m)])), None
+    )
     usual = _USUAL_COLORS.get(_motif(mark) if kind == "motif" else kind, ())
     if not named and not inks and usual:
         return usual

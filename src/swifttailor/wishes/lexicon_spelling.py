@@ -20,7 +20,16 @@ NEAR, MOST_NEAR = 0.72, 3
 CLOSE = 0.8
 """How alike a name has to be to be made as a guess."""
 _LONGEST = 40
-_SOUNDS = (("ck", "k"), ("ph", "f"), ("c", "k"), ("y", "i"), ("z", "s"), ("ea", "e"), ("ee", "e"), ("ie", "i"))
+_SOUNDS = (
+    ("ck", "k"),
+    ("ph", "f"),
+    ("c", "k"),
+    ("y", "i"),
+    ("z", "s"),
+    ("ea", "e"),
+    ("ee", "e"),
+    ("ie", "i"),
+)
 _DOUBLED = re.compile(r"(.)\1+")
 
 
@@ -33,7 +42,9 @@ def lexicon_spelling(word: str) -> str | None:
     small = word.lower()
     if len(small) < SHORTEST or len(small) > _LONGEST or not small.isascii() or not small.isalpha():
         return None
-    slips = [near for near in neighbours(small) & _all_words() if near[0] == small[0] and len(near) >= SHORTEST]
+    slips = [
+        near for near in neighbours(small) & _all_words() if near[0] == small[0] and len(near) >= SHORTEST
+    ]
     slips = [near for near in slips if near != f"{small}s"]
     if len(slips) == 1:
         return slips[0]
@@ -56,7 +67,7 @@ def near_names(words: Iterable[str]) -> tuple[str, ...]:
 
 
 def guessed_name(words: Iterable[str]) -> tuple[str, str] | None:
-    """A word that nobody knows, with the name of a garment that it is most likely to be; None where none is."""
+    """A word that nobody knows, with the name of a garment that it most likely is; None where none is."""
     for word in list(words)[:MOST_NEAR]:
         small = word[:_LONGEST].lower()
         if len(small) < SHORTEST or not small.isalpha() or not small.isascii():

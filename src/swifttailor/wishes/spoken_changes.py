@@ -1,7 +1,7 @@
 """What an instruction asks for by its words alone: comparisons, details, removals, what is to stay.
 
-Rules and tables, no network. Each clause is read by itself; what of it nothing accounts for is named, and left
-to the network that hears how words hang together.
+Rules and tables, no network. Each clause is read by itself; what of it nothing accounts for is named, and
+left to the network that hears how words hang together.
 """
 
 from __future__ import annotations
@@ -23,12 +23,15 @@ from swifttailor.wishes.change_words import (
     target_words,
 )
 from swifttailor.wishes.mentions import Mention, find_mentions
+from swifttailor.wishes.spoken_clauses import SpokenClause, clashes_of, without_what_is_so
+from swifttailor.wishes.spoken_places import at_the_neck, hem_shape, slit
 from swifttailor.wishes.unread import is_function_word
 from swifttailor.wording.claim_kinds import fits_kind
-from swifttailor.wording.lexicon import Implication, WordMark, WordReading, exclude, read_words
+from swifttailor.wording.lexicon import Implication, WordMark, WordReading, read_words
 
 _JOINT = re.compile(
-    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+]\s|\s(?:and|but|then|und|aber|et|mais|y|pero)\s|\sso\s(?=it|that|can|could|i\b|she|he|they)", re.IGNORECASE
+    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+]\s|\s(?:and|but|then|und|aber|et|mais|y|pero)\s|\sso\s(?=it|that|can|could|i\b|she|he|they)",
+    re.IGNORECASE,
 )
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 _THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
@@ -41,41 +44,17 @@ _WITH_LEGS = frozenset(["trousers", "shorts", "jumpsuit", "playsuit"])
 _NAMED = {
     **dict.fromkeys(["pants", "trousers", "hose", "pantalon", "pantalón", "shorts"], _WITH_LEGS),
     **dict.fromkeys(["dress", "kleid", "robe", "vestido"], frozenset(["dress", "tunic", "jumpsuit"])),
-    **dict.fromkeys(["top", "shirt", "blouse", "jumper", "sweater", "hoodie"], frozenset(["top", "tunic", "dress"])),
+    **dict.fromkeys(
+        ["top", "shirt", "blouse", "jumper", "sweater", "hoodie"], frozenset(["top", "tunic", "dress"])
+    ),
 }
 """Kinds that a name of a garment can mean where one is there already."""
 _CAREFUL_CM = 6.0
 """A step of no stated size where something beyond it is refused: "shorter, but not mini"."""
 _TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
 _TO_BE = re.compile(r"(?<!\w)(?:make|made|be|become|want|wants|need|prefer|should|mach|rends|haz)(?!\w)")
-_TOO_CLOSE = re.compile(
-    r"(?<!\w)(?:remove|off|away|lose|strangl\w*|chok\w*|scratch\w*|itch\w*|suffocat\w*|weg|würgt|étrangle)(?!\w)"
-)
 _YEAR = re.compile(r"(?<!\w)(?:1[5-9]\d\d|\d0)s(?!\w)|(?<!\w)1[5-9]\d\d(?!\w)")
-_CLOSED = re.compile(r"(?<!\w)(?:close|closed|shut|sew up|sewn up|zu|fermer|cerrar)(?!\w)")
-_SIDE = re.compile(
-    r"(?<!\w)(?:(?P<left>left|links|gauche|izquierda)|(?P<right>right|rechts|droite|derecha)"
-    r"|(?P<back>back|behind|hinten|derrière|detrás)|(?P<front>front|vorne|devant|delante))(?!\w)"
-)
-_PLACES = {
-    "front": "front|vorne|devant|delante",
-    "back": "back|behind|hinten|derrière|detrás",
-    "right": "right|rechts|droite|derecha",
-    "left": "side|left|leg|links|seite|seitlich|côté|gauche|lado|izquierda|add|put|cut|open|a slit",
-}
-"""Where a slit is, by words; "at the side" is at the left."""
 _STEPS_DOWN = re.compile(r"(?<!\w)(?:off|away|remove|take|lose|without|weniger|weg)(?!\w)")
-
-
-@dataclass(frozen=True)
-class SpokenClause:
-    """A clause of an instruction, and what it asks for."""
-
-    start: int
-    end: int
-    changes: tuple[Change, ...]
-    left_over: tuple[str, ...]
-    """Words that nothing accounts for."""
 
 
 @dataclass(frozen=True)
@@ -131,8 +110,8 @@ def spoken_changes(
         named = [p.part for p in inside if p.part not in ("all", "waist")]
         last = named[-1] if named else last
     found = _joined(small, found, mentions, parts)
-    found = _without_what_is_so([_at_the_neck(small, c, is_so) for c in found], is_so)
-    clashes = _clashes(found, words, is_so)
+    found = without_what_is_so([at_the_neck(small, c, is_so) for c in found], is_so)
+    clashes = clashes_of(found, words, is_so)
     wanted = [change for clause in found for change in clause.changes]
     dropped = {subject for *_, subject in clashes}
     careful = any(claim.name in ("skirt_hem", "top_hem", "leg_hem", "fit") for claim in words.never)
@@ -165,24 +144,15 @@ def _read_alone(text: str, clause: SpokenClause, kind: str) -> SpokenClause:
     return replace(clause, changes=tuple(gains), left_over=left if gains else clause.left_over)
 
 
-def _at_the_neck(text: str, clause: SpokenClause, is_so: Callable[[Claim], bool]) -> SpokenClause:
-    """A collar that is not named: "remove what is around the neck", "the neck is strangling me"."""
-    said = text[clause.start : clause.end]
-    if clause.changes or not any(p.part == "neck" for p in find_parts(said)) or not _TOO_CLOSE.search(said):
-        return clause
-    collars = [Claim("collar", kind) for kind in ("stand", "turtleneck", "lapel")]
-    if not any(is_so(collar) for collar in collars):
-        return clause
-    return replace(clause, changes=(Gain(Claim("collar", "none")),), left_over=())
-
-
 def _joined(
     text: str, found: Sequence[SpokenClause], mentions: Sequence[Mention], parts: Sequence[PartWord]
 ) -> list[SpokenClause]:
     """Clauses that go together: "sleeves: minus 4 cm", "a bit shorter, like 4 cm", "bigger. No, bigger"."""
     joined: list[SpokenClause] = []
     for k, clause in enumerate(found):
-        length = next((m.value for m in mentions if clause.start <= m.start < clause.end and m.is_length), None)
+        length = next(
+            (m.value for m in mentions if clause.start <= m.start < clause.end and m.is_length), None
+        )
         if not clause.changes and length is not None and joined:
             before = joined[-1]
             if any(isinstance(c, Step) and c.amount is None for c in before.changes):
@@ -197,7 +167,9 @@ def _joined(
         repeated = [c for c in clause.changes if isinstance(c, Step) and c.quantity in ("chest", "length")]
         if joined and len(whole) == 1 and repeated and len(clause.changes) == 1:
             earlier = [c for one in joined for c in one.changes if isinstance(c, Step)]
-            if any(c.direction == repeated[0].direction and c.quantity != repeated[0].quantity for c in earlier):
+            if any(
+                c.direction == repeated[0].direction and c.quantity != repeated[0].quantity for c in earlier
+            ):
                 clause = replace(clause, changes=())
         joined.append(clause)
     return joined
@@ -236,7 +208,7 @@ def _meant(text: str, words: WordReading, kind: str) -> list[Implication]:
 
 
 def _after_arrow(text: str, words: WordReading, kind: str) -> list[Implication]:
-    """What a garment is to become, where its name could be a part of the one that is there: "dress -> top"."""
+    """What a garment is to become, where its name could be a part of what is there: "dress -> top"."""
     for mark in words.marks:
         if mark.role in ("part", "second") and _leads_to(text, mark):
             for entry in mark.entries:
@@ -248,7 +220,13 @@ def _after_arrow(text: str, words: WordReading, kind: str) -> list[Implication]:
 
 def _is_pointed_at(text: str, mark: WordMark) -> bool:
     """Whether a garment is named that is there: "the dress"."""
-    return re.search(r"(?<!\w)(?:the|this|that|my|its|these|her|his)\s+(?:(?!(?:in)?to\b|as\b)\w+\s+)?$", text[: mark.start]) is not None
+    return (
+        re.search(
+            r"(?<!\w)(?:the|this|that|my|its|these|her|his)\s+(?:(?!(?:in)?to\b|as\b)\w+\s+)?$",
+            text[: mark.start],
+        )
+        is not None
+    )
 
 
 def _is_target(text: str, mark: WordMark, value: str, kind: str) -> bool:
@@ -294,7 +272,7 @@ def _clause(
     for word in grown:
         named = _part_of(word, parts, spans)
         amount = None if numbers and _TO.search(text[: numbers[0].start]) else length
-        made: tuple[Change, ...] = () if bare else _hem_shape(said, named, word, kind)
+        made: tuple[Change, ...] = () if bare else hem_shape(said, named, word, kind)
         for part in (named or (last if bare or them else None), last, None):
             made = made or changes_of(part, word.what, word.sign, kind, amount)
         changes += made
@@ -307,7 +285,7 @@ def _clause(
     if any(p.part == "tiers" for p in parts) and _STEPS_DOWN.search(said) and not changes:
         changes.append(Step("tiers", -1, 1.0))
     if any(p.part == "slit" for p in parts) and not claims and not changes:
-        changes += _slit(said, any(m.denied and start <= m.start < end for m in words.marks))
+        changes += slit(said, any(m.denied and start <= m.start < end for m in words.marks))
     stepped = any(isinstance(c, Step) for c in changes)
     changes += [Gain(i.claim) for i in (details if stepped else claims)]
     used += [(p.start, p.end) for p in parts if changes or (p.part == "all" and _is_it(p.word, kind))]
@@ -323,27 +301,6 @@ def _is_it(word: str, kind: str) -> bool:
 
 def _within(mark: WordMark, grown: Sequence[ChangeWord]) -> bool:
     return any(word.start <= mark.start and mark.end <= word.end for word in grown)
-
-
-def _hem_shape(said: str, part: str | None, word: ChangeWord, kind: str) -> tuple[Change, ...]:
-    """A hem that is to be longer on one side alone."""
-    if word.what == "width" or part not in (None, "all", "hem", "skirt") or kind in ("trousers", "shorts"):
-        return ()
-    side = _SIDE.search(said)
-    if side is None:
-        return ()
-    longer = word.sign > 0 if word.what == "length" else word.sign < 0
-    if side["left"] or side["right"]:
-        return (Gain(Claim("hem_shape", f"lower {'left' if bool(side['left']) == longer else 'right'}")),)
-    return (Gain(Claim("hem_shape", "high-low")),) if bool(side["back"]) == longer else ()
-
-
-def _slit(said: str, denied: bool) -> list[Change]:
-    """Where a slit is to be cut, or that it is to be closed."""
-    if denied or _CLOSED.search(said):
-        return [Gain(Claim("slit", "none"))]
-    place = next((name for name, words in _PLACES.items() if re.search(rf"(?<!\w)(?:{words})(?!\w)", said)), None)
-    return [] if place is None else [Gain(Claim("slit", place))]
 
 
 def _has(change: Change, value: float) -> bool:
@@ -395,98 +352,5 @@ def _left_over(
         else:
             joined.append([match])
     years = [match[0] for match in _YEAR.finditer(text, start, end)]
-    return tuple([*[text[group[0].start() : group[-1].end()] for group in joined], *years])
-
-
-def _without_what_is_so(found: Sequence[SpokenClause], is_so: Callable[[Claim], bool]) -> list[SpokenClause]:
-    """Leaves out what is so already where something else is asked of the same thing."""
-    changes = [change for clause in found for change in clause.changes]
-
-    hooded = Gain(Claim("hood", "hood")) in changes
-
-    def outdone(change: Change) -> bool:
-        if hooded and change == Gain(Claim("collar", "none")):
-            return True  # where there is a hood there is no collar to be seen
-        return (
-            isinstance(change, Gain)
-            and any(_oppose(change, other) for other in changes)
-            and is_so(change.claim)
-        )
-
-    return [replace(c, changes=tuple([x for x in c.changes if not outdone(x)])) for c in found]
-
-
-def _clashes(
-    found: Sequence[SpokenClause], words: WordReading, is_so: Callable[[Claim], bool]
-) -> list[tuple[str, str, str]]:
-    """Pairs of wishes that exclude each other, in words, with the subject of each."""
-    changes = list(dict.fromkeys([change for clause in found for change in clause.changes]))
-    clashes = []
-    for k, one in enumerate(changes):
-        for other in changes[k + 1 :]:
-            if _oppose(one, other):
-                pair = _in_words(one), _in_words(other)
-                clashes += [(*pair, subject_of(one)), (*pair, subject_of(other))]
-    for pair in words.contradictions:
-        if pair.first.word.lower() == pair.second.word.lower():
-            continue  # one that is there, and what becomes of it
-        said = [i.claim for i in words.implications if i.mark in (pair.first, pair.second)]
-        if any(is_so(claim) for claim in said):
-            continue
-        for mark in (pair.first, pair.second):
-            for name in {i.claim.name for i in words.implications if i.mark is mark}:
-                clashes.append((pair.first.word, pair.second.word, name))
-    return clashes
-
-
-_GONE = {"sleeves": ("sleeve length", "sleeve width", "sleeve end"), "hood": ("hood depth", "hood height")}
-
-
-def _oppose(one: Change, other: Change) -> bool:
-    if isinstance(one, Step) and isinstance(other, Step):
-        return one.quantity == other.quantity and one.direction != other.direction
-    if isinstance(one, Gain) and isinstance(other, Gain):
-        return one.claim.name == other.claim.name and exclude(one.claim, other.claim)
-    gain, step = (one, other) if isinstance(one, Gain) else (other, one)
-    assert isinstance(gain, Gain) and isinstance(step, Step)
-    return gain.claim.value == "none" and step.quantity in _GONE.get(gain.claim.name, ())
-
-
-def _in_words(change: Change) -> str:
-    if isinstance(change, Step):
-        return f"{'more' if change.direction > 0 else 'less'} {change.quantity}"
-    return f"{change.claim.name.replace('_', ' ')}: {change.claim.value}"
-
-
-def other_than(never: Sequence[Claim], holds: Sequence[Claim], spoken: Iterable[str]) -> tuple[Gain, ...]:
-    """What to make instead of what is refused and is so: no slit, no collar, plain sleeves.
-
-    Args:
-        never: What a text refuses.
-        holds: Of these, what is true of the garment.
-        spoken: Names of claims that something else is asked of.
-    """
-    told = set(spoken)
-    found = []
-    for claim in holds:
-        if claim.name in told or claim not in never:
-            continue
-        instead = _INSTEAD.get(claim.name, {}).get(str(claim.value))
-        if instead is not None:
-            found.append(Gain(Claim(claim.name, instead)))
-            told.add(claim.name)
-    return tuple(found)
-
-
-_INSTEAD = {
-    "sleeve_shape": {v: "slim" for v in ("balloon", "puffed", "bell", "wide")},
-    "collar": {v: "none" for v in ("turtleneck", "stand", "lapel")},
-    "hood": {"hood": "none"},
-    "slit": {v: "none" for v in ("left", "right", "front", "back")},
-    "hem_shape": {v: "level" for v in ("scalloped", "pointed", "high-low", "lower left", "lower right")},
-    "neckline": {v: "round" for v in ("v", "square", "boat", "trapezoid")},
-    "fit": {"oversized": "easy", "loose": "easy", "close": "easy"},
-    "shoulders": {"strapless": "both"},
-    "skirt_hem": {"micro": "knee", "mini": "knee", "maxi": "midi", "floor": "midi"},
-}
-"""What is made where only the opposite is said."""
+    phrases = [text[group[0].start() : group[-1].end()] for group in joined]
+    return (*phrases, *years)

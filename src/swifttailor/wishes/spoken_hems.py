@@ -1,4 +1,4 @@
-"""Hems that are said to be longer on one side: "hem dropping toward the right", "longer behind than in front"."""
+"""Hems that are longer on one side: "hem dropping toward the right", "longer behind than in front"."""
 
 from __future__ import annotations
 

@@ -20,10 +20,14 @@ from swifttailor.wording.word_tables import read_table
 _TABLE = Path(__file__).with_name("measure_words.txt")
 _RANGE = re.compile(r"\s*(?:to|-|–|or|bis|à|a|and)\s*", re.IGNORECASE)
 _BETWEEN = re.compile(r"between\s*$", re.IGNORECASE)
-_CLAUSE = re.compile(r"[;:\n]|\.(?=\s|$)|,(?!\d)|(?<!\w)(?:and|with|und|mit|et|avec|y|con)(?!\w)", re.IGNORECASE)
+_CLAUSE = re.compile(
+    r"[;:\n]|\.(?=\s|$)|,(?!\d)|(?<!\w)(?:and|with|und|mit|et|avec|y|con)(?!\w)", re.IGNORECASE
+)
 _KNEE = re.compile(r"\s*(?P<way>above|over|below|under)\s+(?:the|my|her|your)?\s*knees?(?!\w)", re.IGNORECASE)
 _FLOOR = re.compile(r"\s*(?:above|off|from)\s+(?:the\s+)?(?:floor|ground)(?!\w)", re.IGNORECASE)
-_RELATIVE = re.compile(r"\s*(?:above|over|below|under|past|from|off|higher|lower|longer|shorter)(?!\w)", re.IGNORECASE)
+_RELATIVE = re.compile(
+    r"\s*(?:above|over|below|under|past|from|off|higher|lower|longer|shorter)(?!\w)", re.IGNORECASE
+)
 _OFF = re.compile(r"\s*(?:off|more|less|extra|plus|minus)(?!\w)", re.IGNORECASE)
 _KNEE_CM, _SHOULDER_CM, _WAIST_CM = 45.9, 144.5, 108.8
 """Heights of the default body."""
@@ -32,7 +36,13 @@ _INCHES_BELOW = 40.0
 """An inseam of a smaller number without unit is in inches."""
 _NEAR = 26
 """Characters between a number and what it is said of."""
-_BOUNDS = {"collar_cm": (1, 30), "cuff_cm": (1, 40), "sleeve_cm": (4, 90), "inseam_cm": (2, 110), "hem_cm": (40, 1500)}
+_BOUNDS = {
+    "collar_cm": (1, 30),
+    "cuff_cm": (1, 40),
+    "sleeve_cm": (4, 90),
+    "inseam_cm": (2, 110),
+    "hem_cm": (40, 1500),
+}
 _USUAL = (1.0, 400.0)
 _LOWER = frozenset({"skirt", "trousers", "shorts"})
 
@@ -86,14 +96,18 @@ def _with_ranges(text: str, mentions: Sequence[Mention]) -> list[Mention]:
         if found:
             before = found[-1]
             gap = text[before.end : mention.start]
-            joins = _RANGE.fullmatch(gap) is not None and ("and" not in gap or _BETWEEN.search(text[: before.start]))
+            joins = _RANGE.fullmatch(gap) is not None and (
+                "and" not in gap or _BETWEEN.search(text[: before.start])
+            )
             if joins and (mention.is_length or not before.is_length):
                 low = before.value
                 if mention.is_length and not before.is_length:
                     plain = _plain(text[mention.start : mention.end])
                     low *= mention.value / plain if plain else 1.0
                 if 0 < low < mention.value:
-                    found[-1] = Mention(before.start, mention.end, (low + mention.value) / 2, mention.is_length)
+                    found[-1] = Mention(
+                        before.start, mention.end, (low + mention.value) / 2, mention.is_length
+                    )
                     continue
         found.append(mention)
     return found
@@ -170,7 +184,9 @@ def _said_of(
         alone = mention.is_length and len(re.findall(r"[^\W\d_]{3,}", whole)) <= 2
         if alone and kind in ("skirt", "dress", "top", "tunic") and mention.value >= 20:
             if _RELATIVE.match(text, mention.end) is None:
-                return Claim("skirt_length_cm" if kind == "skirt" else "length_cm", _exact(text, mention)), True
+                return Claim(
+                    "skirt_length_cm" if kind == "skirt" else "length_cm", _exact(text, mention)
+                ), True
         return None, False
     _, claim, _ = min(near)
     if claim == "none":
@@ -229,6 +245,3 @@ def _any_of(words: Sequence[str]) -> re.Pattern[str]:
 def same_number(measure: SpokenMeasure, value: object) -> bool:
     """Whether a number that something else read is the number of a measure."""
     return isinstance(value, float | int) and abs(measure.mention.value - value) < 0.05
-
-
-

@@ -59,7 +59,9 @@ def _spread_legs(cutter: Cutter, amount: float) -> Pattern | None:
     names = [p.name for p in cutter.anatomy.panels(LEG_PARTS) if p.name.startswith("pant")]
     if not names or amount <= 0:
         return None
-    darted = [s for s in cutter.pattern.stitches if s.first.panel == s.second.panel and s.first.panel in names]
+    darted = [
+        s for s in cutter.pattern.stitches if s.first.panel == s.second.panel and s.first.panel in names
+    ]
     pattern = let_out_darts(cutter.pattern, names) if darted else cutter.pattern
     if pattern is None:
         return None

@@ -18,7 +18,9 @@ second: another one. theirs: one that is there already, "over my dress". like: w
 "sweater skirt". part: a part of it. word: anything else.
 """
 _JOINING = frozenset(["and", "or", "nor", "&", "und", "oder", "et", "ou", "ni", "y", "e", "o", "u"])
-_ARTICLES = frozenset(["the", "its", "his", "her", "my", "die", "den", "der", "das", "les", "la", "el", "los"])
+_ARTICLES = frozenset(
+    ["the", "its", "his", "her", "my", "die", "den", "der", "das", "les", "la", "el", "los"]
+)
 _SIZELESS = frozenset(["function", "polite", "degrees", "comparisons", "numbers", "negations"])
 """Categories of words that hold texts together."""
 _MINE = frozenset(["my", "her", "his", "their", "under", "over", "beneath", "underneath", "match"])

@@ -1,0 +1,104 @@
+"""What was heard of a text: wishes, refusals, cloth, what cannot be made, what was not understood."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.garment.cloth_print import ClothPrint
+from swifttailor.wishes.heard_print import asks_for_plain, heard_print
+from swifttailor.wishes.lexicon_spelling import near_names
+from swifttailor.wishes.reader import Wish
+from swifttailor.wording.claim_kinds import implied_kind
+from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, foreign_language
+
+
+@dataclass(frozen=True)
+class Heard:
+    """What a text asks for."""
+
+    text: str
+    """As it was read: with slips of the fingers put right."""
+    sure: tuple[Wish, ...] = ()
+    likely: tuple[Wish, ...] = ()
+    """What names of garments usually imply, and what may be meant."""
+    never: tuple[Claim, ...] = ()
+    """What it refuses."""
+    unread: tuple[str, ...] = ()
+    """What of it was not understood, in its own words."""
+    lacks: tuple[Lack, ...] = ()
+    """What it asks for and cannot be made."""
+    words: WordReading | None = None
+    """By the lexicon; None where there is no text."""
+    guess: str = ""
+    """The name that the garment was made by, where none was understood and this is spelt like a word."""
+    clashes: tuple[tuple[str, str], ...] = ()
+    """What of an instruction asks for opposite things, in words; none of it is done."""
+
+    @property
+    def color(self) -> str | None:
+        """The first colour that it names, ``#rrggbb``, or that a name implies: a little black dress."""
+        named = self.words.colors if self.words is not None else ()
+        rgb = named[0].rgb if named else next((e.color for e in self._meant if e.color is not None), None)
+        return None if rgb is None else f"#{rgb}"
+
+    @cached_property
+    def print(self) -> ClothPrint | None:
+        """The print that it asks for."""
+        return None if self.words is None else heard_print(self.text, self.words)
+
+    @property
+    def plain(self) -> bool:
+        """Whether it asks for cloth without print."""
+        return self.words is not None and asks_for_plain(self.words)
+
+    @property
+    def cloth(self) -> str | None:
+        """The fabric that comes nearest to what it names, or to what a name implies: a denim skirt."""
+        named = self.words.cloths if self.words is not None else ()
+        return named[0] if named else next((e.cloth for e in self._meant if e.cloth is not None), None)
+
+    @property
+    def _meant(self) -> list[Entry]:
+        marks = () if self.words is None else self.words.marks
+        return [entry for mark in marks if not mark.denied for entry in mark.entries]
+
+    @cached_property
+    def cannot(self) -> tuple[str, ...]:
+        """What it asks for and cannot be made, in words."""
+        return tuple([cannot_texts()[lack.what] for lack in self.lacks if lack.said])
+
+    @cached_property
+    def left_out(self) -> tuple[str, ...]:
+        """What the names of garments in it mean and cannot be made, in words."""
+        return tuple([cannot_texts()[lack.what] for lack in self.lacks if not lack.said])
+
+    @property
+    def foreign(self) -> str | None:
+        """The language that it is in, where that is none that is read."""
+        return None if self.words is None else foreign_language(self.text, self.words.unknown)
+
+    @property
+    def contradictions(self) -> tuple[tuple[str, str], ...]:
+        """Pairs of words in it that cannot both be true."""
+        found = () if self.words is None else self.words.contradictions
+        pairs = [(pair.first.word, pair.second.word) for pair in found]
+        return tuple(dict.fromkeys([*pairs, *self.clashes]))
+
+    @property
+    def kind(self) -> str | None:
+        """The kind of garment that is asked for, or that details tell; None where nothing does."""
+        claims = [w.change.claim for w in (*self.sure, *self.likely) if isinstance(w.change, Gain)]
+        named = next((str(claim.value) for claim in claims if claim.name == "kind"), None)
+        return named or next(iter(implied_kind(claims)), None)
+
+    @cached_property
+    def near(self) -> tuple[str, ...]:
+        """Names of garments that are spelt like words that were not understood."""
+        return near_names(self.unread)
+
+
+HEARD_NOTHING = Heard("")
+"""Where there is no text."""

@@ -1,0 +1,143 @@
+"""How a text wants a garment to be changed, by words first and by the network where they leave some over."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from swifttailor.describing.claims import claims_of
+from swifttailor.describing.differences import Change, Gain, Step, subject_of
+from swifttailor.describing.dimensions import QUANTITIES
+from swifttailor.describing.facts import GarmentFacts
+from swifttailor.wishes.heard import Heard
+from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.spoken_changes import SpokenChanges, spoken_changes
+from swifttailor.wishes.spoken_clauses import SpokenClause, other_than
+from swifttailor.wishes.spoken_measures import spoken_measures
+from swifttailor.wishes.sureness import likely_wishes, sure_wishes
+from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
+from swifttailor.wishes.unread import not_understood, says_nothing_else
+from swifttailor.wording.lexicon import SURENESS, Entry, WordReading, exclude
+
+SURE_IN_KNOWN_WORDS = 0.7
+"""Enough for an edit whose words are all known ones for what was read: 147 of 162 such wishes
+are meant (instructions between validation patterns, written as for the training)."""
+SURE_BESIDE = 0.97
+"""Enough in a clause of an instruction that words alone explain in part."""
+
+
+def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None = None) -> Heard:
+    """How a text wants a garment to be changed.
+
+    Comparisons, details and removals are read by words (`spoken_changes`). Clauses in which these leave words
+    over, the network reads; it is believed where it contradicts nothing that is said.
+
+    Args:
+        text: In English, or of German, French and Spanish what the lexicon knows.
+        reader: The network.
+        facts: Of the garment; None where it cannot be measured.
+    """
+    kind = None if facts is None else named_kind(facts)
+    text, words = text_as_read(text, kind)
+    spoken = spoken_changes(
+        text, words, kind or "dress", lambda claim: facts is not None and claim.holds(facts)
+    )
+    told = list(spoken.changes)
+    stated = {}
+    for measure in spoken_measures(text, kind):
+        clause = next((c for c in spoken.clauses if c.start <= measure.mention.start < c.end), None)
+        stepped = clause is not None and any(isinstance(c, Step) for c in clause.changes)
+        if measure.claim is not None and clause is not None and not stepped:
+            stated[clause.start] = measure
+            told.append(Gain(measure.claim))
+    covered = facts is not None and QUANTITIES["armholes"].of(facts) is None
+    hidden = [c for c in told if covered and isinstance(c, Step) and c.quantity == "armholes"]
+    told = [change for change in told if change not in hidden]  # nobody takes sleeves off for that
+    sure = [Wish(change, SURENESS["certain"]) for change in told]
+    likely: list[Wish] = []
+    unread: list[str] = ["armholes (below sleeves they cannot be changed)"] if hidden else []
+    for clause in spoken.clauses:
+        if not clause.left_over or clause.start in stated:
+            continue
+        found = _by_network(text, clause, reader, words, len(spoken.clauses) == 1)
+        new = [w for w in found if _adds(w.change, told, spoken, words)]
+        certain = [w for w in sure_wishes(tuple(new)) if not clause.changes or w.certainty >= SURE_BESIDE]
+        plain = [w for w in likely_wishes(tuple(new)) if w.certainty >= SURE_IN_KNOWN_WORDS]
+        part = text[clause.start : clause.end]
+        if not clause.changes and plain and says_nothing_else(part, [w.change for w in (*certain, *plain)]):
+            certain = [*certain, *plain]
+        sure += certain
+        told += [w.change for w in certain]
+        likely += [w for w in likely_wishes(tuple(new)) if w not in certain]
+        unread += _still_unread(part, clause, certain, reader)
+    held = [] if facts is None else [c for c in words.never if c.holds(facts)]
+    sure += [
+        Wish(gain, SURENESS["usual"] + 0.1)
+        for gain in other_than(words.never, held, [subject_of(change) for change in told])
+        if not _is_moved_away(gain, told)
+    ]
+    changes = [wish.change for wish in sure]
+    lacks = tuple([lack for lack in lacks_of(words, changes) if lack.said])
+    silent = _not_answered(unread, words)
+    return Heard(text, tuple(sure), tuple(likely), words.never, silent, lacks, words, clashes=spoken.clashes)
+
+
+def named_kind(facts: GarmentFacts) -> str:
+    """What a garment is called: shorts are told from trousers."""
+    return next((str(c.value) for c in claims_of(facts) if c.name == "kind"), facts.kind)
+
+
+def _by_network(
+    text: str, clause: SpokenClause, reader: WishReader, words: WordReading, alone: bool
+) -> tuple[Wish, ...]:
+    if words.language != ENGLISH:
+        return ()
+    return reader.read(text if alone else text[clause.start : clause.end], instruction=True)
+
+
+def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: WordReading) -> bool:
+    """Whether something that the network reads is new, and contradicts nothing that is said."""
+    subject = subject_of(change)
+    if subject in spoken.kept or any(subject_of(other) == subject for other in told):
+        return False
+    if isinstance(change, Gain):
+        if change.claim in words.never or change.claim.name == "kind":
+            return change.claim.name == "kind" and not told and change.claim not in words.never
+        return not any(isinstance(o, Gain) and exclude(change.claim, o.claim) for o in told)
+    return True
+
+
+def _is_moved_away(gain: Gain, told: Sequence[Change]) -> bool:
+    """Whether a step leads away from what is refused already."""
+    moved = {
+        "fit": ("chest",), "neckline": ("neck depth", "neck width"), "skirt_hem": ("length",),
+        "sleeve_shape": ("sleeve width", "sleeve end", "sleeve head"),
+    }  # fmt: skip
+    steps = {change.quantity for change in told if isinstance(change, Step)}
+    return bool(steps.intersection(moved.get(gain.claim.name, ())))
+
+
+def _still_unread(
+    part: str, clause: SpokenClause, wishes: Sequence[Wish], reader: WishReader
+) -> tuple[str, ...]:
+    """Of the words that nothing accounts for, those that the network made nothing of either."""
+    if not wishes:
+        return clause.left_over
+    changes = [wish.change for wish in wishes]
+
+    def read(other: str) -> list[Change]:
+        return [w.change for w in sure_wishes(reader.read(other, instruction=True))]
+
+    missed = " ".join(not_understood(part, changes, read)).lower().split()
+    return tuple([words for words in clause.left_over if set(words.split()) & set(missed)])
+
+
+def _not_answered(unread: Sequence[str], words: WordReading) -> tuple[str, ...]:
+    """What was not understood, without what the lexicon answers: colours, fabrics, and what cannot be made."""
+    answered = [color.words for color in words.colors] + [lack.mark.word for lack in words.lacks if lack.said]
+    answered += [mark.word for mark in words.marks if any(_is_fabric(entry) for entry in mark.entries)]
+    known = {part.lower() for word in answered for part in word.split()}
+    return tuple([text for text in unread if not {part.lower() for part in text.split()} <= known])
+
+
+def _is_fabric(entry: Entry) -> bool:
+    return entry.category == "fabrics" and entry.cloth is not None

@@ -1,0 +1,115 @@
+"""Wishes of one instruction that exclude each other, what describes the garment, and what is made instead."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain, Step, subject_of
+from swifttailor.wording.lexicon import WordReading, exclude
+
+
+@dataclass(frozen=True)
+class SpokenClause:
+    """A clause of an instruction, and what it asks for."""
+
+    start: int
+    end: int
+    changes: tuple[Change, ...]
+    left_over: tuple[str, ...]
+    """Words that nothing accounts for."""
+
+
+def without_what_is_so(found: Sequence[SpokenClause], is_so: Callable[[Claim], bool]) -> list[SpokenClause]:
+    """Leaves out what is so already where something else is asked of the same thing."""
+    changes = [change for clause in found for change in clause.changes]
+
+    hooded = Gain(Claim("hood", "hood")) in changes
+
+    def outdone(change: Change) -> bool:
+        if hooded and change == Gain(Claim("collar", "none")):
+            return True  # where there is a hood there is no collar to be seen
+        return (
+            isinstance(change, Gain)
+            and any(_oppose(change, other) for other in changes)
+            and is_so(change.claim)
+        )
+
+    return [replace(c, changes=tuple([x for x in c.changes if not outdone(x)])) for c in found]
+
+
+def clashes_of(
+    found: Sequence[SpokenClause], words: WordReading, is_so: Callable[[Claim], bool]
+) -> list[tuple[str, str, str]]:
+    """Pairs of wishes that exclude each other, in words, with the subject of each."""
+    changes = list(dict.fromkeys([change for clause in found for change in clause.changes]))
+    clashes = []
+    for k, one in enumerate(changes):
+        for other in changes[k + 1 :]:
+            if _oppose(one, other):
+                pair = _in_words(one), _in_words(other)
+                clashes += [(*pair, subject_of(one)), (*pair, subject_of(other))]
+    for pair in words.contradictions:
+        if pair.first.word.lower() == pair.second.word.lower():
+            continue  # one that is there, and what becomes of it
+        said = [i.claim for i in words.implications if i.mark in (pair.first, pair.second)]
+        if any(is_so(claim) for claim in said):
+            continue
+        for mark in (pair.first, pair.second):
+            for name in {i.claim.name for i in words.implications if i.mark is mark}:
+                clashes.append((pair.first.word, pair.second.word, name))
+    return clashes
+
+
+_GONE = {"sleeves": ("sleeve length", "sleeve width", "sleeve end"), "hood": ("hood depth", "hood height")}
+
+
+def _oppose(one: Change, other: Change) -> bool:
+    if isinstance(one, Step) and isinstance(other, Step):
+        return one.quantity == other.quantity and one.direction != other.direction
+    if isinstance(one, Gain) and isinstance(other, Gain):
+        return one.claim.name == other.claim.name and exclude(one.claim, other.claim)
+    gain, step = (one, other) if isinstance(one, Gain) else (other, one)
+    assert isinstance(gain, Gain) and isinstance(step, Step)
+    return gain.claim.value == "none" and step.quantity in _GONE.get(gain.claim.name, ())
+
+
+def _in_words(change: Change) -> str:
+    if isinstance(change, Step):
+        return f"{'more' if change.direction > 0 else 'less'} {change.quantity}"
+    return f"{change.claim.name.replace('_', ' ')}: {change.claim.value}"
+
+
+def other_than(never: Sequence[Claim], holds: Sequence[Claim], spoken: Iterable[str]) -> tuple[Gain, ...]:
+    """What to make instead of what is refused and is so: no slit, no collar, plain sleeves.
+
+    Args:
+        never: What a text refuses.
+        holds: Of these, what is true of the garment.
+        spoken: Names of claims that something else is asked of.
+    """
+    told = set(spoken)
+    found = []
+    for claim in holds:
+        if claim.name in told or claim not in never:
+            continue
+        instead = _INSTEAD.get(claim.name, {}).get(str(claim.value))
+        if instead is not None:
+            found.append(Gain(Claim(claim.name, instead)))
+            told.add(claim.name)
+    return tuple(found)
+
+
+_INSTEAD = {
+    "sleeve_shape": dict.fromkeys(("balloon", "puffed", "bell", "wide"), "slim"),
+    "collar": dict.fromkeys(("turtleneck", "stand", "lapel"), "none"),
+    "hood": {"hood": "none"},
+    "slit": dict.fromkeys(("left", "right", "front", "back"), "none"),
+    "hem_shape": dict.fromkeys(("scalloped", "pointed", "high-low", "lower left", "lower right"), "level"),
+    "neckline": dict.fromkeys(("v", "square", "boat", "trapezoid"), "round"),
+    "fit": {"oversized": "easy", "loose": "easy", "close": "easy"},
+    "shoulders": {"strapless": "both"},
+    "skirt_hem": {"micro": "knee", "mini": "knee", "maxi": "midi", "floor": "midi"},
+}
+"""What is made where only the opposite is said."""

@@ -1,0 +1,62 @@
+"""Details of a garment that an instruction names by where they are: hems, slits, what is around the neck."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain
+from swifttailor.wishes.change_words import ChangeWord, find_parts
+from swifttailor.wishes.spoken_clauses import SpokenClause
+
+_TOO_CLOSE = re.compile(
+    r"(?<!\w)(?:remove|off|away|lose|strangl\w*|chok\w*|scratch\w*|itch\w*|suffocat\w*|weg|würgt|étrangle)(?!\w)"
+)
+_CLOSED = re.compile(r"(?<!\w)(?:close|closed|shut|sew up|sewn up|zu|fermer|cerrar)(?!\w)")
+_SIDE = re.compile(
+    r"(?<!\w)(?:(?P<left>left|links|gauche|izquierda)|(?P<right>right|rechts|droite|derecha)"
+    r"|(?P<back>back|behind|hinten|derrière|detrás)|(?P<front>front|vorne|devant|delante))(?!\w)"
+)
+_PLACES = {
+    "front": "front|vorne|devant|delante",
+    "back": "back|behind|hinten|derrière|detrás",
+    "right": "right|rechts|droite|derecha",
+    "left": "side|left|leg|links|seite|seitlich|côté|gauche|lado|izquierda|add|put|cut|open|a slit",
+}
+"""Where a slit is, by words; "at the side" is at the left."""
+
+
+def hem_shape(said: str, part: str | None, word: ChangeWord, kind: str) -> tuple[Change, ...]:
+    """A hem that is to be longer on one side alone."""
+    if word.what == "width" or part not in (None, "all", "hem", "skirt") or kind in ("trousers", "shorts"):
+        return ()
+    side = _SIDE.search(said)
+    if side is None:
+        return ()
+    longer = word.sign > 0 if word.what == "length" else word.sign < 0
+    if side["left"] or side["right"]:
+        return (Gain(Claim("hem_shape", f"lower {'left' if bool(side['left']) == longer else 'right'}")),)
+    return (Gain(Claim("hem_shape", "high-low")),) if bool(side["back"]) == longer else ()
+
+
+def slit(said: str, denied: bool) -> list[Change]:
+    """Where a slit is to be cut, or that it is to be closed."""
+    if denied or _CLOSED.search(said):
+        return [Gain(Claim("slit", "none"))]
+    place = next(
+        (name for name, words in _PLACES.items() if re.search(rf"(?<!\w)(?:{words})(?!\w)", said)), None
+    )
+    return [] if place is None else [Gain(Claim("slit", place))]
+
+
+def at_the_neck(text: str, clause: SpokenClause, is_so: Callable[[Claim], bool]) -> SpokenClause:
+    """A collar that is not named: "remove what is around the neck", "the neck is strangling me"."""
+    said = text[clause.start : clause.end]
+    if clause.changes or not any(p.part == "neck" for p in find_parts(said)) or not _TOO_CLOSE.search(said):
+        return clause
+    collars = [Claim("collar", kind) for kind in ("stand", "turtleneck", "lapel")]
+    if not any(is_so(collar) for collar in collars):
+        return clause
+    return replace(clause, changes=(Gain(Claim("collar", "none")),), left_over=())

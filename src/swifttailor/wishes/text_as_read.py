@@ -1,0 +1,66 @@
+"""Texts as they are read: with slips of the fingers put right, and what of them cannot be made."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from swifttailor.describing.differences import Change
+from swifttailor.wishes.lexicon_spelling import is_garment, lexicon_spelling
+from swifttailor.wishes.spelling import put_right
+from swifttailor.wishes.spoken_measures import SpokenMeasure
+from swifttailor.wishes.unread import unread_numbers
+from swifttailor.wording.lexicon import Lack, WordReading, read_words
+
+ENGLISH = "en"
+_DIGIT = re.compile(r"\d")
+_OF = re.compile(r"(?<!\w)([^\W\d_]+) (?:of|for)(?: the| an?)? ([^\W\d_]+)(?!\w)")
+
+
+def text_as_read(text: str, kind: str | None = None) -> tuple[str, WordReading]:
+    """The text with typing errors put right, and its words.
+
+    They are so in words that nobody knows, where the first letter stays, and in those that the lexicon has as
+    another spelling. What is not English stays as it is, but typing errors look foreign.
+    """
+    text = _turned(text)
+    pieces, end = [], 0
+    for mark in read_words(text, language=ENGLISH, kind=kind).marks:
+        better = put_right(mark.word)
+        if not mark.entries and better == mark.word:
+            better = lexicon_spelling(mark.word) or mark.word
+        known = any(better.lower() == word.lower() for entry in mark.entries for word in entry.words)
+        if better[:1].lower() == mark.word[:1].lower() and (known or not mark.entries):
+            pieces += [text[end : mark.start], better]
+            end = mark.end
+    shown = "".join([*pieces, text[end:]])
+    words = read_words(shown, kind=kind)
+    if shown == text or words.language == ENGLISH:
+        return shown, words
+    return text, read_words(text, kind=kind)
+
+
+def _turned(text: str) -> str:
+    """The text with "gown for hospital" turned into "hospital gown", where that is the name of a garment."""
+
+    def turned(found: re.Match[str]) -> str:
+        name = f"{found[2]} {found[1]}"
+        return name if is_garment(name.lower()) else found[0]
+
+    return _OF.sub(turned, text)
+
+
+def lacks_of(
+    words: WordReading, changes: Sequence[Change], measures: Sequence[SpokenMeasure] = ()
+) -> tuple[Lack, ...]:
+    """What cannot be made; a number that was read is no size."""
+    return tuple(
+        [
+            lack
+            for lack in words.lacks
+            if not any(m.mention.start <= lack.mark.start < m.mention.end for m in measures)
+            if lack.what != "sizes"
+            or not _DIGIT.search(lack.mark.word)
+            or unread_numbers(lack.mark.word, changes)
+        ]
+    )
