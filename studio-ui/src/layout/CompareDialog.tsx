@@ -2,7 +2,6 @@ import { useEffect, useRef, useState } from "react";
 import { DEFAULT_CLOTH } from "../garment/cloth-color";
 import { bodyMesh, garmentMesh } from "../garment/mesh-cache";
 import { GarmentViewer } from "../garment/viewer";
-import { useDisplay } from "../state/display";
 import type { Version } from "../state/document";
 import type { HistoryEntry } from "../state/history";
 import { useSession } from "../state/session";
@@ -89,7 +88,7 @@ function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: Retu
     viewer.setLook({
       coloring: "cloth",
       print: "plain",
-      color: useDisplay.getState().clothColor ?? color ?? DEFAULT_CLOTH,
+      color: color ?? DEFAULT_CLOTH,
       wireframe: false,
     });
     viewer.setSeamsVisible(false);
