@@ -62,7 +62,8 @@ def test_a_picture_can_be_pasted_dropped_and_removed(page, picture):
             const data = new DataTransfer();
             data.items.add(new File([new Uint8Array(bytes)], "back.png", {type: "image/png"}));
             const target = document.querySelector(".app");
-            target.dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true}));
+            const about = {dataTransfer: data, bubbles: true, cancelable: true};
+            target.dispatchEvent(new DragEvent("drop", about));
         }""",
         list(picture),
     )
