@@ -61,7 +61,9 @@ def words(page: Page, studio: StudioPage) -> None:
 def compare(page: Page, studio: StudioPage) -> None:
     before = studio.mesh()
     studio.tab("Adjust")
-    page.get_by_role("textbox", name="Change it in words").fill("make the sleeves long and the skirt 20 cm shorter")
+    page.get_by_role("textbox", name="Change it in words").fill(
+        "make the sleeves long and the skirt 20 cm shorter"
+    )
     page.keyboard.press("Enter")
     studio.wait_for_another_mesh(before)
     studio.wait_for_work()

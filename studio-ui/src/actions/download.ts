@@ -1,5 +1,4 @@
 import { api } from "../api/client";
-import { useDisplay } from "../state/display";
 import { useProject } from "../state/project";
 import { notify, useSession } from "../state/session";
 import { currentVersion, useStudio } from "../state/store";
@@ -17,7 +16,7 @@ export async function download(format: string): Promise<void> {
       mesh: version.mesh,
       format,
       title: useProject.getState().name,
-      color: useDisplay.getState().clothColor ?? version.color,
+      color: version.color,
       prompt: version.prompt,
       seed: version.seed,
     });

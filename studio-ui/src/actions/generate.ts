@@ -1,5 +1,4 @@
 import type { Document } from "../api/types";
-import { useDisplay } from "../state/display";
 import { versionOf } from "../state/document";
 import { randomSeed, usePrompt } from "../state/prompt";
 import { notify, useSession } from "../state/session";
@@ -38,7 +37,6 @@ export async function generate(): Promise<void> {
 /** Shows a garment that was made as a new project. */
 export function openMade(document: Document): void {
   useSession.getState().set({ variants: null });
-  useDisplay.getState().change({ clothColor: null });
   const title = document.prompt === "" ? "Garment from a picture" : document.title;
   newProject(sentenceCase(title));
   useStudio

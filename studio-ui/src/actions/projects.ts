@@ -140,7 +140,8 @@ export function startAutosave(): () => void {
   };
   const endStudio = useStudio.subscribe((state, before) => {
     if (state.history === null || state.history === before.history) return;
-    const patterns = (history: History<Version> | null) => history?.entries.map((each) => each.id).join();
+    const patterns = (history: History<Version> | null) =>
+      history?.entries.map(({ id, value }) => `${id} ${value.color}`).join();
     const moved = state.history.index !== before.history?.index;
     if (moved || patterns(state.history) !== patterns(before.history)) changed();
   });

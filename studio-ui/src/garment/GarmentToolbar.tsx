@@ -93,9 +93,12 @@ export function ViewTools({ viewer }: { viewer: GarmentViewer | null }) {
 
 /** Colour and print of the cloth. */
 function ClothPopover() {
-  const { clothColor, print, change } = useDisplay();
-  const own = useStudio((state) => currentVersion(state)?.color ?? null) ?? DEFAULT_CLOTH;
-  const color = clothColor ?? own;
+  const { print, change } = useDisplay();
+  const color = useStudio((state) => currentVersion(state)?.color ?? null) ?? DEFAULT_CLOTH;
+  const dye = (to: string) => {
+    useStudio.getState().dye(to);
+    change({ coloring: "cloth" });
+  };
   return (
     <Popover
       label="Cloth"
@@ -126,26 +129,14 @@ function ClothPopover() {
                 style={{ background: swatch }}
                 aria-label={`Colour ${swatch}`}
                 aria-pressed={swatch === color}
-                onClick={() => change({ clothColor: swatch, coloring: "cloth" })}
+                onClick={() => dye(swatch)}
               />
             ))}
             <label className="swatch custom" title="Another colour">
               <span className="visually-hidden">Another colour</span>
-              <input
-                type="color"
-                value={color}
-                onChange={(event) => change({ clothColor: event.target.value, coloring: "cloth" })}
-              />
+              <input type="color" value={color} onChange={(event) => dye(event.target.value)} />
             </label>
           </div>
-          <button
-            type="button"
-            className="link"
-            disabled={clothColor === null}
-            onClick={() => change({ clothColor: null })}
-          >
-            The garment’s own colour
-          </button>
           <h3>Print, at true scale</h3>
           <div className="options">
             {PRINTS.map(({ value, label }) => (

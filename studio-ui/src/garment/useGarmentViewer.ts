@@ -92,11 +92,15 @@ function followMesh(viewer: GarmentViewer): () => void {
     // After live frames what the history shows comes back, also where the work was cancelled.
     if (state.frame !== null || before.frame === null || wanted === null) return;
     const name = wanted;
-    void garmentMesh(name).then((data) => {
-      if (wanted !== name) return;
-      viewer.showGarment(null, []);
-      viewer.showGarment(data, seamColors(data));
-    });
+    setTimeout(() => {
+      // What was finished is another garment, and shown by now.
+      if (wanted !== name || useSession.getState().frame !== null) return;
+      void garmentMesh(name).then((data) => {
+        if (wanted !== name) return;
+        viewer.showGarment(null, []);
+        viewer.showGarment(data, seamColors(data));
+      });
+    }, 300);
   });
   return () => {
     end();
@@ -139,8 +143,8 @@ function followFrames(viewer: GarmentViewer): () => void {
 
 function followLook(viewer: GarmentViewer): () => void {
   const update = () => {
-    const { coloring, print, clothColor, body, wireframe, seams } = useDisplay.getState();
-    const color = clothColor ?? currentVersion(useStudio.getState())?.color ?? DEFAULT_CLOTH;
+    const { coloring, print, body, wireframe, seams } = useDisplay.getState();
+    const color = currentVersion(useStudio.getState())?.color ?? DEFAULT_CLOTH;
     viewer.setLook({ coloring, print, color, wireframe });
     viewer.setBodyVisible(body);
     viewer.setSeamsVisible(seams);

@@ -136,10 +136,15 @@ export class GarmentViewer {
 
   /** Brings the garment into view; without one the body. */
   frameAll(smooth: boolean): void {
+    this.stage.frame(this.bounds(), smooth);
+  }
+
+  /** Of the garment, or of the body where there is none, cm. */
+  bounds(): Box3 {
     const box = new Box3();
     if (this.cloth.data !== null) box.setFromArray(this.cloth.positions as unknown as number[]);
     else if (this.body !== null) box.setFromObject(this.body);
-    this.stage.frame(box, smooth);
+    return box;
   }
 
   /** The edge or panel under a point of the canvas, px from its upper left; null: nothing of the garment. */

@@ -2,7 +2,6 @@ import { useEffect, useRef, useState } from "react";
 import { DEFAULT_CLOTH } from "../garment/cloth-color";
 import { bodyMesh, garmentMesh } from "../garment/mesh-cache";
 import { GarmentViewer } from "../garment/viewer";
-import { useDisplay } from "../state/display";
 import type { Version } from "../state/document";
 import type { HistoryEntry } from "../state/history";
 import { useSession } from "../state/session";
@@ -12,7 +11,7 @@ import { Button } from "../ui/Button";
 import { Dialog } from "../ui/Dialog";
 import { PatternThumbnail } from "../ui/PatternThumbnail";
 import { sentenceCase } from "../ui/sentence-case";
-import { cameraLink } from "./camera-link";
+import { type CameraLink, cameraLink } from "./camera-link";
 
 /** Two versions side by side, turned together, with what differs between them. */
 export function CompareDialog() {
@@ -69,7 +68,7 @@ export function CompareDialog() {
   );
 }
 
-function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: ReturnType<typeof cameraLink> }) {
+function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: CameraLink }) {
   const box = useRef<HTMLDivElement>(null);
   const [viewer, setViewer] = useState<GarmentViewer | null>(null);
   const { mesh, body, color } = entry.value;
@@ -77,7 +76,7 @@ function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: Retu
     if (box.current === null) return;
     const made = new GarmentViewer(box.current);
     setViewer(made);
-    const unlink = link(made);
+    const unlink = link.add(made);
     return () => {
       unlink();
       made.dispose();
@@ -89,7 +88,7 @@ function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: Retu
     viewer.setLook({
       coloring: "cloth",
       print: "plain",
-      color: useDisplay.getState().clothColor ?? color ?? DEFAULT_CLOTH,
+      color: color ?? DEFAULT_CLOTH,
       wireframe: false,
     });
     viewer.setSeamsVisible(false);
@@ -103,7 +102,7 @@ function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: Retu
           if (gone) return;
           const first = viewer.data === null;
           viewer.showGarment(data, []);
-          if (first) viewer.frameAll(false);
+          if (first) link.frame(viewer);
         },
         () => {
           if (!gone) viewer.showGarment(null, []);
@@ -112,7 +111,7 @@ function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: Retu
     return () => {
       gone = true;
     };
-  }, [viewer, mesh, body, color]);
+  }, [viewer, mesh, body, color, link]);
   return (
     <div className="compare-stage">
       <div

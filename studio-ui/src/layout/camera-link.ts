@@ -1,10 +1,20 @@
+import { Box3 } from "three";
 import type { GarmentViewer } from "../garment/viewer";
 
-/** Viewers that are turned together: returns how to add one, which returns how to take it out again. */
-export function cameraLink(): (viewer: GarmentViewer) => () => void {
+export interface CameraLink {
+  /** Returns how to take it out again. */
+  add: (viewer: GarmentViewer) => () => void;
+  /** Brings this one's garment into view, and keeps those in it that were framed before. */
+  frame: (viewer: GarmentViewer) => void;
+}
+
+/** Viewers that are turned together. */
+export function cameraLink(): CameraLink {
   const viewers = new Set<GarmentViewer>();
+  const all = new Box3();
   let following = false;
-  return (viewer) => {
+  const frame = (viewer: GarmentViewer) => viewer.stage.frame(all.union(viewer.bounds()), false);
+  const add = (viewer: GarmentViewer) => {
     const follow = () => {
       if (following) return;
       following = true;
@@ -24,4 +34,5 @@ export function cameraLink(): (viewer: GarmentViewer) => () => void {
       viewer.stage.controls.removeEventListener("change", follow);
     };
   };
+  return { add, frame };
 }

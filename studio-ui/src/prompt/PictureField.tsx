@@ -74,11 +74,7 @@ function Picture({ picture, label, onRemove }: { picture: FileInfo; label: strin
             No garment is seen in it. Try one with a plain background.
           </div>
         ) : (
-          <img
-            src={picture.seen_url}
-            alt="What was looked at in the picture"
-            onError={() => setUnseen(true)}
-          />
+          <img src={picture.seen_url} alt="What was looked at" onError={() => setUnseen(true)} />
         )}
         <figcaption>What was looked at</figcaption>
       </figure>

@@ -11,8 +11,6 @@ export type Layout = "both" | "pattern" | "garment";
 export interface DisplayOptions {
   coloring: Coloring;
   print: Print;
-  /** "#rrggbb" chosen by hand; null: the cloth's own. */
-  clothColor: string | null;
   body: boolean;
   wireframe: boolean;
   seams: boolean;
@@ -31,7 +29,6 @@ interface DisplayState extends DisplayOptions {
 const DEFAULTS: DisplayOptions = {
   coloring: "cloth",
   print: "plain",
-  clothColor: null,
   body: true,
   wireframe: false,
   seams: true,
@@ -44,10 +41,9 @@ const DEFAULTS: DisplayOptions = {
 export const useDisplay = create<DisplayState>()((set, get) => ({
   ...DEFAULTS,
   ...remembered<Partial<DisplayOptions>>("display", {}),
-  clothColor: null,
   change: (options) => {
     set(options);
-    const { change: _, clothColor: __, ...kept } = get();
+    const { change: _, ...kept } = get();
     remember("display", kept);
   },
 }));

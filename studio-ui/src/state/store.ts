@@ -44,6 +44,8 @@ export interface DocumentSlice {
   answerDraft: (answer: DraftAnswer) => void;
   /** A draft that came with its garment, as when a slider is moved: nothing has to be sewn. */
   previewAnswered: (answer: DraftAnswer) => void;
+  /** Another colour of the cloth, "#rrggbb": of the shown version and of what is made of it. */
+  dye: (color: string) => void;
   undo: () => void;
   redo: () => void;
   goTo: (index: number) => void;
@@ -117,6 +119,10 @@ export const useStudio = create<StudioState>()((set, get) => ({
     if (get().draft !== null) set({ draftAnswer: answer });
   },
   previewAnswered: (answer) => set({ draft: answer.pattern, draftAnswer: answer }),
+  dye: (color) => {
+    const version = currentVersion(get());
+    if (version !== null) get().amend(version.pattern, { color });
+  },
   undo: () => get().goTo((get().history?.index ?? 0) - 1),
   redo: () => get().goTo((get().history?.index ?? 0) + 1),
   goTo: (index) => {

@@ -9,6 +9,7 @@ export function PatternThumbnail({ pattern, label }: { pattern: PatternJson; lab
   const drawing = useMemo(() => drawn(pattern), [pattern]);
   if (drawing === null) return <div className="thumbnail empty" />;
   return (
+    // biome-ignore lint/a11y/noSvgWithoutTitle: it has a label, or is hidden where text beside it says the same.
     <svg
       className="thumbnail"
       viewBox={drawing.viewBox}

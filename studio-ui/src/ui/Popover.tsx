@@ -61,6 +61,7 @@ export function Popover({ trigger, children, label, align = "start", kind = "dia
         "aria-controls": open ? id : undefined,
       })}
       {open && (
+        // biome-ignore lint/a11y/useAriaPropsSupportedByRole: both roles take a label.
         // biome-ignore lint/a11y/noStaticElementInteractions: the role is given; it listens for Escape and arrows only.
         <div
           ref={panel}

@@ -109,10 +109,12 @@ def test_nothing_is_cut_off(page, width):
     page.set_viewport_size({"width": width, "height": 720})
     studio_page.visit()
     cut = page.evaluate(
-        """() => [...document.querySelectorAll("header button, .window-bar button, .window-foot button, .tabs button")]
+        """() => [...document.querySelectorAll(
+                "header button, .window-bar button, .window-foot button, .tabs button")]
             .filter((button) => {
                 const box = button.getBoundingClientRect();
-                const frame = button.closest(".window, .pattern-window, header, .sidebar").getBoundingClientRect();
+                const around = button.closest(".window, .pattern-window, header, .sidebar");
+                const frame = around.getBoundingClientRect();
                 return box.width > 0 && (box.right > frame.right + 1 || box.left < frame.left - 1);
             })
             .map((button) => button.title || button.textContent)"""

@@ -25,7 +25,7 @@ def test_a_picture_becomes_a_garment_and_a_wrong_chip_is_corrected(page, picture
     page.get_by_label("Add a picture").set_input_files(
         {"name": "skirt.png", "mimeType": "image/png", "buffer": picture}
     )
-    seen = page.get_by_role("img", name="What was looked at in the picture")
+    seen = page.get_by_role("img", name="What was looked at")
     seen.wait_for(timeout=WORK_MS)
     page.wait_for_function(
         "() => [...document.querySelectorAll('.picture-pair img')].every((i) => i.naturalWidth > 0)"
@@ -62,7 +62,8 @@ def test_a_picture_can_be_pasted_dropped_and_removed(page, picture):
             const data = new DataTransfer();
             data.items.add(new File([new Uint8Array(bytes)], "back.png", {type: "image/png"}));
             const target = document.querySelector(".app");
-            target.dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true}));
+            const about = {dataTransfer: data, bubbles: true, cancelable: true};
+            target.dispatchEvent(new DragEvent("drop", about));
         }""",
         list(picture),
     )

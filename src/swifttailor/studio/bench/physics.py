@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from swifttailor.arrays import Floats
+from swifttailor.draping.compiled_code import solver_is_compiled
 from swifttailor.draping.drape import drape as drape_pattern
 from swifttailor.draping.finish_or_drape import finish_or_drape
 from swifttailor.draping.simulation import SimulationSettings
@@ -89,6 +90,7 @@ def drape(
             progress=TimeLimit(usual_time_limit(edge_length), link.stage, instead=_INSTEAD),
         )
 
+    _say_if_it_compiles(link)
     return _hung(
         run, watched, original, origin="drape", state="draped", fabric=fabric, edge_length=edge_length
     )
@@ -127,6 +129,7 @@ def finish(
         )
 
     pattern_sewn = garment.pattern
+    _say_if_it_compiles(link)
     return _hung(
         run, watched, pattern_sewn, origin="finish", state="finished", fabric=fabric, edge_length=edge_length
     )
@@ -159,6 +162,12 @@ def _hung(
     )
     answer = {"documents": [work.answer], "failures": []}
     return Work(answer, work.meshes, stopped)
+
+
+def _say_if_it_compiles(link: Link) -> None:
+    """The solver is compiled once on each machine, which takes half a minute."""
+    if not solver_is_compiled():
+        link.stage("compiling, once", 0.0)
 
 
 def _sewable(specification: dict[str, Any]) -> Pattern:

@@ -46,7 +46,9 @@ def live(link: Link, *, pattern: dict[str, Any], edge_length: float) -> Work:
         error = refusal_of(refused)
         findings = check(reading.pattern, reading.findings)
     else:
-        record, findings = garment_record(made.garment, edge_length), made.findings
+        record = garment_record(made.garment, edge_length)
+        # What had to be mended to be sewn has no findings left; those of what is drawn are wanted.
+        findings = made.findings if not made.changes else check(reading.pattern)
         findings = (*reading.findings, *findings)
         seconds = numbers(made.seconds)
     clock.stop("sewing")

@@ -4,7 +4,7 @@ import type { Target } from "../../state/selection";
 import { shownFindings, useStudio } from "../../state/store";
 import { Button } from "../../ui/Button";
 import { Icon, type IconName } from "../../ui/Icon";
-import { showTarget } from "./commands";
+import { showPoints } from "./commands";
 import { usePatternView } from "./pattern-view-state";
 
 const ICONS: Record<FindingInfo["severity"], IconName> = { error: "error", warning: "warning", info: "info" };
@@ -75,7 +75,8 @@ function Finding({ finding }: { finding: FindingInfo }) {
         onClick={() => {
           if (target === null) return;
           focusOn(target);
-          showTarget(target);
+          // The windows bring the target into view first; where the exact place is known, it is nearer.
+          requestAnimationFrame(() => showPoints(finding.panel, finding.points));
         }}
       >
         <Icon name={ICONS[finding.severity]} size={16} />

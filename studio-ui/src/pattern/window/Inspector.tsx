@@ -167,8 +167,8 @@ function MoveBy({ label, unit, onMove }: { label: string; unit: string; onMove: 
 
 const KINDS: { kind: CurveKind; label: string }[] = [
   { kind: "line", label: "Straight" },
-  { kind: "quadratic", label: "Curve, one handle" },
-  { kind: "cubic", label: "Curve, two handles" },
+  { kind: "quadratic", label: "Curve" },
+  { kind: "cubic", label: "S-curve" },
   { kind: "circle", label: "Arc" },
 ];
 
@@ -225,7 +225,8 @@ function OneEdge({ specification, edge }: { specification: Specification; edge: 
         </select>
       </label>
       <NumberField
-        label="Curve out by"
+        label="Depth"
+        title="How far the middle stands off the straight line; outward is positive"
         value={fromCm(sign * depthOf(specification, edge), units)}
         unit={unitMark(units)}
         onChange={(value) => reshape("Bend edge", shapeOfDepth(curve, sign * toCm(value, units)))}

@@ -3,6 +3,8 @@ import { trimmed } from "../../state/units";
 
 interface NumberFieldProps {
   label: string;
+  /** What it means, as a tooltip. */
+  title?: string;
   /** null: there is no number, as of several edges. */
   value: number | null;
   unit: string;
@@ -13,7 +15,16 @@ interface NumberFieldProps {
 }
 
 /** A number that is taken over with Enter or when the field is left; arrow keys step it. */
-export function NumberField({ label, value, unit, digits = 2, step = 0.1, min, onChange }: NumberFieldProps) {
+export function NumberField({
+  label,
+  title,
+  value,
+  unit,
+  digits = 2,
+  step = 0.1,
+  min,
+  onChange,
+}: NumberFieldProps) {
   const shown = value === null ? "" : trimmed(value, digits).replace("−", "-");
   const [text, setText] = useState(shown);
   useEffect(() => setText(shown), [shown]);
@@ -24,7 +35,7 @@ export function NumberField({ label, value, unit, digits = 2, step = 0.1, min, o
     else if (typed !== shown) onChange(number);
   };
   return (
-    <label className="number-field">
+    <label className="number-field" title={title}>
       <span>{label}</span>
       <input
         type="text"

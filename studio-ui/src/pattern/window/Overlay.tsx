@@ -1,5 +1,5 @@
 import type { Target } from "../../state/selection";
-import { currentVersion, useStudio } from "../../state/store";
+import { currentVersion, shownFindings, useStudio } from "../../state/store";
 import { lengthText } from "../../state/units";
 import { bendHandlesOf } from "../edits/bend-handles";
 import { mirroredEdge, mirroredVertex } from "../edits/mirror";
@@ -40,6 +40,7 @@ export function Overlay({ specification, arrangement }: OverlayProps) {
         <ActivePanel key={name} {...{ specification, arrangement, name, selection }} />
       ))}
       <BendHandles {...{ specification, arrangement, selection }} />
+      <FindingMarks arrangement={arrangement} />
       <Ghost {...{ specification, arrangement }} />
       <Guides arrangement={arrangement} />
       <Marquee />
@@ -236,6 +237,20 @@ function BendHandles({
         ))}
       </g>
     );
+  });
+}
+
+/** Rings around the places of faults. */
+function FindingMarks({ arrangement }: { arrangement: Arrangement }) {
+  const findings = useStudio(shownFindings) ?? [];
+  return findings.map((finding) => {
+    const place = arrangement[finding.panel];
+    if (place === undefined || finding.severity === "info") return null;
+    return (finding.points ?? []).map((point) => (
+      <g key={`${finding.code} ${point}`} transform={placeTransform(place)}>
+        <Dot point={point} className={`fault ${finding.severity}`} />
+      </g>
+    ));
   });
 }
 

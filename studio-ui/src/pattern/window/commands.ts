@@ -239,6 +239,15 @@ export function showTarget(target: Target): void {
   set({ view: fitted(boxOf(points), size, FOCUS_MARGIN, FOCUS_NEAREST) });
 }
 
+/** Brings points of a panel, cm in its frame, into the middle of the window; without points, nothing happens. */
+export function showPoints(panel: string, points: readonly Point[]): void {
+  const { arrangement, size, set } = usePatternView.getState();
+  const place = arrangement[panel];
+  if (place === undefined || points.length === 0 || size[0] === 0) return;
+  const box = boxOf(points.map((p) => toSheet(place, p)));
+  set({ view: fitted(box, size, FOCUS_MARGIN, FOCUS_NEAREST) });
+}
+
 function pointsOf(specification: Specification, target: Target): { panel: string; point: Point }[] {
   const { panels, stitches } = specification.pattern;
   if (target.kind === "seam") {
