@@ -65,7 +65,8 @@ def test_the_file_holds_the_texture(garment):
     length = struct.unpack_from("<I", content, 12)[0]
     document = json.loads(content[20 : 20 + length])
     material = document["materials"][0]["pbrMetallicRoughness"]
-    assert material["baseColorTexture"] == {"index": 0, "texCoord": 0} and material["baseColorFactor"] == [1.0] * 4
+    assert material["baseColorTexture"] == {"index": 0, "texCoord": 0}
+    assert material["baseColorFactor"] == [1.0] * 4
     view = document["bufferViews"][document["images"][0]["bufferView"]]
     start = 20 + length + 8 + view["byteOffset"]
     assert content[start : start + 4] == b"\x89PNG" and view["byteOffset"] % 4 == 0
