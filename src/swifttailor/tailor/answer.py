@@ -84,7 +84,7 @@ class Answer:
     def is_other_than_wanted(self) -> bool:
         """Whether something that was understood does not hold, or too little was understood to tell.
 
-        What the name of a garment usually means counts, too, what cannot be made, and words that nobody knows.
+        What the name of a garment usually means counts, too, what cannot be made, and unknown words.
         """
         if self.verdict.open or self.verdict.refused:
             return True
