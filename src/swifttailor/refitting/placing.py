@@ -36,7 +36,7 @@ def placed_on(before: Pattern, after: Pattern, start: BodyProfile, end: BodyProf
         else:
             wanted = _trunk_place(point, _wider(old, new), start, end)
             if regions[old.name] == "leg" and _beside(old):
-                wanted[0] = _leg_place(point, start, end)
+                wanted[0] = _leg_place(point, _wider(old, new) or 1.0, start, end)
         shift = wanted - old.placement.matrix()[:, :2] @ _middle(new)
         x, y, z = shift.tolist()
         panels.append(replace(new, placement=replace(old.placement, translation=(x, y, z))))
@@ -49,13 +49,13 @@ def _beside(panel: Panel) -> bool:
     return min(float(x.max()), -float(x.min())) < _OVER_CM
 
 
-def _leg_place(point: Floats, start: BodyProfile, end: BodyProfile) -> float:
+def _leg_place(point: Floats, wider: float, start: BodyProfile, end: BodyProfile) -> float:
     """X beside the other leg as beside the first."""
     x, y, _ = point
     low, high = start.leg_heights[[0, -1]]
     at = float(np.clip(y, low, high))
     leg, leg_2 = (float(np.interp(at, start.leg_heights, body.leg_middle)) for body in (start, end))
-    return float(x + np.sign(x) * (leg_2 - leg)) if abs(x) > 1.0 else float(x)
+    return float(np.sign(x) * (leg_2 + wider * (abs(x) - leg)))
 
 
 def _wider(old: Panel, new: Panel) -> float | None:
