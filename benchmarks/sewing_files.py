@@ -1,6 +1,6 @@
 """Reads files to sew from back, and compares nesting with bounding boxes, over many patterns.
 
-.venv/bin/python benchmarks/sewing_files.py ../shared/garmentcode/validation.jsonl.gz --limit 100 --seconds 5
+.venv/bin/python benchmarks/sewing_files.py ../shared/garmentcode/validation.jsonl.gz --limit 100
 """
 
 from __future__ import annotations
