@@ -1,6 +1,6 @@
 """Reads files to sew from back, and compares nesting with bounding boxes, over many patterns.
 
-.venv/bin/python benchmarks/sewing_files.py ../shared/garmentcode/validation.jsonl.gz --limit 100 --seconds 5
+.venv/bin/python benchmarks/sewing_files.py ../shared/garmentcode/validation.jsonl.gz --limit 100
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from swifttailor.garment.seam_names import read_seam_name
 from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.making import CuttingPlan, cutting_plan
 from swifttailor.making.flat_panels import flat_panels
-from swifttailor.making.nesting import Marker, nest, pack_boxes
+from swifttailor.making.nesting import nest, overlap, pack_boxes
 from swifttailor.making.pattern_dxf import dxf_text, on_table
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.uv_layout import lay_out_uv
@@ -61,14 +61,6 @@ def dxf_error(plan: CuttingPlan) -> float:
             assert len(block.on(4, "POINT")) == sum(n.teeth for n in piece.notches)
             assert len(block.on(7, "LINE")) == 1
     return worst
-
-
-def overlap_cm2(marker: Marker) -> float:
-    """Largest area that two pieces of a marker share."""
-    shapes = [shapely.Polygon(item.outline) for item in marker.laid]
-    tree = shapely.STRtree(shapes)
-    pairs = [(a, b) for a, b in tree.query(shapes, predicate="intersects").T if a < b]
-    return max((shapes[a].intersection(shapes[b]).area for a, b in pairs), default=0.0)
 
 
 def seams_lost(plan: CuttingPlan) -> tuple[int, int]:
@@ -144,7 +136,7 @@ def main() -> None:
             else:
                 nested.append((marker.length, marker.waste))
                 boxed.append((boxes.length, boxes.waste))
-                worst_overlap = max(worst_overlap, overlap_cm2(marker))
+                worst_overlap = max(worst_overlap, overlap(marker))
                 counts["no better than boxes"] += marker.length >= boxes.length
         if "seams" in options.parts:
             seams, lost = seams_lost(plan)

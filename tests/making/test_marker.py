@@ -15,7 +15,7 @@ from PIL import Image
 
 from swifttailor.errors import InputError
 from swifttailor.making.marker_files import draw_marker, write_marker
-from swifttailor.making.nesting import GAP_CM, estimate_length, nest, pack_boxes
+from swifttailor.making.nesting import GAP_CM, estimate_length, nest, overlap, pack_boxes, pack_grid
 
 
 @pytest.fixture(scope="module")
@@ -28,12 +28,13 @@ def marker(plan):
     return nest(plan.pieces, 140.0, seconds=2)
 
 
-@pytest.mark.parametrize("way", ["nested", "nested one way", "boxes"])
+@pytest.mark.parametrize("way", ["nested", "nested one way", "boxes", "grid"])
 def test_markers_can_be_cut(plan, marker, way):
     made = {
         "nested": lambda: marker,
         "nested one way": lambda: nest(plan.pieces, 150.0, seconds=1, one_way=True),
         "boxes": lambda: pack_boxes(plan.pieces, 150.0),
+        "grid": lambda: pack_grid(plan.pieces, 150.0),
     }[way]()
     cut = Counter((i.piece.name, i.mirrored) for i in made.laid)
     for piece in plan.pieces:
@@ -45,10 +46,11 @@ def test_markers_can_be_cut(plan, marker, way):
         assert all(shape.distance(other) > GAP_CM / 2 for other in shapes[:k])
     for item in made.laid:
         along = np.diff(item.place(item.piece.grain), axis=0)[0]
-        assert abs(along[1]) < 1e-6 and (along[0] > 0 or way == "nested")
+        assert abs(along[1]) < 1e-6 and (along[0] > 0 or way in ("nested", "grid"))
         # Mirrored pieces are turned over, never anything else: areas keep their size and change their sign.
         own, laid = (signed_area(points) for points in (item.piece.cut.outline, item.outline))
         assert laid == pytest.approx(-own if item.mirrored else own, rel=1e-9)
+    assert overlap(made) < 0.01
     used = sum(s.area for s in shapes)
     assert made.waste == pytest.approx(1 - used / (made.width * made.length))
 
@@ -56,6 +58,28 @@ def test_markers_can_be_cut(plan, marker, way):
 def signed_area(points) -> float:
     x, y = (points - points.mean(axis=0)).T
     return float(x @ np.roll(y, -1) - np.roll(x, -1) @ y) / 2
+
+
+def test_a_search_that_ends_with_pieces_over_each_other_is_not_taken(plan, monkeypatch):
+    import spyrrow
+
+    class Heap:
+        """Puts all pieces on one place."""
+
+        def __init__(self, name, height, items):
+            self.items = items
+
+        def solve(self, config):
+            solution = type("Solution", (), {})()
+            solution.placed_items = [
+                type("Placed", (), {"id": i.id, "rotation": 0.0, "translation": (0.0, 60.0)})
+                for i in self.items
+            ]
+            return solution
+
+    monkeypatch.setattr(spyrrow, "StripPackingInstance", Heap)
+    made = nest(plan.pieces, 140.0, seconds=1)
+    assert overlap(made) < 0.01 and len(made.laid) == sum(p.count for p in plan.pieces)
 
 
 def test_nesting_needs_less_cloth_than_boxes(plan, marker):

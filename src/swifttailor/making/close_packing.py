@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Literal
 
 import numpy as np
 import shapely
@@ -21,7 +22,7 @@ _TURNS = tuple(np.linalg.matrix_power(_QUARTER, k) for k in range(4))
 
 
 def pack_closely(
-    shapes: Sequence[shapely.Polygon], width: float, height: float, *, upright: bool = False
+    shapes: Sequence[shapely.Polygon], width: float, height: float, *, turns: Literal[1, 2, 4] = 4
 ) -> list[tuple[Floats, Floats]] | None:
     """Packs shapes into a strip, turned by quarters where that helps; the same every time.
 
@@ -29,7 +30,7 @@ def pack_closely(
         shapes: cm.
         width: Of the strip, cm.
         height: Enough for all of them in any packing, cm.
-        upright: Whether shapes may only stand upright or on their head, as grain lines on cloth demand.
+        turns: Ways in which shapes may lie: upright, on their head too, or on their sides as well.
 
     Returns:
         Rotation (2, 2) and shift (2,) of each; None where a shape does not fit, or the strip is too large
@@ -46,7 +47,7 @@ def pack_closely(
     used = 1
     for k in order:
         best: tuple[tuple[int, int, int], Bools, Floats, Floats] | None = None
-        for number, turn in enumerate(_TURNS[::2] if upright else _TURNS):
+        for number, turn in enumerate(_TURNS[:: 4 // turns]):
             cells, low = _cells(shapes[k], turn)
             if cells.shape[1] > columns or cells.shape[0] > rows:
                 continue

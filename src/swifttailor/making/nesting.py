@@ -21,6 +21,7 @@ MIN_WIDTH_CM, MAX_WIDTH_CM = 20.0, 500.0
 MAX_SECONDS = 600
 MOST_PIECES = 500
 _SIMPLER_CM = 0.05
+_TOUCHING_CM2 = 0.01
 _LEFT_TURN = np.array([[0.0, -1.0], [1.0, 0.0]])
 
 
@@ -66,7 +67,7 @@ class Marker:
 def nest(
     pieces: Sequence[Piece], width: float, *, seconds: int = 10, seed: int = 0, one_way: bool = False
 ) -> Marker:
-    """Nests pieces by their true outlines; falls back on nothing: what comes back has no overlap.
+    """Nests pieces by their true outlines; what comes back is checked to have no overlap.
 
     The search (spyrrow, which binds the packer "sparrow") takes the time it is given on one core. The same
     seed gives the same search; a faster machine gets further in it.
@@ -84,7 +85,8 @@ def nest(
         MissingExtraError: spyrrow is not installed.
     """
     items = _items(pieces, width)
-    packed = pack_boxes(pieces, width)
+    others = [pack_boxes(pieces, width), pack_grid(pieces, width, one_way=one_way)]
+    packed = min((m for m in others if m is not None), key=lambda m: m.length)
     try:
         import spyrrow
     except ImportError:
@@ -108,9 +110,17 @@ def nest(
         turn = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
         laid[int(placed.id)] = LaidPiece(piece, mirrored, turn @ _LEFT_TURN.T, np.array(placed.translation))
     marker = _marker([item for item in laid if item is not None], width)
-    if len(marker.laid) != len(items) or marker.length > packed.length:
-        return packed
-    return marker
+    usable = len(marker.laid) == len(items) and overlap(marker) < _TOUCHING_CM2
+    return marker if usable and marker.length < packed.length else packed
+
+
+def overlap(marker: Marker) -> float:
+    """Largest area in cm2 that two pieces share, or that a piece lies beside the cloth."""
+    shapes = [shapely.Polygon(item.outline) for item in marker.laid]
+    cloth = shapely.box(0.0, 0.0, marker.length, marker.width)
+    pairs = shapely.STRtree(shapes).query(shapes, predicate="intersects").T
+    shared = [shapes[a].intersection(shapes[b]).area for a, b in pairs.tolist() if a < b]
+    return max([0.0, *shared, *(float(s.difference(cloth).area) for s in shapes)])
 
 
 def pack_boxes(pieces: Sequence[Piece], width: float) -> Marker:
@@ -139,20 +149,32 @@ def estimate_length(pieces: Sequence[Piece], width: float) -> float:
     Raises:
         InputError: The width is out of range, or a piece is wider than the cloth.
     """
-    items = _items(pieces, width)
-    shapes = [
-        shapely.Polygon(piece.cut.outline * (-1.0 if mirrored else 1.0, 1.0)) for piece, mirrored in items
-    ]
-    packed = pack_closely(shapes, width, sum(s.bounds[3] - s.bounds[1] + 2.0 for s in shapes), upright=True)
-    boxes = pack_boxes(pieces, width).length
-    length = boxes
-    if packed is not None:
-        placed = zip(shapes, packed, strict=True)
-        tops = [
-            float((shapely.get_coordinates(s) @ turn.T + shift)[:, 1].max()) for s, (turn, shift) in placed
-        ]
-        length = min(boxes, max(tops))
+    boxes, grid = pack_boxes(pieces, width), pack_grid(pieces, width)
+    length = boxes.length if grid is None else min(boxes.length, grid.length)
     return 5.0 * math.ceil(length / 5.0)
+
+
+def pack_grid(pieces: Sequence[Piece], width: float, *, one_way: bool = False) -> Marker | None:
+    """Packs pieces by their outlines on a coarse grid, at once and the same every time.
+
+    Returns:
+        The marker; None where there is too much cloth to try.
+
+    Raises:
+        InputError: The width is out of range, or a piece is wider than the cloth.
+    """
+    items = _items(pieces, width)
+    shapes = [shapely.Polygon(p.cut.outline * (-1.0 if mirrored else 1.0, 1.0)) for p, mirrored in items]
+    height = sum(s.bounds[3] - s.bounds[1] + 2.0 for s in shapes)
+    packed = pack_closely(shapes, width, height, turns=1 if one_way else 2)
+    if packed is None:
+        return None
+    down = _LEFT_TURN.T  # what lies across the cloth from the left comes to lie from the top
+    laid = [
+        LaidPiece(piece, mirrored, down @ turn, down @ shift + np.array([0.0, width]))
+        for (piece, mirrored), (turn, shift) in zip(items, packed, strict=True)
+    ]
+    return _marker(laid, width)
 
 
 def require_width(width: float) -> None:
