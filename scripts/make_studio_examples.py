@@ -1,6 +1,6 @@
 """Makes what ships with the studio: examples, the body, what chips and sliders can say.
 
-    .venv/bin/python scripts/make_studio_examples.py
+    .venv/bin/python scripts/make_studio_examples.py [--words-only]
 
 Writes src/swifttailor/studio/shipped_data/ anew: garments of the words below by the networks that ship, hung
 to rest by physics. Run it after the networks, the reader of words or the mesh file have changed.
@@ -8,6 +8,7 @@ to rest by physics. Run it after the networks, the reader of words or the mesh f
 
 from __future__ import annotations
 
+import argparse
 import gzip
 import io
 import json
@@ -17,13 +18,16 @@ from PIL import Image
 from swifttailor import Tailor
 from swifttailor.body import Body
 from swifttailor.garment.preview import draw_preview
+from swifttailor.pattern import read_specification
 from swifttailor.pattern.garmentcode_reader import MAX_EDGES, MAX_PANELS
+from swifttailor.studio.bench.chips import sliders
 from swifttailor.studio.bench.claim_labels import claim_options, dimension_options
-from swifttailor.studio.bench.documents import tailored_document
+from swifttailor.studio.bench.documents import caption, tailored_document
 from swifttailor.studio.body_mesh import body_record
 from swifttailor.studio.compact_mesh import expand, shrink
 from swifttailor.studio.mesh_record import name_of
 from swifttailor.studio.shipped import BODY, DOCUMENT, FOLDER, MESH, OPTIONS, THUMBNAIL
+from swifttailor.tailor.reading import facts_of
 
 EXAMPLES = {
     "summer-dress": (
@@ -59,7 +63,26 @@ def packed(value: object) -> bytes:
     return gzip.compress(json.dumps(value, separators=(",", ":"), allow_nan=False).encode(), 9, mtime=0)
 
 
+def refresh_words() -> None:
+    """What can be chosen, and what examples say of themselves: after claims, levers or captions changed."""
+    options = json.loads(gzip.decompress((FOLDER / OPTIONS).read_bytes()))
+    options |= {"claims": claim_options(), "dimensions": dimension_options()}
+    (FOLDER / OPTIONS).write_bytes(packed(options))
+    for name in options["examples"]:
+        path = FOLDER / f"{name}{DOCUMENT}"
+        document = json.loads(gzip.decompress(path.read_bytes()))
+        facts = facts_of(read_specification(document["pattern"]).pattern)
+        path.write_bytes(packed(document | {"dimensions": sliders(facts), "description": caption(facts)}))
+
+
 def main() -> None:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--words-only", action="store_true", help="keep the garments (a second)")
+    if parser.parse_args().words_only:
+        refresh_words()
+        return
     FOLDER.mkdir(exist_ok=True)
     for path in FOLDER.iterdir():
         path.unlink()
