@@ -126,7 +126,7 @@ def test_in_an_instruction_the_lexicon_counts_where_the_network_is_not_sure():
     assert Claim("neckline", "v") in claims(heard.sure)
 
 
-@pytest.mark.parametrize("text", ["make it red and of denim", "make it of denim", "make it 6 cm longer and of silk"])
+@pytest.mark.parametrize("text", ["make it red and of denim", "make it of denim", "make it red, in silk"])
 def test_fabrics_of_an_instruction_are_understood(text, reader):
     heard = hear_instruction(text, reader, "dress")
     assert heard.cloth in ("denim", "silk") and heard.unread == ()

@@ -264,7 +264,7 @@ def _lacks(words: WordReading, changes: Sequence[Change]) -> tuple[Lack, ...]:
 
 
 def _not_answered(unread: Sequence[str], words: WordReading) -> tuple[str, ...]:
-    """What was not understood, without what the lexicon answers: colours, fabrics, and what cannot be made."""
+    """What was not understood, without what the lexicon answers: colours, fabrics, what cannot be."""
     answered = [color.words for color in words.colors] + [lack.mark.word for lack in words.lacks if lack.said]
     answered += [mark.word for mark in words.marks if any(_is_fabric(entry) for entry in mark.entries)]
     known = {part.lower() for word in answered for part in word.split()}
