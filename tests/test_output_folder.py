@@ -95,6 +95,14 @@ def test_with_overwrite_nothing_is_deleted_that_is_not_written(tmp_path):
         fill(tmp_path, "newer", overwrite=True)
 
 
+def test_a_file_in_a_folder_s_place_is_named(tmp_path):
+    (tmp_path / "notes").write_text("mine")
+    for path in (tmp_path / "notes" / "a.txt", tmp_path / "notes" / "deep" / "a.txt"):
+        with pytest.raises(InputError, match=r"notes' is a file, not a folder"):
+            write_text(path, "new")
+    assert (tmp_path / "notes").read_text() == "mine"
+
+
 def test_stale_files_go_where_they_are_one_s_own(tmp_path):
     fill(tmp_path, "first", (*NAMES, "sheet-01.png", "sheet-02.png", "other.png"))
     (tmp_path / "sheet-02.png").write_text("painted over")

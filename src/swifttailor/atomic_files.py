@@ -41,7 +41,12 @@ def write_atomically(path: Path | str, write: Callable[[Path], object], *, overw
     except (OSError, ValueError) as error:  # ValueError: a name with a zero byte in it
         if is_disk_full(error):
             raise disk_full(path) from error
-        why = getattr(error, "strerror", None) or error
+        in_the_way = next((p for p in path.parents if os.path.lexists(p) and not p.is_dir()), None)
+        why = (
+            f"'{in_the_way}' is a file, not a folder"
+            if in_the_way
+            else getattr(error, "strerror", "") or error
+        )
         raise InputError(f"Cannot write {str(path)!r}: {why}. Choose a folder you may write to.") from error
     os.close(handle)
     temporary = Path(name)

@@ -12,7 +12,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from swifttailor.errors import GeometryError
-from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.panel_mesh import mesh_pattern, triangulate
 from swifttailor.panel_mesh.constrained_edges import _Flippable, recover_edges
 from swifttailor.panel_mesh.triangulate import triangulate_polygon
 from swifttailor.pattern import Edge, EdgeRef, Panel, Pattern, Placement, Stitch
@@ -52,10 +52,29 @@ def test_tiny_outlines_of_many_edges_are_filled(seed, count, size):
     assert len(points) == count and len(faces) == count - 2
 
 
+@pytest.mark.parametrize("edge_length", [2.0, 8.0])
 @pytest.mark.parametrize("shape", [saw, star])
-def test_the_most_jagged_panel_that_is_accepted_is_filled(shape):
+def test_the_most_jagged_panel_that_is_accepted_is_filled(shape, edge_length):
     boundary = shape(np.random.default_rng(1), 2000)
-    assert_fills(boundary, *triangulate_polygon(boundary, 2.0))
+    assert_fills(boundary, *triangulate_polygon(boundary, edge_length))
+
+
+@given(SEEDS, st.integers(8, 150), st.sampled_from([1.0, 3.0]), st.sampled_from([saw, star]))
+@settings(max_examples=40, deadline=None)
+def test_both_ways_to_keep_clear_of_the_outline_agree(seed, count, clearance, shape):
+    """But for points at its border, since the set-back outline has arcs of a few straight pieces."""
+    rng = np.random.default_rng(seed)
+    boundary = shape(rng, count)
+    points = rng.uniform(boundary.min(axis=0), boundary.max(axis=0), (500, 2))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(triangulate, "_MANY_CORNERS", count)
+        by_outline = triangulate._well_inside(points, boundary, clearance)
+        patch.setattr(triangulate, "_MANY_CORNERS", -1)
+        by_distance = triangulate._well_inside(points, boundary, clearance)
+    distance = shapely.distance(shapely.LinearRing(boundary), shapely.points(points))
+    inside = shapely.contains_xy(shapely.Polygon(boundary), *points.T)
+    assert (by_distance == inside & (distance > clearance)).all()
+    assert not (by_outline != by_distance)[abs(distance - clearance) > 0.05 * clearance].any()
 
 
 def crossed(mesh, a, b):

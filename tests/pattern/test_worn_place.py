@@ -12,7 +12,15 @@ from old_style import DOWN_CM, old_style
 from pattern_faults import sew, tube
 from scipy.spatial.transform import Rotation
 
-from swifttailor.pattern import Panel, Pattern, Placement, check_pattern, repair_pattern
+from swifttailor.pattern import (
+    Panel,
+    Pattern,
+    Placement,
+    check_pattern,
+    read_pattern_file,
+    repair_pattern,
+    write_pattern,
+)
 from swifttailor.pattern.check import BodyLevels, BodyProbe, panel_regions
 from swifttailor.pattern.drafts import draft, list_drafts
 
@@ -183,3 +191,17 @@ def test_what_was_never_placed_is_not_judged():
     flat = replace(flat, panels=tuple(replace(p, placement=Placement()) for p in flat.panels))
     assert worn_codes(flat) == set()
     assert DOWN_CM > 100
+
+
+@pytest.mark.parametrize("lift", [9e6, -9e6])
+def test_nothing_is_moved_to_where_no_file_can_say_that_it_is(lift, tmp_path):
+    """Half of it is as far up as files allow, the other half as far down: the middle cannot be the body."""
+    skirt = draft("fitted-skirt")
+    sides = [lift if k else -lift for k in range(len(skirt.panels))]
+    panels = tuple(
+        replace(p, placement=p.placement.moved(np.eye(3), np.array([0.0, up, 0.0])))
+        for p, up in zip(skirt.panels, sides, strict=True)
+    )
+    mended = repair_pattern(replace(skirt, panels=panels)).pattern
+    write_pattern(mended, tmp_path / "mended.json")
+    assert read_pattern_file(tmp_path / "mended.json").pattern == mended

@@ -137,7 +137,7 @@ def test_in_an_instruction_words_count_and_the_network_where_they_leave_some_ove
     assert Claim("neckline", "v") in claims(heard.sure)
 
 
-@pytest.mark.parametrize("text", ["make it red and of denim", "make it of denim", "6 cm longer and of silk"])
+@pytest.mark.parametrize("text", ["make it red and of denim", "make it of denim", "make it red, in silk"])
 def test_fabrics_of_an_instruction_are_understood(text, reader):
     heard = hear_instruction(text, reader, measure_facts(swifttailor.draft("fitted-dress")))
     assert heard.cloth in ("denim", "silk") and heard.unread == ()

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 from scipy.spatial import Delaunay, QhullError
 
-from swifttailor.arrays import Floats, Ints, Longs
+from swifttailor.arrays import Bools, Floats, Ints, Longs
 from swifttailor.errors import GeometryError
 from swifttailor.panel_mesh.constrained_edges import interior_triangles, recover_edges
 from swifttailor.panel_mesh.smoothing import smooth
@@ -17,6 +17,8 @@ from swifttailor.panel_mesh.smoothing import smooth
 _CLEARANCE = 0.62
 """Inner points start this share of the edge length or more from the outline: no sliver fits between."""
 _BULGE = 1e-4
+_SHARP, _MANY_CORNERS = 0.3, 200
+"""Turns, rad, and how many of them no panel for clothes has."""
 
 
 def triangulate_polygon(boundary: Floats, edge_length: float) -> tuple[Floats, Ints]:
@@ -130,19 +132,37 @@ def _lattice(boundary: Floats, edge_length: float) -> Floats:
     """Points of a triangular lattice that lie well inside the polygon, (k, 2)."""
     if len(boundary) < 3:
         raise GeometryError(f"An outline needs 3 points, got {len(boundary)}. Run: swifttailor check PATTERN")
-    core = shapely.Polygon(boundary).buffer(-_CLEARANCE * edge_length, quad_segs=4)
-    if core.is_empty:
-        return np.zeros((0, 2))
     low, high = boundary.min(axis=0), boundary.max(axis=0)
     rows = np.arange(low[1], high[1], edge_length * math.sqrt(3) / 2)
     columns = np.arange(low[0], high[0] + edge_length, edge_length)
     x, y = np.meshgrid(columns, rows)
     x[1::2] -= edge_length / 2
-    shapely.prepare(core)
-    inside = shapely.contains_xy(core, x.ravel(), y.ravel())
-    points = np.stack([x.ravel()[inside], y.ravel()[inside]], axis=1)
+    points = np.stack([x.ravel(), y.ravel()], axis=1)
+    points = points[_well_inside(points, boundary, _CLEARANCE * edge_length)]
     # A trace of noise keeps lattice points off common circles, where Delaunay is not unique.
     return points + np.random.default_rng(0).normal(0.0, 1e-4 * edge_length, points.shape)
+
+
+def _well_inside(points: Floats, boundary: Floats, clearance: float) -> Bools:
+    """Which of some points (k, 2) lie in a polygon (n, 2) and about so far, cm, from its outline."""
+    polygon = shapely.Polygon(boundary)
+    if _sharp_corners(boundary) <= _MANY_CORNERS:
+        core = polygon.buffer(-clearance, quad_segs=4)
+        shapely.prepare(core)
+        return shapely.contains_xy(core, points[:, 0], points[:, 1])
+    # A zigzag set back by more than its teeth crosses itself everywhere: minutes for thousands of them.
+    outline = shapely.LinearRing(boundary)
+    shapely.prepare([polygon, outline])
+    inside = shapely.contains_xy(polygon, points[:, 0], points[:, 1])
+    inside[inside] = ~shapely.dwithin(outline, shapely.points(points[inside]), clearance)
+    return inside
+
+
+def _sharp_corners(boundary: Floats) -> int:
+    ahead = np.roll(boundary, -1, axis=0) - boundary
+    behind = np.roll(ahead, 1, axis=0)
+    cross = behind[:, 0] * ahead[:, 1] - behind[:, 1] * ahead[:, 0]
+    return int((np.abs(np.arctan2(cross, (behind * ahead).sum(axis=1))) > _SHARP).sum())
 
 
 def _conforming_delaunay(points: Floats, boundary_count: int) -> tuple[Longs, Longs, Longs]:

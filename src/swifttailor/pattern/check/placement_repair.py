@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +11,8 @@ from swifttailor.pattern.check.body_levels import BodyLevels
 from swifttailor.pattern.check.change import Change
 from swifttailor.pattern.check.judgements import place_of
 from swifttailor.pattern.check.placement_checks import motion_in_words
+from swifttailor.pattern.json_values import MAX_ABSOLUTE
+from swifttailor.pattern.panel import Panel
 from swifttailor.pattern.pattern import Pattern
 
 Step = tuple[Pattern, list[Change]]
@@ -43,6 +46,8 @@ def move_to_body(pattern: Pattern, levels: BodyLevels) -> Step:
         return pattern, []
     still, shift = np.eye(3), np.array(offset.shift)
     panels = tuple(replace(p, placement=p.placement.moved(still, shift)) for p in pattern.panels)
+    if not _can_be_written(panels):
+        return pattern, []
     text = f"moved the whole pattern {motion_in_words(offset.shift)}, to where it is worn"
     return replace(pattern, panels=panels), [Change("misplaced-panel", text)]
 
@@ -64,4 +69,10 @@ def turn_limbs(pattern: Pattern, levels: BodyLevels) -> Step:
         for name in pose.panels:
             panels[name] = replace(panels[name], placement=panels[name].placement.moved(turn, shift))
             changes.append(Change(code, text, name))
-    return replace(pattern, panels=tuple(panels.values())), changes
+    turned = tuple(panels.values())
+    return (replace(pattern, panels=turned), changes) if _can_be_written(turned) else (pattern, [])
+
+
+def _can_be_written(panels: Iterable[Panel]) -> bool:
+    """Whether no panel was moved to where files cannot say that it is: thousands of kilometres away."""
+    return all(abs(x) <= MAX_ABSOLUTE for panel in panels for x in panel.placement.translation)
