@@ -222,14 +222,14 @@ def test_a_text_is_read_and_a_pattern_to_edit_altered_once_for_all_samples_and_a
         return alter_it(pattern, wishes, **options)
 
     monkeypatch.setattr("swifttailor.tailor.reading.alter", counted)
-    wish, maker = Wish(Gain(Claim("bodice", "darted")), 0.9), Scripted(shirt, shirt, shirt)
+    wish, maker = Wish(Gain(Claim("bodice", "darted")), 0.98), Scripted(shirt, shirt, shirt)
     reader = Reading(wish)
-    order = Order("with darts", edit=shirt, samples=2, attempts=3)
+    order = Order("as a monk has it", edit=shirt, samples=2, attempts=3)  # words alone cannot tell
     one = read_order(order, reader)
     answers = write_patterns(lambda: maker, Mannequin(), [(one, 0), (one, 1)], Clock())
     assert all(a.verdict.open == (wish.change,) for a in answers) and len(maker.asked) == 3
     assert altered.count(shirt) == len(altered) == 7  # the pattern to edit, and what was written 3 times 2
-    assert reader.texts == ["with darts"]
+    assert reader.texts.count("as a monk has it") == 1
 
 
 def test_who_reads_both_none_and_some_has_misunderstood():

@@ -43,10 +43,16 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     )
     told = list(spoken.changes)
     stated = {}
-    for measure in spoken_measures(text, kind):
+    measures = spoken_measures(text, kind)
+    for measure in measures:
         clause = next((c for c in spoken.clauses if c.start <= measure.mention.start < c.end), None)
         stepped = clause is not None and any(isinstance(c, Step) for c in clause.changes)
-        if measure.claim is not None and clause is not None and not stepped:
+        if (
+            measure.claim is not None
+            and clause is not None
+            and not stepped
+            and not _is_strange(clause, words)
+        ):
             stated[clause.start] = measure
             told.append(Gain(measure.claim))
     covered = facts is not None and QUANTITIES["armholes"].of(facts) is None
@@ -76,7 +82,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         if not _is_moved_away(gain, told)
     ]
     changes = [wish.change for wish in sure]
-    lacks = tuple([lack for lack in lacks_of(words, changes) if lack.said])
+    lacks = tuple([lack for lack in lacks_of(words, changes, measures) if lack.said])
     silent = _not_answered(unread, words)
     return Heard(text, tuple(sure), tuple(likely), words.never, silent, lacks, words, clashes=spoken.clashes)
 
@@ -137,6 +143,11 @@ def _not_answered(unread: Sequence[str], words: WordReading) -> tuple[str, ...]:
     answered += [mark.word for mark in words.marks if any(_is_fabric(entry) for entry in mark.entries)]
     known = {part.lower() for word in answered for part in word.split()}
     return tuple([text for text in unread if not {part.lower() for part in text.split()} <= known])
+
+
+def _is_strange(clause: SpokenClause, words: WordReading) -> bool:
+    """Whether words that nobody knows stand in it: its number may be of these ("20 cm glorpier")."""
+    return any(clause.start <= mark.start < clause.end for mark in words.marks if not mark.entries)
 
 
 def _is_fabric(entry: Entry) -> bool:

@@ -58,7 +58,7 @@ def lacks_of(
         [
             lack
             for lack in words.lacks
-            if not any(m.mention.start <= lack.mark.start < m.mention.end for m in measures)
+            if not any(m.mention.start < lack.mark.end and lack.mark.start < m.mention.end for m in measures)
             if lack.what != "sizes"
             or not _DIGIT.search(lack.mark.word)
             or unread_numbers(lack.mark.word, changes)
