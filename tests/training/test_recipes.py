@@ -15,7 +15,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 RECIPES = (
     *("wish_reader", "garment_sewer", "pattern_maker", "picture_reader", "pattern_library"),
-    "picture_reader_on_gpu",
+    *("close_up_reader", "picture_reader_on_gpu"),
 )
 
 
@@ -74,6 +74,10 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     assert reader.size == 64 and reader.card["config"]["start"].endswith("large/weights.safetensors")
     assert len(PatternLibrary.load(work / "pattern-library/known_patterns.zip")) == 6
     assert PictureReader.load(work / "gpu/picture_reader.onnx").size == 64
+    near = PictureReader.load(
+        files["PictureReader"], close_ups=work / "close-up-reader/close_up_reader.onnx"
+    ).near
+    assert near is not None and {name.split()[-1] for name in near.close_ups} == {"neck", "waist", "sleeve"}
 
     again = run("wish_reader", work)
     assert again.returncode == 0

@@ -52,6 +52,9 @@ class TrainExport:
     data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
     """What to measure certainties with, part of the file: the data set with renders that a PatternMaker was
     trained on, or a split of garments that a picture reader was not trained on."""
+    close_ups: tuple[str, ...] = ()
+    """Of a picture reader: what it is to look at from near, of neck, waist, sleeve and leg; without this all
+    that it has learnt from."""
 
     def run(self) -> int:
         """Exports, prints how far both are apart, and returns the exit code.
@@ -74,6 +77,8 @@ class TrainExport:
             )
         if self.int8 and model not in ("GarmentSewer", "PictureReader"):
             raise InputError(f"--int8 is for a GarmentSewer or a PictureReader; choose --half for a {model}.")
+        if self.close_ups and model != "PictureReader":
+            raise InputError(f"--close-ups is for a PictureReader; a {model} looks at nothing from near.")
         beside = out.with_suffix(".json")
         for path in (out, beside):
             require_free(path, overwrite=self.overwrite)
@@ -95,7 +100,9 @@ class TrainExport:
         if model == "WishReader":
             return _export_reader(self.source, out, self.half)
         if model == "PictureReader":
-            return _export_eyes(self.source, out, self.half, self.int8, self.data)
+            return _export_eyes(
+                self.source, out, half=self.half, int8=self.int8, data=self.data, close_ups=self.close_ups
+            )
         said = _export_maker(self.source, out, self.half)
         return f"{said}; {_calibrate(out, self.data)}"
 
@@ -158,7 +165,9 @@ def _export_reader(run: Path, out: Path, half: bool) -> str:
     return _near_logits(compare(WishReader.load(export(network, card, out)), network), out)
 
 
-def _export_eyes(run: Path, out: Path, half: bool, int8: bool, data: Path | None) -> str:
+def _export_eyes(
+    run: Path, out: Path, *, half: bool, int8: bool, data: Path | None, close_ups: tuple[str, ...]
+) -> str:
     from swifttailor.picture_reader.export_torch import compare, export, load_weights
     from swifttailor.picture_reader.reader import PictureReader
     from swifttailor.training.run_record import CARD, WEIGHTS
@@ -170,7 +179,8 @@ def _export_eyes(run: Path, out: Path, half: bool, int8: bool, data: Path | None
         found = _calibrated(network, card, data)
         scales = found.scales
         said = f"its certainties are off by {found.after:.3f} on average, before {found.before:.3f}"
-    apart = compare(PictureReader.load(export(network, card, out, scales)), network)
+    written = export(network, card, out, scales, close_ups or None)
+    apart = compare(PictureReader.load(written), network)
     return f"{_near_logits(apart, out)}; {said}"
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -55,7 +56,11 @@ def load_weights(
 
 
 def export(
-    network: EyesNetwork, card: dict[str, Any], path: Path, scales: NDArray[Any] | None = None
+    network: EyesNetwork,
+    card: dict[str, Any],
+    path: Path,
+    scales: NDArray[Any] | None = None,
+    close_ups: Sequence[str] | None = None,
 ) -> Path:
     """Writes the model file, which `PictureReader.load` opens.
 
@@ -64,9 +69,11 @@ def export(
         card: What it was trained on and how good it is.
         path: File to write, ``.onnx``.
         scales: (S, 2), see `PictureReader.scales`; as the network says it when None.
+        close_ups: What it is to look at from near: last words of the names of `CLOSE_UPS`; all it has learnt
+            from when None.
 
     Raises:
-        InputError: The file cannot be written.
+        InputError: The file cannot be written, or the network has not learnt from such close-ups.
         MissingExtraError: onnx or onnxscript is not installed.
     """
     size = network.config.image_size
@@ -75,7 +82,13 @@ def export(
     if scales is None:
         scales = np.tile(np.array([1.0, 0.0]), (len(statement_labels()), 1))
     said = [[round(float(v), 4) for v in row] for row in scales]
-    close_ups = [c.name for c in CLOSE_UPS] if card.get("config", {}).get("close") else []
+    learnt = [c.name for c in CLOSE_UPS] if card.get("config", {}).get("close") else []
+    known = sorted({name.split()[-1] for name in learnt})
+    for word in close_ups or ():
+        if word not in known:
+            accepted = ", ".join(known) or "none: it was trained without"
+            raise InputError(f"It has learnt from no close-ups '{word}'; accepted: {accepted}.")
+    looked_at = [name for name in learnt if close_ups is None or name.split()[-1] in close_ups]
     return write_graph(
         path,
         KIND,
@@ -83,7 +96,7 @@ def export(
         card,
         labels_sha256=labels_checksum(),
         panel_kinds=PANEL_KINDS,
-        close_ups=close_ups,
+        close_ups=looked_at,
         scales=said,
     )
 
