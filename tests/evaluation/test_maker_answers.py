@@ -224,7 +224,7 @@ def test_what_is_measured_is_what_people_get(texts, edits, book):
     seeds = [seed_of(7, q.key, "answer") for q in asked]
     described = usual.generate(asked[0].text, seed=seeds[0])
     instructed = usual.edit(asked[1].before, asked[1].text, seed=seeds[1])
-    assert writer.asked[len(shown) :] == shown and len(shown) > 2, "asked as often, in the same words"
+    assert writer.asked[len(shown) :] == shown and len(shown) > 1, "asked as often, in the same words"
     assert {t for _, t, draw in shown if draw == 0} == {USUAL_TEMPERATURE}
     for answer, made in zip(kept, (described, instructed), strict=True):
         assert answer.pattern.canonical() == made.pattern

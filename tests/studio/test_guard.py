@@ -6,6 +6,7 @@ import asyncio
 
 import httpx
 import pytest
+from own_loop import run
 
 from swifttailor.studio.app.application import make_application
 from swifttailor.studio.app.guard import COOKIE
@@ -37,7 +38,7 @@ def ask(
         async with httpx.AsyncClient(transport=transport, base_url=address) as client:
             return await client.request(method, path, **request)
 
-    return asyncio.run(scene())
+    return run(scene())
 
 
 def refusal(answer):

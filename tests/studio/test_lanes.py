@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 
 import pytest
+from own_loop import run
 
 from swifttailor.studio.jobs import MOST_KEPT, JobQueue, QueueFullError
 from swifttailor.studio.mesh_store import MeshStore
@@ -62,7 +63,7 @@ def test_of_each_client_the_latest_state_is_sewn_and_clients_take_turns():
         assert [task["n"] for task in hands.done] == ["a1", "a3", "b1"]
         assert await lane.run("a", 3, {}) is None
 
-    asyncio.run(scene())
+    run(scene())
 
 
 def test_a_state_that_fails_fails_alone():
@@ -77,7 +78,7 @@ def test_a_state_that_fails_fails_alone():
         hands.go.release()
         assert (await lane.run("a", 2, {"n": 2})).answer["documents"] == [{"n": 2}]
 
-    asyncio.run(scene())
+    run(scene())
 
 
 def test_quick_work_is_bounded():
@@ -93,7 +94,7 @@ def test_quick_work_is_bounded():
         lane.worker.go.release()
         await lane.run("check", {})
 
-    asyncio.run(scene())
+    run(scene())
 
 
 def test_the_queue_is_bounded_and_every_job_ends():
@@ -119,7 +120,7 @@ def test_the_queue_is_bounded_and_every_job_ends():
         queue.cancel(jobs[3])
         assert jobs[3].state == "done"
 
-    asyncio.run(scene())
+    run(scene())
 
 
 def test_events_come_in_order_and_end():
@@ -141,7 +142,7 @@ def test_events_come_in_order_and_end():
         again = [event async for event, _ in queue.events(job)]
         assert again == ["done"]
 
-    asyncio.run(scene())
+    run(scene())
 
 
 def test_ended_jobs_are_forgotten():
@@ -154,4 +155,4 @@ def test_ended_jobs_are_forgotten():
             await settle()
         assert len(queue._jobs) <= MOST_KEPT + 1 and queue.find(last.id) is last
 
-    asyncio.run(scene())
+    run(scene())

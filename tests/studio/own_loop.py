@@ -1,0 +1,14 @@
+"""An event loop in a thread of its own: the browser's tests leave one running in the process's first thread."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Coroutine
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+
+def run(scene: Coroutine[Any, Any, Any]) -> Any:
+    """What a coroutine returns, or raises."""
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(asyncio.run, scene).result()
