@@ -1,4 +1,4 @@
-"""An event loop in a thread of its own: the browser's tests leave one running in the process's first thread."""
+"""An event loop in a thread of its own: tests in a browser leave one running in the first thread."""
 
 from __future__ import annotations
 

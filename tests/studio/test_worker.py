@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import time
 
+import own_loop
 import pytest
 
 from swifttailor.studio.bench import tasks
@@ -22,7 +23,7 @@ def run(scene):
         finally:
             worker.close()
 
-    return asyncio.run(whole())
+    return own_loop.run(whole())
 
 
 def test_a_task_that_takes_too_long_is_killed_and_the_worker_replaced(real_pattern):
