@@ -231,7 +231,8 @@ def test_what_is_measured_is_what_people_get(texts, edits, book):
         record, report = answer.record, made.report
         assert record["altered"] == report["alterations"]["cuts"]
         assert record["attempts"] == len(report["writing"]["failed_attempts"]) + 1
-        assert {"writing", "altering", "drawing"} <= set(record["seconds"])
+        assert {"reading", "drawing"} <= set(record["seconds"])
+    assert {"writing", "altering"} <= set(kept[0].record["seconds"])
     assert instructed.report["alterations"]["of_the_pattern_to_edit"]
     scored = score_answers(kept)
     assert summarize_task("text", scored[:1]).attempts == kept[0].record["attempts"] > 1
