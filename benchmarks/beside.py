@@ -64,15 +64,17 @@ def main() -> None:
             subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
         arguments = {
             "warm generate": [__file__, str(options.other), "--warm-here", json.dumps(prompts)],
-            "cold generate": ["-m", "swifttailor", "generate", options.text, "--out", f"{folder}/made"],
-            "cold sew": ["-m", "swifttailor", "sew", str(pattern), "--preview", "--out", f"{folder}/sewn"],
+            "cold generate": ["-m", "swifttailor", "generate", options.text, "--out", "{own}/made"],
+            "cold sew": ["-m", "swifttailor", "sew", str(pattern), "--preview", "--out", "{own}/sewn"],
         }
         for task in TASKS:
             rounds = []
             for k in range(options.rounds + 1):
-                rounds.append(
-                    {name: run([str(python), *arguments[task]]) for name, python in pythons.items()}
-                )
+                rounds.append({})
+                for name, python in pythons.items():
+                    # Folders of their own: what another version wrote is not replaced.
+                    own = [part.replace("{own}", f"{folder}/{name}") for part in arguments[task]]
+                    rounds[-1][name] = run([str(python), *own])
                 if k:
                     ratios = (
                         f"{kind} {rounds[-1]['this'][kind] / rounds[-1]['other'][kind]:.2f}" for kind in KINDS

@@ -131,7 +131,7 @@ def take(name: str, landmarks: Landmarks) -> float:
     return taken * _calibration(name) if measure.calibrated else taken
 
 
-@functools.cache
+@functools.lru_cache(maxsize=64)
 def _calibration(name: str) -> float:
     body = Body.default()
     return getattr(body.measurements, name) / MEASURES[name].take(Landmarks(body.vertices))

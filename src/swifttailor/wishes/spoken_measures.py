@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from swifttailor.describing.claims import CLAIM_TYPES, Claim
@@ -230,7 +230,7 @@ def _counts() -> list[tuple[str, re.Pattern[str]]]:
     return [(row.words[0], _any_of(row.texts)) for row in read_table(_TABLE) if row.section == "counts"]
 
 
-@cache
+@lru_cache(maxsize=64)
 def _words(section: str, *, end: bool = False) -> re.Pattern[str]:
     texts = [text for row in read_table(_TABLE) if row.section == section for text in row.texts]
     pattern = _any_of(texts)
