@@ -26,6 +26,7 @@ import numpy as np
 
 from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import SwiftTailorError
+from swifttailor.postponed_module import postponed
 
 ENDING = ".loop"
 _FORMAT = b"1"
@@ -208,8 +209,15 @@ def _numba_is_tested() -> bool:
 
 
 @cache
+def _llvm() -> Any:
+    """What links; the classes for writing programs, which take longer to load, only if used."""
+    postponed("llvmlite.ir")
+    return import_module("llvmlite.binding")
+
+
+@cache
 def _machine() -> bytes:
-    import llvmlite.binding as llvm
+    llvm = _llvm()
 
     features = llvm.get_host_cpu_features().flatten()
     parts = (version("numba"), version("llvmlite"), sys.platform, llvm.get_host_cpu_name(), features)
@@ -218,7 +226,7 @@ def _machine() -> bytes:
 
 @cache
 def _linker() -> Any:
-    import llvmlite.binding as llvm
+    llvm = _llvm()
 
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
@@ -231,7 +239,7 @@ def _linked(symbol: str, code: bytes) -> Callable[..., int]:
     Raises:
         RuntimeError: It calls for something that is not there.
     """
-    import llvmlite.binding as llvm
+    llvm = _llvm()
 
     linker = _linker()
     stop = ctypes.cast(ctypes.pythonapi.Py_FatalError, ctypes.c_void_p).value

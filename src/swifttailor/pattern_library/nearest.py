@@ -59,20 +59,29 @@ def _of_shares(
     true: NDArray[np.float32], probability: NDArray[np.float32], counts: NDArray[np.float32]
 ) -> NDArray[np.float32]:
     """Of independent statements; one on the border is between true and false."""
-    columns = np.flatnonzero(counts)
+    columns = _counting(counts)
     p, c = probability[columns], counts[columns]
     against = c * np.log1p(-p)
     return true[:, columns] @ (c * np.log(p) - against) + against.sum()
 
 
+def _counting(counts: NDArray[np.float32]) -> NDArray[np.int64] | slice:
+    """The columns that count; where all do they are not copied."""
+    return slice(None) if counts.all() else np.flatnonzero(counts)
+
+
 def _of_measures(table: TruthTable, sought: Sought) -> NDArray[np.float32]:
-    columns = np.flatnonzero(sought.measures)
+    columns = _counting(sought.measures)
     p, c = sought.has[columns], sought.measures[columns]
     middle, width = sought.measured[columns].T
     has = table.has[:, columns]
-    off = np.abs(table.scaled[:, columns] - middle) / np.maximum(width, NARROWEST_MEASURE)
-    found = has @ (c * np.log(p)) + (1 - has) @ (c * np.log1p(-p))
-    return found - (has * np.minimum(off, MOST_OFF)) @ (c * p)
+    off = table.scaled[:, columns] - middle
+    np.abs(off, out=off)
+    off /= np.maximum(width, NARROWEST_MEASURE)
+    np.minimum(off, MOST_OFF, out=off)
+    off *= has
+    lacking = c * np.log1p(-p)
+    return has @ (c * np.log(p) - lacking) + lacking.sum() - off @ (c * p)
 
 
 def _of_boxes(table: TruthTable, sought: Sought) -> NDArray[np.float64]:
@@ -97,9 +106,12 @@ def alike(table: TruthTable, log_likelihood: NDArray[np.float64]) -> Sought:
     has = share @ table.has
     found.has[:], found.measures[:] = _certain(has), 1.0
     least = np.maximum(has, _LEAST)
-    found.measured[:, 0] = share @ (table.has * table.scaled) / least
-    off = np.abs(table.scaled - found.measured[:, 0])
-    found.measured[:, 1] = np.maximum(share @ (table.has * off) / least, EXACT)
+    work = table.has * table.scaled
+    found.measured[:, 0] = share @ work / least
+    np.subtract(table.scaled, found.measured[:, 0], out=work)
+    np.abs(work, out=work)
+    work *= table.has
+    found.measured[:, 1] = np.maximum(share @ work / least, EXACT)
     named = share @ table.named
     found.panels[:], found.named[:], found.placed[:] = _certain(named), 1.0, named
     of_row = share[table.owner]
