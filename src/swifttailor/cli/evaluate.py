@@ -23,6 +23,11 @@ EVALUATE = CommandGroup(
             "swifttailor evaluate picture-reader --weights FILE --data DIR --out DIR",
             "swifttailor.cli.evaluate_picture_reader:EvaluatePictureReader",
         ),
+        "systems": GroupedCommand(
+            "Any generator of patterns with any way to sew them, in the paper's tables.",
+            "swifttailor evaluate systems --patterns FILE --data DIR --generators ours truth --out DIR",
+            "swifttailor.cli.evaluate_systems:EvaluateSystems",
+        ),
         "drape-floor": GroupedCommand(
             "Drapes against drapes of the same patterns: how near anything can come.",
             "swifttailor evaluate drape-floor --data DIR --split validation --limit 30 --out DIR",

@@ -28,6 +28,8 @@ BATCH = 16
 
 T = TypeVar("T")
 A = TypeVar("A")
+Content = dict[str, Any]
+"""What is kept of an answer, as JSON values."""
 
 
 @dataclass(frozen=True)
@@ -111,9 +113,32 @@ def ask_all(
     Raises:
         InputError: An answer cannot be written, or a picture not be read.
     """
+    return keep_answers(
+        questions, book, lambda some: tailor_answers(tailor, some, asking, pictures), progress=progress
+    )
+
+
+def keep_answers(
+    questions: Sequence[Question],
+    book: Book,
+    answer: Callable[[Sequence[Question]], Sequence[Content | SwiftTailorError]],
+    *,
+    progress: CountProgress = unwatched,
+) -> list[KeptAnswer]:
+    """Asks anybody what has not been answered yet; see `ask_all`.
+
+    Args:
+        questions: Of any tasks.
+        book: Where answers are kept.
+        answer: Answers some of them, all of one task.
+        progress: Called with the number of questions that are done.
+
+    Raises:
+        InputError: An answer cannot be written, or a picture not be read.
+    """
     for part in batches(questions):
         if any(book.get(question) is None for question in part):
-            contents = together_or_alone(part, lambda some: _answers(tailor, some, asking, pictures))
+            contents = together_or_alone(part, answer)
             for question, content in zip(part, contents, strict=True):
                 if isinstance(content, SwiftTailorError):
                     content = {"error": str(content)}
@@ -176,10 +201,14 @@ def together_or_alone(
     return [one for item in items for one in together_or_alone([item], answer)]
 
 
-def _answers(
+def tailor_answers(
     tailor: Tailor, questions: Sequence[Question], asking: Asking, pictures: GarmentPictures | None
-) -> list[dict[str, Any] | SwiftTailorError]:
-    """What is kept of the answers to some questions."""
+) -> list[Content | SwiftTailorError]:
+    """What is kept of a tailor's answers to some questions.
+
+    Raises:
+        SwiftTailorError: One of them cannot be answered at all.
+    """
     clock = Clock()
     answers: list[Answer | SwiftTailorError]
     if asking.network_alone:
@@ -225,7 +254,7 @@ def picture_of(question: Question, pictures: GarmentPictures | None) -> tuple[st
     return pictures.picture(question.id)
 
 
-def _content(answer: Answer) -> dict[str, Any]:
+def _content(answer: Answer) -> Content:
     from swifttailor.wording.wish_lines import wish_line
 
     severities = [finding.severity for finding in answer.verdict.findings]

@@ -135,9 +135,9 @@ def evaluate(
     """
     tasks, seed = plan.chosen_tasks(), plan.asking.seed
     patterns = PatternSet.read(plan.patterns)
-    pictures = _pictures(plan)
+    pictures = pictures_of(plan)
     edits = None if plan.edits is None or "edit" not in tasks else EditSet.read(plan.edits, patterns)
-    questions = _questions(plan, tasks, patterns, pictures, edits, show)
+    questions = questions_of(plan, tasks, patterns, pictures, edits, show)
     settings = {
         "weights": weights,
         **plan.asking.to_json(),
@@ -170,7 +170,12 @@ def evaluate(
     return Evaluation(scored, results, sampling, garments, skipped, pictures, about)
 
 
-def _pictures(plan: Plan) -> GarmentPictures | None:
+def pictures_of(plan: Plan) -> GarmentPictures | None:
+    """The pictures that go with questions; None where there is no data set.
+
+    Raises:
+        InputError: The data set is damaged.
+    """
     if plan.data is None:
         return None
     if plan.look is None:
@@ -198,7 +203,7 @@ def _sew(
     return {task: found for task, found in compared.items() if found is not None}
 
 
-def _questions(
+def questions_of(
     plan: Plan,
     tasks: Sequence[Task],
     patterns: PatternSet,
@@ -206,6 +211,19 @@ def _questions(
     edits: EditSet | None,
     show: ShowProgress,
 ) -> list[Question]:
+    """All questions of a plan, task by task.
+
+    Args:
+        plan: What to ask.
+        tasks: Those of the plan that there is something for.
+        patterns: What to ask for; those that cannot be asked for are noted there.
+        pictures: Those of the plan.
+        edits: Those of the plan.
+        show: Shows progress.
+
+    Raises:
+        InputError: There is nothing to ask.
+    """
     seed = plan.asking.seed
     questions: list[Question] = []
     if any(task != "edit" for task in tasks):

@@ -115,6 +115,23 @@ def pattern_tables(rows: Sequence[tuple[str, PatternSummary]], paper: Sequence[P
         rows: Name and summary of each method.
         paper: Rows of one of the paper's tables.
     """
+    return (
+        f"{AIPPAREL_NOTE}\n\n{text_table(*aipparel_rows(rows, paper))}\n"
+        f"{BY_NAME_NOTE}\n\n{text_table(*by_name_rows(rows))}"
+    )
+
+
+AIPPAREL_NOTE = (
+    "AIpparel's metrics. Vertex, rot, transl, stitch and edges in order: only patterns with the right\n"
+    "number of panels. The paper does not say which of the edge accuracies it lists."
+)
+BY_NAME_NOTE = "Without conditions: panels paired by name, a panel that only one pattern has is a failure"
+
+
+def aipparel_rows(
+    rows: Sequence[tuple[str, PatternSummary]], paper: Sequence[PatternRow]
+) -> tuple[list[Column], list[Row]]:
+    """AIpparel's metrics beside the paper's, as a table; see `pattern_tables`."""
     columns = [
         *(column for column, _ in _AIPPAREL.values()),
         Column("edge % of paper", ".1f"),
@@ -129,25 +146,17 @@ def pattern_tables(rows: Sequence[tuple[str, PatternSummary]], paper: Sequence[P
     for r in paper:
         shape = (r.vertex_cm, r.panel_accuracy, None, None, r.rotation, r.translation_cm, r.stitch_accuracy)
         lines.append((f"paper: {r.name}", [*shape, r.edge_accuracy, None, None]))
-    free: list[Row] = [
-        (
-            name,
-            [
-                *(mean_in(found.by_name, key, factor) for key, (_, factor) in _BY_NAME.items()),
-                found.missing,
-                found.patterns,
-            ],
-        )
-        for name, found in rows
-    ]
-    free_columns = [*(column for column, _ in _BY_NAME.values()), Column("missing", "d"), Column("n", "d")]
-    return (
-        "AIpparel's metrics. Vertex, rot, transl, stitch and edges in order: only patterns with the right\n"
-        "number of panels. The paper does not say which of the edge accuracies it lists.\n\n"
-        f"{text_table(columns, lines)}\n"
-        "Without conditions: panels paired by name, a panel that only one pattern has is a failure\n\n"
-        f"{text_table(free_columns, free)}"
-    )
+    return columns, lines
+
+
+def by_name_rows(rows: Sequence[tuple[str, PatternSummary]]) -> tuple[list[Column], list[Row]]:
+    """The metrics without conditions, as a table; see `pattern_tables`."""
+    columns = [*(column for column, _ in _BY_NAME.values()), Column("missing", "d"), Column("n", "d")]
+    lines: list[Row] = []
+    for name, found in rows:
+        values = [mean_in(found.by_name, key, factor) for key, (_, factor) in _BY_NAME.items()]
+        lines.append((name, [*values, found.missing, found.patterns]))
+    return columns, lines
 
 
 def _values(score: NameScore) -> dict[str, Any]:

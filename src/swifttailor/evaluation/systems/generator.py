@@ -1,0 +1,212 @@
+"""Where patterns come from: networks, libraries, recorded outputs of other systems, the truth, chance."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Protocol
+
+from swifttailor.clock import Clock
+from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.evaluation.maker.ask import Asking, Content, tailor_answers
+from swifttailor.evaluation.maker.pictures import GarmentPictures
+from swifttailor.evaluation.maker.questions import Question, Task, seed_of
+from swifttailor.pattern import Pattern, to_specification
+from swifttailor.pattern.digest import pattern_digest
+from swifttailor.pattern_library.known import PatternLibrary
+from swifttailor.pattern_library.nearest import nearest
+from swifttailor.tailor import Tailor
+
+GENERATIVE: tuple[Task, ...] = ("text", "image", "text+image")
+
+
+class Generator(Protocol):
+    """Answers questions with patterns. Bring your own: `run_systems` takes anything with these three."""
+
+    @property
+    def name(self) -> str:
+        """In tables; also that of its folder, so of letters, digits, ``-``, ``_`` and ``+``."""
+        ...
+
+    def identity(self) -> dict[str, Any]:
+        """What decides its answers, as JSON values: answers that are kept were made with the same."""
+        ...
+
+    def answer(
+        self, questions: Sequence[Question], pictures: GarmentPictures | None
+    ) -> Sequence[Content | SwiftTailorError]:
+        """Answers questions of one task.
+
+        Args:
+            questions: At most `evaluation.maker.ask.BATCH`.
+            pictures: Those that go with them.
+
+        Returns:
+            For each what is kept of its answer: ``pattern``, a GarmentCode specification; and where they are
+            known ``attempts``, the patterns that were made for it, and ``seconds`` of all that were answered
+            together by stage, beside ``together``, how many these were. Or why there is none.
+        """
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class TailorGenerator:
+    """SwiftTailor, asked in one of several ways."""
+
+    name: str
+    tailor: Tailor
+    asking: Asking
+    weights: Mapping[str, Any]
+    """The files of its networks, with their checksums."""
+
+    def identity(self) -> dict[str, Any]:
+        """See `Generator`."""
+        return {"weights": dict(self.weights)} | self.asking.to_json()
+
+    def answer(
+        self, questions: Sequence[Question], pictures: GarmentPictures | None
+    ) -> Sequence[Content | SwiftTailorError]:
+        """See `Generator`."""
+        return tailor_answers(self.tailor, questions, self.asking, pictures)
+
+
+@dataclass(frozen=True, eq=False)
+class NearestKnown:
+    """The known pattern that fits best what is read of text and picture, as it is: nothing is cut."""
+
+    tailor: Tailor
+    library: PatternLibrary
+    asking: Asking
+    weights: Mapping[str, Any]
+    name: str = "nearest"
+
+    def identity(self) -> dict[str, Any]:
+        """See `Generator`."""
+        return {"weights": dict(self.weights), "seed": self.asking.seed}
+
+    def answer(
+        self, questions: Sequence[Question], pictures: GarmentPictures | None
+    ) -> Sequence[Content | SwiftTailorError]:
+        """See `Generator`."""
+        return [self._one(question, pictures) for question in questions]
+
+    def _one(self, question: Question, pictures: GarmentPictures | None) -> Content | SwiftTailorError:
+        from swifttailor.tailor.reading import read_order
+
+        clock = Clock()
+        order = self.asking.order(question, pictures)
+        try:
+            eyes = self.tailor.picture_reader if order.images else None
+            sought = read_order(order, self.tailor.wish_reader, eyes).sought
+            clock.stop("reading")
+            if sought.is_empty:
+                return InputError("Nothing that was asked for was understood, so no pattern is the nearest.")
+            found = nearest(self.library, sought)[0]
+        except SwiftTailorError as error:
+            return error
+        clock.stop("searching")
+        return _kept(found.pattern, clock, known=found.id)
+
+
+@dataclass(frozen=True, eq=False)
+class Chance:
+    """A known pattern drawn by lot, whatever is asked for: what a number is worth that it reaches as well."""
+
+    library: PatternLibrary
+    identity_of_library: Mapping[str, Any]
+    seed: int = 0
+    name: str = "chance"
+
+    def identity(self) -> dict[str, Any]:
+        """See `Generator`."""
+        return {"library": dict(self.identity_of_library), "seed": self.seed}
+
+    def answer(
+        self, questions: Sequence[Question], pictures: GarmentPictures | None
+    ) -> Sequence[Content | SwiftTailorError]:
+        """See `Generator`."""
+        drawn = [seed_of(self.seed, question.id, "chance") % len(self.library) for question in questions]
+        return [_kept(self.library.pattern(k), known=self.library.ids[k]) for k in drawn]
+
+
+@dataclass(frozen=True, eq=False)
+class Truth:
+    """The patterns that are asked for: what an answer without a fault reaches, sewn by the same means."""
+
+    name: str = "truth"
+
+    def identity(self) -> dict[str, Any]:
+        """See `Generator`."""
+        return {}
+
+    def answer(
+        self, questions: Sequence[Question], pictures: GarmentPictures | None
+    ) -> Sequence[Content | SwiftTailorError]:
+        """See `Generator`."""
+        return [_kept(question.truth) for question in questions]
+
+
+@dataclass(frozen=True, eq=False)
+class Recorded:
+    """Patterns that another system has written into a folder, found by the ids of what was asked for."""
+
+    name: str
+    patterns: Mapping[str, Pattern | SwiftTailorError]
+    """By id; why one cannot be read."""
+    digest: str = field(init=False)
+
+    def __post_init__(self) -> None:
+        lines = [
+            f"{id} {one if isinstance(one, SwiftTailorError) else pattern_digest(one)}"
+            for id, one in sorted(self.patterns.items())
+        ]
+        object.__setattr__(self, "digest", _digest(lines))
+
+    @staticmethod
+    def read(
+        name: str, source: Path, read: Callable[[Path], Mapping[str, Pattern | SwiftTailorError]]
+    ) -> Recorded:
+        """Reads a folder or file.
+
+        Args:
+            name: Of the system.
+            source: Its outputs.
+            read: What understands them.
+
+        Raises:
+            InputError: There is nothing that could be read.
+        """
+        patterns = read(source)
+        if all(isinstance(one, SwiftTailorError) for one in patterns.values()):
+            first = next(iter(patterns.items()), None)
+            why = f" The first, '{first[0]}': {first[1]}" if first else ""
+            raise InputError(f"'{source}' holds no pattern that can be read.{why}")
+        return Recorded(name, patterns)
+
+    def identity(self) -> dict[str, Any]:
+        """See `Generator`."""
+        return {"recorded": self.digest, "outputs": len(self.patterns)}
+
+    def answer(
+        self, questions: Sequence[Question], pictures: GarmentPictures | None
+    ) -> Sequence[Content | SwiftTailorError]:
+        """See `Generator`."""
+        return [self._one(question.id) for question in questions]
+
+    def _one(self, id: str) -> Content | SwiftTailorError:
+        found = self.patterns.get(id)
+        if found is None:
+            return InputError(f"{self.name} has no output for '{id}'.")
+        return found if isinstance(found, SwiftTailorError) else _kept(found.canonical())
+
+
+def _digest(lines: Sequence[str]) -> str:
+    import hashlib
+
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()
+
+
+def _kept(pattern: Pattern, clock: Clock | None = None, **more: Any) -> Content:
+    seconds = {} if clock is None else {"seconds": clock.seconds, "together": 1}
+    return {"pattern": to_specification(pattern)} | seconds | more
