@@ -235,3 +235,48 @@ def test_bad_options_are_refused(tmp_path, capsys, more, said):
     asked = ["evaluate", "systems", "--patterns", str(write_patterns(tmp_path)), "--out", str(tmp_path / "o")]
     assert run([*asked, *more]) == 2
     assert said in capsys.readouterr().err
+
+
+def test_recorded_tables_are_read_as_they_were():
+    columns = [Column("x"), Column("n", "d")]
+    table = Table("A", "note", columns, [("row | one", [1.5, 3]), ("  other", [None, 4])])
+    assert Table.of_json(json.loads(json.dumps(table.to_json()))) == table
+    lines = table.markdown().splitlines()
+    assert lines[0] == "### A" and lines[-2:] == [r"| row \| one | 1.50 | 3 |", "| other | - | 4 |"]
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        {},
+        [],
+        {"title": "A", "note": "", "columns": [["x", ".2f"]], "rows": [["a", [1.0, 2.0]]]},
+        {"title": "A", "note": "", "columns": [["x", "%s%s"]], "rows": [["a", [1.0]]]},
+        {"title": "A", "note": "", "columns": [["x", ".2f"]], "rows": [["a", ["1"]]]},
+    ],
+)
+def test_recorded_tables_that_are_none_are_refused(value):
+    with pytest.raises(InputError, match="damaged"):
+        Table.of_json(value)
+
+
+def test_a_page_has_the_tables_of_its_runs_and_where_they_come_from(tmp_path, capsys):
+    patterns, out = write_patterns(tmp_path), tmp_path / "out"
+    asked = ["evaluate", "systems", "--patterns", str(patterns), "--out", str(out), "--tasks", "text"]
+    assert run([*asked, "--generators", "truth", "--sewers", "--seed", "5"]) == 0
+    (tmp_path / "Drafts.json").write_bytes((out / "summary.json").read_bytes())
+    page = tmp_path / "results.md"
+    assert run(["evaluate", "page", str(tmp_path / "Drafts.json"), "--out", str(page)]) == 0
+    text = page.read_text()
+    assert "## Drafts" in text and "seed 5" in text and "### Patterns from a text" in text
+    assert "swifttailor evaluate systems --patterns patterns.jsonl --generators truth" in text
+    assert str(tmp_path) not in text, "the places of files are nobody's business"
+    capsys.readouterr()
+    page.write_text("somebody's")
+    assert run(["evaluate", "page", str(tmp_path / "Drafts.json"), "--out", str(page)]) == 2
+    assert page.read_text() == "somebody's"
+    assert run(["evaluate", "page", str(patterns)]) == 2
+    assert "Cannot read" in capsys.readouterr().err
+    (tmp_path / "other.json").write_text('{"about": {}, "tables": []}')
+    assert run(["evaluate", "page", str(tmp_path / "other.json")]) == 2
+    assert "is no summary" in capsys.readouterr().err

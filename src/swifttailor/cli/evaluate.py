@@ -28,6 +28,11 @@ EVALUATE = CommandGroup(
             "swifttailor evaluate systems --patterns FILE --data DIR --generators ours truth --out DIR",
             "swifttailor.cli.evaluate_systems:EvaluateSystems",
         ),
+        "page": GroupedCommand(
+            "One page of the tables of recorded runs of evaluate systems.",
+            "swifttailor evaluate page RUN/summary.json --out results.md",
+            "swifttailor.cli.evaluate_page:EvaluatePage",
+        ),
         "drape-floor": GroupedCommand(
             "Drapes against drapes of the same patterns: how near anything can come.",
             "swifttailor evaluate drape-floor --data DIR --split validation --limit 30 --out DIR",

@@ -96,7 +96,7 @@ class EvaluateSystems:
         except KeyboardInterrupt:
             sys.stderr.write(f"What was done is kept in {self.out}; the same command goes on with it.\n")
             raise
-        about = dict(found.about) | {"threads": self.threads} | code_and_machine()
+        about = dict(found.about) | {"threads": self.threads, "command": self._command()} | code_and_machine()
         with OutputFolder(self.out, overwrite=self.overwrite) as output, output.fill() as folder:
             self._write(found, about, folder)
         return 1 if found.skipped else 0
@@ -117,6 +117,24 @@ class EvaluateSystems:
         require_threads(self.threads)
         require_writable_folder(self.out)
         OutputFolder(self.out, overwrite=self.overwrite).require_own(FILES)
+
+    def _command(self) -> str:
+        """What was run, without the places of the files."""
+        sources = [f"{name}={Path(source).name}" if source else name for name, _, source in self._named]
+        parts = ["swifttailor evaluate systems --patterns", *(p.name for p in self.patterns)]
+        parts += (
+            [] if self.data is None else ["--data", f"{self.data.resolve().parent.name}/{self.data.name}"]
+        )
+        parts += ["--generators", *sources, "--sewers", *self.sewers]
+        parts += ["--tasks", *self.tasks] if self.tasks else []
+        parts += [] if self.limit is None else ["--limit", str(self.limit)]
+        parts += ["--seed", str(self.seed)]
+        return " ".join(parts) + ("" if self.data is None else f" --look {self.look} --view {self.view}")
+
+    @property
+    def _named(self) -> list[tuple[str, str, str]]:
+        """Each generator's name, and where its recorded patterns are."""
+        return [name.partition("=") for name in self.generators]
 
     @property
     def _plan(self) -> Plan:
@@ -202,6 +220,7 @@ class EvaluateSystems:
         tables = tables_of(found)
         numbers = {
             "about": about,
+            "tables": [table.to_json() for table in tables],
             "answers": {
                 name: [r.to_json() | {"task": r.task} for r in rs] for name, rs in found.answers.items()
             },

@@ -1,4 +1,4 @@
-"""One table as text, as CSV and as LaTeX."""
+"""One table as text, as CSV, as LaTeX, as Markdown, and as JSON values."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ import csv
 import io
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
-from swifttailor.evaluation.text_table import Column, Row, text_table
+from swifttailor.errors import InputError
+from swifttailor.evaluation.text_table import NOTHING, Column, Row, text_table
 
 _SPECIAL = {
     "\\": r"\textbackslash{}",
@@ -63,6 +65,65 @@ class Table:
             f"\\begin{{tabular}}{{l{'r' * len(self.columns)}}}\n\\toprule\n{heads} \\\\\n\\midrule\n{body}\n"
             "\\bottomrule\n\\end{tabular}\n\\end{table}\n"
         )
+
+    def markdown(self) -> str:
+        """A section of a page."""
+        heads = ["", *(_markdown(c.heading) for c in self.columns)]
+        lines = [_line(heads), _line(["---", *["---:"] * len(self.columns)])]
+        for name, values in self.rows:
+            cells = [
+                NOTHING if v is None else format(v, c.format)
+                for v, c in zip(values, self.columns, strict=True)
+            ]
+            lines.append(_line([_markdown(name.strip()), *cells]))
+        note = " ".join(self.note.split())
+        return f"### {self.title}\n\n{note}\n\n" + "\n".join(lines) + "\n"
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain JSON values."""
+        return {
+            "title": self.title,
+            "note": self.note,
+            "columns": [[c.heading, c.format] for c in self.columns],
+            "rows": [[name, list(values)] for name, values in self.rows],
+        }
+
+    @staticmethod
+    def of_json(value: Any) -> Table:
+        """Reads what `to_json` gives.
+
+        Raises:
+            InputError: It is something else.
+        """
+        try:
+            columns = [Column(str(heading), str(form)) for heading, form in value["columns"]]
+            rows: list[Row] = []
+            for name, values in value["rows"]:
+                numbers = [_number(v) for v in values]
+                if len(numbers) != len(columns):
+                    raise ValueError(
+                        f"the row {name!r} has {len(numbers)} numbers for {len(columns)} columns"
+                    )
+                rows.append((str(name), numbers))
+            table = Table(str(value["title"]), str(value["note"]), columns, rows)
+            table.text()  # formats that are none
+        except (KeyError, TypeError, ValueError) as error:
+            raise InputError(f"A recorded table is damaged: {error!r}.") from error
+        return table
+
+
+def _number(value: Any) -> float | int | None:
+    if value is not None and (isinstance(value, bool) or not isinstance(value, int | float)):
+        raise TypeError(f"{value!r} is no number")
+    return value
+
+
+def _line(cells: Sequence[str]) -> str:
+    return f"| {' | '.join(cells)} |"
+
+
+def _markdown(text: str) -> str:
+    return text.replace("\\", "\\\\").replace("|", "\\|").replace("*", "\\*").replace("_", "\\_")
 
 
 def _latex(text: str) -> str:
