@@ -70,9 +70,12 @@ class Fit(BodyOptions):
             if path.exists() and not self.overwrite:
                 raise InputError(f"'{path}' exists. Choose another --out, or say --overwrite.")
         from swifttailor.body.wearer import Wearer
-        from swifttailor.pattern import read_pattern_file
+        from swifttailor.pattern import check_pattern, read_pattern_file
+        from swifttailor.pattern.check import require_no_errors
 
-        pattern = read_pattern_file(self.pattern, rotation=self.rotation).pattern
+        reading = read_pattern_file(self.pattern, rotation=self.rotation)
+        pattern = reading.pattern
+        require_no_errors(check_pattern(pattern, reader_findings=reading.findings), f"'{self.pattern}'")
         first = None if self.drafted_for is None else Wearer(size=self.drafted_for).body()
         bodies = [self.wearer() if size is None else Wearer(size=size.title).body() for size, _ in wanted]
         return self._fit(pattern, first, [b for b in bodies if b is not None], [path for _, path in wanted])
