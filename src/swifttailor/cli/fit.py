@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from swifttailor.cli.findings_shown import first_of
 from swifttailor.cli.option_checks import require_writable_folder
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import file_name, new_place
@@ -127,4 +128,6 @@ def _report(body: Body, path: Path, findings: list[str]) -> dict[str, Any]:
 
 def _line(report: dict[str, Any]) -> str:
     shown = ", ".join(f"{name} {value:g}" for name, value in report["measures"].items())
-    return "\n".join([f"{report['file']}: for {report['body']} ({shown} cm)", *report["findings"]])
+    findings, more = first_of(report["findings"], "findings", f"swifttailor check {report['file']} --all")
+    lines = [f"{report['file']}: for {report['body']} ({shown} cm)", *findings, more]
+    return "\n".join(filter(None, lines))

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from swifttailor.cli.findings_shown import REPORT_HAS_ALL, first_of
 from swifttailor.cli.option_checks import require_edge_length, require_threads, require_writable_folder
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import GarmentResults, new_place
@@ -149,10 +150,10 @@ class Sew(GarmentResults, WearerOptions):
 
 
 def _say(path: Path, folder: Path, made: Tailored) -> None:
-    for change in made.report.get("mended", ()):
-        print(f"{path}: mended {change}")  # noqa: T201
-    for finding in made.findings:
-        print(f"{path}: {finding.line()}")  # noqa: T201
+    lines = [f"mended {change}" for change in made.report.get("mended", ())]
+    shown, more = first_of([*lines, *(f.line() for f in made.findings)], "findings", REPORT_HAS_ALL)
+    for line in (*shown, *filter(None, [more])):
+        print(f"{path}: {line}")  # noqa: T201
     for note in made.notes:
         print(f"{path}: {note}")  # noqa: T201
     report = made.report
