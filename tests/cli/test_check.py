@@ -10,8 +10,10 @@ import pytest
 import tyro
 
 from swifttailor.cli.check import Check
+from swifttailor.cli.main import run
 from swifttailor.errors import InputError, PatternError
 from swifttailor.pattern import EdgeRef, Pattern, Stitch, load_pattern, to_specification
+from swifttailor.pattern.drafts import draft
 
 
 @pytest.fixture
@@ -156,3 +158,32 @@ def test_as_a_process(faulty, tmp_path):
         [sys.executable, "-c", program, str(faulty)], capture_output=True, text=True, env=environment
     )
     assert done.returncode == 1 and "duplicate-stitch" in done.stdout and done.stderr == ""
+
+
+def test_of_very_many_findings_the_first_are_printed_and_all_on_request(tmp_path, capsys):
+    count = 300
+    file = specification_of_many_faults(count)
+    path = tmp_path / "hostile.json"
+    path.write_text(json.dumps(file))
+    assert run(["check", str(path)]) == 1
+    said = capsys.readouterr().out.splitlines()
+    assert len(said) < 100
+    assert any(line.startswith("error") for line in said[:2]), "gravest first"
+    assert run(["check", str(path), "--json"]) == 1
+    found = len(json.loads(capsys.readouterr().out)["findings"])
+    assert found == count
+    assert f"... and {found - 40:,} more findings. All of them: --all, or --json" in said
+    assert run(["check", str(path), "--all"]) == 1
+    everything = capsys.readouterr().out
+    assert everything.count("dangling-stitch") == count and "more findings" not in everything
+    assert run(["check", str(path), "--repair", str(tmp_path / "repaired.json")]) in (0, 1)
+    repaired = capsys.readouterr().out
+    assert repaired.count("mended") == 40 and "more changes" in repaired
+
+
+def specification_of_many_faults(count):
+    """A T-shirt with so many stitches to nowhere."""
+    file = json.loads(json.dumps(to_specification(draft("t-shirt"))))
+    nowhere = [[{"panel": "nowhere", "edge": k}, {"panel": "nowhere", "edge": k + 1}] for k in range(count)]
+    file["pattern"]["stitches"] += nowhere
+    return file

@@ -180,7 +180,7 @@ def test_patterns_with_errors_are_refused_and_can_be_mended(skirt, tmp_path, cap
     out = tmp_path / "out"
     assert run(["drape", str(path), "--out", str(out), *COARSE]) == 2
     said = capsys.readouterr().err
-    assert "duplicate-stitch" in said and "swifttailor check PATTERN --repair MENDED" in said
+    assert "duplicate-stitch" in said and "swifttailor check PATTERN --repair REPAIRED" in said
     assert not out.exists()
     assert run(["drape", str(path), "--out", str(out), "--repair", "--no-preview", *COARSE]) in (0, 1)
     assert "Mended duplicate-stitch" in capsys.readouterr().out

@@ -52,6 +52,15 @@ COMMANDS: dict[str, tuple[str, tuple[str, ...]]] = {
     "convert to ply": ("convert worn OUT/a.ply", ("a.ply",)),
     "convert to stl": ("convert worn OUT/a.stl", ("a.stl",)),
     "check --repair": ("check skirt.json --repair OUT/a.json", ("a.json",)),
+    "fit": ("fit skirt.json --size 44 --out OUT/a.json", ("a.json",)),
+    "fit --sizes": (
+        "fit skirt.json --sizes 36,44 --out OUT",
+        ("women-eu-36.json", "women-eu-44.json"),
+    ),
+    **{
+        f"marker to {end}": (f"marker skirt.json --seconds 1 --out OUT/a.{end}", (f"a.{end}",))
+        for end in ("svg", "pdf", "png", "dxf")
+    },
     "sew": (f"sew skirt.json --out OUT --weights {TINY}", (*FOLDER, "preview.png")),
     "sew --no-preview": (f"sew skirt.json --out OUT --no-preview --weights {TINY}", FOLDER),
     "sew several": (f"sew skirt.json other.json --out OUT --weights {TINY}", SEWN),
@@ -141,7 +150,8 @@ def test_what_a_command_writes(command, ask, capsys):
     line, names = COMMANDS[command]
     assert ask(line) in (0, 1)
     assert files(ask.out) == set(names)
-    if command not in ("data edits", "data captions"):  # hours of work: refused at once
+    if not command.startswith(("data edits", "data captions", "marker")) and command != "fit":
+        # what takes longer is refused at once
         assert ask(line) in (0, 1), capsys.readouterr().err
     (ask.out / "mine.txt").write_text("mine")
     assert ask(line, "--overwrite") in (0, 1)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
+from pathlib import Path
 
 import pytest
 
@@ -66,3 +69,17 @@ def test_the_pattern_itself_is_not_replaced(shirt, capsys):
 def test_batches_are_draped_as_they_are(tmp_path, capsys):
     assert run(["drape", "--batch", str(tmp_path), "--size", "44", "--out", str(tmp_path / "o")]) == 2
     assert "swifttailor fit" in capsys.readouterr().err
+
+
+def test_a_run_of_sizes_is_written_whole_or_not_at_all(shirt, tmp_path, capsys, monkeypatch):
+    real, out = os.replace, tmp_path / "run"
+
+    def full(source, target):
+        if Path(target) == out / "women-eu-44.json":
+            raise OSError(errno.ENOSPC, "No space left on device")
+        real(source, target)
+
+    monkeypatch.setattr("os.replace", full)
+    assert run(["fit", str(shirt), "--sizes", "36,44", "--out", str(out)]) == 2
+    assert "the disk is full" in capsys.readouterr().err
+    assert not out.exists()

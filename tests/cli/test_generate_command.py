@@ -289,14 +289,16 @@ def test_an_edit_of_which_nothing_is_understood_is_exit_code_1_and_the_same_byte
     assert (tmp_path / "after" / "pattern.json").read_bytes() == before
 
 
-def test_a_colour_is_changed_alone_and_is_exit_code_0(write, tmp_path, capsys):
+def test_a_colour_is_changed_alone_and_a_fabric_needs_physics(write, tmp_path, capsys):
     write([draft("t-shirt")])
     assert command("generate", "a T-shirt", "--out", tmp_path / "before") == 0
     before = (tmp_path / "before" / "pattern.json").read_bytes()
-    given = ["edit", tmp_path / "before", "make it red and of denim", "--out", tmp_path / "after"]
-    assert command(*given, "--no-preview") == 0
+    given = ["edit", tmp_path / "before", "make it red", "--no-preview", "--out"]
+    assert command(*given, tmp_path / "red") == 0
+    given[2] = "make it red and of denim"
+    assert command(*given, tmp_path / "after") == 1
     said = capsys.readouterr().out
-    assert "Colour: red (#ff0000)." in said and "Fabric: denim, used with --finish alone." in said
+    assert "Colour: red (#ff0000)." in said and "warning: The fabric, denim, is not met" in said
     assert (tmp_path / "after" / "pattern.json").read_bytes() == before
     assert json.loads((tmp_path / "after" / "report.json").read_text())["color"] == "#ff0000"
 

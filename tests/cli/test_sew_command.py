@@ -76,7 +76,13 @@ def test_nothing_made_is_exit_code_2(tmp_path, capsys):
     (tmp_path / "broken.json").write_text("[]")
     arguments = ["sew", str(tmp_path / "broken.json"), "--out", str(tmp_path / "out"), "--weights", TINY]
     assert run(arguments) == 2
-    assert "not sewn" in capsys.readouterr().out
+    assert "Not sewn: " in capsys.readouterr().out
+    assert not (tmp_path / "out").exists()
+
+
+def test_missing_weights_are_said(shirt, tmp_path, capsys):
+    assert run(["sew", str(shirt), "--out", str(tmp_path / "out"), "--weights", "nothing.onnx"]) == 2
+    assert "Cannot read the weights" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
 
 
@@ -86,7 +92,6 @@ def test_nothing_made_is_exit_code_2(tmp_path, capsys):
         ([], "No pattern"),
         (["a/x.json", "b/x.json"], "would both be written"),
         (["x.json", "--edge-length", "50"], "0.5 to 10"),
-        (["x.json", "--weights", "nothing.onnx"], "Cannot read the weights"),
     ],
 )
 def test_what_cannot_work_is_refused_at_once(arguments, said, tmp_path, capsys, monkeypatch):

@@ -109,13 +109,13 @@ SEWN = {
     without_placement: (0, 1, "are closed"),
     with_a_stitch_turned: (1, 1, "twisted-seam"),
     with_every_stitch_turned: (1, 1, "twisted-seam"),
-    with_a_stitch_to_nothing: (1, 1, "dangling-stitch"),
     without_stitches: (1, 8, "disconnected"),
     far_apart: (1, 1, "far-placement"),
-    with_an_open_loop: (1, 1, "open-loop"),
 }
 REFUSED = {
-    with_crossed_corners: "crosses or touches itself there. Run: swifttailor check",
+    with_crossed_corners: "self-crossing",
+    with_a_stitch_to_nothing: "there is no panel 'nobody'. Repair it with: swifttailor check",
+    with_an_open_loop: "the outline is open by",
     with_a_corner_nowhere: "every number must be finite",
 }
 

@@ -215,7 +215,7 @@ def test_ends_that_coincide_are_joined():
     edges = [{"endpoints": [k, k + 1]} for k in range(4)]
     reading = read_specification(specification(front=(corners, edges)))
     assert len(reading.pattern.panel("front").edges) == 4
-    assert reading.findings[0].repair == "closed by joining the two ends"
+    assert reading.findings[0].repair == "--repair joins the two ends"
 
 
 @pytest.mark.parametrize(

@@ -83,10 +83,10 @@ def test_of_two_wishes_the_one_that_is_lost_is_said(tailor, lost, order):
 
 def test_a_colour_alone_changes_the_colour_alone(tailor):
     made = tailor.edit(DRESS.canonical(), "make it red and of denim")
-    assert made.pattern == DRESS.canonical() and not made.needs_a_look
+    assert made.pattern == DRESS.canonical()
     assert made.garment.color == made.report["color"] == "#ff0000"
     assert tailor.pattern_maker.model.runtime.asked == [], "nobody was asked to write another"
-    assert any(n.startswith("Colour: red") for n in made.notes) and any("denim" in n for n in made.notes)
+    assert any(n.startswith("Colour: red") for n in made.notes) and "denim" in made.warnings[0]
 
 
 def test_what_is_understood_and_does_not_hold_is_to_be_looked_at(tailor):
@@ -152,3 +152,40 @@ def test_a_print_alone_changes_the_print_alone_and_is_kept(tailor, tmp_path):
     shorter = tailor.edit(DRESS, "make it 5 cm shorter", print=striped.garment.print)
     assert shorter.garment.print == striped.garment.print
     assert tailor.edit(DRESS, "in plain red", print=striped.garment.print).garment.print is None
+
+
+@pytest.mark.parametrize(
+    ("text", "fabric"),
+    [
+        ("make it of denim", "denim"),
+        ("make it 5 cm longer, in silk", "silk"),
+        ("make it red and of satin", "silk"),
+    ],
+)
+def test_a_fabric_that_only_physics_obeys_is_not_said_to_be_met(tailor, text, fabric):
+    made = tailor.edit(SHIRT, text)
+    assert made.needs_a_look and made.report["heard"]["cloth_unmet"]
+    (warning,) = made.report["warnings"]
+    assert made.warnings == (warning,) and fabric in warning and "--finish" in warning
+    assert AS_IT_WAS not in made.notes, "it was understood"
+
+
+def test_a_fabric_is_met_where_the_garment_is_finished_with_it(tailor):
+    made = tailor.edit(SHIRT, "make it of denim", finish=True, edge_length=6.0)
+    assert made.report["fabric"] == "denim" and made.warnings == ()
+    assert not made.report["heard"]["cloth_unmet"]
+
+
+def test_cotton_is_what_garments_hang_like_anyway(tailor):
+    made = tailor.edit(SHIRT, "make it of cotton and 5 cm longer")
+    assert made.warnings == () and not made.needs_a_look
+    assert any(note.startswith("Fabric: cotton") for note in made.notes)
+
+
+@pytest.mark.parametrize(
+    ("text", "unmet"), [("a denim skirt", True), ("a satin skirt", True), ("jeans", False)]
+)
+def test_what_only_the_name_of_a_garment_implies_was_not_asked_for(tailor, text, unmet):
+    made = tailor.generate(text)
+    assert made.report["heard"]["cloth"] and made.report["heard"]["cloth_unmet"] == unmet
+    assert any("The fabric, " in warning for warning in made.warnings) == unmet

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from swifttailor.cli.findings_shown import first_of
 from swifttailor.cli.postponed_imports import tyro
 
 if TYPE_CHECKING:
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from swifttailor.pattern.check import Change
 
 UNREADABLE = 2
+_ALL = "--all, or --json"
 
 
 @dataclass(frozen=True)
@@ -35,6 +37,8 @@ class Check:
     """Replace the file that --repair names where there is one already: the pattern itself, if you like."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
     """Print one JSON object (path, ok, findings, changes) instead of text."""
+    all: tyro.conf.FlagCreatePairsOff[bool] = False
+    """Print all findings and changes. Default: the first 40 of each, gravest first."""
     rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"
     """How to read the placement angles: intrinsic, as GarmentCode writes them, or extrinsic, as its
     simulator and older files mean them."""
@@ -102,17 +106,23 @@ class Check:
         from rich.console import Console
 
         console = Console(highlight=False, soft_wrap=True)
-        for change in changes:
+        shown, more_changes = (changes, "") if self.all else first_of(changes, "changes", _ALL)
+        for change in shown:
             console.print("[green]mended[/]   ", end="")
             _print_plain(console, _line(change.code, change.where(), change.message))
-        _print_findings(console, findings)
+        listed, more_findings = (findings, "") if self.all else first_of(findings, "findings", _ALL)
+        if more_changes:
+            _print_plain(console, more_changes)
+        _print_findings(console, listed)
+        if more_findings:
+            _print_plain(console, more_findings)
         _print_plain(console, f"{self.pattern}: {_summary(findings)}")
         if self.repair is not None:
             count = "1 change" if len(changes) == 1 else f"{len(changes) or 'no'} changes"
             _print_plain(console, f"{count}; the pattern is in {self.repair}")
 
 
-def _print_findings(console: Console, findings: tuple[Finding, ...]) -> None:
+def _print_findings(console: Console, findings: Iterable[Finding]) -> None:
     style = {"error": "bold red", "warning": "yellow", "info": "cyan"}
     for finding in findings:
         console.print(f"[{style[finding.severity]}]{finding.severity:<9}[/]", end="")

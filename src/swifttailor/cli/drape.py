@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from swifttailor.cli.findings_shown import REPORT_HAS_ALL, first_of
 from swifttailor.cli.option_checks import (
     require_edge_length,
     require_limit,
@@ -212,10 +213,9 @@ class Drape(GarmentResults, WearerOptions):
     def _print_summary(self, garment: Garment, findings: tuple[Finding, ...], saving: float) -> None:
         report = garment.report
         quality = report["quality"]
-        for change in report.get("mended", ()):
-            print(f"Mended {change}")  # noqa: T201
-        for finding in findings:
-            print(finding.line())  # noqa: T201
+        mended = [f"Mended {change}" for change in report.get("mended", ())]
+        shown, more = first_of([*mended, *(f.line() for f in findings)], "findings", REPORT_HAS_ALL)
+        print("".join(f"{line}\n" for line in (*shown, *filter(None, [more]))), end="")  # noqa: T201
         if quality["accepted"]:
             verdict = "Accepted: it hangs at rest, within all limits of quality."
         else:

@@ -63,13 +63,17 @@ class Edit(Making):
         self.require_options()
         from swifttailor.garment.cloth_color import stated_color
         from swifttailor.garment.cloth_print import stated_print
-        from swifttailor.pattern import read_pattern_file, repair_pattern
+        from swifttailor.pattern import check_pattern, read_pattern_file, repair_pattern
+        from swifttailor.pattern.check import require_no_errors
 
         report = _read_report(source.with_name(REPORT)) if source.name == PATTERN else None
         reading = read_pattern_file(source, rotation=self._rotation(report))
-        pattern = reading.pattern
+        findings, pattern = reading.findings, reading.pattern
         if self.repair:
-            pattern = repair_pattern(pattern, reading.findings).pattern
+            repaired = repair_pattern(pattern, findings)
+            findings, pattern = (), repaired.pattern
+        findings = check_pattern(pattern, reader_findings=findings)
+        require_no_errors(findings, f"'{source}'", repaired=self.repair, option=True)
         cloth = {"color": stated_color(report or {}), "print": stated_print(report or {})}
         return self.make(self.order(self.instruction, edit=pattern, **cloth))
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from swifttailor.cli.findings_shown import first_of
 from swifttailor.cli.option_checks import require_writable_folder
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import file_name, new_place
@@ -18,6 +19,7 @@ from swifttailor.errors import InputError
 if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.body.size_charts import Size
+    from swifttailor.output_folder import OutputFolder
     from swifttailor.pattern import Pattern
 
 SOMETHING_TO_LOOK_AT = 1
@@ -47,7 +49,7 @@ class Fit(BodyOptions):
     """How to read the placement angles: as GarmentCode's generator writes them (intrinsic), or as its
     simulator and older files do (extrinsic)."""
     overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Replace files that are there."""
+    """Replace FILE where there is one already; with --sizes, files of others in the folder."""
     json: tyro.conf.FlagCreatePairsOff[bool] = False
     """Print what was done as JSON."""
 
@@ -63,19 +65,32 @@ class Fit(BodyOptions):
             )
         if self.sizes is not None and self.names_body:
             raise InputError("Both --sizes and another body were given. Give one of them.")
+        from swifttailor.atomic_files import require_free
+
         wanted = self._wanted()
         for _, path in wanted:
             if path.exists() and path.samefile(self.pattern):
                 raise InputError(f"'{path}' is the pattern itself. Choose another --out.")
-            if path.exists() and not self.overwrite:
-                raise InputError(f"'{path}' exists. Choose another --out, or say --overwrite.")
+            if self.sizes is None:
+                require_free(path, overwrite=self.overwrite)
         from swifttailor.body.wearer import Wearer
-        from swifttailor.pattern import read_pattern_file
+        from swifttailor.pattern import check_pattern, read_pattern_file
+        from swifttailor.pattern.check import require_no_errors
 
-        pattern = read_pattern_file(self.pattern, rotation=self.rotation).pattern
+        reading = read_pattern_file(self.pattern, rotation=self.rotation)
+        pattern = reading.pattern
+        require_no_errors(check_pattern(pattern, reader_findings=reading.findings), f"'{self.pattern}'")
         first = None if self.drafted_for is None else Wearer(size=self.drafted_for).body()
         bodies = [self.wearer() if size is None else Wearer(size=size.title).body() for size, _ in wanted]
-        return self._fit(pattern, first, [b for b in bodies if b is not None], [path for _, path in wanted])
+        fitted = [b for b in bodies if b is not None]
+        if self.sizes is None:
+            return self._fit(pattern, first, fitted, [wanted[0][1]])
+        from swifttailor.output_folder import OutputFolder
+
+        paths = [path for _, path in wanted]
+        with OutputFolder(paths[0].parent, overwrite=self.overwrite, sources=[self.pattern]) as output:
+            output.require_own(path.name for path in paths)
+            return self._fit(pattern, first, fitted, paths, output)
 
     def _wanted(self) -> list[tuple[Size | None, Path]]:
         """Sizes, or None for the body of the other options, and the file of each."""
@@ -90,13 +105,19 @@ class Fit(BodyOptions):
         return [(size, folder / f"{file_name(size.title)}.json") for size in size_run(self.sizes)]
 
     def _fit(
-        self, pattern: Pattern, first: Body | None, bodies: Sequence[Body], paths: Sequence[Path]
+        self,
+        pattern: Pattern,
+        first: Body | None,
+        bodies: Sequence[Body],
+        paths: Sequence[Path],
+        output: OutputFolder | None = None,
     ) -> int:
+        """Refits to each body, then writes all files or none, into `output` where there is one."""
         from swifttailor.body.probe import probe_body
         from swifttailor.pattern import Severity, check_pattern
         from swifttailor.refitting.refitted import refit
 
-        sewn, reports, flawed = None, [], False
+        sewn, reports, patterns, flawed = None, [], [], False
         for body, path in zip(bodies, paths, strict=True):
             made = refit(pattern, body, drafted_for=first, sewn=sewn)
             sewn = made.sewn
@@ -106,11 +127,16 @@ class Fit(BodyOptions):
                 if f.severity is not Severity.INFO
             ]
             flawed |= bool(findings)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            made.pattern.save(path, overwrite=self.overwrite)
+            patterns.append(made.pattern)
             reports.append(_report(body, path, [f.line() for f in findings]))
-            if not self.json:
-                print(_line(reports[-1]))  # noqa: T201
+        if output is None:
+            patterns[0].save(paths[0], overwrite=self.overwrite)
+        else:
+            with output.fill() as folder:
+                for one, path in zip(patterns, paths, strict=True):
+                    one.save(folder / path.name)
+        if not self.json:
+            print("\n".join(map(_line, reports)))  # noqa: T201
         if self.json:
             sys.stdout.write(json.dumps(reports, indent=2) + "\n")
         return SOMETHING_TO_LOOK_AT if flawed else 0
@@ -124,4 +150,6 @@ def _report(body: Body, path: Path, findings: list[str]) -> dict[str, Any]:
 
 def _line(report: dict[str, Any]) -> str:
     shown = ", ".join(f"{name} {value:g}" for name, value in report["measures"].items())
-    return "\n".join([f"{report['file']}: for {report['body']} ({shown} cm)", *report["findings"]])
+    findings, more = first_of(report["findings"], "findings", f"swifttailor check {report['file']} --all")
+    lines = [f"{report['file']}: for {report['body']} ({shown} cm)", *findings, more]
+    return "\n".join(filter(None, lines))

@@ -10,6 +10,7 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
+from swifttailor.cli.findings_shown import REPORT_HAS_ALL, first_of
 from swifttailor.cli.option_checks import (
     in_range,
     require_edge_length,
@@ -283,7 +284,8 @@ def _say(folder: Path, outcome: Tailored | SwiftTailorError, said: list[str], *,
     else:
         report = outcome.report
         lines += [line for line in _remarks(outcome) if line not in said]
-        lines += [finding.line() for finding in outcome.findings]
+        shown, more = first_of([f.line() for f in outcome.findings], "findings", REPORT_HAS_ALL)
+        lines += [*shown, *filter(None, [more])]
         if "quality" in report and not report["quality"]["accepted"]:
             from swifttailor.draping.quality import not_accepted_line
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from swifttailor.cli.findings_shown import REPORT_HAS_ALL, first_of
 from swifttailor.cli.option_checks import require_edge_length, require_threads, require_writable_folder
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import GarmentResults, new_place
@@ -30,8 +31,8 @@ class Sew(GarmentResults, WearerOptions):
     """Turn sewing patterns into stitched garments on a body, in a fraction of a second each.
 
     Writes pattern.json, pattern.svg, garment.glb, garment.obj, preview.png and report.json into a folder; of
-    several patterns each gets a folder of its own in DIR, named after its file. What is wrong with a pattern
-    is said, and it is sewn all the same where that is possible.
+    several patterns each gets a folder of its own in DIR, named after its file. A pattern with errors
+    (swifttailor check) is refused before anything is loaded; with warnings it is sewn, and they are printed.
 
     Exit code 0: made; 1: made, but read what it says, or some failed; 2: nothing was made.
     """
@@ -79,10 +80,13 @@ class Sew(GarmentResults, WearerOptions):
         tailor = Tailor.load(
             garment_sewer=self.weights, body=self.wearer(), fit=self.refits, threads=self.threads
         )
-        for note in tailor.compile_notes(finish=self.finish):
-            print(note, file=sys.stderr, flush=True)  # noqa: T201
         options = SewingOptions(self.edge_length, self.resolution, self.repair, self.finish)
-        outcomes = tailor.sew_all([path for path, _ in outputs], options, rotation=self.rotation)
+        outcomes = tailor.sew_all(
+            [path for path, _ in outputs],
+            options,
+            rotation=self.rotation,
+            note=lambda text: print(text, file=sys.stderr, flush=True),  # noqa: T201
+        )
         reports = [
             self._keep(path, output, one) for (path, output), one in zip(outputs, outcomes, strict=True)
         ]
@@ -137,7 +141,8 @@ class Sew(GarmentResults, WearerOptions):
             raise DiskFullError(f"{error} {SEW_AGAIN}") from error
         except SwiftTailorError as error:
             if not self.json:
-                print(f"{path}: not sewn. {error}")  # noqa: T201
+                named = str(error).startswith(f"'{path}'")
+                print(f"Not sewn: {error}" if named else f"{path}: not sewn. {error}")  # noqa: T201
             return {"error": str(error)} | names
         if not self.json:
             _say(path, output.folder, outcome)
@@ -145,10 +150,10 @@ class Sew(GarmentResults, WearerOptions):
 
 
 def _say(path: Path, folder: Path, made: Tailored) -> None:
-    for change in made.report.get("mended", ()):
-        print(f"{path}: mended {change}")  # noqa: T201
-    for finding in made.findings:
-        print(f"{path}: {finding.line()}")  # noqa: T201
+    lines = [f"mended {change}" for change in made.report.get("mended", ())]
+    shown, more = first_of([*lines, *(f.line() for f in made.findings)], "findings", REPORT_HAS_ALL)
+    for line in (*shown, *filter(None, [more])):
+        print(f"{path}: {line}")  # noqa: T201
     for note in made.notes:
         print(f"{path}: {note}")  # noqa: T201
     report = made.report

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from swifttailor.cli.findings_shown import first_of
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
@@ -48,8 +49,9 @@ def write_pattern_pdf(
 
 def print_findings(findings: Iterable[Finding]) -> None:
     """What a sewist should look at."""
-    for finding in findings:
-        sys.stdout.write(f"{finding.severity.value}: {finding.code}: {finding.message}\n")
+    lines = [f"{finding.severity.value}: {finding.code}: {finding.message}" for finding in findings]
+    shown, more = first_of(lines, "findings", "swifttailor check PATTERN --all")
+    sys.stdout.write("".join(f"{line}\n" for line in (*shown, *filter(None, [more]))))
 
 
 def _cloth(plan: CuttingPlan, width: float) -> list[str]:

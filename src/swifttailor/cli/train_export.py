@@ -112,7 +112,7 @@ def _model_of(run: Path) -> str:
         model = json.loads((run / "card.json").read_text(encoding="utf-8"))["model"]
         if model not in _MODELS:
             raise ValueError(f"the model is {model!r}")
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
         raise InputError(f"'{run}' holds no card.json of a trained network: {error}.") from error
     return model
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from swifttailor.errors import PatternError
 from swifttailor.pattern import Finding, Pattern, Reading, Severity, check_pattern, repair_pattern
-from swifttailor.pattern.check import BodyProbe, Change
+from swifttailor.pattern.check import BodyProbe, Change, require_no_errors
 
 
 @dataclass(frozen=True)
@@ -50,7 +49,7 @@ def require_sewable(
         body: What it is to be worn by; without it, panels inside the body are not looked for.
 
     Raises:
-        PatternError: There are errors (left); the text names the first and how to mend them.
+        PatternError: There are errors (left); the text names the first and how to repair it.
     """
     changes: tuple[Change, ...] = ()
     pattern = reading.pattern
@@ -59,20 +58,5 @@ def require_sewable(
         pattern, changes, findings = repaired.pattern, repaired.changes, repaired.remaining
     else:
         findings = check_pattern(pattern, reader_findings=reading.findings, body=body)
-    errors = [f for f in findings if f.severity is Severity.ERROR]
-    if errors:
-        raise PatternError(_refusal(errors, source, repair=repair))
+    require_no_errors(findings, f"'{source}'", repaired=repair, option=True)
     return Sewable(pattern, changes, findings)
-
-
-def _refusal(errors: list[Finding], source: str, *, repair: bool) -> str:
-    first = errors[0]
-    place = f" ({first.where()})" if first.where() else ""
-    count = "an error" if len(errors) == 1 else f"{len(errors)} errors, the first of them"
-    mend = (
-        "What is left cannot be mended without a guess; mend it by hand."
-        if repair
-        else "Mend what is safe to mend with: swifttailor check PATTERN --repair MENDED, "
-        "or add --repair to this command."
-    )
-    return f"'{source}' cannot be sewn, it has {count}: {first.code}{place}: {first.message}. {mend}"

@@ -39,7 +39,7 @@ def keep_settings(path: Path, settings: dict[str, Any], what: str, results: Iter
         before = json.loads(path.read_text(encoding="utf-8"))
         if not isinstance(before, dict):
             raise ValueError("it is not a JSON object")
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise InputError(f"Cannot read '{path}': {error}. Choose another --out.") from error
     different = differences(before, settings)
     if different:

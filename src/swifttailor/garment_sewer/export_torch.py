@@ -104,7 +104,7 @@ def read_card(run: Path) -> dict[str, Any]:
     try:
         card = json.loads((run / "card.json").read_text(encoding="utf-8"))
         _shape(card)
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
         raise InputError(f"'{run}' holds no card.json of a trained GarmentSewer: {error}.") from error
     return card
 

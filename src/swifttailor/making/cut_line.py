@@ -92,9 +92,8 @@ def cut_line(runs: Sequence[Run]) -> CutLine:
             if blunt:
                 blunted.append(corner)
     whole = shapely.union_all([inside, *strips, *extra])
-    if isinstance(whole, shapely.MultiPolygon):  # specks of rounding
-        whole = max(whole.geoms, key=lambda part: part.area)
-    assert isinstance(whole, shapely.Polygon)
+    areas = [part for part in shapely.get_parts(whole) if isinstance(part, shapely.Polygon)]
+    whole = max(areas, key=lambda part: part.area)  # the others are specks and lines of rounding
     holes = sum(shapely.Polygon(ring).area > 0.01 for ring in whole.interiors)
     solid = shapely.Polygon(whole.exterior).simplify(_SMOOTH_CM)
     ring = np.asarray(shapely.get_coordinates(shapely.orient_polygons(solid).exterior))[:-1]

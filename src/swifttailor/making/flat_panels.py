@@ -32,8 +32,8 @@ def flat_panels(pattern: Pattern, edge_length: float = 2.0) -> TriangleMesh:
         PatternError: It cannot be sewn.
         GeometryError: A panel cannot be meshed.
     """
+    require_sewable(pattern)  # by the numbers that its file has
     pattern = pattern.canonical()
-    require_sewable(pattern)
     mesh = mesh_pattern(pattern, edge_length)
     vertices = np.zeros((len(mesh.flat_vertices), 3))
     for k, panel in enumerate(pattern.panels):

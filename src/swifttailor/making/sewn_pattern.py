@@ -17,7 +17,7 @@ from swifttailor.making.allowances import EdgeKind
 from swifttailor.making.darts import Dart, find_darts
 from swifttailor.making.upright import turn_upright
 from swifttailor.pattern import EdgeRef, Pattern, check_pattern
-from swifttailor.pattern.finding import Severity
+from swifttailor.pattern.check import require_no_errors
 
 MOST_PANELS, MOST_EDGES = 300, 4000
 _FLAT_CM = 0.002
@@ -87,8 +87,8 @@ def read_pattern(pattern: Pattern) -> SewnPattern:
     Raises:
         PatternError: It cannot be cut or sewn; the message names the first fault.
     """
+    require_sewable(pattern)  # by the numbers that its file has
     pattern = pattern.canonical()
-    require_sewable(pattern)
     anatomy = Anatomy.of(pattern, Body.default().measurements)
     darts = find_darts(pattern, anatomy.cloth.partner)
     kinds = _edge_kinds(anatomy, darts)
@@ -116,13 +116,7 @@ def require_sewable(pattern: Pattern) -> None:
             f"The pattern has {len(pattern.panels)} panels; at most {MOST_PANELS}, with {MOST_EDGES} edges "
             "in all, are made into files to sew from. Divide it into garments."
         )
-    errors = [f for f in check_pattern(pattern) if f.severity is Severity.ERROR]
-    if errors:
-        more = f" ({len(errors)} errors in all)" if len(errors) > 1 else ""
-        raise PatternError(
-            f"This pattern cannot be sewn: {errors[0].line().removeprefix('error: ')}{more}. "
-            "Repair it first: swifttailor check PATTERN --repair FILE"
-        )
+    require_no_errors(check_pattern(pattern), f"The pattern '{pattern.name}'")
 
 
 def _edge_kinds(anatomy: Anatomy, darts: tuple[Dart, ...]) -> dict[EdgeRef, EdgeKind]:

@@ -15,6 +15,7 @@ from swifttailor.errors import InputError, MissingExtraError
 from swifttailor.networks.byte_storage import SCALE
 from swifttailor.networks.folded_norms_torch import foldable
 from swifttailor.networks.model_file import read_bytes
+from swifttailor.networks.onnx_contents import keeps_values_elsewhere
 
 MAX_BYTES = 2**31
 STORED = (".half", SCALE)
@@ -110,10 +111,16 @@ def graph_tensors(data: bytes, source: str) -> GraphTensors:
     except ImportError as error:
         raise MissingExtraError("onnx", "train", "Reading the weights of a model file") from error
     try:
+        elsewhere = keeps_values_elsewhere(data)  # onnx would read these files
         model: Any = onnx.load_from_string(data)
+        arrays = {} if elsewhere else {t.name: numpy_helper.to_array(t) for t in model.graph.initializer}
     except Exception as error:  # protobuf's DecodeError is not public
         raise InputError(f"'{source}' is not an ONNX file, or is damaged. Copy it again.") from error
-    arrays = {t.name: numpy_helper.to_array(t) for t in model.graph.initializer}
+    if elsewhere:
+        raise InputError(
+            f"'{source}' keeps weights in other files (ONNX external data), which are never read. Give a "
+            "file that holds them all: export it again without external data."
+        )
     for node in model.graph.node:  # stored in half or in bytes, see `half_storage` and `byte_storage`
         if node.op_type == "Cast" and node.input[0] in arrays:
             arrays[node.output[0]] = arrays[node.input[0]]

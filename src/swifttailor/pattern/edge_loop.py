@@ -152,6 +152,6 @@ def _flip(edge: RawEdge) -> RawEdge:
 
 
 def _open_loop(panel: str, gap: float) -> Finding:
-    closing = "closed by a straight edge" if gap > COINCIDENT_CM else "closed by joining the two ends"
+    how = "closes it with a straight edge" if gap > COINCIDENT_CM else "joins the two ends"
     text = f"the outline is open by {gap:.3g} cm"
-    return found("open-loop", text, panel=panel, value=gap, repair=closing)
+    return found("open-loop", text, panel=panel, value=gap, repair=f"--repair {how}")

@@ -75,7 +75,7 @@ def load_pattern(path: Path | str, *, rotation: RotationReading = "intrinsic") -
     Raises:
         InputError: The file cannot be read or is not JSON.
         PatternError: It is no pattern, or one that cannot be sewn as written (an open loop, a stitch to an
-            edge that does not exist). ``swifttailor check FILE --repair OUT`` lists and mends such faults.
+            edge that does not exist). ``swifttailor check FILE --repair OUT`` lists and repairs such faults.
     """
     reading = read_pattern_file(path, rotation=rotation)
     errors = [f for f in reading.findings if f.severity is Severity.ERROR]
@@ -84,7 +84,7 @@ def load_pattern(path: Path | str, *, rotation: RotationReading = "intrinsic") -
         place = f" ({errors[0].where()})" if errors[0].where() else ""
         raise PatternError(
             f"'{path}': {errors[0].message}{place}{more}. "
-            f"See all with: swifttailor check {path}; mend with --repair OUT."
+            f"Repair it with: swifttailor check {path} --repair REPAIRED ({errors[0].repair})."
         )
     return reading.pattern
 

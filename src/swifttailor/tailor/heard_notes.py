@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from swifttailor.tailor.fabric_asked import SEWN_FABRIC, fabric_unmet
 from swifttailor.tailor.order import one_line
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ def heard_report(wanted: Wanted) -> dict[str, Any]:
         "color": heard.color,
         "print": None if heard.print is None else heard.print.to_json(),
         "cloth": heard.cloth,
+        "cloth_unmet": fabric_unmet(wanted) is not None,
         "cannot": list(heard.cannot),
         "left_out": list(heard.left_out),
         "contradictions": [list(pair) for pair in heard.contradictions],
@@ -67,9 +69,10 @@ def heard_notes(wanted: Wanted) -> list[str]:
         from swifttailor.wishes.heard_print import print_line
 
         found.append(f"Print: {print_line(heard.print)}.")
-    if heard.cloth is not None and heard.words is not None and (heard.words.cloths or wanted.order.finish):
-        use = "the cloth that it was finished with" if wanted.order.finish else "used with --finish alone"
-        found.append(f"Fabric: {heard.cloth}, {use}.")
+    if heard.cloth is not None and wanted.order.finish:
+        found.append(f"Fabric: {heard.cloth}, the cloth that it was finished with.")
+    elif heard.cloth == SEWN_FABRIC and heard.words is not None and heard.words.cloths:
+        found.append(f"Fabric: {heard.cloth}, which every garment hangs like without --finish.")
     if heard.cannot:
         found.append(f"Cannot be made: {'; '.join(heard.cannot)}.")
     if heard.left_out:

@@ -113,7 +113,7 @@ class Wanted:
     @property
     def misses(self) -> bool:
         """Whether there is a text and nothing was understood of it for certain."""
-        clothed = self.heard.color or self.heard.print or self.heard.plain
+        clothed = self.heard.color or self.heard.print or self.heard.plain or self.heard.cloth
         return self.leaves_cut and not (self.order.edit is not None and clothed)
 
     @property

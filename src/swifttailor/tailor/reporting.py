@@ -12,6 +12,7 @@ from swifttailor.garment.cloth_print import PRINT
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern.check import Change as Mending
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.fabric_asked import fabric_unmet, fabric_warning
 from swifttailor.tailor.heard_notes import heard_notes, heard_report
 from swifttailor.tailor.order import one_line
 from swifttailor.tailor.provenance import versions, weights
@@ -224,8 +225,11 @@ def _changed_notes(answer: Answer) -> list[str]:
 
 def order_warnings(answer: Answer) -> list[str]:
     """What of an order was not used or understood, or is doubtful."""
-    seen = () if answer.wanted is None else answer.wanted.warnings
-    return [*seen, *answer.doubts, *(() if answer.written is None else answer.written.notes)]
+    wanted = answer.wanted
+    seen = () if wanted is None else wanted.warnings
+    fabric = None if wanted is None else fabric_unmet(wanted)
+    unmet = [] if fabric is None else [fabric_warning(fabric)]
+    return [*seen, *unmet, *answer.doubts, *(() if answer.written is None else answer.written.notes)]
 
 
 def _read_line(wanted: Wanted) -> str:

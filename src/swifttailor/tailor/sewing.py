@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,7 +15,7 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.sewer import BATCH, Prepared
 from swifttailor.pattern import Pattern, Reading, check_pattern, read_pattern_file, repair_pattern
-from swifttailor.pattern.check import BodyProbe
+from swifttailor.pattern.check import BodyProbe, errors_of, require_no_errors
 from swifttailor.pattern.panel import RotationReading
 from swifttailor.progress import StageProgress
 from swifttailor.tailor.answer import Answer
@@ -25,6 +25,9 @@ from swifttailor.tailor.verdict import Verdict
 
 if TYPE_CHECKING:
     from swifttailor.draping.fabric import Fabric
+
+_LOSING = frozenset({"dangling-stitch", "open-loop"})
+"""Errors that are repaired by leaving a seam open, or by an edge that nobody drew: only when asked."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +57,7 @@ def prepare(sewer: Sewer, answer: Answer, options: SewingOptions) -> Answer:
 
 
 def read_and_prepare(
-    sewer: Sewer,
+    sewer: Callable[[], Sewer],
     patterns: Iterable[Pattern | Path | str],
     options: SewingOptions,
     rotation: RotationReading,
@@ -64,8 +67,10 @@ def read_and_prepare(
 ) -> Iterator[Answer | SwiftTailorError]:
     """Reads, checks and prepares patterns one by one; what is wrong with one concerns no other.
 
+    Patterns with errors are refused, unless a repair that loses nothing leaves none.
+
     Args:
-        sewer: Prepares them.
+        sewer: Gives who prepares them; called when there is a pattern without errors.
         patterns: Patterns, or GarmentCode JSON files.
         options: How they are sewn.
         rotation: How files mean their placement angles.
@@ -81,22 +86,52 @@ def read_and_prepare(
                 if isinstance(source, Pattern)
                 else read_pattern_file(source, rotation=rotation)
             )
-            answer = (_mended if options.repair else _checked)(reading, probe)
-            answer = replace(answer, seconds={"loading": time.perf_counter() - started})
-            if fit and body is not None:
-                from swifttailor.tailor.refitted import refitted
-
-                answer = refitted(answer, body)
-            try:
-                yield prepare(sewer, answer, options)
-            except SwiftTailorError:
-                # What cannot be sewn as it is may be once it is mended; that is said, not done quietly.
-                mended = _mended(reading, probe)
-                if options.repair or not answer.verdict.findings or not mended.changes:
-                    raise
-                yield prepare(sewer, replace(mended, seconds=answer.seconds), options)
+            answer = _sewable(reading, source, options, probe)
         except SwiftTailorError as error:
             yield error
+            continue
+        answer = replace(answer, seconds={"loading": time.perf_counter() - started})
+        opened = sewer()  # what is wrong with its weights concerns all patterns
+        try:
+            yield _prepared(opened, answer, options, body if fit else None)
+        except SwiftTailorError as error:
+            # What cannot be sewn as it is may be once it is mended; that is said, not done quietly.
+            mended = replace(_mended(reading, probe), seconds=answer.seconds)
+            if options.repair or not answer.verdict.findings or not mended.changes:
+                yield error
+                continue
+            try:
+                yield _prepared(opened, mended, options, body if fit else None)
+            except SwiftTailorError as later:
+                yield later
+
+
+def _prepared(sewer: Sewer, answer: Answer, options: SewingOptions, body: Body | None) -> Answer:
+    """A pattern ready to be sewn, refitted first where there is a body."""
+    if body is not None:
+        from swifttailor.tailor.refitted import refitted
+
+        answer = refitted(answer, body)
+    return prepare(sewer, answer, options)
+
+
+def _sewable(
+    reading: Reading, source: Pattern | Path | str, options: SewingOptions, probe: BodyProbe
+) -> Answer:
+    """A pattern without errors.
+
+    Raises:
+        PatternError: It has errors that a repair leaves, or removes by giving up a seam or drawing an edge.
+    """
+    name = f"The pattern '{source.name}'" if isinstance(source, Pattern) else f"'{source}'"
+    answer = (_mended if options.repair else _checked)(reading, probe)
+    errors = errors_of(answer.verdict.findings)
+    if errors and not options.repair and _LOSING.isdisjoint(error.code for error in errors):
+        mended = _mended(reading, probe)
+        if not errors_of(mended.verdict.findings):
+            return mended
+    require_no_errors(errors, name, repaired=options.repair, option=True)
+    return answer
 
 
 def _checked(reading: Reading, probe: BodyProbe) -> Answer:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import cache
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,7 +11,8 @@ from typing import TYPE_CHECKING
 from swifttailor.clock import Clock
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer
-from swifttailor.pattern import Pattern
+from swifttailor.pattern import Pattern, check_pattern
+from swifttailor.pattern.check import require_no_errors
 from swifttailor.pattern.panel import RotationReading
 from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.progress import StageProgress
@@ -192,6 +194,8 @@ class Tailor(Workshop):
             SwiftTailorError: The order cannot be answered at all.
         """
         say = progress or (lambda stage, share: None)
+        if order.edit is not None:
+            require_no_errors(check_pattern(order.edit), "The pattern to edit")
         clock = Clock()
         say("loading", 0.0)
         self._open(order)
@@ -291,6 +295,7 @@ class Tailor(Workshop):
         *,
         rotation: RotationReading = "intrinsic",
         progress: StageProgress | None = None,
+        note: Callable[[str], None] | None = None,
     ) -> Iterator[Outcome]:
         """Makes the garments of many patterns, a few at a time; one that cannot be sewn stops no other.
 
@@ -299,13 +304,23 @@ class Tailor(Workshop):
             options: How they are sewn.
             rotation: How files mean their placement angles.
             progress: See `generate`.
+            note: Called with what the first garment waits for (`compile_notes`). Nothing is loaded before
+                there is a pattern that can be sewn.
 
         Raises:
             InputError: The weights cannot be used.
         """
         options = options or SewingOptions()
+
+        @cache
+        def sewer() -> Sewer:
+            if note is not None:
+                for line in self.compile_notes(finish=options.finish):
+                    note(line)
+            return self.garment_sewer
+
         source = read_and_prepare(
-            self.garment_sewer,
+            sewer,
             patterns,
             options,
             rotation,

@@ -32,7 +32,7 @@ def read_config_of(named: Mapping[str, T], name: str, overrides: Sequence[str] =
     else:
         try:
             value = json.loads(Path(name).read_text(encoding="utf-8"))
-        except (OSError, ValueError) as error:
+        except (OSError, ValueError, RecursionError) as error:
             raise InputError(
                 f"There is no configuration '{name}': {error}. Give {' or '.join(named)}, or a JSON file."
             ) from error
@@ -55,7 +55,7 @@ def read_config_of(named: Mapping[str, T], name: str, overrides: Sequence[str] =
                 )
         try:
             inner[field] = json.loads(text)
-        except ValueError:
+        except (ValueError, RecursionError):
             inner[field] = text
     return changed_config(base, values)
 

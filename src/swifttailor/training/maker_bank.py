@@ -199,5 +199,13 @@ def _read(path: Path) -> tuple[list[tuple[str, Version]], list[tuple[str, str]]]
             versions.append((each["base"], Version(each["id"], sequence, each["facts"])))
             start = end
         return versions, [(id, why) for id, why in about["skipped"]]
-    except (SafetensorError, OSError, ValueError, KeyError, TypeError) as error:
+    except (
+        SafetensorError,
+        OSError,
+        ValueError,
+        KeyError,
+        TypeError,
+        AttributeError,
+        RecursionError,
+    ) as error:
         raise InputError(f"'{path}' is damaged: {error}. Delete it, it is made again.") from error

@@ -63,7 +63,7 @@ class RunRecord:
         if resume:
             try:
                 before = json.loads(path.read_text(encoding="utf-8"))
-            except (OSError, ValueError) as error:
+            except (OSError, ValueError, RecursionError) as error:
                 raise InputError(
                     f"There is no training in '{self.folder}' to go on with: {error}."
                 ) from error
@@ -105,7 +105,7 @@ class RunRecord:
         for text in path.read_text(encoding="utf-8").splitlines():
             try:
                 found.append(json.loads(text))
-            except ValueError:
+            except (ValueError, RecursionError):
                 break
         return found
 

@@ -132,7 +132,7 @@ def _read_records(path: Path) -> Iterator[dict[str, Any]]:
             sound += len(line)
             try:
                 record = json.loads(line)
-            except ValueError:
+            except (ValueError, RecursionError):
                 continue
             if isinstance(record, dict):
                 yield record

@@ -234,7 +234,7 @@ def _read_index(path: Path) -> dict[str, Any] | None:
             raise ValueError("another format")
         RenderSettings(**value["settings"])
         return value
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
         raise InputError(
             f"'{path}' is damaged: {error}. Delete its folder to draw the renders again."
         ) from error

@@ -151,11 +151,11 @@ def _seconds(folder: Path) -> dict[str, np.ndarray]:
     if path.is_file():
         for line in path.read_bytes().splitlines():
             try:
-                seconds = json.loads(line).get("seconds", {})
-            except (ValueError, AttributeError):
+                seconds = {k: float(v) for k, v in json.loads(line).get("seconds", {}).items()}
+            except (ValueError, TypeError, AttributeError, RecursionError):
                 continue
             for stage, value in seconds.items():
-                found.setdefault(stage, []).append(float(value))
+                found.setdefault(stage, []).append(value)
     return {stage: np.array(values) for stage, values in found.items()}
 
 

@@ -82,7 +82,7 @@ class Ledger(WorkFolder):
 def _read_settings(path: Path) -> dict[str, Any]:
     try:
         return dict(json.loads(path.read_text(encoding="utf-8"))["settings"])
-    except (ValueError, KeyError, TypeError) as error:
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
         raise InputError(f"'{path}' is damaged. Choose another --out for this batch.") from error
 
 

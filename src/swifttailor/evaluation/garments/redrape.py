@@ -126,7 +126,9 @@ class Redraper:
             return None
         try:
             record = json.loads(path.read_text(encoding="utf-8"))
-        except ValueError as error:
+            if not isinstance(record, dict):
+                raise ValueError("it is not a JSON object")
+        except (OSError, ValueError, RecursionError) as error:
             raise InputError(
                 f"'{path}' is damaged: {error}. Delete it to drape that garment again."
             ) from error
