@@ -296,7 +296,7 @@ def test_a_colour_is_changed_alone_and_is_exit_code_0(write, tmp_path, capsys):
     given = ["edit", tmp_path / "before", "make it red and of denim", "--out", tmp_path / "after"]
     assert command(*given, "--no-preview") == 0
     said = capsys.readouterr().out
-    assert "Colour: red (#ff0000)." in said and "Fabric: denim, used with --finish alone." in said
+    assert "Colour: red (#ff0000)." in said and "Fabric: denim, in weight and shine alone" in said
     assert (tmp_path / "after" / "pattern.json").read_bytes() == before
     assert json.loads((tmp_path / "after" / "report.json").read_text())["color"] == "#ff0000"
 

@@ -25,6 +25,7 @@ from swifttailor.refitting.growing import PanelSheet
 from swifttailor.refitting.outlines import moved_panel
 from swifttailor.refitting.placing import placed_on
 from swifttailor.refitting.stretch import Stretches, ease_scale, places_of, stretches
+from swifttailor.refitting.uncrossed import uncrossed
 
 _EDGE_CM = 2.5
 """Of the mesh on which places are looked up."""
@@ -90,6 +91,7 @@ def refit(
         after = made_alike(keep_seam_ratios(before, after), likeness)
         flat = _filled(garment, sheets, grown, after)
         stretch = stretch.corrected(garment.mesh, flat)
+    after = uncrossed(before, after, likeness)
     after = placed_on(before, after, start, end)
     after = made_alike(after, likeness)
     order = {panel.name: panel for panel in after.panels}

@@ -274,7 +274,8 @@ def _legs(
     """How far the vertices belong to legs by themselves (m,), and what their cloth is multiplied by (m,)."""
     y, x = places.points[:, 1], places.points[:, 0]
     crotch = start.levels[_CROTCH]
-    heights = np.arange(y[places.leg].min(), crotch + _STEP_CM, _STEP_CM)
+    # The legs of the shortest shorts end above the crotch.
+    heights = np.arange(min(y[places.leg].min(), crotch), crotch + _STEP_CM, _STEP_CM)
     faces = np.asarray(places.leg[garment.mesh.flat_faces].all(axis=1))
     parts = places.leg & (x > 0), places.leg & (x <= 0)
     raw = cloth_around(garment.mesh, y, faces, heights, parts)

@@ -67,14 +67,31 @@ def heard_notes(wanted: Wanted) -> list[str]:
         from swifttailor.wishes.heard_print import print_line
 
         found.append(f"Print: {print_line(heard.print)}.")
-    if heard.cloth is not None and heard.words is not None and (heard.words.cloths or wanted.order.finish):
-        use = "the cloth that it was finished with" if wanted.order.finish else "used with --finish alone"
-        found.append(f"Fabric: {heard.cloth}, {use}.")
+    chosen = wanted.order.fabric
+    named = heard.cloth if chosen is None else chosen if isinstance(chosen, str) else chosen.name
+    is_said = chosen is not None or (heard.words is not None and (heard.words.cloths or wanted.order.finish))
+    if named is not None and is_said:
+        found.append(fabric_line(named, finish=wanted.order.finish))
     if heard.cannot:
         found.append(f"Cannot be made: {'; '.join(heard.cannot)}.")
     if heard.left_out:
         found.append(f"Usual, and left out since it cannot be made: {'; '.join(heard.left_out)}.")
     return found
+
+
+def fabric_line(name: str, *, finish: bool) -> str:
+    """What a fabric was used for.
+
+    Args:
+        name: Of the fabric.
+        finish: Whether the garment hung to rest by physics.
+    """
+    if finish:
+        return f"Fabric: {name}, the cloth that it was finished with."
+    return (
+        f"Fabric: {name}, in weight and shine alone: the network knows no fabrics and hangs all as cotton. "
+        "With --finish physics hangs it."
+    )
 
 
 def _quoted(words: Sequence[str]) -> str:
