@@ -38,7 +38,7 @@ def write_pattern_pdf(
     sheet = Paper.named(paper)
     require_width(cloth_width)
     printed = write_pdf(
-        plan, path, paper=sheet, cloth=_cloth(plan, cloth_width), preview=preview, overwrite=overwrite
+        plan, path, paper=sheet, cloth=cloth_needed(plan, cloth_width), preview=preview, overwrite=overwrite
     )
     tiles = len(printed.sheet.tiles)
     sys.stdout.write(
@@ -52,7 +52,8 @@ def print_findings(findings: Iterable[Finding]) -> None:
         sys.stdout.write(f"{finding.severity.value}: {finding.code}: {finding.message}\n")
 
 
-def _cloth(plan: CuttingPlan, width: float) -> list[str]:
+def cloth_needed(plan: CuttingPlan, width: float) -> list[str]:
+    """Lines about the length of cloth of a width in cm, for a cover."""
     from swifttailor.making.nesting import estimate_length
 
     try:
