@@ -118,6 +118,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("patterns", type=Path)
     parser.add_argument("--every", type=int, default=1, help="take every k-th pattern")
+    parser.add_argument("--start", type=int, default=0, help="the first of these")
+    parser.add_argument("--without-every", type=int, default=None, help="leave every k-th pattern out")
     parser.add_argument("--limit", type=int, default=None)
     parser.add_argument("--bodies", nargs="*", default=list(BODIES))
     parser.add_argument("--edge-length", type=float, default=2.0, help="cm")
@@ -134,9 +136,12 @@ def main() -> None:
     bodies = {name: BODIES[name].body() for name in options.bodies}
     profiles = {name: profile_of(body) for name, body in bodies.items()}
     first = profile_of(Body.default())
-    chosen = [p for k, p in enumerate(read_patterns(options.patterns)) if k % options.every == 0][
-        : options.limit
-    ]
+    without = options.without_every
+    chosen = [
+        pattern
+        for k, pattern in enumerate(read_patterns(options.patterns))
+        if k % options.every == options.start and (without is None or k % without)
+    ][: options.limit]
     for item in chosen:
         pattern = item.read().pattern.canonical()
         wanted = None

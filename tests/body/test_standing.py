@@ -39,3 +39,27 @@ def test_other_meshes_and_poses_are_refused():
     own = Body.from_mesh(default.vertices[:, :] * 1.0, default.faces[::-1], name="mine")
     with pytest.raises(InputError, match="mesh of its own"):
         carried_to("T", own)
+
+
+def test_the_sides_of_a_top_stay_on_the_trunk_when_arms_are_level():
+    """In an A-pose the side of a top hangs near the arm, and would be lifted with it."""
+    from swifttailor.body.rig import Rig
+    from swifttailor.body.worn import garment_weights
+
+    rig = Rig.default()
+    arms = [rig.index(f"left_{name}") for name in ("arm", "arm_twist", "forearm", "hand")]
+    level = Body.default().measurements.armpit_level
+    side = np.array([[17.0, level - 8.0, 0.0], [17.5, level - 8.0, 1.0], [17.0, level - 9.0, 0.0]])
+    sleeve = np.array(
+        [[x, level - y, z] for x, y in ((25.0, 6.0), (30.0, 12.0), (40.0, 25.0)) for z in (-1, 1)]
+    )
+    points, faces = np.concatenate([side, sleeve]), np.array([[0, 1, 2], [3, 4, 5], [6, 7, 8]])
+
+    def on_arm(off_arm):
+        weights = garment_weights(rig, points, faces, off_arm)
+        return (weights.share * np.isin(weights.carrier, arms)).sum(axis=1)
+
+    before = on_arm(None)
+    after = on_arm(np.array([9.0, 9.0, 10.0, *[0.0] * 6]))
+    assert after[:3].max() < 0.02 and (after[:3] <= before[:3]).all()
+    np.testing.assert_allclose(after[3:], before[3:], atol=1e-6)

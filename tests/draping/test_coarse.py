@@ -13,8 +13,8 @@ from swifttailor.draping.cloth import build_cloth
 from swifttailor.draping.coarse import CoarseSettings, coarse_edge_length, drape_coarsely
 from swifttailor.draping.coarse_kernels import advance_freely
 from swifttailor.draping.collider import ARMS, join_fields, vertices_ignoring_arms
-from swifttailor.draping.fabric import get_fabric
 from swifttailor.draping.field_kernels import sample_field
+from swifttailor.draping.known_fabrics import get_fabric
 from swifttailor.draping.loop_arguments import StepSettings, coarse_work
 from swifttailor.draping.placement import place_vertices
 from swifttailor.draping.simulation import Simulation, SimulationSettings

@@ -12,7 +12,7 @@ import pytest
 from swifttailor.body import Body
 from swifttailor.draping import drape
 from swifttailor.draping.cloth import build_cloth
-from swifttailor.draping.fabric import get_fabric
+from swifttailor.draping.known_fabrics import get_fabric
 from swifttailor.draping.newton_engine import require_newton
 from swifttailor.draping.newton_stage import rest_triangles
 from swifttailor.errors import MissingExtraError

@@ -10,7 +10,7 @@ import pytest
 from sewn_splits import make_sample
 
 from swifttailor.draping.cloth import build_cloth
-from swifttailor.draping.fabric import FABRICS, get_fabric
+from swifttailor.draping.known_fabrics import FABRICS, get_fabric
 from swifttailor.errors import GeometryError, InputError
 from swifttailor.evaluation.garments.cloud_distances import chamfer
 from swifttailor.evaluation.garments.garment_table import garment_tables, paper_table

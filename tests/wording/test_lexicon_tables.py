@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from swifttailor.describing import CLAIM_TYPES, Claim
-from swifttailor.draping.fabric import FABRICS
+from swifttailor.draping.known_fabrics import FABRICS
 from swifttailor.errors import InputError
 from swifttailor.render import prints
 from swifttailor.wording.lexicon.conflicts import SCALES, beyond, exclude

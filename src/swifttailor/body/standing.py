@@ -21,7 +21,11 @@ _NEAR_CM = 7.0
 
 
 def carried_to(
-    pose: str, body: Body, cloth: Array | None = None, faces: Array | None = None
+    pose: str,
+    body: Body,
+    cloth: Array | None = None,
+    faces: Array | None = None,
+    off_arm: Array | None = None,
 ) -> tuple[Body, Array | None]:
     """A body in another pose, and the garment that it wears.
 
@@ -30,6 +34,7 @@ def carried_to(
         body: In its A-pose, with the default body's mesh.
         cloth: (v, 3) vertices of a garment on it, cm.
         faces: (f, 3) of the garment.
+        off_arm: (v,) how far its vertices are from the armhole, where it has sleeves (`garment_weights`).
 
     Raises:
         InputError: There is no such pose, or the body has a mesh of its own.
@@ -57,7 +62,7 @@ def carried_to(
 
     _, nearest = KDTree(body.vertices).query(cloth)
     there = cloth + default.vertices[nearest] - body.vertices[nearest]
-    worn = garment_weights(Rig.default(), there, faces)
+    worn = garment_weights(Rig.default(), there, faces, off_arm)
     return stood, carry(cloth, rig, turns, weights=worn)
 
 

@@ -17,6 +17,8 @@ LEGS_CM = 68.0, 77.0
 """A trouser leg goes with its own leg below the first level, wholly, and above the second as space does."""
 HANGS_CM = 68.0, 90.0
 """A skirt hangs below the first level, wholly, and above the second not at all."""
+OFF_ARM_CM = 4.0
+"""Trunk cloth so far from the armhole leaves the arm by two thirds."""
 ARMHOLE_CM = 127.0, 139.0
 """A bodice without a sleeve leaves the arm alone below the first level; above the second it lies on the
 shoulder and goes with it."""
@@ -27,13 +29,15 @@ ONE_SIDE = 0.75
 """A trouser leg has at least this share of its vertices on its own side; wide ones cross the middle."""
 
 
-def garment_weights(rig: Rig, vertices: Array, faces: Array) -> Weights:
+def garment_weights(rig: Rig, vertices: Array, faces: Array, off_arm: Array | None = None) -> Weights:
     """Who carries the vertices of a garment that was sewn or draped on the standing default body.
 
     Args:
         rig: The body's.
         vertices: (P, 3) cm.
         faces: (M, 3) vertex indices.
+        off_arm: (P,) how far each vertex is from the armhole on the side of the trunk, cm; 0 on the armhole
+            and in sleeves. Where arms are lifted far, the sides of tops then stay on the trunk.
 
     Returns:
         Their weights, to be kept: they hold for every pose and shape.
@@ -52,6 +56,13 @@ def garment_weights(rig: Rig, vertices: Array, faces: Array) -> Weights:
         if not has_sleeve(rig, vertices, sign):
             arm = [rig.index(f"{own}_{joint}") for joint in ("arm", "arm_twist", "forearm", "hand")]
             _leave(dense, arm, _fading(vertices[:, 1], ARMHOLE_CM), rig.index("chest"))
+    if off_arm is not None:
+        arms = [
+            rig.index(f"{own}_{joint}")
+            for own in ("left", "right")
+            for joint in ("arm", "arm_twist", "forearm", "hand")
+        ]
+        _leave(dense, arms, 1.0 - np.exp(-((off_arm / OFF_ARM_CM) ** 2)), rig.index("chest"))
     hanging = np.zeros((len(vertices), len(HANGING)), dense.dtype)
     strength = is_skirt * _fading(vertices[:, 1], HANGS_CM)
     for k, name in enumerate(HANGING):

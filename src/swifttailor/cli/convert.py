@@ -13,7 +13,8 @@ from swifttailor.pattern.panel import RotationReading
 
 if TYPE_CHECKING:
     from swifttailor.garment.triangle_mesh import TriangleMesh
-    from swifttailor.making import Allowances
+    from swifttailor.making import Allowances, CuttingPlan
+    from swifttailor.making.size_run import Alike
     from swifttailor.pattern import Pattern
 
 PATTERN_ENDINGS = (".svg", ".json", ".pdf", ".dxf", ".md", ".zip", ".obj")
@@ -38,7 +39,7 @@ class Convert:
     """
 
     source: Annotated[Path, tyro.conf.Positional]
-    """Pattern, garment, or folder to read."""
+    """Pattern, garment, or folder to read. A folder of fit --sizes becomes one .pdf or .dxf of all sizes."""
     target: Annotated[Path, tyro.conf.Positional]
     """File to write; its folder is created when missing."""
     rotation: RotationReading = "intrinsic"
@@ -79,6 +80,11 @@ class Convert:
     def run(self) -> int:
         """Converts, prints the file written, and returns the exit code."""
         self._require_sense()
+        sizes = self._sizes()
+        if sizes:
+            self._convert_sizes(sizes)
+            print(self.target)  # noqa: T201
+            return 0
         source = self._file_in_folder() if self.source.is_dir() else self.source
         if not source.exists():
             raise InputError(f"There is no file '{source}'. Give a pattern, a garment or a garment's folder.")
@@ -96,6 +102,25 @@ class Convert:
 
             open_file(self.target)
         return 0
+
+    def _sizes(self) -> list[Path]:
+        from swifttailor.cli.size_files import patterns_of_sizes
+
+        return patterns_of_sizes(self.source)
+
+    def _convert_sizes(self, files: list[Path]) -> None:
+        from swifttailor.cli.size_files import write_sizes
+
+        write_sizes(
+            files,
+            self.target,
+            plan=self._plan,
+            rotation=self.rotation,
+            paper=self.paper,
+            cloth_width=self.cloth_width,
+            dialect=self.dialect,
+            overwrite=self.overwrite,
+        )
 
     @property
     def _ending(self) -> str:
@@ -160,15 +185,8 @@ class Convert:
     def _write_files_to_sew_from(self, pattern: Pattern) -> None:
         from swifttailor.atomic_files import write_text
         from swifttailor.cli.sewing_files import print_findings, write_pattern_pdf
-        from swifttailor.making import cutting_plan
-        from swifttailor.making.sewn_pattern import require_sewable
 
-        if self.fold != "none":
-            from swifttailor.making.centre_folds import fold_centres
-
-            require_sewable(pattern)
-            pattern = fold_centres(pattern, front=self.fold != "back", back=self.fold != "front")
-        plan = cutting_plan(pattern, self._allowances())
+        plan = self._plan(pattern)
         if self._ending == ".pdf":
             preview = self.source / "preview.png" if self.source.is_dir() else None
             write_pattern_pdf(
@@ -192,6 +210,18 @@ class Convert:
 
             write_bundle(plan, self.target, edge_length=self.edge_length, overwrite=self.overwrite)
         print_findings(plan.findings)
+
+    def _plan(self, pattern: Pattern, alike: Alike | None = None) -> CuttingPlan:
+        """The pieces to cut."""
+        from swifttailor.making import cutting_plan
+        from swifttailor.making.sewn_pattern import require_sewable
+
+        if self.fold != "none":
+            from swifttailor.making.centre_folds import fold_centres
+
+            require_sewable(pattern)
+            pattern = fold_centres(pattern, front=self.fold != "back", back=self.fold != "front")
+        return cutting_plan(pattern, self._allowances(), alike=alike)
 
     def _allowances(self) -> Allowances:
         from swifttailor.making import Allowances

@@ -51,7 +51,7 @@ class DataBuild:
     limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Only the first N patterns. More can follow later."""
     fabric: str = "cotton"
-    """cotton, denim, silk or jersey."""
+    """By name; swifttailor fabrics shows all."""
     edge_length: float = 2.0
     """Edge length of the cloth's triangles in cm, 0.5 to 10."""
     engine: Literal["xpbd", "newton", "network"] = "xpbd"

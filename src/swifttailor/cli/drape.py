@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from swifttailor.cli.fabric_option import FabricOption
 from swifttailor.cli.findings_shown import REPORT_HAS_ALL, first_of
 from swifttailor.cli.option_checks import (
     require_edge_length,
@@ -35,7 +36,7 @@ MORE_TIME = "Choose a longer --edge-length, or give it more time with --time-lim
 
 
 @dataclass(frozen=True, kw_only=True)
-class Drape(GarmentResults, WearerOptions):
+class Drape(GarmentResults, WearerOptions, FabricOption):
     """Sew a pattern together on a body and let it hang to rest.
 
     Writes pattern.json, pattern.svg, garment.glb, garment.obj, preview.png and report.json into a folder.
@@ -51,8 +52,6 @@ class Drape(GarmentResults, WearerOptions):
 
     pattern: Annotated[tyro.conf.Positional[Path | None], tyro.conf.arg(metavar="PATTERN")] = None
     """GarmentCode JSON file to drape."""
-    fabric: str = "cotton"
-    """cotton, denim, silk or jersey."""
     edge_length: float = 2.0
     """Edge length of the cloth's triangles in cm, 0.5 to 10: shorter is finer and slower."""
     engine: str = "xpbd"
@@ -174,7 +173,7 @@ class Drape(GarmentResults, WearerOptions):
             from swifttailor.draping.sewable import require_sewable
             from swifttailor.draping.time_limit import TimeLimit
 
-            fabric = get_fabric(self.fabric)
+            fabric = get_fabric(self.fabric or "cotton")
             body = self.wearer() or Body.default()
             probe = probe_body(Body.default() if self.refits else body)
             sewable = require_sewable(reading, str(source), repair=self.repair, body=probe)

@@ -24,7 +24,7 @@ def run_drape_batch(options: Drape, source: Path) -> int:
     from swifttailor.pattern.pattern_list import count_patterns
 
     settings = BatchSettings(
-        fabric=options.fabric,
+        fabric=options.fabric or "cotton",
         edge_length=options.edge_length,
         engine=options.engine,
         seed=options.seed,

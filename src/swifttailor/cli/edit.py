@@ -12,6 +12,7 @@ from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import new_place
 from swifttailor.errors import InputError
 
+PATTERN, REPORT = "pattern.json", "report.json"
 _MAX_REPORT_BYTES = 64 * 2**20
 
 
@@ -20,7 +21,7 @@ class Edit(Making):
     """Change a sewing pattern as instructed, and make its garment.
 
     Writes the same files as swifttailor generate. Where nothing is understood of the instruction, the pattern
-    stays as it is. The garment keeps its colour.
+    stays as it is. The garment keeps its colour and its fabric.
 
     Exit code 0: made, and all that was understood holds; 1: made, but read what it says, or some samples
     failed; 2: nothing was made.
@@ -45,8 +46,6 @@ class Edit(Making):
         Raises:
             SwiftTailorError: Nothing could be made.
         """
-        from swifttailor.garment.folder import PATTERN, REPORT
-
         if not self.instruction.strip():
             raise InputError(
                 "The instruction is empty. Say what to change: "
@@ -84,6 +83,15 @@ class Edit(Making):
     def sources(self) -> tuple[Path, ...]:
         """The pattern."""
         return (self.pattern,)
+
+    def usual_fabric(self) -> str:
+        """What the garment is made of now."""
+        from swifttailor.draping.known_fabrics import FABRICS
+
+        source = self.pattern / PATTERN if self.pattern.is_dir() else self.pattern
+        report = _read_report(source.with_name(REPORT)) if source.name == PATTERN else None
+        found = (report or {}).get("fabric")
+        return found if isinstance(found, str) and found in FABRICS else super().usual_fabric()
 
     def _rotation(self, report: dict[str, Any] | None) -> Literal["intrinsic", "extrinsic"]:
         if self.rotation is not None:

@@ -235,6 +235,12 @@ def _load_fit() -> Runner:
     return _runner(Fit, "fit")
 
 
+def _load_fabrics() -> Runner:
+    from swifttailor.cli.fabrics import Fabrics
+
+    return _runner(Fabrics, "fabrics")
+
+
 def _load_generate() -> Runner:
     from swifttailor.cli.generate import Generate
 
@@ -310,6 +316,11 @@ COMMANDS: dict[str, Command] = {
         "Nest the pieces of a pattern on a width of cloth; tells the length needed.",
         "swifttailor marker PATTERN --width 140 --out marker.svg",
         _load_marker,
+    ),
+    "fabrics": Command(
+        "Show the fabrics that --fabric takes, with their constants and sources.",
+        "swifttailor fabrics [--json]",
+        _load_fabrics,
     ),
     "ggi": Command(
         "Draw a pattern or a garment as images, or turn images back into a garment.",

@@ -10,6 +10,7 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
+from swifttailor.cli.fabric_option import FabricOption
 from swifttailor.cli.findings_shown import REPORT_HAS_ALL, first_of
 from swifttailor.cli.option_checks import (
     in_range,
@@ -38,7 +39,7 @@ PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".gif", ".tif", ".tiff")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Making(GarmentResults, WearerOptions):
+class Making(GarmentResults, WearerOptions, FabricOption):
     """Options of both commands."""
 
     asks_for: ClassVar[str]
@@ -117,7 +118,12 @@ class Making(GarmentResults, WearerOptions):
         in_range("--attempts", self.attempts, 1, MOST_ATTEMPTS)
         require_edge_length(self.edge_length)
         require_threads(self.threads)
+        self.require_fabric()
         require_writable_folder(self.folder)
+
+    def usual_fabric(self) -> str:
+        """What garments are made of where nothing says otherwise."""
+        return "cotton"
 
     def sources(self) -> tuple[Path, ...]:
         """Files that the garments are made of."""
@@ -147,7 +153,12 @@ class Making(GarmentResults, WearerOptions):
 
         body = None if self.refits else self.wearer()
         return Tailor.load(
-            self.maker_weights, self.sewer_weights, body=body, threads=self.threads, **networks
+            self.maker_weights,
+            self.sewer_weights,
+            body=body,
+            fabric=self.usual_fabric(),
+            threads=self.threads,
+            **networks,
         )
 
     def several(self, tailor: Tailor, order: Order) -> dict[str, Order]:
@@ -173,6 +184,7 @@ class Making(GarmentResults, WearerOptions):
         return Order(
             text,
             **asked,
+            fabric=self.fabric,
             body=self.wearer() if self.refits else None,
             samples=self.samples,
             seed=self.seed,

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from swifttailor.cli.fabric_option import FabricOption
 from swifttailor.cli.findings_shown import REPORT_HAS_ALL, first_of
 from swifttailor.cli.option_checks import require_edge_length, require_threads, require_writable_folder
 from swifttailor.cli.postponed_imports import tyro
@@ -27,7 +28,7 @@ SEW_AGAIN = (
 
 
 @dataclass(frozen=True, kw_only=True)
-class Sew(GarmentResults, WearerOptions):
+class Sew(GarmentResults, WearerOptions, FabricOption):
     """Turn sewing patterns into stitched garments on a body, in a fraction of a second each.
 
     Writes pattern.json, pattern.svg, garment.glb, garment.obj, preview.png and report.json into a folder; of
@@ -78,8 +79,16 @@ class Sew(GarmentResults, WearerOptions):
         for _, output in outputs:
             output.require_own(names_written(preview=self.preview))
         tailor = Tailor.load(
-            garment_sewer=self.weights, body=self.wearer(), fit=self.refits, threads=self.threads
+            garment_sewer=self.weights,
+            body=self.wearer(),
+            fabric=self.fabric or "cotton",
+            fit=self.refits,
+            threads=self.threads,
         )
+        if self.fabric is not None and not self.json:
+            from swifttailor.tailor.heard_notes import fabric_line
+
+            print(fabric_line(self.fabric, finish=self.finish))  # noqa: T201
         options = SewingOptions(self.edge_length, self.resolution, self.repair, self.finish)
         outcomes = tailor.sew_all(
             [path for path, _ in outputs],
@@ -111,6 +120,7 @@ class Sew(GarmentResults, WearerOptions):
             raise InputError("No pattern was given. Give one or more: swifttailor sew PATTERN --out DIR")
         require_edge_length(self.edge_length)
         require_threads(self.threads)
+        self.require_fabric()
         require_writable_folder(self.folder)
         if len(self.patterns) == 1:
             return [(self.patterns[0], "")]

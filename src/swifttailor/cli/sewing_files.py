@@ -39,7 +39,7 @@ def write_pattern_pdf(
     sheet = Paper.named(paper)
     require_width(cloth_width)
     printed = write_pdf(
-        plan, path, paper=sheet, cloth=_cloth(plan, cloth_width), preview=preview, overwrite=overwrite
+        plan, path, paper=sheet, cloth=cloth_needed(plan, cloth_width), preview=preview, overwrite=overwrite
     )
     tiles = len(printed.sheet.tiles)
     sys.stdout.write(
@@ -54,7 +54,8 @@ def print_findings(findings: Iterable[Finding]) -> None:
     sys.stdout.write("".join(f"{line}\n" for line in (*shown, *filter(None, [more]))))
 
 
-def _cloth(plan: CuttingPlan, width: float) -> list[str]:
+def cloth_needed(plan: CuttingPlan, width: float) -> list[str]:
+    """Lines about the length of cloth of a width in cm, for a cover."""
     from swifttailor.making.nesting import estimate_length
 
     try:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from swifttailor.cli.postponed_imports import tyro
 
@@ -80,6 +80,28 @@ class WearerOptions(BodyOptions):
         from swifttailor.body import Body
         from swifttailor.body.standing import carried_to
 
-        stood, cloth = carried_to(self.pose, body or Body.default(), garment.vertices, garment.faces)
+        off_arm = _off_arm(garment) if self.pose == "T" else None
+        wearer = body or Body.default()
+        stood, cloth = carried_to(self.pose, wearer, garment.vertices, garment.faces, off_arm)
         report = garment.report | {"pose": self.pose}
         return replace(garment, vertices=cloth, report=report), stood
+
+
+def _off_arm(garment: Garment) -> Any:
+    """(v,) how far the vertices of a garment with sleeves are from the armholes, cm; None without sleeves."""
+    import numpy as np
+    from scipy.spatial import KDTree
+
+    from swifttailor.pattern.check import panel_regions
+
+    mesh = garment.mesh
+    region = panel_regions(garment.pattern)
+    flat = np.array([region[p.name] == "arm" for p in garment.pattern.panels])[mesh.flat_panel]
+    sleeve, trunk = (np.zeros(len(garment.vertices), np.bool_) for _ in range(2))
+    sleeve[mesh.weld[flat]] = True
+    trunk[mesh.weld[~flat]] = True
+    armhole = sleeve & trunk
+    if not armhole.any():
+        return None
+    away, _ = KDTree(garment.vertices[armhole]).query(garment.vertices)
+    return np.where(sleeve, 0.0, away)

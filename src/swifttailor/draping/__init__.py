@@ -8,6 +8,7 @@ from __future__ import annotations
 from swifttailor.draping.drape import drape
 from swifttailor.draping.engine import Engine, Settled, SewnGarment
 from swifttailor.draping.engines import register_engine
-from swifttailor.draping.fabric import FABRICS, Fabric, get_fabric
+from swifttailor.draping.fabric import Fabric
+from swifttailor.draping.known_fabrics import FABRICS, get_fabric
 
 __all__ = ["FABRICS", "Engine", "Fabric", "Settled", "SewnGarment", "drape", "get_fabric", "register_engine"]

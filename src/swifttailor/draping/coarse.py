@@ -19,7 +19,8 @@ from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.draping.attachment import find_attachment
 from swifttailor.draping.cloth import build_cloth
 from swifttailor.draping.collider import join_fields, vertices_ignoring_arms
-from swifttailor.draping.fabric import Fabric, get_fabric
+from swifttailor.draping.fabric import Fabric
+from swifttailor.draping.known_fabrics import get_fabric
 from swifttailor.draping.loop_arguments import FRAME_RATE, GRAVITY, HeldArrays, StepSettings, coarse_work
 from swifttailor.draping.placement import place_vertices
 from swifttailor.errors import SimulationError

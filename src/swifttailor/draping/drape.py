@@ -12,9 +12,11 @@ from swifttailor.body import Body
 from swifttailor.clock import Clock
 from swifttailor.draping.attachment import find_attachment
 from swifttailor.draping.cloth import ClothModel, build_cloth
+from swifttailor.draping.cloth_need import cloth_need
 from swifttailor.draping.engine import Engine, SewnGarment, require_settled
 from swifttailor.draping.engines import find_engine
-from swifttailor.draping.fabric import Fabric, get_fabric
+from swifttailor.draping.fabric import Fabric
+from swifttailor.draping.known_fabrics import get_fabric
 from swifttailor.draping.placement import place_vertices
 from swifttailor.errors import InputError, SimulationError
 from swifttailor.garment.garment import Garment
@@ -43,7 +45,7 @@ def drape(
     Args:
         pattern: Any order of panels and stitches gives the same garment.
         body: What it is worn by; the default body when None.
-        fabric: A `Fabric` or the name of a preset (cotton, denim, silk, jersey).
+        fabric: A `Fabric` or the name of a preset (`known_fabrics.FABRICS`).
         edge_length: Target edge length of the mesh, cm.
         engine: What does the last stage: an `Engine`, or the name of one: ``xpbd``, ``newton`` for Newton's
             Style3D solver (extra `newton`), or another that is registered (`register_engine`).
@@ -100,6 +102,7 @@ def drape(
         "seconds": clock.seconds,
         "engine": engine if isinstance(engine, str) else type(engine).__name__,
         "fabric": fabric.name,
+        "cloth": cloth_need(mesh, fabric),
         "edge_length_cm": edge_length,
         "rotation": pattern.panels[0].placement.reading,
         "seed": seed,

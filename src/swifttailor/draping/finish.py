@@ -9,7 +9,8 @@ import numpy as np
 from swifttailor.body import Body
 from swifttailor.draping.attachment import find_attachment
 from swifttailor.draping.cloth import build_cloth
-from swifttailor.draping.fabric import Fabric, get_fabric
+from swifttailor.draping.fabric import Fabric
+from swifttailor.draping.known_fabrics import get_fabric
 from swifttailor.draping.quality import measure_quality
 from swifttailor.draping.simulation import Simulation, SimulationSettings
 from swifttailor.draping.untangle import settle_untangled

@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.garment.garment import Garment
 
-_SHEEN, _GLOSS = {"silk": 0.22, "denim": 0.06}, {"silk": 0.08}
+_SHEEN = {"silk": 0.22, "denim": 0.06, "twill": 0.08, "leather": 0.16, "polyester": 0.16, "swimwear": 0.16}
+_GLOSS = {"silk": 0.08, "leather": 0.10, "polyester": 0.04, "swimwear": 0.05}
 """Of cloths that shine otherwise than cotton does."""
 _put_before = CompiledLoop("swifttailor.render.shading_kernels", "put_before")
 

@@ -19,7 +19,23 @@ if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
 
 
-ROUGHNESS = {"cotton": 0.85, "denim": 0.95, "jersey": 0.9, "silk": 0.4}
+ROUGHNESS = {
+    "cotton": 0.85,
+    "linen": 0.9,
+    "twill": 0.9,
+    "denim": 0.95,
+    "silk": 0.4,
+    "chiffon": 0.6,
+    "wool": 0.95,
+    "leather": 0.45,
+    "polyester": 0.55,
+    "jersey": 0.9,
+    "rib-knit": 0.95,
+    "sweatshirt": 0.95,
+    "ponte": 0.9,
+    "fleece": 1.0,
+    "swimwear": 0.5,
+}
 """Of cloths, as materials of files state it."""
 _LARGEST = float(np.finfo(np.float32).max)
 """What lies beyond is infinite in the files that meshes are written to."""

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from swifttailor.making import drawing
-from swifttailor.making.drawing import Drawing, Stroke, Text
+from swifttailor.making.drawing import Drawing, Stroke, Style, Text
 from swifttailor.making.paper import Paper
 from swifttailor.making.pdf_canvas import POINTS_PER_CM, draw, start_page, wrapped
 from swifttailor.making.pieces import CuttingPlan
@@ -33,6 +33,8 @@ class CoverFacts:
     """The pieces where they lie on the sheet."""
     cloth: tuple[str, ...]
     preview: Path | None
+    sizes: tuple[tuple[str, Style], ...] = ()
+    """Of a file with several: what is said of each size, and its cut line."""
 
 
 def draw_cover(canvas: Any, facts: CoverFacts) -> int:
@@ -71,6 +73,8 @@ def draw_steps(canvas: Any, facts: CoverFacts) -> int:
     plan = facts.plan
     writer = _Writer(canvas, facts.paper.for_reading)
     writer.heading("Before you sew")
+    if facts.sizes:
+        writer.paragraph(f"Lengths in these steps are those of size {plan.pieces[0].size}.", mark="\u2022")
     for line in preparation(plan):
         writer.paragraph(line, mark="\u2022")
     writer.heading("Sewing")
@@ -88,7 +92,10 @@ def draw_steps(canvas: Any, facts: CoverFacts) -> int:
 def _pieces_beside(canvas: Any, facts: CoverFacts, paper: Paper, left: float, top: float) -> int:
     """List of pieces and cloth beside the page map, continued on a page of its own where it is long."""
     plan = facts.plan
-    entries: list[tuple[str, bool]] = [("Pieces", True)]
+    entries: list[tuple[str, bool]] = [("Sizes", True)] if facts.sizes else []
+    entries += [(words, False) for words, _ in facts.sizes]
+    lines_of = dict(facts.sizes)
+    entries.append(("Pieces", True))
     entries += [
         (f"{k}. {p.name}: {p.instruction.lower()}", False) for k, p in enumerate(plan.pieces, start=1)
     ]
@@ -121,6 +128,10 @@ def _pieces_beside(canvas: Any, facts: CoverFacts, paper: Paper, left: float, to
             continue
         for k, line in enumerate(lines):
             draw(canvas, Drawing((), (Text(line, left + (0.3 if k else 0.0), y, _BODY_CM, anchor="start"),)))
+            if k == len(lines) - 1 and text in lines_of:
+                y -= 0.28
+                sample = np.array([[left, y], [left + 0.6 * width, y]])
+                draw(canvas, Drawing((Stroke(sample, lines_of[text]),)))
             y -= _LINE_CM
         y -= 0.08
     canvas.showPage()

@@ -64,6 +64,8 @@ class Text:
     """``start``, ``middle`` or ``end``."""
     bold: bool = False
     color: str = "#000000"
+    halo: bool = False
+    """Whether what lies under it is kept clear of its letters."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,11 +24,11 @@ class DxfText:
         text = f"{value + 0.0:.2f}" if isinstance(value, float) else str(value)
         self.lines += [str(code), "0.00" if text == "-0.00" else text]
 
-    def start(self, kind: str, layer: int | None = None) -> None:
+    def start(self, kind: str, layer: int | str | None = None) -> None:
         """The first groups of an entity, section or table."""
         self.add(0, kind)
         if layer is not None:
-            self.add(8, str(layer))
+            self.add(8, _layer(layer))
 
     def point(self, layer: int, at: Floats, *, depth: float = 0.0, angle: float | None = None) -> None:
         """A point; notches have a depth and the direction of their cut in degrees."""
@@ -72,6 +72,11 @@ class DxfText:
         self.add(10, float(point[0]))
         self.add(20, float(point[1]))
         self.add(30, float(z))
+
+
+def _layer(name: int | str) -> str:
+    """Numbers as they are; names in the letters that R12 takes."""
+    return str(name) if isinstance(name, int) else re.sub(r"[^A-Z0-9_$-]+", "_", plain(name).upper())[:31]
 
 
 def plain(text: str) -> str:

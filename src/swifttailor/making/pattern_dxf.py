@@ -17,6 +17,7 @@ from swifttailor.arrays import Floats
 from swifttailor.atomic_files import write_bytes
 from swifttailor.making.dxf_text import DxfText, block_names
 from swifttailor.making.pieces import CuttingPlan, Piece
+from swifttailor.making.size_run import NestedPiece, SizeRun
 
 Dialect = Literal["astm", "aama"]
 CUT, TURN_POINT, CURVE_POINT, SLIT_NOTCH, GRAIN, INTERNAL, DRILL_HOLE, SEW, ANNOTATION = (
@@ -45,7 +46,7 @@ _ALONG_X = np.array([[0.0, 1.0], [-1.0, 0.0]])
 
 
 def write_dxf(
-    plan: CuttingPlan,
+    plan: CuttingPlan | SizeRun,
     path: Path | str,
     *,
     dialect: Dialect = "astm",
@@ -55,7 +56,8 @@ def write_dxf(
     """Writes all pieces as DXF.
 
     Args:
-        plan: The pieces.
+        plan: The pieces; of several sizes each has blocks of its own, inserted over the others' on a layer
+            ``SIZE_36``.
         path: File to write.
         dialect: Which standard's header.
         seam_names: Whether every sewn edge is labelled with the number of its seam.
@@ -69,7 +71,7 @@ def write_dxf(
     )
 
 
-def dxf_text(plan: CuttingPlan, *, dialect: Dialect = "astm", seam_names: bool = False) -> str:
+def dxf_text(plan: CuttingPlan | SizeRun, *, dialect: Dialect = "astm", seam_names: bool = False) -> str:
     """The content of the file that `write_dxf` writes."""
     dxf = DxfText()
     if dialect == "aama":
@@ -78,9 +80,11 @@ def dxf_text(plan: CuttingPlan, *, dialect: Dialect = "astm", seam_names: bool =
     dxf.add(9, "$ACADVER")
     dxf.add(1, "AC1009")
     dxf.start("ENDSEC")
-    names = block_names(f"{p.name} {p.size}" for p in plan.pieces)
+    groups = _nests(plan)
+    pieces = [piece for nested in groups for piece in nested.pieces]
+    names = block_names(f"{p.name} {p.size}" for p in pieces)
     _section(dxf, "BLOCKS")
-    for name, piece in zip(names, plan.pieces, strict=True):
+    for name, piece in zip(names, pieces, strict=True):
         dxf.start("BLOCK", CUT)
         dxf.add(2, name)
         dxf.add(70, "0")
@@ -91,14 +95,19 @@ def dxf_text(plan: CuttingPlan, *, dialect: Dialect = "astm", seam_names: bool =
         dxf.start("ENDBLK", CUT)
     dxf.start("ENDSEC")
     _section(dxf, "ENTITIES")
-    x = 0.0
-    for name, piece in zip(names, plan.pieces, strict=True):
-        low, high = _box(piece)
-        dxf.start("INSERT", CUT)
-        dxf.add(2, name)
-        dxf.add(10, float(x - low[0]))
-        dxf.add(20, float(-low[1]))
-        dxf.add(30, 0.0)
+    x, left = 0.0, iter(names)
+    for nested in groups:
+        boxes = [
+            _box(piece) + on_table(shift) for piece, shift in zip(nested.pieces, nested.shifts, strict=True)
+        ]
+        low, high = np.min([b[0] for b in boxes], axis=0), np.max([b[1] for b in boxes], axis=0)
+        for piece, shift in zip(nested.pieces, nested.shifts, strict=True):
+            place = on_table(shift) - low
+            dxf.start("INSERT", f"SIZE_{piece.size}" if piece.size else CUT)
+            dxf.add(2, next(left))
+            dxf.add(10, float(x + place[0]))
+            dxf.add(20, float(place[1]))
+            dxf.add(30, 0.0)
         x += float(high[0] - low[0]) + _GAP_MM
     for k, line in enumerate(_style_texts(plan, dialect)):
         dxf.text(CUT, line, np.array([0.0, -20.0 - 10.0 * k]))
@@ -112,17 +121,23 @@ def on_table(points: Floats) -> Floats:
     return np.asarray(points) @ _ALONG_X.T * _MM
 
 
-def _style_texts(plan: CuttingPlan, dialect: Dialect) -> list[str]:
+def _nests(plan: CuttingPlan | SizeRun) -> tuple[NestedPiece, ...]:
+    if isinstance(plan, SizeRun):
+        return plan.nested
+    return tuple(NestedPiece((piece,), (np.zeros(2),)) for piece in plan.pieces)
+
+
+def _style_texts(plan: CuttingPlan | SizeRun, dialect: Dialect) -> list[str]:
     from swifttailor import __version__
 
-    sizes = list(dict.fromkeys(p.size or "ONE" for p in plan.pieces))
+    size = plan.sizes[plan.base] if isinstance(plan, SizeRun) else plan.pieces[0].size
     # Files contain no dates, so that the same pattern gives the same file.
     lines = [
         f"Style Name:{plan.name}",
         "Creation Date:",
         "Creation Time:",
         f"Author:SwiftTailor {__version__}",
-        f"Sample Size:{sizes[0]}",
+        f"Sample Size:{size or 'ONE'}",
         "Grade Rule Table:",
         "Units:METRIC",
         "Curve Tolerance:0.05",
@@ -195,9 +210,10 @@ def _curve(dxf: DxfText, layer: int, points: Floats, dialect: Dialect, *, closed
         dxf.point(TURN_POINT if angle > _CORNER_DEGREES else CURVE_POINT, point)
 
 
-def _box(piece: Piece) -> tuple[Floats, Floats]:
+def _box(piece: Piece) -> Floats:
+    """(2, 2) lowest and highest corner, mm."""
     placed = on_table(piece.cut.outline)
-    return placed.min(axis=0), placed.max(axis=0)
+    return np.array([placed.min(axis=0), placed.max(axis=0)])
 
 
 def _section(dxf: DxfText, name: str) -> None:

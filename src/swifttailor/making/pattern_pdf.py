@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,16 +13,18 @@ from swifttailor.atomic_files import write_atomically
 from swifttailor.making import drawing
 from swifttailor.making.cover_pages import CoverFacts, draw_cover, draw_steps
 from swifttailor.making.drawing import Drawing, Stroke, Text
+from swifttailor.making.nested_drawing import draw_nested, size_line
 from swifttailor.making.paper import MARGIN_CM, Paper, Tile
 from swifttailor.making.pdf_canvas import POINTS_PER_CM, draw, new_canvas, start_page
+from swifttailor.making.pdf_layers import PdfLayers
 from swifttailor.making.piece_drawing import draw_piece, drawn_shape
 from swifttailor.making.pieces import CuttingPlan
 from swifttailor.making.scale_square import OUTER_CM, SIZE_CM, draw_test_square
 from swifttailor.making.sheet_layout import GAP_CM, Sheet, lay_out_sheet
+from swifttailor.making.size_run import SizeRun
 from swifttailor.pattern.finding import Finding
 
 _CROSS_CM = 0.6
-_FORM = "sheet"
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,13 +81,76 @@ def write_pdf(
         facts = CoverFacts(plan, sheet, paper, placed, tuple(cloth), preview)
         nonlocal cover_pages, steps_pages
         cover_pages = draw_cover(canvas, facts)
-        _tiles(canvas, sheet, paper, Drawing.joined(placed), plan.name)
+        _tiles(canvas, sheet, paper, [Drawing.joined(placed)], plan.name)
         steps_pages = draw_steps(canvas, facts)
         canvas.save()
 
     write_atomically(path, write, overwrite=overwrite)
     pages = cover_pages + len(sheet.tiles) + steps_pages
     return PrintedPattern(path, pages, steps_pages, sheet, paper, plan.findings)
+
+
+def write_sizes_pdf(
+    run: SizeRun,
+    path: Path | str,
+    *,
+    paper: Paper,
+    said: Sequence[str] = (),
+    cloth: Sequence[str] = (),
+    overwrite: bool = False,
+) -> PrintedPattern:
+    """Writes a pattern in several sizes to print, nested, with a layer for each size.
+
+    Args:
+        run: The sizes.
+        path: File to write.
+        paper: What it is printed on.
+        said: What the cover says of each size; their names when empty.
+        cloth: Lines about how much cloth is needed, for the cover.
+        overwrite: Whether another file of that name is replaced.
+
+    Raises:
+        InputError: The file cannot be written.
+        MissingExtraError: reportlab is not installed.
+    """
+    path = Path(path)
+    nested = [draw_nested(piece, run) for piece in run.nested]
+    shapes = [one.shape for one in nested]
+    square = [] if paper.for_reading == paper else [draw_test_square(0.0, 0.0)]
+    shapes += [_square_shape() for _ in square]
+    sheet = lay_out_sheet(shapes, paper)
+    places = list(zip(sheet.turns, sheet.shifts, strict=True))
+    common = [
+        d.moved(*place) for d, place in zip([*(n.common for n in nested), *square], places, strict=True)
+    ]
+    layers = []
+    for k, size in enumerate(run.sizes):
+        moved = [one.sizes[k].moved(*place) for one, place in zip(nested, places, strict=False)]
+        layers.append(replace(Drawing.joined(moved), layer=size))
+    mapped = [
+        Drawing.joined([common[k], *(one.moved(*places[k]) for one in nested[k].sizes)])
+        for k in range(len(nested))
+    ] + common[len(nested) :]
+    base = run.plans[run.base]
+    named = replace(base, pieces=tuple(one.pieces[run.base] for one in run.nested))
+    words = said or run.sizes
+    sizes = tuple((text, size_line(k)) for k, text in enumerate(words))
+    cover_pages = steps_pages = 0
+
+    def write(temporary: Path) -> None:
+        canvas = new_canvas(
+            temporary, f"{run.name}, sewing pattern", (paper.width, paper.height), layers=True
+        )
+        facts = CoverFacts(named, sheet, paper, mapped, tuple(cloth), None, sizes)
+        nonlocal cover_pages, steps_pages
+        cover_pages = draw_cover(canvas, facts)
+        _tiles(canvas, sheet, paper, [Drawing.joined(common), *layers], run.name)
+        steps_pages = draw_steps(canvas, facts)
+        canvas.save()
+
+    write_atomically(path, write, overwrite=overwrite)
+    pages = cover_pages + len(sheet.tiles) + steps_pages
+    return PrintedPattern(path, pages, steps_pages, sheet, paper, base.findings)
 
 
 def _square_shape() -> Any:
@@ -95,13 +160,13 @@ def _square_shape() -> Any:
     return shapely.box(-edge[0], -edge[1], SIZE_CM[0] + edge[0], SIZE_CM[1] + edge[1])
 
 
-def _tiles(canvas: Any, sheet: Sheet, paper: Paper, whole: Drawing, name: str) -> None:
+def _tiles(canvas: Any, sheet: Sheet, paper: Paper, drawings: Sequence[Drawing], name: str) -> None:
     width, height = paper.tile
-    canvas.beginForm(
-        _FORM, -GAP_CM, -GAP_CM, sheet.columns * width * POINTS_PER_CM, sheet.rows * height * POINTS_PER_CM
-    )
-    draw(canvas, whole)
-    canvas.endForm()
+    reach = sheet.columns * width * POINTS_PER_CM, sheet.rows * height * POINTS_PER_CM
+    layers = PdfLayers(canvas, (-GAP_CM, -GAP_CM, *reach))
+    for one in drawings:
+        layers.add(one)
+    layers.finish()
     present = set(sheet.tiles)
     for number, tile in enumerate(sheet.tiles, start=1):
         start_page(canvas, (paper.width, paper.height))
@@ -115,7 +180,8 @@ def _tiles(canvas: Any, sheet: Sheet, paper: Paper, whole: Drawing, name: str) -
         canvas.translate(
             -tile.column * width * POINTS_PER_CM, -(sheet.rows - 1 - tile.row) * height * POINTS_PER_CM
         )
-        canvas.doForm(_FORM)
+        for form in layers.forms:
+            canvas.doForm(form)
         canvas.restoreState()
         draw(canvas, _crosses(tile, present, width, height))
         canvas.restoreState()

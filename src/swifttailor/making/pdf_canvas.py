@@ -15,8 +15,8 @@ POINTS_PER_CM = 72.0 / INCH_CM
 PLAIN, BOLD = "Helvetica", "Helvetica-Bold"
 
 
-def new_canvas(path: Any, title: str, size: tuple[float, float]) -> Any:
-    """An empty PDF of pages of a size in cm.
+def new_canvas(path: Any, title: str, size: tuple[float, float], *, layers: bool = False) -> Any:
+    """An empty PDF of pages of a size in cm, of version 1.5 where it gets layers.
 
     Raises:
         MissingExtraError: reportlab is not installed.
@@ -26,6 +26,8 @@ def new_canvas(path: Any, title: str, size: tuple[float, float]) -> Any:
     except ImportError:
         raise MissingExtraError("reportlab", "print", "Writing PDF") from None
     canvas = Canvas(str(path), pagesize=_points(size), invariant=1, pageCompression=1)
+    if layers:  # forms of groups are of version 1.5
+        canvas._doc._pdfVersion = max(canvas._doc._pdfVersion, (1, 5))
     canvas.setTitle(printable(title))
     canvas.setCreator("swifttailor")
     canvas.setAuthor("")
@@ -101,5 +103,11 @@ def _text(canvas: Any, text: Text) -> None:
     place = {"start": canvas.drawString, "end": canvas.drawRightString}.get(
         text.anchor, canvas.drawCentredString
     )
-    place(0, 0, printable(text.text))
+    if text.halo:
+        canvas.setStrokeColor("#ffffff")
+        canvas.setLineWidth(0.5 * text.size * POINTS_PER_CM)
+        canvas.setLineJoin(1)
+        canvas.setDash([])
+        place(0, 0, printable(text.text), mode=1)
+    place(0, 0, printable(text.text), mode=0 if text.halo else None)
     canvas.restoreState()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -161,12 +161,18 @@ class CuttingPlan:
         return next(p for p in self.pieces if panel in (*p.panels, *p.mirrored))
 
 
-def cutting_plan(pattern: Pattern, allowances: Allowances | None = None) -> CuttingPlan:
+def cutting_plan(
+    pattern: Pattern,
+    allowances: Allowances | None = None,
+    *,
+    alike: Collection[frozenset[str]] | None = None,
+) -> CuttingPlan:
     """Makes pieces to cut from a pattern.
 
     Args:
         pattern: A pattern placed around a body.
         allowances: Around each kind of edge; usual ones when None.
+        alike: Sets of panels that may become one piece where they are alike; all may when None.
 
     Raises:
         PatternError: It cannot be cut or sewn.
@@ -177,7 +183,7 @@ def cutting_plan(pattern: Pattern, allowances: Allowances | None = None) -> Cutt
     notches = panel_notches(sewn, pairs)
     marks = {p.name: _edge_marks(sewn, p) for p in sewn.panels}
     shapes = {p.name: Shape.of(p, notches[p.name], tuple(m[0] for m in marks[p.name])) for p in sewn.panels}
-    groups = _group(sewn.panels, shapes)
+    groups = _group(sewn.panels, shapes, alike)
     names = piece_names([[sewn.panel(n).placed for n, _ in group] for group in groups])
     own_mirrors = {name: shape.onto(shape, mirrored=True) for name, shape in shapes.items()}
     seams = _numbered(sewn, find_seams(sewn), groups, own_mirrors)
@@ -211,7 +217,9 @@ def cutting_plan(pattern: Pattern, allowances: Allowances | None = None) -> Cutt
     return CuttingPlan(sewn, tuple(pieces), seams, pairs, allowances, tuple(findings))
 
 
-def _group(panels: Sequence[FlatPanel], shapes: dict[str, Shape]) -> list[list[tuple[str, Match]]]:
+def _group(
+    panels: Sequence[FlatPanel], shapes: dict[str, Shape], alike: Collection[frozenset[str]] | None
+) -> list[list[tuple[str, Match]]]:
     """Panels by the piece they are cut from, each with how it lies on the first of its group."""
     groups: list[list[tuple[str, Match]]] = []
     parts = {p.name: p.placed.part for p in panels}
@@ -220,6 +228,8 @@ def _group(panels: Sequence[FlatPanel], shapes: dict[str, Shape]) -> list[list[t
         for group in groups:
             first = shapes[group[0][0]]
             if parts[panel.name] is not parts[group[0][0]]:
+                continue
+            if alike is not None and not any({panel.name, group[0][0]} <= own for own in alike):
                 continue
             match = shape.onto(first, mirrored=False) or shape.onto(first, mirrored=True)
             if match is not None:

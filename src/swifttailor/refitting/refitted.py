@@ -24,13 +24,15 @@ from swifttailor.refitting.even_lengths import keep_seam_ratios
 from swifttailor.refitting.growing import PanelSheet
 from swifttailor.refitting.outlines import moved_panel
 from swifttailor.refitting.placing import placed_on
+from swifttailor.refitting.shaped_seams import curved, shaped_seams, straightened
 from swifttailor.refitting.stretch import Stretches, ease_scale, places_of, stretches
+from swifttailor.refitting.uncrossed import uncrossed
 
 _EDGE_CM = 2.5
 """Of the mesh on which places are looked up."""
 _AMOUNTS_CM, _DIRECTIONS_CM = 3.0, 6.0
 """Over what distances on the cloth amounts and directions are evened out."""
-_ROUNDS = 3
+_ROUNDS = 5
 """Of growing the panels and measuring what came of it."""
 _BAND_CM = 9.0
 """Panels that are lower are bands."""
@@ -84,12 +86,14 @@ def refit(
     sheets = [_Sheet(garment, number) for number in range(len(before.panels))]
     along = places_of(garment, start).along
     after, flat = before, np.array(garment.mesh.flat_vertices)
+    shaped = shaped_seams(before, likeness)
     for _ in range(_ROUNDS):
         grown = _grown(garment, sheets, along, stretch)
-        after = made_alike(_with_outlines(garment, grown), likeness)
+        after = made_alike(_with_outlines(garment, grown, shaped), likeness)
         after = made_alike(keep_seam_ratios(before, after), likeness)
         flat = _filled(garment, sheets, grown, after)
         stretch = stretch.corrected(garment.mesh, flat)
+    after = uncrossed(before, straightened(after, shaped), likeness)
     after = placed_on(before, after, start, end)
     after = made_alike(after, likeness)
     order = {panel.name: panel for panel in after.panels}
@@ -185,11 +189,12 @@ def _directions(sheet: PanelSheet, along: Floats) -> Floats:
     return vectors[:, :, 1]
 
 
-def _with_outlines(garment: Garment, grown: Floats) -> Pattern:
+def _with_outlines(garment: Garment, grown: Floats, shaped: frozenset[tuple[int, int]]) -> Pattern:
     """The pattern whose edges run where the edges' vertices went."""
     pattern = garment.pattern
     panels = []
     for number, panel in enumerate(pattern.panels):
         traces = [grown[edge] for edge in garment.mesh.edge_vertices[number]]
-        panels.append(moved_panel(panel, traces))
+        free = curved(panel, frozenset(k for own, k in shaped if own == number))
+        panels.append(moved_panel(free, traces))
     return replace(pattern, panels=tuple(panels))

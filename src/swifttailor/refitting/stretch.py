@@ -20,6 +20,8 @@ from swifttailor.pattern.check import panel_regions
 from swifttailor.refitting.body_profile import ARM_PLACES, BodyProfile
 from swifttailor.refitting.cloth_girths import cloth_around
 
+_WHOLE = 0.6
+"""Cloth of less of its usual width is cut into at that height, and is not measured there."""
 _STEP_CM = 2.0
 """From one height to the next at which cloth is measured."""
 _EVEN_CM = 3.0
@@ -198,24 +200,37 @@ def _trunk(
     )
     ringed = (heights > levels[_CROTCH]) if places.leg.any() else np.ones(len(heights), np.bool_)
     ringed &= heights < levels[_ARMPIT] - 1.0
+    # It goes around where front and back together do, wherever the side seams lie.
+    goes = cloth.sum(axis=1) >= np.interp(at, start.heights, start.girth)
     for k, name in enumerate(("front", "back")):
         hanging, close = (
-            _ratio(cloth[:, k], *(np.interp(h, start.heights, getattr(b, name)) for b in (start, end)), scale)
+            _wider(
+                cloth[:, k],
+                *(np.interp(h, start.heights, getattr(b, name)) for b in (start, end)),
+                scale,
+                goes,
+            )
             for h in (at, np.minimum(heights, at[-1]))
         )
-        ratio = (1 - tight) * hanging + tight * close
+        wanted = cloth[:, k] + (1 - tight) * hanging + tight * close
+        ratio = wanted / np.maximum(cloth[:, k], 1e-6)
+        there = cloth[:, k] > 0
+        ratio = np.where(there, ratio, np.interp(at, start.heights, end.girth / start.girth))
         more.append(np.interp(y, heights, ratio))
-        rings.append(Ring(y, parts[k], faces, heights[ringed], (raw[:, k] * ratio)[ringed]))
+        # Widths that were evened out would give the waist too little, and the seat too much.
+        exact = np.where(goes, raw[:, k] + wanted - cloth[:, k], raw[:, k] * ratio)
+        full = raw[:, k] > _WHOLE * cloth[:, k]
+        rings.append(Ring(y, parts[k], faces, heights[ringed], np.where(full, exact, 0.0)[ringed]))
     around = ahead * more[0] + (1 - ahead) * more[1]
     around = _shoulders(places, start, end, around)
     rising = height_map(start, end).derivative()(np.clip(y, -5.0, levels[-1] + 20.0))
     return around, rising * _over_the_middle(places, start, end), rings
 
 
-def _ratio(cloth: Floats, girth: Floats, other: Floats, scale: float) -> Floats:
-    """What cloth is multiplied by so that it is as wide as `wanted_width` says."""
-    wanted = wanted_width(cloth, girth, other, scale)
-    return np.where(cloth > 0, wanted / np.maximum(cloth, 1e-6), other / girth)
+def _wider(cloth: Floats, girth: Floats, other: Floats, scale: float, goes: Bools) -> Floats:
+    """How much wider (n,) part of the cloth becomes, cm: as the body there, or by its share of the girth."""
+    more = other + scale * (cloth - girth) - cloth
+    return np.where(goes, more, cloth * (other / girth - 1.0))
 
 
 def _shoulders(places: GarmentPlaces, start: BodyProfile, end: BodyProfile, around: Floats) -> Floats:
@@ -274,7 +289,8 @@ def _legs(
     """How far the vertices belong to legs by themselves (m,), and what their cloth is multiplied by (m,)."""
     y, x = places.points[:, 1], places.points[:, 0]
     crotch = start.levels[_CROTCH]
-    heights = np.arange(y[places.leg].min(), crotch + _STEP_CM, _STEP_CM)
+    # The legs of the shortest shorts end above the crotch.
+    heights = np.arange(min(y[places.leg].min(), crotch), crotch + _STEP_CM, _STEP_CM)
     faces = np.asarray(places.leg[garment.mesh.flat_faces].all(axis=1))
     parts = places.leg & (x > 0), places.leg & (x <= 0)
     raw = cloth_around(garment.mesh, y, faces, heights, parts)

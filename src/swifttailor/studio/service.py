@@ -5,13 +5,14 @@ from __future__ import annotations
 import asyncio
 import importlib.util
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from swifttailor import __version__
 from swifttailor.studio.app.limits import ServerLimits
 from swifttailor.studio.jobs import JobQueue
 from swifttailor.studio.mesh_record import MeshRecord
 from swifttailor.studio.mesh_store import MeshStore
+from swifttailor.studio.models.base import FabricName
 from swifttailor.studio.pictures import PictureStore
 from swifttailor.studio.project_store import ProjectStore
 from swifttailor.studio.shipped import shipped_examples, shipped_options
@@ -20,7 +21,6 @@ from swifttailor.studio.worker.lane import LiveLane, QuickLane
 
 _FIRST_PAGE_SECONDS = 0.5
 """That a browser has the processors for itself, about."""
-FABRICS = ("cotton", "denim", "silk", "jersey")
 _FORMATS = (
     ("json", "GarmentCode pattern", "pattern"),
     ("svg", "pattern drawing in true size", "pattern"),
@@ -131,7 +131,7 @@ class Studio:
             "projects": self.projects.summaries(),
             "claims": options["claims"],
             "dimensions": options["dimensions"],
-            "fabrics": list(FABRICS),
+            "fabrics": list(get_args(FabricName)),
             "formats": formats,
             "body": options["body"],
             "ready": all(worker.ready for worker in self.workers),

@@ -16,10 +16,16 @@ SEWN_FABRIC = "cotton"
 def fabric_unmet(wanted: Wanted) -> str | None:
     """The fabric that the garment does not hang like, though the text names it; None where there is none.
 
-    A fabric that only the name of a garment implies, such as that of jeans, is not one that was asked for.
+    One that is chosen beside the text outranks it, and what it is used for is said. A fabric that only
+    the name of a garment implies, such as that of jeans, is not one that was asked for.
     """
     heard = wanted.heard
-    if wanted.order.finish or heard.cloth in (None, SEWN_FABRIC) or heard.words is None:
+    if (
+        wanted.order.finish
+        or wanted.order.fabric is not None
+        or heard.cloth in (None, SEWN_FABRIC)
+        or heard.words is None
+    ):
         return None
     # The lexicon knows "satin skirt" as one name, with the fabric that it usually has.
     names = [
@@ -33,5 +39,5 @@ def fabric_warning(fabric: str) -> str:
     """The same for a person, and how it is met."""
     return (
         f"The fabric, {fabric}, is not met: without --finish (finish=True) a garment hangs like "
-        f"{SEWN_FABRIC}, and only shines like what was asked for. Add --finish."
+        f"{SEWN_FABRIC}, and only weighs and shines like what was asked for. Add --finish."
     )

@@ -69,15 +69,40 @@ def heard_notes(wanted: Wanted) -> list[str]:
         from swifttailor.wishes.heard_print import print_line
 
         found.append(f"Print: {print_line(heard.print)}.")
-    if heard.cloth is not None and wanted.order.finish:
-        found.append(f"Fabric: {heard.cloth}, the cloth that it was finished with.")
-    elif heard.cloth == SEWN_FABRIC and heard.words is not None and heard.words.cloths:
-        found.append(f"Fabric: {heard.cloth}, which every garment hangs like without --finish.")
+    found += _fabric_notes(wanted)
     if heard.cannot:
         found.append(f"Cannot be made: {'; '.join(heard.cannot)}.")
     if heard.left_out:
         found.append(f"Usual, and left out since it cannot be made: {'; '.join(heard.left_out)}.")
     return found
+
+
+def _fabric_notes(wanted: Wanted) -> list[str]:
+    """A fabric that was chosen, or that is met; one that is not met is a warning (`fabric_warning`)."""
+    heard, order = wanted.heard, wanted.order
+    if order.fabric is not None:
+        name = order.fabric if isinstance(order.fabric, str) else order.fabric.name
+        return [fabric_line(name, finish=order.finish)]
+    if heard.cloth is not None and order.finish:
+        return [fabric_line(heard.cloth, finish=True)]
+    if heard.cloth == SEWN_FABRIC and heard.words is not None and heard.words.cloths:
+        return [f"Fabric: {heard.cloth}, which every garment hangs like without --finish."]
+    return []
+
+
+def fabric_line(name: str, *, finish: bool) -> str:
+    """What a fabric was used for.
+
+    Args:
+        name: Of the fabric.
+        finish: Whether the garment hung to rest by physics.
+    """
+    if finish:
+        return f"Fabric: {name}, the cloth that it was finished with."
+    return (
+        f"Fabric: {name}, in weight and shine alone: the network knows no fabrics and hangs all as cotton. "
+        "With --finish physics hangs it."
+    )
 
 
 def _quoted(words: Sequence[str]) -> str:

@@ -17,6 +17,7 @@ from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 
 if TYPE_CHECKING:
     from swifttailor.body import Body
+    from swifttailor.draping.fabric import Fabric
     from swifttailor.garment.cloth_print import ClothPrint
     from swifttailor.tailor.looking import SeenPicture
 
@@ -73,6 +74,8 @@ class Order:
     """Edits are always written."""
     alter: bool = True
     """Whether patterns are recut until what the text asks for holds, as far as that can be cut."""
+    fabric: Fabric | str | None = None
+    """What it is made of; what the text names, or the tailor's, when None."""
     body: Body | None = None
     """Whom patterns are refitted to; the one that the text names, or the tailor's, when None."""
     edge_length: float = 2.0

@@ -178,13 +178,40 @@ def sew_answers(
                 seconds = answer.seconds | {"network": share, "decoding": time.perf_counter() - started}
                 report = _basic_report(garment, options) | garment.report | {"seconds": _rounded(seconds)}
                 garment = replace(garment, report=report)
+                made_of = _made_of(answer, fabric)
+                garment = replace(garment, report=garment.report | made_of.of(garment))
                 if options.finish:
-                    asked = None if answer.wanted is None else answer.wanted.heard.cloth
-                    garment = _finished(garment, options, body, asked or fabric, progress)
+                    garment = _finished(garment, options, body, made_of.fabric, progress)
             except SwiftTailorError as error:
                 yield error
             else:
+                garment = replace(garment, cloth=made_of.name)
                 yield _handed_over(garment, answer, None if options.finish else values, body)
+
+
+@dataclass(frozen=True)
+class _MadeOf:
+    """What a garment is made of."""
+
+    fabric: Fabric
+    name: str | None
+    """None where nobody chose it: then it shines as it always did."""
+
+    def of(self, garment: Garment) -> dict[str, Any]:
+        """What the garment's report says of it."""
+        from swifttailor.draping.cloth_need import cloth_need
+
+        return {"fabric": self.fabric.name, "cloth": cloth_need(garment.mesh, self.fabric)}
+
+
+def _made_of(answer: Answer, fabric: Fabric | str) -> _MadeOf:
+    """What the order says, else its text, else what the tailor makes all garments of."""
+    from swifttailor.draping.known_fabrics import get_fabric
+
+    wanted = answer.wanted
+    asked = None if wanted is None else wanted.order.fabric or wanted.heard.cloth
+    found = get_fabric(asked or fabric)
+    return _MadeOf(found, None if asked is None and found.name == "cotton" else found.name)
 
 
 def _finished(
@@ -228,7 +255,6 @@ def _handed_over(garment: Garment, answer: Answer, predicted: Any, body: Body | 
     images = answer.prepared if isinstance(answer.prepared, Prepared) else None
     if answer.wanted is not None:
         garment = replace(garment, color=answer.wanted.color, print=answer.wanted.print)
-        garment = replace(garment, cloth=answer.wanted.heard.cloth)
     return Tailored(
         garment,
         replace(answer, prepared=None),

@@ -19,7 +19,22 @@ export interface ErrorInfo {
 
 export type Severity = "error" | "warning" | "info";
 export type Part = "upper" | "lower" | "whole";
-export type FabricName = "cotton" | "denim" | "silk" | "jersey";
+export type FabricName =
+  | "cotton"
+  | "linen"
+  | "twill"
+  | "denim"
+  | "silk"
+  | "chiffon"
+  | "wool"
+  | "leather"
+  | "polyester"
+  | "jersey"
+  | "rib-knit"
+  | "sweatshirt"
+  | "ponte"
+  | "fleece"
+  | "swimwear";
 export type Unit = "cm" | "pieces" | "times";
 
 export interface EdgePlace {

@@ -14,7 +14,7 @@ from swifttailor.data.builder.make_sample import MadeSample, SampleTask, guarded
 from swifttailor.draping.batch.make_garment import read_sewable, shared_body
 from swifttailor.draping.cloth import build_cloth
 from swifttailor.draping.collider import vertices_ignoring_arms
-from swifttailor.draping.fabric import get_fabric
+from swifttailor.draping.known_fabrics import get_fabric
 from swifttailor.draping.quality import measure_quality
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.sewer import SHIPPED, GarmentSewer

@@ -10,7 +10,7 @@ from typing import Any
 from swifttailor import __version__
 from swifttailor.body import Body
 from swifttailor.draping.engines import find_engine
-from swifttailor.draping.fabric import get_fabric
+from swifttailor.draping.known_fabrics import get_fabric
 from swifttailor.errors import InputError
 from swifttailor.pattern.panel import RotationReading
 

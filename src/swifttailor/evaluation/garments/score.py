@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Floats
 from swifttailor.draping.cloth import ClothModel, build_cloth
-from swifttailor.draping.fabric import FABRICS
+from swifttailor.draping.known_fabrics import FABRICS
 from swifttailor.errors import GeometryError, InputError
 from swifttailor.evaluation.garment_kind import KINDS, GarmentKind, garment_kind
 from swifttailor.evaluation.garments.cloud_distances import chamfer, earth_mover, surface_distance

@@ -134,7 +134,7 @@ def reading_of(made: Tailored, facts: GarmentFacts | None) -> dict[str, Any]:
         "shown": shown_chips(facts, [*done, *assumed, *missed]),
         "language": None if heard.words is None else heard.words.language,
         "color": wanted.color,
-        "fabric": heard.cloth if heard.cloth in ("cotton", "denim", "silk", "jersey") else None,
+        "fabric": heard.cloth,
     }
 
 

@@ -8,7 +8,24 @@ from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
 Severity = Literal["error", "warning", "info"]
 Part = Literal["upper", "lower", "whole"]
-FabricName = Literal["cotton", "denim", "silk", "jersey"]
+FabricName = Literal[
+    "cotton",
+    "linen",
+    "twill",
+    "denim",
+    "silk",
+    "chiffon",
+    "wool",
+    "leather",
+    "polyester",
+    "jersey",
+    "rib-knit",
+    "sweatshirt",
+    "ponte",
+    "fleece",
+    "swimwear",
+]
+"""Those of `draping.known_fabrics`."""
 Unit = Literal["cm", "pieces", "times"]
 UnitOrNone = Literal["", "cm", "pieces", "times"]
 Source = Literal["text", "picture", "pattern"]
