@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import pickle
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,7 @@ from old_style import old_style
 
 from swifttailor.pattern import Arc, Cubic, Pattern, Quadratic, to_specification
 from swifttailor.pattern.curve import Curve, evaluate, to_relative
+from swifttailor.pattern.panel import Edge
 
 PROPERTIES = {
     "curvature_coords": "relative",
@@ -46,13 +48,17 @@ def write_pickle(path: Path) -> None:
 
 
 def predicted(
-    pattern: Pattern, *, quadratic_only: bool = False, names: Mapping[str, str] | None = None, dangling: bool = False
+    pattern: Pattern,
+    *,
+    quadratic_only: bool = False,
+    names: Mapping[str, str] | None = None,
+    dangling: bool = False,
 ) -> dict:
     """The pattern as `NNSewingPattern` holds it.
 
     Args:
         pattern: Placed in this package's way.
-        quadratic_only: Whether all curves are one control point, given as a bare list, as before GarmentCode.
+        quadratic_only: Whether a curve is one control point, given as a bare list, as before GarmentCode.
         names: Other names for panels.
         dangling: Whether the first panel's last edge misses the start, so that a vertex is added.
     """
@@ -65,7 +71,7 @@ def predicted(
         edges = []
         for k, edge in enumerate(panel.edges):
             written: dict = {"endpoints": [k, (k + 1) % count]}
-            curvature = _curvature(edge.curve, panel.chord(k), quadratic_only)
+            curvature = _curvature(edge.curve, quadratic_only)
             if curvature is not None:
                 written["curvature"] = curvature
             edges.append(written)
@@ -85,12 +91,11 @@ def predicted(
     return {"pattern": inner, "parameters": {}, "parameter_order": [], "properties": dict(PROPERTIES)}
 
 
-def _curvature(curve: Curve, chord: np.ndarray, quadratic_only: bool):
-    if quadratic_only and isinstance(curve, Cubic | Arc):
-        middle = evaluate(curve, chord, [0.5])[0]
-        curve = Quadratic(to_relative(2 * middle - chord.mean(axis=0), chord))
+def _curvature(curve: Curve, quadratic_only: bool):
     if isinstance(curve, Quadratic):
-        return list(curve.control) if quadratic_only else {"type": "quadratic", "params": [list(curve.control)]}
+        return (
+            list(curve.control) if quadratic_only else {"type": "quadratic", "params": [list(curve.control)]}
+        )
     if isinstance(curve, Cubic):
         return {"type": "cubic", "params": [list(curve.control_1), list(curve.control_2)]}
     if isinstance(curve, Arc):
@@ -98,9 +103,26 @@ def _curvature(curve: Curve, chord: np.ndarray, quadratic_only: bool):
     return None
 
 
+def with_quadratics(pattern: Pattern) -> Pattern:
+    """The nearest pattern of lines and quadratic curves."""
+    panels = tuple(
+        replace(p, edges=tuple(Edge(_quadratic(e.curve, p.chord(k)), e.label) for k, e in enumerate(p.edges)))
+        for p in pattern.panels
+    )
+    return replace(pattern, panels=panels)
+
+
+def _quadratic(curve: Curve, chord: np.ndarray) -> Curve:
+    """Through the middle of the curve."""
+    if not isinstance(curve, Cubic | Arc):
+        return curve
+    through = evaluate(curve, chord, [0.5])[0]
+    return Quadratic(to_relative(2 * through - chord.mean(axis=0), chord))
+
+
 def in_t_pose(pattern: Pattern) -> Pattern:
     """The garment for a body in T-pose around the origin, in this package's reading of the angles."""
-    old = old_style(pattern).with_rotation_reading("extrinsic")
+    old = old_style(with_quadratics(pattern)).with_rotation_reading("extrinsic")
     panels = tuple(type(p)(p.name, p.vertices, p.edges, p.placement.read_as("intrinsic")) for p in old.panels)
     return Pattern(panels, old.stitches)
 
@@ -146,13 +168,17 @@ def aipparel(root: Path, patterns: Mapping[str, Pattern]) -> list[str]:
 
 
 def chatgarment(root: Path, patterns: Mapping[str, Pattern]) -> list[str]:
-    """``scripts/evaluate_garment_v2_imggen_1float.py`` and ``run_garmentcode_sim.py``: two garments or one."""
+    """``scripts/evaluate_garment_v2_imggen_1float.py``, ``run_garmentcode_sim.py``: two garments or one."""
     shown = root / "example_imgs_img_recon" / "vis_new"
     ids, specifications = [], []
     names = list(patterns)
     for k in range(0, len(names), 2):
         both = k % 4 == 0 and k + 1 < len(names)
-        groups = [[("upper", names[k]), ("lower", names[k + 1])]] if both else [[("wholebody", n)] for n in names[k : k + 2]]
+        groups = (
+            [[("upper", names[k]), ("lower", names[k + 1])]]
+            if both
+            else [[("wholebody", n)] for n in names[k : k + 2]]
+        )
         for group in groups:
             image = group[0][1]
             folder = shown / f"valid_garment_{image}.png"
@@ -175,10 +201,14 @@ def chatgarment(root: Path, patterns: Mapping[str, Pattern]) -> list[str]:
 
 
 def sewingldm(root: Path, patterns: Mapping[str, Pattern]) -> list[str]:
-    """``scripts/dress_multimodal_condition.py``: one run a folder, all called alike; and a batch of the data set."""
+    """``scripts/dress_multimodal_condition.py``: one run a folder, all called alike; and batches."""
     ids = []
     for k, (name, pattern) in enumerate(patterns.items()):
-        content = predicted(pattern, dangling=k % DANGLING_EVERY == 0)
+        lower = [p.name for p in pattern.panels if p.label == "leg" and not p.name.startswith("wb")]
+        names = {
+            panel: f"bottom_panel_{i}" for i, panel in enumerate(lower)
+        }  # skirts and trousers share slots
+        content = predicted(pattern, names=names, dangling=k % DANGLING_EVERY == 0)
         content["pattern"]["new_panel_ids"] = [*range(len(pattern.panels)), *[None] * 3]
         for written, stitch in zip(content["pattern"]["stitches"], pattern.stitches, strict=True):
             written += ["right_wrong"] if stitch.right_wrong else []
@@ -192,7 +222,9 @@ def sewingldm(root: Path, patterns: Mapping[str, Pattern]) -> list[str]:
             folder = root / "test" / f"{pname}__predicted_"
             content["properties"]["correct_num_panels"] = len(pattern.panels)
             _save(folder / f"{pname}__predicted__specification.json", content)
-            _save(folder / f"{name}_specification.json", to_specification(pattern))  # what it should have made
+            _save(
+                folder / f"{name}_specification.json", to_specification(pattern)
+            )  # what it should have made
             (folder / "free_text.txt").write_text("Use text")
             ids.append(pname)
     return ids
@@ -260,11 +292,13 @@ def _notes(folder: Path) -> None:
 
 
 def pattern_generator(root: Path, patterns: Mapping[str, Pattern]) -> list[str]:
-    """``data_generation/datagenerator.py``: a template beside the folders, parameters, lengths of any unit."""
+    """``data_generation/datagenerator.py``: a template beside them, parameters, any unit."""
     data = root / f"data_20_tee_{STAMP}"
     for k, (name, pattern) in enumerate(patterns.items()):
         content = predicted(in_t_pose(pattern), quadratic_only=True)
-        content["parameters"] = {"length": {"influence": [], "range": [0.5, 1.5], "value": 1.1, "type": "length"}}
+        content["parameters"] = {
+            "length": {"influence": [], "range": [0.5, 1.5], "value": 1.1, "type": "length"}
+        }
         content["parameter_order"] = ["length"]
         content["constraints"], content["constraint_order"] = {}, []
         del content["pattern"]["panel_order"]
@@ -294,7 +328,12 @@ def garmagenet(root: Path, patterns: Mapping[str, Pattern]) -> list[str]:
         extracted = root / "sketch_cond_extracted" / f"garment_{name}"
         drawn, notes, pieces = _style3d(pattern)
         if k == 0:  # a hole in the first panel, which has a contour of its own
-            hole = {"type": 4, "circleType": 1, "edges": drawn["panels"][0]["seqEdges"][0]["edges"][:3], "vertices": []}
+            hole = {
+                "type": 4,
+                "circleType": 1,
+                "edges": drawn["panels"][0]["seqEdges"][0]["edges"][:3],
+                "vertices": [],
+            }
             drawn["panels"][0]["seqEdges"].append(json.loads(json.dumps(hole)))
             pieces.insert(1, pieces[0][:9])
             notes["panel_instance_seg"].insert(1, 0)
@@ -338,8 +377,15 @@ def _style3d(pattern: Pattern) -> tuple[dict, dict, list[np.ndarray]]:
             edges.append({"bezierPoints": [[0, 0, 0]] * 2, "controlPoints": controls, "id": f"e{number}_{k}"})
         for k, pair in enumerate(ends):
             pair[1] = ends[(k + 1) % len(ends)][0]
-        outline = {"type": 3, "circleType": 0, "edges": edges, "vertices": [e["controlPoints"][0] for e in edges]}
-        panels.append({"center": center.tolist(), "seqEdges": [outline], "id": f"p{number}", "label": f"{number:02d}"})
+        outline = {
+            "type": 3,
+            "circleType": 0,
+            "edges": edges,
+            "vertices": [e["controlPoints"][0] for e in edges],
+        }
+        panels.append(
+            {"center": center.tolist(), "seqEdges": [outline], "id": f"p{number}", "label": f"{number:02d}"}
+        )
         pieces.append((np.concatenate(space) - [0.0, 100.0, 0.0]) / 100.0)
         counts.append(len(edges))
         approx += ends

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from swifttailor.arrays import Floats
+from swifttailor.data.released.known_place import KnownPlace
 from swifttailor.data.released.layout import Answer, Layout
 from swifttailor.data.released.listing import Listing
 from swifttailor.data.released.stretches import cut_at_stitches
@@ -202,4 +203,12 @@ def _facing_outward(pattern: Pattern) -> Pattern:
     return Pattern(tuple(p.reversed() for p in pattern.panels), stitches)
 
 
-GARMAGENET = Layout("garmagenet", "GarmageNet", "garment_NAME/garment.json", "intrinsic", _answers, _read)
+GARMAGENET = Layout(
+    "garmagenet",
+    "GarmageNet",
+    "garment_NAME/garment.json",
+    "intrinsic",
+    _answers,
+    _read,
+    place=KnownPlace(raised=0.0, arms_level=False),
+)

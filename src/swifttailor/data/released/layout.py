@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from swifttailor.data.released.known_place import KnownPlace
 from swifttailor.data.released.listing import Listing
 from swifttailor.pattern import Reading, read_pattern_file
 from swifttailor.pattern.panel import RotationReading
@@ -40,6 +41,9 @@ class Layout:
     """All outputs of a folder; none where the folder is not of this system."""
     read: Callable[[Listing, Answer], Reading] | None = None
     """Reads an output's file; None for the pattern format of GarmentCode and its forerunners."""
+
+    place: KnownPlace | None = None
+    """The body that its patterns are placed around, where panels are called by numbers."""
 
     def reading(self, listing: Listing, answer: Answer) -> Reading:
         """Reads the file of an answer that has one.

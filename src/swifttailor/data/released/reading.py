@@ -94,7 +94,10 @@ def _read(listing: Listing, layout: Layout, answer: Answer, id: str) -> Output:
         return told
     try:
         reading = layout.reading(listing, answer)
-        repair = repair_pattern(reading.pattern, reading.findings)
+        pattern, settled = reading.pattern, ()
+        if layout.place is not None:
+            pattern, settled = layout.place.settle(pattern)
+        repair = repair_pattern(pattern, reading.findings, keep_places=layout.place is not None)
     except SwiftTailorError as error:
         return replace(told, error=str(error).replace(f"{listing.root}/", ""))
     wrong = [f for f in repair.remaining if f.severity is Severity.ERROR]
@@ -102,7 +105,7 @@ def _read(listing: Listing, layout: Layout, answer: Answer, id: str) -> Output:
     more = f", and {len(wrong) - 1} more" if len(wrong) > 1 else ""
     error = f"{wrong[0].message}{place}{more}." if wrong else ""
     pattern = replace(_in_house(repair.pattern), name=id)
-    return replace(told, pattern=pattern, error=error, changes=repair.changes)
+    return replace(told, pattern=pattern, error=error, changes=(*settled, *repair.changes))
 
 
 def _in_house(pattern: Pattern) -> Pattern:

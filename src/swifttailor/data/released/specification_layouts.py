@@ -10,9 +10,12 @@ import re
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
+from swifttailor.data.released.known_place import KnownPlace
 from swifttailor.data.released.layout import Answer, Layout
 from swifttailor.data.released.listing import Listing
 
+_AROUND_THE_ORIGIN = KnownPlace(raised=112.0, arms_level=True)
+"""The body of the data that DressCode is trained on (Garment-Pattern-Generator): in T-pose at the origin."""
 _ENDING = "_specification.json"
 _NOT_MADE = re.compile(r"(_gt__?|_template)_?specification\.json$|^_gt_")
 _IMAGE = re.compile(r"\.(png|jpe?g|webp|bmp)$", re.IGNORECASE)
@@ -177,7 +180,14 @@ SPECIFIC = (
         _sewingldm,
     ),
     Layout("sewformer", "Sewformer", "_predicted_single_specification.json", "extrinsic", _sewformer),
-    Layout("dresscode", "DressCode", "pred_0/specification.json", "extrinsic", _dresscode),
+    Layout(
+        "dresscode",
+        "DressCode",
+        "pred_0/specification.json",
+        "extrinsic",
+        _dresscode,
+        place=_AROUND_THE_ORIGIN,
+    ),
     Layout(
         "design2garmentcode",
         "Design2GarmentCode",

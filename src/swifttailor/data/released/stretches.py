@@ -7,7 +7,7 @@ both sides are cut where either begins, ends or has a corner, at equal shares of
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import chain, pairwise
 
 import numpy as np
 
@@ -19,6 +19,8 @@ from swifttailor.pattern.curve import Curve, to_relative
 _SNAP_CM = 0.5
 """Ends closer to a corner than this are at the corner: the network places them on points 1 to 2 cm apart."""
 _STRAIGHT_CM = 0.1
+_MOST_TURN, _MOST_PARTS = np.deg2rad(100.0), 8
+"""How far a curve may turn that one cubic follows."""
 _ROUNDS = 6
 _MAX_CUTS = 400
 
@@ -41,7 +43,23 @@ class _Loop:
         counts = np.cumsum([0] + [len(edge) - 1 for edge in outline.edges])
         self.corners = self.lengths[counts]
         self.total = float(self.lengths[-1])
-        self.cuts: list[float] = sorted(set(self.corners[:-1].tolist()))
+        bends = [self._bends(edge, at) for edge, at in zip(outline.edges, self.corners[:-1], strict=True)]
+        self.cuts: list[float] = [0.0]
+        for at in (*self.corners[1:-1].tolist(), *chain.from_iterable(bends)):
+            self.cut(at)  # corners nearer than that to others are no corners
+
+    @staticmethod
+    def _bends(edge: Floats, at: float) -> list[float]:
+        """Where an edge that turns far is cut, so that one cubic follows each part."""
+        steps = np.diff(edge, axis=0)
+        lengths = np.linalg.norm(steps, axis=1)
+        steps = steps[lengths > 1e-9]
+        if len(steps) < 2:
+            return []
+        angles = np.arctan2(steps[:, 1], steps[:, 0])
+        turns = np.abs((np.diff(angles) + np.pi) % (2 * np.pi) - np.pi).sum()
+        parts = min(int(turns / _MOST_TURN) + 1, _MOST_PARTS)
+        return (at + lengths.sum() * np.arange(1, parts) / parts).tolist()
 
     def place(self, parameter: float) -> float:
         """Arc length, cm, of an edge's number plus a share of it."""

@@ -19,10 +19,13 @@ from swifttailor.pattern.json_values import as_list, as_number, as_object, as_te
 
 MAX_PANELS = 500
 MAX_EDGES = 2000
-MAX_POINTS = 200
+MAX_POINTS, MAX_ALL_POINTS = 200, 100_000
 MAX_STITCHES = 5000
 _CM = 0.1
 _OUTLINE = 3
+_SAME_CM = 1e-3
+_FINE = 6
+"""Pieces of a polyline between two points that a curve passes through."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +34,7 @@ class Outline:
 
     name: str
     edges: tuple[Floats, ...]
-    """Points (n, 2) of each edge in cm, both ends included; each starts where the one before ends."""
+    """Polyline (n, 2) of each edge in cm, both ends included; each starts where the one before ends."""
     lines_inside: int
     """How many holes and inner lines the file has, which a panel here does not."""
 
@@ -76,6 +79,10 @@ def parse_style3d(content: Any) -> Style3DPattern:
         piece = as_text(panel.get("id"), f"{where}.id")
         place_of |= {(piece, edge): (k, number) for number, edge in enumerate(ids)}
         outlines.append(outline)
+        if sum(len(e) for o in outlines for e in o.edges) > MAX_ALL_POINTS * _FINE:
+            raise PatternError(
+                f"panels: more than {MAX_ALL_POINTS} points, which is more than any garment has."
+            )
     names = [o.name for o in outlines]
     if len(set(names)) < len(names):
         outlines = [Outline(f"panel_{k}", o.edges, o.lines_inside) for k, o in enumerate(outlines)]
@@ -106,7 +113,7 @@ def _outline(panel: dict[str, Any], where: str, number: int) -> tuple[Outline, l
         if len(points) < 2:
             raise PatternError(f"{place}.controlPoints: at least 2 points are needed, got {len(points)}.")
         flat = [as_vector(as_list(p, place, (2, 3))[:2], place, 2) for p in points]
-        edges.append((np.array(flat) + center) * _CM)
+        edges.append(_smooth((np.array(flat) + center) * _CM))
         ids.append(as_text(edge.get("id"), f"{place}.id"))
     if len(edges) < 2:
         raise PatternError(f"{where}: at least 2 edges are needed, got {len(edges)}.")
@@ -115,6 +122,21 @@ def _outline(panel: dict[str, Any], where: str, number: int) -> tuple[Outline, l
     label = panel.get("label") or panel.get("name") or f"{number:02d}"
     name = as_text(str(label), f"{where}.label")
     return Outline(name, tuple(edges), len(lines) - 1), ids
+
+
+def _smooth(points: Floats) -> Floats:
+    """A fine polyline along the smooth curve through points (n, 2), with the same ends."""
+    from scipy.interpolate import CubicSpline
+
+    apart = np.concatenate([[True], np.linalg.norm(np.diff(points, axis=0), axis=1) > _SAME_CM])
+    own = points[apart] if apart[-1] else np.concatenate([points[apart][:-1], points[-1:]])
+    if len(own) < 3:
+        return points[[0, -1]].copy()
+    at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(own, axis=0), axis=1))])
+    fine = np.interp(np.arange((len(own) - 1) * _FINE + 1) / _FINE, np.arange(len(own)), at)
+    curve = CubicSpline(at, own)(fine)
+    curve[0], curve[-1] = points[0], points[-1]
+    return curve
 
 
 def _stretch(
