@@ -1,7 +1,7 @@
 """Folders written by GarmentCode's own code are read: its names, its meshes, its compaction.
 
 Needs a checkout of GarmentCode, named by $SWIFTTAILOR_GARMENTCODE_CHECKOUT, and a Python with its needs
-(libigl, cgal, svgpathtools, cairosvg, matplotlib, trimesh: the dependencies of the package `pygarment`), named
+(libigl, cgal, svgpathtools, cairosvg, matplotlib, trimesh: what the package `pygarment` asks for), named
 by $SWIFTTAILOR_GARMENTCODE_PYTHON. The package itself will not do: 2.0.2 lacks `meshgen/render`.
 """
 
