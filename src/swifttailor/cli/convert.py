@@ -22,6 +22,7 @@ PATTERN_ENDINGS = (".svg", ".json", ".pdf", ".dxf", ".md", ".zip", ".obj")
 _OF_FOLDERS = tuple(ending for ending in PATTERN_ENDINGS if ending != ".obj")
 """Targets for which a garment's folder is taken as its pattern."""
 _CUT = (".pdf", ".dxf", ".md", ".zip")
+_LISTS = (".jsonl", ".jsonl.gz")
 _COLORED = (".glb", ".usd", ".usda", ".usdc", ".usdz")
 _PRINTED = (".glb", ".usdz")
 _MOST_ALLOWANCE_CM = 10.0
@@ -35,7 +36,8 @@ class Convert:
     .zip (a bundle for CLO and Style3D), .obj (flat panels with sewing springs, for Blender), .svg or
     .json. A garment (.glb, .obj, .ply, .stl, .usd, .usda, .usdc, .usdz, or a folder written by another
     command) becomes any of these formats. A folder is taken as its pattern where the target is a pattern's
-    format other than .obj.
+    format other than .obj. A folder of outputs of another system (AIpparel, ChatGarment, SewingLDM, ...)
+    becomes a list of its patterns, mended, as .jsonl or .jsonl.gz.
     """
 
     source: Annotated[Path, tyro.conf.Positional]
@@ -72,6 +74,9 @@ class Convert:
     with_body: tyro.conf.FlagCreatePairsOff[bool] = False
     """Put the mannequin into .glb and .usd too."""
 
+    layout: Annotated[str | None, tyro.conf.arg(metavar="NAME")] = None
+    """Of .jsonl: which system has written the folder. Default: told by its files."""
+
     overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
     """Replace the target where there is one already."""
     open: tyro.conf.FlagCreatePairsOff[bool] = False
@@ -80,6 +85,10 @@ class Convert:
     def run(self) -> int:
         """Converts, prints the file written, and returns the exit code."""
         self._require_sense()
+        if self.target.name.lower().endswith(_LISTS):
+            from swifttailor.cli.released_outputs import write_list
+
+            return write_list(self.source, self.target, self.layout, overwrite=self.overwrite)
         sizes = self._sizes()
         if sizes:
             self._convert_sizes(sizes)
@@ -145,8 +154,9 @@ class Convert:
             ("--color", self.color is not None, _COLORED),
             ("--print", self.print is not None, _PRINTED),
             ("--with-body", self.with_body, _COLORED),
+            ("--layout", self.layout is not None, _LISTS),
         ):
-            if given and self._ending not in endings:
+            if given and not self.target.name.lower().endswith(endings):
                 raise InputError(
                     f"{option} has no use in '{self.target.name}'. It is for {', '.join(endings)}."
                 )

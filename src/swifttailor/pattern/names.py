@@ -45,7 +45,7 @@ EDGE_LABELS: tuple[str, ...] = (
 _SIDES = (("left_", "right_"), ("_l_", "_r_"), ("_l ", "_r "))
 _CLASS_ID = {name: k for k, name in enumerate(PANEL_NAMES)}
 _ARM = re.compile(r"(^|_)(sl|sleeve|sleeves|arm|hand)(_|\d|$)|sleeve", re.IGNORECASE)
-_LEG = re.compile(r"pant|skirt|trouser|leg|short|godet|(^|_)ins_", re.IGNORECASE)
+_LEG = re.compile(r"pant|skirt|trouser|leg|short|godet|(^|_)ins_|^bottom_panel", re.IGNORECASE)
 _BODY = re.compile(r"torso|bodice|yoke|hood|collar|lapel|waist_?band|belt|(^|_)wb(_|\d|$)", re.IGNORECASE)
 _NUMBER = re.compile(r"(\d+)")
 

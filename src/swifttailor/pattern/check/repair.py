@@ -55,6 +55,7 @@ def repair_pattern(
     body: BodyProbe | SignedDistance | None = None,
     largest_move: float = MAX_MOVE_CM,
     largest_share: float = 0.0,
+    keep_places: bool = False,
 ) -> Repair:
     """Mends what is safe to mend and leaves alone what would need a guess.
 
@@ -70,12 +71,14 @@ def repair_pattern(
             as changes.
         body: As for `check_pattern`.
         largest_move: How far a point of an outline may be moved, cm: as far as it may be off.
+        keep_places: Whether panels are known to stand where they are worn, and stay there.
         largest_share: The same as a share of the panel's size; whichever is more counts.
     """
     changes = [_reader_change(f) for f in reader_findings]
     probe = body_probe(body)
     levels = BodyLevels() if probe is None else probe.levels
     place = [partial(step, levels=levels) for step in (reread_angles, move_to_body, turn_limbs)]
+    place = [] if keep_places else place
     effort, tried = Effort(), {}
     free = partial(
         _free_crossings, largest_move=largest_move, largest_share=largest_share, effort=effort, tried=tried
