@@ -95,9 +95,8 @@ def summarise(results: Path) -> None:
     for fabric in FABRICS:
         own = [r for r in rows if r["key"][1] == fabric]
         if own:
-            mean = {
-                name: np.mean([r[name] for r in own if r[name] is not None]) for name in own[0] if name != "key"
-            }
+            names = [name for name in own[0] if name != "key"]
+            mean = {n: np.mean([r[n] for r in own if r[n] is not None]) for n in names}
             print(fabric, f"n = {len(own)}", ", ".join(f"{k} {v:.4g}" for k, v in mean.items()))
 
 

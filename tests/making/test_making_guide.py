@@ -28,7 +28,7 @@ def test_the_guide(tmp_path, monkeypatch, capsys):
     made = {p.name for p in tmp_path.iterdir()}
     assert made == {
         "dress.json", "dress.pdf", "dress.dxf", "dress-steps.md", "dress-marker.svg", "dress-cad.zip",
-        "dress-panels.obj",
+        "dress-panels.obj", "dress-sizes", "dress-sizes.pdf", "dress-sizes.dxf",
     }  # fmt: skip
     capsys.readouterr()
     for block in blocks("python"):

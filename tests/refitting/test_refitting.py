@@ -162,3 +162,59 @@ def test_a_size_run_grows_evenly(garments):
         widths.append(np.ptp(panel.outline()[:, 0]))
     steps = np.diff(widths)
     assert (steps > 0.5).all() and np.ptp(steps) < 1.0
+
+
+def test_curves_that_would_cross_another_edge_are_drawn_flatter():
+    from swifttailor.pattern import Edge, Panel, Pattern, Placement
+    from swifttailor.pattern.check.crossings import find_crossing
+    from swifttailor.pattern.check.outline import trace_outline
+    from swifttailor.pattern.curve import Arc
+    from swifttailor.refitting.alike import find_likeness
+    from swifttailor.refitting.uncrossed import uncrossed
+
+    def band(height: float) -> Pattern:
+        # Below, a bow of 8 cm that reaches up into the panel; above, a straight edge.
+        corners = [[0.0, 0.0], [20.0, 0.0], [20.0, height], [0.0, height]]
+        rise = 8.0
+        bow = Arc((10.0**2 + rise**2) / (2 * rise), large=False, right=False)
+        return Pattern((Panel("band", corners, (Edge(bow), Edge(), Edge(), Edge()), Placement((0, 0, 0))),))
+
+    before, after = band(10.0), band(7.5)
+    assert find_crossing(trace_outline(before.panels[0])) is None
+    assert find_crossing(trace_outline(after.panels[0])) is not None
+    made = uncrossed(before, after, find_likeness(before))
+    assert find_crossing(trace_outline(made.panels[0])) is None
+    np.testing.assert_array_equal(made.panels[0].vertices, after.panels[0].vertices)
+    bow = made.panels[0].edges[0].curve
+    rise = bow.radius - np.sqrt(bow.radius**2 - 10.0**2)
+    assert 7.5 * 0.9 < rise < 7.5
+    assert uncrossed(after, after, find_likeness(after)) is after, "what crossed itself before is left alone"
+
+
+def test_side_seams_may_curve_and_nothing_else_does(bodies, garments):
+    pattern, sewn = garments["t-shirt"]
+    made = refit(pattern, bodies["men 54"], sewn=sewn).pattern
+    curved = {
+        (new.name, k)
+        for new, old in zip(made.panels, pattern.panels, strict=True)
+        for k, (a, b) in enumerate(zip(new.edges, old.edges, strict=True))
+        if type(a.curve) is not type(b.curve)
+    }
+    sides = {
+        (ref.panel, ref.edge)
+        for stitch in pattern.stitches
+        for ref in stitch.sides
+        if stitch.first.panel != stitch.second.panel and pattern.edge_length(ref) >= 12
+    }
+    assert curved <= sides
+
+
+def test_shorts_that_end_above_the_crotch_are_refitted(bodies):
+    from swifttailor.refitting.stretch import stretches
+
+    sewn = sewn_on(Body.default(), 2.5)(draft("trousers"))
+    start, end = profile_of(Body.default()), profile_of(bodies["women 48"])
+    places = places_of(sewn, start)
+    lifted = np.maximum(places.points, [-1e3, start.levels[3] + 5.0, -1e3])
+    found = stretches(sewn, replace(places, points=lifted), start, end)
+    assert np.isfinite(found.around).all() and np.isfinite(found.along).all()
