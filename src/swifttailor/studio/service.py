@@ -134,6 +134,7 @@ class Studio:
             "fabrics": list(FABRICS),
             "formats": formats,
             "body": options["body"],
+            "wearers": options["wearers"],
             "ready": all(worker.ready for worker in self.workers),
             "notices": notices,
         }

@@ -3,13 +3,14 @@
 import { type RefObject, useEffect, useState } from "react";
 import { tellFailure } from "../actions/failures";
 import { sewAgain } from "../actions/live";
+import { bodyOf, wearerKey } from "../actions/wearers";
 import { ApiError } from "../api/client";
 import { useDisplay } from "../state/display";
 import { seamColor } from "../state/seam-colors";
 import { useSession } from "../state/session";
 import { currentVersion, shownMesh, shownPattern, useStudio } from "../state/store";
 import { DEFAULT_CLOTH } from "./cloth-color";
-import { bodyMesh, garmentMesh } from "./mesh-cache";
+import { garmentMesh } from "./mesh-cache";
 import type { MeshData } from "./mesh-file";
 import { GarmentViewer } from "./viewer";
 
@@ -111,13 +112,16 @@ function followMesh(viewer: GarmentViewer): () => void {
 function followBody(viewer: GarmentViewer): () => void {
   let shown: string | null = null;
   const update = () => {
-    const name = currentVersion(useStudio.getState())?.body ?? useSession.getState().server?.body ?? null;
-    if (name === null || name === shown) return;
+    const pattern = currentVersion(useStudio.getState())?.pattern ?? null;
+    if (useSession.getState().server === null) return;
+    const name = wearerKey(pattern);
+    if (name === shown) return;
     shown = name;
-    bodyMesh(name).then((data) => {
+    bodyOf(pattern).then((data) => {
       if (shown !== name) return;
       viewer.showBody(data);
       viewer.setBodyVisible(useDisplay.getState().body);
+      viewer.stage.mark("wearer", name);
       if (viewer.data === null) viewer.frameAll(false);
     }, tellFailure);
   };

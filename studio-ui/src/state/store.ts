@@ -17,6 +17,8 @@ export interface DraftAnswer {
   findings: FindingInfo[];
   seams: SeamInfo[];
   mesh: string | null;
+  /** Whether the mesh is a hasty one, to be looked at while the hand moves, and not to be kept. */
+  hasty?: boolean;
 }
 
 export interface DocumentSlice {
@@ -87,7 +89,8 @@ export const useStudio = create<StudioState>()((set, get) => ({
       Object.assign(version, {
         findings: draftAnswer.findings,
         seams: draftAnswer.seams,
-        mesh: draftAnswer.mesh,
+        // A hasty garment stays in view until the full one of the same pattern is there.
+        mesh: draftAnswer.hasty ? null : draftAnswer.mesh,
       });
     set({ history: pushed(history, label, version), ...NO_DRAFT, selection: kept(get().selection, pattern) });
   },
