@@ -62,10 +62,20 @@ const placeKey = (side: unknown): string => {
 function followMesh(viewer: GarmentViewer): () => void {
   let wanted: string | null = null;
   let document: number | undefined;
+  let reframe = false;
   const update = () => {
     const state = useStudio.getState();
     const name = shownMesh(state);
     if (currentVersion(state) === null) viewer.showGarment(null, []);
+    const opened = state.history?.entries[0]?.id;
+    if (name === null && opened !== document) {
+      // What was opened cannot be sewn (yet): the garment of what was open before is not its own.
+      viewer.showGarment(null, []);
+      viewer.stage.unmark("mesh");
+      document = opened;
+      wanted = null;
+      reframe = true;
+    }
     if (name === null || name === wanted) return;
     wanted = name;
     garmentMesh(name).then(
@@ -76,8 +86,9 @@ function followMesh(viewer: GarmentViewer): () => void {
         viewer.stage.mark("mesh", name);
         // Only another document moves the camera.
         const first = useStudio.getState().history?.entries[0]?.id;
-        if (first !== document) viewer.frameAll(document !== undefined);
+        if (first !== document || reframe) viewer.frameAll(document !== undefined);
         document = first;
+        reframe = false;
       },
       (error) => {
         if (wanted !== name) return;

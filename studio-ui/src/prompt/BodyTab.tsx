@@ -31,16 +31,14 @@ export function BodyTab() {
           Choose a size or move a measure: the pattern is refitted, and the garment sewn on that body. Ease,
           hems and style stay as they are.
         </p>
-        {!isDefault && (
-          <button
-            type="button"
-            className="link"
-            disabled={busy}
-            onClick={() => void fitTo("For the default body", {})}
-          >
-            Back to the default body
-          </button>
-        )}
+        <button
+          type="button"
+          className="link start"
+          disabled={busy || isDefault}
+          onClick={() => void fitTo("For the default body", {})}
+        >
+          Back to the default body
+        </button>
       </section>
       <Sizes options={options} wearer={wearer} busy={busy} />
       <section className="block" aria-label="Measures">
