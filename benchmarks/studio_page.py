@@ -102,10 +102,11 @@ def first_paint(browser: Browser, address: str, visits: int, server: int) -> Non
         painted.append(first)
         shown.append(garment)
         page.context.close()
+    used = (browser_seconds(server) - used) / visits
     print(
         f"first paint: median {statistics.median(painted):.0f} ms, worst {max(painted):.0f} ms; "
-        f"finished garment: median {statistics.median(shown):.0f} ms, worst {max(shown):.0f} ms; {1000 * (browser_seconds(server) - used) / visits:.0f} ms of a processor "
-        f"for all of it; n = {visits}"
+        f"finished garment: median {statistics.median(shown):.0f} ms, worst {max(shown):.0f} ms; "
+        f"{1000 * used:.0f} ms of a processor for all of it; n = {visits}"
     )
 
 
