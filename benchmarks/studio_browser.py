@@ -1,6 +1,6 @@
 """The studio's page in a real browser: first paint, size, and frames of a garment that is turned.
 
-    .venv/bin/python benchmarks/studio_page.py [--visits 5] [--drags 60]
+    .venv/bin/python benchmarks/studio_browser.py [--visits 5] [--drags 60]
 
 Starts a server of its own and Debian's chromium (Playwright), each time as a first visit with an empty cache,
 on loopback. A long dress of about 30,000 vertices is sewn and turned by the mouse; a frame's time is from one
