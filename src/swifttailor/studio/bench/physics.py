@@ -23,6 +23,7 @@ from swifttailor.studio.bench.mesh_files import garment_of, garment_record, same
 from swifttailor.studio.bench.pattern_facts import check
 from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.mesh_record import MeshRecord
+from swifttailor.studio.worker.handle import COMPILING
 from swifttailor.studio.worker.link import Link, StoppedError
 
 USUAL_EDGE_CM = 2.0
@@ -174,7 +175,7 @@ def _hung(
 def _say_if_it_compiles(link: Link) -> None:
     """The solver is compiled once on each machine, which takes half a minute."""
     if not solver_is_compiled():
-        link.stage("compiling, once", 0.0)
+        link.stage(f"{COMPILING}, once", 0.0)
 
 
 def _sewable(specification: dict[str, Any]) -> Pattern:

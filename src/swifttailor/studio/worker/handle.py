@@ -19,6 +19,8 @@ STOPPING_SECONDS = 2.0
 """That a task has, once it is asked to stop, before its process is killed."""
 STARTING_SECONDS = 300.0
 """That a process has to load networks and, the first time on a machine, to compile."""
+COMPILING = "compiling"
+"""Stages of this name happen once on a machine; a task gets time for them."""
 _LOST = ("lost",)
 
 
@@ -158,7 +160,7 @@ class Worker:
     async def _result(
         self, deadline: float, say: Callable[[Message], None], stop: asyncio.Event | None
     ) -> Result:
-        asked = False
+        asked = compiled = False
         while True:
             message = await self._next(deadline, None if asked else stop)
             if message is None and not asked and stop is not None and stop.is_set():
@@ -184,6 +186,9 @@ class Worker:
                 if message[1] is None and kind == "stopped":
                     raise StoppedError
                 return Result(message[1], message[2], kind == "stopped")
+            if kind == "stage" and message[1].startswith(COMPILING) and not compiled:
+                compiled = True
+                deadline += STARTING_SECONDS
             say(message)
 
     async def _next(self, deadline: float, stop: asyncio.Event | None) -> Message | None:
