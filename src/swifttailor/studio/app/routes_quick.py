@@ -50,7 +50,12 @@ _TYPES = {
     "png": "image/png",
     "zip": "application/zip",
     "usdz": "model/vnd.usdz+zip",
+    "pdf": "application/pdf",
+    "dxf": "image/vnd.dxf",
+    "md": "text/markdown; charset=utf-8",
+    "clo": "application/zip",
 }
+_ENDINGS = {"clo": "clo.zip"}
 
 
 @api.post("/live", response_model=LiveAnswer)
@@ -144,5 +149,5 @@ async def exported(
         )
     content = await studio.do("export", pattern=pattern, mesh=studio.mesh(mesh), format=format, facts=facts)
     name = re.sub(r"[^A-Za-z0-9]+", "-", facts.get("title") or "").strip("-").lower()[:60] or "garment"
-    headers = {"Content-Disposition": f'attachment; filename="{name}.{format}"'}
+    headers = {"Content-Disposition": f'attachment; filename="{name}.{_ENDINGS.get(format, format)}"'}
     return Response(content, media_type=_TYPES.get(format, "application/octet-stream"), headers=headers)

@@ -18,6 +18,7 @@ from swifttailor.garment.triangle_mesh import mesh_of_garment
 from swifttailor.output_folder import OutputFolder
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.svg import write_svg
+from swifttailor.studio.bench import sewing_exports
 from swifttailor.studio.bench.documents import Work, read_pattern
 from swifttailor.studio.bench.mesh_files import garment_of, same_pattern
 from swifttailor.studio.bench.wearers import wearing
@@ -48,6 +49,8 @@ def export(
         place = Path(folder)
         if format in OF_PATTERNS:
             return Work(_pattern_file(shown, place / f"pattern.{format}"))
+        if format in sewing_exports.FORMATS:
+            return Work(sewing_exports.sewing_file(shown, place, format))
         garment = _garment(shown, mesh, facts)
         if format == "png":
             write_files(garment, place, body=_body(garment), preview=True, preview_size=PREVIEW_SIZE)
