@@ -22,7 +22,6 @@ from swifttailor.studio.models.jobs import Job
 from swifttailor.studio.models.projects import Project, State
 from swifttailor.studio.models.quick import CheckAnswer, DescribeAnswer, LiveAnswer, RepairAnswer
 
-
 ENDINGS = {"clo": "clo.zip"}
 
 
