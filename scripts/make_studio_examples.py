@@ -23,6 +23,7 @@ from swifttailor.pattern.garmentcode_reader import MAX_EDGES, MAX_PANELS
 from swifttailor.studio.bench.chips import sliders
 from swifttailor.studio.bench.claim_labels import claim_options, dimension_options
 from swifttailor.studio.bench.documents import caption, tailored_document
+from swifttailor.studio.bench.wearer_options import wearer_options
 from swifttailor.studio.body_mesh import body_record
 from swifttailor.studio.compact_mesh import expand, shrink
 from swifttailor.studio.mesh_record import name_of
@@ -66,7 +67,7 @@ def packed(value: object) -> bytes:
 def refresh_words() -> None:
     """What can be chosen, and what examples say of themselves: after claims, levers or captions changed."""
     options = json.loads(gzip.decompress((FOLDER / OPTIONS).read_bytes()))
-    options |= {"claims": claim_options(), "dimensions": dimension_options()}
+    options |= {"claims": claim_options(), "dimensions": dimension_options(), "wearers": wearer_options()}
     (FOLDER / OPTIONS).write_bytes(packed(options))
     for name in options["examples"]:
         path = FOLDER / f"{name}{DOCUMENT}"
@@ -93,6 +94,7 @@ def main() -> None:
         "body": name_of(expand(body)),
         "claims": claim_options(),
         "dimensions": dimension_options(),
+        "wearers": wearer_options(),
         "of_patterns": {"panels": MAX_PANELS, "edges": MAX_EDGES},
     }
     (FOLDER / OPTIONS).write_bytes(packed(options))  # documents name the body

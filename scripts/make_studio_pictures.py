@@ -62,7 +62,7 @@ def compare(page: Page, studio: StudioPage) -> None:
     before = studio.mesh()
     studio.tab("Adjust")
     page.get_by_role("textbox", name="Change it in words").fill(
-        "make the sleeves long and the skirt 20 cm shorter"
+        "give it long sleeves and make the skirt 20 cm shorter"
     )
     page.keyboard.press("Enter")
     studio.wait_for_another_mesh(before)
@@ -70,6 +70,22 @@ def compare(page: Page, studio: StudioPage) -> None:
     page.locator(".changes").get_by_role("button", name="Compare with before").click()
     page.wait_for_timeout(3000)
     keep(page, "studio-compare")
+
+
+def body(page: Page, studio: StudioPage) -> None:
+    """A garment for another size and height."""
+    studio.tab("Body")
+    for act in (
+        lambda: studio.button("women EU 46").click(),
+        lambda: page.get_by_role("spinbutton", name="Height, cm", exact=True).fill("178"),
+    ):
+        before = studio.mesh()
+        act()
+        page.keyboard.press("Enter")
+        studio.wait_for_another_mesh(before)
+        studio.wait_for_work()
+    page.wait_for_timeout(2000)
+    keep(page, "studio-body")
 
 
 def strain(page: Page, studio: StudioPage) -> None:
@@ -127,6 +143,7 @@ SCENES: dict[str, Callable[[Page, StudioPage], None]] = {
     "first_page": first_page,
     "words": words,
     "compare": compare,
+    "body": body,
     "strain": strain,
     "drag": drag,
 }

@@ -22,6 +22,8 @@ from swifttailor.studio.models.jobs import Job
 from swifttailor.studio.models.projects import Project, State
 from swifttailor.studio.models.quick import CheckAnswer, DescribeAnswer, LiveAnswer, RepairAnswer
 
+ENDINGS = {"clo": "clo.zip"}
+
 
 def ask(client, path, body):
     answer = client.post(path, json=body)
@@ -249,12 +251,23 @@ def test_a_sewn_garment_is_finished(client, dress):
         "kind": "finish",
         "pattern": sewn["pattern"],
         "mesh": sewn["mesh"],
-        "edge_length": sewn["edge_length"],
     }
     view = follow(client, ask(client, "/api/jobs", body)["id"])[-1][1]
     document = view["documents"][0]
     assert view["state"] == "done" and view["frame"] >= 1 and document["garment"] == "finished"
     assert document["quality"]["accepted"] and document["mesh"] != sewn["mesh"]
+    assert document["edge_length"] == sewn["edge_length"]
+
+
+def test_an_example_is_finished_from_how_it_hangs(client):
+    example = client.get("/api/examples/pencil-skirt").json()
+    body = {"kind": "finish", "pattern": example["pattern"], "mesh": example["mesh"]}
+    view = follow(client, ask(client, "/api/jobs", body)["id"])[-1][1]
+    document = view["documents"][0]
+    assert document["edge_length"] == example["edge_length"] == 2.5
+    before, after = (mesh_of(client, one["mesh"])[1]["positions"] for one in (example, document))
+    apart = np.linalg.norm((before - after).reshape(-1, 3), axis=1)
+    assert np.median(apart) < 1.0
 
 
 def test_a_job_that_waits_has_a_place_and_can_be_cancelled(client, dress):
@@ -267,15 +280,29 @@ def test_a_job_that_waits_has_a_place_and_can_be_cancelled(client, dress):
     assert ends[2][0] == ("cancelled" if last["state"] != "done" else "done")
 
 
-@pytest.mark.parametrize("name", ["json", "svg", "glb", "obj", "ply", "stl", "png", "zip"])
+@pytest.mark.parametrize(
+    "name", ["json", "svg", "pdf", "dxf", "md", "clo", "glb", "obj", "ply", "stl", "png", "zip"]
+)
 def test_every_export(client, dress, name):
+    if name == "pdf":
+        pytest.importorskip("reportlab")
     body = {"pattern": dress["pattern"], "mesh": dress["mesh"], "format": name, "title": "My dress!"}
     answer = client.post("/api/export", json=body)
     assert answer.status_code == 200, answer.text
-    assert answer.headers["content-disposition"] == f'attachment; filename="my-dress.{name}"'
+    assert (
+        answer.headers["content-disposition"] == f'attachment; filename="my-dress.{ENDINGS.get(name, name)}"'
+    )
     content = answer.content
     if name == "json":
         assert read_specification(json.loads(content)).pattern == read_specification(dress["pattern"]).pattern
+    elif name == "pdf":
+        assert content.startswith(b"%PDF-")
+    elif name == "dxf":
+        assert b"SECTION" in content[:40] and content.rstrip().endswith(b"EOF")
+    elif name == "md":
+        assert content.decode().startswith("# My dress!: how to sew it")
+    elif name == "clo":
+        assert zipfile.is_zipfile(io.BytesIO(content))
     elif name == "glb":
         assert struct.unpack("<4sII", content[:12]) == (b"glTF", 2, len(content))
     elif name == "png":

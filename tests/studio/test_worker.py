@@ -26,7 +26,9 @@ def run(scene):
     return own_loop.run(whole())
 
 
-def test_a_task_that_takes_too_long_is_killed_and_the_worker_replaced(real_pattern):
+def test_a_task_that_takes_too_long_is_killed_and_the_worker_replaced(real_pattern, monkeypatch):
+    monkeypatch.setattr(handle, "COMPILING", "never")  # on a fresh machine it gets more time
+
     async def scene(worker):
         await worker.run("check", {"pattern": real_pattern}, time_limit=60)
         started = time.monotonic()
@@ -45,6 +47,17 @@ def test_a_task_that_takes_too_long_is_killed_and_the_worker_replaced(real_patte
         assert refused.value.error["code"] == "too-long" and time.monotonic() - started < 15
         result = await worker.run("check", {"pattern": real_pattern}, time_limit=60)
         assert "findings" in result.answer
+
+    run(scene)
+
+
+def test_who_asks_before_it_is_ready_is_told_in_the_end(real_pattern, monkeypatch):
+    monkeypatch.setattr(handle, "STARTING_SECONDS", 0.01)
+
+    async def scene(worker):
+        with pytest.raises(RefusedError) as refused:
+            await worker.run("check", {"pattern": real_pattern}, time_limit=60)
+        assert refused.value.error["code"] == "not-ready"
 
     run(scene)
 

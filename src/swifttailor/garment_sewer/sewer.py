@@ -28,6 +28,7 @@ from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
 
 if TYPE_CHECKING:
+    from swifttailor.draping.coarse import CoarseSettings
     from swifttailor.draping.compiled_code import CoarseDrapeLoading
 
 SHIPPED = Path(__file__).with_name("garment_sewer.onnx")
@@ -53,6 +54,8 @@ class GarmentSewer:
     model: SewerModel
     body: BodyDistance
     closing: ClosingSettings = field(default_factory=ClosingSettings)
+    coarse: CoarseSettings | None = field(default=None, kw_only=True)
+    """How finely the drape is done that the network starts from; as it learnt it when None."""
 
     @staticmethod
     def load(weights: Path | str | None = None, *, threads: int = 1) -> GarmentSewer:
@@ -143,7 +146,8 @@ class GarmentSewer:
         mesh = mesh_pattern(layout.pattern, edge_length)
         if loading := self.__dict__.get("_drape_loading"):  # only where somebody has begun to
             loading.wait()
-        return Prepared(layout, tabulate(layout, self.model.conditioning.prior, self.body), mesh, edge_length)
+        table = tabulate(layout, self.model.conditioning.prior, self.body, coarse=self.coarse)
+        return Prepared(layout, table, mesh, edge_length)
 
     def predict(self, prepared: Sequence[Prepared]) -> list[Floats]:
         """Positions (n, 3) in cm of the occupied pixels of each layout; all of one resolution."""

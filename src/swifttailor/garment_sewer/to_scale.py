@@ -77,8 +77,9 @@ def sewer_for(sewer: GarmentSewer, body: Body) -> GarmentSewer:
     default = Body.default()
     factor = default.measurements.height / body.measurements.height
     if abs(factor - 1.0) < _ALIKE:
-        return GarmentSewer(sewer.model, BodyDistance.of(body), sewer.closing)
-    return ScaledSewer(sewer.model, BodyDistance.of(_scaled_body(body, factor)), sewer.closing, factor)
+        return GarmentSewer(sewer.model, BodyDistance.of(body), sewer.closing, coarse=sewer.coarse)
+    enlarged = BodyDistance.of(_scaled_body(body, factor))
+    return ScaledSewer(sewer.model, enlarged, sewer.closing, factor, coarse=sewer.coarse)
 
 
 def scaled_pattern(pattern: Pattern, factor: float) -> Pattern:

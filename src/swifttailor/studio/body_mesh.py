@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import functools
-
 import numpy as np
 
 from swifttailor.body import Body
@@ -12,10 +10,13 @@ from swifttailor.render.color import BODY, to_linear
 from swifttailor.studio.mesh_record import MeshRecord, name_of, pack_mesh, smooth_normals
 
 
-@functools.cache
-def body_record() -> MeshRecord:
-    """The default body as a mannequin, with no hollows filled: cloth lies over it everywhere."""
-    body = Body.default()
+def body_record(body: Body | None = None) -> MeshRecord:
+    """A body as a mannequin, with no hollows filled: cloth lies over it everywhere.
+
+    Args:
+        body: The default body when None.
+    """
+    body = body or Body.default()
     vertices, faces = mannequin(body, np.asarray(body.vertices))
     header = {
         "version": 1,

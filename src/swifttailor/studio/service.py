@@ -24,6 +24,10 @@ _FIRST_PAGE_SECONDS = 0.5
 _FORMATS = (
     ("json", "GarmentCode pattern", "pattern"),
     ("svg", "pattern drawing in true size", "pattern"),
+    ("pdf", "pattern to print on A4, with allowances and steps", "pattern"),
+    ("dxf", "pattern for cutting rooms, ASTM D6673", "pattern"),
+    ("md", "sewing steps", "pattern"),
+    ("clo", "pattern for CLO and Style3D, zipped", "pattern"),
     ("glb", "garment, glTF binary", "garment"),
     ("obj", "garment, Wavefront OBJ", "garment"),
     ("ply", "garment, PLY", "garment"),
@@ -33,6 +37,9 @@ _FORMATS = (
     ("png", "picture of the garment: front, back and side", "garment"),
     ("zip", "everything in one file", "both"),
 )
+
+_EXTRAS = (("pdf", "PDF", "print"), ("usdz", "USD", "usd"))
+"""Formats that need an extra."""
 
 
 class Studio:
@@ -111,18 +118,22 @@ class Studio:
     def formats(self) -> list[dict[str, str]]:
         """What can be exported here, `models.projects.FormatInfo`."""
         has_usd = importlib.util.find_spec("pxr") is not None
+        has_pdf = importlib.util.find_spec("reportlab") is not None
         return [
             {"name": name, "about": about, "of": of}
             for name, about, of in _FORMATS
-            if has_usd or not name.startswith("usd")
+            if (has_usd or not name.startswith("usd")) and (has_pdf or name != "pdf")
         ]
 
     def state(self) -> dict[str, Any]:
         """What clients learn first, `models.projects.State`."""
         options, formats = shipped_options(), self.formats()
+        written = {one["name"] for one in formats}
+        missing = [(name, extra) for kind, name, extra in _EXTRAS if kind not in written]
         notices = []
-        if not any(one["name"] == "usdz" for one in formats):
-            notices.append("USD files are off: pip install 'swifttailor[usd]'")
+        if missing:
+            names, extras = " and ".join(name for name, _ in missing), ",".join(extra for _, extra in missing)
+            notices.append(f"{names} files are off. To have them: pip install 'swifttailor[{extras}]'")
         return {
             "version": __version__,
             "limits": self.limits.to_json(options["of_patterns"]),
@@ -134,6 +145,7 @@ class Studio:
             "fabrics": list(get_args(FabricName)),
             "formats": formats,
             "body": options["body"],
+            "wearers": options["wearers"],
             "ready": all(worker.ready for worker in self.workers),
             "notices": notices,
         }

@@ -2,10 +2,11 @@ import type { Document } from "../api/types";
 import { versionOf } from "../state/document";
 import { randomSeed, usePrompt } from "../state/prompt";
 import { notify, useSession } from "../state/session";
-import { useStudio } from "../state/store";
+import { currentVersion, useStudio } from "../state/store";
 import { sentenceCase } from "../ui/sentence-case";
 import { runJob } from "./jobs";
 import { newProject } from "./projects";
+import { wearerNamed } from "./wearers";
 
 /** Makes a garment, or four to choose from, of the words and pictures. */
 export async function generate(): Promise<void> {
@@ -17,6 +18,7 @@ export async function generate(): Promise<void> {
   }
   if (!prompt.keepSeed) prompt.set({ seed: randomSeed() });
   const { seed, variants, finish, part, pictures } = usePrompt.getState();
+  const wearer = wearerNamed(currentVersion(useStudio.getState())?.pattern ?? null);
   const job = await runJob(variants > 1 ? `Making ${variants} garments` : "Making the garment", {
     kind: "generate",
     ...(text !== "" ? { text } : {}),
@@ -25,6 +27,7 @@ export async function generate(): Promise<void> {
     seed,
     variants,
     finish,
+    ...(wearer !== null ? { wearer } : {}),
   });
   if (job === null) return;
   const [first, ...others] = job.documents;

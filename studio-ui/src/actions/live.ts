@@ -10,18 +10,35 @@ import { useSession } from "../state/session";
 import { currentVersion, lastReading, useStudio } from "../state/store";
 import { tellFailure } from "./failures";
 
+/** Of the mesh while a garment that takes long is dragged, cm. */
+const HASTY_EDGE = 3.5;
+/** As the server has it without a wish. */
+const FULL_EDGE = 2.5;
+/** Seconds from a state to its mesh, beyond which what follows while dragging is sewn hastily. */
+const SLOW = 0.2;
 const client = crypto.randomUUID();
 let sequence = 0;
+/** Seconds that the last state took which was sewn in full. */
+let fullSeconds = 0;
 
-async function sew(pattern: PatternJson, signal: AbortSignal): Promise<LiveAnswer> {
+interface Wanted {
+  pattern: PatternJson;
+  startedAt: number;
+  hasty: boolean;
+}
+
+async function sew({ pattern, hasty }: Wanted, signal: AbortSignal): Promise<LiveAnswer> {
   sequence += 1;
-  const answer = await api.live({ client, sequence, pattern }, signal);
+  const sentAt = performance.now();
+  const how = hasty ? { edge_length: HASTY_EDGE, dragging: true } : {};
+  const answer = await api.live({ client, sequence, pattern, ...how }, signal);
   // The geometry is swapped when it is all there, so that the view never shows half of one.
   if (answer.mesh !== null) await garmentMesh(answer.mesh);
+  if (!hasty && answer.status === "sewn") fullSeconds = (performance.now() - sentAt) / 1000;
   return answer;
 }
 
-function show(answer: LiveAnswer, pattern: PatternJson, startedAt: number): void {
+function show(answer: LiveAnswer, { pattern, startedAt, hasty }: Wanted): void {
   const session = useSession.getState();
   if (answer.status === "stale") return;
   session.set({
@@ -30,19 +47,19 @@ function show(answer: LiveAnswer, pattern: PatternJson, startedAt: number): void
   });
   const { draft, answerDraft, amend } = useStudio.getState();
   const { findings, seams, mesh } = answer;
-  if (draft !== null) answerDraft({ pattern, findings, seams, mesh });
+  if (draft !== null) answerDraft({ pattern, findings, seams, mesh, hasty });
   amend(pattern, {
     findings,
     seams,
     unsewable: answer.error,
-    ...(mesh ? { mesh, garment: "sewn" as const } : {}),
+    ...(mesh && !hasty ? { mesh, garment: "sewn" as const, edge_length: FULL_EDGE } : {}),
   });
   if (draft === null) void describe(pattern);
 }
 
-const sewer = new LatestWins<{ pattern: PatternJson; startedAt: number }, LiveAnswer>(
-  (state, signal) => sew(state.pattern, signal),
-  (answer, state) => show(answer, state.pattern, state.startedAt),
+const sewer = new LatestWins<Wanted, LiveAnswer>(
+  sew,
+  show,
   (error, { pattern }) => {
     tellFailure(error);
     useStudio.getState().amend(pattern, { findings: [], seams: [] });
@@ -64,6 +81,14 @@ async function describe(pattern: PatternJson): Promise<void> {
 }
 
 let lastAsked: PatternJson | null = null;
+/** The last one that was asked for in full. */
+let lastInFull: PatternJson | null = null;
+
+function ask(pattern: PatternJson, hasty: boolean): void {
+  lastAsked = pattern;
+  if (!hasty) lastInFull = pattern;
+  sewer.request({ pattern, startedAt: performance.now(), hasty });
+}
 
 /** Findings and seams of a garment that is there already, as in a project that was opened. */
 async function check(pattern: PatternJson): Promise<void> {
@@ -86,20 +111,21 @@ export function followPattern(): () => void {
   return useStudio.subscribe((state, before) => {
     if (state.draft !== before.draft && state.draft !== null) {
       if (state.draftAnswer?.pattern === state.draft) return;
-      lastAsked = state.draft;
-      sewer.request({ pattern: state.draft, startedAt: performance.now() });
+      ask(state.draft, fullSeconds > SLOW);
       return;
     }
     const version = currentVersion(state);
     if (version === null || state.draft !== null || version === currentVersion(before)) return;
-    if (version.findings === null) {
+    // A drag has left a hasty garment: the full one follows.
+    const unsewn = version.mesh === null && version.unsewable === null && lastInFull !== version.pattern;
+    if (version.findings === null || unsewn) {
       // What the hand left last is under way already where a drag ends where it was.
-      if (lastAsked === version.pattern && sewer.busy) return;
-      lastAsked = version.pattern;
+      if (lastInFull === version.pattern && sewer.busy) return;
       if (version.mesh !== null) {
+        lastAsked = version.pattern;
         sewer.reset();
         void check(version.pattern);
-      } else sewer.request({ pattern: version.pattern, startedAt: performance.now() });
+      } else ask(version.pattern, false);
     } else {
       if (version.pattern !== currentVersion(before)?.pattern) {
         if (lastAsked !== version.pattern) sewer.reset();

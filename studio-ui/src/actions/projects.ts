@@ -2,6 +2,7 @@
 
 import { ApiError, api } from "../api/client";
 import type { Project, ProjectContent, ProjectSummary } from "../api/types";
+import { arrangementOf } from "../pattern/layout/arrangement";
 import { changedVersion, documentOf, type Version, versionOf } from "../state/document";
 import type { History } from "../state/history";
 import { fromWire } from "../state/pattern-json";
@@ -44,7 +45,12 @@ function contentNow(): ProjectContent | null {
       color: value.color,
       seed: value.seed,
     })),
-    view: { index: history.index - first, units, prompt: usePrompt.getState().text },
+    view: {
+      index: history.index - first,
+      units,
+      prompt: usePrompt.getState().text,
+      ...(version.arrangement !== undefined ? { arrangement: version.arrangement } : {}),
+    },
   };
 }
 
@@ -178,7 +184,11 @@ function show(project: Project, content: ProjectContent): void {
 }
 
 function restoreContent(content: ProjectContent): void {
-  const shown = versionOf(content.document);
+  const arrangement = arrangementOf(content.view.arrangement);
+  const shown: Version = {
+    ...versionOf(content.document),
+    ...(arrangement !== null ? { arrangement } : {}),
+  };
   const index = Number(content.view.index ?? content.versions.length - 1);
   const entries = content.versions.map((version, k) => ({
     id: -(k + 1),

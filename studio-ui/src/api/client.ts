@@ -9,10 +9,13 @@ import type {
   ErrorInfo,
   ExportRequest,
   FileInfo,
+  FitRequest,
   Job,
   JobRequest,
   LiveAnswer,
   LiveRequest,
+  MeasuresAnswer,
+  MeasuresRequest,
   OpenRequest,
   PatternJson,
   Project,
@@ -21,6 +24,7 @@ import type {
   RepairAnswer,
   SavedAnswer,
   State,
+  WearerAnswer,
 } from "./types";
 
 /** What went wrong and what to do next; both are for people. */
@@ -99,6 +103,10 @@ export const api = {
     ofJson<RepairAnswer>("/api/repair", { method: "POST", json: { pattern } }),
   describe: (pattern: PatternJson) =>
     ofJson<DescribeAnswer>("/api/describe", { method: "POST", json: { pattern } }),
+  fit: (json: FitRequest) => ofJson<Document>("/api/fit", { method: "POST", json }),
+  wearer: (pattern: PatternJson) =>
+    ofJson<WearerAnswer>("/api/wearer", { method: "POST", json: { pattern } }),
+  measures: (json: MeasuresRequest) => ofJson<MeasuresAnswer>("/api/measures", { method: "POST", json }),
   alter: (json: AlterRequest) => ofJson<Document>("/api/alter", { method: "POST", json }),
 
   startJob: (json: JobRequest) => ofJson<Job>("/api/jobs", { method: "POST", json }),

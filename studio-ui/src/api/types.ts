@@ -35,6 +35,7 @@ export type FabricName =
   | "ponte"
   | "fleece"
   | "swimwear";
+export type Figure = "women" | "men" | "children";
 export type Unit = "cm" | "pieces" | "times";
 
 export interface EdgePlace {
@@ -196,7 +197,8 @@ export type Origin =
   | "alter"
   | "repair"
   | "open"
-  | "live";
+  | "live"
+  | "fit";
 
 /** What all work answers with. */
 export interface Document {
@@ -287,12 +289,38 @@ export interface State {
   fabrics: FabricName[];
   /** What POST /api/export and projects can be written as: "glb", "obj", ..., "svg", "json", "zip". */
   formats: FormatInfo[];
+  wearers: WearerOptions;
   /** Mesh of the default body. */
   body: string;
   /** Whether the networks are loaded; work that needs them waits until they are. */
   ready: boolean;
   /** What is off, in words, such as weights that are missing. */
   notices: string[];
+}
+
+/** Whom garments can be made for. */
+export interface WearerOptions {
+  figures: Figure[];
+  sizes: SizeChart[];
+  measures: MeasureOption[];
+}
+
+/** "women EU 44" is figure, region (but for "letters") and label. */
+export interface SizeChart {
+  figure: Figure;
+  region: string;
+  labels: string[];
+}
+
+export interface MeasureOption {
+  name: string;
+  label: string;
+  /** How it is taken. */
+  about: string;
+  min: number;
+  max: number;
+  /** Of the default body, cm. */
+  default: number;
 }
 
 export interface FormatInfo {
@@ -362,6 +390,52 @@ export interface AlterRequest {
   color?: string | null;
 }
 
+// --- bodies -------------------------------------------------------------------------------------------------
+
+/**
+ * POST /api/fit: the pattern refitted to a body, and sewn on it; without size, figure and measures to the default
+ * body. Answer: Document (origin "fit"). The pattern names its body from then on (properties.drafted_for), and
+ * whatever is asked of it is done on that body.
+ */
+export interface FitRequest {
+  pattern: PatternJson;
+  /** Of a chart: "women EU 44", "M", "children 128". */
+  size?: string | null;
+  figure?: Figure | null;
+  /** cm; they outrank those of the size. */
+  measures?: Record<string, number>;
+  /** What the body is called; made up without it. */
+  called?: string;
+  color?: string | null;
+}
+
+/** POST /api/wearer: who wears a pattern. Answer: WearerAnswer; the mesh can be fetched then. */
+export interface WearerRequest {
+  pattern: PatternJson;
+}
+
+export interface WearerAnswer {
+  /** GET /api/body/{body} */
+  body: string;
+  /** Empty for the default body. */
+  name: string;
+  figure: Figure | null;
+  /** What the body was made to, cm. */
+  given: Record<string, number>;
+  /** All of State.wearers.measures as they are on the body, cm. */
+  measures: Record<string, number>;
+}
+
+/** POST /api/measures: a file of measures, GarmentCode's or FreeSewing's (YAML or JSON). Answer: MeasuresAnswer. */
+export interface MeasuresRequest {
+  file_name: string;
+  text: string;
+}
+
+export interface MeasuresAnswer {
+  measures: Record<string, number>;
+}
+
 // --- live sewing --------------------------------------------------------------------------------------------
 
 /** POST /api/live: for patterns while they are dragged. Per client the highest sequence wins. */
@@ -373,6 +447,8 @@ export interface LiveRequest {
   pattern: PatternJson;
   /** Of the mesh, cm; 2 to 5; 2.5 without it. */
   edge_length?: number;
+  /** Whether another state follows: sewn in less time, and less finely. */
+  dragging?: boolean;
 }
 
 export interface LiveAnswer {
@@ -399,6 +475,16 @@ export interface GenerateJob {
   /** 1 to 4. */
   variants?: number;
   finish?: boolean;
+  /** Who wears it, unless the text says so. */
+  wearer?: WearerRef | null;
+}
+
+/** A body by what it is made to, as in a pattern's properties.drafted_for. */
+export interface WearerRef {
+  name?: string;
+  figure?: Figure | null;
+  /** By the names of State.wearers.measures (and others of `swifttailor fit`), cm. */
+  measures?: Record<string, number>;
 }
 
 export interface EditJob {
@@ -425,7 +511,8 @@ export interface DrapeJob {
   /** finish: the mesh to go on from, where it is this pattern's; it is sewn anew otherwise. */
   mesh?: string | null;
   fabric?: FabricName;
-  edge_length?: number;
+  /** Of the mesh, cm, 1 to 5. Without it, to finish a garment, that of its mesh; else 2. */
+  edge_length?: number | null;
   color?: string | null;
 }
 

@@ -107,6 +107,9 @@ function State() {
   const version = useStudio(currentVersion);
   const draft = useStudio((state) => state.draft);
   const job = useSession((state) => state.job);
+  const shown = useStudio(
+    (state) => state.history?.entries.some(({ value }) => value.mesh !== null) ?? false,
+  );
   if (version === null) return null;
   if (job?.kind === "drape" || job?.kind === "finish")
     return (
@@ -122,7 +125,7 @@ function State() {
         <div>
           <p>{unsewable.message}</p>
           {unsewable.hint !== "" && <p className="hint">{unsewable.hint}</p>}
-          <p className="hint">The garment shown is the last that could be sewn.</p>
+          {shown && <p className="hint">The garment shown is the last that could be sewn.</p>}
         </div>
       </div>
     );

@@ -120,6 +120,10 @@ export class Stage {
     this.renderer.domElement.dataset[name] = value;
   }
 
+  unmark(name: string): void {
+    delete this.renderer.domElement.dataset[name];
+  }
+
   /** What is seen now, as a data URL. */
   picture(): string {
     this.beforeDraw();

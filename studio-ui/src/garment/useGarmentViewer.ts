@@ -3,13 +3,14 @@
 import { type RefObject, useEffect, useState } from "react";
 import { tellFailure } from "../actions/failures";
 import { sewAgain } from "../actions/live";
+import { bodyOf, wearerKey } from "../actions/wearers";
 import { ApiError } from "../api/client";
 import { useDisplay } from "../state/display";
 import { seamColor } from "../state/seam-colors";
 import { useSession } from "../state/session";
 import { currentVersion, shownMesh, shownPattern, useStudio } from "../state/store";
 import { DEFAULT_CLOTH } from "./cloth-color";
-import { bodyMesh, garmentMesh } from "./mesh-cache";
+import { garmentMesh } from "./mesh-cache";
 import type { MeshData } from "./mesh-file";
 import { GarmentViewer } from "./viewer";
 
@@ -61,10 +62,20 @@ const placeKey = (side: unknown): string => {
 function followMesh(viewer: GarmentViewer): () => void {
   let wanted: string | null = null;
   let document: number | undefined;
+  let reframe = false;
   const update = () => {
     const state = useStudio.getState();
     const name = shownMesh(state);
     if (currentVersion(state) === null) viewer.showGarment(null, []);
+    const opened = state.history?.entries[0]?.id;
+    if (name === null && opened !== document) {
+      // What was opened cannot be sewn (yet): the garment of what was open before is not its own.
+      viewer.showGarment(null, []);
+      viewer.stage.unmark("mesh");
+      document = opened;
+      wanted = null;
+      reframe = true;
+    }
     if (name === null || name === wanted) return;
     wanted = name;
     garmentMesh(name).then(
@@ -75,8 +86,9 @@ function followMesh(viewer: GarmentViewer): () => void {
         viewer.stage.mark("mesh", name);
         // Only another document moves the camera.
         const first = useStudio.getState().history?.entries[0]?.id;
-        if (first !== document) viewer.frameAll(document !== undefined);
+        if (first !== document || reframe) viewer.frameAll(document !== undefined);
         document = first;
+        reframe = false;
       },
       (error) => {
         if (wanted !== name) return;
@@ -111,13 +123,16 @@ function followMesh(viewer: GarmentViewer): () => void {
 function followBody(viewer: GarmentViewer): () => void {
   let shown: string | null = null;
   const update = () => {
-    const name = currentVersion(useStudio.getState())?.body ?? useSession.getState().server?.body ?? null;
-    if (name === null || name === shown) return;
+    const pattern = currentVersion(useStudio.getState())?.pattern ?? null;
+    if (useSession.getState().server === null) return;
+    const name = wearerKey(pattern);
+    if (name === shown) return;
     shown = name;
-    bodyMesh(name).then((data) => {
+    bodyOf(pattern).then((data) => {
       if (shown !== name) return;
       viewer.showBody(data);
       viewer.setBodyVisible(useDisplay.getState().body);
+      viewer.stage.mark("wearer", name);
       if (viewer.data === null) viewer.frameAll(false);
     }, tellFailure);
   };

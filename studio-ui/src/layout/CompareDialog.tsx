@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from "react";
+import { bodyOf } from "../actions/wearers";
 import { DEFAULT_CLOTH } from "../garment/cloth-color";
-import { bodyMesh, garmentMesh } from "../garment/mesh-cache";
+import { garmentMesh } from "../garment/mesh-cache";
 import { GarmentViewer } from "../garment/viewer";
 import type { Version } from "../state/document";
 import type { HistoryEntry } from "../state/history";
@@ -71,7 +72,7 @@ export function CompareDialog() {
 function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: CameraLink }) {
   const box = useRef<HTMLDivElement>(null);
   const [viewer, setViewer] = useState<GarmentViewer | null>(null);
-  const { mesh, body, color } = entry.value;
+  const { mesh, pattern, color } = entry.value;
   useEffect(() => {
     if (box.current === null) return;
     const made = new GarmentViewer(box.current);
@@ -92,7 +93,7 @@ function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: Came
       wireframe: false,
     });
     viewer.setSeamsVisible(false);
-    void bodyMesh(body).then((data) => {
+    void bodyOf(pattern).then((data) => {
       if (!gone) viewer.showBody(data);
     });
     if (mesh === null) viewer.showGarment(null, []);
@@ -111,7 +112,7 @@ function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: Came
     return () => {
       gone = true;
     };
-  }, [viewer, mesh, body, color, link]);
+  }, [viewer, mesh, pattern, color, link]);
   return (
     <div className="compare-stage">
       <div

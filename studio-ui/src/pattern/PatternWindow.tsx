@@ -1,8 +1,8 @@
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "react";
-import { shownPattern, useStudio } from "../state/store";
-import { arranged, kept } from "./layout/arrangement";
+import { currentVersion, shownPattern, useStudio } from "../state/store";
+import { arranged, hasOverlaps, kept } from "./layout/arrangement";
 import { panelNames, panelOf, type Specification } from "./specification";
-import { arrangeAnew, aspectOf, fitAll, showTarget } from "./window/commands";
+import { aspectOf, fitAll, showArrangement, showTarget } from "./window/commands";
 import { FindingsList } from "./window/FindingsList";
 import { listenForGestures } from "./window/gestures";
 import { Inspector } from "./window/Inspector";
@@ -16,6 +16,8 @@ import { Toolbar } from "./window/Toolbar";
 import "./pattern.css";
 
 const SETTLED_MS = 160;
+/** Where all panels may have grown. */
+const RECUT: ReadonlySet<string> = new Set(["fit", "alter", "edit"]);
 
 /** The flat pattern: looked at, measured and changed. */
 export function PatternWindow() {
@@ -149,7 +151,13 @@ function useSize(svg: React.RefObject<SVGSVGElement | null>): void {
       const { set, size } = usePatternView.getState();
       const first = size[0] === 0;
       set({ size: [element.clientWidth, element.clientHeight] });
-      if (first) arrangeAnew();
+      if (!first) return;
+      const specification = shownPattern(useStudio.getState());
+      if (specification === null) return;
+      // Before its size was known the sheet had no shape; what somebody has arranged stays.
+      if (currentVersion(useStudio.getState())?.arrangement === undefined)
+        showArrangement(arranged(specification, aspectOf([element.clientWidth, element.clientHeight])));
+      fitAll();
     });
     observer.observe(element);
     return () => observer.disconnect();
@@ -159,15 +167,23 @@ function useSize(svg: React.RefObject<SVGSVGElement | null>): void {
 /** Panels stay where they lie while the pattern changes; another document is laid out anew and shown whole. */
 function useArrangement(specification: Specification): void {
   const document = useStudio((state) => state.history?.entries[0]?.id ?? null);
+  const wanted = useStudio((state) => currentVersion(state)?.arrangement);
+  const recut = useStudio((state) => state.draft === null && RECUT.has(currentVersion(state)?.origin ?? ""));
   useLayoutEffect(() => {
     const { arrangement, arrangedFor, size, set } = usePatternView.getState();
     const same = arrangedFor !== null && arrangedFor.document === document;
     const aspect = aspectOf(size);
-    const next = same
-      ? kept(arrangement, arrangedFor.specification, specification, aspect)
-      : arranged(specification, aspect);
-    set({ arrangement: next, arrangedFor: { document, specification } });
+    const another = wanted !== undefined && wanted !== arrangedFor?.wanted;
+    let next = another
+      ? kept(wanted, specification, specification, aspect)
+      : same
+        ? kept(arrangement, arrangedFor.specification, specification, aspect)
+        : arranged(specification, aspect);
+    // A pattern for another body has outgrown its places, unless somebody has chosen them.
+    if (recut && wanted === undefined && hasOverlaps(specification, next))
+      next = arranged(specification, aspect);
+    set({ arrangement: next, arrangedFor: { document, specification, wanted } });
     const stays = Object.keys(next).some((name) => next[name] === arrangement[name]);
-    if (!same || !stays) fitAll();
-  }, [specification, document]);
+    if (!same || (!stays && !another)) fitAll();
+  }, [specification, document, wanted, recut]);
 }

@@ -51,7 +51,7 @@ function Instruct() {
             id="instruction"
             rows={2}
             value={text}
-            placeholder="make the sleeves long and the skirt 10 cm shorter"
+            placeholder="give it long sleeves and make the skirt 10 cm shorter"
             onChange={(event) => setText(event.target.value)}
             onKeyDown={(event) => {
               if (event.key !== "Enter" || event.shiftKey) return;

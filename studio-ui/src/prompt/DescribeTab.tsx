@@ -1,5 +1,6 @@
 import { openExample } from "../actions/boot";
 import { generate } from "../actions/generate";
+import { wearerNamed } from "../actions/wearers";
 import { randomSeed, usePrompt } from "../state/prompt";
 import { useSession } from "../state/session";
 import { currentVersion, lastReading, useStudio } from "../state/store";
@@ -15,6 +16,7 @@ export function DescribeTab() {
   const { text, seed, keepSeed, variants, set } = usePrompt();
   const server = useSession((state) => state.server);
   const busy = useSession((state) => state.job !== null);
+  const wearer = wearerNamed(useStudio((state) => currentVersion(state)?.pattern ?? null));
   const limit = server?.limits.prompt_letters ?? 2000;
   return (
     <>
@@ -70,6 +72,14 @@ export function DescribeTab() {
             onChange={(value) => set({ variants: value })}
           />
         </div>
+        {wearer !== null && (
+          <p className="muted small-text">
+            For {wearer.name || "another body"}, unless the words name a size.{" "}
+            <button type="button" className="link" onClick={() => useSession.getState().set({ tab: "body" })}>
+              Change
+            </button>
+          </p>
+        )}
         <Button
           look="primary"
           className="wide"

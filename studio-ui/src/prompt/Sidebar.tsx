@@ -1,11 +1,13 @@
 import { type Tab, useSession } from "../state/session";
 import { AdjustTab } from "./AdjustTab";
+import { BodyTab } from "./BodyTab";
 import { DescribeTab } from "./DescribeTab";
 import { HistoryTab } from "./HistoryTab";
 
 const TABS: { tab: Tab; label: string }[] = [
   { tab: "describe", label: "Describe" },
   { tab: "adjust", label: "Adjust" },
+  { tab: "body", label: "Body" },
   { tab: "history", label: "History" },
 ];
 
@@ -42,6 +44,7 @@ export function Sidebar({ width }: { width: number }) {
       <div className="tab-panel" id="tab-panel" role="tabpanel" aria-labelledby={`tab-${tab}`} tabIndex={0}>
         {tab === "describe" && <DescribeTab />}
         {tab === "adjust" && <AdjustTab />}
+        {tab === "body" && <BodyTab />}
         {tab === "history" && <HistoryTab />}
       </div>
     </aside>

@@ -1,4 +1,5 @@
 import type { DimensionInfo, Document, FindingInfo, Reading, SeamInfo } from "../api/types";
+import type { Arrangement } from "../pattern/layout/arrangement";
 import { fromWire, type PatternJson } from "./pattern-json";
 
 /** One observation about a pattern, as `swifttailor check` makes it. */
@@ -15,6 +16,8 @@ export interface Version extends Omit<Document, "pattern" | "findings" | "seams"
   seams: SeamInfo[] | null;
   reading: Reading | null;
   dimensions: DimensionInfo[] | null;
+  /** Where the panels lie in the pattern window, once somebody has arranged them; no part of the pattern. */
+  arrangement?: Arrangement;
 }
 
 export function versionOf(document: Document): Version {
@@ -55,7 +58,7 @@ const NOTHING_READ: Reading = {
 };
 
 /** As the server keeps it; what is not known yet is empty. */
-export function documentOf(version: Version): Document {
+export function documentOf({ arrangement: _, ...version }: Version): Document {
   return {
     ...version,
     findings: version.findings ?? [],

@@ -13,7 +13,7 @@ export interface Notice {
 }
 
 export type Dialog = "shortcuts" | "projects" | "compare" | "tour" | null;
-export type Tab = "describe" | "adjust" | "history";
+export type Tab = "describe" | "adjust" | "body" | "history";
 
 export interface SessionState {
   server: State | null;

@@ -133,6 +133,28 @@ describe("the store", () => {
     expect(shownPattern(state())?.pattern.panels.front?.vertices[1]).toEqual([10, 0]);
   });
 
+  it("undoes where panels were laid, and counts small steps as one", () => {
+    const places = (x: number) => ({ front: { at: [x, 0] as [number, number], angle: 0, mirrored: false } });
+    state().arrange("Move panels", places(0), places(1));
+    state().arrange("Move panels", places(1), places(2));
+    expect(state().history?.entries).toHaveLength(2);
+    state().apply("Larger", square(20));
+    expect(currentVersion(state())?.arrangement).toEqual(places(2));
+    state().goTo(0);
+    expect(currentVersion(state())?.arrangement).toEqual(places(0));
+    expect(currentVersion(state())?.mesh).toBe("mesh-10");
+  });
+
+  it("does not keep a hasty garment", () => {
+    const dragged = square(12);
+    state().preview(dragged);
+    state().answerDraft({ pattern: dragged, findings: [], seams: [], mesh: "mesh-hasty", hasty: true });
+    expect(shownMesh(state())).toBe("mesh-hasty");
+    state().apply("Drag", dragged);
+    expect(currentVersion(state())?.mesh).toBeNull();
+    expect(currentVersion(state())?.findings).toEqual([]);
+  });
+
   it("toggles what is selected", () => {
     state().select({ kind: "panel", panel: "front" }, "toggle");
     state().select({ kind: "edge", panel: "front", edge: 1 }, "toggle");

@@ -2,8 +2,9 @@
 
 import { create } from "zustand";
 import type { FindingInfo, Reading, SeamInfo } from "../api/types";
+import type { Arrangement } from "../pattern/layout/arrangement";
 import { changedVersion, type Version } from "./document";
-import { amended, type History, movedTo, pushed, started } from "./history";
+import { amended, canRedo, canUndo, type History, movedTo, pushed, started } from "./history";
 import type { PatternJson } from "./pattern-json";
 import { sameTarget, type Target } from "./selection";
 import type { Units } from "./units";
@@ -17,6 +18,8 @@ export interface DraftAnswer {
   findings: FindingInfo[];
   seams: SeamInfo[];
   mesh: string | null;
+  /** Whether the mesh is a hasty one, to be looked at while the hand moves, and not to be kept. */
+  hasty?: boolean;
 }
 
 export interface DocumentSlice {
@@ -37,6 +40,8 @@ export interface DocumentSlice {
   open: (label: string, version: Version) => void;
   /** The same document after work that brought everything along, as one entry in the history. */
   add: (label: string, version: Version) => void;
+  /** The panels lie otherwise in the pattern window: one entry in the history, of the same pattern. */
+  arrange: (label: string, before: Arrangement, after: Arrangement) => void;
   /** All of a document with its history, as it was saved. */
   restore: (history: History<Version>) => void;
   /** What was worked out of `pattern` has arrived; dropped where that is no longer shown. */
@@ -71,6 +76,7 @@ export interface ViewSlice {
 
 export type StudioState = DocumentSlice & SelectionSlice & ViewSlice;
 
+const ONE_STEP_MS = 1500;
 const NO_DRAFT = { draft: null, draftAnswer: null } as const;
 
 export const useStudio = create<StudioState>()((set, get) => ({
@@ -87,7 +93,8 @@ export const useStudio = create<StudioState>()((set, get) => ({
       Object.assign(version, {
         findings: draftAnswer.findings,
         seams: draftAnswer.seams,
-        mesh: draftAnswer.mesh,
+        // A hasty garment stays in view until the full one of the same pattern is there.
+        mesh: draftAnswer.hasty ? null : draftAnswer.mesh,
       });
     set({ history: pushed(history, label, version), ...NO_DRAFT, selection: kept(get().selection, pattern) });
   },
@@ -98,10 +105,25 @@ export const useStudio = create<StudioState>()((set, get) => ({
     const { history, selection } = get();
     if (history === null) return get().open(label, version);
     set({
-      history: pushed(history, label, version),
+      history: pushed(history, label, arrangedAs(currentVersion(get()), version)),
       ...NO_DRAFT,
       selection: kept(selection, version.pattern),
     });
+  },
+  arrange: (label, before, after) => {
+    const version = currentVersion(get());
+    const { history } = get();
+    if (history === null || version === null) return;
+    const last = history.entries[history.index];
+    const known = amended(
+      history,
+      (each) => each.arrangement === undefined,
+      (each) => ({ ...each, arrangement: before }),
+    );
+    // Many small steps with the arrow keys are one.
+    const goesOn = last?.label === label && Date.now() - last.at < ONE_STEP_MS && !canRedo(history);
+    const from = goesOn && canUndo(known) ? movedTo(known, known.index - 1) : known;
+    set({ history: pushed(from, label, { ...version, arrangement: after }) });
   },
   restore: (history) => set({ history, ...NO_DRAFT, selection: [], hover: null, focus: null }),
   amend: (pattern, change) => {
@@ -193,6 +215,11 @@ export function lastReading(state: StudioState): Reading | null {
     if (reading) return reading;
   }
   return null;
+}
+
+function arrangedAs(before: Version | null, version: Version): Version {
+  if (version.arrangement !== undefined || before?.arrangement === undefined) return version;
+  return { ...version, arrangement: before.arrangement };
 }
 
 function kept(selection: Target[], pattern: PatternJson): Target[] {

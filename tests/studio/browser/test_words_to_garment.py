@@ -43,7 +43,7 @@ def test_every_format_is_offered_and_each_is_the_shown_garment(studio_page):
     studio_page.button("Download").click()
     items = page.get_by_role("menuitem").all_inner_texts()
     forms = {item.split()[0] for item in items}
-    assert {"ZIP", "JSON", "SVG", "GLB", "OBJ", "PLY", "STL", "PNG"} <= forms
+    assert {"ZIP", "JSON", "SVG", "DXF", "MD", "CLO", "GLB", "OBJ", "PLY", "STL", "PNG"} <= forms
     page.keyboard.press("Escape")
     glb = studio_page.download("GLB").path().read_bytes()
     assert glb[:4] == b"glTF"

@@ -20,6 +20,7 @@ from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern import Pattern
 
 if TYPE_CHECKING:
+    from swifttailor.draping.coarse import CoarseSettings
     from swifttailor.garment_sewer.conditioning import PriorKind
 
 Array = Any
@@ -89,6 +90,7 @@ def tabulate(
     *,
     stitching: StitchingImage | None = None,
     sewing: SewingSettings | None = None,
+    coarse: CoarseSettings | None = None,
 ) -> PixelTable:
     """Collects what is known of a pattern's pixels; float32 and int64 arrays.
 
@@ -98,6 +100,7 @@ def tabulate(
         body: Needed with a prior.
         stitching: Of the layout, where it was drawn already.
         sewing: How the panels are sewn, with the prior ``sewn``.
+        coarse: How finely they are draped, with the prior ``hung``; as the network learnt it when None.
 
     Raises:
         PatternError: The panels cannot be meshed, with the priors ``sewn`` and ``hung``.
@@ -137,7 +140,7 @@ def tabulate(
         mesh = mesh_pattern(layout.pattern, sewing.edge_length)
         points = geometry_raster(layout, mesh).values(sew_around_body(mesh, body, sewing))
     elif prior == "hung":
-        points = _hung(layout, body)
+        points = _hung(layout, body, coarse)
     else:
         points = table.placed().astype(np.float64)
     ignores = panels_ignoring_arms(layout.pattern)[pixel_panel]
@@ -150,11 +153,11 @@ def tabulate(
     )
 
 
-def _hung(layout: Layout, body: BodyDistance) -> Array:
+def _hung(layout: Layout, body: BodyDistance, coarse: CoarseSettings | None) -> Array:
     """(n, 3) where a coarse drape puts the pixels."""
     from swifttailor.draping.coarse import CoarseSettings, coarse_edge_length, drape_coarsely
 
-    settings = CoarseSettings()
+    settings = coarse or CoarseSettings()
     mesh = mesh_pattern(layout.pattern, coarse_edge_length(layout.pattern, settings))
     hung = drape_coarsely(mesh, body.full, body.without_arms, body.measurements, settings=settings)
     return geometry_raster(layout, mesh).values(hung)

@@ -18,11 +18,16 @@ from swifttailor.studio.models.quick import (
     DescribeAnswer,
     DescribeRequest,
     ExportRequest,
+    FitRequest,
     LiveAnswer,
     LiveRequest,
+    MeasuresAnswer,
+    MeasuresRequest,
     OpenRequest,
     RepairAnswer,
     RepairRequest,
+    WearerAnswer,
+    WearerRequest,
 )
 from swifttailor.studio.service import Studio
 
@@ -45,14 +50,19 @@ _TYPES = {
     "png": "image/png",
     "zip": "application/zip",
     "usdz": "model/vnd.usdz+zip",
+    "pdf": "application/pdf",
+    "dxf": "image/vnd.dxf",
+    "md": "text/markdown; charset=utf-8",
+    "clo": "application/zip",
 }
+_ENDINGS = {"clo": "clo.zip"}
 
 
 @api.post("/live", response_model=LiveAnswer)
 async def live(asked: LiveRequest, request: Request) -> Response:
     """The garment of a pattern while it is dragged; of each client the latest state wins."""
     studio = studio_of(request)
-    arguments = {"pattern": asked.pattern, "edge_length": asked.edge_length}
+    arguments = {"pattern": asked.pattern, "edge_length": asked.edge_length, "dragging": asked.dragging}
     result = await studio.live.run(asked.client, asked.sequence, arguments)
     answer = _STALE if result is None else studio.keep(result).answer
     return json_answer({"client": asked.client, "sequence": asked.sequence} | answer)
@@ -82,6 +92,24 @@ async def repair(asked: RepairRequest, request: Request) -> Response:
 async def describe(asked: DescribeRequest, request: Request) -> Response:
     """What a pattern shows."""
     return json_answer(await studio_of(request).do("describe", pattern=asked.pattern))
+
+
+@api.post("/fit", response_model=Document)
+async def fit(asked: FitRequest, request: Request) -> Response:
+    """A pattern refitted to a body."""
+    return json_answer(await studio_of(request).do("fit", **asked.model_dump()))
+
+
+@api.post("/wearer", response_model=WearerAnswer)
+async def wearer(asked: WearerRequest, request: Request) -> Response:
+    """Who wears a pattern; their mesh can be fetched then."""
+    return json_answer(await studio_of(request).do("wearer", pattern=asked.pattern))
+
+
+@api.post("/measures", response_model=MeasuresAnswer)
+async def measures(asked: MeasuresRequest, request: Request) -> Response:
+    """What a file of measures holds."""
+    return json_answer(await studio_of(request).do("measures", **asked.model_dump()))
 
 
 @api.post("/alter", response_model=Document)
@@ -121,5 +149,5 @@ async def exported(
         )
     content = await studio.do("export", pattern=pattern, mesh=studio.mesh(mesh), format=format, facts=facts)
     name = re.sub(r"[^A-Za-z0-9]+", "-", facts.get("title") or "").strip("-").lower()[:60] or "garment"
-    headers = {"Content-Disposition": f'attachment; filename="{name}.{format}"'}
+    headers = {"Content-Disposition": f'attachment; filename="{name}.{_ENDINGS.get(format, format)}"'}
     return Response(content, media_type=_TYPES.get(format, "application/octet-stream"), headers=headers)

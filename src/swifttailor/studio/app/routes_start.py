@@ -67,11 +67,15 @@ async def mesh(name: str, request: Request) -> Response:
 @api.get("/body/{name}", response_class=Response, responses=_BINARY)
 async def body(name: str, request: Request) -> Response:
     """Who wears it."""
-    if name != shipped_options()["body"]:
+    record = shipped_body() if name == shipped_options()["body"] else studio_of(request).mesh(name)
+    if record is None:
         raise StudioError(
-            404, "not-found", "There is no such body.", "GET /api/state names the one there is."
+            404,
+            "body-gone",
+            "This body is no longer kept.",
+            "It can be made again from its pattern.",
         )
-    return Response(shipped_body().data, media_type=MESH_TYPE, headers={"Cache-Control": _FOR_EVER})
+    return Response(record.data, media_type=MESH_TYPE, headers={"Cache-Control": _FOR_EVER})
 
 
 def _example(name: str) -> ShippedExample:

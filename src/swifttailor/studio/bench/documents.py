@@ -13,8 +13,8 @@ from swifttailor.pattern import Finding, Pattern, Reading, read_specification, t
 from swifttailor.studio.bench.chips import EMPTY_READING, reading_of, shown_chips, sliders
 from swifttailor.studio.bench.mesh_files import garment_record
 from swifttailor.studio.bench.pattern_facts import check, finding_infos, seam_infos
+from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.mesh_record import MeshRecord
-from swifttailor.studio.shipped import shipped_options
 from swifttailor.studio.worker.refusal import refusal_of
 from swifttailor.tailor.order import one_line
 from swifttailor.tailor.reading import facts_of
@@ -66,6 +66,7 @@ def document(
     findings = check(pattern, reader_findings)
     facts = facts_of(pattern)
     record = None if garment is None else garment_record(garment, edge_length)
+    worn = wearing(pattern.drafted_for)
     quality = None if garment is None else garment.report.get("quality")
     answer = {
         "origin": origin,
@@ -75,7 +76,7 @@ def document(
         "seams": seam_infos(pattern, findings),
         "mesh": None if record is None else record.name,
         "unsewable": None,
-        "body": shipped_options()["body"],
+        "body": worn.name,
         "reading": EMPTY_READING | {"shown": shown_chips(facts)},
         "dimensions": sliders(facts),
         "description": caption(facts),
@@ -94,7 +95,7 @@ def document(
         "prompt": "",
         "seconds": {} if garment is None else numbers(garment.report.get("seconds", {})),
     }
-    return Work(answer | more, () if record is None else (record,))
+    return Work(answer | more, worn.meshes if record is None else (record, *worn.meshes))
 
 
 def tailored_document(

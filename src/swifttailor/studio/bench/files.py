@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from swifttailor.body import Body
 from swifttailor.errors import GeometryError, InputError, SwiftTailorError
 from swifttailor.garment.folder import DRAWING, OF_A_GARMENT, PATTERN, write_files
 from swifttailor.garment.formats import MESH_ENDINGS, write_garment_mesh
@@ -17,9 +18,10 @@ from swifttailor.garment.triangle_mesh import mesh_of_garment
 from swifttailor.output_folder import OutputFolder
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.svg import write_svg
+from swifttailor.studio.bench import sewing_exports
 from swifttailor.studio.bench.documents import Work, read_pattern
-from swifttailor.studio.bench.mesh_files import garment_of
-from swifttailor.studio.bench.tasks import tailor
+from swifttailor.studio.bench.mesh_files import garment_of, same_pattern
+from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.mesh_record import MeshRecord
 from swifttailor.studio.worker.link import Link
 from swifttailor.tailor.tailored import PREVIEW_SIZE
@@ -47,9 +49,11 @@ def export(
         place = Path(folder)
         if format in OF_PATTERNS:
             return Work(_pattern_file(shown, place / f"pattern.{format}"))
+        if format in sewing_exports.FORMATS:
+            return Work(sewing_exports.sewing_file(shown, place, format))
         garment = _garment(shown, mesh, facts)
         if format == "png":
-            write_files(garment, place, preview=True, preview_size=PREVIEW_SIZE)
+            write_files(garment, place, body=_body(garment), preview=True, preview_size=PREVIEW_SIZE)
             return Work((place / "preview.png").read_bytes())
         if f".{format}" in MESH_ENDINGS:
             path = place / f"garment.{format}"
@@ -83,7 +87,7 @@ def save(
     garment = None if before is None else _described(before, facts)
     with OutputFolder(folder) as output, output.fill(stale=OF_A_GARMENT) as staging:
         if garment is not None:
-            write_files(garment, staging, preview=True, preview_size=PREVIEW_SIZE)
+            write_files(garment, staging, body=_body(garment), preview=True, preview_size=PREVIEW_SIZE)
         else:
             shown.save(staging / PATTERN)
             write_svg(shown, staging / DRAWING)
@@ -101,7 +105,9 @@ def _pattern_file(pattern: Pattern, path: Path) -> bytes:
 def _garment(pattern: Pattern, mesh: MeshRecord | None, facts: dict[str, Any]) -> Garment:
     """The garment that is shown, or the pattern sewn where it is another's."""
     garment = _kept(mesh, pattern)
-    return _described(tailor().sew(pattern).garment if garment is None else garment, facts)
+    return _described(
+        wearing(pattern.drafted_for).tailor.sew(pattern).garment if garment is None else garment, facts
+    )
 
 
 def _kept(mesh: MeshRecord | None, pattern: Pattern) -> Garment | None:
@@ -110,11 +116,11 @@ def _kept(mesh: MeshRecord | None, pattern: Pattern) -> Garment | None:
         garment = None if mesh is None else garment_of(mesh)
     except GeometryError:
         return None
-    return garment if garment is not None and _same(garment.pattern, pattern) else None
+    return garment if garment is not None and same_pattern(garment.pattern, pattern) else None
 
 
-def _same(first: Pattern, second: Pattern) -> bool:
-    return replace(first, name="") == replace(second, name="")
+def _body(garment: Garment) -> Body:
+    return wearing(garment.pattern.drafted_for).body
 
 
 def _described(garment: Garment, facts: dict[str, Any]) -> Garment:
@@ -131,8 +137,9 @@ def _zip(garment: Garment, place: Path) -> bytes:
     from swifttailor.tailor.answer import Answer
     from swifttailor.tailor.tailored import Tailored
 
-    write_files(garment, place, preview=True, preview_size=PREVIEW_SIZE)
-    write_ggi(Tailored(garment, Answer(garment.pattern)).images, place / GGI)
+    body = _body(garment)
+    write_files(garment, place, body=body, preview=True, preview_size=PREVIEW_SIZE)
+    write_ggi(Tailored(garment, Answer(garment.pattern), body=body).images, place / GGI)
     for ending in MESH_ENDINGS:
         path = place / f"garment{ending}"
         if not path.exists() and not ending.startswith(".usd"):

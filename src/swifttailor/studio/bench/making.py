@@ -6,13 +6,17 @@ from dataclasses import replace
 from typing import Any
 
 from swifttailor.arrays import Pixels
+from swifttailor.body import Body
 from swifttailor.errors import SwiftTailorError
+from swifttailor.pattern.drafted_for import DraftedFor
 from swifttailor.studio.bench.documents import Work, read_pattern, tailored_document
 from swifttailor.studio.bench.tasks import tailor
+from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.worker.link import Link
 from swifttailor.studio.worker.refusal import refusal_of
 from swifttailor.tailor.order import Order, Part
 from swifttailor.tailor.tailored import Tailored
+from swifttailor.wishes.wearer_words import hear_wearer
 
 
 def generate(
@@ -24,9 +28,18 @@ def generate(
     seed: int,
     variants: int,
     finish: bool,
+    wearer: dict[str, Any] | None = None,
 ) -> Work:
     """Garments of a description, pictures, or both, one for each seed from `seed` on."""
-    order = Order(text, pictures or None, part=part, samples=variants, seed=seed, finish=finish)
+    order = Order(
+        text,
+        pictures or None,
+        part=part,
+        samples=variants,
+        seed=seed,
+        finish=finish,
+        body=_body_for(text, wearer),
+    )
     return _made(link, order, origin="generate", prompt=text)
 
 
@@ -43,11 +56,21 @@ def sew(link: Link, *, pattern: dict[str, Any], edge_length: float, repair: bool
     """The garment of a pattern."""
     original = read_pattern(pattern).pattern.canonical()
     link.stage("sewing", 0.0)
-    made = tailor().sew(original, edge_length=edge_length, repair=repair, progress=link.stage)
+    made = wearing(original.drafted_for).tailor.sew(
+        original, edge_length=edge_length, repair=repair, progress=link.stage
+    )
     if color is not None:
         made = replace(made, garment=replace(made.garment, color=color))
     work = tailored_document(made, origin="sew", prompt="", edge_length=edge_length, seed=None)
     return Work({"documents": [work.answer], "failures": []}, work.meshes)
+
+
+def _body_for(text: str, wearer: dict[str, Any] | None) -> Body | None:
+    """Who wears what is made: the one that the words name, else the one that was chosen."""
+    named = DraftedFor.from_json(wearer)
+    if named is None or hear_wearer(text, instruction=False).wearer is not None:
+        return None
+    return wearing(named).body
 
 
 def _made(link: Link, order: Order, *, origin: str, prompt: str) -> Work:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from swifttailor.garment.folder import plain
 from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
-from swifttailor.pattern import read_specification, to_specification
+from swifttailor.pattern import Pattern, read_specification, to_specification
 from swifttailor.studio.mesh_record import MeshRecord, name_of, pack_mesh, smooth_normals, unpack_mesh
 
 _SAME_CM = 0.05
@@ -87,6 +88,11 @@ def garment_of(record: MeshRecord) -> Garment:
         "stitches": len(pattern.stitches),
     }
     return Garment(mesh, flat.reshape(-1, 3)[mesh.representative], report | record.report, record.color)
+
+
+def same_pattern(first: Pattern, second: Pattern) -> bool:
+    """Whether two patterns make the same garment: they may have names of their own."""
+    return replace(first, name="") == replace(second, name="") and first.drafted_for == second.drafted_for
 
 
 def strain_of(mesh: PatternMesh, vertices: Array) -> Array:

@@ -2,31 +2,32 @@
 
 from __future__ import annotations
 
-import functools
 from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-from swifttailor.body import Body
-from swifttailor.body.probe import probe_body
 from swifttailor.pattern import EdgeRef, Finding, Pattern, Severity, check_pattern, repair_pattern
 from swifttailor.pattern.check import BodyProbe
 from swifttailor.pattern.check.crossings import find_crossing
 from swifttailor.pattern.check.outline import trace_outline
+from swifttailor.studio.bench.wearers import wearing
 
 _BY_REPAIR = "--repair"
 _OF_CROSSINGS = ("self-crossing", "near-crossing", "self-touching")
 
 
-@functools.cache
-def body_probe() -> BodyProbe:
-    """The default body, for checks."""
-    return probe_body(Body.default())
+def body_probe(pattern: Pattern) -> BodyProbe:
+    """Who wears a pattern, for checks.
+
+    Raises:
+        InputError: No body has the measures that it names.
+    """
+    return wearing(pattern.drafted_for).probe
 
 
 def check(pattern: Pattern, reader_findings: Sequence[Finding] = ()) -> tuple[Finding, ...]:
-    """What a check finds in a pattern around the default body."""
-    return check_pattern(pattern, reader_findings=tuple(reader_findings), body=body_probe())
+    """What a check finds in a pattern around the body that wears it."""
+    return check_pattern(pattern, reader_findings=tuple(reader_findings), body=body_probe(pattern))
 
 
 def finding_infos(
@@ -42,7 +43,7 @@ def finding_infos(
     candidates = [f for f in findings if _BY_REPAIR in f.repair and f.severity is not Severity.INFO]
     left = Counter[tuple[str, str]]()
     if candidates and try_mending:
-        left = Counter((f.code, f.panel) for f in repair_pattern(pattern, body=body_probe()).remaining)
+        left = Counter((f.code, f.panel) for f in repair_pattern(pattern, body=body_probe(pattern)).remaining)
     infos = []
     for finding in findings:
         edges, points = _places(pattern, finding)

@@ -19,12 +19,14 @@ from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern import Pattern, Severity
 from swifttailor.studio.bench.documents import Work, document, read_pattern
-from swifttailor.studio.bench.mesh_files import garment_of, garment_record
+from swifttailor.studio.bench.mesh_files import garment_of, garment_record, same_pattern
 from swifttailor.studio.bench.pattern_facts import check
-from swifttailor.studio.bench.tasks import tailor
+from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.mesh_record import MeshRecord
+from swifttailor.studio.worker.handle import COMPILING
 from swifttailor.studio.worker.link import Link, StoppedError
 
+USUAL_EDGE_CM = 2.0
 _INSTEAD = "Choose a longer edge length, or keep the garment as it was sewn."
 
 
@@ -71,19 +73,22 @@ def drape(
     pattern: dict[str, Any],
     mesh: MeshRecord | None,
     fabric: str,
-    edge_length: float,
+    edge_length: float | None,
     color: str | None,
 ) -> Work:
     """A garment sewn together by physics from its flat panels."""
     original = _sewable(pattern)
+    edge_length = edge_length or USUAL_EDGE_CM
     link.stage("meshing", 0.0)
     watched = _Watched(link, edge_length)
+    body = wearing(original.drafted_for).body
     flat = mesh_pattern(original, edge_length)
     watched.begin(Garment(flat, flat.welded_mean(_placed(original, flat)), {}, color))
 
     def run() -> Garment:
         return drape_pattern(
             original,
+            body=body,
             fabric=fabric,
             edge_length=edge_length,
             settings=watched.settings(),
@@ -102,19 +107,21 @@ def finish(
     pattern: dict[str, Any],
     mesh: MeshRecord | None,
     fabric: str,
-    edge_length: float,
+    edge_length: float | None,
     color: str | None,
 ) -> Work:
-    """A garment hung to rest from where the network has sewn it."""
+    """A garment hung to rest from where the network has sewn it, or from where it hangs already."""
     original = _sewable(pattern)
     link.stage("sewing", 0.0)
-    garment = None
-    if mesh is not None and mesh.edge_length == edge_length:
+    garment, worn = None, wearing(original.drafted_for)
+    if mesh is not None and edge_length in (None, mesh.edge_length):
         with suppress(GeometryError):
             before = garment_of(mesh)
-            garment = before if before.pattern == original else None
+            if same_pattern(before.pattern, original):
+                garment, edge_length = before, mesh.edge_length
+    edge_length = edge_length or USUAL_EDGE_CM
     if garment is None:
-        garment = tailor().sew(original, edge_length=edge_length).garment
+        garment = worn.tailor.sew(original, edge_length=edge_length).garment
     garment = replace(garment, color=color or garment.color)
     watched = _Watched(link, edge_length)
     watched.begin(garment)
@@ -123,6 +130,7 @@ def finish(
         return finish_or_drape(
             garment,
             edge_length=edge_length,
+            body=worn.body,
             fabric=fabric,
             settings=watched.settings(),
             progress=TimeLimit(usual_time_limit(edge_length), link.stage, instead=_INSTEAD),
@@ -167,7 +175,7 @@ def _hung(
 def _say_if_it_compiles(link: Link) -> None:
     """The solver is compiled once on each machine, which takes half a minute."""
     if not solver_is_compiled():
-        link.stage("compiling, once", 0.0)
+        link.stage(f"{COMPILING}, once", 0.0)
 
 
 def _sewable(specification: dict[str, Any]) -> Pattern:

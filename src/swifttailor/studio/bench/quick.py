@@ -24,24 +24,31 @@ from swifttailor.studio.bench.documents import (
 )
 from swifttailor.studio.bench.mesh_files import garment_record
 from swifttailor.studio.bench.pattern_facts import body_probe, check, finding_infos, seam_infos
-from swifttailor.studio.bench.tasks import tailor
+from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.worker.link import Link
 from swifttailor.studio.worker.refusal import refusal_of
 from swifttailor.tailor.reading import facts_of
 from swifttailor.wording.wish_lines import wish_line
 
 
-def live(link: Link, *, pattern: dict[str, Any], edge_length: float) -> Work:
+def live(link: Link, *, pattern: dict[str, Any], edge_length: float, dragging: bool = False) -> Work:
     """The garment of a pattern while it is dragged: findings, seams and a mesh, or why there is none.
 
     Panels, edges and stitches are numbered as they were sent.
+
+    Args:
+        link: To the server.
+        pattern: The state to sew.
+        edge_length: Of the mesh, cm.
+        dragging: Whether another state follows at once: it is sewn in less time, and less finely.
     """
     clock = Clock()
     reading = read_pattern(pattern)
     clock.stop("loading")
     seconds, error, record = {}, None, None
     try:
-        made = tailor().sew(reading.pattern, edge_length=edge_length)
+        worn = wearing(reading.pattern.drafted_for)
+        made = (worn.hasty_tailor if dragging else worn.tailor).sew(reading.pattern, edge_length=edge_length)
     except SwiftTailorError as refused:
         error = refusal_of(refused)
         findings = check(reading.pattern, reading.findings)
@@ -87,8 +94,8 @@ def check_only(link: Link, *, pattern: dict[str, Any]) -> Work:
 def repair(link: Link, *, pattern: dict[str, Any]) -> Work:
     """What can safely be mended is."""
     reading = read_pattern(pattern)
-    done = repair_pattern(reading.pattern, reading.findings, body=body_probe())
-    mended = done.pattern.canonical()
+    done = repair_pattern(reading.pattern, reading.findings, body=body_probe(reading.pattern))
+    mended = replace(done.pattern.canonical(), drafted_for=reading.pattern.drafted_for)
     findings = check(mended)
     return Work(
         {
@@ -138,6 +145,7 @@ def alter(
         altered, missed = found.pattern.canonical(), list(found.open)
         holding = [w for w in wishes if w not in missed]
         said += found.cuts
+    altered = replace(altered, drafted_for=original.drafted_for)
     link.stage("sewing", 0.0)
     work = _sewn_document(
         altered, Reading(altered, ()), origin="alter", sew=sew, title=original.name, color=color
@@ -168,7 +176,7 @@ def _sewn_document(
     if not sew:
         return document(pattern, origin=origin, reader_findings=reading.findings, **more)
     try:
-        made = tailor().sew(pattern)
+        made = wearing(pattern.drafted_for).tailor.sew(pattern)
     except SwiftTailorError as error:
         return document(
             pattern, origin=origin, reader_findings=reading.findings, unsewable=unsewable(error), **more

@@ -41,6 +41,11 @@ Identifier = Annotated[str, StringConstraints(pattern="^[A-Za-z0-9_-]{8,64}$")]
 MeshName = Annotated[str, StringConstraints(pattern="^[0-9a-f]{32}$")]
 EdgeLength = Annotated[float, Field(ge=1.0, le=5.0)]
 """Of a mesh, cm."""
+Figure = Literal["women", "men", "children"]
+BodyName = Annotated[str, StringConstraints(max_length=200)]
+MeasureName = Annotated[str, StringConstraints(pattern="^[a-z_]{2,40}$")]
+Measures = Annotated[dict[MeasureName, Annotated[float, Field(ge=0, le=1000)]], Field(max_length=60)]
+"""Of a body, by name, cm; which there are, and what is accepted, the body says."""
 PatternJson = dict[str, Any]
 """GarmentCode's specification; the reader of patterns looks into it."""
 

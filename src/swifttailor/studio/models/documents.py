@@ -17,7 +17,9 @@ from swifttailor.studio.models.base import (
     UnitOrNone,
 )
 
-Origin = Literal["example", "generate", "edit", "sew", "finish", "drape", "alter", "repair", "open", "live"]
+Origin = Literal[
+    "example", "generate", "edit", "sew", "finish", "drape", "alter", "repair", "open", "live", "fit"
+]
 GarmentState = Literal["none", "sewn", "finished", "draped", "stopped"]
 
 

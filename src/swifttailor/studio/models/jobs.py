@@ -7,11 +7,14 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from swifttailor.studio.models.base import (
+    BodyName,
     Color,
     EdgeLength,
     ErrorInfo,
     FabricName,
+    Figure,
     Identifier,
+    Measures,
     MeshName,
     Model,
     Part,
@@ -26,6 +29,14 @@ MOST_VARIANTS = 4
 JobState = Literal["queued", "running", "done", "failed", "cancelled", "stopped"]
 
 
+class WearerRef(Model):
+    """A body by what it is made to."""
+
+    name: BodyName = ""
+    figure: Figure | None = None
+    measures: Measures = Field(default_factory=dict)
+
+
 class GenerateJob(Model):
     """Words, pictures or both to garments."""
 
@@ -36,6 +47,8 @@ class GenerateJob(Model):
     seed: Seed = 0
     variants: Annotated[int, Field(ge=1, le=MOST_VARIANTS)] = 1
     finish: bool = False
+    wearer: WearerRef | None = None
+    """Who wears it, unless the text says so; as in the properties of a pattern (``drafted_for``)."""
 
     @model_validator(mode="after")
     def _asks_for_something(self) -> GenerateJob:
@@ -74,7 +87,8 @@ class DrapeJob(Model):
     pattern: PatternJson
     mesh: MeshName | None = None
     fabric: FabricName = "cotton"
-    edge_length: EdgeLength = 2.0
+    edge_length: EdgeLength | None = None
+    """Of the mesh, cm; to finish a garment, that of its mesh when None, else 2."""
     color: Color | None = None
 
 

@@ -9,6 +9,7 @@ from pydantic import Field, StringConstraints
 from swifttailor.studio.models.base import (
     Color,
     FabricName,
+    Figure,
     MeshName,
     Model,
     PatternJson,
@@ -154,6 +155,34 @@ class FormatInfo(Model):
     of: Literal["pattern", "garment", "both"]
 
 
+class SizeChart(Model):
+    """Sizes that can be chosen."""
+
+    figure: Figure
+    region: str
+    labels: list[str]
+
+
+class MeasureOption(Model):
+    """A measure of a body."""
+
+    name: str
+    label: str
+    about: str
+    min: float
+    max: float
+    default: float
+    """Of the default body, cm."""
+
+
+class WearerOptions(Model):
+    """Whom garments can be made for."""
+
+    figures: list[Figure]
+    sizes: list[SizeChart]
+    measures: list[MeasureOption]
+
+
 class State(Model):
     """What the client learns first."""
 
@@ -166,6 +195,7 @@ class State(Model):
     dimensions: list[DimensionOption]
     fabrics: list[FabricName]
     formats: list[FormatInfo]
+    wearers: WearerOptions
     body: str
     ready: bool
     notices: list[str]

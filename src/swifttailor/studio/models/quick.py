@@ -7,9 +7,12 @@ from typing import Annotated, Literal
 from pydantic import Field, StringConstraints, model_validator
 
 from swifttailor.studio.models.base import (
+    BodyName,
     Color,
     ErrorInfo,
+    Figure,
     Identifier,
+    Measures,
     MeshName,
     Model,
     PatternJson,
@@ -108,6 +111,8 @@ class LiveRequest(Model):
     sequence: Annotated[int, Field(ge=1, le=2**53)]
     pattern: PatternJson
     edge_length: Annotated[float, Field(ge=2.0, le=5.0)] = 2.5
+    dragging: bool = False
+    """Whether another state follows: sewn in less time, and less finely."""
 
 
 class LiveAnswer(Model):
@@ -121,6 +126,49 @@ class LiveAnswer(Model):
     seams: list[SeamInfo]
     error: ErrorInfo | None
     seconds: dict[str, float]
+
+
+class FitRequest(Model):
+    """A pattern to refit to a body; to the default body without size, figure and measures."""
+
+    pattern: PatternJson
+    size: Annotated[str, StringConstraints(min_length=1, max_length=40)] | None = None
+    figure: Figure | None = None
+    measures: Measures = Field(default_factory=dict)
+    called: BodyName = ""
+    """What the body is called; made up of size and measures where it is empty."""
+    color: Color | None = None
+
+
+class WearerRequest(Model):
+    """A pattern that names who wears it."""
+
+    pattern: PatternJson
+
+
+class WearerAnswer(Model):
+    """Who wears it."""
+
+    body: str
+    name: str
+    figure: Figure | None
+    given: dict[str, float]
+    """What the body was made to, cm."""
+    measures: dict[str, float]
+    """As they are on the body, cm."""
+
+
+class MeasuresRequest(Model):
+    """A file of measures."""
+
+    file_name: Annotated[str, StringConstraints(min_length=1, max_length=200)]
+    text: Annotated[str, StringConstraints(max_length=100_000)]
+
+
+class MeasuresAnswer(Model):
+    """What it holds."""
+
+    measures: dict[str, float]
 
 
 class ExportRequest(Model):

@@ -17,6 +17,10 @@ from swifttailor.workers.process_pool import single_threaded
 Message = tuple[Any, ...]
 STOPPING_SECONDS = 2.0
 """That a task has, once it is asked to stop, before its process is killed."""
+STARTING_SECONDS = 300.0
+"""That a process has to load networks and, the first time on a machine, to compile."""
+COMPILING = "compiling"
+"""Stages of this name happen once on a machine; a task gets time for them."""
 _LOST = ("lost",)
 
 
@@ -83,7 +87,7 @@ class Worker:
         reader = (ours, asyncio.get_running_loop(), self._generation)
         threading.Thread(target=self._read, args=reader, daemon=True).start()
 
-    async def wait_until_ready(self, seconds: float = 120.0) -> None:
+    async def wait_until_ready(self, seconds: float = STARTING_SECONDS) -> None:
         """Waits until its networks are loaded, or for so long."""
         end = time.monotonic() + seconds
         while not self.ready and self._process is not None and time.monotonic() < end:
@@ -144,7 +148,9 @@ class Worker:
 
     async def _until_ready(self, stop: asyncio.Event | None) -> None:
         while not self._ready.is_set():
-            message = await self._next(time.monotonic() + 120.0, stop)
+            message = await self._next(time.monotonic() + STARTING_SECONDS, stop)
+            if message is None and (stop is None or not stop.is_set()):
+                raise RefusedError(_not_ready())
             if message is None:
                 raise StoppedError
             if message == _LOST:
@@ -154,7 +160,7 @@ class Worker:
     async def _result(
         self, deadline: float, say: Callable[[Message], None], stop: asyncio.Event | None
     ) -> Result:
-        asked = False
+        asked = compiled = False
         while True:
             message = await self._next(deadline, None if asked else stop)
             if message is None and not asked and stop is not None and stop.is_set():
@@ -180,6 +186,9 @@ class Worker:
                 if message[1] is None and kind == "stopped":
                     raise StoppedError
                 return Result(message[1], message[2], kind == "stopped")
+            if kind == "stage" and message[1].startswith(COMPILING) and not compiled:
+                compiled = True
+                deadline += STARTING_SECONDS
             say(message)
 
     async def _next(self, deadline: float, stop: asyncio.Event | None) -> Message | None:
@@ -229,6 +238,14 @@ def _ended() -> dict[str, str]:
         "code": "worker-ended",
         "message": "The process that did this ended unexpectedly; another takes its place.",
         "hint": "Try again. If it happens again, memory may be short: choose a longer edge length.",
+    }
+
+
+def _not_ready() -> dict[str, str]:
+    return {
+        "code": "not-ready",
+        "message": "The networks are still being loaded, and their code compiled, which happens once.",
+        "hint": "Try again in a minute. If it goes on, look into the terminal in which the studio runs.",
     }
 
 

@@ -26,6 +26,21 @@ export type Arrangement = Readonly<Record<string, Place>>;
 const FONT = 2;
 const GAP = 5;
 
+/** An arrangement from a saved file; null where it is none. */
+export function arrangementOf(saved: unknown): Arrangement | null {
+  if (typeof saved !== "object" || saved === null || Array.isArray(saved)) return null;
+  const whole = Object.values(saved as Record<string, Partial<Place> | null>).every(
+    (place) =>
+      place !== null &&
+      Array.isArray(place.at) &&
+      place.at.length === 2 &&
+      place.at.every(Number.isFinite) &&
+      Number.isFinite(place.angle) &&
+      typeof place.mirrored === "boolean",
+  );
+  return whole ? (saved as Arrangement) : null;
+}
+
 /** All panels side by side on a sheet whose upper left corner is the origin; `aspect`: its width over its height. */
 export function arranged(specification: Specification, aspect: number | null = null): Arrangement {
   const names = panelNames(specification);

@@ -112,14 +112,14 @@ describe("commands", () => {
     expect(labels()).toEqual(["Opened"]);
   });
 
-  it("turn and move panels in the window only", () => {
+  it("turn and move panels in the window, and leave the pattern", () => {
     selectAll();
     const before = usePatternView.getState().arrangement;
     rotateSelected(90);
     nudge([1, 1]);
     expect(usePatternView.getState().arrangement).not.toEqual(before);
     expect(shown()).toBe(pattern);
-    expect(labels()).toEqual(["Opened"]);
+    expect(labels()).toEqual(["Opened", "Turn panels", "Move panels"]);
   });
 });
 

@@ -20,6 +20,7 @@ import { boxAround, boxOf } from "../geometry/bounds";
 import { pointAt } from "../geometry/curve";
 import { curveOf } from "../geometry/outline";
 import {
+  type Arrangement,
   arranged,
   boxOfAll,
   boxOnSheet,
@@ -172,7 +173,7 @@ export function nudge(by: Point): void {
     vertices.set(vertexKey(v), v);
   if (vertices.size === 0) {
     const panels = selection.flatMap((t) => (t.kind === "panel" ? [t.panel] : []));
-    if (panels.length > 0) keepArrangement(moved(arrangement, panels, by));
+    if (panels.length > 0) keepArrangement("Move panels", moved(arrangement, panels, by));
     return;
   }
   const moves = new Map<string, Map<number, Point>>();
@@ -200,17 +201,29 @@ export function rotateSelected(degrees: number): void {
   for (const t of useStudio.getState().selection)
     if (t.kind === "panel")
       arrangement = rotated(arrangement, t.panel, panelOf(specification, t.panel), degrees);
-  keepArrangement(arrangement);
+  keepArrangement("Turn panels", arrangement);
 }
 
-export function keepArrangement(arrangement: ReturnType<typeof arranged>): void {
+/** Shows the panels so; nothing can be undone yet. */
+export function showArrangement(arrangement: Arrangement): void {
   usePatternView.getState().set({ arrangement });
+}
+
+/** The panels lie so from now on: one entry in the history. */
+export function keepArrangement(
+  label: string,
+  after: Arrangement,
+  before = usePatternView.getState().arrangement,
+): void {
+  if (after === before) return;
+  useStudio.getState().arrange(label, before, after);
+  showArrangement(after);
 }
 
 export function arrangeAnew(): void {
   const specification = shownSpecification();
   if (specification === null) return;
-  keepArrangement(arranged(specification, aspectOf(usePatternView.getState().size)));
+  keepArrangement("Arrange panels anew", arranged(specification, aspectOf(usePatternView.getState().size)));
   fitAll();
 }
 

@@ -5,8 +5,9 @@ import { useStudio } from "../../state/store";
 import { shareAtParameter } from "../geometry/length";
 import { curveOf } from "../geometry/outline";
 import { distance } from "../geometry/point";
+import type { Arrangement } from "../layout/arrangement";
 import { type Point, panelOf, type Specification } from "../specification";
-import { addPointAt, keepArrangement, sewTogether, showTarget, tell } from "./commands";
+import { addPointAt, keepArrangement, sewTogether, showArrangement, showTarget, tell } from "./commands";
 import { shownSpecification, toStore } from "./document";
 import { type Drag, type DragPointer, type DragState, dragOf } from "./drags";
 import { type Hit, hitAt, within } from "./hit-test";
@@ -23,7 +24,13 @@ const GRID_INCH = { far: 2.54 / 4, near: 2.54 / 16, from: 30 };
 
 type Kind = keyof typeof REACH_PX;
 type Doing =
-  | { readonly kind: "drag"; readonly drag: Drag; readonly before: Specification }
+  | {
+      readonly kind: "drag";
+      readonly drag: Drag;
+      readonly before: Specification;
+      /** Where the panels lay when it began. */
+      readonly arrangement: Arrangement;
+    }
   | { readonly kind: "pan" }
   | { readonly kind: "marquee" };
 
@@ -108,7 +115,10 @@ export function listenForGestures(element: SVGSVGElement): () => void {
 
   const cancel = () => {
     forget();
-    if (press?.doing?.kind === "drag") useStudio.getState().cancelPreview();
+    if (press?.doing?.kind === "drag") {
+      useStudio.getState().cancelPreview();
+      showArrangement(press.doing.arrangement);
+    }
     press = null;
     settle();
   };
@@ -121,7 +131,12 @@ export function listenForGestures(element: SVGSVGElement): () => void {
     if (now.hit === null) return now.pointer === "touch" ? { kind: "pan" } : { kind: "marquee" };
     if (tool !== "select") return { kind: "pan" };
     const setting = { specification, arrangement, selection, mirror, hem, units };
-    return { kind: "drag", drag: dragOf(now.hit, now.start, setting, altDown), before: specification };
+    return {
+      kind: "drag",
+      drag: dragOf(now.hit, now.start, setting, altDown),
+      before: specification,
+      arrangement,
+    };
   };
 
   let altDown = false;
@@ -129,7 +144,7 @@ export function listenForGestures(element: SVGSVGElement): () => void {
 
   const show = (state: DragState, before: Specification) => {
     const { set } = usePatternView.getState();
-    if (state.arrangement !== null) keepArrangement(state.arrangement);
+    if (state.arrangement !== null) showArrangement(state.arrangement);
     const { edit } = state;
     set({ guides: state.guides, reading: state.reading, dragging: true, message: edit?.refused ?? null });
     if (edit === null || edit.refused !== undefined) return;
@@ -283,14 +298,15 @@ export function listenForGestures(element: SVGSVGElement): () => void {
       if (event.button === 0) click(now, event);
       return;
     }
-    if (now.doing.kind === "drag") drop(now.doing.drag);
+    if (now.doing.kind === "drag") drop(now.doing.drag, now.doing.arrangement);
     if (now.doing.kind === "marquee") choose(now, event.shiftKey);
     settle();
   };
 
-  const drop = (drag: Drag) => {
+  const drop = (drag: Drag, before: Arrangement) => {
     const { draft, apply } = useStudio.getState();
     if (draft !== null) apply(drag.label, draft);
+    else keepArrangement("Move panels", usePatternView.getState().arrangement, before);
   };
 
   const choose = (now: Press, more: boolean) => {

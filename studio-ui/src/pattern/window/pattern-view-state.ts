@@ -31,7 +31,12 @@ interface PatternViewState extends Switches {
   readonly size: Point;
   readonly arrangement: Arrangement;
   /** The document (its history's first entry) and the state of it that panels are arranged for. */
-  readonly arrangedFor: { readonly document: number | null; readonly specification: Specification } | null;
+  readonly arrangedFor: {
+    readonly document: number | null;
+    readonly specification: Specification;
+    /** What the shown version wanted, which is done by now. */
+    readonly wanted: Arrangement | undefined;
+  } | null;
   /** The edge that the next one is sewn to. */
   readonly sewFrom: EdgeRef | null;
   readonly guides: readonly Guide[];

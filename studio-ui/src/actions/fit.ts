@@ -1,0 +1,63 @@
+/** The pattern for another body: a size, measures, or the default body again. */
+
+import { api } from "../api/client";
+import type { FitRequest, MeasuresAnswer } from "../api/types";
+import type { Version } from "../state/document";
+import type { History } from "../state/history";
+import { notify, useSession } from "../state/session";
+import { currentVersion, useStudio } from "../state/store";
+import { addMade } from "./alter";
+import { tellFailure } from "./failures";
+
+const LARGEST_FILE = 100_000;
+
+/** Refits the shown pattern and sews it on that body; resolves with whether it was done. */
+export async function fitTo(label: string, whom: Omit<FitRequest, "pattern" | "color">): Promise<boolean> {
+  const { history } = useStudio.getState();
+  const before = currentVersion(useStudio.getState());
+  if (history === null || before === null || useSession.getState().working !== null) return false;
+  const { set } = useSession.getState();
+  set({ working: "Refitting the pattern" });
+  try {
+    const document = await api.fit({ pattern: asDrafted(history).pattern, color: before.color, ...whom });
+    // Somebody who has gone on meanwhile is not called back.
+    if (currentVersion(useStudio.getState())?.pattern !== before.pattern) return false;
+    addMade(label, document);
+    if (document.unsewable !== null) notify("warning", document.unsewable.message, document.unsewable.hint);
+    return true;
+  } catch (error) {
+    tellFailure(error);
+    return false;
+  } finally {
+    set({ working: null });
+  }
+}
+
+/** Measures of a file, and the pattern refitted to them. */
+export async function fitToFile(file: File): Promise<void> {
+  if (file.size > LARGEST_FILE) {
+    notify("error", `"${file.name}" is too large for a file of measures.`, "Give names and numbers in cm.");
+    return;
+  }
+  let found: MeasuresAnswer;
+  try {
+    found = await api.measures({ file_name: file.name, text: await file.text() });
+  } catch (error) {
+    tellFailure(error);
+    return;
+  }
+  const called = file.name.replace(/\.(ya?ml|json)$/i, "");
+  await fitTo(`For ${called}`, { measures: found.measures, called });
+}
+
+/**
+ * The version before the last refits: each refit starts from there, so that trying one size after the other
+ * adds up no rounding.
+ */
+function asDrafted(history: History<Version>): Version {
+  let k = history.index;
+  while (k > 0 && history.entries[k]?.value.origin === "fit") k -= 1;
+  const entry = history.entries[k] ?? history.entries[history.index];
+  if (entry === undefined) throw new Error("a history has an entry that is shown");
+  return entry.value;
+}
