@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from swifttailor.describing.measuring.cloth import Cloth, mutually_visible
+from swifttailor.errors import GeometryError
 from swifttailor.pattern import EdgeRef, Pattern, Placement, Stitch
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.outline import annular_sector
@@ -130,3 +131,10 @@ def test_unusable_stitches_are_left_out():
 )
 def test_borders_are_the_openings_of_the_garment(name, count):
     assert len(Cloth.of(draft(name)).loops) == count
+
+
+def test_jagged_panels_are_refused_before_memory_runs_out():
+    corners = [[40.0 * k / 1500, 0.05 * (k % 2)] for k in range(1500)] + [[40.0, 60.0], [0.0, 60.0]]
+    jagged = Pattern((Panel("front", corners, tuple(Edge() for _ in corners)),))
+    with pytest.raises(GeometryError, match="too jagged to be measured"):
+        Cloth.of(jagged)

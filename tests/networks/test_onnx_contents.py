@@ -127,3 +127,45 @@ def test_shipped_graphs_hold_all_that_they_need():
     assert not keeps_values_elsewhere(content) and foreign_operators(content) == frozenset()
     with pytest.raises(ValueError):
         keeps_values_elsewhere(content[:1000])
+
+
+def _loaders():
+    from swifttailor.garment_sewer.sewer import GarmentSewer
+    from swifttailor.picture_reader.reader import PictureReader
+    from swifttailor.wishes.reader import WishReader
+
+    return {
+        "sewer": GarmentSewer.load,
+        "words": WishReader.load,
+        "pictures": PictureReader.load,
+        "close-ups": lambda path: PictureReader.load(close_ups=path),
+    }
+
+
+@pytest.mark.parametrize("reader", ["sewer", "words", "pictures", "close-ups"])
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (opset("evil.ops") + opset(""), "evil.ops"),
+        (opset("") + PLACES["constant"](ELSEWHERE["its key last"]), "keeps weights in other files"),
+    ],
+)
+def test_every_network_refuses_such_files(reader, content, said, tmp_path):
+    (tmp_path / "evil.onnx").write_bytes(content)
+    with pytest.raises(InputError, match=said):
+        _loaders()[reader](tmp_path / "evil.onnx")
+
+
+@pytest.mark.needs_torch
+def test_trainings_do_not_begin_with_such_files(tmp_path, monkeypatch):
+    pytest.importorskip("torch")
+    from swifttailor.networks.graph_weights_torch import graph_tensors
+
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "secret").write_bytes(b"\0" * 64)
+    tensor = field(1, 4) + field(2, 1) + field(8, b"weight") + field(14, 1)
+    tensor += field(13, field(1, b"location") + field(2, b"secret"))
+    with pytest.raises(InputError, match="keeps weights in other files"):
+        graph_tensors(field(7, field(5, tensor)), "a graph")
+    with pytest.raises(InputError, match="is damaged"):
+        graph_tensors(field(7, field(5, field(1, 999) + field(2, 1) + field(8, b"weight"))), "a graph")

@@ -22,7 +22,7 @@ MAX_BODY_INTERSECTIONS = 35
 MAX_SELF_INTERSECTIONS = 300
 MAX_STRAIN_P95 = 0.12
 WHEN_TOO_TIGHT = (
-    'Make it wider where it is tight, as with swifttailor edit ... "make it 5 cm wider around the chest", or '
+    'Make it wider where it is tight, as with swifttailor edit ... "make it 5 cm wider", or '
     "drape it over the body that it is for (swifttailor drape --body)."
 )
 MAX_PENETRATING_FRACTION = 0.01

@@ -97,16 +97,19 @@ class RunRecord:
         write_text(self.folder / METRICS, "".join(json.dumps(line) + "\n" for line in kept), overwrite=True)
 
     def lines(self) -> list[dict[str, Any]]:
-        """All measurements; a last line cut short by a crash is left out."""
+        """All measurements, up to the first line that is none: the last may be cut short by a crash."""
         path = self.folder / METRICS
         if not path.is_file():
             return []
         found = []
-        for text in path.read_text(encoding="utf-8").splitlines():
+        for text in path.read_bytes().splitlines():
             try:
-                found.append(json.loads(text))
+                line = json.loads(text)
             except (ValueError, RecursionError):
                 break
+            if not isinstance(line, dict) or not isinstance(line.get("step"), int):
+                break
+            found.append(line)
         return found
 
     def write_card(self, card: dict[str, Any]) -> None:

@@ -20,6 +20,7 @@ from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components, dijkstra
 
 from swifttailor.arrays import Floats, Longs, read_only
+from swifttailor.errors import GeometryError
 from swifttailor.pattern import EdgeRef, Pattern, Stitch
 from swifttailor.pattern.check.stitch_checks import single_stitches, usable_stitches
 
@@ -27,6 +28,8 @@ SPACING_CM = 3.0
 """Distance between samples; a tape laid between them is at most a few millimetres too long."""
 MAX_SAMPLES = 70
 """Samples per panel, about: the graph grows with their square."""
+_MOST_TESTS, _AT_ONCE = 500_000_000, 2_000_000
+"""Lines against sides, for all panels of a pattern and in one piece of memory."""
 _ON_BORDER_CM = 0.05
 
 
@@ -170,7 +173,16 @@ def _sew(samples: dict[EdgeRef, Longs], stitches: Sequence[Stitch], count: int) 
 
 
 def _ways(local: list[Floats], spans: list[tuple[int, int]], node: Longs) -> csr_array:
-    """The straight ways within panels; of several between two nodes the shortest."""
+    """The straight ways within panels; of several between two nodes the shortest.
+
+    Raises:
+        GeometryError: There are so many corners that it would take minutes.
+    """
+    if sum(len(points) ** 3 // 2 for points in local) > _MOST_TESTS:
+        raise GeometryError(
+            f"A panel has {max(map(len, local))} corners and points of curves, which is too jagged to be "
+            "measured: some hundreds are accepted. Smooth its outline."
+        )
     starts, ends, lengths = [], [], []
     for points, (first, _) in zip(local, spans, strict=True):
         i, j = _remembered_ways(points.tobytes())
@@ -208,7 +220,10 @@ def mutually_visible(points: Floats) -> tuple[Longs, Longs]:
         return i, j
     neighbours = (j - i == 1) | ((i == 0) & (j == n - 1))
     a, b = points[i], points[j]
-    inside = ~_crosses(points[hollow], np.roll(points, -1, axis=0)[hollow], a, b)
+    sides = points[hollow], np.roll(points, -1, axis=0)[hollow]
+    rows = max(1, _AT_ONCE // len(hollow))
+    parts = [_crosses(*sides, a[k : k + rows], b[k : k + rows]) for k in range(0, len(a), rows)]
+    inside = ~np.concatenate(parts)
     polygon = shapely.make_valid(shapely.Polygon(points))
     shapely.prepare(polygon)
     for t in (0.5, 0.27, 0.79):  # more than one, since a line outside may pass close to the border
