@@ -84,7 +84,17 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     changes = [wish.change for wish in sure]
     lacks = tuple([lack for lack in lacks_of(words, changes, measures) if lack.said])
     silent = _not_answered(unread, words)
-    return Heard(text, tuple(sure), tuple(likely), words.never, silent, lacks, words, clashes=spoken.clashes)
+    return Heard(
+        text,
+        tuple(sure),
+        tuple(likely),
+        words.never,
+        silent,
+        lacks,
+        words,
+        clashes=spoken.clashes,
+        taken=spoken.taken,
+    )
 
 
 def named_kind(facts: GarmentFacts) -> str:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
-from swifttailor.wishes.change_parts import Property, changes_of, subjects_of
+from swifttailor.wishes.change_parts import Property, changes_of, part_of, subjects_of
 from swifttailor.wishes.change_words import (
     ChangeWord,
     PartWord,
@@ -23,20 +23,24 @@ from swifttailor.wishes.change_words import (
     target_words,
 )
 from swifttailor.wishes.mentions import Mention, find_mentions
+from swifttailor.wishes.spoken_amounts import is_target, joined_amount, more_of_them, to_target
 from swifttailor.wishes.spoken_clauses import SpokenClause, clashes_of, without_what_is_so
 from swifttailor.wishes.spoken_places import at_the_neck, hem_shape, slit
+from swifttailor.wishes.spoken_scenes import spoken_scene
 from swifttailor.wishes.unread import is_function_word
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import Implication, WordMark, WordReading, read_words
 
 _JOINT = re.compile(
-    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+]\s|\s(?:and|but|then|und|aber|et|mais|y|pero)\s|\sso\s(?=it|that|can|could|i\b|she|he|they)",
+    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+]\s|\s(?:and|but|then|und|aber|et|mais|y|pero)\s|\sso\s(?=it|that|can|could|i\b|she|he|they)"
+    r"|\s(?=(?:except|apart from|other than|save for|außer|bis auf|sauf|salvo|excepto)\s)",
     re.IGNORECASE,
 )
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 _THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
 _LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|^\s*-\s*\d")
-_TO = re.compile(r"(?<!\w)(?:to|auf|à|a)\s*$")
+_MORE_BY = re.compile(r"(?<!\w)(?:plus|extra|add|increase|more|gain)(?!\w)|\+\s*\d")
+_DENIED = re.compile(r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas)(?:\s+\w+){0,2}\s+$")
 _SILENT = frozenset(["function", "polite", "degrees", "numbers", "negations", "generic"])
 _BASES = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 _PARTS_OF = {"dress": ("skirt", "top"), "jumpsuit": ("trousers", "top"), "playsuit": ("shorts", "top")}
@@ -49,6 +53,7 @@ _NAMED = {
     ),
 }
 """Kinds that a name of a garment can mean where one is there already."""
+_GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders"})
 _CAREFUL_CM = 6.0
 """A step of no stated size where something beyond it is refused: "shorter, but not mini"."""
 _TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
@@ -66,6 +71,8 @@ class SpokenChanges:
     """Claims and quantities that are to stay as they are."""
     clashes: tuple[tuple[str, str], ...]
     """What asks for opposite things, in words; none of it counts."""
+    taken: tuple[tuple[str, tuple[Change, ...]], ...] = ()
+    """Vague words, and what they are taken to mean."""
 
     @property
     def changes(self) -> tuple[Change, ...]:
@@ -92,6 +99,7 @@ def spoken_changes(
     found: list[SpokenClause] = []
     kept: set[str] = set()
     last: str | None = None
+    taken: list[tuple[str, tuple[Change, ...]]] = []
     for start, end in bounds:
         inside = [p for p in parts if start <= p.start < end]
         if kept_words().search(small, start, end):
@@ -103,10 +111,24 @@ def spoken_changes(
                 found.append(SpokenClause(start, end, (), ()))
                 continue
         them = bool(_THEM.search(small, start, end)) or (them and len(small[start:end].split()) <= 3)
+        denied = [c for c in changes if start <= c.start < end and _DENIED.search(small[start : c.start])]
+        denied = [c for c in denied if small[c.start : c.end] not in ("in", "out")]
+        for word in denied:
+            near = _part_of(word, inside, ())
+            kept |= {subject_of(c) for c in changes_of(near or last, word.what, word.sign, kind, None)}
+        said = [c for c in changes if c not in denied]
         clause = _clause(
-            small, (start, end), (changes, inside, mentions), implied, words, kind, last, them=them
+            small, (start, end), (said, inside, mentions), implied, words, kind, last, is_so, them=them
         )
-        found.append(_read_alone(text, clause, kind))
+        clause = _read_alone(text, clause, kind)
+        if denied and not clause.changes:
+            clause = replace(clause, left_over=())
+        if not clause.changes and clause.left_over:
+            scene = spoken_scene(small, (start, end), [p.part for p in inside], kind, is_so)
+            if scene is not None:
+                clause = replace(clause, changes=scene.changes, left_over=())
+                taken.append((text[scene.start : scene.end], scene.changes))
+        found.append(clause)
         named = [p.part for p in inside if p.part not in ("all", "waist")]
         last = named[-1] if named else last
     found = _joined(small, found, mentions, parts)
@@ -128,7 +150,10 @@ def spoken_changes(
     )
     said = {subject_of(change) for change in wanted}
     return SpokenChanges(
-        kept_clauses, frozenset(kept - said | (kept & dropped)), tuple([(a, b) for a, b, _ in clashes])
+        kept_clauses,
+        frozenset(kept - said | (kept & dropped)),
+        tuple([(a, b) for a, b, _ in clashes]),
+        tuple(taken),
     )
 
 
@@ -156,8 +181,7 @@ def _joined(
         if not clause.changes and length is not None and joined:
             before = joined[-1]
             if any(isinstance(c, Step) and c.amount is None for c in before.changes):
-                steps = [replace(c, amount=length) if isinstance(c, Step) else c for c in before.changes]
-                joined[-1] = replace(before, changes=tuple(steps))
+                joined[-1] = joined_amount(before, length)
                 joined.append(replace(clause, left_over=()))
                 continue
         named = " ".join(p.word for p in parts if clause.start <= p.start < clause.end)
@@ -248,13 +272,14 @@ def _clause(
     words: WordReading,
     kind: str,
     last: str | None,
+    is_so: Callable[[Claim], bool],
     *,
     them: bool,
 ) -> SpokenClause:
     start, end = bounds
     said = text[start:end]
     grown = [c for c in seen[0] if start <= c.start < end]
-    parts = seen[1]
+    parts = list(seen[1])
     numbers = [m for m in seen[2] if start <= m.start < end]
     claims = [i for i in implied if start <= i.mark.start < end and not _within(i.mark, grown)]
     if _TAKEN_OUT.search(said):
@@ -263,25 +288,44 @@ def _clause(
     spans = [(i.mark.start, i.mark.end) for i in details]
     # What is said of a detail is no change: "a low neckline" is not lowered by being called so.
     grown = [c for c in grown if not any(a <= c.start < b for a, b in spans)]
+    if grown:
+        # "a deeper V" of a V neck and "smaller puffed sleeves" of puffed ones name what is there.
+        so = [i for i in details if is_so(i.claim)]
+        claims = [i for i in claims if i not in so]
+        told = [(i.mark, part) for i in details if (part := part_of(i.claim.name)) is not None]
+        details = [i for i in details if i not in so]
+        if not any(p.part != "all" for p in parts):
+            parts += [PartWord(mark.start, mark.end, part, mark.word) for mark, part in told]
+            spans = [(a, b) for a, b in spans if not any(p.start == a for p in parts)]
     bare = not grown and not claims and not any(p.part == "slit" for p in parts)
-    if bare and (_TO_BE.search(said) or len(said.split()) == 1):
+    if bare and (_TO_BE.search(said) or _is_plain(text, bounds, parts)):
         grown = [c for c in find_adjectives(text) if start <= c.start < end]
     length = next((m.value for m in numbers if m.is_length), None)
     changes: list[Change] = []
     used: list[tuple[int, int]] = []
+    missed: list[str] = []
     for word in grown:
         named = _part_of(word, parts, spans)
-        amount = None if numbers and _TO.search(text[: numbers[0].start]) else length
+        target = next((m for m in numbers if is_target(text, m)), None)
+        amount = None if target is not None else length
         made: tuple[Change, ...] = () if bare else hem_shape(said, named, word, kind)
         for part in (named or (last if bare or them else None), last, None):
             made = made or changes_of(part, word.what, word.sign, kind, amount)
+        made = made if target is None else to_target(made, target)
         changes += made
         if made or claims:
             used.append((word.start, word.end))
-    if not grown and length is not None and _LESS_BY.search(said):
+            if word.verb is not None:
+                used.append(word.verb)
+        else:
+            missed.append(text[word.start : word.end])
+    sign = -1 if _LESS_BY.search(said) else 1 if _MORE_BY.search(said) else 0
+    if not grown and length is not None and sign:
         part = next((p.part for p in parts), last)
-        what: Property = "width" if part in ("chest", "waist", "hips", "thigh") else "length"
-        changes += changes_of(part, what, -1, kind, length)
+        what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
+        changes += changes_of(part, what, sign, kind, length)
+    if not changes:
+        changes += more_of_them(said)
     if any(p.part == "tiers" for p in parts) and _STEPS_DOWN.search(said) and not changes:
         changes.append(Step("tiers", -1, 1.0))
     if any(p.part == "slit" for p in parts) and not claims and not changes:
@@ -291,7 +335,26 @@ def _clause(
     used += [(p.start, p.end) for p in parts if changes or (p.part == "all" and _is_it(p.word, kind))]
     used += [(i.mark.start, i.mark.end) for i in claims]
     used += [(m.start, m.end) for m in numbers if not m.is_length or any(_has(c, m.value) for c in changes)]
-    return SpokenClause(start, end, tuple(dict.fromkeys(changes)), _left_over(text, bounds, used, words))
+    left = _left_over(text, bounds, used, words)
+    if not changes and not any(word in phrase for word in missed for phrase in left):
+        left = (*left, *missed)
+    return SpokenClause(start, end, tuple(dict.fromkeys(changes)), left)
+
+
+def _is_plain(text: str, bounds: tuple[int, int], parts: Sequence[PartWord]) -> bool:
+    """Whether a clause is nothing but parts and adjectives: "tight on the bottom"."""
+    spans = [(p.start, p.end) for p in parts] + [(c.start, c.end) for c in find_adjectives(text)]
+    others = [
+        m[0]
+        for m in _WORD.finditer(text, *bounds)
+        if not is_function_word(m[0]) and not any(a <= m.start() < b for a, b in spans)
+    ]
+    return not others
+
+
+def _is_around(parts: Sequence[PartWord], said: str) -> bool:
+    """Whether a number is of the girth of a part."""
+    return any(p.word.startswith(("bicep", "upper arm")) for p in parts) or "flare" in said
 
 
 def _is_it(word: str, kind: str) -> bool:
