@@ -42,6 +42,8 @@ def from_edit(wanted: Wanted) -> Answer | None:
     if wanted.leaves_cut:
         return _as_it_is(edit, wanted)
     recut = wanted.recut
+    if recut is not None and not asks_for_other_kind([w.change for w in wanted.wishes]) and not recut.cuts:
+        return _as_it_is(edit, wanted, open=recut.open)
     if recut is None or len(recut.open) == len(wanted.wishes) or _is_remade(edit, recut):
         return None
     verdict = Verdict(
@@ -56,9 +58,14 @@ def from_edit(wanted: Wanted) -> Answer | None:
     return Answer(recut.pattern, verdict, wanted=wanted, cuts=recut.cuts, of_edit=True)
 
 
-def _as_it_is(edit: Pattern, wanted: Wanted, written: WrittenPattern | None = None) -> Answer:
-    open = tuple(wish.change for wish in wanted.wishes)
-    verdict = Verdict(tuple(check_pattern(edit)), wanted.tolerated, open=open)
+def _as_it_is(
+    edit: Pattern,
+    wanted: Wanted,
+    written: WrittenPattern | None = None,
+    open: tuple[Change, ...] | None = None,
+) -> Answer:
+    missing = tuple(wish.change for wish in wanted.wishes) if open is None else open
+    verdict = Verdict(tuple(check_pattern(edit)), wanted.tolerated, open=missing)
     return Answer(edit, verdict, wanted=wanted, written=written, of_edit=True)
 
 
@@ -168,6 +175,11 @@ def _is_senseless(facts: GarmentFacts) -> bool:
     if facts.kind == "skirt" and facts.hem and facts.hem.level > facts.body.crotch + BARE_CM:
         return True
     return facts.kind == "other" or not (facts.torso or facts.skirt or facts.trousers)
+
+
+def asks_for_other_kind(changes: Sequence[Change]) -> bool:
+    """Whether a garment is to become another kind of garment, which may have to be written anew."""
+    return any(isinstance(change, Gain) and change.claim.name == "kind" for change in changes)
 
 
 def _is_remade(edit: Pattern, recut: Alteration) -> bool:

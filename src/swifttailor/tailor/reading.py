@@ -152,7 +152,8 @@ class Wanted:
         """The pattern to edit, altered: the same whatever the network writes."""
         if self.order.edit is None or self.original is None:
             return None
-        return altered(self.order.edit, [wish.change for wish in self.wishes], self.original)
+        changes = [wish.change for wish in self.wishes]
+        return altered(self.order.edit, changes, self.original, keep_others=True)
 
     def request(self, attempt: int) -> Request:
         """What the network is asked.
@@ -268,11 +269,15 @@ def _shown(picture: SeenPicture, crop: bool) -> tuple[Pixels | None, tuple[str, 
 
 
 def altered(
-    pattern: Pattern, changes: Sequence[Change], original: GarmentFacts | None = None
+    pattern: Pattern,
+    changes: Sequence[Change],
+    original: GarmentFacts | None = None,
+    *,
+    keep_others: bool = False,
 ) -> Alteration | None:
     """The pattern altered (`recutting.alter`); None where it cannot be measured."""
     try:
-        return alter(pattern, changes, original=original)
+        return alter(pattern, changes, original=original, keep_others=keep_others)
     except SwiftTailorError:
         return None
 

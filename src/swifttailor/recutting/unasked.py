@@ -1,0 +1,101 @@
+"""What nobody asked to change: parts of a garment that wishes speak of, and what has changed in the others."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from typing import cast
+
+from swifttailor.describing.claims import claims_of
+from swifttailor.describing.differences import Change, Gain, find_differences, subject_of
+from swifttailor.describing.dimensions import QUANTITIES
+from swifttailor.describing.facts import GarmentFacts
+
+_PARTS = {
+    "sleeves": "sleeves left_sleeve right_sleeve sleeve_shape cuffs sleeve_cm sleeve_width_cm cuff_cm "
+    "sleeve_length sleeve_width sleeve_end sleeve_head sleeve_gathers cuff_length cuff_opening",
+    "neck": "neckline left_neckline right_neckline neck_depth neck_depth_cm back_neckline back_depth "
+    "back_depth_cm neck_width collar collar_cm collar_height hood hood_depth hood_height",
+    "shoulders": "shoulders straps armholes",
+    "bodice": "fit bodice chest chest_cm bodice_gathers top_width",
+    "waist": "waist_seam waistband waistband_cm waistband_height waistband_width rise bodice_length",
+    "hem": "skirt_hem top_hem leg_hem length length_cm skirt_length_cm inseam_cm leg_length hem_shape dip slit "
+    "slit_size slit_cm slits front_slit back_slit left_slit right_slit",
+    "skirt": "skirt hips hem_cm skirt_hem_width skirt_gathers tiers tier_gathers gores godets godet_cm "
+    "godet_width godet_height base_width",
+    "legs": "legs leg_width_cm leg_end thigh leg_cuffs leg_cuff_cm leg_cuff_length",
+}
+_PART_OF = {name: part for part, names in _PARTS.items() for name in names.split()}
+_TOGETHER = {
+    "sleeves": {"shoulders"},
+    "neck": {"shoulders"},
+    "shoulders": {"neck", "sleeves", "hem", "waist"},
+    "bodice": {"shoulders", "sleeves", "waist", "skirt", "hem"},
+    "waist": {"bodice", "skirt"},
+    "hem": {"skirt", "legs", "waist"},
+    "skirt": {"hem", "waist"},
+    "legs": {"hem", "skirt"},
+}
+"""What cannot but change with a part: armholes are seen without sleeves, a hem widens with its length."""
+_EVERYTHING = frozenset({"kind", "sides"})
+
+
+@dataclass(frozen=True)
+class Keep:
+    """A measure that is to stay as it was; a change as `Step` is one, of nothing."""
+
+    quantity: str
+    direction: int = 0
+    amount: float = 0.0
+
+    def holds(self, before: GarmentFacts, after: GarmentFacts) -> bool:
+        """Whether no difference is seen."""
+        quantity = QUANTITIES[self.quantity]
+        was, now = quantity.of(before), quantity.of(after)
+        return was is None or now is None or not quantity.seen(was, now)
+
+
+def part_of(subject: str) -> str | None:
+    """The part of a garment that a claim or a quantity is about; None where it is about all of it."""
+    if subject == "skirt hem":  # the quantity is its width, the claim `skirt_hem` where it ends
+        return "skirt"
+    return _PART_OF.get(subject.replace(" ", "_"))
+
+
+def spoken_parts(subjects: Collection[str]) -> frozenset[str] | None:
+    """The parts that wishes speak of, with those that hang on them; None where they are about everything.
+
+    Args:
+        subjects: Names of claims and quantities.
+    """
+    if _EVERYTHING.intersection(subjects):
+        return None
+    parts = {part for name in subjects if (part := part_of(name)) is not None}
+    return frozenset(parts.union(*(_TOGETHER[part] for part in parts)))
+
+
+def unasked(parts: frozenset[str] | None, before: GarmentFacts, after: GarmentFacts) -> tuple[Change, ...]:
+    """What has visibly changed in parts that no wish speaks of.
+
+    Args:
+        parts: That wishes speak of (`spoken_parts`).
+        before: What the pattern showed.
+        after: What it shows now.
+    """
+    if parts is None:
+        return ()
+    gains, steps = find_differences(before, after)
+    return tuple([change for change in (*gains, *steps) if part_of(subject_of(change)) not in parts])
+
+
+def undoing(changes: Sequence[Change], before: GarmentFacts) -> list[Change]:
+    """Wishes that undo changes: measures as they were, and claims that were true."""
+    found: list[Change] = []
+    names = set()
+    for change in changes:
+        if isinstance(change, Gain):
+            names.add(change.claim.name)
+        else:
+            found.append(cast(Change, Keep(change.quantity)))
+    found += [Gain(claim) for claim in claims_of(before) if claim.name in names and isinstance(claim.value, str)]
+    return found
