@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
 from swifttailor.body import BodyMeasurements
 from swifttailor.describing import Claim
 from swifttailor.describing.change_text import read_change
-from swifttailor.describing.differences import Change, subject_of
+from swifttailor.describing.differences import Change
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.errors import PatternError, SwiftTailorError
 from swifttailor.pattern import Pattern
@@ -51,6 +51,7 @@ def alter(
     body: BodyMeasurements | None = None,
     most_cuts: int = MOST_CUTS,
     keep_others: bool = False,
+    kept: Collection[str] = (),
 ) -> Alteration:
     """Recuts a pattern until wishes hold, as many as can be.
 
@@ -66,6 +67,7 @@ def alter(
         most_cuts: How many cuts are kept at most.
         keep_others: Whether nothing may be seen to change in parts that no wish speaks of (`unasked`): what a
             cut changes there is cut back, and a wish that cannot be had so stays open.
+        kept: Claims and quantities that are to stay, even in those parts.
 
     Raises:
         PatternError: The pattern cannot be measured.
@@ -75,8 +77,8 @@ def alter(
         raise PatternError("A pattern without panels cannot be altered. Give one with at least one panel.")
     start = Cutter(pattern, body)
     asked = tuple(dict.fromkeys(map(read_change, wishes)))
-    parts = spoken_parts([subject_of(wish) for wish in asked]) if keep_others else None
-    work = _Work(original or start.facts, asked, most_cuts * TRIES_A_CUT, parts)
+    parts = spoken_parts(asked) if keep_others else None
+    work = _Work(original or start.facts, asked, most_cuts * TRIES_A_CUT, parts, frozenset(kept))
     before = set(work.holding(start.facts))
     now, said = start, []
     failed: set[Change] = set()
@@ -112,6 +114,8 @@ class _Work:
     tries_left: int
     parts: frozenset[str] | None = None
     """That wishes speak of, where nothing else may change."""
+    kept: frozenset[str] = frozenset()
+    """Subjects that may not change in any part."""
     tried: dict[tuple[Cutter, str, float], Cutter | None] = field(default_factory=dict)
 
     def holding(self, facts: GarmentFacts) -> tuple[Change, ...]:
@@ -141,7 +145,7 @@ class _Work:
 
     def _undone(self, found: tuple[Cutter, list[str]] | None) -> tuple[Cutter, list[str]] | None:
         """What was cut with what it changed elsewhere cut back; None where that cannot be."""
-        if found is None or self.parts is None:
+        if found is None or (self.parts is None and not self.kept):
             return found
         after, words = found
         for _ in range(MOST_UNDONE):
@@ -164,7 +168,7 @@ class _Work:
         return None if self._changed_elsewhere(after) else (after, words)
 
     def _changed_elsewhere(self, after: Cutter) -> tuple[Change, ...]:
-        return unasked(self.parts, self.original, after.facts)
+        return unasked(self.parts, self.original, after.facts, self.kept)
 
     def _mend(self, after: Cutter, held: Sequence[Change]) -> tuple[Cutter, list[str]] | None:
         """Brings back the one wish that a cut has lost."""
@@ -219,12 +223,14 @@ class _Work:
             for _ in range(AIMS):
                 after = self._cut(now, lever, amount)
                 value = lever.of(after.facts) if after is not None else None
-                if after is None or value is None:
+                if after is None:
                     break
-                if self.holds(plan.wish, after):
+                if self.holds(plan.wish, after):  # even where it is no longer what the lever moves
                     if self._keeps(held, after):
                         return after, [lever.said(was, value)]
                     harmful.append((after, lever.said(was, value)))
+                if value is None:
+                    break
                 if abs(amount) > 0.1:
                     rate = (value - (was or 0.0)) / amount
                 if abs(rate) < 0.1 * abs(lever.rate) or abs(target - value) < 0.05 * lever.step:

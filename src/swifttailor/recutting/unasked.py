@@ -10,6 +10,7 @@ from swifttailor.describing.claims import claims_of
 from swifttailor.describing.differences import Change, Gain, find_differences, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
+from swifttailor.recutting.one_sided import asks_for_one_side
 
 _PARTS = {
     "sleeves": "sleeves left_sleeve right_sleeve sleeve_shape cuffs sleeve_cm sleeve_width_cm cuff_cm "
@@ -62,30 +63,50 @@ def part_of(subject: str) -> str | None:
     return _PART_OF.get(subject.replace(" ", "_"))
 
 
-def spoken_parts(subjects: Collection[str]) -> frozenset[str] | None:
+def spoken_parts(wishes: Sequence[Change]) -> frozenset[str] | None:
     """The parts that wishes speak of, with those that hang on them; None where they are about everything.
 
     Args:
-        subjects: Names of claims and quantities.
+        wishes: What is asked for; that of one side alone speaks of the sides, too.
     """
+    subjects = {subject_of(wish) for wish in wishes}
     if _EVERYTHING.intersection(subjects):
         return None
     parts = {part for name in subjects if (part := part_of(name)) is not None}
-    return frozenset(parts.union(*(_TOGETHER[part] for part in parts)))
+    sides = {"sides"} if asks_for_one_side(wishes) else set()
+    return frozenset(sides.union(parts, *(_TOGETHER[part] for part in parts)))
 
 
-def unasked(parts: frozenset[str] | None, before: GarmentFacts, after: GarmentFacts) -> tuple[Change, ...]:
+def unasked(
+    parts: frozenset[str] | None,
+    before: GarmentFacts,
+    after: GarmentFacts,
+    kept: Collection[str] = frozenset(),
+) -> tuple[Change, ...]:
     """What has visibly changed in parts that no wish speaks of.
 
     Args:
         parts: That wishes speak of (`spoken_parts`).
         before: What the pattern showed.
         after: What it shows now.
+        kept: Subjects that may not change, whatever part they are of.
     """
-    if parts is None:
+    if parts is None and not kept:
         return ()
     gains, steps = find_differences(before, after)
-    return tuple([change for change in (*gains, *steps) if part_of(subject_of(change)) not in parts])
+    return tuple(
+        [
+            change
+            for change in (*gains, *steps)
+            if subject_of(change) in kept or (parts is not None and not _may_change(subject_of(change), parts))
+        ]
+    )
+
+
+def _may_change(subject: str, parts: frozenset[str]) -> bool:
+    if subject == "sides":
+        return "sides" in parts
+    return part_of(subject) in parts or (subject == "kind" and "hem" in parts)
 
 
 def undoing(changes: Sequence[Change], before: GarmentFacts) -> list[Change]:

@@ -18,6 +18,7 @@ from swifttailor.recutting.one_sided import (
     made_of_one_side,
     one_sided_panels,
 )
+from swifttailor.recutting.unasked import spoken_parts, unasked
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.reading import Wanted, altered
 from swifttailor.tailor.verdict import Verdict
@@ -42,8 +43,8 @@ def from_edit(wanted: Wanted) -> Answer | None:
     if wanted.leaves_cut:
         return _as_it_is(edit, wanted)
     recut = wanted.recut
-    if recut is not None and not asks_for_other_kind([w.change for w in wanted.wishes]) and not recut.cuts:
-        return _as_it_is(edit, wanted, open=recut.open)
+    if recut is not None and not recut.cuts and not recut.open:
+        return _as_it_is(edit, wanted, open=())
     if recut is None or len(recut.open) == len(wanted.wishes) or _is_remade(edit, recut):
         return None
     verdict = Verdict(
@@ -119,6 +120,8 @@ def _best_alteration(pattern: Pattern, level: str, wanted: Wanted) -> tuple[Alte
     written = None
     if recut is None or recut.open or remade:
         written = altered(pattern, changes, wanted.original)
+        if written is not None and edit is not None and _changes_others(written, wanted):
+            written = None
         if written is not None and (wanted.unsaid or wanted.part is not None):
             written = replace(written, cuts=(*filter(None, [level]), *written.cuts))
             maybe = tuple(wish.change for wish in wanted.likely)
@@ -177,9 +180,12 @@ def _is_senseless(facts: GarmentFacts) -> bool:
     return facts.kind == "other" or not (facts.torso or facts.skirt or facts.trousers)
 
 
-def asks_for_other_kind(changes: Sequence[Change]) -> bool:
-    """Whether a garment is to become another kind of garment, which may have to be written anew."""
-    return any(isinstance(change, Gain) and change.claim.name == "kind" for change in changes)
+def _changes_others(written: Alteration, wanted: Wanted) -> bool:
+    """Whether what was written in place of the pattern to edit shows something that nobody asked to change."""
+    if wanted.original is None:
+        return False
+    parts = spoken_parts([wish.change for wish in wanted.wishes])
+    return bool(unasked(parts, wanted.original, written.facts, wanted.heard.kept))
 
 
 def _is_remade(edit: Pattern, recut: Alteration) -> bool:

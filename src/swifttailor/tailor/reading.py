@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -153,7 +153,7 @@ class Wanted:
         if self.order.edit is None or self.original is None:
             return None
         changes = [wish.change for wish in self.wishes]
-        return altered(self.order.edit, changes, self.original, keep_others=True)
+        return altered(self.order.edit, changes, self.original, keep_others=True, kept=self.heard.kept)
 
     def request(self, attempt: int) -> Request:
         """What the network is asked.
@@ -274,10 +274,11 @@ def altered(
     original: GarmentFacts | None = None,
     *,
     keep_others: bool = False,
+    kept: Collection[str] = (),
 ) -> Alteration | None:
     """The pattern altered (`recutting.alter`); None where it cannot be measured."""
     try:
-        return alter(pattern, changes, original=original, keep_others=keep_others)
+        return alter(pattern, changes, original=original, keep_others=keep_others, kept=kept)
     except SwiftTailorError:
         return None
 

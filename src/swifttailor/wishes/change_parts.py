@@ -99,6 +99,8 @@ def changes_of(
     found = _way(part or "all", what, kind)
     if found is None:
         return ()
+    if part == "hips" and kind in ("skirt", "dress") and amount is not None:
+        return ()  # what is measured there is no lever of its own: better said than cut at the hem
     quantity, factor = found
     step = Step(quantity, sign * factor, amount)
     if part == "straps" and sign < 0 and amount is None:

@@ -36,6 +36,8 @@ class Heard:
     """The name that the garment was made by, where none was understood and this is spelt like a word."""
     clashes: tuple[tuple[str, str], ...] = ()
     """What of an instruction asks for opposite things, in words; none of it is done."""
+    kept: frozenset[str] = frozenset()
+    """Claims and quantities that are to stay as they are, by an instruction."""
     taken: tuple[tuple[str, tuple[Change, ...]], ...] = ()
     """Vague words, and what they are taken to ask for: "winter", long sleeves."""
 

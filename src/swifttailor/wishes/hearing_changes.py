@@ -93,6 +93,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         lacks,
         words,
         clashes=spoken.clashes,
+        kept=spoken.kept,
         taken=spoken.taken,
     )
 

@@ -39,7 +39,8 @@ _JOINT = re.compile(
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 _THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
 _LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|^\s*-\s*\d")
-_MORE_BY = re.compile(r"(?<!\w)(?:plus|extra|add|increase|more|gain)(?!\w)|\+\s*\d")
+_MORE_BEFORE = re.compile(r"(?:(?<!\w)(?:plus|extra|add|adding|another|gain)(?: about)?\s*|\+\s*)$")
+_MORE_BEHIND = re.compile(r"\s*(?:more|extra|plus)(?!\w)(?!\s+\w*(?:er|long|wide|deep)(?!\w))")
 _DENIED = re.compile(r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas)(?:\s+\w+){0,2}\s+$")
 _SILENT = frozenset(["function", "polite", "degrees", "numbers", "negations", "generic"])
 _BASES = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
@@ -53,6 +54,7 @@ _NAMED = {
     ),
 }
 """Kinds that a name of a garment can mean where one is there already."""
+_OF_HEMS = frozenset({"sweep", "flare", "swing", "vuelo"})
 _GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders"})
 _CAREFUL_CM = 6.0
 """A step of no stated size where something beyond it is refused: "shorter, but not mini"."""
@@ -123,7 +125,7 @@ def spoken_changes(
         clause = _read_alone(text, clause, kind)
         if denied and not clause.changes:
             clause = replace(clause, left_over=())
-        if not clause.changes and clause.left_over:
+        if all(isinstance(c, Gain) and is_so(c.claim) for c in clause.changes):
             scene = spoken_scene(small, (start, end), [p.part for p in inside], kind, is_so)
             if scene is not None:
                 clause = replace(clause, changes=scene.changes, left_over=())
@@ -225,10 +227,18 @@ def _meant(text: str, words: WordReading, kind: str) -> list[Implication]:
                 found.append(each)
         elif certain and not each.said and not _is_pointed_at(text, each.mark):
             found.append(each)
+    found = [_short_legs(each, kind) for each in found]
     kinds = [i for i in found if i.claim.name != "kind" or _is_target(text, i.mark, str(i.claim.value), kind)]
     if any(i.claim.name == "kind" for i in kinds):
         return kinds
     return [*kinds, *_after_arrow(text, words, kind)]
+
+
+def _short_legs(each: Implication, kind: str) -> Implication:
+    """Shorts as the lower part of a jumpsuit make a playsuit of it."""
+    if each.claim == Claim("kind", "shorts") and kind == "jumpsuit":
+        return replace(each, claim=Claim("kind", "playsuit"))
+    return each
 
 
 def _after_arrow(text: str, words: WordReading, kind: str) -> list[Implication]:
@@ -255,9 +265,17 @@ def _is_pointed_at(text: str, mark: WordMark) -> bool:
 
 def _is_target(text: str, mark: WordMark, value: str, kind: str) -> bool:
     """Whether the garment is to become another: "into a skirt", "as trousers", or nothing but its name."""
-    if value == kind or (value in _PARTS_OF.get(kind, ()) and not _leads_to(text, mark)):
+    if value == kind or (value in _PARTS_OF.get(kind, ()) and not _turns_into(text, mark)):
         return False
-    return _leads_to(text, mark) or len(_WORD.findall(text)) <= 1
+    clause = next((text[a:b] for a, b in _clauses(text) if a <= mark.start < b), text)
+    named = [word for word in _WORD.findall(clause) if not is_function_word(word)]
+    return _leads_to(text, mark) or (len(named) <= 1 and not re.search(r"(?<!\w)(?:the|this|my)(?!\w)", clause))
+
+
+def _turns_into(text: str, mark: WordMark) -> bool:
+    """Whether all of a garment is to become what could be a part of it: "with a straight skirt" it has one."""
+    said = r"(?<!\w)(?:into|to|as|->|als|zu|zu einem|zu einer|en)\s+(?:an?\s+|une?\s+|una\s+|some\s+)?(?:\w+\s+)?$"
+    return re.search(said, text[: mark.start]) is not None
 
 
 def _leads_to(text: str, mark: WordMark) -> bool:
@@ -300,6 +318,13 @@ def _clause(
     bare = not grown and not claims and not any(p.part == "slit" for p in parts)
     if bare and (_TO_BE.search(said) or _is_plain(text, bounds, parts)):
         grown = [c for c in find_adjectives(text) if start <= c.start < end]
+    if not parts and last in ("sleeves", "legs") and not grown:
+        # "The arms are cold, make it long": what was spoken of before is meant.
+        plain = find_adjectives(text)
+        meant = [i for i in claims if any(c.start == i.mark.start and c.end == i.mark.end for c in plain)]
+        if meant and len(meant) == len(claims):
+            grown = [c for c in plain if start <= c.start < end]
+            claims, details, bare = [], [], True
     length = next((m.value for m in numbers if m.is_length), None)
     changes: list[Change] = []
     used: list[tuple[int, int]] = []
@@ -309,6 +334,8 @@ def _clause(
         target = next((m for m in numbers if is_target(text, m)), None)
         amount = None if target is not None else length
         made: tuple[Change, ...] = () if bare else hem_shape(said, named, word, kind)
+        if named in (None, "all") and text[word.start : word.end] in _OF_HEMS:
+            named = "hem"
         for part in (named or (last if bare or them else None), last, None):
             made = made or changes_of(part, word.what, word.sign, kind, amount)
         made = made if target is None else to_target(made, target)
@@ -319,7 +346,7 @@ def _clause(
                 used.append(word.verb)
         else:
             missed.append(text[word.start : word.end])
-    sign = -1 if _LESS_BY.search(said) else 1 if _MORE_BY.search(said) else 0
+    sign = -1 if _LESS_BY.search(said) else 1 if _is_more_by(text, numbers) else 0
     if not grown and length is not None and sign:
         part = next((p.part for p in parts), last)
         what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
@@ -350,6 +377,13 @@ def _is_plain(text: str, bounds: tuple[int, int], parts: Sequence[PartWord]) -> 
         if not is_function_word(m[0]) and not any(a <= m.start() < b for a, b in spans)
     ]
     return not others
+
+
+def _is_more_by(text: str, numbers: Sequence[Mention]) -> bool:
+    """Whether a length is to be added: "add 6 cm", "4 cm more"."""
+    return any(
+        m.is_length and (_MORE_BEFORE.search(text[: m.start]) or _MORE_BEHIND.match(text, m.end)) for m in numbers
+    )
 
 
 def _is_around(parts: Sequence[PartWord], said: str) -> bool:
