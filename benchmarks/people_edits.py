@@ -1,6 +1,6 @@
 """What becomes of people's instructions: expected statements that hold afterwards, by the path of `edit`.
 
-python benchmarks/people_edits.py building|fresh|final [--misses] [--count N] [--only ID ...]
+python benchmarks/people_edits.py building|fresh|fresher|final [--misses] [--count N] [--only ID ...]
 
 Each instruction is given to a garment of which what it presupposes is true, made by the path of `generate`.
 Of the final half only counts are printed.
@@ -29,6 +29,12 @@ from swifttailor.pattern import Pattern
 from swifttailor.tailor import Order
 from swifttailor.wishes.own_words import in_own_words
 
+_FILES = {
+    "building": WORDS / "building" / "edits.jsonl",
+    "final": WORDS / "final" / "edits.jsonl",
+    "fresh": WORDS / "fresh" / "edits.jsonl",
+    "fresher": WORDS / "fresh" / "edits_after.jsonl",
+}
 _STAYS_CM = 2.0
 """What is to stay may move by so much."""
 
@@ -115,12 +121,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("half", choices=("building", "fresh", "final"))
+    parser.add_argument("half", choices=("building", "fresh", "fresher", "final"))
     parser.add_argument("--misses", action="store_true", help="name what does not hold (not of the final half)")
     parser.add_argument("--count", type=int, help="only the first so many")
     parser.add_argument("--only", nargs="*", default=(), help="only these ids (not of the final half)")
     args = parser.parse_args()
-    prompts = read_people_edits(WORDS / args.half / "edits.jsonl")[: args.count]
+    prompts = read_people_edits(_FILES[args.half])[: args.count]
     if args.only and args.half != "final":
         prompts = tuple([p for p in prompts if p.id in args.only])
     tailor, counts, misses = swifttailor.Tailor.load(), Counter[str](), list[str]()

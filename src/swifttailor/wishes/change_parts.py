@@ -56,7 +56,9 @@ _SUBJECTS: Mapping[str, str] = {
     "hood": "hood",
     "cuffs": "cuffs cuff_cm",
     "band": "waistband waistband_cm",
-    "skirt": "skirt skirt_hem",
+    "skirt": "skirt skirt_hem hem_cm",
+    "lower": "skirt skirt_hem legs leg_hem",
+    "hem": "skirt_hem top_hem leg_hem hem_shape",
     "slit": "slit slit_size slit_cm",
     "tiers": "tiers",
     "straps": "straps",
@@ -69,6 +71,8 @@ _SUBJECTS: Mapping[str, str] = {
 def subjects_of(part: str) -> frozenset[str]:
     """Claims and quantities that are about a part."""
     quantities = {quantity for quantity, _ in _OF.get(part, {}).values()}
+    if part in ("skirt", "lower"):
+        quantities |= {"skirt hem", "skirt gathers", "length"}
     return frozenset({*quantities, *_SUBJECTS.get(part, "").split()})
 
 

@@ -39,8 +39,12 @@ _JOINT = re.compile(
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 _THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
 _LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|^\s*-\s*\d")
+_PLACES = re.compile(r"(?:(?:front|back|side|sides|left|right|centre|center|top|bottom|hem)(?:\s|$))+")
+_EACH = re.compile(r"(?<!\w)(?:(?:on )?(?:each|either|both) sides?|per side)(?!\w)")
 _MORE_BEFORE = re.compile(r"(?:(?<!\w)(?:plus|extra|add|adding|another|gain)(?: about)?\s*|\+\s*)$")
 _MORE_BEHIND = re.compile(r"\s*(?:more|extra|plus)(?!\w)(?!\s+\w*(?:er|long|wide|deep)(?!\w))")
+_UNDENIED = re.compile(r"(?:in|out|so|too|as|that|overly)(?!\w)")
+"""Words of change that are no less so for a "not": what is "not so tight" is to be wider."""
 _DENIED = re.compile(r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas)(?:\s+\w+){0,2}\s+$")
 _SILENT = frozenset(["function", "polite", "degrees", "numbers", "negations", "generic"])
 _BASES = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
@@ -54,6 +58,7 @@ _NAMED = {
     ),
 }
 """Kinds that a name of a garment can mean where one is there already."""
+_OF_SCENES = frozenset({"shoulders", "sleeves", "neck", "collar"})
 _OF_HEMS = frozenset({"sweep", "flare", "swing", "vuelo"})
 _GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders"})
 _CAREFUL_CM = 6.0
@@ -114,11 +119,19 @@ def spoken_changes(
                 continue
         them = bool(_THEM.search(small, start, end)) or (them and len(small[start:end].split()) <= 3)
         denied = [c for c in changes if start <= c.start < end and _DENIED.search(small[start : c.start])]
-        denied = [c for c in denied if small[c.start : c.end] not in ("in", "out")]
+        denied = [c for c in denied if not _UNDENIED.match(small, c.start)]
         for word in denied:
             near = _part_of(word, inside, ())
             kept |= {subject_of(c) for c in changes_of(near or last, word.what, word.sign, kind, None)}
         said = [c for c in changes if c not in denied]
+        scene = spoken_scene(small, (start, end), [p.part for p in inside], kind, is_so, of_parts=True)
+        if scene is not None and not any(p.part in _OF_SCENES for p in inside):
+            scene = None
+        if scene is not None and not said:
+            taken.append((text[scene.start : scene.end], scene.changes))
+            found.append(SpokenClause(start, end, scene.changes, ()))
+            last = next(p.part for p in inside if p.part in _OF_SCENES)
+            continue
         clause = _clause(
             small, (start, end), (said, inside, mentions), implied, words, kind, last, is_so, them=them
         )
@@ -333,6 +346,8 @@ def _clause(
         named = _part_of(word, parts, spans)
         target = next((m for m in numbers if is_target(text, m)), None)
         amount = None if target is not None else length
+        if amount is not None and _EACH.search(said) and word.what == "width":
+            amount *= 2
         made: tuple[Change, ...] = () if bare else hem_shape(said, named, word, kind)
         if named in (None, "all") and text[word.start : word.end] in _OF_HEMS:
             named = "hem"
@@ -363,6 +378,11 @@ def _clause(
     used += [(i.mark.start, i.mark.end) for i in claims]
     used += [(m.start, m.end) for m in numbers if not m.is_length or any(_has(c, m.value) for c in changes)]
     left = _left_over(text, bounds, used, words)
+    if changes:
+        left = tuple([phrase for phrase in left if not _PLACES.fullmatch(phrase)])
+    slits = any(isinstance(c, Gain) and c.claim.name == "slit" and c.claim.value != "none" for c in changes)
+    if slits and length is not None:
+        changes.append(Gain(Claim("slit_cm", round(length, 2))))
     if not changes and not any(word in phrase for word in missed for phrase in left):
         left = (*left, *missed)
     return SpokenClause(start, end, tuple(dict.fromkeys(changes)), left)

@@ -37,7 +37,13 @@ class SpokenScene:
 
 
 def spoken_scene(
-    text: str, bounds: tuple[int, int], parts: Collection[str], kind: str, is_so: Callable[[Claim], bool]
+    text: str,
+    bounds: tuple[int, int],
+    parts: Collection[str],
+    kind: str,
+    is_so: Callable[[Claim], bool],
+    *,
+    of_parts: bool = False,
 ) -> SpokenScene | None:
     """What a clause asks for by the first vague words in it; None where there are none.
 
@@ -47,11 +53,12 @@ def spoken_scene(
         parts: That it names.
         kind: Of the garment.
         is_so: Whether a claim is true of the garment: what is long enough is not lengthened.
+        of_parts: Whether only words that are said of a part count.
     """
     for row, pattern in _scenes():
         at = row.options.get("at", ())
         found = pattern.search(text, *bounds)
-        if found is None or (at and not set(at) & set(parts)):
+        if found is None or (at and not set(at) & set(parts)) or (of_parts and not at):
             continue
         changes: list[Change] = []
         for mark in (*row.claims, *row.words):
