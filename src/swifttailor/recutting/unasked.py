@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
+
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import cast
 
 from swifttailor.describing.claims import claims_of
-from swifttailor.describing.differences import Change, Gain, find_differences, subject_of
+from swifttailor.describing.differences import Change, Gain, Step, find_differences, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.recutting.one_sided import asks_for_one_side
@@ -38,6 +40,8 @@ _TOGETHER = {
     "legs": {"hem", "skirt"},
 }
 """What cannot but change with a part: armholes are seen without sleeves, a hem widens with its length."""
+KEPT_CM = 1.0
+"""What is told to stay may move by so much, and what is cut back comes so near to what it was."""
 _EVERYTHING = frozenset({"kind", "sides"})
 
 
@@ -48,12 +52,14 @@ class Keep:
     quantity: str
     direction: int = 0
     amount: float = 0.0
+    within: float = math.inf
+    """How far it may move, where that is less than what is seen."""
 
     def holds(self, before: GarmentFacts, after: GarmentFacts) -> bool:
         """Whether no difference is seen."""
         quantity = QUANTITIES[self.quantity]
         was, now = quantity.of(before), quantity.of(after)
-        return was is None or now is None or not quantity.seen(was, now)
+        return was is None or now is None or not (quantity.seen(was, now) or abs(now - was) > self.within)
 
 
 def part_of(subject: str) -> str | None:
@@ -94,6 +100,8 @@ def unasked(
     if parts is None and not kept:
         return ()
     gains, steps = find_differences(before, after)
+    moved = [name for name in kept if name in QUANTITIES and not Keep(name, within=KEPT_CM).holds(before, after)]
+    steps = (*steps, *[Step(name, 1) for name in moved if all(s.quantity != name for s in steps)])
     return tuple(
         [
             change
@@ -117,6 +125,6 @@ def undoing(changes: Sequence[Change], before: GarmentFacts) -> list[Change]:
         if isinstance(change, Gain):
             names.add(change.claim.name)
         else:
-            found.append(cast(Change, Keep(change.quantity)))
+            found.append(cast(Change, Keep(change.quantity, within=KEPT_CM)))
     found += [Gain(claim) for claim in claims_of(before) if claim.name in names and isinstance(claim.value, str)]
     return found

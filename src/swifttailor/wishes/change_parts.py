@@ -71,6 +71,8 @@ _SUBJECTS: Mapping[str, str] = {
 def subjects_of(part: str) -> frozenset[str]:
     """Claims and quantities that are about a part."""
     quantities = {quantity for quantity, _ in _OF.get(part, {}).values()}
+    if part == "all":
+        return frozenset()
     if part in ("skirt", "lower"):
         quantities |= {"skirt hem", "skirt gathers", "length"}
     return frozenset({*quantities, *_SUBJECTS.get(part, "").split()})

@@ -51,6 +51,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
             measure.claim is not None
             and clause is not None
             and not stepped
+            and not text[: measure.mention.start].rstrip().lower().endswith(" by")
             and not _is_strange(clause, words)
         ):
             stated[clause.start] = measure

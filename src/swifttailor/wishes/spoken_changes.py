@@ -26,7 +26,7 @@ from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.spoken_amounts import is_target, joined_amount, more_of_them, to_target
 from swifttailor.wishes.spoken_clauses import SpokenClause, clashes_of, without_what_is_so
 from swifttailor.wishes.spoken_places import at_the_neck, hem_shape, slit
-from swifttailor.wishes.spoken_scenes import spoken_scene
+from swifttailor.wishes.spoken_scenes import SpokenScene, spoken_scene
 from swifttailor.wishes.unread import is_function_word
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import Implication, WordMark, WordReading, read_words
@@ -38,11 +38,15 @@ _JOINT = re.compile(
 )
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 _THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
-_LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|^\s*-\s*\d")
+_LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|(?<!\d)-\s*\d")
 _PLACES = re.compile(r"(?:(?:front|back|side|sides|left|right|centre|center|top|bottom|hem)(?:\s|$))+")
+_SIGNED = re.compile(r"(?:[+\-\u2212]|(?<!\w)(?:plus|minus))\s*$")
+"""Before a number without a unit, which is in cm then: "sleeve +4"."""
 _EACH = re.compile(r"(?<!\w)(?:(?:on )?(?:each|either|both) sides?|per side)(?!\w)")
 _MORE_BEFORE = re.compile(r"(?:(?<!\w)(?:plus|extra|add|adding|another|gain)(?: about)?\s*|\+\s*)$")
 _MORE_BEHIND = re.compile(r"\s*(?:more|extra|plus)(?!\w)(?!\s+\w*(?:er|long|wide|deep)(?!\w))")
+_VERY = re.compile(r"(?<!\w)(?:super|very|really|extra|much|way|even|muy|très|sehr)(?!\w)")
+"""Of what is so already there is to be more: "super wide legs" of wide ones."""
 _UNDENIED = re.compile(r"(?:in|out|so|too|as|that|overly)(?!\w)")
 """Words of change that are no less so for a "not": what is "not so tight" is to be wider."""
 _DENIED = re.compile(r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas)(?:\s+\w+){0,2}\s+$")
@@ -107,11 +111,14 @@ def spoken_changes(
     kept: set[str] = set()
     last: str | None = None
     taken: list[tuple[str, tuple[Change, ...]]] = []
+    vague: tuple[int, SpokenScene] | None = None
     for start, end in bounds:
         inside = [p for p in parts if start <= p.start < end]
         if kept_words().search(small, start, end):
             for part in inside:
                 kept |= subjects_of(part.part)
+                if part.word in ("length", "länge", "longueur", "largo"):
+                    kept |= {"length", "leg length"}
             if not any(start <= c.start < end for c in changes):
                 kept_gains = [i.claim.name for i in implied if start <= i.mark.start < end]
                 kept.update(kept_gains)
@@ -138,14 +145,16 @@ def spoken_changes(
         clause = _read_alone(text, clause, kind)
         if denied and not clause.changes:
             clause = replace(clause, left_over=())
-        if all(isinstance(c, Gain) and is_so(c.claim) for c in clause.changes):
+        if vague is None and all(isinstance(c, Gain) and is_so(c.claim) for c in clause.changes):
             scene = spoken_scene(small, (start, end), [p.part for p in inside], kind, is_so)
-            if scene is not None:
-                clause = replace(clause, changes=scene.changes, left_over=())
-                taken.append((text[scene.start : scene.end], scene.changes))
+            vague = None if scene is None else (len(found), scene)
         found.append(clause)
         named = [p.part for p in inside if p.part not in ("all", "waist")]
         last = named[-1] if named else last
+    if vague is not None and all(isinstance(c, Gain) and is_so(c.claim) for f in found for c in f.changes):
+        at, scene = vague  # where nothing else is asked for: "for a summer wedding" asks for no other hem
+        found[at] = replace(found[at], changes=scene.changes, left_over=())
+        taken.append((text[scene.start : scene.end], scene.changes))
     found = _joined(small, found, mentions, parts)
     found = without_what_is_so([at_the_neck(small, c, is_so) for c in found], is_so)
     clashes = clashes_of(found, words, is_so)
@@ -328,8 +337,12 @@ def _clause(
         if not any(p.part != "all" for p in parts):
             parts += [PartWord(mark.start, mark.end, part, mark.word) for mark, part in told]
             spans = [(a, b) for a, b in spans if not any(p.start == a for p in parts)]
+    if not grown and claims and _VERY.search(said) and all(is_so(i.claim) for i in claims):
+        grown, claims, details = [c for c in find_adjectives(text) if start <= c.start < end], [], []
+        parts = [p for p in parts if p.part != "slit"]
     bare = not grown and not claims and not any(p.part == "slit" for p in parts)
-    if bare and (_TO_BE.search(said) or _is_plain(text, bounds, parts)):
+    denied = any(m.denied and start <= m.start < end for m in words.marks)
+    if bare and (_TO_BE.search(said) or (not denied and _is_plain(text, bounds, parts))):
         grown = [c for c in find_adjectives(text) if start <= c.start < end]
     if not parts and last in ("sleeves", "legs") and not grown:
         # "The arms are cold, make it long": what was spoken of before is meant.
@@ -338,7 +351,8 @@ def _clause(
         if meant and len(meant) == len(claims):
             grown = [c for c in plain if start <= c.start < end]
             claims, details, bare = [], [], True
-    length = next((m.value for m in numbers if m.is_length), None)
+    signed = next((m.value for m in numbers if _SIGNED.search(text[: m.start])), None)
+    length = next((m.value for m in numbers if m.is_length), signed)
     changes: list[Change] = []
     used: list[tuple[int, int]] = []
     missed: list[str] = []
@@ -361,11 +375,14 @@ def _clause(
                 used.append(word.verb)
         else:
             missed.append(text[word.start : word.end])
+    if len(grown) == 1 and "&" in said and changes:
+        for part in {p.part for p in parts if p.part != "all"}:
+            changes += changes_of(part, grown[0].what, grown[0].sign, kind, length)
     sign = -1 if _LESS_BY.search(said) else 1 if _is_more_by(text, numbers) else 0
     if not grown and length is not None and sign:
-        part = next((p.part for p in parts), last)
-        what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
-        changes += changes_of(part, what, sign, kind, length)
+        for part in dict.fromkeys([p.part for p in parts if p.part != "all"] or [p.part for p in parts] or [last]):
+            what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
+            changes += changes_of(part, what, sign, kind, length)
     if not changes:
         changes += more_of_them(said)
     if any(p.part == "tiers" for p in parts) and _STEPS_DOWN.search(said) and not changes:
@@ -402,7 +419,7 @@ def _is_plain(text: str, bounds: tuple[int, int], parts: Sequence[PartWord]) -> 
 def _is_more_by(text: str, numbers: Sequence[Mention]) -> bool:
     """Whether a length is to be added: "add 6 cm", "4 cm more"."""
     return any(
-        m.is_length and (_MORE_BEFORE.search(text[: m.start]) or _MORE_BEHIND.match(text, m.end)) for m in numbers
+        (m.is_length or _SIGNED.search(text[: m.start])) and (_MORE_BEFORE.search(text[: m.start]) or _MORE_BEHIND.match(text, m.end)) for m in numbers
     )
 
 

@@ -15,6 +15,7 @@ from swifttailor.wording.lexicon import Lack, WordReading, read_words
 ENGLISH = "en"
 _DIGIT = re.compile(r"\d")
 _LEVELS = "knees?|ankles?|calf|calves|thighs?|mid-thigh|shins?|floor|ground|feet|elbows?|wrists?|hips?|waist"
+_ABOUT = re.compile(r"(?<!\w)(ca|approx)\. ", re.IGNORECASE)
 _BODY = re.compile(rf"(?<!\w)(my|her|his|their|your) ({_LEVELS})(?!\w)", re.IGNORECASE)
 _REACHES = re.compile(
     r"(?<!\w)(?:touch|touching|reach|reaching|hit|hitting|graze|skim|meet|go down to|come down to) "
@@ -54,6 +55,7 @@ def _turned(text: str) -> str:
         name = f"{found[2]} {found[1]}"
         return name if is_garment(name.lower()) else found[0]
 
+    text = _ABOUT.sub(r"\1 ", text)
     return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", _OF.sub(turned, text)))
 
 
