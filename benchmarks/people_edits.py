@@ -122,7 +122,9 @@ def main() -> None:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("half", choices=("building", "fresh", "fresher", "final"))
-    parser.add_argument("--misses", action="store_true", help="name what does not hold (not of the final half)")
+    parser.add_argument(
+        "--misses", action="store_true", help="name what does not hold (not of the final half)"
+    )
     parser.add_argument("--count", type=int, help="only the first so many")
     parser.add_argument("--only", nargs="*", default=(), help="only these ids (not of the final half)")
     args = parser.parse_args()

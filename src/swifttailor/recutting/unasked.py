@@ -1,9 +1,8 @@
-"""What nobody asked to change: parts of a garment that wishes speak of, and what has changed in the others."""
+"""What nobody asked to change: parts of a garment that wishes speak of, and what changed in others."""
 
 from __future__ import annotations
 
 import math
-
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import cast
@@ -22,8 +21,8 @@ _PARTS = {
     "shoulders": "shoulders straps armholes",
     "bodice": "fit bodice chest chest_cm bodice_gathers top_width",
     "waist": "waist_seam waistband waistband_cm waistband_height waistband_width rise bodice_length",
-    "hem": "skirt_hem top_hem leg_hem length length_cm skirt_length_cm inseam_cm leg_length hem_shape dip slit "
-    "slit_size slit_cm slits front_slit back_slit left_slit right_slit",
+    "hem": "skirt_hem top_hem leg_hem length length_cm skirt_length_cm inseam_cm leg_length hem_shape dip "
+    "slit slit_size slit_cm slits front_slit back_slit left_slit right_slit",
     "skirt": "skirt hips hem_cm skirt_hem_width skirt_gathers tiers tier_gathers gores godets godet_cm "
     "godet_width godet_height base_width",
     "legs": "legs leg_width_cm leg_end thigh leg_cuffs leg_cuff_cm leg_cuff_length",
@@ -100,13 +99,16 @@ def unasked(
     if parts is None and not kept:
         return ()
     gains, steps = find_differences(before, after)
-    moved = [name for name in kept if name in QUANTITIES and not Keep(name, within=KEPT_CM).holds(before, after)]
+    moved = [
+        name for name in kept if name in QUANTITIES and not Keep(name, within=KEPT_CM).holds(before, after)
+    ]
     steps = (*steps, *[Step(name, 1) for name in moved if all(s.quantity != name for s in steps)])
     return tuple(
         [
             change
             for change in (*gains, *steps)
-            if subject_of(change) in kept or (parts is not None and not _may_change(subject_of(change), parts))
+            if subject_of(change) in kept
+            or (parts is not None and not _may_change(subject_of(change), parts))
         ]
     )
 
@@ -126,5 +128,7 @@ def undoing(changes: Sequence[Change], before: GarmentFacts) -> list[Change]:
             names.add(change.claim.name)
         else:
             found.append(cast(Change, Keep(change.quantity, within=KEPT_CM)))
-    found += [Gain(claim) for claim in claims_of(before) if claim.name in names and isinstance(claim.value, str)]
+    found += [
+        Gain(claim) for claim in claims_of(before) if claim.name in names and isinstance(claim.value, str)
+    ]
     return found

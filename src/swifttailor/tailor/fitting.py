@@ -181,7 +181,7 @@ def _is_senseless(facts: GarmentFacts) -> bool:
 
 
 def _changes_others(written: Alteration, wanted: Wanted) -> bool:
-    """Whether what was written in place of the pattern to edit shows something that nobody asked to change."""
+    """Whether what was written in place of the pattern to edit changes what nobody spoke of."""
     if wanted.original is None:
         return False
     parts = spoken_parts([wish.change for wish in wanted.wishes])

@@ -15,7 +15,11 @@ _Way = tuple[str, int]
 """A quantity, and whether it grows with the property (1) or shrinks (-1)."""
 
 _OF: Mapping[str, Mapping[Property, _Way]] = {
-    "sleeves": {"length": ("sleeve length", 1), "width": ("sleeve width", 1), "height": ("sleeve length", -1)},
+    "sleeves": {
+        "length": ("sleeve length", 1),
+        "width": ("sleeve width", 1),
+        "height": ("sleeve length", -1),
+    },
     "sleeve_end": {"width": ("sleeve end", 1)},
     "legs": {"length": ("leg length", 1), "width": ("leg end", 1), "height": ("leg length", -1)},
     "leg_end": {"width": ("leg end", 1)},

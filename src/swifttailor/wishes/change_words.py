@@ -78,7 +78,10 @@ def _apart_patterns() -> list[tuple[tuple[Property, int], re.Pattern[str]]]:
             row.wrong(f"'{what} {sign}' is no property with + or -.")
         verbs = _any_of(list(row.texts)).pattern
         # "in the front" and "in blue" say where and how, not that something is taken in.
-        pattern = rf"(?P<verb>{verbs})(?: [\w'’]+){{1,5}}? (?P<particle>{particle})(?= (?:a|by|at|around|round|some|to|so|just|slightly|\d)\b|\W*$|[.,;:!?)]| and\b| please\b)"
+        behind = (
+            r"(?= (?:a|by|at|around|round|some|to|so|just|slightly|\d)\b|\W*$|[.,;:!?)]| and\b| please\b)"
+        )
+        pattern = rf"(?P<verb>{verbs})(?: [\w'’]+){{1,5}}? (?P<particle>{particle}){behind}"
         found.append(((what, _SIGNS[sign]), re.compile(pattern)))
     return found
 

@@ -100,9 +100,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     )
 
 
-def _other_garments(
-    text: str, words: WordReading, kind: str | None, changes: Sequence[Change]
-) -> list[str]:
+def _other_garments(text: str, words: WordReading, kind: str | None, changes: Sequence[Change]) -> list[str]:
     """Names of garments behind "with", where nothing came of them: "in one piece with trousers"."""
     if any(isinstance(c, Gain) and c.claim.name in ("kind", "skirt") for c in changes):
         return []

@@ -16,7 +16,7 @@ _SMALLEST_CM = 10.0
 """A bare number from here on is a measure in cm."""
 _COUNTED = {"tiers": "tier|tiers|row|rows|stufe|stufen|étage|étages", "godets": "godet|godets"}
 _ONE_MORE = re.compile(
-    r"(?<!\w)(?:another|one more|an extra|an additional|extra|add an?|add one|noch ein\w*|otr[oa]|encore une?)"
+    r"(?<!\w)(?:another|one more|an extra|an additional|extra|add an?|add one)"
     r"(?: [\w'’]+)?? (?P<what>[\w'’]+)"
 )
 _SOME_MORE = re.compile(

@@ -20,22 +20,17 @@ from swifttailor.wishes.change_words import (
     find_changes,
     find_parts,
     kept_words,
-    target_words,
 )
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.spoken_amounts import is_target, joined_amount, more_of_them, to_target
 from swifttailor.wishes.spoken_clauses import SpokenClause, clashes_of, without_what_is_so
 from swifttailor.wishes.spoken_places import at_the_neck, hem_shape, slit
 from swifttailor.wishes.spoken_scenes import SpokenScene, spoken_scene
+from swifttailor.wishes.spoken_targets import clauses_of, meant
 from swifttailor.wishes.unread import is_function_word
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import Implication, WordMark, WordReading, read_words
 
-_JOINT = re.compile(
-    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+]\s|\s(?:and|but|then|und|aber|et|mais|y|pero)\s|\sso\s(?=it|that|can|could|i\b|she|he|they)"
-    r"|\s(?=(?:except|apart from|other than|save for|außer|bis auf|sauf|salvo|excepto)\s)",
-    re.IGNORECASE,
-)
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 _THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
 _LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|(?<!\d)-\s*\d")
@@ -51,8 +46,6 @@ _UNDENIED = re.compile(r"(?:in|out|so|too|as|that|overly)(?!\w)")
 """Words of change that are no less so for a "not": what is "not so tight" is to be wider."""
 _DENIED = re.compile(r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas)(?:\s+\w+){0,2}\s+$")
 _SILENT = frozenset(["function", "polite", "degrees", "numbers", "negations", "generic"])
-_BASES = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
-_PARTS_OF = {"dress": ("skirt", "top"), "jumpsuit": ("trousers", "top"), "playsuit": ("shorts", "top")}
 _WITH_LEGS = frozenset(["trousers", "shorts", "jumpsuit", "playsuit"])
 _NAMED = {
     **dict.fromkeys(["pants", "trousers", "hose", "pantalon", "pantalón", "shorts"], _WITH_LEGS),
@@ -105,8 +98,8 @@ def spoken_changes(
     small = text.lower()
     them = False
     changes, parts, mentions = find_changes(small), find_parts(small), find_mentions(text)
-    implied = _meant(small, words, kind)
-    bounds = _clauses(small)
+    implied = meant(small, words, kind)
+    bounds = clauses_of(small)
     found: list[SpokenClause] = []
     kept: set[str] = set()
     last: str | None = None
@@ -229,81 +222,6 @@ def _careful(change: Change, careful: bool) -> Change:
     return change
 
 
-def _clauses(text: str) -> list[tuple[int, int]]:
-    found, start = [], 0
-    for joint in _JOINT.finditer(text):
-        found.append((start, joint.start()))
-        start = joint.end()
-    found.append((start, len(text)))
-    return [(a, b) for a, b in found if _WORD.search(text, a, b) or any(c.isdigit() for c in text[a:b])]
-
-
-def _meant(text: str, words: WordReading, kind: str) -> list[Implication]:
-    """What the lexicon reads that an instruction can mean: details, and another kind of garment."""
-    found = []
-    for each in words.implications:
-        certain = each.certainty == "certain"
-        if each.said and each.certainty != "likely":
-            peplum = each.claim.value == "peplum" and kind in ("top", "tunic")
-            if fits_kind(each.claim.name, kind) or each.claim.name == "kind" or peplum:
-                found.append(each)
-        elif certain and not each.said and not _is_pointed_at(text, each.mark):
-            found.append(each)
-    found = [_short_legs(each, kind) for each in found]
-    kinds = [i for i in found if i.claim.name != "kind" or _is_target(text, i.mark, str(i.claim.value), kind)]
-    if any(i.claim.name == "kind" for i in kinds):
-        return kinds
-    return [*kinds, *_after_arrow(text, words, kind)]
-
-
-def _short_legs(each: Implication, kind: str) -> Implication:
-    """Shorts as the lower part of a jumpsuit make a playsuit of it."""
-    if each.claim == Claim("kind", "shorts") and kind == "jumpsuit":
-        return replace(each, claim=Claim("kind", "playsuit"))
-    return each
-
-
-def _after_arrow(text: str, words: WordReading, kind: str) -> list[Implication]:
-    """What a garment is to become, where its name could be a part of what is there: "dress -> top"."""
-    for mark in words.marks:
-        if mark.role in ("part", "second") and _leads_to(text, mark):
-            for entry in mark.entries:
-                for each in entry.implied:
-                    if each.claim.name == "kind" and each.claim.value != kind:
-                        return [Implication(each.claim, "certain", False, mark)]
-    return []
-
-
-def _is_pointed_at(text: str, mark: WordMark) -> bool:
-    """Whether a garment is named that is there: "the dress"."""
-    return (
-        re.search(
-            r"(?<!\w)(?:the|this|that|my|its|these|her|his)\s+(?:(?!(?:in)?to\b|as\b)\w+\s+)?$",
-            text[: mark.start],
-        )
-        is not None
-    )
-
-
-def _is_target(text: str, mark: WordMark, value: str, kind: str) -> bool:
-    """Whether the garment is to become another: "into a skirt", "as trousers", or nothing but its name."""
-    if value == kind or (value in _PARTS_OF.get(kind, ()) and not _turns_into(text, mark)):
-        return False
-    clause = next((text[a:b] for a, b in _clauses(text) if a <= mark.start < b), text)
-    named = [word for word in _WORD.findall(clause) if not is_function_word(word)]
-    return _leads_to(text, mark) or (len(named) <= 1 and not re.search(r"(?<!\w)(?:the|this|my)(?!\w)", clause))
-
-
-def _turns_into(text: str, mark: WordMark) -> bool:
-    """Whether all of a garment is to become what could be a part of it: "with a straight skirt" it has one."""
-    said = r"(?<!\w)(?:into|to|as|->|als|zu|zu einem|zu einer|en)\s+(?:an?\s+|une?\s+|una\s+|some\s+)?(?:\w+\s+)?$"
-    return re.search(said, text[: mark.start]) is not None
-
-
-def _leads_to(text: str, mark: WordMark) -> bool:
-    return re.search(rf"{target_words()}\s+(?:an?\s+|some\s+|\w+\s+)?$", text[: mark.start]) is not None
-
-
 def _clause(
     text: str,
     bounds: tuple[int, int],
@@ -380,7 +298,9 @@ def _clause(
             changes += changes_of(part, grown[0].what, grown[0].sign, kind, length)
     sign = -1 if _LESS_BY.search(said) else 1 if _is_more_by(text, numbers) else 0
     if not grown and length is not None and sign:
-        for part in dict.fromkeys([p.part for p in parts if p.part != "all"] or [p.part for p in parts] or [last]):
+        for part in dict.fromkeys(
+            [p.part for p in parts if p.part != "all"] or [p.part for p in parts] or [last]
+        ):
             what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
             changes += changes_of(part, what, sign, kind, length)
     if not changes:
@@ -419,7 +339,9 @@ def _is_plain(text: str, bounds: tuple[int, int], parts: Sequence[PartWord]) -> 
 def _is_more_by(text: str, numbers: Sequence[Mention]) -> bool:
     """Whether a length is to be added: "add 6 cm", "4 cm more"."""
     return any(
-        (m.is_length or _SIGNED.search(text[: m.start])) and (_MORE_BEFORE.search(text[: m.start]) or _MORE_BEHIND.match(text, m.end)) for m in numbers
+        (m.is_length or _SIGNED.search(text[: m.start]))
+        and (_MORE_BEFORE.search(text[: m.start]) or _MORE_BEHIND.match(text, m.end))
+        for m in numbers
     )
 
 

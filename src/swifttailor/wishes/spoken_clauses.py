@@ -62,7 +62,12 @@ def clashes_of(
     return clashes
 
 
-_GONE = {"collar": ("collar height",), "cuffs": ("cuff length",), "sleeves": ("sleeve length", "sleeve width", "sleeve end"), "hood": ("hood depth", "hood height")}
+_GONE = {
+    "collar": ("collar height",),
+    "cuffs": ("cuff length",),
+    "sleeves": ("sleeve length", "sleeve width", "sleeve end"),
+    "hood": ("hood depth", "hood height"),
+}
 
 
 def _oppose(one: Change, other: Change) -> bool:

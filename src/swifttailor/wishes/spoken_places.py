@@ -15,7 +15,9 @@ _TOO_CLOSE = re.compile(
     r"(?<!\w)(?:remove|off|away|lose|strangl\w*|chok\w*|scratch\w*|itch\w*|suffocat\w*|weg|würgt|étrangle)(?!\w)"
 )
 _CLOSED = re.compile(r"(?<!\w)(?:close|closed|shut|sew up|sewn up|zu|fermer|cerrar)(?!\w)")
-_PAIR = re.compile(r"(?<!\w)(?:(?:slits|splits|vents)(?= .*sides?(?!\w))|(?:both|two) side|side (?:slits|splits|vents))")
+_PAIR = re.compile(
+    r"(?<!\w)(?:(?:slits|splits|vents)(?= .*sides?(?!\w))|(?:both|two) side|side (?:slits|splits|vents))"
+)
 _SIDE = re.compile(
     r"(?<!\w)(?:(?P<left>left|links|gauche|izquierda)|(?P<right>right|rechts|droite|derecha)"
     r"|(?P<back>back|behind|hinten|derrière|detrás)|(?P<front>front|vorne|devant|delante))(?!\w)"

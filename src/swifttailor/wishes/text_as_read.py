@@ -49,7 +49,7 @@ def text_as_read(text: str, kind: str | None = None) -> tuple[str, WordReading]:
 
 
 def _turned(text: str) -> str:
-    """The text as its tables have it: "hospital gown" for "gown for hospital", "to the floor" for "touch it"."""
+    """The text as its tables have it: "hospital gown" for "gown for hospital"."""
 
     def turned(found: re.Match[str]) -> str:
         name = f"{found[2]} {found[1]}"
