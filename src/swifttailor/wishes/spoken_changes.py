@@ -110,7 +110,7 @@ def spoken_changes(
         if kept_words().search(small, start, end):
             for part in inside:
                 kept |= subjects_of(part.part)
-                if part.word in ("length", "länge", "longueur", "largo"):
+                if part.word.endswith(("length", "länge", "longueur", "largo")):
                     kept |= {"length", "leg length"}
             if not any(start <= c.start < end for c in changes):
                 kept_gains = [i.claim.name for i in implied if start <= i.mark.start < end]
