@@ -48,7 +48,9 @@ def test_instructions_written_later_are_in_the_vocabulary_and_new(file, count):
     later = read_people_edits(WORDS / "fresh" / file)
     assert len({prompt.text.lower() for prompt in later}) == count
     known = {p.text.lower() for half in HALVES for p in read_half(half, "edits")}
-    assert len(known & {prompt.text.lower() for prompt in later}) <= count // 20  # "no sleeves" is said by many
+    assert (
+        len(known & {prompt.text.lower() for prompt in later}) <= count // 20
+    )  # "no sleeves" is said by many
 
 
 @pytest.mark.parametrize("name", FILES)
