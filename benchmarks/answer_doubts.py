@@ -24,4 +24,4 @@ def doubts(answer: Answer) -> list[str]:
     found += [f"contradiction: {one}, {other}" for one, other in heard.contradictions]
     missing = [wish.change for wish in answer.not_done if wish.certainty >= USUAL]
     found += [f"not done: {wish_line(change)}" for change in missing]
-    return found
+    return [*found, "nothing was changed"] if answer.is_given else found

@@ -1,6 +1,6 @@
 """What becomes of people's instructions: expected statements that hold afterwards, by the path of `edit`.
 
-python benchmarks/people_edits.py building|final [--misses] [--count N] [--only ID ...]
+python benchmarks/people_edits.py building|fresh|fresher|final [--misses] [--count N] [--only ID ...]
 
 Each instruction is given to a garment of which what it presupposes is true, made by the path of `generate`.
 Of the final half only counts are printed.
@@ -29,6 +29,12 @@ from swifttailor.pattern import Pattern
 from swifttailor.tailor import Order
 from swifttailor.wishes.own_words import in_own_words
 
+_FILES = {
+    "building": WORDS / "building" / "edits.jsonl",
+    "final": WORDS / "final" / "edits.jsonl",
+    "fresh": WORDS / "fresh" / "edits.jsonl",
+    "fresher": WORDS / "fresh" / "edits_after.jsonl",
+}
 _STAYS_CM = 2.0
 """What is to stay may move by so much."""
 
@@ -115,13 +121,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("half", choices=("building", "final"))
-    parser.add_argument("--misses", action="store_true", help="name what does not hold (building alone)")
+    parser.add_argument("half", choices=("building", "fresh", "fresher", "final"))
+    parser.add_argument(
+        "--misses", action="store_true", help="name what does not hold (not of the final half)"
+    )
     parser.add_argument("--count", type=int, help="only the first so many")
-    parser.add_argument("--only", nargs="*", default=(), help="only these ids (building alone)")
+    parser.add_argument("--only", nargs="*", default=(), help="only these ids (not of the final half)")
     args = parser.parse_args()
-    prompts = read_people_edits(WORDS / args.half / "edits.jsonl")[: args.count]
-    if args.only and args.half == "building":
+    prompts = read_people_edits(_FILES[args.half])[: args.count]
+    if args.only and args.half != "final":
         prompts = tuple([p for p in prompts if p.id in args.only])
     tailor, counts, misses = swifttailor.Tailor.load(), Counter[str](), list[str]()
     begun = time.perf_counter()
@@ -138,7 +146,7 @@ def main() -> None:
     print(f"  wrong in silence: {counts['wrong in silence']}; none made: {counts['none made']}")
     print(f"  left as they were: {counts['left as it was']}; written anew: {counts['written anew']}")
     print(f"  garments of which all holds that is presupposed: {counts['bases as described']}")
-    if args.misses and args.half == "building":
+    if args.misses and args.half != "final":
         print("\n".join(misses))
 
 

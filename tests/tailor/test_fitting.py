@@ -82,13 +82,12 @@ def test_an_edit_alters_the_pattern_that_was_given(dress, shirt):
     assert fitted.changes == ()  # what was mended in what the network wrote is not in it
 
 
-def test_what_cannot_be_cut_is_left_to_the_network(shirt):
-    darted = swifttailor.draft("fitted-dress")
+def test_what_is_written_anew_is_left_where_it_changes_what_nobody_spoke_of(shirt):
+    darted = swifttailor.draft("fitted-dress")  # without sleeves, and longer
     wish = Gain(Claim("bodice", "darted"))
     fitted = fit(written(darted), wanted([Wish(wish, 0.9)], shirt))
-    assert not fitted.of_edit
-    assert fitted.pattern is darted
-    assert fitted.verdict.open == ()
+    assert fitted.pattern is shirt and fitted.is_given
+    assert fitted.verdict.open == (wish,)
 
 
 def test_another_kind_of_garment_is_the_networks(dress, shirt):

@@ -47,10 +47,53 @@ def gain(name, value):
         ("close slit", "skirt", [gain("slit", "none")]),
         ("put a slit up the side", "skirt", [gain("slit", "left")]),
         ("hem longer behind", "skirt", [gain("hem_shape", "high-low")]),
+        ("bring the waist in a touch", "dress", [Step("chest", -1)]),
+        ("let the bust out by 4cm", "dress", [Step("chest", 1, 4.0)]),
+        ("take the hem up 3cm", "dress", [Step("length", -1, 3.0)]),
+        ("put more cloth in the skirt", "skirt", [Step("skirt hem", 1)]),
+        ("take the fullness out of the sleeve", "top", [Step("sleeve width", -1)]),
+        ("reduce sweep", "dress", [Step("skirt hem", -1)]),
+        ("raise the neckline an inch", "dress", [Step("neck depth", -1, 2.54)]),
+        ("deeper V", "dress", [Step("neck depth", 1)]),
+        ("widen the hems to 52 cm", "trousers", [gain("leg_width_cm", 52.0)]),
+        ("sleeve +4", "top", [Step("sleeve length", 1, 4.0)]),
+        ("trim 5cm off sleeves & hem", "top", [Step("sleeve length", -1, 5.0), Step("length", -1, 5.0)]),
+        ("another tier", "skirt", [Step("tiers", 1, 1.0)]),
+        ("two slits at the sides", "skirt", [gain("slit", "left"), gain("slit", "right")]),
+        ("split the hem front, about 30cm", "skirt", [gain("slit", "front")]),
+        ("not so tight", "top", [Step("chest", 1, 6.0)]),
     ],
 )
 def test_an_instruction_in_people_s_words_asks_for(text, kind, changes):
     assert list(heard(text, kind).changes) == changes
+
+
+def test_vague_words_are_taken_to_mean_something_where_nothing_else_is_asked_for():
+    sleeveless = [Claim("sleeves", "none"), Claim("skirt_hem", "mini")]
+    winter = heard("make it work for winter", is_so=sleeveless.__contains__)
+    assert winter.changes == (gain("sleeves", "long"),)
+    assert winter.taken == (("winter", winter.changes),)
+    assert heard("more modest", is_so=sleeveless.__contains__).changes == (
+        gain("skirt_hem", "knee"),
+        gain("shoulders", "both"),
+    )
+    long = [Claim("sleeves", "long")]
+    assert heard("make it work for winter", is_so=long.__contains__).changes == ()  # long enough
+    said = heard("for a summer party, but hem 3 cm up", is_so=[Claim("sleeves", "long")].__contains__)
+    assert said.taken == ()
+
+
+def test_what_is_so_already_names_what_it_is_said_of():
+    v_neck = [Claim("neckline", "v")].__contains__
+    assert heard("deeper V", is_so=v_neck).changes == (Step("neck depth", 1),)
+
+
+def test_what_is_denied_stays_as_it_is():
+    said = heard("Don't make it shorter, just narrower at the hem", "skirt")
+    assert said.changes == (Step("skirt hem", -1),)
+    assert "length" in said.kept
+    assert "length" in heard("lower the waist by 3 cm, keep overall length").kept
+    assert "sleeve width" in heard("everything tighter except the sleeves", "top").kept
 
 
 def test_each_clause_has_its_own_part_and_number():

@@ -43,6 +43,16 @@ def test_every_line_is_in_the_vocabulary(half, name):
     assert len(prompts) == FILES[name][1]
 
 
+@pytest.mark.parametrize(("file", "count"), [("edits.jsonl", 150), ("edits_after.jsonl", 75)])
+def test_instructions_written_later_are_in_the_vocabulary_and_new(file, count):
+    later = read_people_edits(WORDS / "fresh" / file)
+    assert len({prompt.text.lower() for prompt in later}) == count
+    known = {p.text.lower() for half in HALVES for p in read_half(half, "edits")}
+    assert (
+        len(known & {prompt.text.lower() for prompt in later}) <= count // 20
+    )  # "no sleeves" is said by many
+
+
 @pytest.mark.parametrize("name", FILES)
 def test_texts_are_unique_and_the_halves_are_those_of_the_lot(name):
     paths = [WORDS / half / f"{name}.jsonl" for half in HALVES]

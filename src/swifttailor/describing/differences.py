@@ -51,7 +51,8 @@ class Step:
             return False
         change = (now - was) * self.direction
         if self.amount is not None:
-            return abs(change - self.amount) <= max(quantity.least / 2, 0.25 * self.amount)
+            within = max(quantity.least / 2, 0.25 * self.amount)
+            return abs(change - self.amount) <= min(within, 0.5 * self.amount)
         return change >= quantity.least / 2
 
     def to_json(self) -> dict[str, object]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
 from swifttailor.body import BodyMeasurements
@@ -16,10 +16,13 @@ from swifttailor.recutting.levers.lever import Lever, Trick
 from swifttailor.recutting.plans import TRICKS, Plan, find_plans, names_it
 from swifttailor.recutting.table.checking import accepted
 from swifttailor.recutting.table.cutter import Cutter
+from swifttailor.recutting.unasked import spoken_parts, unasked, undoing
 
 MOST_CUTS = 12
 TRIES_A_CUT = 5
 """Cuts that are measured for each that may be kept."""
+MOST_UNDONE = 3
+"""Changes elsewhere that are cut back for one wish."""
 AIMS = 3
 """Times an amount is corrected."""
 
@@ -47,6 +50,8 @@ def alter(
     original: GarmentFacts | None = None,
     body: BodyMeasurements | None = None,
     most_cuts: int = MOST_CUTS,
+    keep_others: bool = False,
+    kept: Collection[str] = (),
 ) -> Alteration:
     """Recuts a pattern until wishes hold, as many as can be.
 
@@ -60,6 +65,9 @@ def alter(
         original: What steps are judged against; what the pattern shows when None.
         body: Who it is made for; the default body when None.
         most_cuts: How many cuts are kept at most.
+        keep_others: Whether nothing may be seen to change in parts that no wish speaks of (`unasked`): what a
+            cut changes there is cut back, and a wish that cannot be had so stays open.
+        kept: Claims and quantities that are to stay, even in those parts.
 
     Raises:
         PatternError: The pattern cannot be measured.
@@ -68,9 +76,9 @@ def alter(
     if not pattern.panels:
         raise PatternError("A pattern without panels cannot be altered. Give one with at least one panel.")
     start = Cutter(pattern, body)
-    work = _Work(
-        original or start.facts, tuple(dict.fromkeys(map(read_change, wishes))), most_cuts * TRIES_A_CUT
-    )
+    asked = tuple(dict.fromkeys(map(read_change, wishes)))
+    parts = spoken_parts(asked) if keep_others else None
+    work = _Work(original or start.facts, asked, most_cuts * TRIES_A_CUT, parts, frozenset(kept))
     before = set(work.holding(start.facts))
     now, said = start, []
     failed: set[Change] = set()
@@ -104,6 +112,10 @@ class _Work:
     original: GarmentFacts
     wishes: tuple[Change, ...]
     tries_left: int
+    parts: frozenset[str] | None = None
+    """That wishes speak of, where nothing else may change."""
+    kept: frozenset[str] = frozenset()
+    """Subjects that may not change in any part."""
     tried: dict[tuple[Cutter, str, float], Cutter | None] = field(default_factory=dict)
 
     def holding(self, facts: GarmentFacts) -> tuple[Change, ...]:
@@ -120,14 +132,43 @@ class _Work:
             found = (
                 self._trick(now, plan, way) if isinstance(way, Trick) else self._aim(now, plan, way, harmful)
             )
+            found = self._undone(found)
             if found is not None:
                 return found
         held = self.holding(now.facts)
         for after, words in harmful[:2]:
             mended = self._mend(after, held)
-            if mended is not None:
-                return mended[0], [words, *mended[1]]
+            found = self._undone(mended and (mended[0], [words, *mended[1]]))
+            if found is not None:
+                return found
         return None
+
+    def _undone(self, found: tuple[Cutter, list[str]] | None) -> tuple[Cutter, list[str]] | None:
+        """What was cut with what it changed elsewhere cut back; None where that cannot be."""
+        if found is None or (self.parts is None and not self.kept):
+            return found
+        after, words = found
+        for _ in range(MOST_UNDONE):
+            changed = self._changed_elsewhere(after)
+            if not changed:
+                return after, words
+            held = self.holding(after.facts)
+            back = None
+            for wish in undoing(changed, self.original):
+                for plan in find_plans(after.facts, self.original, [wish], held)[wish]:
+                    back = self._aim(after, plan, plan.way, []) if isinstance(plan.way, Lever) else None
+                    if back is not None and len(self._changed_elsewhere(back[0])) < len(changed):
+                        break
+                    back = None
+                if back is not None:
+                    break
+            if back is None:
+                return None
+            after, words = back[0], [*words, *back[1]]
+        return None if self._changed_elsewhere(after) else (after, words)
+
+    def _changed_elsewhere(self, after: Cutter) -> tuple[Change, ...]:
+        return unasked(self.parts, self.original, after.facts, self.kept)
 
     def _mend(self, after: Cutter, held: Sequence[Change]) -> tuple[Cutter, list[str]] | None:
         """Brings back the one wish that a cut has lost."""
@@ -182,12 +223,14 @@ class _Work:
             for _ in range(AIMS):
                 after = self._cut(now, lever, amount)
                 value = lever.of(after.facts) if after is not None else None
-                if after is None or value is None:
+                if after is None:
                     break
-                if self.holds(plan.wish, after):
+                if self.holds(plan.wish, after):  # even where it is no longer what the lever moves
                     if self._keeps(held, after):
                         return after, [lever.said(was, value)]
                     harmful.append((after, lever.said(was, value)))
+                if value is None:
+                    break
                 if abs(amount) > 0.1:
                     rate = (value - (was or 0.0)) / amount
                 if abs(rate) < 0.1 * abs(lever.rate) or abs(target - value) < 0.05 * lever.step:

@@ -18,6 +18,7 @@ from swifttailor.recutting.one_sided import (
     made_of_one_side,
     one_sided_panels,
 )
+from swifttailor.recutting.unasked import spoken_parts, unasked
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.reading import Wanted, altered
 from swifttailor.tailor.verdict import Verdict
@@ -42,6 +43,8 @@ def from_edit(wanted: Wanted) -> Answer | None:
     if wanted.leaves_cut:
         return _as_it_is(edit, wanted)
     recut = wanted.recut
+    if recut is not None and not recut.cuts and not recut.open:
+        return _as_it_is(edit, wanted, open=())
     if recut is None or len(recut.open) == len(wanted.wishes) or _is_remade(edit, recut):
         return None
     verdict = Verdict(
@@ -56,9 +59,14 @@ def from_edit(wanted: Wanted) -> Answer | None:
     return Answer(recut.pattern, verdict, wanted=wanted, cuts=recut.cuts, of_edit=True)
 
 
-def _as_it_is(edit: Pattern, wanted: Wanted, written: WrittenPattern | None = None) -> Answer:
-    open = tuple(wish.change for wish in wanted.wishes)
-    verdict = Verdict(tuple(check_pattern(edit)), wanted.tolerated, open=open)
+def _as_it_is(
+    edit: Pattern,
+    wanted: Wanted,
+    written: WrittenPattern | None = None,
+    open: tuple[Change, ...] | None = None,
+) -> Answer:
+    missing = tuple(wish.change for wish in wanted.wishes) if open is None else open
+    verdict = Verdict(tuple(check_pattern(edit)), wanted.tolerated, open=missing)
     return Answer(edit, verdict, wanted=wanted, written=written, of_edit=True)
 
 
@@ -112,6 +120,8 @@ def _best_alteration(pattern: Pattern, level: str, wanted: Wanted) -> tuple[Alte
     written = None
     if recut is None or recut.open or remade:
         written = altered(pattern, changes, wanted.original)
+        if written is not None and edit is not None and _changes_others(written, wanted):
+            written = None
         if written is not None and (wanted.unsaid or wanted.part is not None):
             written = replace(written, cuts=(*filter(None, [level]), *written.cuts))
             maybe = tuple(wish.change for wish in wanted.likely)
@@ -168,6 +178,14 @@ def _is_senseless(facts: GarmentFacts) -> bool:
     if facts.kind == "skirt" and facts.hem and facts.hem.level > facts.body.crotch + BARE_CM:
         return True
     return facts.kind == "other" or not (facts.torso or facts.skirt or facts.trousers)
+
+
+def _changes_others(written: Alteration, wanted: Wanted) -> bool:
+    """Whether what was written in place of the pattern to edit changes what nobody spoke of."""
+    if wanted.original is None:
+        return False
+    parts = spoken_parts([wish.change for wish in wanted.wishes])
+    return bool(unasked(parts, wanted.original, written.facts, wanted.heard.kept))
 
 
 def _is_remade(edit: Pattern, recut: Alteration) -> bool:

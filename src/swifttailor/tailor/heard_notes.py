@@ -37,12 +37,15 @@ def heard_report(wanted: Wanted) -> dict[str, Any]:
         "cloth_unmet": fabric_unmet(wanted) is not None,
         "cannot": list(heard.cannot),
         "left_out": list(heard.left_out),
+        "taken_to_mean": {words: [wish_line(c) for c in changes] for words, changes in heard.taken},
         "contradictions": [list(pair) for pair in heard.contradictions],
     }
 
 
 def heard_notes(wanted: Wanted) -> list[str]:
     """The same for a person; nothing where all of the text is clear."""
+    from swifttailor.wording.wish_lines import wish_line
+
     heard, found = wanted.heard, []
     if heard.words is not None and heard.words.language in _LANGUAGES:
         found.append(f"Read as {_LANGUAGES[heard.words.language]}, by the words of its lexicon.")
@@ -53,6 +56,8 @@ def heard_notes(wanted: Wanted) -> list[str]:
         )
     if heard.unread:
         found.append(f"Not understood: {_quoted(heard.unread)}.")
+    for words, changes in heard.taken:
+        found.append(f'"{one_line(words)}" is taken to mean: {"; ".join(map(wish_line, changes))}.')
     if heard.guess:
         found.append(f'Which garment is meant was not understood; "{heard.guess}" is a guess.')
     elif wanted.kind_is_guessed:

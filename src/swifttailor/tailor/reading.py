@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -22,6 +22,7 @@ from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
 from swifttailor.pattern_maker.maker import Request
 from swifttailor.picture_reader.reading import PartReading
 from swifttailor.recutting.alter import Alteration, alter
+from swifttailor.recutting.nearer import towards
 from swifttailor.recutting.one_sided import asks_for_one_side
 from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted
@@ -152,7 +153,17 @@ class Wanted:
         """The pattern to edit, altered: the same whatever the network writes."""
         if self.order.edit is None or self.original is None:
             return None
-        return altered(self.order.edit, [wish.change for wish in self.wishes], self.original)
+        changes = [wish.change for wish in self.wishes]
+        kept = self.heard.kept
+        recut = altered(self.order.edit, changes, self.original, keep_others=True, kept=kept)
+        nearer = [] if recut is None else towards(recut.open, changes)
+        if recut is None or not nearer:
+            return recut
+        again = altered(recut.pattern, [*changes, *nearer], self.original, keep_others=True, kept=kept)
+        if again is None or not again.cuts or not set(again.open) <= {*recut.open, *nearer}:
+            return recut
+        missing = tuple([change for change in again.open if change not in nearer])
+        return replace(again, done=recut.done, open=missing, cuts=(*recut.cuts, *again.cuts))
 
     def request(self, attempt: int) -> Request:
         """What the network is asked.
@@ -268,11 +279,16 @@ def _shown(picture: SeenPicture, crop: bool) -> tuple[Pixels | None, tuple[str, 
 
 
 def altered(
-    pattern: Pattern, changes: Sequence[Change], original: GarmentFacts | None = None
+    pattern: Pattern,
+    changes: Sequence[Change],
+    original: GarmentFacts | None = None,
+    *,
+    keep_others: bool = False,
+    kept: Collection[str] = (),
 ) -> Alteration | None:
     """The pattern altered (`recutting.alter`); None where it cannot be measured."""
     try:
-        return alter(pattern, changes, original=original)
+        return alter(pattern, changes, original=original, keep_others=keep_others, kept=kept)
     except SwiftTailorError:
         return None
 

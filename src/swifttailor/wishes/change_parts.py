@@ -8,35 +8,49 @@ from typing import Literal
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step
 
-Property = Literal["length", "width", "height"]
+Property = Literal["length", "width", "height", "depth"]
 _LEGS = frozenset({"trousers", "shorts", "jumpsuit", "playsuit"})
 _LOWER = frozenset({"trousers", "shorts"})
 _Way = tuple[str, int]
 """A quantity, and whether it grows with the property (1) or shrinks (-1)."""
 
 _OF: Mapping[str, Mapping[Property, _Way]] = {
-    "sleeves": {"length": ("sleeve length", 1), "width": ("sleeve width", 1)},
+    "sleeves": {
+        "length": ("sleeve length", 1),
+        "width": ("sleeve width", 1),
+        "height": ("sleeve length", -1),
+    },
     "sleeve_end": {"width": ("sleeve end", 1)},
-    "legs": {"length": ("leg length", 1), "width": ("leg end", 1)},
+    "legs": {"length": ("leg length", 1), "width": ("leg end", 1), "height": ("leg length", -1)},
     "leg_end": {"width": ("leg end", 1)},
     "inseam": {"length": ("leg length", 1)},
     "thigh": {"width": ("thigh", 1)},
-    "neck": {"height": ("neck depth", -1), "width": ("neck width", 1), "length": ("neck depth", 1)},
-    "back_neck": {"height": ("back depth", -1)},
-    "back": {"height": ("back depth", -1)},
+    "neck": {
+        "height": ("neck depth", -1),
+        "depth": ("neck depth", 1),
+        "width": ("neck width", 1),
+        "length": ("neck depth", 1),
+    },
+    "back_neck": {"height": ("back depth", -1), "depth": ("back depth", 1)},
+    "back": {"height": ("back depth", -1), "depth": ("back depth", 1)},
     "chest": {"width": ("chest", 1), "length": ("bodice length", 1)},
     "shoulders": {"width": ("shoulders", 1)},
     "straps": {"width": ("shoulders", 1)},
     "collar": {"height": ("collar height", 1), "length": ("collar height", 1), "width": ("collar height", 1)},
     "hood": {"width": ("hood depth", 1), "height": ("hood height", 1), "length": ("hood height", 1)},
-    "cuffs": {"length": ("cuff length", 1), "width": ("cuff length", 1), "height": ("cuff length", 1)},
-    "leg_cuffs": {"length": ("leg cuff length", 1), "width": ("leg cuff length", 1)},
-    "band": {"width": ("waistband height", 1), "height": ("waistband height", 1)},
-    "armholes": {"height": ("armholes", -1), "width": ("armholes", 1), "length": ("armholes", 1)},
+    "cuffs": dict.fromkeys(("length", "width", "height", "depth"), ("cuff length", 1)),
+    "leg_cuffs": dict.fromkeys(("length", "width", "height", "depth"), ("leg cuff length", 1)),
+    "band": dict.fromkeys(("width", "height", "depth"), ("waistband height", 1)),
+    "armholes": {
+        "height": ("armholes", -1),
+        "depth": ("armholes", 1),
+        "width": ("armholes", 1),
+        "length": ("armholes", 1),
+    },
     "tiers": {"length": ("tiers", 1), "width": ("tiers", 1)},
     "back_slit": {"length": ("back slit", 1), "height": ("back slit", 1)},
 }
-PARTS = frozenset({*_OF, "hem", "waist", "hips", "skirt", "slit", "all"})
+PARTS = frozenset({*_OF, "hem", "waist", "hips", "skirt", "slit", "lower", "all"})
 _SUBJECTS: Mapping[str, str] = {
     "sleeves": "sleeves sleeve_shape left_sleeve right_sleeve sleeve_cm sleeve_width_cm",
     "legs": "legs leg_hem inseam_cm leg_width_cm",
@@ -46,7 +60,9 @@ _SUBJECTS: Mapping[str, str] = {
     "hood": "hood",
     "cuffs": "cuffs cuff_cm",
     "band": "waistband waistband_cm",
-    "skirt": "skirt skirt_hem",
+    "skirt": "skirt skirt_hem hem_cm",
+    "lower": "skirt skirt_hem legs leg_hem",
+    "hem": "skirt_hem top_hem leg_hem hem_shape",
     "slit": "slit slit_size slit_cm",
     "tiers": "tiers",
     "straps": "straps",
@@ -59,7 +75,16 @@ _SUBJECTS: Mapping[str, str] = {
 def subjects_of(part: str) -> frozenset[str]:
     """Claims and quantities that are about a part."""
     quantities = {quantity for quantity, _ in _OF.get(part, {}).values()}
+    if part == "all":
+        return frozenset()
+    if part in ("skirt", "lower"):
+        quantities |= {"skirt hem", "skirt gathers", "length"}
     return frozenset({*quantities, *_SUBJECTS.get(part, "").split()})
+
+
+def part_of(claim: str) -> str | None:
+    """The part that a claim is about: of ``neckline`` the neck; None where it is of none of them."""
+    return next((part for part, names in _SUBJECTS.items() if claim in names.split()), None)
 
 
 def changes_of(
@@ -79,9 +104,13 @@ def changes_of(
     """
     if part == "sleeve_end" and kind in (*_LOWER, "skirt"):
         part = "leg_end" if kind in _LOWER else "hem"
+    if part == "lower":
+        part = "legs" if kind in _LEGS else "skirt"
     found = _way(part or "all", what, kind)
     if found is None:
         return ()
+    if part == "hips" and kind in ("skirt", "dress") and amount is not None:
+        return ()  # what is measured there is no lever of its own: better said than cut at the hem
     quantity, factor = found
     step = Step(quantity, sign * factor, amount)
     if part == "straps" and sign < 0 and amount is None:
@@ -93,22 +122,28 @@ def _way(part: str, what: Property, kind: str) -> _Way | None:
     if part == "all":
         if what == "height":
             return None
+        if what == "depth":
+            return None if kind in _LOWER or kind == "skirt" else ("neck depth", 1)
         if kind in _LEGS and (what == "length" or kind in _LOWER):
             return ("leg length", 1) if what == "length" else ("leg end", 1)
         return ("length", 1) if what == "length" else ("skirt hem" if kind == "skirt" else "chest", 1)
     if part == "hem":
+        if what == "depth":
+            return None
         if what == "width":
             return {"skirt": ("skirt hem", 1), "dress": ("skirt hem", 1)}.get(
                 kind, ("leg end", 1) if kind in _LEGS else ("top width", 1)
             )
         return "leg length" if kind in _LEGS else "length", 1 if what == "length" else -1
     if part == "skirt":
-        return {"length": ("length", 1), "width": ("skirt hem", 1)}.get(what)
+        return {"length": ("length", 1), "width": ("skirt hem", 1), "height": ("length", -1)}.get(what)
     if part in ("hips", "waist"):
+        if part == "waist" and what == "height" and kind in ("dress", "jumpsuit", "playsuit"):
+            return "bodice length", -1
         if what != "width":
             return None
         if part == "waist":
-            return None if kind in _LOWER or kind == "skirt" else ("chest", 1)
+            return ("waistband width", 1) if kind in _LOWER or kind == "skirt" else ("chest", 1)
         return (
             ("leg end", 1)
             if kind in _LEGS

@@ -11,7 +11,7 @@ from swifttailor.wishes.change_parts import PARTS, Property
 from swifttailor.wording.word_tables import Row, read_table
 
 _TABLE = Path(__file__).with_name("change_words.txt")
-_PROPERTIES: tuple[Property, ...] = ("length", "width", "height")
+_PROPERTIES: tuple[Property, ...] = ("length", "width", "height", "depth")
 _SIGNS = {"+": 1, "-": -1}
 
 
@@ -23,6 +23,8 @@ class ChangeWord:
     end: int
     what: Property
     sign: int
+    verb: tuple[int, int] | None = None
+    """Where the rest of it stands, which the part may be between: "bring" of "bring the waist in"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +51,84 @@ def find_changes(text: str) -> list[ChangeWord]:
             found.append(ChangeWord(match.start(), match.end(), what, sign if match["more"] else -sign))
         else:
             found.append(ChangeWord(match.start(), match.end(), *meaning["grow"][match["grow"]]))
+    for word in (*_apart(text), *_of_nouns(text)):
+        spans = [(word.start, word.end)] + ([] if word.verb is None else [word.verb])
+        found = [w for w in found if not any(a < w.end and w.start < b for a, b in spans)]
+        found.append(word)
+    return sorted(found, key=lambda word: word.start)
+
+
+def _apart(text: str) -> list[ChangeWord]:
+    """Verbs with their particles behind what they are said of: "bring the waist in"."""
+    found = []
+    for (what, sign), pattern in _apart_patterns():
+        found += [
+            ChangeWord(m.start("particle"), m.end("particle"), what, sign, m.span("verb"))
+            for m in pattern.finditer(text)
+        ]
     return found
+
+
+@cache
+def _apart_patterns() -> list[tuple[tuple[Property, int], re.Pattern[str]]]:
+    found = []
+    for row in _rows("apart"):
+        what, sign, particle = row.words
+        if what not in _PROPERTIES or sign not in _SIGNS:
+            row.wrong(f"'{what} {sign}' is no property with + or -.")
+        verbs = _any_of(list(row.texts)).pattern
+        # "in the front" and "in blue" say where and how, not that something is taken in.
+        behind = (
+            r"(?= (?:a|by|at|around|round|some|to|so|just|slightly|\d)\b|\W*$|[.,;:!?)]| and\b| please\b)"
+        )
+        pattern = rf"(?P<verb>{verbs})(?: [\w'’]+){{1,5}}? (?P<particle>{particle}){behind}"
+        found.append(((what, _SIGNS[sign]), re.compile(pattern)))
+    return found
+
+
+def _of_nouns(text: str) -> list[ChangeWord]:
+    """What there is to be more or less of: "more cloth in the skirt", "take the fullness out"."""
+    found = []
+    for m in _nouns().finditer(text):
+        noun = m["noun"] or m["first"]
+        what = _noun_meanings()[noun]
+        sign = 1 if m["add"] or m["after"] else -1
+        found.append(
+            ChangeWord(
+                m.start("noun" if m["noun"] else "first"),
+                m.end("noun" if m["noun"] else "first"),
+                what,
+                sign,
+                m.span("add" if m["add"] else "take" if m["take"] else "after"),
+            )
+        )
+    return found
+
+
+@cache
+def _noun_meanings() -> dict[str, Property]:
+    found: dict[str, Property] = {}
+    for row in _rows("nouns"):
+        (what,) = row.words
+        if what not in _PROPERTIES:
+            row.wrong(f"'{what}' is no property. Known: {', '.join(_PROPERTIES)}.")
+        found |= dict.fromkeys(row.texts, what)
+    return found
+
+
+@cache
+def _nouns() -> re.Pattern[str]:
+    add, take = (
+        _any_of([word for row in _rows(section) for word in row.texts]).pattern
+        for section in ("adding", "taking")
+    )
+    nouns = _any_of(list(_noun_meanings())).pattern
+    between = r"(?: (?!to\b|with\b|in\b|at\b)[\w'’%]+){0,3}? "
+    few = r"(?:is|are|seems) (?:insufficient|too little|not enough)"
+    return re.compile(
+        rf"(?:(?P<take>{take})|(?P<add>{add})){between}(?P<noun>{nouns})"
+        rf"|(?P<first>{nouns})[^.,;]{{0,30}}? (?P<after>{few})"
+    )
 
 
 def find_adjectives(text: str) -> list[ChangeWord]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from swifttailor.describing.claims import Claim
-from swifttailor.describing.differences import Gain
+from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.lexicon_spelling import near_names
@@ -36,6 +36,10 @@ class Heard:
     """The name that the garment was made by, where none was understood and this is spelt like a word."""
     clashes: tuple[tuple[str, str], ...] = ()
     """What of an instruction asks for opposite things, in words; none of it is done."""
+    kept: frozenset[str] = frozenset()
+    """Claims and quantities that are to stay as they are, by an instruction."""
+    taken: tuple[tuple[str, tuple[Change, ...]], ...] = ()
+    """Vague words, and what they are taken to ask for: "winter", long sleeves."""
 
     @property
     def color(self) -> str | None:

@@ -51,6 +51,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
             measure.claim is not None
             and clause is not None
             and not stepped
+            and not text[: measure.mention.start].rstrip().lower().endswith(" by")
             and not _is_strange(clause, words)
         ):
             stated[clause.start] = measure
@@ -82,9 +83,34 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         if not _is_moved_away(gain, told)
     ]
     changes = [wish.change for wish in sure]
+    unread += _other_garments(text, words, kind, changes)
     lacks = tuple([lack for lack in lacks_of(words, changes, measures) if lack.said])
     silent = _not_answered(unread, words)
-    return Heard(text, tuple(sure), tuple(likely), words.never, silent, lacks, words, clashes=spoken.clashes)
+    return Heard(
+        text,
+        tuple(sure),
+        tuple(likely),
+        words.never,
+        silent,
+        lacks,
+        words,
+        clashes=spoken.clashes,
+        kept=spoken.kept,
+        taken=spoken.taken,
+    )
+
+
+def _other_garments(text: str, words: WordReading, kind: str | None, changes: Sequence[Change]) -> list[str]:
+    """Names of garments behind "with", where nothing came of them: "in one piece with trousers"."""
+    if any(isinstance(c, Gain) and c.claim.name in ("kind", "skirt") for c in changes):
+        return []
+    found = []
+    for mark in words.marks:
+        named = {i.claim.value for e in mark.entries for i in e.implied if i.claim.name == "kind"}
+        joined = text[: mark.start].lower().rstrip().endswith(("with", "mit", "avec", "con", "and"))
+        if not mark.denied and mark.entries and mark.entries[0].category == "garments" and joined:
+            found += [] if kind in named else [mark.word]
+    return found
 
 
 def named_kind(facts: GarmentFacts) -> str:

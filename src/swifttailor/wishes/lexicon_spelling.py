@@ -29,6 +29,9 @@ _SOUNDS = (
     ("ea", "e"),
     ("ee", "e"),
     ("ie", "i"),
+    ("ar", "er"),
+    ("our", "er"),
+    ("or", "er"),
 )
 _DOUBLED = re.compile(r"(.)\1+")
 
@@ -50,6 +53,8 @@ def lexicon_spelling(word: str) -> str | None:
         return slips[0]
     meant = _by_sound().get(_sound(small), frozenset())
     same = sorted(known for known in meant if known[0] == small[0])
+    parts = [known for known in same if known in _parts()]
+    same = parts or same
     if len(same) > 1 and len({place for place, known in _places() if known in same}) > 1:
         return None
     if not same:
@@ -102,6 +107,12 @@ def _all_words() -> frozenset[str]:
     """Single words of the English tables."""
     words = [text.lower() for entry in all_entries() if entry.english is None for text in entry.words]
     return frozenset([word for word in words if word.isalpha() and word.isascii()])
+
+
+@cache
+def _parts() -> frozenset[str]:
+    """What parts of garments are called: likelier than anything else of the same sound."""
+    return frozenset([w.lower() for e in all_entries() if e.category == "parts" for w in e.words])
 
 
 @cache

@@ -17,12 +17,15 @@ _COUNTS: dict[str, float] = {word: float(k) for k, word in enumerate(_WORDS)} | 
 }
 _CM = {"mm": 0.1, "cm": 1.0, "m": 100.0, "in": CM_PER_INCH, "ft": 12 * CM_PER_INCH}
 _SPOKEN = r"millimet(?:re|er)s?|centimet(?:re|er)s?|met(?:re|er)s?|inch(?:es)?|foot|feet"
+_SPOKEN_SMALL = r"centimet(?:re|er)s?|cms?|inch(?:es)?"
 _UNIT = rf"{_SPOKEN}|mm|cms?|m|ins?|ft|[\"\u201d\u2033]"
+_FEW = {"couple": 2.0, "few": 3.0, "a": 1.0}
 _PARTS = {"half": 0.5, "third": 1 / 3, "quarter": 0.25}
 _FIGURE = r"\d{1,5} \d/\d|\d/\d|\d{1,5}(?:[.,]\d{1,3})?"
 # Not inside of a word or a longer number; "in" is no unit in "6 in the front".
 _MENTION = re.compile(
     rf"(?<![\w.,/])(?:(?P<figure>{_FIGURE})(?:[ -]?(?P<unit>{_UNIT})(?!\w)(?! (?:the|front|back|one)\b))?"
+    rf"|(?P<few>an?|a couple(?: of)?|a few) (?P<few_unit>{_SPOKEN_SMALL})"
     rf"|(?P<part>half|(?:a )?third|(?:a )?quarter)(?: of)? an? (?P<whole>{_SPOKEN})"
     rf"|(?P<word>{'|'.join(_COUNTS)})(?:[ -](?P<words_unit>{_SPOKEN}))?)(?![\w/])",
     re.IGNORECASE,
@@ -53,6 +56,9 @@ def find_mentions(text: str) -> list[Mention]:
 
 
 def _mention(found: re.Match[str]) -> Mention:
+    if found["few"]:
+        count = next(number for word, number in _FEW.items() if word in found["few"].lower())
+        return Mention(found.start(), found.end(), count * _CM[_unit(found["few_unit"].lower())], True)
     if found["part"]:
         value = _PARTS[found["part"].lower().split()[-1]] * _CM[_unit(found["whole"].lower())]
         return Mention(found.start(), found.end(), value, True)

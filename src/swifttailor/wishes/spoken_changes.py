@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
-from swifttailor.wishes.change_parts import Property, changes_of, subjects_of
+from swifttailor.wishes.change_parts import Property, changes_of, part_of, subjects_of
 from swifttailor.wishes.change_words import (
     ChangeWord,
     PartWord,
@@ -20,26 +20,32 @@ from swifttailor.wishes.change_words import (
     find_changes,
     find_parts,
     kept_words,
-    target_words,
 )
 from swifttailor.wishes.mentions import Mention, find_mentions
+from swifttailor.wishes.spoken_amounts import is_target, joined_amount, more_of_them, to_target
 from swifttailor.wishes.spoken_clauses import SpokenClause, clashes_of, without_what_is_so
 from swifttailor.wishes.spoken_places import at_the_neck, hem_shape, slit
+from swifttailor.wishes.spoken_scenes import SpokenScene, spoken_scene
+from swifttailor.wishes.spoken_targets import clauses_of, meant
 from swifttailor.wishes.unread import is_function_word
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import Implication, WordMark, WordReading, read_words
 
-_JOINT = re.compile(
-    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+]\s|\s(?:and|but|then|und|aber|et|mais|y|pero)\s|\sso\s(?=it|that|can|could|i\b|she|he|they)",
-    re.IGNORECASE,
-)
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 _THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
-_LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|^\s*-\s*\d")
-_TO = re.compile(r"(?<!\w)(?:to|auf|à|a)\s*$")
+_LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|(?<!\d)-\s*\d")
+_PLACES = re.compile(r"(?:(?:front|back|side|sides|left|right|centre|center|top|bottom|hem)(?:\s|$))+")
+_SIGNED = re.compile(r"(?:[+\-\u2212]|(?<!\w)(?:plus|minus))\s*$")
+"""Before a number without a unit, which is in cm then: "sleeve +4"."""
+_EACH = re.compile(r"(?<!\w)(?:(?:on )?(?:each|either|both) sides?|per side)(?!\w)")
+_MORE_BEFORE = re.compile(r"(?:(?<!\w)(?:plus|extra|add|adding|another|gain)(?: about)?\s*|\+\s*)$")
+_MORE_BEHIND = re.compile(r"\s*(?:more|extra|plus)(?!\w)(?!\s+\w*(?:er|long|wide|deep)(?!\w))")
+_VERY = re.compile(r"(?<!\w)(?:super|very|really|extra|much|way|even|muy|très|sehr)(?!\w)")
+"""Of what is so already there is to be more: "super wide legs" of wide ones."""
+_UNDENIED = re.compile(r"(?:in|out|so|too|as|that|overly)(?!\w)")
+"""Words of change that are no less so for a "not": what is "not so tight" is to be wider."""
+_DENIED = re.compile(r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas)(?:\s+\w+){0,2}\s+$")
 _SILENT = frozenset(["function", "polite", "degrees", "numbers", "negations", "generic"])
-_BASES = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
-_PARTS_OF = {"dress": ("skirt", "top"), "jumpsuit": ("trousers", "top"), "playsuit": ("shorts", "top")}
 _WITH_LEGS = frozenset(["trousers", "shorts", "jumpsuit", "playsuit"])
 _NAMED = {
     **dict.fromkeys(["pants", "trousers", "hose", "pantalon", "pantalón", "shorts"], _WITH_LEGS),
@@ -49,6 +55,9 @@ _NAMED = {
     ),
 }
 """Kinds that a name of a garment can mean where one is there already."""
+_OF_SCENES = frozenset({"shoulders", "sleeves", "neck", "collar"})
+_OF_HEMS = frozenset({"sweep", "flare", "swing", "vuelo"})
+_GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders"})
 _CAREFUL_CM = 6.0
 """A step of no stated size where something beyond it is refused: "shorter, but not mini"."""
 _TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
@@ -66,6 +75,8 @@ class SpokenChanges:
     """Claims and quantities that are to stay as they are."""
     clashes: tuple[tuple[str, str], ...]
     """What asks for opposite things, in words; none of it counts."""
+    taken: tuple[tuple[str, tuple[Change, ...]], ...] = ()
+    """Vague words, and what they are taken to mean."""
 
     @property
     def changes(self) -> tuple[Change, ...]:
@@ -87,28 +98,56 @@ def spoken_changes(
     small = text.lower()
     them = False
     changes, parts, mentions = find_changes(small), find_parts(small), find_mentions(text)
-    implied = _meant(small, words, kind)
-    bounds = _clauses(small)
+    implied = meant(small, words, kind)
+    bounds = clauses_of(small)
     found: list[SpokenClause] = []
     kept: set[str] = set()
     last: str | None = None
+    taken: list[tuple[str, tuple[Change, ...]]] = []
+    vague: tuple[int, SpokenScene] | None = None
     for start, end in bounds:
         inside = [p for p in parts if start <= p.start < end]
         if kept_words().search(small, start, end):
             for part in inside:
                 kept |= subjects_of(part.part)
+                if part.word.endswith(("length", "länge", "longueur", "largo")):
+                    kept |= {"length", "leg length"}
             if not any(start <= c.start < end for c in changes):
                 kept_gains = [i.claim.name for i in implied if start <= i.mark.start < end]
                 kept.update(kept_gains)
                 found.append(SpokenClause(start, end, (), ()))
                 continue
         them = bool(_THEM.search(small, start, end)) or (them and len(small[start:end].split()) <= 3)
+        denied = [c for c in changes if start <= c.start < end and _DENIED.search(small[start : c.start])]
+        denied = [c for c in denied if not _UNDENIED.match(small, c.start)]
+        for word in denied:
+            near = _part_of(word, inside, ())
+            kept |= {subject_of(c) for c in changes_of(near or last, word.what, word.sign, kind, None)}
+        said = [c for c in changes if c not in denied]
+        scene = spoken_scene(small, (start, end), [p.part for p in inside], kind, is_so, of_parts=True)
+        if scene is not None and not any(p.part in _OF_SCENES for p in inside):
+            scene = None
+        if scene is not None and not said:
+            taken.append((text[scene.start : scene.end], scene.changes))
+            found.append(SpokenClause(start, end, scene.changes, ()))
+            last = next(p.part for p in inside if p.part in _OF_SCENES)
+            continue
         clause = _clause(
-            small, (start, end), (changes, inside, mentions), implied, words, kind, last, them=them
+            small, (start, end), (said, inside, mentions), implied, words, kind, last, is_so, them=them
         )
-        found.append(_read_alone(text, clause, kind))
+        clause = _read_alone(text, clause, kind)
+        if denied and not clause.changes:
+            clause = replace(clause, left_over=())
+        if vague is None and all(isinstance(c, Gain) and is_so(c.claim) for c in clause.changes):
+            scene = spoken_scene(small, (start, end), [p.part for p in inside], kind, is_so)
+            vague = None if scene is None else (len(found), scene)
+        found.append(clause)
         named = [p.part for p in inside if p.part not in ("all", "waist")]
         last = named[-1] if named else last
+    if vague is not None and all(isinstance(c, Gain) and is_so(c.claim) for f in found for c in f.changes):
+        at, scene = vague  # where nothing else is asked for: "for a summer wedding" asks for no other hem
+        found[at] = replace(found[at], changes=scene.changes, left_over=())
+        taken.append((text[scene.start : scene.end], scene.changes))
     found = _joined(small, found, mentions, parts)
     found = without_what_is_so([at_the_neck(small, c, is_so) for c in found], is_so)
     clashes = clashes_of(found, words, is_so)
@@ -128,7 +167,10 @@ def spoken_changes(
     )
     said = {subject_of(change) for change in wanted}
     return SpokenChanges(
-        kept_clauses, frozenset(kept - said | (kept & dropped)), tuple([(a, b) for a, b, _ in clashes])
+        kept_clauses,
+        frozenset(kept - said | (kept & dropped)),
+        tuple([(a, b) for a, b, _ in clashes]),
+        tuple(taken),
     )
 
 
@@ -156,8 +198,7 @@ def _joined(
         if not clause.changes and length is not None and joined:
             before = joined[-1]
             if any(isinstance(c, Step) and c.amount is None for c in before.changes):
-                steps = [replace(c, amount=length) if isinstance(c, Step) else c for c in before.changes]
-                joined[-1] = replace(before, changes=tuple(steps))
+                joined[-1] = joined_amount(before, length)
                 joined.append(replace(clause, left_over=()))
                 continue
         named = " ".join(p.word for p in parts if clause.start <= p.start < clause.end)
@@ -181,65 +222,6 @@ def _careful(change: Change, careful: bool) -> Change:
     return change
 
 
-def _clauses(text: str) -> list[tuple[int, int]]:
-    found, start = [], 0
-    for joint in _JOINT.finditer(text):
-        found.append((start, joint.start()))
-        start = joint.end()
-    found.append((start, len(text)))
-    return [(a, b) for a, b in found if _WORD.search(text, a, b) or any(c.isdigit() for c in text[a:b])]
-
-
-def _meant(text: str, words: WordReading, kind: str) -> list[Implication]:
-    """What the lexicon reads that an instruction can mean: details, and another kind of garment."""
-    found = []
-    for each in words.implications:
-        certain = each.certainty == "certain"
-        if each.said and each.certainty != "likely":
-            peplum = each.claim.value == "peplum" and kind in ("top", "tunic")
-            if fits_kind(each.claim.name, kind) or each.claim.name == "kind" or peplum:
-                found.append(each)
-        elif certain and not each.said and not _is_pointed_at(text, each.mark):
-            found.append(each)
-    kinds = [i for i in found if i.claim.name != "kind" or _is_target(text, i.mark, str(i.claim.value), kind)]
-    if any(i.claim.name == "kind" for i in kinds):
-        return kinds
-    return [*kinds, *_after_arrow(text, words, kind)]
-
-
-def _after_arrow(text: str, words: WordReading, kind: str) -> list[Implication]:
-    """What a garment is to become, where its name could be a part of what is there: "dress -> top"."""
-    for mark in words.marks:
-        if mark.role in ("part", "second") and _leads_to(text, mark):
-            for entry in mark.entries:
-                for each in entry.implied:
-                    if each.claim.name == "kind" and each.claim.value != kind:
-                        return [Implication(each.claim, "certain", False, mark)]
-    return []
-
-
-def _is_pointed_at(text: str, mark: WordMark) -> bool:
-    """Whether a garment is named that is there: "the dress"."""
-    return (
-        re.search(
-            r"(?<!\w)(?:the|this|that|my|its|these|her|his)\s+(?:(?!(?:in)?to\b|as\b)\w+\s+)?$",
-            text[: mark.start],
-        )
-        is not None
-    )
-
-
-def _is_target(text: str, mark: WordMark, value: str, kind: str) -> bool:
-    """Whether the garment is to become another: "into a skirt", "as trousers", or nothing but its name."""
-    if value == kind or (value in _PARTS_OF.get(kind, ()) and not _leads_to(text, mark)):
-        return False
-    return _leads_to(text, mark) or len(_WORD.findall(text)) <= 1
-
-
-def _leads_to(text: str, mark: WordMark) -> bool:
-    return re.search(rf"{target_words()}\s+(?:an?\s+|some\s+|\w+\s+)?$", text[: mark.start]) is not None
-
-
 def _clause(
     text: str,
     bounds: tuple[int, int],
@@ -248,13 +230,14 @@ def _clause(
     words: WordReading,
     kind: str,
     last: str | None,
+    is_so: Callable[[Claim], bool],
     *,
     them: bool,
 ) -> SpokenClause:
     start, end = bounds
     said = text[start:end]
     grown = [c for c in seen[0] if start <= c.start < end]
-    parts = seen[1]
+    parts = list(seen[1])
     numbers = [m for m in seen[2] if start <= m.start < end]
     claims = [i for i in implied if start <= i.mark.start < end and not _within(i.mark, grown)]
     if _TAKEN_OUT.search(said):
@@ -263,25 +246,65 @@ def _clause(
     spans = [(i.mark.start, i.mark.end) for i in details]
     # What is said of a detail is no change: "a low neckline" is not lowered by being called so.
     grown = [c for c in grown if not any(a <= c.start < b for a, b in spans)]
+    if grown:
+        # "a deeper V" of a V neck and "smaller puffed sleeves" of puffed ones name what is there.
+        so = [i for i in details if is_so(i.claim)]
+        claims = [i for i in claims if i not in so]
+        told = [(i.mark, part) for i in details if (part := part_of(i.claim.name)) is not None]
+        details = [i for i in details if i not in so]
+        if not any(p.part != "all" for p in parts):
+            parts += [PartWord(mark.start, mark.end, part, mark.word) for mark, part in told]
+            spans = [(a, b) for a, b in spans if not any(p.start == a for p in parts)]
+    if not grown and claims and _VERY.search(said) and all(is_so(i.claim) for i in claims):
+        grown, claims, details = [c for c in find_adjectives(text) if start <= c.start < end], [], []
+        parts = [p for p in parts if p.part != "slit"]
     bare = not grown and not claims and not any(p.part == "slit" for p in parts)
-    if bare and (_TO_BE.search(said) or len(said.split()) == 1):
+    denied = any(m.denied and start <= m.start < end for m in words.marks)
+    if bare and (_TO_BE.search(said) or (not denied and _is_plain(text, bounds, parts))):
         grown = [c for c in find_adjectives(text) if start <= c.start < end]
-    length = next((m.value for m in numbers if m.is_length), None)
+    if not parts and last in ("sleeves", "legs") and not grown:
+        # "The arms are cold, make it long": what was spoken of before is meant.
+        plain = find_adjectives(text)
+        meant = [i for i in claims if any(c.start == i.mark.start and c.end == i.mark.end for c in plain)]
+        if meant and len(meant) == len(claims):
+            grown = [c for c in plain if start <= c.start < end]
+            claims, details, bare = [], [], True
+    signed = next((m.value for m in numbers if _SIGNED.search(text[: m.start])), None)
+    length = next((m.value for m in numbers if m.is_length), signed)
     changes: list[Change] = []
     used: list[tuple[int, int]] = []
+    missed: list[str] = []
     for word in grown:
         named = _part_of(word, parts, spans)
-        amount = None if numbers and _TO.search(text[: numbers[0].start]) else length
+        target = next((m for m in numbers if is_target(text, m)), None)
+        amount = None if target is not None else length
+        if amount is not None and _EACH.search(said) and word.what == "width":
+            amount *= 2
         made: tuple[Change, ...] = () if bare else hem_shape(said, named, word, kind)
+        if named in (None, "all") and text[word.start : word.end] in _OF_HEMS:
+            named = "hem"
         for part in (named or (last if bare or them else None), last, None):
             made = made or changes_of(part, word.what, word.sign, kind, amount)
+        made = made if target is None else to_target(made, target)
         changes += made
         if made or claims:
             used.append((word.start, word.end))
-    if not grown and length is not None and _LESS_BY.search(said):
-        part = next((p.part for p in parts), last)
-        what: Property = "width" if part in ("chest", "waist", "hips", "thigh") else "length"
-        changes += changes_of(part, what, -1, kind, length)
+            if word.verb is not None:
+                used.append(word.verb)
+        else:
+            missed.append(text[word.start : word.end])
+    if len(grown) == 1 and "&" in said and changes:
+        for part in {p.part for p in parts if p.part != "all"}:
+            changes += changes_of(part, grown[0].what, grown[0].sign, kind, length)
+    sign = -1 if _LESS_BY.search(said) else 1 if _is_more_by(text, numbers) else 0
+    if not grown and length is not None and sign:
+        for part in dict.fromkeys(
+            [p.part for p in parts if p.part != "all"] or [p.part for p in parts] or [last]
+        ):
+            what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
+            changes += changes_of(part, what, sign, kind, length)
+    if not changes:
+        changes += more_of_them(said)
     if any(p.part == "tiers" for p in parts) and _STEPS_DOWN.search(said) and not changes:
         changes.append(Step("tiers", -1, 1.0))
     if any(p.part == "slit" for p in parts) and not claims and not changes:
@@ -291,7 +314,40 @@ def _clause(
     used += [(p.start, p.end) for p in parts if changes or (p.part == "all" and _is_it(p.word, kind))]
     used += [(i.mark.start, i.mark.end) for i in claims]
     used += [(m.start, m.end) for m in numbers if not m.is_length or any(_has(c, m.value) for c in changes)]
-    return SpokenClause(start, end, tuple(dict.fromkeys(changes)), _left_over(text, bounds, used, words))
+    left = _left_over(text, bounds, used, words)
+    if changes:
+        left = tuple([phrase for phrase in left if not _PLACES.fullmatch(phrase)])
+    slits = any(isinstance(c, Gain) and c.claim.name == "slit" and c.claim.value != "none" for c in changes)
+    if slits and length is not None:
+        changes.append(Gain(Claim("slit_cm", round(length, 2))))
+    if not changes and not any(word in phrase for word in missed for phrase in left):
+        left = (*left, *missed)
+    return SpokenClause(start, end, tuple(dict.fromkeys(changes)), left)
+
+
+def _is_plain(text: str, bounds: tuple[int, int], parts: Sequence[PartWord]) -> bool:
+    """Whether a clause is nothing but parts and adjectives: "tight on the bottom"."""
+    spans = [(p.start, p.end) for p in parts] + [(c.start, c.end) for c in find_adjectives(text)]
+    others = [
+        m[0]
+        for m in _WORD.finditer(text, *bounds)
+        if not is_function_word(m[0]) and not any(a <= m.start() < b for a, b in spans)
+    ]
+    return not others
+
+
+def _is_more_by(text: str, numbers: Sequence[Mention]) -> bool:
+    """Whether a length is to be added: "add 6 cm", "4 cm more"."""
+    return any(
+        (m.is_length or _SIGNED.search(text[: m.start]))
+        and (_MORE_BEFORE.search(text[: m.start]) or _MORE_BEHIND.match(text, m.end))
+        for m in numbers
+    )
+
+
+def _is_around(parts: Sequence[PartWord], said: str) -> bool:
+    """Whether a number is of the girth of a part."""
+    return any(p.word.startswith(("bicep", "upper arm")) for p in parts) or "flare" in said
 
 
 def _is_it(word: str, kind: str) -> bool:

@@ -62,7 +62,12 @@ def clashes_of(
     return clashes
 
 
-_GONE = {"sleeves": ("sleeve length", "sleeve width", "sleeve end"), "hood": ("hood depth", "hood height")}
+_GONE = {
+    "collar": ("collar height",),
+    "cuffs": ("cuff length",),
+    "sleeves": ("sleeve length", "sleeve width", "sleeve end"),
+    "hood": ("hood depth", "hood height"),
+}
 
 
 def _oppose(one: Change, other: Change) -> bool:
@@ -102,6 +107,10 @@ def other_than(never: Sequence[Claim], holds: Sequence[Claim], spoken: Iterable[
 
 
 _INSTEAD = {
+    "cuffs": dict.fromkeys(("band", "flounce", "band and flounce", "deep"), "none"),
+    "leg_cuffs": dict.fromkeys(("band", "flounce", "band and flounce", "gathered", "deep"), "none"),
+    "skirt": dict.fromkeys(("gathered", "tiered", "gathered tiers", "gored", "godets", "peplum"), "a-line"),
+    "bodice": {"darted": "undarted", "gathered": "undarted"},
     "sleeve_shape": dict.fromkeys(("balloon", "puffed", "bell", "wide"), "slim"),
     "collar": dict.fromkeys(("turtleneck", "stand", "lapel"), "none"),
     "hood": {"hood": "none"},

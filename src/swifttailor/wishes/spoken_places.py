@@ -15,6 +15,9 @@ _TOO_CLOSE = re.compile(
     r"(?<!\w)(?:remove|off|away|lose|strangl\w*|chok\w*|scratch\w*|itch\w*|suffocat\w*|weg|würgt|étrangle)(?!\w)"
 )
 _CLOSED = re.compile(r"(?<!\w)(?:close|closed|shut|sew up|sewn up|zu|fermer|cerrar)(?!\w)")
+_PAIR = re.compile(
+    r"(?<!\w)(?:(?:slits|splits|vents)(?= .*sides?(?!\w))|(?:both|two) side|side (?:slits|splits|vents))"
+)
 _SIDE = re.compile(
     r"(?<!\w)(?:(?P<left>left|links|gauche|izquierda)|(?P<right>right|rechts|droite|derecha)"
     r"|(?P<back>back|behind|hinten|derrière|detrás)|(?P<front>front|vorne|devant|delante))(?!\w)"
@@ -45,6 +48,8 @@ def slit(said: str, denied: bool) -> list[Change]:
     """Where a slit is to be cut, or that it is to be closed."""
     if denied or _CLOSED.search(said):
         return [Gain(Claim("slit", "none"))]
+    if _PAIR.search(said):
+        return [Gain(Claim("slit", "left")), Gain(Claim("slit", "right"))]
     place = next(
         (name for name, words in _PLACES.items() if re.search(rf"(?<!\w)(?:{words})(?!\w)", said)), None
     )

@@ -14,6 +14,14 @@ from swifttailor.wording.lexicon import Lack, WordReading, read_words
 
 ENGLISH = "en"
 _DIGIT = re.compile(r"\d")
+_LEVELS = "knees?|ankles?|calf|calves|thighs?|mid-thigh|shins?|floor|ground|feet|elbows?|wrists?|hips?|waist"
+_ABOUT = re.compile(r"(?<!\w)(ca|approx)\. ", re.IGNORECASE)
+_BODY = re.compile(rf"(?<!\w)(my|her|his|their|your) ({_LEVELS})(?!\w)", re.IGNORECASE)
+_REACHES = re.compile(
+    r"(?<!\w)(?:touch|touching|reach|reaching|hit|hitting|graze|skim|meet|go down to|come down to) "
+    rf"(the|my|her|his|their|your) ({_LEVELS})(?!\w)",
+    re.IGNORECASE,
+)
 _OF = re.compile(r"(?<!\w)([^\W\d_]+) (?:of|for)(?: the| an?)? ([^\W\d_]+)(?!\w)")
 
 
@@ -41,13 +49,14 @@ def text_as_read(text: str, kind: str | None = None) -> tuple[str, WordReading]:
 
 
 def _turned(text: str) -> str:
-    """The text with "gown for hospital" turned into "hospital gown", where that is the name of a garment."""
+    """The text as its tables have it: "hospital gown" for "gown for hospital"."""
 
     def turned(found: re.Match[str]) -> str:
         name = f"{found[2]} {found[1]}"
         return name if is_garment(name.lower()) else found[0]
 
-    return _OF.sub(turned, text)
+    text = _ABOUT.sub(r"\1 ", text)
+    return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", _OF.sub(turned, text)))
 
 
 def lacks_of(

@@ -15,6 +15,8 @@ from swifttailor.pattern import curve as curves
 from swifttailor.recutting.table.workbench import Workbench, bent_arc
 from swifttailor.recutting.ways.ends import End, find_ends
 
+_LONGEST_SHARE = 0.6
+"""Of a hem, of what one curve follows."""
 MIDDLE_CM = 4.0
 """How far from the middle of the body a centre seam may end."""
 
@@ -76,9 +78,12 @@ def _move_hem(
         down = -bench.pieces[name].panel.placement.matrix()[1, :2]
         if not fall:
             continue
+        piece = bench.pieces[name]
+        whole = sum(piece.length(id) for end in row for id in end.run)
         for end in row:
-            if len(end.run) == 1:
-                end.run.append(bench.split(end.run[0], 0.5))
+            for id in list(end.run):  # one curve from end to end cannot follow a wave
+                if len(end.run) == 1 or piece.length(id) > _LONGEST_SHARE * whole:
+                    end.run.insert(end.run.index(id) + 1, bench.split(id, 0.5))
         if not _move_row(bench, row, phase, wave, fall * down):
             return None
     return bench.pattern()

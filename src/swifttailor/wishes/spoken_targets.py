@@ -1,0 +1,108 @@
+"""Clauses of an instruction, and what the lexicon reads in them that an instruction can mean."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.wishes.change_words import target_words
+from swifttailor.wishes.unread import is_function_word
+from swifttailor.wording.claim_kinds import fits_kind
+from swifttailor.wording.lexicon import Implication, WordMark, WordReading
+
+_JOINT = re.compile(
+    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+]\s|\s(?:and|but|then|und|aber|et|mais|y|pero)\s|\sso\s(?=it|that|can|could|i\b|she|he|they)"
+    r"|\s(?=(?:except|apart from|other than|save for|außer|bis auf|sauf|salvo|excepto)\s)",
+    re.IGNORECASE,
+)
+_WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
+_PARTS_OF = {"dress": ("skirt", "top"), "jumpsuit": ("trousers", "top"), "playsuit": ("shorts", "top")}
+
+
+def meant(text: str, words: WordReading, kind: str) -> list[Implication]:
+    """What the lexicon reads that an instruction can mean: details, and another kind of garment.
+
+    Args:
+        text: In lower case.
+        words: By the lexicon.
+        kind: Of the garment to change.
+    """
+    found = []
+    for each in words.implications:
+        certain = each.certainty == "certain"
+        if each.said and each.certainty != "likely":
+            peplum = each.claim.value == "peplum" and kind in ("top", "tunic")
+            if fits_kind(each.claim.name, kind) or each.claim.name == "kind" or peplum:
+                found.append(each)
+        elif certain and not each.said and not _is_pointed_at(text, each.mark):
+            found.append(each)
+    found = [_short_legs(each, kind) for each in found]
+    kinds = [i for i in found if i.claim.name != "kind" or _is_target(text, i.mark, str(i.claim.value), kind)]
+    if any(i.claim.name == "kind" for i in kinds):
+        return kinds
+    return [*kinds, *_after_arrow(text, words, kind)]
+
+
+def _short_legs(each: Implication, kind: str) -> Implication:
+    """Shorts as the lower part of a jumpsuit make a playsuit of it."""
+    if each.claim == Claim("kind", "shorts") and kind == "jumpsuit":
+        return replace(each, claim=Claim("kind", "playsuit"))
+    return each
+
+
+def _after_arrow(text: str, words: WordReading, kind: str) -> list[Implication]:
+    """What a garment is to become, where its name could be a part of what is there: "dress -> top"."""
+    for mark in words.marks:
+        if mark.role in ("part", "second") and _leads_to(text, mark):
+            for entry in mark.entries:
+                for each in entry.implied:
+                    if each.claim.name == "kind" and each.claim.value != kind:
+                        return [Implication(each.claim, "certain", False, mark)]
+    return []
+
+
+def _is_pointed_at(text: str, mark: WordMark) -> bool:
+    """Whether a garment is named that is there: "the dress"."""
+    return (
+        re.search(
+            r"(?<!\w)(?:the|this|that|my|its|these|her|his)\s+(?:(?!(?:in)?to\b|as\b)\w+\s+)?$",
+            text[: mark.start],
+        )
+        is not None
+    )
+
+
+def _is_target(text: str, mark: WordMark, value: str, kind: str) -> bool:
+    """Whether the garment is to become another: "into a skirt", "as trousers", or nothing but its name."""
+    if value == kind or (value in _PARTS_OF.get(kind, ()) and not _turns_into(text, mark)):
+        return False
+    clause = next((text[a:b] for a, b in clauses_of(text) if a <= mark.start < b), text)
+    named = [word for word in _WORD.findall(clause) if not is_function_word(word)]
+    return _leads_to(text, mark) or (
+        len(named) <= 1 and not re.search(r"(?<!\w)(?:the|this|my)(?!\w)", clause)
+    )
+
+
+def _turns_into(text: str, mark: WordMark) -> bool:
+    """Whether a garment is to become what could be a part of it: "with a straight skirt" it has one."""
+    said = r"(?<!\w)(?:into|to|as|->|als|zu|zu einem|zu einer|en)\s+(?:(?:an?|une?|una|some)\s+)?(?:\w+\s+)?$"
+    return re.search(said, text[: mark.start]) is not None
+
+
+def _leads_to(text: str, mark: WordMark) -> bool:
+    return re.search(rf"{target_words()}\s+(?:an?\s+|some\s+|\w+\s+)?$", text[: mark.start]) is not None
+
+
+def clauses_of(text: str) -> list[tuple[int, int]]:
+    """From where to where each clause of a text goes.
+
+    Args:
+        text: An instruction.
+    """
+    found, start = [], 0
+    for joint in _JOINT.finditer(text):
+        found.append((start, joint.start()))
+        start = joint.end()
+    found.append((start, len(text)))
+    return [(a, b) for a, b in found if _WORD.search(text, a, b) or any(c.isdigit() for c in text[a:b])]
