@@ -42,8 +42,8 @@ class EvaluateSystems:
       nearest  the known pattern that fits best, as it is
       chance   a known pattern drawn by lot
       truth    the patterns that are asked for
-    and NAME=SOURCE for another system: its recorded patterns, a .jsonl file or a folder of .json files, each
-    under the id of the pattern that was asked for.
+    and NAME=SOURCE for another system: the folder that it wrote (docs/released-outputs.md) or a .jsonl file,
+    each pattern under the id of the one that was asked for.
 
     Prints tables beside the paper's rows and writes into --out: tables.txt, tables.csv, tables.tex,
     summary.json, failures.jsonl, and a folder for each generator with its answers and its garments. What is
@@ -253,6 +253,27 @@ def _cell_json(cell: Any) -> dict[str, Any]:
 
 
 def _recorded(source: Path) -> dict[str, Pattern | SwiftTailorError]:
-    from swifttailor.data.pattern_source import patterns_of
+    from swifttailor.data.pattern_source import is_data_set, patterns_of
 
-    return dict(patterns_of(source))
+    files = {path.name for path in source.glob("*.json")} if source.is_dir() else set()
+    if (
+        not source.is_dir()
+        or is_data_set(source)
+        or any(not n.endswith("_specification.json") for n in files)
+    ):
+        return dict(patterns_of(source))
+    from collections import Counter
+
+    from swifttailor.data.released import read_outputs
+    from swifttailor.errors import PatternError
+
+    outputs = list(read_outputs(source))
+    answers_to = Counter(output.input for output in outputs)
+    found: dict[str, Pattern | SwiftTailorError] = {}
+    for output in outputs:
+        bad = output.pattern is None or output.error
+        answer = PatternError(output.error or "There is no pattern.") if bad else output.pattern
+        found[output.id] = answer
+        if answers_to[output.input] == 1:  # of two garments that answer one input, each has its own id alone
+            found.setdefault(output.input, answer)
+    return found
