@@ -12,6 +12,7 @@ from old_style import old_style
 import swifttailor.draping
 from swifttailor.body import Body
 from swifttailor.cli.main import run
+from swifttailor.describing import measure_facts
 from swifttailor.describing.differences import Step
 from swifttailor.draping import FABRICS, time_limit
 from swifttailor.draping.engines import engine_names
@@ -20,7 +21,8 @@ from swifttailor.garment.garment import Garment
 from swifttailor.output_folder import OutputFolder
 from swifttailor.pattern import Pattern, load_pattern
 from swifttailor.pattern.drafts import draft
-from swifttailor.wishes.reader import SURE, WishReader
+from swifttailor.wishes.hearing_changes import hear_instruction
+from swifttailor.wishes.reader import WishReader
 
 FILES = ["garment.glb", "garment.obj", "pattern.json", "pattern.svg", "preview.png", "report.json"]
 COARSE = ["--edge-length", "6"]
@@ -81,8 +83,8 @@ def test_what_is_too_tight_says_what_to_do(strain, advised):
     assert line.endswith(WHEN_TOO_TIGHT) == advised
     assert not_accepted_line(quality | {"accepted": True}) == ""
     words = re.findall('"(.*?)"', WHEN_TOO_TIGHT)
-    wishes = WishReader.load().read(words[0], instruction=True)
-    assert [wish.change for wish in wishes if wish.certainty >= SURE] == [Step("chest", 1, 5.0)]
+    heard = hear_instruction(words[0], WishReader.load(), measure_facts(draft("t-shirt")))
+    assert [wish.change for wish in heard.sure] == [Step("chest", 1, 5.0)]
 
 
 def misplaced_lines(said: str) -> list[str]:
@@ -192,7 +194,7 @@ def test_a_refusal_leaves_what_was_there(skirt, tmp_path):
     with OutputFolder(tmp_path).fill() as folder:
         for name in FILES:
             (folder / name).write_text("from before")
-    assert run(["drape", str(skirt), "--out", str(tmp_path), "--fabric", "wool"]) == 2
+    assert run(["drape", str(skirt), "--out", str(tmp_path), "--fabric", "brocade"]) == 2
     assert run(["drape", str(skirt), "--out", str(tmp_path), "--body", str(skirt)]) == 2
     assert {(tmp_path / name).read_text() for name in FILES} == {"from before"}
 

@@ -431,8 +431,8 @@ def test_other_settings_and_other_folders_are_refused(patterns_file, tmp_path):
         build(tmp_path / "none.jsonl", tmp_path / "new")
     with pytest.raises(InputError, match="There are no patterns"):
         build(patterns_file(name="empty.jsonl"), tmp_path / "new")
-    wrong = BuildSettings(BatchSettings(fabric="wool"))
-    with pytest.raises(InputError, match="wool"):
+    wrong = BuildSettings(BatchSettings(fabric="brocade"))
+    with pytest.raises(InputError, match="brocade"):
         build(source, tmp_path / "new", settings=wrong)
     assert not (tmp_path / "new").exists()
 

@@ -71,7 +71,7 @@ def test_build_says_what_came_of_it(patterns, tmp_path, capsys):
         (["--workers", "0"], "from 1 to 1024"),
         (["--limit", "0"], "--limit is 0"),
         (["--time-limit", "nan"], "--time-limit is nan"),
-        (["--fabric", "wool"], "wool"),
+        (["--fabric", "brocade"], "brocade"),
     ],
 )
 def test_options_of_build_that_cannot_be(options, message, patterns, tmp_path, capsys):

@@ -302,7 +302,7 @@ def test_other_settings_and_other_folders_are_refused(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "wrong", [BatchSettings(fabric="wool"), BatchSettings(body=Path("none.obj"))], ids=["fabric", "body"]
+    "wrong", [BatchSettings(fabric="brocade"), BatchSettings(body=Path("none.obj"))], ids=["fabric", "body"]
 )
 def test_settings_that_cannot_work_leave_no_folder(wrong, tmp_path):
     source = jsonl(tmp_path / "p.jsonl", line("a"))

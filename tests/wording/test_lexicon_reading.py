@@ -253,7 +253,7 @@ def test_what_fits_together_is_no_contradiction(text):
 def test_cloth_is_found():
     reading = read_words("dusty pink linen blouse with navy polka dots and 2 cm stripes")
     assert [color.words for color in reading.colors] == ["dusty pink", "navy"]
-    assert reading.cloths == ("cotton",)
+    assert reading.cloths == ("linen",)
     assert [named.kind for named in reading.prints] == ["dots", "stripes"]
     assert read_words("dress size 12").sizes == ("size 12",)
     assert read_words("Size EU 40, blouse").sizes == ("Size EU 40",)

@@ -5,7 +5,6 @@ Only the chosen command's module is imported, and nothing at all for ``--help``,
 
 from __future__ import annotations
 
-import gc
 import io
 import os
 import sys
@@ -18,8 +17,6 @@ INTERNAL_ERROR = 70
 """What sysexits.h calls EX_SOFTWARE."""
 INTERRUPTED = 130
 BROKEN_PIPE = 141
-_OBJECTS_BETWEEN_COLLECTIONS = 50_000
-"""Python's own 700 are for programs that make less."""
 
 Runner = Callable[[list[str]], int]
 
@@ -174,8 +171,6 @@ def _runner(kind: Any, name: str) -> Runner:
                 kind.refuse_unquoted(arguments)
             options = tyro.cli(kind, args=arguments, prog=f"swifttailor {name}")
         postpone_parts_of_numpy()
-        # Imports and tables make objects that stay: looking for garbage takes a twentieth of a run.
-        gc.set_threshold(_OBJECTS_BETWEEN_COLLECTIONS, *gc.get_threshold()[1:])
         return options.run()
 
     return runner
