@@ -12,11 +12,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 from swifttailor.cli.option_checks import in_range, require_limit, require_threads, require_writable_folder
 from swifttailor.cli.postponed_imports import tyro
-from swifttailor.errors import InputError
+from swifttailor.errors import InputError, PatternError, SwiftTailorError
 from swifttailor.output_folder import OutputFolder
 
 if TYPE_CHECKING:
-    from swifttailor.errors import SwiftTailorError
     from swifttailor.evaluation.maker.run import Plan
     from swifttailor.evaluation.systems.constructor import Constructor
     from swifttailor.evaluation.systems.generator import Generator
@@ -25,7 +24,7 @@ if TYPE_CHECKING:
     from swifttailor.tailor import Tailor
 
 FILES = "summary.json", "tables.txt", "tables.csv", "tables.tex", "failures.jsonl"
-Own = Literal["ours", "uncut", "network", "library", "nearest", "chance", "truth"]
+Own = Literal["ours", "uncut", "network-alone", "library", "nearest", "chance", "truth"]
 OWN: tuple[Own, ...] = get_args(Own)
 Sewing = Literal["network", "network+finish", "physics"]
 
@@ -35,13 +34,13 @@ class EvaluateSystems:
     """Compare systems: every generator of patterns with every way to sew them.
 
     Generators are
-      ours     answers as swifttailor generate gives them
-      uncut    the same, but nothing is recut to what the texts ask for
-      network  the first pattern that PatternMaker's network writes, at temperature 0
-      library  known patterns alone, recut
-      nearest  the known pattern that fits best, as it is
-      chance   a known pattern drawn by lot
-      truth    the patterns that are asked for
+      ours           answers as swifttailor generate gives them
+      uncut          the same, but nothing is recut to what the texts ask for
+      network-alone  the first pattern that PatternMaker's network writes, at temperature 0
+      library        known patterns alone, recut
+      nearest        the known pattern that fits best, as it is
+      chance         a known pattern drawn by lot
+      truth          the patterns that are asked for
     and NAME=SOURCE for another system: the folder that it wrote (docs/released-outputs.md) or a .jsonl file,
     each pattern under the id of the one that was asked for.
 
@@ -183,7 +182,7 @@ class EvaluateSystems:
 
         given, is_recorded, source = name.partition("=")
         if is_recorded:
-            return Recorded.read(given, Path(source), _recorded)
+            return Recorded(given, _recorded(Path(source)))
         weights = self._weights
         if name == "truth":
             return Truth()
@@ -194,7 +193,7 @@ class EvaluateSystems:
         askings = {
             "ours": {},
             "uncut": {"alter": False},
-            "network": {"network_alone": True, "temperature": 0.0},
+            "network-alone": {"network_alone": True, "temperature": 0.0},
             "library": {"source": "library"},
         }
         return TailorGenerator(name, self._tailor, self._asking(**askings[name]), weights)
@@ -253,6 +252,16 @@ def _cell_json(cell: Any) -> dict[str, Any]:
 
 
 def _recorded(source: Path) -> dict[str, Pattern | SwiftTailorError]:
+    """The patterns of a system by the ids of what was asked for, or why one cannot be read."""
+    found = _outputs(source)
+    if all(isinstance(one, SwiftTailorError) for one in found.values()):
+        first = next(iter(found.items()), None)
+        why = f" The first, '{first[0]}': {first[1]}" if first else ""
+        raise InputError(f"'{source}' holds no pattern that can be read.{why}")
+    return found
+
+
+def _outputs(source: Path) -> dict[str, Pattern | SwiftTailorError]:
     from swifttailor.data.pattern_source import is_data_set, patterns_of
 
     files = {path.name for path in source.glob("*.json")} if source.is_dir() else set()
@@ -265,7 +274,6 @@ def _recorded(source: Path) -> dict[str, Pattern | SwiftTailorError]:
     from collections import Counter
 
     from swifttailor.data.released import read_outputs
-    from swifttailor.errors import PatternError
 
     outputs = list(read_outputs(source))
     answers_to = Counter(output.input for output in outputs)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import hashlib
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any, Protocol
 
 from swifttailor.clock import Clock
@@ -155,34 +155,14 @@ class Recorded:
     patterns: Mapping[str, Pattern | SwiftTailorError]
     """By id; why one cannot be read."""
     digest: str = field(init=False)
+    """Of all ids and patterns."""
 
     def __post_init__(self) -> None:
         lines = [
             f"{id} {one if isinstance(one, SwiftTailorError) else pattern_digest(one)}"
             for id, one in sorted(self.patterns.items())
         ]
-        object.__setattr__(self, "digest", _digest(lines))
-
-    @staticmethod
-    def read(
-        name: str, source: Path, read: Callable[[Path], Mapping[str, Pattern | SwiftTailorError]]
-    ) -> Recorded:
-        """Reads a folder or file.
-
-        Args:
-            name: Of the system.
-            source: Its outputs.
-            read: What understands them.
-
-        Raises:
-            InputError: There is nothing that could be read.
-        """
-        patterns = read(source)
-        if all(isinstance(one, SwiftTailorError) for one in patterns.values()):
-            first = next(iter(patterns.items()), None)
-            why = f" The first, '{first[0]}': {first[1]}" if first else ""
-            raise InputError(f"'{source}' holds no pattern that can be read.{why}")
-        return Recorded(name, patterns)
+        object.__setattr__(self, "digest", hashlib.sha256("\n".join(lines).encode()).hexdigest())
 
     def identity(self) -> dict[str, Any]:
         """See `Generator`."""
@@ -199,12 +179,6 @@ class Recorded:
         if found is None:
             return InputError(f"{self.name} has no output for '{id}'.")
         return found if isinstance(found, SwiftTailorError) else _kept(found.canonical())
-
-
-def _digest(lines: Sequence[str]) -> str:
-    import hashlib
-
-    return hashlib.sha256("\n".join(lines).encode()).hexdigest()
 
 
 def _kept(pattern: Pattern, clock: Clock | None = None, **more: Any) -> Content:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -181,21 +180,3 @@ def _points(path: Path) -> np.ndarray:
     if points.shape != (POINTS, 3) or points.dtype != np.float32 or not np.isfinite(points).all():
         raise ValueError(f"expected {POINTS} points, got {points.dtype} of shape {points.shape}")
     return np.asarray(points, np.float64)
-
-
-_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_+-]{0,39}")
-
-
-def require_names(names: Sequence[str]) -> None:
-    """Refuses names that cannot be those of folders, or that occur twice.
-
-    Raises:
-        InputError: One of them cannot be used.
-    """
-    for k, name in enumerate(names):
-        if not _NAME.fullmatch(name):
-            raise InputError(
-                f"{name!r} cannot name a system: letters, digits, '-', '_' and '+' are accepted, 40 at most."
-            )
-        if name in names[:k]:
-            raise InputError(f"There are two systems of the name '{name}'. Give each a name of its own.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,9 +21,10 @@ from swifttailor.evaluation.maker.scores import TaskResult, score_answers, summa
 from swifttailor.evaluation.mean import Mean, mean_of
 from swifttailor.evaluation.systems.constructor import Constructor
 from swifttailor.evaluation.systems.generator import GENERATIVE, Generator
-from swifttailor.evaluation.systems.made_garments import MadeGarment, make_garments, require_names
+from swifttailor.evaluation.systems.made_garments import MadeGarment, make_garments
 
 PREFIX = "garments-"
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_+-]{0,39}")
 
 
 @dataclass(frozen=True)
@@ -86,8 +88,8 @@ def run_systems(
     Raises:
         InputError: Something cannot be read or written, or nothing could be asked.
     """
-    require_names([g.name for g in generators])
-    require_names([c.name for c in constructors])
+    _require_names([g.name for g in generators])
+    _require_names([c.name for c in constructors])
     if "edit" in plan.tasks:
         raise InputError("Systems are compared by what they generate: --tasks text, image, text+image.")
     if constructors and plan.data is None:
@@ -132,6 +134,21 @@ def run_systems(
         "constructors": {c.name: c.identity() for c in constructors},
     }
     return SystemsResult(results, cells, floors, dict(patterns.skipped), about)
+
+
+def _require_names(names: Sequence[str]) -> None:
+    """Refuses names that cannot be those of folders, or that occur twice.
+
+    Raises:
+        InputError: One of them cannot be used.
+    """
+    for k, name in enumerate(names):
+        if not _NAME.fullmatch(name):
+            raise InputError(
+                f"{name!r} cannot name a system: letters, digits, '-', '_' and '+' are accepted, 40 at most."
+            )
+        if name in names[:k]:
+            raise InputError(f"There are two systems of the name '{name}'. Give each a name of its own.")
 
 
 def _leave_out_undraped(patterns: PatternSet, pictures: GarmentPictures) -> None:
