@@ -22,7 +22,20 @@ _ONE_MORE = re.compile(
 _SOME_MORE = re.compile(
     r"(?:(?:another|add) (?P<one>\w+)|(?P<other>\w+) (?:more|extra|additional)) (?P<what>[\w'’]+)"
 )
+SIGNED = re.compile(r"(?:[+\-\u2212]|(?<!\w)(?:plus|minus))\s*$")
+"""Before a number without a unit, which is in cm then: "sleeve +4"."""
+_MORE_BEFORE = re.compile(r"(?:(?<!\w)(?:plus|extra|add|adding|another|gain)(?: about)?\s*|\+\s*)$")
+_MORE_BEHIND = re.compile(r"\s*(?:more|extra|plus)(?!\w)(?!\s+\w*(?:er|long|wide|deep)(?!\w))")
 _NUMBERS = {"two": 2.0, "three": 3.0, "four": 4.0, "2": 2.0, "3": 3.0, "4": 4.0}
+
+
+def is_more_by(text: str, numbers: Sequence[Mention]) -> bool:
+    """Whether a length is to be added: "add 6 cm", "4 cm more"."""
+    return any(
+        (m.is_length or SIGNED.search(text[: m.start]))
+        and (_MORE_BEFORE.search(text[: m.start]) or _MORE_BEHIND.match(text, m.end))
+        for m in numbers
+    )
 
 
 def is_target(text: str, mention: Mention) -> bool:

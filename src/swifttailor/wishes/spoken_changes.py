@@ -22,7 +22,14 @@ from swifttailor.wishes.change_words import (
     kept_words,
 )
 from swifttailor.wishes.mentions import Mention, find_mentions
-from swifttailor.wishes.spoken_amounts import is_target, joined_amount, more_of_them, to_target
+from swifttailor.wishes.spoken_amounts import (
+    SIGNED,
+    is_more_by,
+    is_target,
+    joined_amount,
+    more_of_them,
+    to_target,
+)
 from swifttailor.wishes.spoken_clauses import SpokenClause, clashes_of, without_what_is_so
 from swifttailor.wishes.spoken_places import at_the_neck, hem_shape, slit
 from swifttailor.wishes.spoken_scenes import SpokenScene, spoken_scene
@@ -35,11 +42,7 @@ _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 _THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
 _LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|(?<!\d)-\s*\d")
 _PLACES = re.compile(r"(?:(?:front|back|side|sides|left|right|centre|center|top|bottom|hem)(?:\s|$))+")
-_SIGNED = re.compile(r"(?:[+\-\u2212]|(?<!\w)(?:plus|minus))\s*$")
-"""Before a number without a unit, which is in cm then: "sleeve +4"."""
 _EACH = re.compile(r"(?<!\w)(?:(?:on )?(?:each|either|both) sides?|per side)(?!\w)")
-_MORE_BEFORE = re.compile(r"(?:(?<!\w)(?:plus|extra|add|adding|another|gain)(?: about)?\s*|\+\s*)$")
-_MORE_BEHIND = re.compile(r"\s*(?:more|extra|plus)(?!\w)(?!\s+\w*(?:er|long|wide|deep)(?!\w))")
 _VERY = re.compile(r"(?<!\w)(?:super|very|really|extra|much|way|even|muy|très|sehr)(?!\w)")
 """Of what is so already there is to be more: "super wide legs" of wide ones."""
 _UNDENIED = re.compile(r"(?:in|out|so|too|as|that|overly)(?!\w)")
@@ -269,7 +272,7 @@ def _clause(
         if meant and len(meant) == len(claims):
             grown = [c for c in plain if start <= c.start < end]
             claims, details, bare = [], [], True
-    signed = next((m.value for m in numbers if _SIGNED.search(text[: m.start])), None)
+    signed = next((m.value for m in numbers if SIGNED.search(text[: m.start])), None)
     length = next((m.value for m in numbers if m.is_length), signed)
     changes: list[Change] = []
     used: list[tuple[int, int]] = []
@@ -296,7 +299,7 @@ def _clause(
     if len(grown) == 1 and "&" in said and changes:
         for part in {p.part for p in parts if p.part != "all"}:
             changes += changes_of(part, grown[0].what, grown[0].sign, kind, length)
-    sign = -1 if _LESS_BY.search(said) else 1 if _is_more_by(text, numbers) else 0
+    sign = -1 if _LESS_BY.search(said) else 1 if is_more_by(text, numbers) else 0
     if not grown and length is not None and sign:
         for part in dict.fromkeys(
             [p.part for p in parts if p.part != "all"] or [p.part for p in parts] or [last]
@@ -334,15 +337,6 @@ def _is_plain(text: str, bounds: tuple[int, int], parts: Sequence[PartWord]) -> 
         if not is_function_word(m[0]) and not any(a <= m.start() < b for a, b in spans)
     ]
     return not others
-
-
-def _is_more_by(text: str, numbers: Sequence[Mention]) -> bool:
-    """Whether a length is to be added: "add 6 cm", "4 cm more"."""
-    return any(
-        (m.is_length or _SIGNED.search(text[: m.start]))
-        and (_MORE_BEFORE.search(text[: m.start]) or _MORE_BEHIND.match(text, m.end))
-        for m in numbers
-    )
 
 
 def _is_around(parts: Sequence[PartWord], said: str) -> bool:
