@@ -26,6 +26,8 @@ SIGNED = re.compile(r"(?:[+\-\u2212]|(?<!\w)(?:plus|minus))\s*$")
 """Before a number without a unit, which is in cm then: "sleeve +4"."""
 _MORE_BEFORE = re.compile(r"(?:(?<!\w)(?:plus|extra|add|adding|another|gain)(?: about)?\s*|\+\s*)$")
 _MORE_BEHIND = re.compile(r"\s*(?:more|extra|plus)(?!\w)(?!\s+\w*(?:er|long|wide|deep)(?!\w))")
+_CAREFUL_CM = 6.0
+"""A step of no stated size where something beyond it is refused: "shorter, but not mini"."""
 _NUMBERS = {"two": 2.0, "three": 3.0, "four": 4.0, "2": 2.0, "3": 3.0, "4": 4.0}
 
 
@@ -36,6 +38,13 @@ def is_more_by(text: str, numbers: Sequence[Mention]) -> bool:
         and (_MORE_BEFORE.search(text[: m.start]) or _MORE_BEHIND.match(text, m.end))
         for m in numbers
     )
+
+
+def by_little(change: Change) -> Change:
+    """A change of no said amount, kept small: "longer, but not too long"."""
+    if isinstance(change, Step) and change.amount is None:
+        return Step(change.quantity, change.direction, _CAREFUL_CM)
+    return change
 
 
 def is_target(text: str, mention: Mention) -> bool:

@@ -24,6 +24,7 @@ from swifttailor.wishes.change_words import (
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.spoken_amounts import (
     SIGNED,
+    by_little,
     is_more_by,
     is_target,
     joined_amount,
@@ -61,8 +62,6 @@ _NAMED = {
 _OF_SCENES = frozenset({"shoulders", "sleeves", "neck", "collar"})
 _OF_HEMS = frozenset({"sweep", "flare", "swing", "vuelo"})
 _GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders"})
-_CAREFUL_CM = 6.0
-"""A step of no stated size where something beyond it is refused: "shorter, but not mini"."""
 _TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
 _TO_BE = re.compile(r"(?<!\w)(?:make|made|be|become|want|wants|need|prefer|should|mach|rends|haz)(?!\w)")
 _YEAR = re.compile(r"(?<!\w)(?:1[5-9]\d\d|\d0)s(?!\w)|(?<!\w)1[5-9]\d\d(?!\w)")
@@ -162,7 +161,9 @@ def spoken_changes(
             SpokenClause(
                 c.start,
                 c.end,
-                tuple([_careful(x, careful) for x in c.changes if subject_of(x) not in dropped | kept]),
+                tuple(
+                    [by_little(x) if careful else x for x in c.changes if subject_of(x) not in dropped | kept]
+                ),
                 c.left_over,
             )
             for c in found
@@ -217,12 +218,6 @@ def _joined(
                 clause = replace(clause, changes=())
         joined.append(clause)
     return joined
-
-
-def _careful(change: Change, careful: bool) -> Change:
-    if careful and isinstance(change, Step) and change.amount is None:
-        return Step(change.quantity, change.direction, _CAREFUL_CM)
-    return change
 
 
 def _clause(
