@@ -14,7 +14,7 @@ from swifttailor.studio.mesh_record import MeshRecord
 from swifttailor.studio.mesh_store import MeshStore
 from swifttailor.studio.models.base import FabricName
 from swifttailor.studio.pictures import PictureStore
-from swifttailor.studio.project_store import ProjectStore
+from swifttailor.studio.project_store import BODIES, ProjectStore
 from swifttailor.studio.shipped import shipped_examples, shipped_options
 from swifttailor.studio.worker.handle import Result, Worker
 from swifttailor.studio.worker.lane import LiveLane, QuickLane
@@ -54,12 +54,20 @@ class Studio:
         """
         self.limits = limits = limits or ServerLimits()
         self.meshes = MeshStore(limits.mesh_bytes)
-        self.live = LiveLane(Worker(), most_clients=limits.live_clients, time_limit=limits.live_seconds)
+        bodies = projects / BODIES
+        self.live = LiveLane(
+            Worker(bodies=bodies), most_clients=limits.live_clients, time_limit=limits.live_seconds
+        )
         self.quick = QuickLane(
-            Worker(warm=False), most_waiting=limits.quick_waiting, time_limit=limits.quick_seconds
+            Worker(warm=False, bodies=bodies),
+            most_waiting=limits.quick_waiting,
+            time_limit=limits.quick_seconds,
         )
         self.jobs = JobQueue(
-            Worker(patient=True), self.meshes, most_waiting=limits.queue, time_limit=limits.job_seconds
+            Worker(patient=True, bodies=bodies),
+            self.meshes,
+            most_waiting=limits.queue,
+            time_limit=limits.job_seconds,
         )
         self.pictures = PictureStore(limits.files)
         self.projects = ProjectStore(projects)
