@@ -8,7 +8,6 @@ import struct
 
 import numpy as np
 import pytest
-import trimesh
 
 from swifttailor.body import Body
 from swifttailor.errors import InputError
@@ -27,6 +26,8 @@ WIDER = np.array([1.08, 1.0, 1.08])
 
 def mesh_file(ending: str) -> bytes:
     """The default body, 8 % wider and deeper."""
+    import trimesh
+
     body = Body.default()
     out = io.BytesIO()
     wide = trimesh.Trimesh(body.vertices * WIDER, body.faces, process=False)
@@ -133,7 +134,8 @@ def test_binary_gltf_that_promises_too_much_is_refused_unread(content):
         require_plain_glb(content)
 
 
-PLY = "ply\nformat {form} 1.0\nelement vertex {n}\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+PLY = "ply\nformat {form} 1.0\nelement vertex {n}\n" + "".join(f"property float {axis}\n" for axis in "xyz")
+PLY += "end_header\n"
 OTHERS = {
     "a.ply": PLY.format(form="binary_little_endian", n=MANY).encode() + b"\0" * 36,
     "b.ply": PLY.format(form="ascii", n=MANY).encode() + b"0 0 0\n",
@@ -141,13 +143,16 @@ OTHERS = {
     + PLY.format(form="ascii", n=1).encode()[21:]
     + b"0 0 0\n",
     "a.stl": b"\0" * 80 + struct.pack("<I", MANY) + b"\0" * 50,
-    "a.obj": b"mtllib /etc/passwd\n" + b"v 0 0 0\n" * 3 + b"f 1 2 3\n" * 10,
+    "mtllib.obj": b"mtllib /etc/passwd\n" + b"v 0 0 0\n" * 3 + b"f 1 2 3\n" * 10,
     "b.obj": b"v 0 0 0\n" + b"f 1 1 999999999999\n",
     "c.obj": b"v 1e400 nan 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\n",
     "a.glb": b"PK\x03\x04" + b"\0" * 200,
     "a.npz": b"\x93NUMPY",
     "../../x.obj/..": b"v",
-    "a.obj": b"",
+    "zip.obj": b"PK\x03\x04" + bytes(range(256)) * 100,
+    "zip.ply": b"PK\x03\x04" + bytes(range(256)) * 100,
+    "zip.stl": b"PK\x03\x04" + bytes(range(256)) * 100,
+    "empty.obj": b"",
 }
 
 

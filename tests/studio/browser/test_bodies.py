@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 
 import pytest
-import trimesh
 from studio_page import WORK_MS, StudioPage  # ty: ignore[unresolved-import]
 
 from swifttailor.body import Body
@@ -108,6 +107,8 @@ def test_panels_stay_where_they_were_laid(studio_page):
 
 
 def test_an_own_body_is_loaded_worn_and_left_again(studio_page, tmp_path, shot):
+    import trimesh
+
     page, body = studio_page.page, Body.default()
     path = tmp_path / "Ana.glb"
     trimesh.Trimesh(body.vertices * [1.1, 1.0, 1.1] / 100, body.faces, process=False).export(path)
