@@ -19,6 +19,8 @@ from swifttailor.studio.shipped import shipped_examples, shipped_options
 from swifttailor.studio.worker.handle import Result, Worker
 from swifttailor.studio.worker.lane import LiveLane, QuickLane
 
+_PATIENCE = {"fit": 3.0}
+"""Times the usual limit: the first fit on a machine compiles, and each new body is measured."""
 _FIRST_PAGE_SECONDS = 0.5
 """That a browser has the processors for itself, about."""
 _FORMATS = (
@@ -106,7 +108,8 @@ class Studio:
             BusyError: Too much waits.
             RefusedError: It was refused, or took too long.
         """
-        return self.keep(await self.quick.run(name, arguments)).answer
+        patience = _PATIENCE.get(name, 1.0)
+        return self.keep(await self.quick.run(name, arguments, patience=patience)).answer
 
     def keep(self, result: Result) -> Result:
         """Keeps the meshes of a result."""
