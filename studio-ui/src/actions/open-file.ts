@@ -5,7 +5,7 @@ import type { PatternJson as WirePattern } from "../api/types";
 import { versionOf } from "../state/document";
 import { usePrompt } from "../state/prompt";
 import { notify, useSession } from "../state/session";
-import { useStudio } from "../state/store";
+import { currentVersion, useStudio } from "../state/store";
 import { tellFailure } from "./failures";
 import { BODY_ENDINGS, fitToMesh } from "./fit";
 import { newProject } from "./projects";
@@ -79,6 +79,9 @@ export async function openPattern(file: File): Promise<void> {
   set({ working: "Opening the pattern" });
   try {
     const made = await api.open({ pattern, title });
+    const { text, set: change } = usePrompt.getState();
+    // Words of the garment that was shown before are none of this one; what is being written stays.
+    if (text === currentVersion(useStudio.getState())?.prompt) change({ text: made.prompt });
     newProject(title);
     useStudio.getState().open(`Opened ${file.name}`, versionOf(made));
     for (const warning of made.warnings) notify("warning", warning);
