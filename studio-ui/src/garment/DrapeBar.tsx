@@ -11,6 +11,7 @@ import { Popover } from "../ui/Popover";
 export function DrapeBar() {
   const version = useStudio(currentVersion);
   const fabrics = useSession((state) => state.server?.fabrics) ?? [];
+  const dragged = useStudio((state) => state.draft !== null);
   const busy = useSession((state) => state.job !== null);
   const [chosen, setChosen] = useState<FabricName | null>(null);
   const fabric = chosen ?? version?.fabric ?? "cotton";
@@ -46,7 +47,7 @@ export function DrapeBar() {
         Drape
       </Button>
       <div className="spring" />
-      {!busy && version !== null && version.quality !== null && <Quality {...version.quality} />}
+      {!busy && !dragged && version !== null && version.quality !== null && <Quality {...version.quality} />}
     </div>
   );
 }
