@@ -106,7 +106,9 @@ def finding_is_shown(page, window, severity: str, panel: str) -> None:
         shown = rings.first.bounding_box()
         lists = page.locator(".findings-body").bounding_box()
         x, y = shown["x"] + shown["width"] / 2, shown["y"] + shown["height"] / 2
-        inside = lists["x"] < x < lists["x"] + lists["width"] and lists["y"] < y < lists["y"] + lists["height"]
+        inside = (
+            lists["x"] < x < lists["x"] + lists["width"] and lists["y"] < y < lists["y"] + lists["height"]
+        )
         assert not inside, (x, y, lists)
 
 
