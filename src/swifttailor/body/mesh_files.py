@@ -119,7 +119,9 @@ def _read_mesh(path: Path) -> tuple[Array, Array]:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            mesh: Any = trimesh.load_mesh(path, process=False, skip_materials=True)
+            with path.open("rb") as file:  # an open file cannot refer to others, such as textures
+                kind = path.suffix[1:].lower()
+                mesh: Any = trimesh.load_mesh(file, file_type=kind, process=False, skip_materials=True)
             vertices = np.asarray(mesh.vertices, np.float64)
             faces = np.asarray(mesh.faces, np.int64)
     except Exception as error:  # parsers raise anything at all on files that only look like meshes

@@ -44,7 +44,7 @@ class Wearer:
                     f"Both a body mesh ('{self.file}') and a size or measures were given. Give one of them."
                 )
             body = Body.load(self.file)
-            named = DraftedFor(self.file.stem, None, _known(body))
+            named = DraftedFor(self.file.stem, None, known_measures(body))
             return self._posed(replace(body, made_for=named))
         wanted: dict[str, float] = {}
         figure, name = self.figure, ""
@@ -107,7 +107,8 @@ def body_of(named: DraftedFor) -> Body:
     return replace(made.body, made_for=named)
 
 
-def _known(body: Body) -> tuple[tuple[str, float], ...]:
+def known_measures(body: Body) -> tuple[tuple[str, float], ...]:
+    """The main measures of a body by name, cm: what patterns say of a body that is a mesh."""
     from swifttailor.body.body_measures import MEASURES
 
     values = body.measurements.as_dict()

@@ -18,6 +18,8 @@ from swifttailor.errors import InputError
 
 STUDIO, DRAFT, PREVIEW = "studio.json", "studio-draft.json", "preview.png"
 TRASH = ".trash"
+BODIES = ".bodies"
+"""Of body meshes that people have loaded; for all projects."""
 FORMAT = 1
 _LARGEST = 64 * 2**20
 _NAME = re.compile(r"[^A-Za-z0-9]+")

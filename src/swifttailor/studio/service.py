@@ -14,11 +14,13 @@ from swifttailor.studio.mesh_record import MeshRecord
 from swifttailor.studio.mesh_store import MeshStore
 from swifttailor.studio.models.base import FabricName
 from swifttailor.studio.pictures import PictureStore
-from swifttailor.studio.project_store import ProjectStore
+from swifttailor.studio.project_store import BODIES, ProjectStore
 from swifttailor.studio.shipped import shipped_examples, shipped_options
 from swifttailor.studio.worker.handle import Result, Worker
 from swifttailor.studio.worker.lane import LiveLane, QuickLane
 
+_PATIENCE = {"fit": 3.0}
+"""Times the usual limit: the first fit on a machine compiles, and each new body is measured."""
 _FIRST_PAGE_SECONDS = 0.5
 """That a browser has the processors for itself, about."""
 _FORMATS = (
@@ -54,12 +56,20 @@ class Studio:
         """
         self.limits = limits = limits or ServerLimits()
         self.meshes = MeshStore(limits.mesh_bytes)
-        self.live = LiveLane(Worker(), most_clients=limits.live_clients, time_limit=limits.live_seconds)
+        bodies = projects / BODIES
+        self.live = LiveLane(
+            Worker(bodies=bodies), most_clients=limits.live_clients, time_limit=limits.live_seconds
+        )
         self.quick = QuickLane(
-            Worker(warm=False), most_waiting=limits.quick_waiting, time_limit=limits.quick_seconds
+            Worker(warm=False, bodies=bodies),
+            most_waiting=limits.quick_waiting,
+            time_limit=limits.quick_seconds,
         )
         self.jobs = JobQueue(
-            Worker(patient=True), self.meshes, most_waiting=limits.queue, time_limit=limits.job_seconds
+            Worker(patient=True, bodies=bodies),
+            self.meshes,
+            most_waiting=limits.queue,
+            time_limit=limits.job_seconds,
         )
         self.pictures = PictureStore(limits.files)
         self.projects = ProjectStore(projects)
@@ -98,7 +108,8 @@ class Studio:
             BusyError: Too much waits.
             RefusedError: It was refused, or took too long.
         """
-        return self.keep(await self.quick.run(name, arguments)).answer
+        patience = _PATIENCE.get(name, 1.0)
+        return self.keep(await self.quick.run(name, arguments, patience=patience)).answer
 
     def keep(self, result: Result) -> Result:
         """Keeps the meshes of a result."""

@@ -1,7 +1,7 @@
 /** The pattern for another body: a size, measures, or the default body again. */
 
 import { api } from "../api/client";
-import type { FitRequest, MeasuresAnswer } from "../api/types";
+import type { BodyAnswer, FitRequest, MeasuresAnswer } from "../api/types";
 import type { Version } from "../state/document";
 import type { History } from "../state/history";
 import { notify, useSession } from "../state/session";
@@ -31,6 +31,32 @@ export async function fitTo(label: string, whom: Omit<FitRequest, "pattern" | "c
   } finally {
     set({ working: null });
   }
+}
+
+/** Endings of files that are body meshes. */
+export const BODY_ENDINGS = [".obj", ".ply", ".glb", ".stl"];
+
+/** Somebody's own body: a mesh that is kept by the server, and the pattern refitted to it. */
+export async function fitToMesh(file: File): Promise<void> {
+  const { server, working, set } = useSession.getState();
+  if (working !== null) return;
+  const most = server?.limits.upload_bytes ?? Number.POSITIVE_INFINITY;
+  if (file.size > most) {
+    const said = `At most ${(most / 2 ** 20).toFixed(0)} MB are read. Decimate it: 30,000 faces are plenty.`;
+    notify("error", `"${file.name}" is too large for a body.`, said);
+    return;
+  }
+  set({ working: "Measuring the body" });
+  let found: BodyAnswer;
+  try {
+    found = await api.sendBody(file);
+  } catch (error) {
+    tellFailure(error);
+    return;
+  } finally {
+    set({ working: null });
+  }
+  await fitTo(`For ${found.name}`, { body: found.body, called: found.name });
 }
 
 /** Measures of a file, and the pattern refitted to them. */

@@ -47,7 +47,8 @@ function show(answer: LiveAnswer, { pattern, startedAt, hasty }: Wanted): void {
   });
   const { draft, answerDraft, amend } = useStudio.getState();
   const { findings, seams, mesh } = answer;
-  if (draft !== null) answerDraft({ pattern, findings, seams, mesh, hasty });
+  if (draft !== null)
+    answerDraft({ pattern, findings, seams, mesh, edge_length: hasty ? HASTY_EDGE : FULL_EDGE, hasty });
   amend(pattern, {
     findings,
     seams,

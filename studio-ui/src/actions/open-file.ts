@@ -5,8 +5,9 @@ import type { PatternJson as WirePattern } from "../api/types";
 import { versionOf } from "../state/document";
 import { usePrompt } from "../state/prompt";
 import { notify, useSession } from "../state/session";
-import { useStudio } from "../state/store";
+import { currentVersion, useStudio } from "../state/store";
 import { tellFailure } from "./failures";
+import { BODY_ENDINGS, fitToMesh } from "./fit";
 import { newProject } from "./projects";
 
 const PICTURES = ["image/png", "image/jpeg", "image/webp"];
@@ -15,11 +16,14 @@ export async function openFiles(files: File[]): Promise<void> {
   for (const file of files) {
     if (PICTURES.includes(file.type)) await addPicture(file);
     else if (file.name.toLowerCase().endsWith(".json")) await openPattern(file);
-    else
+    else if (BODY_ENDINGS.some((ending) => file.name.toLowerCase().endsWith(ending))) {
+      useSession.getState().set({ tab: "body" });
+      await fitToMesh(file);
+    } else
       notify(
         "error",
         `"${file.name}" is neither a picture nor a pattern.`,
-        "Give a PNG, JPEG or WebP picture, or a GarmentCode pattern (.json).",
+        "Give a PNG, JPEG or WebP picture, a GarmentCode pattern (.json), or a body mesh (.obj, .ply, .glb, .stl).",
       );
   }
 }
@@ -75,6 +79,9 @@ export async function openPattern(file: File): Promise<void> {
   set({ working: "Opening the pattern" });
   try {
     const made = await api.open({ pattern, title });
+    const { text, set: change } = usePrompt.getState();
+    // Words of the garment that was shown before are none of this one; what is being written stays.
+    if (text === currentVersion(useStudio.getState())?.prompt) change({ text: made.prompt });
     newProject(title);
     useStudio.getState().open(`Opened ${file.name}`, versionOf(made));
     for (const warning of made.warnings) notify("warning", warning);

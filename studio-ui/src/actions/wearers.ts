@@ -53,6 +53,8 @@ function defaultWearer(): WearerAnswer {
     name: "",
     figure: null as Figure | null,
     given: {},
+    mesh: null,
+    stands_in: false,
     measures: Object.fromEntries(measures),
   };
 }

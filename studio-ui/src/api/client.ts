@@ -2,6 +2,7 @@
 
 import type {
   AlterRequest,
+  BodyAnswer,
   CheckAnswer,
   DescribeAnswer,
   Document,
@@ -120,6 +121,11 @@ export const api = {
   mesh: async (name: string) => (await ask(`/api/meshes/${id(name)}`)).arrayBuffer(),
   body: async (name: string) => (await ask(`/api/body/${id(name)}`)).arrayBuffer(),
 
+  sendBody: (file: File) =>
+    ofJson<BodyAnswer>(`/api/bodies?file_name=${id(file.name.slice(-200))}`, {
+      method: "POST",
+      bytes: file.slice(0, file.size, "application/octet-stream"),
+    }),
   sendPicture: (bytes: Blob) => ofJson<FileInfo>("/api/files", { method: "POST", bytes }),
 
   projects: () => ofJson<ProjectSummary[]>("/api/projects"),

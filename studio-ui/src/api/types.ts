@@ -406,6 +406,8 @@ export interface FitRequest {
   measures?: Record<string, number>;
   /** What the body is called; made up without it. */
   called?: string;
+  /** BodyAnswer.body of a mesh that was loaded, in place of size, figure and measures. */
+  body?: string | null;
   color?: string | null;
 }
 
@@ -423,6 +425,21 @@ export interface WearerAnswer {
   /** What the body was made to, cm. */
   given: Record<string, number>;
   /** All of State.wearers.measures as they are on the body, cm. */
+  measures: Record<string, number>;
+  /** Of a body that was loaded as a mesh. */
+  mesh?: string | null;
+  /** Whether that mesh is not kept by the server, and a body of the same measures wears the pattern. */
+  stands_in?: boolean;
+}
+
+/** POST /api/bodies?file_name=me.obj, its bytes as application/octet-stream. Answer: BodyAnswer. */
+export interface BodyAnswer {
+  /** For FitRequest.body. */
+  body: string;
+  name: string;
+  vertices: number;
+  faces: number;
+  /** As they are on it, cm. */
   measures: Record<string, number>;
 }
 
@@ -485,6 +502,8 @@ export interface WearerRef {
   figure?: Figure | null;
   /** By the names of State.wearers.measures (and others of `swifttailor fit`), cm. */
   measures?: Record<string, number>;
+  /** Of a body that was loaded as a mesh. */
+  mesh?: string | null;
 }
 
 export interface EditJob {

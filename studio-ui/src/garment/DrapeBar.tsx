@@ -4,11 +4,14 @@ import type { FabricName } from "../api/types";
 import { useSession } from "../state/session";
 import { currentVersion, useStudio } from "../state/store";
 import { Button } from "../ui/Button";
+import { Icon } from "../ui/Icon";
+import { Popover } from "../ui/Popover";
 
 /** Physics on request, and what is known of the garment. */
 export function DrapeBar() {
   const version = useStudio(currentVersion);
   const fabrics = useSession((state) => state.server?.fabrics) ?? [];
+  const dragged = useStudio((state) => state.draft !== null);
   const busy = useSession((state) => state.job !== null);
   const [chosen, setChosen] = useState<FabricName | null>(null);
   const fabric = chosen ?? version?.fabric ?? "cotton";
@@ -44,14 +47,38 @@ export function DrapeBar() {
         Drape
       </Button>
       <div className="spring" />
-      {!busy && version !== null && version.quality !== null && (
-        <span
-          className={version.quality.accepted ? "quality ok" : "quality warning"}
-          title={version.quality.reasons.join("; ")}
-        >
-          {version.quality.accepted ? "Hangs well" : "Hangs with faults"}
-        </span>
-      )}
+      {!busy && !dragged && version !== null && version.quality !== null && <Quality {...version.quality} />}
     </div>
+  );
+}
+
+/** Whether it hangs well, and what is wrong where it does not. */
+function Quality({ accepted, reasons }: { accepted: boolean; reasons: readonly string[] }) {
+  if (accepted)
+    return (
+      <span className="quality ok" title="Hangs well">
+        <Icon name="check" size={14} />
+        <span className="words">Hangs well</span>
+      </span>
+    );
+  return (
+    <Popover
+      label="What is wrong"
+      align="end"
+      trigger={({ ref, ...attributes }) => (
+        <button ref={ref} type="button" className="quality warning" title="What is wrong" {...attributes}>
+          <Icon name="warning" size={14} />
+          <span className="words">Hangs with faults</span>
+        </button>
+      )}
+    >
+      {() => (
+        <ul className="reasons">
+          {reasons.map((reason) => (
+            <li key={reason}>{reason}</li>
+          ))}
+        </ul>
+      )}
+    </Popover>
   );
 }

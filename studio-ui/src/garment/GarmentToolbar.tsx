@@ -53,7 +53,7 @@ export function GarmentToolbar({ viewer }: { viewer: GarmentViewer | null }) {
         label="Colouring"
         value={coloring}
         options={COLORINGS}
-        onChange={(value) => change({ coloring: value })}
+        onChange={(value) => change({ coloring: value, normals: false })}
       />
       <ClothPopover />
     </div>
@@ -62,7 +62,7 @@ export function GarmentToolbar({ viewer }: { viewer: GarmentViewer | null }) {
 
 /** What of the garment is seen: a column of buttons over the view. */
 export function ViewTools({ viewer }: { viewer: GarmentViewer | null }) {
-  const { body, seams, wireframe, change } = useDisplay();
+  const { body, seams, wireframe, normals, change } = useDisplay();
   return (
     <div className="view-tools" role="toolbar" aria-label="What is shown" aria-orientation="vertical">
       <IconButton icon="fit" label="All of the garment" shortcut="0" onClick={() => viewer?.frameAll(true)} />
@@ -87,6 +87,13 @@ export function ViewTools({ viewer }: { viewer: GarmentViewer | null }) {
         pressed={wireframe}
         onClick={() => change({ wireframe: !wireframe })}
       />
+      <IconButton
+        icon="normals"
+        label="Normals"
+        shortcut="N"
+        pressed={normals}
+        onClick={() => change({ normals: !normals })}
+      />
     </div>
   );
 }
@@ -97,7 +104,7 @@ function ClothPopover() {
   const color = useStudio((state) => currentVersion(state)?.color ?? null) ?? DEFAULT_CLOTH;
   const dye = (to: string) => {
     useStudio.getState().dye(to);
-    change({ coloring: "cloth" });
+    change({ coloring: "cloth", normals: false });
   };
   return (
     <Popover
@@ -145,7 +152,7 @@ function ClothPopover() {
                   type="radio"
                   name="print"
                   checked={print === value}
-                  onChange={() => change({ print: value, coloring: "cloth" })}
+                  onChange={() => change({ print: value, coloring: "cloth", normals: false })}
                 />
                 {label}
               </label>

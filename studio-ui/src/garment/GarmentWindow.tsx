@@ -88,10 +88,15 @@ function handleKey(viewer: GarmentViewer, event: React.KeyboardEvent): boolean {
     ["Home", () => viewer.frameAll(true)],
     ["b", () => display.change({ body: !display.body })],
     ["w", () => display.change({ wireframe: !display.wireframe })],
+    ["n", () => display.change({ normals: !display.normals })],
     ["s", () => display.change({ seams: !display.seams })],
     [
       "x",
-      () => display.change({ coloring: colorings[(colorings.indexOf(display.coloring) + 1) % 3] ?? "cloth" }),
+      () =>
+        display.change({
+          coloring: colorings[(colorings.indexOf(display.coloring) + 1) % 3] ?? "cloth",
+          normals: false,
+        }),
     ],
   ]);
   const move = moves.get(event.key);
@@ -145,7 +150,7 @@ function State() {
 }
 
 function StrainLegend() {
-  const strain = useDisplay((state) => state.coloring === "strain");
+  const strain = useDisplay((state) => state.coloring === "strain" && !state.normals);
   const units = useStudio((state) => state.units);
   if (!strain) return null;
   const low = STRAIN_STOPS[0]?.[0] ?? 0;

@@ -6,6 +6,7 @@ import {
   DoubleSide,
   Mesh,
   MeshBasicMaterial,
+  MeshNormalMaterial,
   MeshStandardMaterial,
 } from "three";
 import type { Coloring, Print } from "../state/display";
@@ -20,15 +21,34 @@ export interface ClothLook {
   /** "#rrggbb" */
   color: string;
   wireframe: boolean;
+  /** Which way the cloth faces, seen from the camera, in place of its colour. */
+  normals: boolean;
 }
 
+export const PLAIN_LOOK: ClothLook = {
+  coloring: "cloth",
+  print: "plain",
+  color: "#8aa5b8",
+  wireframe: false,
+  normals: false,
+};
+
+/** No cloth throws back all light: the brightest keep room for their folds to be seen. */
+const ALBEDO = 0.86;
+
 export class Cloth {
-  readonly mesh: Mesh<BufferGeometry, MeshStandardMaterial>;
+  readonly mesh: Mesh<BufferGeometry, MeshStandardMaterial | MeshNormalMaterial>;
   /** Panels that are pointed at or selected, drawn over the cloth. */
   readonly glow: Mesh<BufferGeometry, MeshBasicMaterial>;
   data: MeshData | null = null;
-  private look: ClothLook = { coloring: "cloth", print: "plain", color: "#8aa5b8", wireframe: false };
+  private look: ClothLook = PLAIN_LOOK;
   private readonly material: MeshStandardMaterial;
+  private readonly normalMaterial = new MeshNormalMaterial({
+    side: DoubleSide,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+  });
 
   constructor(private readonly anisotropy: number) {
     this.material = new MeshStandardMaterial({
@@ -37,6 +57,7 @@ export class Cloth {
       metalness: 0,
       polygonOffset: true,
     });
+    this.material.color.set(this.look.color).multiplyScalar(ALBEDO);
     this.material.polygonOffsetFactor = 1;
     this.material.polygonOffsetUnits = 1;
     // The wrong side of the cloth is darker, so that one sees into a neck or under a hem.
@@ -101,11 +122,15 @@ export class Cloth {
       this.material.map?.dispose();
       this.material.map = printed ? printTexture(look.print, look.color, this.anisotropy) : null;
       this.material.vertexColors = !printed;
-      this.material.color.set(printed && this.material.map === null ? look.color : "#ffffff");
+      this.material.color
+        .set(printed && this.material.map === null ? look.color : "#ffffff")
+        .multiplyScalar(printed ? ALBEDO : 1);
       this.material.needsUpdate = true;
       this.recolor();
     }
     this.material.wireframe = look.wireframe;
+    this.normalMaterial.wireframe = look.wireframe;
+    this.mesh.material = look.normals ? this.normalMaterial : this.material;
   }
 
   /** Draws these panels over the cloth in this colour; none: nothing. */

@@ -1,5 +1,6 @@
 /** A small picture of a garment from the front, drawn out of sight. */
 
+import { PLAIN_LOOK } from "./cloth";
 import { DEFAULT_CLOTH } from "./cloth-color";
 import { bodyMesh } from "./mesh-cache";
 import type { MeshData } from "./mesh-file";
@@ -20,7 +21,7 @@ export function renderedPicture(mesh: MeshData, body: string, color: string | nu
     const viewer = new GarmentViewer(box);
     try {
       viewer.showBody(wearer);
-      viewer.setLook({ coloring: "cloth", print: "plain", color: color ?? DEFAULT_CLOTH, wireframe: false });
+      viewer.setLook({ ...PLAIN_LOOK, color: color ?? DEFAULT_CLOTH });
       viewer.setSeamsVisible(false);
       viewer.showGarment(mesh, []);
       viewer.frameAll(false);

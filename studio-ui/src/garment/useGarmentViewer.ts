@@ -158,9 +158,9 @@ function followFrames(viewer: GarmentViewer): () => void {
 
 function followLook(viewer: GarmentViewer): () => void {
   const update = () => {
-    const { coloring, print, body, wireframe, seams } = useDisplay.getState();
+    const { coloring, print, body, wireframe, normals, seams } = useDisplay.getState();
     const color = currentVersion(useStudio.getState())?.color ?? DEFAULT_CLOTH;
-    viewer.setLook({ coloring, print, color, wireframe });
+    viewer.setLook({ coloring, print, color, wireframe, normals });
     viewer.setBodyVisible(body);
     viewer.setSeamsVisible(seams);
   };

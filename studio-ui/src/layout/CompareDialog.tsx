@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from "react";
 import { bodyOf } from "../actions/wearers";
+import { PLAIN_LOOK } from "../garment/cloth";
 import { DEFAULT_CLOTH } from "../garment/cloth-color";
 import { garmentMesh } from "../garment/mesh-cache";
 import { GarmentViewer } from "../garment/viewer";
@@ -86,12 +87,7 @@ function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: Came
   useEffect(() => {
     if (viewer === null) return;
     let gone = false;
-    viewer.setLook({
-      coloring: "cloth",
-      print: "plain",
-      color: color ?? DEFAULT_CLOTH,
-      wireframe: false,
-    });
+    viewer.setLook({ ...PLAIN_LOOK, color: color ?? DEFAULT_CLOTH });
     viewer.setSeamsVisible(false);
     void bodyOf(pattern).then((data) => {
       if (!gone) viewer.showBody(data);

@@ -42,6 +42,7 @@ export const SHORTCUTS: { where: string; list: readonly Shortcut[] }[] = [
       { keys: "0 or Home", does: "all of the garment" },
       { keys: "B", does: "body on or off" },
       { keys: "W", does: "wireframe" },
+      { keys: "N", does: "normals: which way the cloth faces" },
       { keys: "S", does: "seams" },
       { keys: "X", does: "next colouring: cloth, panels, strain" },
     ],

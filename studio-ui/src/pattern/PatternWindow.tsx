@@ -179,11 +179,12 @@ function useArrangement(specification: Specification): void {
       : same
         ? kept(arrangement, arrangedFor.specification, specification, aspect)
         : arranged(specification, aspect);
-    // A pattern for another body has outgrown its places, unless somebody has chosen them.
-    if (recut && wanted === undefined && hasOverlaps(specification, next))
+    // What was recut may have outgrown its places or gained panels; those that somebody has chosen stay.
+    const grown = recut && Object.keys(next).some((name) => arrangement[name] === undefined);
+    if (recut && wanted === undefined && (grown || hasOverlaps(specification, next)))
       next = arranged(specification, aspect);
     set({ arrangement: next, arrangedFor: { document, specification, wanted } });
     const stays = Object.keys(next).some((name) => next[name] === arrangement[name]);
-    if (!same || (!stays && !another)) fitAll();
+    if (!same || grown || (!stays && !another)) fitAll();
   }, [specification, document, wanted, recut]);
 }

@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from "react";
-import { fitTo, fitToFile } from "../actions/fit";
+import { BODY_ENDINGS, fitTo, fitToFile, fitToMesh } from "../actions/fit";
 import { wearerKey, wearerOf } from "../actions/wearers";
 import type { Figure, MeasureOption, WearerAnswer, WearerOptions } from "../api/types";
 import { useSession } from "../state/session";
@@ -18,8 +18,10 @@ export function BodyTab() {
   const units = useStudio((state) => state.units);
   const wearer = useWearer();
   const file = useRef<HTMLInputElement>(null);
+  const mesh = useRef<HTMLInputElement>(null);
   if (pattern === null) return <p className="empty-note">Make a garment or open one first.</p>;
   if (options === null || wearer === null) return <p className="empty-note">The body is being measured.</p>;
+  const isKnown = ({ name }: MeasureOption) => name in wearer.given || name in wearer.measures;
   const isDefault = wearer.name === "" && Object.keys(wearer.given).length === 0 && wearer.figure === null;
   return (
     <>
@@ -28,9 +30,35 @@ export function BodyTab() {
           Made for <strong>{isDefault ? DEFAULT_NAME : wearer.name}</strong>
         </p>
         <p className="muted small-text">
-          Choose a size or move a measure: the pattern is refitted, and the garment sewn on that body. Ease,
-          hems and style stay as they are.
+          Choose a size, move a measure or load your own body: the pattern is refitted, and the garment sewn
+          on that body. Ease, hems and style stay as they are.
         </p>
+        {wearer.mesh != null && (
+          <p className="small-text" data-stands-in={wearer.stands_in || undefined}>
+            {wearer.stands_in
+              ? "The mesh of this body is not kept here, and one of the same measures stands in for it. Load the file again to have it back."
+              : "This is a mesh of your own. A size or a moved measure puts another body in its place."}
+          </p>
+        )}
+        <input
+          ref={mesh}
+          type="file"
+          id="body-input"
+          hidden
+          accept={BODY_ENDINGS.join(",")}
+          onChange={(event) => {
+            const [chosen] = event.target.files ?? [];
+            event.target.value = "";
+            if (chosen !== undefined) void fitToMesh(chosen);
+          }}
+        />
+        <Button
+          disabled={busy}
+          title="A mesh (.obj, .ply, .glb, .stl) that stands upright along Y and faces +Z, arms away from the sides"
+          onClick={() => mesh.current?.click()}
+        >
+          Load a body
+        </Button>
         <button
           type="button"
           className="link start"
@@ -49,7 +77,7 @@ export function BodyTab() {
           Those marked with a dot are set; the likeliest body with them decides the others.
         </p>
         <div className="slider-group">
-          {options.measures.map((option) => (
+          {options.measures.filter(isKnown).map((option) => (
             <MeasureSlider key={option.name} {...{ option, wearer, units, busy }} />
           ))}
         </div>

@@ -13,6 +13,8 @@ export interface DisplayOptions {
   print: Print;
   body: boolean;
   wireframe: boolean;
+  /** Whether the cloth shows which way it faces, in place of its colour. */
+  normals: boolean;
   seams: boolean;
   layout: Layout;
   /** Whether the column on the left is shown, and how wide it is, px. */
@@ -31,6 +33,7 @@ const DEFAULTS: DisplayOptions = {
   print: "plain",
   body: true,
   wireframe: false,
+  normals: false,
   seams: true,
   layout: "both",
   sidebar: true,

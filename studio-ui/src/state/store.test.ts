@@ -79,11 +79,13 @@ describe("the store", () => {
   it("keeps the garment that came for the last state of a drag", () => {
     const last = square(40);
     state().preview(last);
-    state().answerDraft({ pattern: last, findings: [], seams: [], mesh: "mesh-40" });
+    state().answerDraft({ pattern: last, findings: [], seams: [], mesh: "mesh-40", edge_length: 2.5 });
     expect(shownMesh(state())).toBe("mesh-40");
     state().apply("Move point", last);
     expect(currentVersion(state())).toMatchObject({
       mesh: "mesh-40",
+      garment: "sewn",
+      edge_length: 2.5,
       findings: [],
       color: "#123456",
       seed: 7,
@@ -93,7 +95,7 @@ describe("the store", () => {
 
   it("asks anew where the garment is of an earlier state of the drag", () => {
     state().preview(square(20));
-    state().answerDraft({ pattern: square(20), findings: [], seams: [], mesh: "mesh-20" });
+    state().answerDraft({ pattern: square(20), findings: [], seams: [], mesh: "mesh-20", edge_length: 2.5 });
     state().apply("Move point", square(40));
     expect(currentVersion(state())).toMatchObject({ mesh: null, findings: null });
     expect(shownFindings(state())).toBeNull();
@@ -101,9 +103,9 @@ describe("the store", () => {
 
   it("drops what arrives for a pattern that is gone", () => {
     const other = square(99);
-    state().amend(other, { mesh: "mesh-99" });
+    state().amend(other, { mesh: "mesh-99", edge_length: 2.5 });
     expect(currentVersion(state())?.mesh).toBe("mesh-10");
-    state().answerDraft({ pattern: other, findings: [], seams: [], mesh: "mesh-99" });
+    state().answerDraft({ pattern: other, findings: [], seams: [], mesh: "mesh-99", edge_length: 2.5 });
     expect(shownMesh(state())).toBe("mesh-10");
   });
 
@@ -148,7 +150,14 @@ describe("the store", () => {
   it("does not keep a hasty garment", () => {
     const dragged = square(12);
     state().preview(dragged);
-    state().answerDraft({ pattern: dragged, findings: [], seams: [], mesh: "mesh-hasty", hasty: true });
+    state().answerDraft({
+      pattern: dragged,
+      findings: [],
+      seams: [],
+      mesh: "mesh-hasty",
+      edge_length: 2.5,
+      hasty: true,
+    });
     expect(shownMesh(state())).toBe("mesh-hasty");
     state().apply("Drag", dragged);
     expect(currentVersion(state())?.mesh).toBeNull();

@@ -18,6 +18,8 @@ export interface DraftAnswer {
   findings: FindingInfo[];
   seams: SeamInfo[];
   mesh: string | null;
+  /** Of the mesh, cm. */
+  edge_length: number;
   /** Whether the mesh is a hasty one, to be looked at while the hand moves, and not to be kept. */
   hasty?: boolean;
 }
@@ -94,7 +96,9 @@ export const useStudio = create<StudioState>()((set, get) => ({
         findings: draftAnswer.findings,
         seams: draftAnswer.seams,
         // A hasty garment stays in view until the full one of the same pattern is there.
-        mesh: draftAnswer.hasty ? null : draftAnswer.mesh,
+        ...(draftAnswer.hasty || draftAnswer.mesh === null
+          ? {}
+          : { mesh: draftAnswer.mesh, garment: "sewn", edge_length: draftAnswer.edge_length }),
       });
     set({ history: pushed(history, label, version), ...NO_DRAFT, selection: kept(get().selection, pattern) });
   },

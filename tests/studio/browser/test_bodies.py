@@ -7,6 +7,8 @@ import re
 import pytest
 from studio_page import WORK_MS, StudioPage  # ty: ignore[unresolved-import]
 
+from swifttailor.body import Body
+
 
 @pytest.fixture
 def studio_page(page) -> StudioPage:
@@ -102,3 +104,38 @@ def test_panels_stay_where_they_were_laid(studio_page):
     other = page.locator(".pattern-sheet [data-panel='skirt_back']").first.bounding_box()
     again = panel.bounding_box()
     assert (again["x"] - other["x"]) / again["width"] > 0.05  # both lay below each other before
+
+
+def test_an_own_body_is_loaded_worn_and_left_again(studio_page, tmp_path, shot):
+    import trimesh
+
+    page, body = studio_page.page, Body.default()
+    path = tmp_path / "Ana.glb"
+    trimesh.Trimesh(body.vertices * [1.1, 1.0, 1.1] / 100, body.faces, process=False).export(path)
+    studio_page.tab("Body")
+    before = studio_page.mesh()
+    page.locator("#body-input").set_input_files(str(path))
+    studio_page.wait_for_another_mesh(before)
+    studio_page.wait_for_work()
+    page.locator("canvas[data-wearer*='\"mesh\"']").wait_for(timeout=WORK_MS)
+    worn = page.get_by_role("region", name="Worn by")
+    worn.get_by_text("a mesh of your own").wait_for(timeout=WORK_MS)
+    assert worn.inner_text().startswith("Made for Ana")
+    bust = page.get_by_role("spinbutton", name="Bust, cm", exact=True)
+    assert float(bust.input_value()) == pytest.approx(1.1 * body.measurements.bust, rel=0.02)
+    assert studio_page.history()[-1] == "For Ana"
+    shot(page, "own-body")
+    studio_page.tab("Body")
+    choose_size(studio_page, "women EU 40")
+    assert worn.get_by_text("a mesh of your own").count() == 0
+
+
+def test_a_file_that_is_no_body_is_refused_with_what_to_do(studio_page, tmp_path):
+    page, shown = studio_page.page, studio_page.mesh()
+    path = tmp_path / "tetrahedron.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
+    studio_page.tab("Body")
+    page.locator("#body-input").set_input_files(str(path))
+    page.get_by_role("region", name="Messages").get_by_text("The file is").wait_for(timeout=WORK_MS)
+    assert studio_page.mesh() == shown
+    page.problems[:] = [said for said in page.problems if "422" not in said]

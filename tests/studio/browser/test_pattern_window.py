@@ -99,6 +99,17 @@ def finding_is_shown(page, window, severity: str, panel: str) -> None:
     )
     for start, size in (("x", "width"), ("y", "height")):
         assert sheet[start] < place[start] + place[size] / 2 < sheet[start] + sheet[size]
+    # The ring of the exact place is not behind the list, where the list has left room for it.
+    rings = page.locator(".overlay .fault")
+    if rings.count() > 0:
+        page.wait_for_timeout(300)
+        shown = rings.first.bounding_box()
+        lists = page.locator(".findings-body").bounding_box()
+        x, y = shown["x"] + shown["width"] / 2, shown["y"] + shown["height"] / 2
+        inside = (
+            lists["x"] < x < lists["x"] + lists["width"] and lists["y"] < y < lists["y"] + lists["height"]
+        )
+        assert not inside, (x, y, lists)
 
 
 def test_an_outline_that_crosses_itself_is_mended_from_the_findings(opened, page, shot):

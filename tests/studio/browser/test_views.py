@@ -62,7 +62,7 @@ def test_dragging_turns_it(studio_page):
     assert page.locator('[data-selected="true"]').count() == 0
 
 
-@pytest.mark.parametrize("name", ["Body", "Seams", "Wireframe"])
+@pytest.mark.parametrize("name", ["Body", "Seams", "Wireframe", "Normals"])
 def test_parts_are_shown_and_hidden(studio_page, name):
     button = studio_page.page.get_by_role("button", name=name, exact=True)
     was, before = button.get_attribute("aria-pressed"), picture(studio_page)

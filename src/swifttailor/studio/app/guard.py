@@ -21,7 +21,11 @@ App = Callable[[Scope, Receive, Send], Awaitable[None]]
 
 COOKIE = "swifttailor-studio"
 LOOPBACK = frozenset({"localhost", "127.0.0.1", "::1"})
-_PICTURES = frozenset({"image/png", "image/jpeg", "image/webp"})
+_ACCEPTED = {
+    "/api/files": frozenset({"image/png", "image/jpeg", "image/webp"}),
+    "/api/bodies": frozenset({"application/octet-stream"}),
+}
+"""Types of what is sent as it is; all else is JSON."""
 _SAFE = frozenset({"GET", "HEAD", "OPTIONS"})
 CONTENT_SECURITY_POLICY = (
     "default-src 'self'; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; connect-src 'self'; "
@@ -143,7 +147,7 @@ class Guard:
         return cookie is not None and _equal(cookie.value, self._token)
 
     def _most_bytes(self, path: str) -> int:
-        if path == "/api/files":
+        if path in _ACCEPTED:
             return self._limits.upload_bytes
         return self._limits.project_bytes if path.startswith("/api/projects") else self._limits.pattern_bytes
 
@@ -193,13 +197,13 @@ class _Body:
 
 def _require_type(path: str, headers: dict[str, str]) -> None:
     kind = headers.get("content-type", "").partition(";")[0].strip().lower()
-    if path == "/api/files":
-        if kind not in _PICTURES:
+    if path in _ACCEPTED:
+        if kind not in _ACCEPTED[path]:
             raise StudioError(
                 415,
                 "wrong-type",
                 f"The type '{kind[:60]}' is not accepted.",
-                f"Accepted: {', '.join(sorted(_PICTURES))}.",
+                f"Accepted: {', '.join(sorted(_ACCEPTED[path]))}.",
             )
         return
     empty = headers.get("content-length", "0") == "0" and "transfer-encoding" not in headers

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 from fastapi import APIRouter, Body, Request
 from fastapi.responses import Response, StreamingResponse
+from starlette.types import Receive, Scope, Send
 
 from swifttailor.studio.app.answers import ERRORS, Responses, StudioError, json_answer
 from swifttailor.studio.app.studio_of import studio_of
@@ -78,22 +79,33 @@ async def events(name: str, request: Request) -> Response:
         raise StudioError(
             503, "busy", "Too many event streams are open.", "Ask for the job itself.", retry_after=2
         )
-    return StreamingResponse(_stream(studio, job), media_type="text/event-stream")
+    studio.streams += 1  # here, so that many that come at once are counted before the first begins
+    return _Counted(_stream(studio, job), studio)
+
+
+class _Counted(StreamingResponse):
+    """A stream of events that is counted until it ends."""
+
+    def __init__(self, content: AsyncIterator[bytes], studio: Studio) -> None:
+        super().__init__(content, media_type="text/event-stream")
+        self._studio = studio
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        try:
+            await super().__call__(scope, receive, send)
+        finally:
+            self._studio.streams -= 1
 
 
 async def _stream(studio: Studio, job: JobRecord) -> AsyncIterator[bytes]:
-    studio.streams += 1
-    try:
-        async for happened in studio.jobs.events(job):
-            if happened is None:
-                yield b": still there\n\n"
-                continue
-            event, view = happened
-            text = json.dumps(view, separators=(",", ":"), allow_nan=False)
-            yield f"event: {event}\ndata: {text}\n\n".encode()
-            await asyncio.sleep(0.03)  # what comes faster is told together
-    finally:
-        studio.streams -= 1
+    async for happened in studio.jobs.events(job):
+        if happened is None:
+            yield b": still there\n\n"
+            continue
+        event, view = happened
+        text = json.dumps(view, separators=(",", ":"), allow_nan=False)
+        yield f"event: {event}\ndata: {text}\n\n".encode()
+        await asyncio.sleep(0.03)  # what comes faster is told together
 
 
 @api.post("/files", status_code=201, response_model=FileInfo, openapi_extra=_PICTURE_BODY)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import Annotated, Any
 
-from fastapi import APIRouter, Request
+from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
 from swifttailor.studio.app.answers import ERRORS, Responses, StudioError, json_answer
@@ -13,6 +13,7 @@ from swifttailor.studio.app.studio_of import studio_of
 from swifttailor.studio.models.documents import Document
 from swifttailor.studio.models.quick import (
     AlterRequest,
+    BodyAnswer,
     CheckAnswer,
     CheckRequest,
     DescribeAnswer,
@@ -41,6 +42,12 @@ _STALE: dict[str, Any] = {
     "seconds": {},
 }
 _FILE: Responses = {200: {"content": {"application/octet-stream": {}}, "description": "The file."}}
+_MESH_BODY = {
+    "requestBody": {
+        "required": True,
+        "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}},
+    }
+}
 _TYPES = {
     "json": "application/json",
     "svg": "image/svg+xml",
@@ -110,6 +117,15 @@ async def wearer(asked: WearerRequest, request: Request) -> Response:
 async def measures(asked: MeasuresRequest, request: Request) -> Response:
     """What a file of measures holds."""
     return json_answer(await studio_of(request).do("measures", **asked.model_dump()))
+
+
+@api.post("/bodies", status_code=201, response_model=BodyAnswer, openapi_extra=_MESH_BODY)
+async def body(request: Request, file_name: Annotated[str, Query(min_length=1, max_length=200)]) -> Response:
+    """Takes a body mesh in; the ending of its name tells the format."""
+    content = await request.body()
+    if not content:
+        raise StudioError(422, "no-body", "The file is empty.", "Send the bytes of a body mesh.")
+    return json_answer(await studio_of(request).do("body", file_name=file_name, content=content), 201)
 
 
 @api.post("/alter", response_model=Document)

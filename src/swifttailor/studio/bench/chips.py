@@ -78,6 +78,14 @@ def change_chip(
     } | common
 
 
+def change_line(change: Change) -> str:
+    """A change that was made, as short as a chip: ``hem: mini``, ``length: −19.9 cm``."""
+    if isinstance(change, Gain) or change.amount is None:
+        return change_chip(change, certainty=None, source="pattern", holds=True, spans={})["text"]
+    quantity, sign = QUANTITIES[change.quantity], "+" if change.direction > 0 else "\N{MINUS SIGN}"
+    return f"{change.quantity}: {sign}{change.amount:g}{' cm' if quantity.in_cm else ''}"
+
+
 def text_chip(text: str, *, list_name: str, number: int) -> dict[str, Any]:
     """A chip that cannot be corrected: words that were not understood, or what cannot be made."""
     shown = one_line(text, 120)

@@ -10,7 +10,7 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern import Finding, Pattern, Reading, read_specification, to_specification
-from swifttailor.studio.bench.chips import EMPTY_READING, reading_of, shown_chips, sliders
+from swifttailor.studio.bench.chips import EMPTY_READING, change_line, reading_of, shown_chips, sliders
 from swifttailor.studio.bench.mesh_files import garment_record
 from swifttailor.studio.bench.pattern_facts import check, finding_infos, seam_infos
 from swifttailor.studio.bench.wearers import wearing
@@ -115,9 +115,7 @@ def tailored_document(
     changes = [change.message for change in made.changes]
     wanted = made.answer.wanted
     if wanted is not None and wanted.order.edit is not None:
-        from swifttailor.wording.wish_lines import wish_line
-
-        changes += [wish_line(change) for change in made.answer.seen or ()]
+        changes += [change_line(change) for change in made.answer.seen or ()]
     cloth = reading["fabric"] or "cotton"
     work = document(
         made.pattern,

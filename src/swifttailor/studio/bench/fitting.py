@@ -9,10 +9,12 @@ from typing import Any
 
 from swifttailor.body.measure_names import read_measures
 from swifttailor.body.size_charts import find_size
+from swifttailor.body.wearer import known_measures
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.pattern.drafted_for import DraftedFor
 from swifttailor.studio.bench.documents import Work, document, read_pattern, tailored_document, unsewable
-from swifttailor.studio.bench.wearer_options import LABELS, shown_measures
+from swifttailor.studio.bench.own_bodies import own_bodies
+from swifttailor.studio.bench.wearer_options import LABELS, measures_of_mesh, shown_measures
 from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.worker.link import Link
 
@@ -25,6 +27,7 @@ def fit(
     figure: str | None,
     measures: dict[str, float],
     called: str = "",
+    body: str | None = None,
     color: str | None = None,
 ) -> Work:
     """A pattern refitted to a body and sewn on it.
@@ -37,15 +40,16 @@ def fit(
         measures: By the names of `body_measures.MEASURES`, cm; they outrank those of the size. Without any,
             a size and a figure the default body is meant.
         called: What the body is called; made up of size and measures where it is empty.
+        body: Name of a mesh that was loaded, in place of size, figure and measures.
         color: Of the cloth.
 
     Raises:
-        InputError: There is no such size or figure, or no body has these measures.
+        InputError: There is no such size or figure, no body has these measures, or the mesh is not kept.
     """
     from swifttailor.refitting.refitted import refit
 
     original = read_pattern(pattern).pattern.canonical()
-    named = named_body(size, figure, measures, called)
+    named = named_body(size, figure, measures, called) if body is None else _named_mesh(body, called)
     link.stage("fitting", 0.0)
     worn, before = wearing(named), wearing(original.drafted_for)
     if worn.body is before.body or named == original.drafted_for:
@@ -93,16 +97,24 @@ def named_body(
     return DraftedFor((called or title or figure or "")[:200], figure, tuple(wanted.items()))
 
 
+def _named_mesh(mesh: str, called: str) -> DraftedFor:
+    found = own_bodies().find(mesh)
+    return DraftedFor((called or found.name)[:200], None, known_measures(found), mesh)
+
+
 def wearer(link: Link, *, pattern: dict[str, Any]) -> Work:
     """Who wears a pattern: the body's mesh, what it was made to, and its measures."""
     named = read_pattern(pattern).pattern.drafted_for
     worn = wearing(named)
+    of_mesh = named is not None and named.mesh is not None and not worn.stands_in
     answer = {
         "body": worn.name,
         "name": "" if named is None else named.name,
         "figure": None if named is None else named.figure,
         "given": {} if named is None else dict(named.measures),
-        "measures": shown_measures(worn.body),
+        "measures": measures_of_mesh(worn.body) if of_mesh else shown_measures(worn.body),
+        "mesh": None if named is None else named.mesh,
+        "stands_in": worn.stands_in,
     }
     return Work(answer, worn.meshes)
 

@@ -48,7 +48,12 @@ def edit(
 ) -> Work:
     """A pattern changed as words say, and its garment."""
     original = read_pattern(pattern).pattern.canonical()
-    order = Order(instruction, edit=original, color=color, seed=seed, finish=finish)
+    named = original.drafted_for
+    # A mesh is known here alone; whom the words name outranks it.
+    own = named is not None and named.mesh is not None
+    own = own and hear_wearer(instruction, instruction=True).wearer is None
+    body = wearing(named).body if own else None
+    order = Order(instruction, edit=original, color=color, seed=seed, finish=finish, body=body)
     return _made(link, order, origin="edit", prompt=instruction)
 
 

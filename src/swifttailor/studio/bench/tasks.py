@@ -54,6 +54,7 @@ TASKS: dict[str, Task] = {
     "fit": _task("fitting", "fit"),
     "wearer": _task("fitting", "wearer"),
     "measures": _task("fitting", "measures_file"),
+    "body": _task("body_upload", "take_in"),
     "generate": _task("making", "generate"),
     "edit": _task("making", "edit"),
     "sew": _task("making", "sew"),

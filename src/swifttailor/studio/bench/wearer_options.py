@@ -49,3 +49,9 @@ def shown_measures(body: Body) -> dict[str, float]:
     """The shown measures of a body, taken on its mesh, cm."""
     landmarks = Landmarks(body.vertices)
     return {name: round(take(name, landmarks), 1) for name in SHOWN}
+
+
+def measures_of_mesh(body: Body) -> dict[str, float]:
+    """The shown measures that are known of a body of any mesh, cm: its landmarks are not known."""
+    known = body.measurements.as_dict()
+    return {name: round(known[name], 1) for name in SHOWN if name in known}

@@ -11,6 +11,7 @@ from swifttailor.body.probe import probe_body
 from swifttailor.body.wearer import body_of
 from swifttailor.pattern.check import BodyProbe
 from swifttailor.pattern.drafted_for import DraftedFor
+from swifttailor.studio.bench.own_bodies import own_bodies
 from swifttailor.studio.body_mesh import body_record
 from swifttailor.studio.mesh_record import MeshRecord
 from swifttailor.studio.shipped import shipped_options
@@ -27,6 +28,8 @@ class Wearing:
     """A body with what sews on it."""
 
     body: Body
+    stands_in: bool = False
+    """Whether it is made to the measures of a mesh that is not kept here."""
 
     @property
     def is_default(self) -> bool:
@@ -77,11 +80,21 @@ class Wearing:
         return () if self.is_default else (self.record,)
 
 
-@lru_cache(maxsize=MOST_KEPT)
 def wearing(named: DraftedFor | None) -> Wearing:
     """The wearer of patterns that were drafted for a body; the default body where they name none.
+
+    A body that was loaded as a mesh is that mesh where it is kept here, else one of the same measures.
 
     Raises:
         InputError: There is no such figure, or no body has these measures.
     """
-    return Wearing(Body.default() if named is None else body_of(named))
+    return _wearing(named, named is not None and named.mesh is not None and own_bodies().has(named.mesh))
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def _wearing(named: DraftedFor | None, has_mesh: bool) -> Wearing:
+    if named is None:
+        return Wearing(Body.default())
+    if has_mesh and named.mesh is not None:
+        return Wearing(replace(own_bodies().find(named.mesh), made_for=named))
+    return Wearing(body_of(named), stands_in=named.mesh is not None)

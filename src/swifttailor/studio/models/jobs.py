@@ -35,6 +35,7 @@ class WearerRef(Model):
     name: BodyName = ""
     figure: Figure | None = None
     measures: Measures = Field(default_factory=dict)
+    mesh: MeshName | None = None
 
 
 class GenerateJob(Model):

@@ -137,7 +137,15 @@ class FitRequest(Model):
     measures: Measures = Field(default_factory=dict)
     called: BodyName = ""
     """What the body is called; made up of size and measures where it is empty."""
+    body: MeshName | None = None
+    """A mesh that was loaded (`BodyAnswer`), in place of size, figure and measures."""
     color: Color | None = None
+
+    @model_validator(mode="after")
+    def _one_body(self) -> FitRequest:
+        if self.body is not None and (self.size or self.figure or self.measures):
+            raise ValueError("give either a body mesh, or a size, a figure and measures")
+        return self
 
 
 class WearerRequest(Model):
@@ -156,6 +164,22 @@ class WearerAnswer(Model):
     """What the body was made to, cm."""
     measures: dict[str, float]
     """As they are on the body, cm."""
+    mesh: str | None = None
+    """Of a body that was loaded as a mesh."""
+    stands_in: bool = False
+    """Whether that mesh is not kept here, and a body of the same measures wears the pattern."""
+
+
+class BodyAnswer(Model):
+    """A body mesh that was loaded."""
+
+    body: str
+    """For `FitRequest.body`."""
+    name: str
+    vertices: int
+    faces: int
+    measures: dict[str, float]
+    """As they are on it, cm."""
 
 
 class MeasuresRequest(Model):

@@ -9,6 +9,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
+from pathlib import Path
 from typing import Any
 
 from swifttailor.studio.worker import process
@@ -48,14 +49,15 @@ class StoppedError(Exception):
 class Worker:
     """One process. All methods are called on the server's event loop."""
 
-    def __init__(self, *, warm: bool = True, patient: bool = False) -> None:
+    def __init__(self, *, warm: bool = True, patient: bool = False, bodies: Path | None = None) -> None:
         """Nothing is started yet.
 
         Args:
             warm: Whether networks are loaded before the first task.
             patient: Whether it gives way to others where processors are short.
+            bodies: Folder of the body meshes that people have loaded.
         """
-        self._warm, self._patient = warm, patient
+        self._arguments = warm, patient, bodies
         self._process: Any = None
         self._connection: Connection | None = None
         self._messages: asyncio.Queue[Message] = asyncio.Queue()
@@ -75,9 +77,7 @@ class Worker:
             return
         context = multiprocessing.get_context("spawn")
         ours, theirs = context.Pipe()
-        self._process = context.Process(
-            target=process.live, args=(theirs, self._warm, self._patient), daemon=True
-        )
+        self._process = context.Process(target=process.live, args=(theirs, *self._arguments), daemon=True)
         with single_threaded():
             self._process.start()
         theirs.close()

@@ -15,7 +15,7 @@ READY = "ready"
 _PATIENCE = 8
 
 
-def live(connection: Connection, warm: bool, patient: bool) -> None:
+def live(connection: Connection, warm: bool, patient: bool, bodies: Path | None = None) -> None:
     """Works until the server goes.
 
     Args:
@@ -24,6 +24,7 @@ def live(connection: Connection, warm: bool, patient: bool) -> None:
             ("done", answer, records), ("stopped", answer, records) or ("refused", error).
         warm: Whether networks are loaded before the first task.
         patient: Whether it gives way to others where processors are short.
+        bodies: Folder of the body meshes that people have loaded.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server decides what Ctrl-C means
     threading.Thread(target=_end_with_parent, daemon=True).start()
@@ -31,8 +32,10 @@ def live(connection: Connection, warm: bool, patient: bool) -> None:
     if patient and hasattr(os, "nice"):
         os.nice(_PATIENCE)
     logging.basicConfig(level=logging.WARNING)
+    from swifttailor.studio.bench.own_bodies import keep_in
     from swifttailor.studio.bench.tasks import TASKS, warm_up
 
+    keep_in(bodies)
     if warm:
         warm_up()
     connection.send((READY,))

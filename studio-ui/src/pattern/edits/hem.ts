@@ -1,10 +1,10 @@
 /** Hems: the free border of a garment that one free edge belongs to, on all panels that it runs across. */
 
 import { at } from "../geometry/at";
-import { derivativeAt, pointAt } from "../geometry/curve";
+import { derivativeAt } from "../geometry/curve";
 import { curveOf, edgeLengths, signedArea } from "../geometry/outline";
 import { axesOf, directionInPanel, directionInWorld, inner, type Vector } from "../geometry/placement";
-import { add, leftOf, norm, scaled, subtract, unit } from "../geometry/point";
+import { leftOf, norm, scaled, subtract, unit } from "../geometry/point";
 import {
   type EdgeRef,
   isRightWrong,
@@ -105,14 +105,6 @@ export function outwardInPanel(panel: ReturnType<typeof panelOf>, edge: number):
 function upright(direction: Vector): Vector {
   if (Math.abs(direction[1]) < UPRIGHT) return direction;
   return [0, Math.sign(direction[1]), 0];
-}
-
-/** The middle of an edge moved outward by so many cm: where its label stands. */
-export function beside(panel: ReturnType<typeof panelOf>, edge: number, by: number): Point {
-  const curve = curveOf(panel, edge);
-  const along = derivativeAt(curve, 0.5);
-  const out = unit(scaled(leftOf(along), signedArea(panel) >= 0 ? -1 : 1));
-  return add(pointAt(curve, 0.5), scaled(out, by));
 }
 
 /** Length of a hem over all panels, cm. */

@@ -1,13 +1,13 @@
 import { memo, useMemo } from "react";
 import { seamColor, seamDash } from "../../state/seam-colors";
 import { lengthText, type Units } from "../../state/units";
-import { beside } from "../edits/hem";
 import { at } from "../geometry/at";
 import { outlineOf } from "../geometry/outline";
 import { edgePath, outlinePath } from "../geometry/path";
 import type { Place } from "../layout/arrangement";
 import { deepest } from "../layout/placing";
 import type { Panel, Point } from "../specification";
+import { type Anchor, edgeLabels, nameExtent } from "./edge-labels";
 import type { EdgeMark } from "./seam-marks";
 
 interface PanelShapeProps {
@@ -28,6 +28,7 @@ interface PanelShapeProps {
 
 const LETTER_PX = 7.8;
 const NAME_PX = 12;
+const SMALLEST_NAME_PX = 8.5;
 const LONGEST_GRAIN_CM = 14;
 
 /** One panel as it lies on the sheet. Drawn anew only when it, its seams or the scale's step change. */
@@ -39,6 +40,17 @@ export const PanelShape = memo(function PanelShape(props: PanelShapeProps) {
   const roomPx = 2 * room * scale;
   const namePx = Math.min(NAME_PX, (1.35 * roomPx * NAME_PX) / (LETTER_PX * name.length));
   const grain = Math.min(LONGEST_GRAIN_CM, 1.1 * room);
+  const named = names && namePx >= SMALLEST_NAME_PX;
+  const labels = useMemo(() => {
+    if (!numbers) return [];
+    const words = marks.flatMap((mark, edge) => {
+      if (mark.seam < 0 || mark.length * scale < (mark.dart ? 64 : 38)) return [];
+      const longer = mark.longer > 0 && mark.length * scale > 60;
+      return [{ edge, text: `${mark.seam}${longer ? ` +${lengthText(mark.longer, units)}` : ""}` }];
+    });
+    const width = (LETTER_PX * namePx * name.length) / NAME_PX;
+    return edgeLabels(panel, place, words, scale, named ? nameExtent(place, middle, scale, width, 16) : null);
+  }, [panel, place, marks, scale, units, numbers, named, middle, name, namePx]);
   return (
     <>
       {/* biome-ignore lint/a11y/useSemanticElements: SVG has no button. */}
@@ -76,34 +88,31 @@ export const PanelShape = memo(function PanelShape(props: PanelShapeProps) {
       </g>
       {/* Beside the button and not in it: its name says all of this in words. */}
       <g className="panel-words" transform={placeTransform(place)}>
-        {names && namePx >= 8.5 && (
+        {named && (
           <>
-            {roomPx > 60 && <Grain middle={middle} half={grain / 2} />}
+            {roomPx > 60 && grain * scale > 34 && <Grain middle={middle} half={grain / 2} gap={10 / scale} />}
             <Text place={place} point={middle} className="name" size={Math.max(namePx, 8)}>
               {name}
             </Text>
           </>
         )}
-        {numbers &&
-          marks.map((mark, edge) => {
-            if (mark.seam < 0 || mark.length * scale < (mark.dart ? 64 : 38)) return null;
-            return (
-              <Text
-                // biome-ignore lint/suspicious/noArrayIndexKey: an edge is its number.
-                key={edge}
-                place={place}
-                point={beside(panel, edge, -9 / scale)}
-                className="number"
-                size={10.5}
-                fill={seamColor(mark.seam, theme)}
-              >
-                {mark.seam}
-                {mark.longer > 0 && mark.length * scale > 60 && (
-                  <tspan className="longer"> +{lengthText(mark.longer, units)}</tspan>
-                )}
-              </Text>
-            );
-          })}
+        {labels.map(({ edge, text, point, anchor }) => {
+          const [number, ...longer] = text.split(" ");
+          return (
+            <Text
+              key={edge}
+              place={place}
+              point={point}
+              anchor={anchor}
+              className="number"
+              size={10.5}
+              fill={seamColor(at([...marks], edge).seam, theme)}
+            >
+              {number}
+              {longer.length > 0 && <tspan className="longer"> {longer.join(" ")}</tspan>}
+            </Text>
+          );
+        })}
       </g>
     </>
   );
@@ -122,6 +131,7 @@ export function Text({
   className,
   size,
   fill,
+  anchor,
   children,
 }: {
   place: Place;
@@ -129,26 +139,28 @@ export function Text({
   className: string;
   size: number;
   fill?: string;
+  anchor?: Anchor;
   children: React.ReactNode;
 }) {
   const flip = place.mirrored ? -1 : 1;
   const turn = `rotate(${-flip * place.angle}deg)`;
   const transform = `translate(${at([...point], 0)}px, ${at([...point], 1)}px) ${turn} scale(calc(var(--cm-per-px) * ${flip}), calc(var(--cm-per-px) * -1))`;
   return (
-    <text className={className} style={{ transform, fontSize: size }} fill={fill}>
+    <text className={className} style={{ transform, fontSize: size, textAnchor: anchor }} fill={fill}>
       {children}
     </text>
   );
 }
 
-function Grain({ middle: [x, y], half }: { middle: Point; half: number }) {
+/** The grainline, with room for the panel's name. */
+function Grain({ middle: [x, y], half, gap }: { middle: Point; half: number; gap: number }) {
   const tip = Math.min(0.8, half / 3);
   const arrow = (end: number, toward: number) =>
     `M${x - tip / 2},${end - toward * tip}L${x},${end}L${x + tip / 2},${end - toward * tip}`;
   return (
     <path
       className="grain"
-      d={`M${x},${y - half}L${x},${y + half}${arrow(y + half, 1)}${arrow(y - half, -1)}`}
+      d={`M${x},${y - half}V${y - gap}M${x},${y + gap}V${y + half}${arrow(y + half, 1)}${arrow(y - half, -1)}`}
     />
   );
 }

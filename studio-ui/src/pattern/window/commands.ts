@@ -48,6 +48,8 @@ const FIT_MARGIN: Margins = { top: 36, right: 18, bottom: 70, left: 36 };
 const FOCUS_MARGIN: Margins = { top: 120, right: 90, bottom: 150, left: 110 };
 /** A place is looked at from no nearer than this, px per cm. */
 const FOCUS_NEAREST = 40;
+/** Around a place beside the list of findings, px. */
+const LIST_GAP = 40;
 
 export function selectedEdges(selection: readonly Target[]): EdgeRef[] {
   return selection.flatMap((t) => (t.kind === "edge" ? [{ panel: t.panel, edge: t.edge }] : []));
@@ -249,7 +251,19 @@ export function showTarget(target: Target): void {
     return place === undefined ? [] : [toSheet(place, point)];
   });
   if (points.length === 0) return;
-  set({ view: fitted(boxOf(points), size, FOCUS_MARGIN, FOCUS_NEAREST) });
+  set({ view: fitted(boxOf(points), size, besideFindings(), FOCUS_NEAREST) });
+}
+
+/** Where the list of findings is open, a place is shown beside it or below it, wherever there is more room. */
+function besideFindings(): Margins {
+  const box = (what: string) => document.querySelector(`.pattern-drawing ${what}`)?.getBoundingClientRect();
+  const [sheet, list, inspector] = [box(".pattern-sheet"), box(".findings-body"), box(".inspector")];
+  if (sheet === undefined || list === undefined) return FOCUS_MARGIN;
+  const floor = inspector?.top ?? sheet.bottom;
+  const bottom = Math.max(FOCUS_MARGIN.bottom, sheet.bottom - floor + LIST_GAP);
+  if (list.left - sheet.left > floor - list.bottom)
+    return { ...FOCUS_MARGIN, bottom, right: sheet.right - list.left + LIST_GAP };
+  return { left: LIST_GAP, right: LIST_GAP, top: list.bottom - sheet.top + LIST_GAP, bottom };
 }
 
 /** Brings points of a panel, cm in its frame, into the middle of the window; without points, nothing happens. */
@@ -258,7 +272,7 @@ export function showPoints(panel: string, points: readonly Point[]): void {
   const place = arrangement[panel];
   if (place === undefined || points.length === 0 || size[0] === 0) return;
   const box = boxOf(points.map((p) => toSheet(place, p)));
-  set({ view: fitted(box, size, FOCUS_MARGIN, FOCUS_NEAREST) });
+  set({ view: fitted(box, size, besideFindings(), FOCUS_NEAREST) });
 }
 
 function pointsOf(specification: Specification, target: Target): { panel: string; point: Point }[] {
