@@ -28,7 +28,7 @@ RENEW = 20_000
 _KEPT = 3
 """Inputs that are kept of each kind of failure."""
 _SAVE_EVERY, _POLL = 10.0, 0.05
-_PATIENCE = 300.0
+_PATIENCE, _LONGEST_LOOK = 300.0, 1.0
 """Seconds after which a worker is ended that uses no processor time, and so would never run out of it."""
 
 
@@ -130,7 +130,8 @@ class Campaign:
     ) -> tuple[set[int], str | None]:
         """Waits for a worker; returns the numbers of failures that it told, and what it died of."""
         told: set[int] = set()
-        saved = moved = time.monotonic()
+        saved = looked = time.monotonic()
+        idle = 0.0
         state: tuple[float, ...] = ()
         stuck = False
         while True:
@@ -145,10 +146,12 @@ class Campaign:
                 break
             now, seen = time.monotonic(), tally.read()
             if state != (state := (seen.at, worker.processor_seconds())):
-                moved = now
-            elif now - moved > _PATIENCE:
+                idle = 0.0
+            # Where the machine itself stood still, no time has passed for the worker.
+            elif (idle := idle + min(now - looked, _LONGEST_LOOK)) > _PATIENCE:
                 stuck = True
                 worker.process.kill()
+            looked = now
             if now - saved > _SAVE_EVERY:
                 saved = now
                 if fresh and seen.at >= 0:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -13,13 +14,19 @@ from PIL import Image
 from scripted_maker import scripted_maker
 
 import swifttailor
+from swifttailor.cli import main as cli
+from swifttailor.cli.convert import LISTS, PATTERN_ENDINGS
+from swifttailor.cli.data import DATA
+from swifttailor.cli.evaluate import EVALUATE
 from swifttailor.cli.main import run
+from swifttailor.cli.train import TRAIN
 from swifttailor.errors import InputError
-from swifttailor.garment.formats import write_garment_mesh
+from swifttailor.garment.formats import MESH_ENDINGS, write_garment_mesh
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.triangle_mesh import mesh_of_garment
 from swifttailor.ggi import encode
 from swifttailor.ggi.file import write_ggi
+from swifttailor.making.marker_files import ENDINGS as MARKER_ENDINGS
 from swifttailor.output_folder import LIST
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern import write_pattern
@@ -29,11 +36,13 @@ from swifttailor.pattern.svg import write_svg
 from swifttailor.pattern_maker.maker import PatternMaker
 
 TESTS = Path(__file__).parents[1]
+NETWORKS = ("garment-sewer", "pattern-maker", "wish-reader", "picture-reader")
 TINY = str(TESTS / "garment_sewer" / "tiny_sewer.onnx")
 FOLDER = ("pattern.json", "pattern.svg", "garment.glb", "garment.obj", "report.json")
 MADE = (*FOLDER, "preview.png", "ggi.npz")
 IMAGES = ("ggi.npz", "semantic.png", "stitching.png")
 SAMPLES = *(f"seed-{k}/{name}" for k in (0, 1) for name in MADE), "sheet.png"
+USD = ("usd", "usda", "usdc", "usdz")
 SEWN = tuple(f"{pattern}/{name}" for pattern in ("skirt", "other") for name in (*FOLDER, "preview.png"))
 
 # What is asked, with the inputs by name and OUT for the folder, and what it writes there.
@@ -47,6 +56,8 @@ COMMANDS: dict[str, tuple[str, tuple[str, ...]]] = {
     "convert to zip": ("convert skirt.json OUT/a.zip", ("a.zip",)),
     "convert to panels": ("convert skirt.json OUT/a.obj", ("a.obj",)),
     "convert to glb with body": ("convert worn OUT/a.glb --with-body --color #aa2233", ("a.glb",)),
+    **{f"convert to {end}": (f"convert worn OUT/a.{end}", (f"a.{end}",)) for end in USD},
+    **{f"convert sizes to {end}": (f"convert sizes OUT/a.{end}", (f"a.{end}",)) for end in ("pdf", "dxf")},
     "convert to obj": ("convert worn OUT/a.obj", ("a.obj",)),
     "convert to glb": ("convert worn OUT/a.glb", ("a.glb",)),
     "convert to ply": ("convert worn OUT/a.ply", ("a.ply",)),
@@ -100,6 +111,66 @@ RESUMED: dict[str, tuple[str, tuple[str, ...]]] = {
     ),
 }
 
+# Commands whose files need other inputs, and where their files of others are tested.
+ELSEWHERE = {
+    "data import": "data/test_garmentcodedata.py",
+    "data render": "data/test_data_commands.py",
+    "data stats": "data/test_data_commands.py",
+    "evaluate garment-sewer": "evaluation/test_evaluate_command.py",
+    "evaluate pattern-maker": "evaluation/test_evaluate_command.py",
+    "evaluate picture-reader": "evaluation/test_evaluate_command.py",
+    "evaluate systems": "evaluation/test_evaluate_command.py",
+    "evaluate page": "evaluation/test_evaluate_command.py",
+    "evaluate drape-floor": "evaluation/test_evaluate_command.py",
+    **{f"train {network}": "training/test_run_record.py" for network in NETWORKS},
+    "train export": "training/test_export_command.py",
+    "studio": "studio/test_project_store.py",
+}
+WRITES_NOTHING = {"fabrics", "data verify"}
+
+
+def every_command() -> set[str]:
+    """Of one word or two, as the command line lists them."""
+    groups = {group.name: group for group in (DATA, TRAIN, EVALUATE)}
+    alone = set(cli.COMMANDS) - set(groups)
+    return alone | {f"{name} {command}" for name, group in groups.items() for command in group.commands}
+
+
+def test_no_command_is_left_out():
+    here = {words for line, _ in (COMMANDS | RESUMED).values() for words in command_names(line)}
+    assert here & every_command() | set(ELSEWHERE) | WRITES_NOTHING == every_command()
+    assert not WRITES_NOTHING & (here | set(ELSEWHERE))
+
+
+def command_names(line: str) -> tuple[str, str]:
+    first, second = line.split()[:2]
+    return first, f"{first} {second}"
+
+
+@pytest.mark.parametrize("command", ELSEWHERE)
+def test_tests_of_others_are_where_they_are_said_to_be(command):
+    """Each has a test that is called by what it shows, and lists the command where it lists some."""
+    text = (TESTS / ELSEWHERE[command]).read_text()
+    assert re.search(r"def test_\w*(of_others|nobody_s_files)\w*\(", text)
+    if "evaluat" in command or command in ("data render", "data stats"):
+        assert f'("{command.split()[1]}", ' in text
+
+
+def test_no_kind_of_file_is_left_out():
+    written = {
+        command: {
+            "".join(Path(n).suffixes)
+            for line, names in COMMANDS.values()
+            for n in names
+            if line.startswith(command)
+        }
+        for command in ("convert", "marker")
+    }
+    assert written["marker"] == set(MARKER_ENDINGS)
+    lists = {".jsonl", ".jsonl.gz"}  # tests/cli/test_released_outputs.py
+    assert written["convert"] == {*PATTERN_ENDINGS, *MESH_ENDINGS} - lists
+    assert set(LISTS) == lists
+
 
 @pytest.fixture(scope="module")
 def inputs(tmp_path_factory) -> Path:
@@ -111,6 +182,10 @@ def inputs(tmp_path_factory) -> Path:
     line = {"id": "skirt", "pattern": to_specification(draft("fitted-skirt"))}
     (folder / "skirts.jsonl").write_text(json.dumps(line) + "\n")
     Image.new("RGB", (200, 200), "white").save(folder / "photo.png")
+    assert run(["fit", str(folder / "skirt.json"), "--sizes", "36,40", "--out", str(folder / "sizes")]) in (
+        0,
+        1,
+    )
     return folder
 
 
@@ -260,7 +335,12 @@ def test_of_three_at_once_one_writes(inputs, tmp_path):
     program = f"""
 import sys, time
 from pathlib import Path
+from swifttailor.cli import main as cli
+from swifttailor.cli.convert import LISTS, PATTERN_ENDINGS
+from swifttailor.cli.data import DATA
+from swifttailor.cli.evaluate import EVALUATE
 from swifttailor.cli.main import run
+from swifttailor.cli.train import TRAIN
 from swifttailor.tailor import Tailor
 real = Tailor.sew_all
 def slowly(*arguments, **options):

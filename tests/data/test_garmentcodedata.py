@@ -379,3 +379,19 @@ def test_import_with_captions_and_damaged_folders(download, tmp_path, capsys):
     why = {r.id: r.reasons[0] for r in reader.index.shards[0].rejected}
     assert "captions.json" in why["rand_B"] and "rand_C_sim.ply" in why["rand_C"]
     assert str(download) not in why["rand_C"]
+
+
+@pytest.mark.parametrize(
+    "name", ["index.json", "results.jsonl", "shard-00000-0123456789ab.safetensors", "a.txt"]
+)
+def test_files_of_others_stay_where_is_imported(name, download, tmp_path, capsys):
+    mine = tmp_path / "out" / "train" / name
+    mine.parent.mkdir(parents=True)
+    mine.write_text("my own work")
+    before = mine.stat().st_mtime_ns
+    asked = ["data", "import", str(download), "--out", str(tmp_path / "out"), "--edge-length", "4"]
+    assert run([*asked, "--workers", "1"]) == 2
+    said = capsys.readouterr().err
+    assert str(mine.parent) in said and ("is not empty and holds no split" in said or "is damaged" in said)
+    assert [p.name for p in mine.parent.iterdir()] == [name]
+    assert mine.read_text() == "my own work" and mine.stat().st_mtime_ns == before

@@ -15,6 +15,7 @@ from swifttailor.data.reader import SplitReader
 from swifttailor.draping import drape
 from swifttailor.draping.batch import BatchSettings
 from swifttailor.errors import GeometryError, InputError
+from swifttailor.evaluation import results_page
 from swifttailor.evaluation.garments.redrape import RECORDS, SETTINGS, Redraper
 from swifttailor.evaluation.garments.sew_split import sew_split
 from swifttailor.evaluation.provenance import choose_samples, provenance, provenance_lines
@@ -269,10 +270,15 @@ def test_unknown_and_no_evaluations(capsys):
         *(("picture-reader", n) for n in ("summary.json", "tables.txt")),
         *(("pattern-maker", n) for n in ("scores.jsonl", "summary.json", "tables.txt", "settings.json")),
         *(("pattern-maker", n) for n in ("answers.jsonl", "samples.jsonl")),
+        *(("systems", n) for n in ("summary.json", "tables.txt", "tables.csv", "tables.tex")),
+        *(("systems", n) for n in ("failures.jsonl", "truth/settings.json", "truth/answers.jsonl")),
+        *(("systems", f"truth/garments-physics/{n}") for n in ("settings.json", "garments.jsonl")),
+        ("systems", "truth/garments-physics/points/0123.npy"),
+        ("page", "page.md"),
     ],
 )
 def test_files_of_others_stay(command, name, data, tmp_path, capsys, monkeypatch):
-    (tmp_path / name).parent.mkdir(exist_ok=True)
+    (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
     (tmp_path / name).write_text("my own work, without an end of line")
     before = (tmp_path / name).stat().st_mtime_ns
     asked = {
@@ -283,8 +289,14 @@ def test_files_of_others_stay(command, name, data, tmp_path, capsys, monkeypatch
             *("pattern-maker", "--patterns", str(data / "validation"), "--limit", "1", "--samples", "0"),
             *("--network-alone", "--weights", str(TINY_MAKER), "--tasks", "text"),
         ],
+        "systems": [
+            *("systems", "--patterns", str(data / "validation"), "--data", str(data / "validation")),
+            *("--generators", "truth", "--sewers", "physics", "--tasks", "text", "--limit", "1"),
+        ],
+        "page": ["page", "summary.json"],
     }[command]
-    assert run(["evaluate", *asked, "--out", str(tmp_path)]) == 2
+    monkeypatch.setattr(results_page, "results_page", lambda runs: "# Results\n")
+    assert run(["evaluate", *asked, "--out", str(tmp_path / name if command == "page" else tmp_path)]) == 2
     said = capsys.readouterr().err
     assert str(tmp_path) in said
     assert "would be replaced" in said or "does not belong" in said or "Cannot read" in said

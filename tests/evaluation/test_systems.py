@@ -12,6 +12,7 @@ import pytest
 from maker_standins import write_patterns
 from sewn_splits import EDGE_LENGTH, LOWER
 
+from swifttailor.atomic_files import disk_full
 from swifttailor.body import Body
 from swifttailor.cli.item_progress import ItemProgress
 from swifttailor.cli.main import run
@@ -30,6 +31,7 @@ from swifttailor.garment_sewer.pixels.sewn_prior import sew_around_body
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern import Pattern, to_specification
 from swifttailor.pattern.drafts import draft
+from swifttailor.workers.work_folder import RecordFile
 
 
 @dataclass
@@ -280,3 +282,24 @@ def test_a_page_has_the_tables_of_its_runs_and_where_they_come_from(tmp_path, ca
     (tmp_path / "other.json").write_text('{"about": {}, "tables": []}')
     assert run(["evaluate", "page", str(tmp_path / "other.json")]) == 2
     assert "is no summary" in capsys.readouterr().err
+
+
+def test_a_full_disk_is_told_with_how_to_go_on(tmp_path, capsys, monkeypatch):
+    real, asked = RecordFile.add, ["evaluate", "systems", "--patterns", str(write_patterns(tmp_path))]
+    asked += ["--out", str(tmp_path / "out"), "--tasks", "text", "--generators", "truth", "--sewers"]
+    added = []
+
+    def full_after_one(self, record):
+        if added:
+            raise disk_full(self.path)
+        added.append(record)
+        real(self, record)
+
+    monkeypatch.setattr(RecordFile, "add", full_after_one)
+    assert run(asked) == 2
+    said = capsys.readouterr().err
+    assert "the disk is full" in said and said.count("start the same command again") == 1
+    monkeypatch.setattr(RecordFile, "add", real)
+    assert run(asked) == 0 and "questions: 4 text" in capsys.readouterr().out
+    lines = (tmp_path / "out" / "truth" / "answers.jsonl").read_text().splitlines()
+    assert len(lines) == 4 and json.loads(lines[0]) == json.loads(json.dumps(added[0]))

@@ -18,6 +18,7 @@ from swifttailor.pattern import (
     Placement,
     check_pattern,
     read_pattern_file,
+    read_specification,
     repair_pattern,
     write_pattern,
 )
@@ -205,3 +206,63 @@ def test_nothing_is_moved_to_where_no_file_can_say_that_it_is(lift, tmp_path):
     mended = repair_pattern(replace(skirt, panels=panels)).pattern
     write_pattern(mended, tmp_path / "mended.json")
     assert read_pattern_file(tmp_path / "mended.json").pattern == mended
+
+
+def numbered(pattern):
+    """The same panels, called by numbers and without labels."""
+    called = {p.name: str(k) for k, p in enumerate(pattern.panels)}
+    panels = tuple(replace(p, name=called[p.name], label="") for p in pattern.panels)
+    stitches = tuple(
+        replace(
+            s, **{k: getattr(s, k)._replace(panel=called[getattr(s, k).panel]) for k in ("first", "second")}
+        )
+        for s in pattern.stitches
+    )
+    return replace(pattern, panels=panels, stitches=stitches)
+
+
+@pytest.mark.parametrize("source", ["repository", "validation"])
+def test_panels_called_by_numbers_are_not_turned_on_a_guess(source, real_samples):
+    """What their names do not say is not thought up: what is done for places is what is done with names."""
+    count = 0
+    for sample in real_samples(source, every=1):
+        pattern = read_specification(sample["pattern"], name=sample["id"]).pattern
+        named, unnamed = repair_pattern(pattern), repair_pattern(numbered(pattern))
+        for panel, other in zip(named.pattern.panels, unnamed.pattern.panels, strict=True):
+            assert other.placement == panel.placement, (sample["id"], panel.name)
+        for codes in ({c.code for c in unnamed.changes}, {f.code for f in unnamed.remaining}):
+            assert not codes & WORN_CODES, sample["id"]
+        count += 1
+    if not count:
+        pytest.skip(f"{source}.jsonl.gz is not there")
+    assert count >= 20
+
+
+@pytest.mark.parametrize("name", ["t-shirt", "hoodie"])
+def test_sleeves_called_by_numbers_are_no_legs(name):
+    """However low they hang: they stand as sleeves do, 45 degrees below the horizontal."""
+    pattern = numbered(draft(name, sleeve_length=60))
+    assert worn_codes(pattern) == set()
+    assert places(repair_pattern(pattern).pattern).keys() == places(pattern).keys()
+
+
+def test_legs_called_by_numbers_are_turned_where_seams_show_trousers():
+    trousers = draft("trousers")
+    apart = numbered(old_style(trousers, legs_apart=20.0))
+    repair = repair_pattern(apart)
+    assert {c.code for c in repair.changes} >= {"misplaced-panel", "spread-leg"} and repair.remaining == ()
+    for panel, own in zip(repair.pattern.panels, trousers.panels, strict=True):
+        off = panel.to_world(panel.vertices) - own.to_world(own.vertices)
+        assert np.ptp(off, axis=0).max() < 6.0
+    # Without the seam at the crotch in front it could be anything that ends at two sides.
+    opened = replace(apart, stitches=tuple(s for s in apart.stitches if not joins_sides(apart, s)))
+    assert "spread-leg" not in {c.code for c in repair_pattern(opened).changes}
+
+
+def joins_sides(pattern, stitch):
+    """Whether a seam joins panels of the left and of the right."""
+    sides = {
+        pattern.panel(ref.panel).to_world(pattern.panel(ref.panel).vertices)[:, 0].mean() > 0
+        for ref in stitch.sides
+    }
+    return len(sides) == 2

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 from swifttailor.body.body_measures import MEASURES
+from swifttailor.body.measurements import is_finite_number
 from swifttailor.errors import InputError
 
 EVERYDAY = {
@@ -115,7 +115,7 @@ def read_measures(path: Path) -> dict[str, float]:
             content = content[key]
     if not isinstance(content, Mapping):
         raise InputError(f"'{path}' holds no measures: names and numbers in cm are expected.")
-    numbers = {str(k): v for k, v in content.items() if _is_number(v)}
+    numbers = {str(k): v for k, v in content.items() if is_finite_number(v)}
     if FREESEWING_ALONE & set(numbers):
         unit = 0.1 if float(numbers.get("chest", numbers.get("waist", 0.0))) > _MILLIMETRES else 1.0
         found = {FREESEWING[k]: float(v) * unit for k, v in numbers.items() if k in FREESEWING}
@@ -148,10 +148,6 @@ def _parsed(path: Path) -> Any:
         return yaml.safe_load(text)
     except Exception as error:  # yaml raises several families
         raise InputError(f"'{path}' is no valid YAML or JSON: {str(error)[:200]}.") from error
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
 
 
 def _length(text: str, word: str) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import sys
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
@@ -12,6 +13,13 @@ from typing import Any
 from swifttailor.errors import InputError
 
 MAX_FILE_BYTES = 1_000_000
+
+
+def is_finite_number(value: object) -> bool:
+    """Whether something is a number that a float can hold; whole numbers may have hundreds of digits."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    return abs(value) <= sys.float_info.max
 
 
 @dataclass(frozen=True)
@@ -78,7 +86,7 @@ class BodyMeasurements:
     def __post_init__(self) -> None:
         for field in fields(self):
             value = getattr(self, field.name)
-            if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+            if not is_finite_number(value):
                 raise InputError(
                     f"The body measurement '{field.name}' is {value!r}; it must be a finite number "
                     "(cm, or degrees for angles)."

@@ -22,7 +22,8 @@ PATTERN_ENDINGS = (".svg", ".json", ".pdf", ".dxf", ".md", ".zip", ".obj")
 _OF_FOLDERS = tuple(ending for ending in PATTERN_ENDINGS if ending != ".obj")
 """Targets for which a garment's folder is taken as its pattern."""
 _CUT = (".pdf", ".dxf", ".md", ".zip")
-_LISTS = (".jsonl", ".jsonl.gz")
+LISTS = (".jsonl", ".jsonl.gz")
+"""What a folder of another system's outputs is converted to."""
 _COLORED = (".glb", ".usd", ".usda", ".usdc", ".usdz")
 _PRINTED = (".glb", ".usdz")
 _MOST_ALLOWANCE_CM = 10.0
@@ -85,7 +86,15 @@ class Convert:
     def run(self) -> int:
         """Converts, prints the file written, and returns the exit code."""
         self._require_sense()
-        if self.target.name.lower().endswith(_LISTS):
+        code = self._convert()
+        if self.open:
+            from swifttailor.cli.results import open_file
+
+            open_file(self.target)
+        return code
+
+    def _convert(self) -> int:
+        if self.target.name.lower().endswith(LISTS):
             from swifttailor.cli.released_outputs import write_list
 
             return write_list(self.source, self.target, self.layout, overwrite=self.overwrite)
@@ -106,10 +115,6 @@ class Convert:
         else:
             self._convert_garment(source)
         print(self.target)  # noqa: T201
-        if self.open:
-            from swifttailor.cli.results import open_file
-
-            open_file(self.target)
         return 0
 
     def _sizes(self) -> list[Path]:
@@ -154,7 +159,7 @@ class Convert:
             ("--color", self.color is not None, _COLORED),
             ("--print", self.print is not None, _PRINTED),
             ("--with-body", self.with_body, _COLORED),
-            ("--layout", self.layout is not None, _LISTS),
+            ("--layout", self.layout is not None, LISTS),
         ):
             if given and not self.target.name.lower().endswith(endings):
                 raise InputError(

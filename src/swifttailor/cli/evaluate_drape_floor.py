@@ -55,9 +55,10 @@ class EvaluateDrapeFloor:
         require_picture_count(self.pictures)
         require_writable_folder(self.out)
         from swifttailor.output_folder import OutputFolder
+        from swifttailor.workers.work_folder import saying_how_to_go_on
 
         reader = open_split(self.data, self.split)
-        with OutputFolder(self.out, overwrite=self.overwrite) as output:
+        with saying_how_to_go_on(), OutputFolder(self.out, overwrite=self.overwrite) as output:
             output.require_own(FILES)
             return self._evaluate(reader, output)
 

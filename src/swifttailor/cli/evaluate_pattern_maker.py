@@ -105,7 +105,13 @@ class EvaluatePatternMaker:
         Raises:
             SwiftTailorError: The patterns, the weights or an option cannot be used.
         """
+        from swifttailor.workers.work_folder import saying_how_to_go_on
+
         self._validate()
+        with saying_how_to_go_on():
+            return self._run()
+
+    def _run(self) -> int:
         from swifttailor.cli.item_progress import ItemProgress
         from swifttailor.evaluation.maker.run import evaluate
         from swifttailor.evaluation.provenance import code_and_machine, file_identity

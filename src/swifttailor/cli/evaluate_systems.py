@@ -84,7 +84,13 @@ class EvaluateSystems:
         Raises:
             SwiftTailorError: The patterns, the data or an option cannot be used.
         """
+        from swifttailor.workers.work_folder import saying_how_to_go_on
+
         self._validate()
+        with saying_how_to_go_on():
+            return self._run()
+
+    def _run(self) -> int:
         from swifttailor.cli.item_progress import ItemProgress
         from swifttailor.evaluation.provenance import code_and_machine
         from swifttailor.evaluation.systems.run import run_systems
@@ -263,8 +269,9 @@ def _recorded(source: Path) -> dict[str, Pattern | SwiftTailorError]:
 
 def _outputs(source: Path) -> dict[str, Pattern | SwiftTailorError]:
     from swifttailor.data.pattern_source import is_data_set, patterns_of
+    from swifttailor.pattern.pattern_list import pattern_files
 
-    files = {path.name for path in source.glob("*.json")} if source.is_dir() else set()
+    files = {path.name for path in pattern_files(source)} if source.is_dir() else set()
     if (
         not source.is_dir()
         or is_data_set(source)

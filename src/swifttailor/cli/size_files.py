@@ -23,10 +23,11 @@ _TITLES = ("bust", "waist", "hips", "height")
 def patterns_of_sizes(folder: Path) -> list[Path]:
     """The patterns of a folder that ``swifttailor fit --sizes`` has written; none where it is another."""
     from swifttailor.garment.folder import PATTERN
+    from swifttailor.pattern.pattern_list import pattern_files
 
     if not folder.is_dir() or (folder / PATTERN).exists():
         return []
-    return sorted(folder.glob("*.json"))
+    return pattern_files(folder)
 
 
 def write_sizes(

@@ -67,7 +67,7 @@ def count_patterns(source: Path) -> int:
     count, last = 0, b"\n"
     try:
         if source.is_dir():
-            return sum(1 for _ in source.glob("*.json"))
+            return len(pattern_files(source))
         with _open(source) as stream:
             while chunk := stream.read(_CHUNK):
                 count, last = count + chunk.count(b"\n"), chunk[-1:]
@@ -114,8 +114,13 @@ def folder_name(id: str) -> str:
     return f"{safe}-{hashlib.sha256(id.encode()).hexdigest()[:8]}"
 
 
+def pattern_files(folder: Path) -> list[Path]:
+    """The .json files of a folder by name, but for hidden ones: a killed program may have left half."""
+    return sorted(path for path in folder.glob("*.json") if not path.name.startswith("."))
+
+
 def _from_folder(folder: Path) -> Iterator[BatchPattern]:
-    paths = sorted(folder.glob("*.json"))
+    paths = pattern_files(folder)
     if not paths:
         raise InputError(
             f"The folder '{folder}' holds no .json files. Give a folder of GarmentCode patterns."

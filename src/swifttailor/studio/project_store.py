@@ -6,8 +6,8 @@ import json
 import os
 import re
 import secrets
-import shutil
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -106,7 +106,12 @@ class ProjectStore:
             raise InputError(
                 f"Cannot make a project in '{self.folder}': {error.strerror or error}."
             ) from error
-        return self._write(folder, name, 1, content)
+        try:
+            return self._write(folder, name, 1, content)
+        except BaseException:  # a full disk: nothing is left that would look like a project
+            with suppress(OSError):
+                folder.rmdir()
+            raise
 
     def save(self, name: str, revision: int, content: dict[str, Any]) -> StoredProject:
         """Replaces what was saved before; an autosave before it goes.
@@ -202,11 +207,6 @@ class ProjectStore:
             project = _read(folder)
             if project is not None:
                 yield project
-
-
-def remove_trash(folder: Path) -> None:
-    """Empties the trash of a folder of projects."""
-    shutil.rmtree(folder / TRASH, ignore_errors=True)
 
 
 def now() -> str:

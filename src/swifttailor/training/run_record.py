@@ -19,6 +19,7 @@ from swifttailor.data.builder.code_version import code_version
 from swifttailor.data.reader import SplitReader
 from swifttailor.errors import InputError
 from swifttailor.output_folder import FolderLock
+from swifttailor.pattern.pattern_list import pattern_files
 
 CONFIG, METRICS, CARD, WEIGHTS = "config.json", "metrics.jsonl", "card.json", "weights.safetensors"
 CHECKPOINT = "checkpoint.pt"
@@ -144,7 +145,7 @@ def file_checksums(sources: Iterable[Path]) -> dict[str, str]:
         name = str(source) if source.name in found else source.name
         try:
             if source.is_dir():
-                parts = [(p.name, _sha256(p)) for p in sorted(source.glob("*.json"))]
+                parts = [(p.name, _sha256(p)) for p in pattern_files(source)]
                 found[name] = hashlib.sha256(json.dumps(parts).encode()).hexdigest()
             else:
                 found[name] = _sha256(source)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import os
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -111,8 +112,18 @@ class WorkFolder(ABC):
             self._lock.release()
 
 
+@contextmanager
+def saying_how_to_go_on() -> Generator[None]:
+    """Lets the error of a full disk say that the same command resumes, for work that does."""
+    try:
+        yield
+    except DiskFullError as error:
+        raise _to_go_on(error) from error
+
+
 def _to_go_on(error: DiskFullError) -> DiskFullError:
-    return DiskFullError(f"{error} {_START_AGAIN}")
+    said = str(error)
+    return DiskFullError(said if said.endswith(_START_AGAIN) else f"{said} {_START_AGAIN}")
 
 
 def differences(before: dict[str, Any], now: dict[str, Any]) -> str:

@@ -84,8 +84,8 @@ def make_garments(
     """
     settings = {"format": FORMAT, "seed": seed} | constructor.identity()
     try:
+        keep_settings(folder / SETTINGS, settings, "garments", (RECORDS, CLOUDS))
         (folder / CLOUDS).mkdir(parents=True, exist_ok=True)
-        keep_settings(folder / SETTINGS, settings, "garments", (RECORDS,))
         records = RecordFile(folder / RECORDS)
     except OSError as error:
         raise InputError(

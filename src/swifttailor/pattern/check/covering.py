@@ -24,8 +24,9 @@ _APART_CM = 6.0
 """Borders whose middle lies further from the middle of the garment are at its side: armholes, legs."""
 _CHEST = BodyLevels()
 _ABOVE_WAIST_CM = 15.0
-_ABOVE_NECK_CM = 10.0
-"""What ends between these heights, and has no armholes, is a bodice without shoulders rather than a skirt."""
+_ABOVE_NECK_CM = 45.0
+"""What ends between these heights, and has no armholes, is a bodice rather than a skirt; with a hood at the
+upper one."""
 _ABOVE_LEGS = 0.3
 """Share of a garment's height below a border at its side from which that is an armhole, not a leg."""
 
@@ -66,14 +67,26 @@ def panel_regions(pattern: Pattern) -> Mapping[str, BodyRegion]:
     Args:
         pattern: Any pattern, faulty ones included; what was found in the latest is remembered.
     """
-    said = {p.name: said_region(p.name, p.label) for p in pattern.panels}
-    said |= _cuffs(pattern, said)
-    unsaid = {name for name, region in said.items() if region is None}
-    regions: dict[str, BodyRegion] = {name: region for name, region in said.items() if region is not None}
+    regions = dict(said_regions(pattern))
+    unsaid = {p.name for p in pattern.panels} - set(regions)
     if unsaid:
         outlines = {panel.name: trace_outline(panel) for panel in pattern.panels}
         regions |= _judged(pattern, outlines, regions, unsaid)
     return MappingProxyType({p.name: regions[p.name] for p in pattern.panels})
+
+
+@lru_cache(maxsize=64)
+def said_regions(pattern: Pattern) -> Mapping[str, BodyRegion]:
+    """The part of the body for those panels, by name, whose label or name says it, and for their cuffs.
+
+    What `panel_regions` says of the others is a guess.
+
+    Args:
+        pattern: Any pattern, faulty ones included; what was found in the latest is remembered.
+    """
+    said = {p.name: said_region(p.name, p.label) for p in pattern.panels}
+    said |= _cuffs(pattern, said)
+    return MappingProxyType({name: region for name, region in said.items() if region is not None})
 
 
 def hangs_from_shoulders(pattern: Pattern) -> bool:
@@ -153,11 +166,13 @@ def _judged(
     high = max(float(h.max()) for h in heights.values())
     borders = garment_borders(pattern)
     center = float(np.mean([outline.world[:, 0].mean() for outline in outlines.values()]))
+    sides = [border for border in borders if abs(border.middle[0] - center) > _APART_CM]
+    # Trousers end in the middle once, at the waist: what ends there at a hem too has sleeves, however low.
+    ends_twice = len(borders) - len(sides) > 1 and len(sides) == 2
     arms = [
         border
-        for border in borders
-        if abs(border.middle[0] - center) > _APART_CM
-        and border.middle[1] > low + _ABOVE_LEGS * (high - low)
+        for border in sides
+        if (ends_twice or border.middle[1] > low + _ABOVE_LEGS * (high - low))
         and not all(said.get(ref.panel) == "leg" for ref in border.edges)
     ]
     bodice = any(region != "leg" and not is_band(name) for name, region in said.items())

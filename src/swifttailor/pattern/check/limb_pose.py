@@ -10,7 +10,13 @@ import numpy as np
 
 from swifttailor.arrays import Floats
 from swifttailor.pattern.check.body_levels import BodyLevels
-from swifttailor.pattern.check.covering import Border, garment_borders, panel_regions, placed_edge
+from swifttailor.pattern.check.covering import (
+    Border,
+    garment_borders,
+    panel_regions,
+    placed_edge,
+    said_regions,
+)
 from swifttailor.pattern.check.outline import Outline
 from swifttailor.pattern.pattern import EdgeRef, Pattern
 
@@ -21,6 +27,8 @@ _OTHER_POSE_DEGREES = {"sleeve": 20.0, "leg": 12.0}
 end straight."""
 _APART_CM = 6.0
 """The middle of a leg's hem is further from the middle of the body; that of a skirt's is nearer."""
+_LEVEL = 0.4
+"""A waist or neck is less high, at most this share of the way down to the hems; an open front is higher."""
 _STRAIGHT = 0.5
 """Share of the length of an opening's edges that must run one way for it to be a straight one."""
 
@@ -118,8 +126,11 @@ def _leg_ends(
     pattern: Pattern, outlines: Mapping[str, Outline], legs: set[str]
 ) -> Iterator[tuple[tuple[str, ...], Floats]]:
     """Panels of each trouser leg of two, and the ends (k, 2, 3) of the edges of its hem, cm."""
-    sides = {name: float(outlines[name].world[:, 0].mean()) > 0 for name in legs}
-    if len(set(sides.values())) < 2:
+    said = said_regions(pattern)
+    aside = {name: float(outlines[name].world[:, 0].mean()) for name in legs}
+    # A panel in the middle whose name says nothing, such as a waistband, belongs to neither leg.
+    sides = {name: x > 0 for name, x in aside.items() if name in said or abs(x) > _APART_CM}
+    if len(set(sides.values())) < 2 or not (legs <= set(said) or _has_legs(pattern)):
         return
     groups = [
         group
@@ -137,6 +148,24 @@ def _leg_ends(
             hems[k] = border
     if len({sides[groups[k][0]] for k in hems}) == 2:
         yield from ((groups[k], _edge_ends(outlines, hem.edges)) for k, hem in hems.items())
+
+
+def _has_legs(pattern: Pattern) -> bool:
+    """Whether seams alone show legs.
+
+    The garment ends above in the middle, at a waist or neck, and below it on either side: once, at the hems,
+    or twice, at hems and further up at armholes or sleeves.
+    """
+    borders = garment_borders(pattern)
+    upper = [border for border in borders if abs(border.middle[0]) <= _APART_CM]
+    left = sorted((b for b in borders if b.middle[0] > _APART_CM), key=lambda b: b.middle[1])
+    right = sorted((b for b in borders if b.middle[0] < -_APART_CM), key=lambda b: b.middle[1])
+    if len(upper) != 1 or len(left) != len(right) or len(left) not in (1, 2):
+        return False
+    hems = np.concatenate([left[0].points, right[0].points])[:, 1]
+    ends = upper[0].points[:, 1]
+    over = np.concatenate([border.points for border in (*upper, *left[1:], *right[1:])])[:, 1]
+    return over.min() > hems.max() and float(np.ptp(ends)) <= _LEVEL * float(ends.max() - hems.min())
 
 
 def _edge_ends(outlines: Mapping[str, Outline], refs: Sequence[EdgeRef]) -> Floats:

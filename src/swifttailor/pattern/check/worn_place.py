@@ -21,6 +21,7 @@ from swifttailor.pattern.check.covering import (
     is_neckwear,
     panel_regions,
     placed_edge,
+    said_regions,
 )
 from swifttailor.pattern.check.limb_pose import LimbPose, judge_limbs
 from swifttailor.pattern.check.outline import Outline, trace_outline
@@ -32,6 +33,10 @@ _BELOW_ARMPIT_CM = 24.0
 _BELOW_HIPS_CM = 12.0
 """How far from there the top of a garment may be placed. On patterns of GarmentCode the top of a bodice panel
 lies from 17 cm below the armpits to the base of the neck, that of skirts and trousers near the waist."""
+_HOOD_CM = 45.0
+"""How far above the neck a hood may end that is not called one."""
+_TRAIN_CM = 15.0
+"""How far below the floor cloth may be placed that is on it when worn."""
 _SHOULDER_BELOW_NECK_CM = 3.0
 _TOP_BELOW_ARMPIT_CM = 8.0
 """Where GarmentCode puts the top of a bodice with and without shoulders."""
@@ -166,6 +171,10 @@ def _offset(
     else:
         lowest, highest, belongs = levels.hips - _BELOW_HIPS_CM, levels.armpit, levels.waist
         kind = "a skirt or trousers"
+    guessed = _kind_is_guessed(pattern, upper)
+    bottom = min(float(outline.world[:, 1].min()) for outline in outlines.values())
+    if guessed and bottom > -_TRAIN_CM:  # what could be worn there as either is right, hood and all
+        lowest, highest = levels.hips - _BELOW_HIPS_CM, levels.neck + _HOOD_CM
     around = np.concatenate([outlines[name].world[:, [0, 2]] for name in tops])
     low, high = around.min(axis=0), around.max(axis=0)
     aside = (low + high) / 2 * ((low > _ASIDE_CM) | (high < -_ASIDE_CM))
@@ -175,7 +184,7 @@ def _offset(
         top = max(tops.values()) if upper else float(np.mean(list(tops.values())))
         up = belongs - top if all(off.values()) else 0.0
         return Offset(kind, top, belongs, (-float(aside[0]), up, -float(aside[1]))), []
-    if together:  # at its edge, some a little beyond
+    if together or guessed:  # at its edge, some a little beyond; or panels of several kinds
         return None, []
     strays = [
         Stray(
@@ -187,6 +196,14 @@ def _offset(
         if is_off
     ]
     return None, strays
+
+
+def _kind_is_guessed(pattern: Pattern, upper: bool) -> bool:
+    """Whether no panel says that this is a bodice, or not all say that it is none."""
+    said = {name: region for name, region in said_regions(pattern).items() if not is_band(name)}
+    if upper:
+        return set(said.values()) <= {"leg"}
+    return any(p.name not in said and not is_band(p.name) for p in pattern.panels)
 
 
 def height_in_words(y: float) -> str:
