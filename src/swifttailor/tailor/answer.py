@@ -40,6 +40,8 @@ class Answer:
     be edited and left as it was."""
     known: str = ""
     """Id of the known pattern that it is cut from; empty where it was written."""
+    draft: str = ""
+    """Name of the draft that it is cut from; empty where it was not."""
     cuts: tuple[str, ...] = ()
     """What was altered, in words."""
     of_edit: bool = False
