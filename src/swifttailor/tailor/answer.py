@@ -64,6 +64,11 @@ class Answer:
         """Whether it is the pattern to edit, and nothing was altered in it."""
         return self.of_edit and not self.cuts
 
+    @property
+    def is_written(self) -> bool:
+        """Whether the network wrote it."""
+        return self.written is not None and not self.known and not self.draft
+
     @cached_property
     def seen(self) -> tuple[Difference, ...] | None:
         """What is different from the pattern to edit; None where there is none, or it cannot be measured."""

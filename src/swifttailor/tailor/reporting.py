@@ -60,7 +60,7 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
         "findings": [f.entry() for f in sewn.findings],
         "versions": versions(),
         "weights": weights(
-            pattern_maker=tailor.pattern_maker if answer.written is not None and not (answer.known or answer.draft) else None,
+            pattern_maker=tailor.pattern_maker if answer.is_written else None,
             pattern_library=tailor.pattern_library if answer.known else None,
             wish_reader=tailor.wish_reader if wanted is not None and wanted.said else None,
             picture_reader=tailor.picture_reader if wanted is not None and wanted.pictures else None,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-
 from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z, HEM_BALANCE, SIDE_MINIMUM, sew_torso
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure

@@ -61,9 +61,7 @@ def draft_robe(options: RobeOptions, measurements: Measurements) -> Pattern:
         shoulder_extension=options.shoulder_extension,
         front_slit=options.front_slit,
     )
-    return _with_sleeves(
-        table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end
-    )
+    return _with_sleeves(table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end)
 
 
 @dataclass(frozen=True)
@@ -71,9 +69,9 @@ class KaftanOptions:
     """Options of the kaftan."""
 
     length: LongLength = 92.0
-    chest_ease: Annotated[
-        float, Option("Room on top of the bust girth, all around.", "cm", 16.0, 60.0)
-    ] = 36.0
+    chest_ease: Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 16.0, 60.0)] = (
+        36.0
+    )
     flare: declared.HemFlare = 40.0
     neckline: declared.NeckShapeOption = "v"
     neck_widening: declared.NeckWidening = 1.0
@@ -100,9 +98,7 @@ def draft_kaftan(options: KaftanOptions, measurements: Measurements) -> Pattern:
         flare=options.flare,
         shoulder_extension=options.shoulder_extension,
     )
-    return _with_sleeves(
-        table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end
-    )
+    return _with_sleeves(table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end)
 
 
 @dataclass(frozen=True)
@@ -140,9 +136,7 @@ def draft_swing_dress(options: SwingDressOptions, measurements: Measurements) ->
         table.mirror()
         sew_centres(table)
         return table.finish()
-    return _with_sleeves(
-        table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end
-    )
+    return _with_sleeves(table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end)
 
 
 def _with_sleeves(

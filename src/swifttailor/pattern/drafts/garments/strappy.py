@@ -31,9 +31,7 @@ class CamisoleOptions:
 
 def draft_camisole(options: CamisoleOptions, measurements: Measurements) -> Pattern:
     """Drafts the camisole for a body."""
-    bodice = StrapBodice(
-        options.strap_width, options.chest_ease, options.length, options.dip, options.flare
-    )
+    bodice = StrapBodice(options.strap_width, options.chest_ease, options.length, options.dip, options.flare)
     return _on_straps("camisole", bodice, measurements)
 
 
@@ -50,9 +48,7 @@ class SlipDressOptions:
 
 def draft_slip_dress(options: SlipDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the slip dress for a body."""
-    bodice = StrapBodice(
-        options.strap_width, options.chest_ease, options.length, options.dip, options.flare
-    )
+    bodice = StrapBodice(options.strap_width, options.chest_ease, options.length, options.dip, options.flare)
     return _on_straps("slip-dress", bodice, measurements)
 
 

@@ -57,10 +57,7 @@ class JeansOptions:
 
 def draft_jeans(options: JeansOptions, measurements: Measurements) -> Pattern:
     """Drafts slim jeans for a body."""
-    legs = Trousers(
-        options.length, options.hip_ease, options.leg_ease, -options.taper, options.crotch_drop, NARROWEST, SIDE_SHARE
-    )
-    return _on_band("jeans", legs, options.band_height, 0.0, measurements)
+    return _on_band("jeans", _slim_legs(options), options.band_height, 0.0, measurements)
 
 
 @dataclass(frozen=True)
@@ -77,15 +74,22 @@ class LeggingsOptions:
 
 def draft_leggings(options: LeggingsOptions, measurements: Measurements) -> Pattern:
     """Drafts leggings for a body: as close as cloth that does not stretch can be cut."""
-    legs = Trousers(
-        options.length, options.hip_ease, options.leg_ease, -options.taper, options.crotch_drop, NARROWEST, SIDE_SHARE
+    return _on_band("leggings", _slim_legs(options), options.band_height, 0.0, measurements)
+
+
+def _slim_legs(options: JeansOptions | LeggingsOptions) -> Trousers:
+    return Trousers(
+        options.length,
+        options.hip_ease,
+        options.leg_ease,
+        -options.taper,
+        options.crotch_drop,
+        narrowest=NARROWEST,
+        side_share=SIDE_SHARE,
     )
-    return _on_band("leggings", legs, options.band_height, 0.0, measurements)
 
 
-def _on_band(
-    name: str, legs: Trousers, height: float, ease: float, measurements: Measurements
-) -> Pattern:
+def _on_band(name: str, legs: Trousers, height: float, ease: float, measurements: Measurements) -> Pattern:
     """Lays and sews legs on a waistband."""
     figure = Figure.of(measurements)
     table = CuttingTable(name)
