@@ -179,7 +179,7 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
         found.append(f"Cut from a known pattern: {answer.known}.")
     if answer.draft:
         found.append(f"Begun from a draft of ours: {answer.draft}.")
-        if DRAFTS_SHOW.get(answer.draft) and not order.finish:
+        if "pleats" in DRAFTS_SHOW.get(answer.draft, ()) and not order.finish:
             found.append(FOLDS_UNSEEN)
     if wanted.part is not None:
         found.append(_read_line(wanted))

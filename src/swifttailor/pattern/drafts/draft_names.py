@@ -11,11 +11,13 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "t-shirt": "top",
     "tank-top": "top",
     "camisole": "top",
+    "bustier": "top",
     "waistcoat": "top",
     "hoodie": "top",
     "fitted-dress": "dress",
     "shirt-dress": "dress",
     "slip-dress": "dress",
+    "strapless-dress": "dress",
     "swing-dress": "dress",
     "kaftan": "dress",
     "robe": "dress",
@@ -30,5 +32,9 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
 }
 """What each is measured to be."""
 DRAFT_NAMES = tuple(DRAFT_KINDS)
-DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {"pleated-skirt": ("pleats",)}
+DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
+    "pleated-skirt": ("pleats",),
+    "strapless-dress": ("sweetheart",),
+    "bustier": ("sweetheart",),
+}
 """What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``."""

@@ -48,6 +48,7 @@ _DRAFTS = (
     DraftInfo("t-shirt", "Loose top with set-in sleeves", tops.draft_t_shirt),
     DraftInfo("tank-top", "Sleeveless top with straps", tops.draft_tank_top),
     DraftInfo("camisole", "Top on thin straps", strappy.draft_camisole),
+    DraftInfo("bustier", "Strapless top to the waist, a heart for its upper edge", strappy.draft_bustier),
     DraftInfo("waistcoat", "Sleeveless top, deep V neck, pointed front hem", tops.draft_waistcoat),
     DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", tops.draft_hoodie),
     DraftInfo(
@@ -61,6 +62,11 @@ _DRAFTS = (
         fitted_garments.draft_shirt_dress,
     ),
     DraftInfo("slip-dress", "Dress on thin straps", strappy.draft_slip_dress),
+    DraftInfo(
+        "strapless-dress",
+        "Darted bodice with a heart for its upper edge, flared skirt",
+        strappy.draft_strapless_dress,
+    ),
     DraftInfo("swing-dress", "Dress that widens from bust to hem", long_garments.draft_swing_dress),
     DraftInfo("kaftan", "Long and wide, with wide sleeves", long_garments.draft_kaftan),
     DraftInfo(
