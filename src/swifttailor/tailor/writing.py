@@ -105,7 +105,8 @@ def write_patterns(
         for k in waiting:
             name, one = found[k]
             begins = drafts[k] if not name and attempt < begun[k] else None
-            answer = replace(fit(one, samples[k][0]), seed=samples[k][1], known=name)
+            answer = fit(one, samples[k][0], drafted=begins is not None)
+            answer = replace(answer, seed=samples[k][1], known=name)
             if begins is not None:
                 answer = _begun_from(answer, begins.name)
             clock.stop("altering")

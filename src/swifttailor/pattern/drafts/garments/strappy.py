@@ -28,7 +28,7 @@ FrontDip = Annotated[float, Option("Fall of the front between the straps.", "cm"
 class CamisoleOptions:
     """Options of the camisole."""
 
-    length: declared.TopLength = 16.0
+    length: declared.TopLength = 20.0
     chest_ease: declared.BustEase = 4.0
     flare: declared.HemFlare = 2.0
     strap_width: StrapWidth = 1.5
