@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from swifttailor.errors import InputError
 from swifttailor.pattern_maker.maker import WrittenPattern
@@ -34,7 +35,8 @@ class DraftCandidate:
         """The pattern, for the default body."""
         from swifttailor.pattern.drafts import draft
 
-        return WrittenPattern(draft(self.name, **({} if self.plain else self._options())))
+        options: dict[str, Any] = {} if self.plain else self._options()
+        return WrittenPattern(draft(self.name, **options))
 
     def _options(self) -> dict[str, float]:
         from swifttailor.pattern.drafts import find_draft
