@@ -10,9 +10,11 @@ from swifttailor import draft
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain, Step
 from swifttailor.describing.measuring.parts import LOWER_PARTS, Part
+from swifttailor.pattern import Severity, check_pattern
 from swifttailor.recutting import alter
 from swifttailor.recutting.amounts import part_swaps
 from swifttailor.recutting.amounts.part_swaps import FlaredCut
+from swifttailor.recutting.amounts.peplum import sew_peplum
 from swifttailor.recutting.table.cutter import Cutter
 
 
@@ -111,3 +113,20 @@ def test_what_has_no_upper_edge_on_both_faces_is_not_exchanged():
     assert part_swaps.sew_bodice(shirt) is None
     assert part_swaps.take_band_out(shirt) is None
     assert part_swaps.put_band_in(shirt, 5.0) is None
+
+
+@pytest.mark.parametrize("name", ["t-shirt", "tank-top", "waistcoat"])
+def test_peplum_is_sewn_to_the_waist_and_the_rest_stays(name):
+    before = draft(name)
+    done = alter(before, ["skirt=peplum"])
+    assert not done.open
+    assert done.facts.kind == "top" and done.facts.skirt is not None and done.facts.torso is not None
+    assert done.facts.torso.lower_level == pytest.approx(done.facts.body.waist, abs=5.0)
+    assert [f for f in check_pattern(done.pattern) if f.severity is not Severity.INFO] == []
+    kept = [panel for panel in before.panels if "torso" not in panel.name]
+    assert [done.pattern.panel(panel.name) for panel in kept] == kept
+
+
+def test_no_peplum_on_what_has_a_lower_part_or_a_band():
+    for name in ("hoodie", "fitted-dress", "trousers"):
+        assert sew_peplum(Cutter(draft(name))) is None

@@ -82,7 +82,7 @@ def test_one_source_can_be_chosen(tailor):
     assert found.answer.known and tailor.pattern_maker.model.runtime.asked == [1]
     with pytest.raises(InputError, match="Known patterns are found by what is understood"):
         tailor.generate("zzz", source="library")
-    with pytest.raises(InputError, match="both, library, writer are accepted"):
+    with pytest.raises(InputError, match="both, drafts, library, writer are accepted"):
         Order("a skirt", source="shop")
     with pytest.raises(InputError, match="not for edits"):
         Order("longer", edit=DRAFTS["mini"], source="library")

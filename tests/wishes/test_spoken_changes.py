@@ -153,3 +153,18 @@ def test_any_text_can_be_read_and_places_lie_in_it(text):
         assert 0 <= word.start < word.end <= len(small)
     for clause in heard(text).clauses:
         assert 0 <= clause.start <= clause.end <= len(text) + 8
+
+
+@pytest.mark.parametrize(
+    ("text", "gain", "step"),
+    [
+        ("sleeves long and the skirt 10 cm shorter", "long", -1),
+        ("make the sleeves short and the skirt 10 cm longer", "short", 1),
+        ("sleeves really long and skirt 10 cm shorter", "long", -1),
+        ("the skirt 10 cm longer and the sleeves long", "long", 1),
+    ],
+)
+def test_what_stands_behind_its_noun_is_said_of_it(text, gain, step):
+    words = read_words(text, kind="dress")
+    found = spoken_changes(text, words, "dress")
+    assert set(found.changes) == {Gain(Claim("sleeves", gain)), Step("length", step, 10.0)}

@@ -70,7 +70,7 @@ class EvaluatePatternMaker:
     --network-alone."""
     attempts: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Patterns to write at most until one is as asked for; 4 without it, or 1 at temperature 0."""
-    source: Literal["both", "library", "writer"] = "both"
+    source: Literal["both", "drafts", "library", "writer"] = "both"
     """Where patterns come from, as swifttailor generate has it."""
     refine: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Known patterns that are compared with a picture, as swifttailor generate has it."""

@@ -40,6 +40,8 @@ class Answer:
     be edited and left as it was."""
     known: str = ""
     """Id of the known pattern that it is cut from; empty where it was written."""
+    draft: str = ""
+    """Name of the draft that it is cut from; empty where it was not."""
     cuts: tuple[str, ...] = ()
     """What was altered, in words."""
     of_edit: bool = False
@@ -61,6 +63,11 @@ class Answer:
     def is_given(self) -> bool:
         """Whether it is the pattern to edit, and nothing was altered in it."""
         return self.of_edit and not self.cuts
+
+    @property
+    def is_written(self) -> bool:
+        """Whether the network wrote it."""
+        return self.written is not None and not self.known and not self.draft
 
     @cached_property
     def seen(self) -> tuple[Difference, ...] | None:

@@ -70,14 +70,19 @@ def _as_it_is(
     return Answer(edit, verdict, wanted=wanted, written=written, of_edit=True)
 
 
-def fit(written: WrittenPattern, wanted: Wanted) -> Answer:
+def fit(written: WrittenPattern, wanted: Wanted, *, drafted: bool = False) -> Answer:
     """Alters a pattern to what is wanted and judges it; whether it can be sewn is left open.
 
     One that cannot be measured is left as it is, its wishes open. Of an edit, the pattern to edit is altered,
     since that leaves everything else exactly as it is. What the network wrote is taken where more of the
     wishes hold of it; where none does of either, the pattern to edit stays as it is.
+
+    Args:
+        written: The pattern.
+        wanted: What is wanted.
+        drafted: Whether it is a draft that the words name: what nobody speaks of is as that shows it.
     """
-    edit, unsaid = wanted.order.edit, wanted.unsaid
+    edit, unsaid = wanted.order.edit, wanted.unsaid and not drafted
     changes = tuple(wish.change for wish in wanted.wishes)
     maybe = tuple(wish.change for wish in wanted.likely)
     pattern, level = written.pattern, ""
@@ -86,8 +91,8 @@ def fit(written: WrittenPattern, wanted: Wanted) -> Answer:
     findings = written.findings if pattern is written.pattern else None
     if unsaid and leaves_hem_unsaid((*changes, *maybe)):
         pattern, level = level_hem(pattern)  # what is lengthened next stays level
-    alters = bool(changes) or unsaid or wanted.part is not None
-    taken, of_edit = _best_alteration(pattern, level, wanted) if alters else (None, False)
+    alters = bool(changes) or wanted.unsaid or wanted.part is not None
+    taken, of_edit = _best_alteration(pattern, level, wanted, unsaid=unsaid) if alters else (None, False)
     if edit is not None and changes and not of_edit and (taken is None or set(taken.open) == set(changes)):
         return _as_it_is(edit, wanted, written)
     if taken is not None and (taken.cuts or of_edit):
@@ -112,7 +117,9 @@ def fit(written: WrittenPattern, wanted: Wanted) -> Answer:
     )
 
 
-def _best_alteration(pattern: Pattern, level: str, wanted: Wanted) -> tuple[Alteration | None, bool]:
+def _best_alteration(
+    pattern: Pattern, level: str, wanted: Wanted, *, unsaid: bool
+) -> tuple[Alteration | None, bool]:
     """What is altered, None where nothing can be measured; and whether it is the pattern to edit."""
     edit, recut = wanted.order.edit, wanted.recut
     changes = tuple(wish.change for wish in wanted.wishes)
@@ -125,7 +132,7 @@ def _best_alteration(pattern: Pattern, level: str, wanted: Wanted) -> tuple[Alte
         if written is not None and (wanted.unsaid or wanted.part is not None):
             written = replace(written, cuts=(*filter(None, [level]), *written.cuts))
             maybe = tuple(wish.change for wish in wanted.likely)
-            written = _finished(written, changes, maybe, unsaid=wanted.unsaid)
+            written = _finished(written, changes, maybe, unsaid=unsaid)
     # Of two that do as much, the one that leaves the rest as it was; but for another kind of garment.
     if recut is not None and (written is None or len(recut.open) + remade <= len(written.open)):
         return recut, True

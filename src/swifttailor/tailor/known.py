@@ -72,7 +72,7 @@ def known_candidates(
     found: list[KnownCandidates | None] = []
     for wanted, seed in samples:
         order = wanted.order
-        may_be_known = order.source != "writer" and order.edit is None and order.alter
+        may_be_known = order.source in ("both", "library") and order.edit is None and order.alter
         if library is None or not may_be_known or wanted.sought.is_empty:
             if order.source == "library":
                 raise InputError(_NOTHING_SOUGHT)

@@ -27,8 +27,9 @@ USUAL_REFINED, MOST_REFINED = 4, 32
 LONGEST_TITLE = 60
 
 Image = NDArray[np.uint8] | Path | str
-Source = Literal["both", "library", "writer"]
-"""Where patterns come from: known ones, and written ones where none of these will do; or one alone."""
+Source = Literal["both", "drafts", "library", "writer"]
+"""Where patterns come from: drafts that words name, known ones, and written ones where none of these will do;
+or one of the three alone."""
 Part = Literal["upper", "lower", "whole"]
 """Where a garment in a picture is worn; ``whole`` is one dress or jumpsuit."""
 MOST_PICTURES = 2

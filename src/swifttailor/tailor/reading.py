@@ -40,6 +40,7 @@ _NO_SLIT = Claim("slit", "none")
 _UNSAID_OF = {
     "skirt": (_NO_SLIT,),
     "dress": (_NO_SLIT,),
+    "trousers": (Claim("leg_cuffs", "none"),),
 }
 """The same by kind of garment."""
 _USUAL = 0.8

@@ -11,6 +11,7 @@ from swifttailor.garment.cloth_color import COLOR
 from swifttailor.garment.cloth_print import PRINT
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern.check import Change as Mending
+from swifttailor.pattern.drafts.draft_names import DRAFTS_SHOW
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fabric_asked import fabric_unmet, fabric_warning
 from swifttailor.tailor.heard_notes import heard_notes, heard_report
@@ -34,6 +35,11 @@ AS_IT_WAS = (
 )
 
 
+FOLDS_UNSEEN = (
+    "Its pleats are in the pattern; without --finish the network hangs the cloth without their folds."
+)
+
+
 def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
     """A garment with all that is known of it in its report, its notes and its warnings.
 
@@ -54,7 +60,7 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
         "findings": [f.entry() for f in sewn.findings],
         "versions": versions(),
         "weights": weights(
-            pattern_maker=tailor.pattern_maker if answer.written is not None and not answer.known else None,
+            pattern_maker=tailor.pattern_maker if answer.is_written else None,
             pattern_library=tailor.pattern_library if answer.known else None,
             wish_reader=tailor.wish_reader if wanted is not None and wanted.said else None,
             picture_reader=tailor.picture_reader if wanted is not None and wanted.pictures else None,
@@ -100,19 +106,21 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
     from swifttailor.wording.wish_lines import wish_line
 
     written = answer.written
-    writing = (
-        {}
-        if written is None
-        else {
+    writing: dict[str, Any] = {}
+    if answer.known:
+        writing = {"source": "library", "known_pattern": answer.known}
+    elif answer.draft:
+        writing = {"source": "draft", "draft": answer.draft}
+    elif written is not None:
+        writing = {
             "source": "writer",
             "tokens": written.tokens,
             "log_likelihood": written.log_likelihood,
             "certainty": written.certainty,
         }
-    )
     return {
         "order": wanted.order.to_json() | {"seed": answer.seed},
-        "writing": ({"source": "library", "known_pattern": answer.known} if answer.known else writing)
+        "writing": writing
         | {
             "attempt": answer.attempt + 1,
             "failed_attempts": list(answer.failures),
@@ -169,6 +177,10 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
         )
     if answer.known:
         found.append(f"Cut from a known pattern: {answer.known}.")
+    if answer.draft:
+        found.append(f"Begun from a draft of ours: {answer.draft}.")
+        if "pleats" in DRAFTS_SHOW.get(answer.draft, ()) and not order.finish:
+            found.append(FOLDS_UNSEEN)
     if wanted.part is not None:
         found.append(_read_line(wanted))
     if wanted.overruled:

@@ -148,7 +148,7 @@ class Workshop:
 
     def library_for(self, orders: Sequence[Order]) -> PatternLibrary | None:
         """Known patterns, where any order may be answered by one."""
-        asked = any(one.source != "writer" and one.edit is None and one.alter for one in orders)
+        asked = any(one.source in ("both", "library") and one.edit is None and one.alter for one in orders)
         return self.pattern_library if asked else None
 
     def compile_notes(self, *, finish: bool) -> list[str]:

@@ -11,6 +11,7 @@ from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.pattern_maker.temperatures import HIGHEST_TEMPERATURE
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.drafted import draft_candidates
 from swifttailor.tailor.fitting import fit, from_edit
 from swifttailor.tailor.known import KNOWN_ATTEMPTS, KnownCandidates, known_candidates
 from swifttailor.tailor.order import Order
@@ -35,8 +36,8 @@ def write_patterns(
 ) -> list[Answer | SwiftTailorError]:
     """Finds a pattern for each sample, all together, until each is sound or had its attempts.
 
-    The first attempts are with known patterns, where anything is known of what is wanted; the others are
-    written.
+    The first attempt is with a draft where words name a garment that one shows; the next are with known
+    patterns, where anything is known of what is wanted; the others are written.
 
     Sound are those of which a check doubts nothing but what it doubted of the pattern to edit before, which
     can be sewn, and of which everything holds that was asked for. Where none is, the best is taken that can
@@ -60,6 +61,9 @@ def write_patterns(
         raise InputError("Orders that are written together need one temperature and number of attempts.")
     ((temperature, attempts),) = manners
     clock.restart()
+    drafts = draft_candidates(samples)
+    begun = [0 if one is None else 1 for one in drafts]
+    only_drafts = [wanted.order.source == "drafts" for wanted, _ in samples]
     known = known_candidates(library, samples)
     counts = [
         0 if one is None else min(len(one), attempts if wanted.order.source == "library" else KNOWN_ATTEMPTS)
@@ -73,20 +77,23 @@ def write_patterns(
         waiting = [
             k
             for k, answers in enumerate(tried)
-            if k not in kept and (not answers or answers[-1].verdict.fault)
+            if k not in kept and (not answers or (answers[-1].verdict.fault and not only_drafts[k]))
         ]
         if not waiting:
             break
         clock.restart()
         found: dict[int, tuple[str, WrittenPattern]] = {}
         for k in waiting:
-            candidates = known[k]
-            if candidates is not None and attempt < counts[k]:
-                found[k] = candidates.take(attempt)
+            candidates, begins = known[k], drafts[k]
+            if begins is not None and attempt < begun[k]:
+                found[k] = "", begins.take()
+            elif candidates is not None and attempt - begun[k] < counts[k]:
+                found[k] = candidates.take(attempt - begun[k])
         if found:
             clock.stop("searching")
-        for draw in sorted({attempt - counts[k] for k in waiting if k not in found}):
-            asked = [k for k in waiting if k not in found and attempt - counts[k] == draw]
+        draws = {k: attempt - begun[k] - counts[k] for k in waiting if k not in found}
+        for draw in sorted(set(draws.values())):
+            asked = [k for k in draws if draws[k] == draw]
             written = writer().generate_all(
                 [samples[k][0].request(draw) for k in asked],
                 seed=[samples[k][1] for k in asked],
@@ -97,7 +104,11 @@ def write_patterns(
             found |= {k: ("", one) for k, one in zip(asked, written, strict=True)}
         for k in waiting:
             name, one = found[k]
-            answer = replace(fit(one, samples[k][0]), seed=samples[k][1], known=name)
+            begins = drafts[k] if not name and attempt < begun[k] else None
+            answer = fit(one, samples[k][0], drafted=begins is not None)
+            answer = replace(answer, seed=samples[k][1], known=name)
+            if begins is not None:
+                answer = _begun_from(answer, begins.name)
             clock.stop("altering")
             if not answer.verdict.unsound:
                 answer = _prepared(answer, sewer, samples[k][0].order)
@@ -110,6 +121,14 @@ def write_patterns(
         chosen = [_refined(answer, tried[k], known[k], samples[k], sewer) for k, answer in enumerate(chosen)]
         clock.stop("refining")
     return chosen
+
+
+def _begun_from(answer: Answer, draft: str) -> Answer:
+    """An answer that was cut from a draft, and what that shows heard as made."""
+    wanted = answer.wanted
+    if wanted is not None:
+        wanted = replace(wanted, heard=wanted.heard.made_as(draft))
+    return replace(answer, draft=draft, wanted=wanted)
 
 
 def _refined(

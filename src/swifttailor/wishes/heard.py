@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
+from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, DRAFTS_SHOW
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.lexicon_spelling import near_names
 from swifttailor.wishes.reader import Wish
 from swifttailor.wording.claim_kinds import implied_kind
 from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, foreign_language
+
+_CUT_AS = {"tunic": "top"}
+"""Kinds that are drafted as others."""
 
 
 @dataclass(frozen=True)
@@ -63,6 +67,18 @@ class Heard:
         """The fabric that comes nearest to what it names, or to what a name implies: a denim skirt."""
         named = self.words.cloths if self.words is not None else ()
         return named[0] if named else next((e.cloth for e in self._meant if e.cloth is not None), None)
+
+    @cached_property
+    def drafts(self) -> tuple[str, ...]:
+        """Drafts that show what it names, for the kind of garment that is asked for."""
+        kind = _CUT_AS.get(self.kind or "", self.kind)
+        named = [name for entry in self._meant for name in entry.drafts]
+        return tuple(dict.fromkeys([name for name in named if DRAFT_KINDS[name] == kind]))
+
+    def made_as(self, draft: str) -> Heard:
+        """The same, where the garment begins from a draft: what that shows is no longer lacking."""
+        shown = DRAFTS_SHOW.get(draft, ())
+        return replace(self, lacks=tuple([lack for lack in self.lacks if lack.what not in shown]))
 
     @property
     def _meant(self) -> list[Entry]:

@@ -70,6 +70,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     network = [w for w in network if not _is_against_phrase(w, words)]
     never = (*words.never, *_with_parts(words))
     network = [w for w in network if not _is_measured(w, measures) and not _is_outdone(w, said, never)]
+    network = _within_names(network, words)
     found = _explained(text, words, network) or united(text, words, network)
     stated = [Wish(Gain(claim), SURENESS["certain"]) for claim in said]
     found = (
@@ -112,6 +113,25 @@ def _with_parts(words: WordReading) -> tuple[Claim, ...]:
     return (_BARE_ARMS,) if named and "sleeves" not in told and "shoulders" not in told else ()
 
 
+def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
+    """What the network reads, no surer of what the name of a garment implies than the lexicon is.
+
+    What garments of the kind cannot have, as the bodice of "tailored trousers", is left out.
+    """
+    names = {i.claim: SURENESS[i.certainty] for i in words.implications if not i.said}
+    kind = next((c for c in names if c.name == "kind" and names[c] >= SURENESS["certain"]), None)
+    found = []
+    for wish in network:
+        claim = wish.change.claim if isinstance(wish.change, Gain) else None
+        if claim is not None and kind is not None and kind.value in _LOWER_KINDS:
+            if not fits_kind(claim.name, str(kind.value)):
+                continue
+        most = 1.0 if claim is None else names.get(claim, 1.0)
+        found.append(replace(wish, certainty=min(wish.certainty, most)))
+    return found
+
+
+_LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
 _BARE_ARMS = Claim("sleeves", "none")
 _TOPICS = {
     "leg_width_cm": "legs",

@@ -61,7 +61,7 @@ def unsaid_wishes(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, 
     for usual in _USUAL:
         if (usual.kinds and facts.kind not in usual.kinds) or usual.unless & names:
             continue
-        if usual.name == "leg_hem" and short:
+        if (usual.name == "leg_hem" and short) or (usual.name == "slit" and facts.skirt is None):
             continue
         if not any(Claim(usual.name, value).holds(facts) for value in usual.accepted):
             found.append(Gain(Claim(usual.name, usual.accepted[0])))

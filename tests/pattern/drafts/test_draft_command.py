@@ -56,7 +56,7 @@ def test_usage_errors_end_with_2(arguments, capsys):
     assert capsys.readouterr().err
 
 
-@pytest.mark.parametrize("arguments", [["robe"], ["t-shirt", "--length", "900", "--out", "x.json"]])
+@pytest.mark.parametrize("arguments", [["gown"], ["t-shirt", "--length", "900", "--out", "x.json"]])
 def test_refusals_are_raised(arguments, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(PatternError):

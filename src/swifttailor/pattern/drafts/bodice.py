@@ -21,6 +21,8 @@ BLADE_FULLNESS = 0.065
 """Extra length of the back over the shoulder blades, as a part of the waist line."""
 SIDE_MINIMUM = 4.0
 """Shortest side seam, cm."""
+POINT_X = 5.0
+"""Distance of the point of a pointed front hem from the middle, cm."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +42,12 @@ class LooseBodice:
     """Extra width at the hem, cm around."""
     shoulder_extension: float = 0.0
     """Armhole seam beyond (positive) or inside (negative) the shoulder tip, cm."""
+    waist_shaping: float = 0.0
+    """How far each side seam bends inward between underarm and hem, cm."""
+    front_point: float = 0.0
+    """How far the front hem falls to a point beside the middle, cm."""
+    front_slit: float = 0.0
+    """Length of the lower end of the centre front that is left open, cm."""
 
 
 def armhole(outline: Outline, tip: Point, slope: float, scoop: float) -> None:
@@ -83,18 +91,43 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         front = side == "f"
         drop = HEM_BALANCE * figure.front_fullness if front else 0.0
         outline = Outline(0.0, hem_y - drop)
-        if rise + drop > 0.01:
+        if front and shape.front_point:
+            outline.line("hem", POINT_X, hem_y - drop - shape.front_point)
+            outline.line("hem", half + widening, hem_y + rise)
+        elif rise + drop > 0.01:
             middle = ((half + widening) * 0.6, hem_y - drop)
             outline.quadratic("hem", middle, (half + widening, hem_y + rise))
         else:
             outline.line("hem", half + widening, hem_y)
-        outline.line("side", half, under_y)
+        _draw_side(outline, (half, under_y), shape.waist_shaping)
         scoop = 0.72 if front else 0.5
         shoulder = (neck_x, tip_x)
+        slit = min(shape.front_slit, 0.8 * (under_y - hem_y)) if front else 0.0
         lay_torso_half(
-            table, figure, outline, shape.neckline, shoulder, front=front, balance=FRONT_BALANCE, scoop=scoop
+            table,
+            figure,
+            outline,
+            shape.neckline,
+            shoulder,
+            front=front,
+            balance=FRONT_BALANCE,
+            scoop=scoop,
+            slit=slit,
         )
     sew_torso(table)
+
+
+def _draw_side(outline: Outline, underarm: Point, shaping: float) -> None:
+    """Draws the side seam up to the underarm, bent inward by `shaping` cm; front and back alike."""
+    if not shaping:
+        outline.line("side", *underarm)
+        return
+    x, y = outline.sides[-1].end
+    reach = shaping / 0.75  # a symmetric cubic reaches three quarters of the way to its control points
+    fall = underarm[1] - y
+    outline.cubic(
+        "side", (x - reach, y + 0.4 * fall), (underarm[0] - reach, underarm[1] - 0.4 * fall), underarm
+    )
 
 
 def lay_torso_half(
@@ -107,6 +140,7 @@ def lay_torso_half(
     front: bool,
     balance: float,
     scoop: float,
+    slit: float = 0.0,
 ) -> None:
     """Draws the upper end of a left front or back, and lays it.
 
@@ -119,6 +153,7 @@ def lay_torso_half(
         front: Or back.
         balance: Length of the front over the back, as a part of the body's extra length there.
         scoop: Of the armhole.
+        slit: Length of the lower end of the centre that is left open, cm.
     """
     lift = balance * figure.front_fullness if front else BLADE_FULLNESS * (figure.neck_y - figure.waist_y)
     neck, tip = ((x, figure.shoulder_line(x) + lift) for x in shoulder)
@@ -127,7 +162,12 @@ def lay_torso_half(
     fall = figure.neck_y + lift - neck[1]
     depth = (neckline.front_depth if front else neckline.back_depth) - fall
     draw_neckline(outline, neck, max(depth, 0.5), figure.slope, neckline.shape if front else "round")
-    outline.line("centre", *outline.sides[0].start).closed()
+    low = outline.sides[0].start
+    if slit:
+        outline.line("centre", low[0], low[1] + slit).line("slit", *low)
+    else:
+        outline.line("centre", *low)
+    outline.closed()
     table.lay(
         "left_ftorso" if front else "left_btorso",
         outline,

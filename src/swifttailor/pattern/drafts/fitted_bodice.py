@@ -62,7 +62,7 @@ def lay_fitted_bodice(table: CuttingTable, figure: Figure, shape: FittedBodice) 
         outline = Outline(0.0, waist_y)
         outline.darted_line("waist", (narrow + width, waist_y), darts)
         if front:
-            _side_with_bust_dart(outline, figure, (half, under_y))
+            draw_side_with_bust_dart(outline, figure, (half, under_y))
         else:
             outline.line("side", half, under_y)
         scoop = 0.66 if front else 0.5
@@ -74,7 +74,7 @@ def lay_fitted_bodice(table: CuttingTable, figure: Figure, shape: FittedBodice) 
     return waist
 
 
-def _side_with_bust_dart(outline: Outline, figure: Figure, underarm: Point) -> None:
+def draw_side_with_bust_dart(outline: Outline, figure: Figure, underarm: Point) -> None:
     """Draws the front side seam with a dart that points to the bust.
 
     The seam is drawn as on the back and cut a little below the underarm; what lies above is turned about

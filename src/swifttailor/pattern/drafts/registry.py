@@ -8,7 +8,15 @@ from dataclasses import dataclass
 from typing import Any, get_type_hints
 
 from swifttailor.errors import PatternError
-from swifttailor.pattern.drafts.garments import fitted_garments, skirts, tops, trousers
+from swifttailor.pattern.drafts.garments import (
+    fitted_garments,
+    long_garments,
+    pleated_skirts,
+    skirts,
+    strappy,
+    tops,
+    trousers,
+)
 from swifttailor.pattern.drafts.measurements import Measurements, checked
 from swifttailor.pattern.drafts.options import OptionField, make_options, option_fields
 from swifttailor.pattern.pattern import Pattern
@@ -39,6 +47,9 @@ class DraftInfo:
 _DRAFTS = (
     DraftInfo("t-shirt", "Loose top with set-in sleeves", tops.draft_t_shirt),
     DraftInfo("tank-top", "Sleeveless top with straps", tops.draft_tank_top),
+    DraftInfo("camisole", "Top on thin straps", strappy.draft_camisole),
+    DraftInfo("bustier", "Strapless top to the waist, a heart for its upper edge", strappy.draft_bustier),
+    DraftInfo("waistcoat", "Sleeveless top, deep V neck, pointed front hem", tops.draft_waistcoat),
     DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", tops.draft_hoodie),
     DraftInfo(
         "fitted-dress",
@@ -50,11 +61,25 @@ _DRAFTS = (
         "Easy bodice, sleeves with cuffs, waist seam, flared skirt",
         fitted_garments.draft_shirt_dress,
     ),
+    DraftInfo("slip-dress", "Dress on thin straps", strappy.draft_slip_dress),
+    DraftInfo(
+        "strapless-dress",
+        "Darted bodice with a heart for its upper edge, flared skirt",
+        strappy.draft_strapless_dress,
+    ),
+    DraftInfo("swing-dress", "Dress that widens from bust to hem", long_garments.draft_swing_dress),
+    DraftInfo("kaftan", "Long and wide, with wide sleeves", long_garments.draft_kaftan),
+    DraftInfo(
+        "robe", "Wide sleeves, V neck to the waist, front open from the knee", long_garments.draft_robe
+    ),
     DraftInfo("jumpsuit", "Bodice and trousers joined at the waist", fitted_garments.draft_jumpsuit),
     DraftInfo("trousers", "Long or short legs, back darts, waistband", trousers.draft_trousers),
+    DraftInfo("jeans", "Slim legs, back darts, waistband", trousers.draft_jeans),
+    DraftInfo("leggings", "The closest legs, high waistband", trousers.draft_leggings),
     DraftInfo("fitted-skirt", "Pencil or A-line skirt, waistband", skirts.draft_fitted_skirt),
     DraftInfo("circle-skirt", "Part of a circle on a waistband", skirts.draft_circle_skirt),
     DraftInfo("gathered-skirt", "Rectangles gathered into a waistband", skirts.draft_gathered_skirt),
+    DraftInfo("pleated-skirt", "Pleats laid into a waistband", pleated_skirts.draft_pleated_skirt),
 )
 
 

@@ -35,6 +35,10 @@ class Trousers:
     """Extra width of the hem, cm around; negative narrows it."""
     crotch_drop: float
     """Crotch of the garment below the body's, cm."""
+    narrowest: float = 0.55
+    """Least width of the hem over the girth of the thigh."""
+    side_share: float = 0.18
+    """Part of what the leg loses from thigh to knee that each side seam takes; the inseams take the rest."""
 
 
 @dataclass(frozen=True)
@@ -114,11 +118,10 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
     front_thigh, back_thigh = hips.front + front_reach, hips.back + back_reach
     thigh = front_thigh + back_thigh
     knee = min(knee, thigh - 2.0)
-    hem = max((knee if knee_y is None else hem) + shape.flare, 0.55 * figure.thigh)
+    hem = max((knee if knee_y is None else hem) + shape.flare, shape.narrowest * figure.thigh)
     # Short legs keep the thigh's division into a narrow front and a wide back; it evens out to the knee.
     near_thigh = min(max((hem_y - figure.knee_y) / (crotch_y - figure.knee_y), 0.0), 1.0)
     step = STEP + near_thigh * ((back_thigh - front_thigh) / 2 - STEP)
-    # Half of what the leg loses from thigh to knee goes at the inseam, a third at the side.
     return LegLines(
         top_y=top_y,
         hip_y=figure.hip_y,
@@ -128,7 +131,7 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
         side_taken=taken.side,
         knee_width=(hem if knee_y is None else knee) / 2,
         hem_width=hem / 2,
-        side_shift=0.18 * (thigh - (hem if knee_y is None else knee)),
+        side_shift=shape.side_share * (thigh - (hem if knee_y is None else knee)),
         step=step,
     )
 

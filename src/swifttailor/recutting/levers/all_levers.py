@@ -17,6 +17,7 @@ from swifttailor.recutting.levers.lengths import LENGTH_LEVERS
 from swifttailor.recutting.levers.lever import Lever, Trick
 from swifttailor.recutting.levers.necks import NECK_LEVERS, NECK_TRICKS
 from swifttailor.recutting.levers.parts import ADDED_PARTS, PART_TRICKS
+from swifttailor.recutting.levers.peplum import PEPLUM_TRICKS
 from swifttailor.recutting.levers.sleeve_widths import SLEEVE_WIDTH_LEVERS
 from swifttailor.recutting.levers.slits import SLIT_LEVERS, SLIT_TRICKS
 from swifttailor.recutting.levers.tiers import TIER_LEVERS, TIER_TRICKS
@@ -50,6 +51,7 @@ TRICKS: tuple[Trick, ...] = (
     *WIDTH_TRICKS,
     *PART_TRICKS,
     *EXCHANGE_TRICKS,
+    *PEPLUM_TRICKS,
 )
 
 LEVERS_OF: Mapping[str, tuple[Lever, ...]] = {

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import DRAFT_NAMES
 from swifttailor.wording.claim_marks import claims_in
 from swifttailor.wording.word_tables import Dialect, Row
 
@@ -51,7 +52,7 @@ MOTIFS = ("flowers", "leaves", "blotches", "spots", "shapes")
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")
 _ONE_VALUE = ("part", "cloth", "rgb", "shade", "print", "motif", "negates", *_SIZES)
-_MARKS = ("usual", "likely", "against", "without", "cannot", "of", "inks", *_ONE_VALUE)
+_MARKS = ("usual", "likely", "against", "without", "cannot", "of", "inks", "draft", *_ONE_VALUE)
 _WORDS = ("ambiguous", "plural")
 LONGEST_GLOSS = 120
 """Characters."""
@@ -118,6 +119,8 @@ class Entry:
     """For words of other languages: the English entry that they stand for."""
     only: tuple[tuple[str, Dialect], ...] = ()
     """Words that are used, or used in this meaning, in British or American English only."""
+    drafts: tuple[str, ...] = ()
+    """Drafts of `swifttailor.pattern.drafts` that show it, one for each kind of garment."""
 
     @property
     def name(self) -> str:
@@ -179,6 +182,10 @@ def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> E
             f"of:{','.join(sorted(of - known_of))} is neither a kind nor a part. "
             f"Known: {', '.join(sorted(known_of))}."
         )
+    drafts = options.get("draft", ())
+    for name in drafts:
+        if name not in DRAFT_NAMES:
+            row.wrong(f"there is no draft '{name}'. Known: {', '.join(DRAFT_NAMES)}.")
     return Entry(
         words,
         row.section,  # ty: ignore[invalid-argument-type]
@@ -198,6 +205,7 @@ def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> E
         gloss,
         None,
         only,
+        drafts,
     )
 
 

@@ -225,9 +225,26 @@ def _goes_on_with(word: Meaning, known: Vocabulary) -> bool:
     return any(sense.entry.of for sense in known.find([first]))
 
 
+def _noun_before(words: Sequence[Meaning], k: int) -> int | None:
+    """The noun that a word stands right behind, or behind words of degree: "sleeves really long"."""
+    for j in range(k - 1, -1, -1):
+        if words[j].found.gap in ("pause", "stop"):
+            return None
+        if words[j].category != "degrees":
+            return j if words[j].is_noun and words[j].role in ("word", "part") else None
+    return None
+
+
 def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[int]:
-    """What a word can be said of, the likeliest first: what it stands before, then what stands before it."""
+    """What a word can be said of, the likeliest first: what it stands before, then what stands before it.
+
+    In "sleeves long and the skirt shorter" it stands behind its noun; what is joined on is another matter.
+    """
     seen = set()
+    own = _noun_before(words, k)
+    if own is not None and k + 1 < len(words) and words[k + 1].found.word in _JOINING:
+        seen.add(own)
+        yield own
     for j in range(k + 1, len(words)):
         gap = words[j - 1].found.gap
         word = words[j]

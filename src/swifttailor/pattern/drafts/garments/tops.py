@@ -1,4 +1,4 @@
-"""Tops with a loose torso: t-shirt, tank top, hoodie."""
+"""Tops with a loose torso: t-shirt, tank top, waistcoat, hoodie."""
 
 from __future__ import annotations
 
@@ -81,6 +81,42 @@ def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Patte
         flare=options.flare,
         hip_ease=6.0,
         shoulder_extension=min(strap_end - figure.shoulder_x, 0.0),
+    )
+    lay_loose_bodice(table, figure, bodice)
+    table.mirror()
+    sew_centres(table)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class WaistcoatOptions:
+    """Options of the waistcoat."""
+
+    length: declared.TopLength = 10.0
+    chest_ease: declared.BustEase = 2.0
+    waist_shaping: Annotated[
+        float, Option("How far each side seam bends inward at the waist.", "cm", 0.0, 4.0)
+    ] = 2.5
+    point: Annotated[float, Option("Fall of the front hem to its points.", "cm", 0.0, 12.0)] = 6.0
+    neck_widening: declared.NeckWidening = 1.5
+    neck_depth: Annotated[
+        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 10.0, 30.0)
+    ] = 26.0
+    armhole_drop: declared.ArmholeDrop = 3.0
+
+
+def draft_waistcoat(options: WaistcoatOptions, measurements: Measurements) -> Pattern:
+    """Drafts the waistcoat for a body: buttoned up, so closed in front."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("waistcoat")
+    bodice = LooseBodice(
+        Neckline("v", options.neck_widening, options.neck_depth, 2.0),
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        shoulder_extension=-3.0,
+        waist_shaping=options.waist_shaping,
+        front_point=options.point,
     )
     lay_loose_bodice(table, figure, bodice)
     table.mirror()

@@ -1,4 +1,4 @@
-"""Trousers: long or short legs, back darts, shaped waistband."""
+"""Trousers with back darts and a shaped waistband: any legs, slim jeans, leggings."""
 
 from __future__ import annotations
 
@@ -14,6 +14,14 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
 from swifttailor.pattern.pattern import Pattern
+
+NARROWEST = 0.4
+"""Least width of the hem of slim legs over the girth of the thigh."""
+SIDE_SHARE = 0.27
+"""Slim legs narrow at the side seams as much as at the inseams, so that they hang around the calves."""
+SlimLegEase = Annotated[float, Option("Room on top of the leg's girth at the knee.", "cm", 0.0, 8.0)]
+Taper = Annotated[float, Option("How much narrower the hem is than the knee.", "cm", 0.0, 12.0)]
+CrotchDrop = Annotated[float, Option("Crotch of the trousers below the body's.", "cm", 0.0, 5.0)]
 
 
 @dataclass(frozen=True)
@@ -31,11 +39,62 @@ class TrousersOptions:
 
 def draft_trousers(options: TrousersOptions, measurements: Measurements) -> Pattern:
     """Drafts the trousers for a body."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("trousers")
-    lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
     legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
-    lay_trousers(table, figure, legs, lower, figure.waist_y - options.band_height)
+    return _on_band("trousers", legs, options.band_height, options.waist_ease, measurements)
+
+
+@dataclass(frozen=True)
+class JeansOptions:
+    """Options of the jeans."""
+
+    length: declared.TrouserLength = 98.0
+    hip_ease: declared.HipEase = 2.0
+    leg_ease: SlimLegEase = 5.0
+    taper: Taper = 4.0
+    crotch_drop: CrotchDrop = 0.5
+    band_height: declared.BandHeight = 4.0
+
+
+def draft_jeans(options: JeansOptions, measurements: Measurements) -> Pattern:
+    """Drafts slim jeans for a body."""
+    return _on_band("jeans", _slim_legs(options), options.band_height, 0.0, measurements)
+
+
+@dataclass(frozen=True)
+class LeggingsOptions:
+    """Options of the leggings."""
+
+    length: declared.TrouserLength = 95.0
+    hip_ease: declared.HipEase = 1.0
+    leg_ease: SlimLegEase = 2.5
+    taper: Taper = 6.0
+    crotch_drop: CrotchDrop = 0.0
+    band_height: declared.BandHeight = 6.0
+
+
+def draft_leggings(options: LeggingsOptions, measurements: Measurements) -> Pattern:
+    """Drafts leggings for a body: as close as cloth that does not stretch can be cut."""
+    return _on_band("leggings", _slim_legs(options), options.band_height, 0.0, measurements)
+
+
+def _slim_legs(options: JeansOptions | LeggingsOptions) -> Trousers:
+    return Trousers(
+        options.length,
+        options.hip_ease,
+        options.leg_ease,
+        -options.taper,
+        options.crotch_drop,
+        narrowest=NARROWEST,
+        side_share=SIDE_SHARE,
+    )
+
+
+def _on_band(name: str, legs: Trousers, height: float, ease: float, measurements: Measurements) -> Pattern:
+    """Lays and sews legs on a waistband."""
+    figure = Figure.of(measurements)
+    table = CuttingTable(name)
+    lower = lay_body_waist_band(table, figure, height, ease)
+    lay_trousers(table, figure, legs, lower, figure.waist_y - height)
     table.mirror()
     sew_legs(table)
     sew_trousers_to_band(table)

@@ -1,0 +1,40 @@
+"""What the drafts are called and what they are, for who does not load the garments."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+DraftKind = Literal["top", "dress", "jumpsuit", "trousers", "skirt"]
+
+DRAFT_KINDS: Mapping[str, DraftKind] = {
+    "t-shirt": "top",
+    "tank-top": "top",
+    "camisole": "top",
+    "bustier": "top",
+    "waistcoat": "top",
+    "hoodie": "top",
+    "fitted-dress": "dress",
+    "shirt-dress": "dress",
+    "slip-dress": "dress",
+    "strapless-dress": "dress",
+    "swing-dress": "dress",
+    "kaftan": "dress",
+    "robe": "dress",
+    "jumpsuit": "jumpsuit",
+    "trousers": "trousers",
+    "jeans": "trousers",
+    "leggings": "trousers",
+    "fitted-skirt": "skirt",
+    "circle-skirt": "skirt",
+    "gathered-skirt": "skirt",
+    "pleated-skirt": "skirt",
+}
+"""What each is measured to be."""
+DRAFT_NAMES = tuple(DRAFT_KINDS)
+DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
+    "pleated-skirt": ("pleats",),
+    "strapless-dress": ("sweetheart",),
+    "bustier": ("sweetheart",),
+}
+"""What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``."""

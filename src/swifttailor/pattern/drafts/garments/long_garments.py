@@ -1,0 +1,150 @@
+"""Garments that hang from the shoulders without a waist seam: robe, kaftan, swing dress."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neckline import Neckline
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.pattern import Pattern
+
+LongLength = Annotated[float, Option("Hem below the waist.", "cm", 25.0, 100.0)]
+LongNeckDepth = Annotated[
+    float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 8.0, 38.0)
+]
+DeepArmhole = Annotated[float, Option("How far the underarm lies below the armpit.", "cm", 2.0, 18.0)]
+WideArmEase = Annotated[float, Option("Room on top of the upper arm girth, all around.", "cm", 6.0, 50.0)]
+WideSleeveEnd = Annotated[
+    float, Option("Width around at the sleeve's end; at most that at the underarm.", "cm", 24.0, 80.0)
+]
+
+
+@dataclass(frozen=True)
+class RobeOptions:
+    """Options of the robe."""
+
+    length: LongLength = 72.0
+    chest_ease: declared.ChestEase = 22.0
+    flare: declared.HemFlare = 12.0
+    neck_widening: declared.NeckWidening = 1.5
+    neck_depth: LongNeckDepth = 34.0
+    armhole_drop: DeepArmhole = 10.0
+    shoulder_extension: Annotated[
+        float, Option("How far the shoulder seam reaches over the shoulder tip.", "cm", 0.0, 5.0)
+    ] = 3.0
+    front_slit: Annotated[
+        float, Option("Length of the front that is open from the hem up.", "cm", 0.0, 70.0)
+    ] = 52.0
+    sleeve_length: declared.SleeveLength = 54.0
+    arm_ease: WideArmEase = 30.0
+    sleeve_end: WideSleeveEnd = 54.0
+
+
+def draft_robe(options: RobeOptions, measurements: Measurements) -> Pattern:
+    """Drafts the robe for a body: closed from the waist to the slit, where a belt would hold it."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("robe")
+    bodice = LooseBodice(
+        Neckline("v", options.neck_widening, options.neck_depth, 2.0),
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        hip_ease=16.0,
+        flare=options.flare,
+        shoulder_extension=options.shoulder_extension,
+        front_slit=options.front_slit,
+    )
+    return _with_sleeves(table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end)
+
+
+@dataclass(frozen=True)
+class KaftanOptions:
+    """Options of the kaftan."""
+
+    length: LongLength = 92.0
+    chest_ease: Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 16.0, 60.0)] = (
+        36.0
+    )
+    flare: declared.HemFlare = 40.0
+    neckline: declared.NeckShapeOption = "v"
+    neck_widening: declared.NeckWidening = 1.0
+    neck_depth: LongNeckDepth = 22.0
+    armhole_drop: DeepArmhole = 15.0
+    shoulder_extension: Annotated[
+        float, Option("How far the shoulder seam reaches over the shoulder tip.", "cm", 0.0, 8.0)
+    ] = 6.0
+    sleeve_length: declared.SleeveLength = 48.0
+    arm_ease: WideArmEase = 46.0
+    sleeve_end: WideSleeveEnd = 70.0
+
+
+def draft_kaftan(options: KaftanOptions, measurements: Measurements) -> Pattern:
+    """Drafts the kaftan for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("kaftan")
+    bodice = LooseBodice(
+        Neckline(options.neckline, options.neck_widening, options.neck_depth, 2.0),
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        hip_ease=20.0,
+        flare=options.flare,
+        shoulder_extension=options.shoulder_extension,
+    )
+    return _with_sleeves(table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end)
+
+
+@dataclass(frozen=True)
+class SwingDressOptions:
+    """Options of the swing dress."""
+
+    length: LongLength = 46.0
+    chest_ease: declared.BustEase = 7.0
+    flare: Annotated[float, Option("Extra width of the hem, all around.", "cm", 20.0, 130.0)] = 90.0
+    neckline: declared.NeckShapeOption = "round"
+    neck_widening: declared.NeckWidening = 3.0
+    neck_depth: declared.NeckDepth = 11.0
+    back_neck_depth: declared.BackNeckDepth = 4.0
+    armhole_drop: declared.ArmholeDrop = 2.0
+    sleeves: Annotated[bool, Option("Set in sleeves.")] = False
+    sleeve_length: declared.SleeveLength = 24.0
+    arm_ease: declared.ArmEase = 6.0
+    sleeve_end: declared.SleeveEnd = 33.0
+
+
+def draft_swing_dress(options: SwingDressOptions, measurements: Measurements) -> Pattern:
+    """Drafts the swing dress for a body: close at the bust, and ever wider from there to the hem."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("swing-dress")
+    bodice = LooseBodice(
+        Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth),
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        flare=options.flare,
+        shoulder_extension=0.0 if options.sleeves else -1.5,
+    )
+    if not options.sleeves:
+        lay_loose_bodice(table, figure, bodice)
+        table.mirror()
+        sew_centres(table)
+        return table.finish()
+    return _with_sleeves(table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end)
+
+
+def _with_sleeves(
+    table: CuttingTable, figure: Figure, bodice: LooseBodice, length: float, ease: float, end: float
+) -> Pattern:
+    """Lays a loose bodice with sleeves, and sews everything."""
+    lay_loose_bodice(table, figure, bodice)
+    lay_sleeve(table, figure, Sleeve(length, ease, end, 0.01, max(bodice.shoulder_extension, 0.0)))
+    table.mirror()
+    sew_centres(table)
+    return table.finish()

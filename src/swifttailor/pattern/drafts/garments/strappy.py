@@ -1,0 +1,109 @@
+"""Garments on thin straps or on none: camisole, slip dress, strapless dress."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.bodice import sew_centres
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt
+from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_bodice
+from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.strap_bodice import StrapBodice, lay_strap_bodice
+from swifttailor.pattern.drafts.strapless_bodice import StraplessBodice, lay_strapless_bodice
+from swifttailor.pattern.pattern import Pattern
+
+StrapWidth = Annotated[float, Option("Width of the straps.", "cm", 1.0, 4.0)]
+StraplessEase = Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 0.0, 6.0)]
+HeldWaistEase = Annotated[float, Option("Room on top of the waist girth, all around.", "cm", -1.0, 4.0)]
+HeartDip = Annotated[float, Option("Fall of the heart in the middle; 0 is straight.", "cm", 0.0, 8.0)]
+FrontDip = Annotated[float, Option("Fall of the front between the straps.", "cm", 0.0, 8.0)]
+
+
+@dataclass(frozen=True)
+class CamisoleOptions:
+    """Options of the camisole."""
+
+    length: declared.TopLength = 20.0
+    chest_ease: declared.BustEase = 4.0
+    flare: declared.HemFlare = 2.0
+    strap_width: StrapWidth = 1.5
+    dip: FrontDip = 3.0
+
+
+def draft_camisole(options: CamisoleOptions, measurements: Measurements) -> Pattern:
+    """Drafts the camisole for a body."""
+    bodice = StrapBodice(options.strap_width, options.chest_ease, options.length, options.dip, options.flare)
+    return _on_straps("camisole", bodice, measurements)
+
+
+@dataclass(frozen=True)
+class SlipDressOptions:
+    """Options of the slip dress."""
+
+    length: Annotated[float, Option("Hem below the waist.", "cm", 25.0, 100.0)] = 56.0
+    chest_ease: declared.BustEase = 4.0
+    flare: declared.HemFlare = 24.0
+    strap_width: StrapWidth = 1.5
+    dip: FrontDip = 4.0
+
+
+def draft_slip_dress(options: SlipDressOptions, measurements: Measurements) -> Pattern:
+    """Drafts the slip dress for a body."""
+    bodice = StrapBodice(options.strap_width, options.chest_ease, options.length, options.dip, options.flare)
+    return _on_straps("slip-dress", bodice, measurements)
+
+
+@dataclass(frozen=True)
+class BustierOptions:
+    """Options of the bustier."""
+
+    bust_ease: StraplessEase = 1.0
+    waist_ease: HeldWaistEase = 0.0
+    dip: HeartDip = 4.5
+
+
+def draft_bustier(options: BustierOptions, measurements: Measurements) -> Pattern:
+    """Drafts the bustier for a body: its close waist holds it up."""
+    table = CuttingTable("bustier")
+    bodice = StraplessBodice(options.bust_ease, options.waist_ease, options.dip)
+    lay_strapless_bodice(table, Figure.of(measurements), bodice)
+    table.mirror()
+    sew_centres(table)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class StraplessDressOptions:
+    """Options of the strapless dress."""
+
+    bust_ease: StraplessEase = 1.0
+    waist_ease: HeldWaistEase = 0.0
+    dip: HeartDip = 4.5
+    skirt_length: Annotated[float, Option("Body's waist to the hem.", "cm", 36.0, 104.0)] = 98.0
+    skirt_fraction: declared.CircleFraction = 0.5
+
+
+def draft_strapless_dress(options: StraplessDressOptions, measurements: Measurements) -> Pattern:
+    """Drafts the strapless dress for a body: the waist seam holds it up."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("strapless-dress")
+    bodice = StraplessBodice(options.bust_ease, options.waist_ease, options.dip)
+    waist = lay_strapless_bodice(table, figure, bodice)
+    table.mirror()
+    sew_centres(table)
+    lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
+    sew_skirt_to_bodice(table, SKIRT_WHOLE)
+    return table.finish()
+
+
+def _on_straps(name: str, bodice: StrapBodice, measurements: Measurements) -> Pattern:
+    table = CuttingTable(name)
+    lay_strap_bodice(table, Figure.of(measurements), bodice)
+    table.mirror()
+    sew_centres(table)
+    return table.finish()

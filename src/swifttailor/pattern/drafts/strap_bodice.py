@@ -1,0 +1,74 @@
+"""The bodice on thin straps: straight across at the bust, two straps over the shoulders."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z, HEM_BALANCE, SIDE_MINIMUM, sew_torso
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.outline import Outline
+
+OVER_BUST = 8.5
+"""Height of the front's upper corners over the fullest part of the bust, cm."""
+OVER_UNDERARM = 1.0
+"""Height of the back's upper corners over the underarm, cm."""
+STRAP_LIFT = 0.4
+"""Part of the front's extra length over the bust that the straps have."""
+
+
+@dataclass(frozen=True)
+class StrapBodice:
+    """How the bodice is cut."""
+
+    strap: float
+    """Width of the straps, cm."""
+    chest_ease: float
+    """On top of the bust girth, cm around."""
+    length: float
+    """Hem below the waist, cm."""
+    dip: float
+    """How far the front falls between the straps, cm."""
+    flare: float = 0.0
+    """Extra width at the hem, cm around."""
+
+
+def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) -> None:
+    """Lays and sews both left halves; call before `CuttingTable.mirror` lays the right-hand ones.
+
+    Edges of ``left_ftorso`` and ``left_btorso``: hem, side, armhole, shoulder, neck, centre.
+    """
+    chest = figure.bust.eased(shape.chest_ease)
+    hem_y = figure.waist_y - shape.length
+    under_y = max(figure.armpit_y - 1.5, hem_y + SIDE_MINIMUM)
+    body = figure.girth_below_waist(shape.length).eased(6.0)
+    widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
+    widening += shape.flare / 4
+    middle_x = min(0.5 * (figure.neck_x + figure.shoulder_x) + 0.5, figure.shoulder_x - shape.strap)
+    inner, outer = middle_x - shape.strap / 2, middle_x + shape.strap / 2
+    for side, half in (("f", chest.front), ("b", chest.back)):
+        front = side == "f"
+        drop = HEM_BALANCE * figure.front_fullness if front else 0.0
+        lift = STRAP_LIFT * figure.front_fullness if front else 0.0
+        base_y = figure.bust_y + OVER_BUST if front else under_y + OVER_UNDERARM
+        base_y = max(base_y, under_y + 0.5)
+        outline = Outline(0.0, hem_y - drop)
+        outline.quadratic("hem", ((half + widening) * 0.6, hem_y - drop), (half + widening, hem_y + 0.5))
+        outline.line("side", half, under_y)
+        run = half - outer
+        outline.quadratic("armhole", (outer + 0.35 * run, under_y + 0.1), (outer, base_y))
+        outline.line("armhole", outer, figure.shoulder_line(outer) + lift)
+        outline.line("shoulder", inner, figure.shoulder_line(inner) + lift)
+        outline.line("neck", inner, base_y)
+        low = base_y - (shape.dip if front else 0.0)
+        low = max(low, hem_y - drop + 4.0)
+        outline.quadratic("neck", (0.5 * inner, low if front else base_y), (0.0, low))
+        outline.line("centre", *outline.sides[0].start).closed()
+        table.lay(
+            f"left_{side}torso",
+            outline,
+            label="body",
+            at=(0.0, 0.0, FRONT_Z if front else BACK_Z),
+            back=not front,
+        )
+    sew_torso(table)

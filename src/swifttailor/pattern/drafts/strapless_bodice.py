@@ -1,0 +1,72 @@
+"""The fitted bodice without shoulders: darts as in the fitted block, its upper edge straight or a heart."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.fitted_bodice import SIDE_MINIMUM, draw_side_with_bust_dart
+from swifttailor.pattern.drafts.outline import Dart, Outline
+from swifttailor.pattern.drafts.suppression import dart_places, suppress
+
+OVER_BUST = 8.0
+"""Height of the front's upper edge over the fullest part of the bust, cm."""
+
+
+@dataclass(frozen=True)
+class StraplessBodice:
+    """How the bodice is cut."""
+
+    bust_ease: float
+    """On top of the bust girth, cm around."""
+    waist_ease: float
+    """On top of the waist girth, cm around: what keeps it from sliding down."""
+    dip: float
+    """How far the heart of the upper edge falls in the middle, cm; 0 for a straight one."""
+
+
+def lay_strapless_bodice(table: CuttingTable, figure: Figure, shape: StraplessBodice) -> Halves:
+    """Lays and sews both halves of the left side, down to the waist.
+
+    Edges of ``left_ftorso`` and ``left_btorso``: waist, side, top, centre, dart.
+
+    Returns:
+        The sewn half widths at the waist, cm.
+    """
+    waist = figure.waist.eased(shape.waist_ease)
+    taken = suppress(figure.bust.eased(shape.bust_ease), waist, 0.45, 3.0)
+    chest = taken.wide(waist)
+    under_y = max(figure.armpit_y - 1.0, figure.waist_y + SIDE_MINIMUM)
+    room = under_y - figure.waist_y
+    places = dart_places(figure, waist)
+    for side in "fb":
+        front = side == "f"
+        half, narrow, width, place = (
+            (chest.front, waist.front, taken.front, places.front)
+            if front
+            else (chest.back, waist.back, taken.back, places.back)
+        )
+        reach = min(figure.bust_y - 3.0 - figure.waist_y if front else room - 2.0, room - 1.5)
+        darts = [Dart(place, width, max(reach, 5.0))] if width else []
+        outline = Outline(0.0, figure.waist_y)
+        outline.darted_line("waist", (narrow + width, figure.waist_y), darts)
+        if front:
+            draw_side_with_bust_dart(outline, figure, (half, under_y))
+            x, y = outline.sides[-1].end
+            peak = (min(figure.bust_x, 0.6 * x), max(figure.bust_y + OVER_BUST, y + 1.0))
+            middle = max(peak[1] - shape.dip, figure.waist_y + 6.0)
+            outline.cubic("top", (x - 0.3 * (x - peak[0]), y), (peak[0] + 4.0, peak[1]), peak)
+            outline.cubic(
+                "top", (0.6 * peak[0], peak[1]), (0.25 * peak[0], middle + 0.25 * shape.dip), (0.0, middle)
+            )
+        else:
+            outline.line("side", half, under_y)
+            outline.quadratic("top", (0.5 * half, under_y - 0.5), (0.0, under_y - 0.5))
+        outline.line("centre", 0.0, figure.waist_y).closed()
+        z = FRONT_Z if front else BACK_Z
+        table.lay(f"left_{side}torso", outline, label="body", at=(0.0, 0.0, z), back=not front)
+        table.label(f"left_{side}torso.top", "strapless_top")
+    table.seam("left_ftorso.side", "left_btorso.side")
+    return waist

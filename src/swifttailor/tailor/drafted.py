@@ -1,0 +1,73 @@
+"""Drafts of ours, as a source of candidates beside known patterns and the writer."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from swifttailor.errors import InputError
+from swifttailor.pattern_maker.maker import WrittenPattern
+from swifttailor.tailor.known import LEAST_CLOSE
+from swifttailor.tailor.reading import Wanted
+
+VARIED = frozenset({"length", "flare", "neck_depth", "neck_widening", "sleeve_length", "dip"})
+"""Options that differ from seed to seed."""
+SHARE = 0.25
+"""How far at most, towards either end of what an option accepts."""
+_NOT_DRAFTED = (
+    "Garments begin from a draft where the lexicon names one, and in this text it does not: choose another "
+    "--source. swifttailor draft --list names all drafts."
+)
+
+
+@dataclass(frozen=True)
+class DraftCandidate:
+    """A garment that words name and a draft shows."""
+
+    name: str
+    seed: int
+    plain: bool
+    """Whether every option keeps its default."""
+
+    def take(self) -> WrittenPattern:
+        """The pattern, for the default body."""
+        from swifttailor.pattern.drafts import draft
+
+        options: dict[str, Any] = {} if self.plain else self._options()
+        return WrittenPattern(draft(self.name, **options))
+
+    def _options(self) -> dict[str, float]:
+        from swifttailor.pattern.drafts import find_draft
+
+        chance = random.Random(self.seed)
+        chosen = {}
+        for field in find_draft(self.name).options:
+            low, high = field.option.low, field.option.high
+            if field.name not in VARIED or low is None or high is None:
+                continue
+            end = chance.choice([low, high])
+            value = float(field.default) + SHARE * chance.random() * (end - float(field.default))
+            chosen[field.name] = round(value, 1)
+        return chosen
+
+
+def draft_candidates(samples: Sequence[tuple[Wanted, int]]) -> list[DraftCandidate | None]:
+    """The draft that each sample begins from; None where words name none, or only others are asked for.
+
+    Every fourth seed, 0 among them, has the draft with its defaults; others vary it.
+
+    Raises:
+        InputError: Only drafts are asked for, and none is named.
+    """
+    found: list[DraftCandidate | None] = []
+    for wanted, seed in samples:
+        order = wanted.order
+        may_be = order.source in ("both", "drafts") and order.edit is None and order.alter
+        named = wanted.heard.drafts if may_be and wanted.part is None else ()
+        if order.source == "drafts" and not named:
+            raise InputError(_NOT_DRAFTED)
+        plain = order.temperature == 0 or seed % LEAST_CLOSE == 0
+        found.append(DraftCandidate(named[0], seed, plain) if named else None)
+    return found

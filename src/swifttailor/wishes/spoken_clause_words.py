@@ -1,0 +1,244 @@
+"""What one clause of an instruction asks for by its words alone."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain, Step
+from swifttailor.wishes.change_parts import Property, changes_of, part_of
+from swifttailor.wishes.change_words import (
+    ChangeWord,
+    PartWord,
+    find_adjectives,
+)
+from swifttailor.wishes.mentions import Mention
+from swifttailor.wishes.spoken_amounts import (
+    SIGNED,
+    is_more_by,
+    is_target,
+    more_of_them,
+    to_target,
+)
+from swifttailor.wishes.spoken_clauses import SpokenClause
+from swifttailor.wishes.spoken_places import hem_shape, slit
+from swifttailor.wishes.unread import is_function_word
+from swifttailor.wording.lexicon import Implication, WordMark, WordReading
+
+_WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
+_LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|(?<!\d)-\s*\d")
+_PLACES = re.compile(r"(?:(?:front|back|side|sides|left|right|centre|center|top|bottom|hem)(?:\s|$))+")
+_EACH = re.compile(r"(?<!\w)(?:(?:on )?(?:each|either|both) sides?|per side)(?!\w)")
+_VERY = re.compile(r"(?<!\w)(?:super|very|really|extra|much|way|even|muy|très|sehr)(?!\w)")
+"""Of what is so already there is to be more: "super wide legs" of wide ones."""
+_SILENT = frozenset(["function", "polite", "degrees", "numbers", "negations", "generic"])
+_WITH_LEGS = frozenset(["trousers", "shorts", "jumpsuit", "playsuit"])
+_NAMED = {
+    **dict.fromkeys(["pants", "trousers", "hose", "pantalon", "pantalón", "shorts"], _WITH_LEGS),
+    **dict.fromkeys(["dress", "kleid", "robe", "vestido"], frozenset(["dress", "tunic", "jumpsuit"])),
+    **dict.fromkeys(
+        ["top", "shirt", "blouse", "jumper", "sweater", "hoodie"], frozenset(["top", "tunic", "dress"])
+    ),
+}
+"""Kinds that a name of a garment can mean where one is there already."""
+_OF_HEMS = frozenset({"sweep", "flare", "swing", "vuelo"})
+_GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders"})
+_TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
+_TO_BE = re.compile(r"(?<!\w)(?:make|made|be|become|want|wants|need|prefer|should|mach|rends|haz)(?!\w)")
+_YEAR = re.compile(r"(?<!\w)(?:1[5-9]\d\d|\d0)s(?!\w)|(?<!\w)1[5-9]\d\d(?!\w)")
+_STEPS_DOWN = re.compile(r"(?<!\w)(?:off|away|remove|take|lose|without|weniger|weg)(?!\w)")
+
+
+def read_clause(
+    text: str,
+    bounds: tuple[int, int],
+    seen: tuple[Sequence[ChangeWord], Sequence[PartWord], Sequence[Mention]],
+    implied: Sequence[Implication],
+    words: WordReading,
+    kind: str,
+    last: str | None,
+    is_so: Callable[[Claim], bool],
+    *,
+    them: bool,
+) -> SpokenClause:
+    """Reads one clause.
+
+    Args:
+        text: All of the instruction, in lower case.
+        bounds: From where to where in it the clause goes.
+        seen: Words of change that count, parts named in the clause, numbers of the text.
+        implied: What the lexicon reads in the text.
+        words: By the lexicon.
+        kind: Of the garment to change.
+        last: The part spoken of before.
+        is_so: Whether a claim is true of the garment.
+        them: Whether the clause speaks of several things that were named before.
+    """
+    start, end = bounds
+    said = text[start:end]
+    grown = [c for c in seen[0] if start <= c.start < end]
+    parts = list(seen[1])
+    numbers = [m for m in seen[2] if start <= m.start < end]
+    claims = [i for i in implied if start <= i.mark.start < end and not _within(i.mark, grown)]
+    if _TAKEN_OUT.search(said):
+        claims = []
+    details = [i for i in claims if i.mark.entries[0].category != "parts"]
+    spans = [(i.mark.start, i.mark.end) for i in details]
+    # What is said of a detail is no change: "a low neckline" is not lowered by being called so.
+    grown = [c for c in grown if not any(a <= c.start < b for a, b in spans)]
+    if grown:
+        # "a deeper V" of a V neck and "smaller puffed sleeves" of puffed ones name what is there.
+        so = [i for i in details if is_so(i.claim)]
+        claims = [i for i in claims if i not in so]
+        told = [(i.mark, part) for i in details if (part := part_of(i.claim.name)) is not None]
+        details = [i for i in details if i not in so]
+        if not any(p.part != "all" for p in parts):
+            parts += [PartWord(mark.start, mark.end, part, mark.word) for mark, part in told]
+            spans = [(a, b) for a, b in spans if not any(p.start == a for p in parts)]
+    if not grown and claims and _VERY.search(said) and all(is_so(i.claim) for i in claims):
+        grown, claims, details = [c for c in find_adjectives(text) if start <= c.start < end], [], []
+        parts = [p for p in parts if p.part != "slit"]
+    bare = not grown and not claims and not any(p.part == "slit" for p in parts)
+    denied = any(m.denied and start <= m.start < end for m in words.marks)
+    if bare and (_TO_BE.search(said) or (not denied and _is_plain(text, bounds, parts))):
+        grown = [c for c in find_adjectives(text) if start <= c.start < end]
+    if not parts and last in ("sleeves", "legs") and not grown:
+        # "The arms are cold, make it long": what was spoken of before is meant.
+        plain = find_adjectives(text)
+        meant = [i for i in claims if any(c.start == i.mark.start and c.end == i.mark.end for c in plain)]
+        if meant and len(meant) == len(claims):
+            grown = [c for c in plain if start <= c.start < end]
+            claims, details, bare = [], [], True
+    signed = next((m.value for m in numbers if SIGNED.search(text[: m.start])), None)
+    length = next((m.value for m in numbers if m.is_length), signed)
+    changes: list[Change] = []
+    used: list[tuple[int, int]] = []
+    missed: list[str] = []
+    for word in grown:
+        named = part_said_of(word, parts, spans)
+        target = next((m for m in numbers if is_target(text, m)), None)
+        amount = None if target is not None else length
+        if amount is not None and _EACH.search(said) and word.what == "width":
+            amount *= 2
+        made: tuple[Change, ...] = () if bare else hem_shape(said, named, word, kind)
+        if named in (None, "all") and text[word.start : word.end] in _OF_HEMS:
+            named = "hem"
+        for part in (named or (last if bare or them else None), last, None):
+            made = made or changes_of(part, word.what, word.sign, kind, amount)
+        made = made if target is None else to_target(made, target)
+        changes += made
+        if made or claims:
+            used.append((word.start, word.end))
+            if word.verb is not None:
+                used.append(word.verb)
+        else:
+            missed.append(text[word.start : word.end])
+    if len(grown) == 1 and "&" in said and changes:
+        for part in {p.part for p in parts if p.part != "all"}:
+            changes += changes_of(part, grown[0].what, grown[0].sign, kind, length)
+    sign = -1 if _LESS_BY.search(said) else 1 if is_more_by(text, numbers) else 0
+    if not grown and length is not None and sign:
+        for part in dict.fromkeys(
+            [p.part for p in parts if p.part != "all"] or [p.part for p in parts] or [last]
+        ):
+            what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
+            changes += changes_of(part, what, sign, kind, length)
+    if not changes:
+        changes += more_of_them(said)
+    if any(p.part == "tiers" for p in parts) and _STEPS_DOWN.search(said) and not changes:
+        changes.append(Step("tiers", -1, 1.0))
+    if any(p.part == "slit" for p in parts) and not claims and not changes:
+        changes += slit(said, any(m.denied and start <= m.start < end for m in words.marks))
+    stepped = any(isinstance(c, Step) for c in changes)
+    changes += [Gain(i.claim) for i in (details if stepped else claims)]
+    used += [(p.start, p.end) for p in parts if changes or (p.part == "all" and _is_it(p.word, kind))]
+    used += [(i.mark.start, i.mark.end) for i in claims]
+    used += [(m.start, m.end) for m in numbers if not m.is_length or any(_has(c, m.value) for c in changes)]
+    left = _left_over(text, bounds, used, words)
+    if changes:
+        left = tuple([phrase for phrase in left if not _PLACES.fullmatch(phrase)])
+    slits = any(isinstance(c, Gain) and c.claim.name == "slit" and c.claim.value != "none" for c in changes)
+    if slits and length is not None:
+        changes.append(Gain(Claim("slit_cm", round(length, 2))))
+    if not changes and not any(word in phrase for word in missed for phrase in left):
+        left = (*left, *missed)
+    return SpokenClause(start, end, tuple(dict.fromkeys(changes)), left)
+
+
+def _is_plain(text: str, bounds: tuple[int, int], parts: Sequence[PartWord]) -> bool:
+    """Whether a clause is nothing but parts and adjectives: "tight on the bottom"."""
+    spans = [(p.start, p.end) for p in parts] + [(c.start, c.end) for c in find_adjectives(text)]
+    others = [
+        m[0]
+        for m in _WORD.finditer(text, *bounds)
+        if not is_function_word(m[0]) and not any(a <= m.start() < b for a, b in spans)
+    ]
+    return not others
+
+
+def _is_around(parts: Sequence[PartWord], said: str) -> bool:
+    """Whether a number is of the girth of a part."""
+    return any(p.word.startswith(("bicep", "upper arm")) for p in parts) or "flare" in said
+
+
+def _is_it(word: str, kind: str) -> bool:
+    """Whether a word can mean the garment that is there."""
+    return kind in _NAMED.get(word, {kind})
+
+
+def _within(mark: WordMark, grown: Sequence[ChangeWord]) -> bool:
+    return any(word.start <= mark.start and mark.end <= word.end for word in grown)
+
+
+def _has(change: Change, value: float) -> bool:
+    number = change.amount if isinstance(change, Step) else change.claim.value
+    return isinstance(number, float | int) and abs(number - value) < 0.05
+
+
+def part_said_of(word: ChangeWord, parts: Sequence[PartWord], spans: Sequence[tuple[int, int]]) -> str | None:
+    """The part that a word of change is said of: the nearest that is named in its clause."""
+    free = [
+        p
+        for p in parts
+        if not any(a <= p.start < b for a, b in spans) and not word.start <= p.start < word.end
+    ]
+    named = [p for p in free if p.part != "all"]
+    if not named:
+        return "all" if free else None
+    ends = [p.part for p in named if p.part in ("sleeve_end", "leg_end")]
+    if ends and word.what == "width":
+        return ends[0]
+    fitting = sorted(named, key=lambda p: min(abs(p.start - word.end), abs(word.start - p.end)))
+    return fitting[0].part
+
+
+def _left_over(
+    text: str, bounds: tuple[int, int], used: Iterable[tuple[int, int]], words: WordReading
+) -> tuple[str, ...]:
+    """Words of a clause that nothing accounts for, those that stand side by side together."""
+    start, end = bounds
+    taken = list(used)
+    answered = [(lack.mark.start, lack.mark.end) for lack in words.lacks if lack.said]
+    taken += answered
+    free = []
+    for mark in words.marks:
+        silent = bool(mark.entries) and mark.entries[0].category in _SILENT
+        clothed = any(e.color or e.cloth or e.print or e.shade for e in mark.entries)
+        if silent or clothed or mark.denied:
+            free.append((mark.start, mark.end))
+    taken += free
+    missed = []
+    for match in _WORD.finditer(text, start, end):
+        if is_function_word(match[0]) or any(a <= match.start() < b for a, b in taken):
+            continue
+        missed.append(match)
+    joined: list[list[re.Match[str]]] = []
+    for match in missed:
+        if joined and text[joined[-1][-1].end() : match.start()].strip(" -") == "":
+            joined[-1].append(match)
+        else:
+            joined.append([match])
+    years = [match[0] for match in _YEAR.finditer(text, start, end)]
+    phrases = [text[group[0].start() : group[-1].end()] for group in joined]
+    return (*phrases, *years)

@@ -1,0 +1,86 @@
+"""Garments that words name and a draft shows begin from that draft."""
+
+from __future__ import annotations
+
+import pytest
+from own_library import library_of
+from scripted_maker import scripted_maker
+
+from swifttailor.errors import InputError
+from swifttailor.pattern.drafts import draft
+from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS
+from swifttailor.tailor import Order, Tailor
+from swifttailor.wording.lexicon import all_entries
+
+KNOWN = {"skirt": draft("fitted-skirt"), "shirt": draft("t-shirt"), "trousers": draft("trousers")}
+
+
+@pytest.fixture
+def tailor(tmp_path, sewer):
+    library = library_of(KNOWN, tmp_path)
+    return Tailor(scripted_maker([draft("fitted-dress")]), sewer, pattern_library=library)
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "panels"),
+    [
+        ("skinny jeans", "jeans", 6),
+        ("leggings", "leggings", 6),
+        ("a bathrobe", "robe", 8),
+        ("a kaftan", "kaftan", 8),
+        ("a crop top with spaghetti straps", "camisole", 4),
+        ("ein Faltenrock", "pleated-skirt", 4),
+    ],
+)
+def test_begins_from_the_draft_and_says_so(tailor, text, name, panels):
+    (answer,) = tailor.write([Order(text)])
+    assert (answer.draft, answer.known, answer.attempt) == (name, "", 0)
+    assert not answer.verdict.fault and len(answer.pattern.panels) == panels
+
+
+def test_report_and_notes_name_the_draft(tailor):
+    made = tailor.generate("a pleated mini skirt")
+    assert made.report["writing"]["source"] == "draft"
+    assert made.report["writing"]["draft"] == "pleated-skirt"
+    assert "Begun from a draft of ours: pleated-skirt." in made.notes
+    assert any("--finish" in note and "pleats" in note for note in made.notes)
+    assert made.report["heard"]["cannot"] == []
+    assert "pattern_maker" not in made.report["weights"]
+
+
+@pytest.mark.parametrize("text", ["a skirt", "a dress over my leggings", "trousers, not leggings"])
+def test_nothing_else_begins_from_a_draft(tailor, text):
+    (answer,) = tailor.write([Order(text)])
+    assert answer.draft == ""
+
+
+def test_what_a_draft_cannot_be_cut_to_is_tried_otherwise(tailor):
+    (answer,) = tailor.write([Order("a pleated skirt of five gores")])
+    assert answer.verdict.open and len(answer.failures) == 3
+
+
+def test_seeds_vary_the_draft_and_are_the_same_each_time(tailor):
+    orders = [Order("a bathrobe", seed=seed) for seed in (0, 1, 2, 1)]
+    patterns = [tailor.write([order])[0].pattern for order in orders]
+    assert patterns[1] == patterns[3]
+    assert patterns[0] != patterns[1] != patterns[2]
+
+
+@pytest.mark.parametrize("source", ["library", "writer"])
+def test_other_sources_alone_have_no_drafts(tailor, source):
+    (answer,) = tailor.write([Order("leggings", source=source)])
+    assert answer.draft == ""
+
+
+def test_drafts_alone_are_refused_where_none_is_named(tailor):
+    (answer,) = tailor.write([Order("leggings", source="drafts")])
+    assert answer.draft == "leggings"
+    with pytest.raises(InputError, match="draft --list"):
+        tailor.write([Order("a skirt", source="drafts")])
+
+
+def test_every_entry_names_drafts_of_its_own_kind():
+    named = [entry for entry in all_entries() if entry.drafts]
+    assert len(named) > 15
+    for entry in named:
+        assert not entry.kinds or {DRAFT_KINDS[name] for name in entry.drafts} <= entry.kinds, entry.name
