@@ -113,7 +113,7 @@ def _operands(options: dict[str, _Option], bare: list[str]) -> dict[str, Any]:
 
 
 def _value(kind: str, text: str) -> Any:
-    if text.startswith("-") or not text:
+    if text.startswith("-") or text in ("", "None"):  # tyro may take it for no value at all
         raise _NotPlain
     if kind == "Path":
         return Path(text)

@@ -114,11 +114,13 @@ def _with_parts(words: WordReading) -> tuple[Claim, ...]:
 
 
 def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
-    """What the network reads, no surer of what the name of a garment implies than the lexicon is.
+    """What the network reads, no surer of what the name of a draft implies than the lexicon is.
 
-    What garments of the kind cannot have, as the bodice of "tailored trousers", is left out.
+    So the draft stays as it is named. What garments of the kind cannot have, as the bodice of "tailored
+    trousers", is left out.
     """
     names = {i.claim: SURENESS[i.certainty] for i in words.implications if not i.said}
+    drafted = {i.claim for i in words.implications if any(e.drafts for e in i.mark.entries)}
     kind = next((c for c in names if c.name == "kind" and names[c] >= SURENESS["certain"]), None)
     found = []
     for wish in network:
@@ -126,7 +128,7 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
         if claim is not None and kind is not None and kind.value in _LOWER_KINDS:
             if not fits_kind(claim.name, str(kind.value)):
                 continue
-        most = 1.0 if claim is None else names.get(claim, 1.0)
+        most = names.get(claim, 1.0) if claim in drafted else 1.0
         found.append(replace(wish, certainty=min(wish.certainty, most)))
     return found
 

@@ -23,6 +23,8 @@ SIDE_MINIMUM = 4.0
 """Shortest side seam, cm."""
 POINT_X = 5.0
 """Distance of the point of a pointed front hem from the middle, cm."""
+SHORTEST_SLIT = 1.0
+"""What would be open for less is closed, cm."""
 
 
 @dataclass(frozen=True)
@@ -103,6 +105,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         scoop = 0.72 if front else 0.5
         shoulder = (neck_x, tip_x)
         slit = min(shape.front_slit, 0.8 * (under_y - hem_y)) if front else 0.0
+        slit = slit if slit >= SHORTEST_SLIT else 0.0
         lay_torso_half(
             table,
             figure,
