@@ -23,8 +23,8 @@ SIDE_MINIMUM = 4.0
 """Shortest side seam, cm."""
 POINT_X = 5.0
 """Distance of the point of a pointed front hem from the middle, cm."""
-SHORTEST_SLIT = 1.0
-"""What would be open for less is closed, cm."""
+SHORTEST_SLIT, _OPEN_SHARE = 1.0, 0.8
+"""What would be open for less is closed, cm; the share of the centre that may be open."""
 
 
 @dataclass(frozen=True)
@@ -104,8 +104,6 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         _draw_side(outline, (half, under_y), shape.waist_shaping)
         scoop = 0.72 if front else 0.5
         shoulder = (neck_x, tip_x)
-        slit = min(shape.front_slit, 0.8 * (under_y - hem_y)) if front else 0.0
-        slit = slit if slit >= SHORTEST_SLIT else 0.0
         lay_torso_half(
             table,
             figure,
@@ -115,7 +113,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             front=front,
             balance=FRONT_BALANCE,
             scoop=scoop,
-            slit=slit,
+            slit=shape.front_slit if front else 0.0,
         )
     sew_torso(table)
 
@@ -156,7 +154,7 @@ def lay_torso_half(
         front: Or back.
         balance: Length of the front over the back, as a part of the body's extra length there.
         scoop: Of the armhole.
-        slit: Length of the lower end of the centre that is left open, cm.
+        slit: Length of the lower end of the centre that is left open, cm; less where the centre is short.
     """
     lift = balance * figure.front_fullness if front else BLADE_FULLNESS * (figure.neck_y - figure.waist_y)
     neck, tip = ((x, figure.shoulder_line(x) + lift) for x in shoulder)
@@ -166,7 +164,8 @@ def lay_torso_half(
     depth = (neckline.front_depth if front else neckline.back_depth) - fall
     draw_neckline(outline, neck, max(depth, 0.5), figure.slope, neckline.shape if front else "round")
     low = outline.sides[0].start
-    if slit:
+    slit = min(slit, _OPEN_SHARE * (outline.sides[-1].end[1] - low[1]))
+    if slit >= SHORTEST_SLIT:
         outline.line("centre", low[0], low[1] + slit).line("slit", *low)
     else:
         outline.line("centre", *low)
