@@ -20,7 +20,7 @@ HEM_BALANCE = 0.45
 BLADE_FULLNESS = 0.065
 """Extra length of the back over the shoulder blades, as a part of the waist line."""
 SIDE_MINIMUM = 4.0
-"""Shortest side seam, cm."""
+"""Shortest side seam and shortest centre, cm."""
 POINT_X = 5.0
 """Distance of the point of a pointed front hem from the middle, cm."""
 SHORTEST_SLIT, _OPEN_SHARE = 1.0, 0.8
@@ -162,8 +162,9 @@ def lay_torso_half(
     outline.line("shoulder", *neck)
     fall = figure.neck_y + lift - neck[1]
     depth = (neckline.front_depth if front else neckline.back_depth) - fall
-    draw_neckline(outline, neck, max(depth, 0.5), figure.slope, neckline.shape if front else "round")
     low = outline.sides[0].start
+    depth = max(min(depth, neck[1] - low[1] - SIDE_MINIMUM), 0.5)
+    draw_neckline(outline, neck, depth, figure.slope, neckline.shape if front else "round")
     slit = min(slit, _OPEN_SHARE * (outline.sides[-1].end[1] - low[1]))
     if slit >= SHORTEST_SLIT:
         outline.line("centre", low[0], low[1] + slit).line("slit", *low)
