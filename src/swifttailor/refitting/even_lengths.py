@@ -34,16 +34,17 @@ def keep_seam_ratios(before: Pattern, after: Pattern) -> Pattern:
 def _once(before: Pattern, now: Pattern, target: Pattern) -> Pattern:
     start = np.cumsum([0, *(len(p.vertices) for p in now.panels)])
     place = np.concatenate([p.vertices for p in now.panels])
+    at = place.tolist()
     rows: list[tuple[list[int], list[float], float]] = []
     for number, (panel, goal) in enumerate(zip(now.panels, target.panels, strict=True)):
-        count = len(panel.vertices)
+        count, goals = len(panel.vertices), goal.vertices.tolist()
         for k in range(count):
             i, j = start[number] + k, start[number] + (k + 1) % count
-            chord = goal.vertices[(k + 1) % count] - goal.vertices[k]
             for axis in (0, 1):
-                gap = float(chord[axis] - (place[j] - place[i])[axis])
+                chord = goals[(k + 1) % count][axis] - goals[k][axis]
+                gap = chord - (at[j][axis] - at[i][axis])
                 rows.append(([2 * j + axis, 2 * i + axis], [1.0, -1.0], gap))
-                held = float(goal.vertices[k, axis] - place[i, axis])
+                held = goals[k][axis] - at[i][axis]
                 rows.append(([2 * i + axis], [_HELD], _HELD * held))
     for stitch in now.stitches:
         ratio = before.edge_length(stitch.first) / max(before.edge_length(stitch.second), 1e-9)

@@ -68,12 +68,13 @@ def _reflected(placement: Placement) -> Placement:
 def self_reflection(panel: Panel) -> Reflection | None:
     """How a panel is most like its own reflection in its y axis; None where kinds of edges differ."""
     count = len(panel.edges)
-    kinds = [type(e.curve) for e in panel.edges]
+    names = [type(e.curve).__name__ for e in panel.edges]
+    kinds = np.unique(names, return_inverse=True)[1]
     best: Reflection | None = None
     points = np.array([panel.sample_edge(k, _SAMPLES) for k in range(count)])
     for shift in range(count):
-        partners = [(shift - 1 - e) % count for e in range(count)]
-        if any(kinds[e] is not kinds[p] for e, p in enumerate(partners)):
+        partners = (shift - 1 - np.arange(count)) % count
+        if (kinds != kinds[partners]).any():
             continue
         others = points[partners][:, ::-1]
         axis = float((points[..., 0] + others[..., 0]).mean() / 2)
