@@ -38,6 +38,7 @@ def test_files_without_it_are_for_the_default_body():
         {"name": "x", "figure": 1},
         {"name": "x", "measures": [1]},
         {"name": "x", "measures": {"bust": "wide"}},
+        {"name": "x", "measures": {"bust": 10**400}},
         {"name": "x", "measures": {"bust": float("inf")}},
         {"name": "x", "measures": {str(k): 1.0 for k in range(1000)}},
     ],

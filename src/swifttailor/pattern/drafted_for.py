@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from swifttailor.errors import PatternError
+from swifttailor.pattern.json_values import as_number
 
 _LONGEST_NAME = 200
 _MOST_MEASURES = 100
@@ -64,4 +64,8 @@ class DraftedFor:
 
 
 def _is_length(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    try:
+        as_number(value, "a measure")
+    except PatternError:
+        return False
+    return True

@@ -119,17 +119,18 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
     So the draft stays as it is named. What garments of the kind cannot have, as the bodice of "tailored
     trousers", is left out.
     """
-    names = {i.claim: SURENESS[i.certainty] for i in words.implications if not i.said}
-    drafted = {i.claim for i in words.implications if any(e.drafts for e in i.mark.entries)}
-    kind = next((c for c in names if c.name == "kind" and names[c] >= SURENESS["certain"]), None)
+    implied = [i for i in words.implications if not i.said]
+    most = {i.claim: SURENESS[i.certainty] for i in implied if any(e.drafts for e in i.mark.entries)}
+    sure = [i.claim for i in implied if i.claim.name == "kind" and i.certainty == "certain"]
+    kind = next(iter(sure), None)
     found = []
     for wish in network:
         claim = wish.change.claim if isinstance(wish.change, Gain) else None
         if claim is not None and kind is not None and kind.value in _LOWER_KINDS:
             if not fits_kind(claim.name, str(kind.value)):
                 continue
-        most = names.get(claim, 1.0) if claim in drafted else 1.0
-        found.append(replace(wish, certainty=min(wish.certainty, most)))
+        bound = 1.0 if claim is None else most.get(claim, 1.0)
+        found.append(replace(wish, certainty=min(wish.certainty, bound)))
     return found
 
 

@@ -22,6 +22,7 @@ BustEase = Annotated[float, Option("Room on top of the bust girth, all around.",
 WaistEase = Annotated[float, Option("Room on top of the waist girth, all around.", "cm", 0.0, 16.0)]
 HipEase = Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 1.0, 20.0)]
 ArmholeDrop = Annotated[float, Option("How far the underarm lies below the armpit.", "cm", 0.5, 8.0)]
+LongLength = Annotated[float, Option("Hem below the waist.", "cm", 25.0, 100.0)]
 TopLength = Annotated[float, Option("Hem below the waist; negative ends above it.", "cm", -12.0, 60.0)]
 HemFlare = Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 40.0)]
 SleeveLength = Annotated[

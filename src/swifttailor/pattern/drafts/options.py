@@ -113,7 +113,7 @@ def _checked(draft: str, field: OptionField, value: Any) -> float | int | bool |
         return value
     try:
         number = float(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise refusal from None
     low, high = field.option.low, field.option.high
     assert low is not None and high is not None, f"option {field.name} declares no range"

@@ -40,17 +40,17 @@ def lay_pleated_skirt(
         fraction: Part of a circle that both panels make together; pleats of a circle deepen to the hem.
     """
     for name, half in (("skirt_front", waist.front), ("skirt_back", waist.back)):
-        outline = pleated_panel(2 * half, length, top_y, pleats, depth, max(fraction, STRAIGHT) / 2)
+        outline = _pleated_panel(2 * half, length, top_y, pleats, depth, max(fraction, STRAIGHT) / 2)
         front = name == "skirt_front"
         at = (0.0, 0.0, SKIRT_FRONT_Z if front else SKIRT_BACK_Z)
         table.lay(name, outline, label="leg", at=at, back=not front)
     sew_sides(table, "skirt")
 
 
-def pleated_panel(
+def _pleated_panel(
     width: float, length: float, top_y: float, pleats: int, depth: float, turn: float
 ) -> Outline:
-    """Draws a panel `width` cm wide at the top once its pleats are laid, `turn` of a circle."""
+    """Draws `turn` of a circle, `width` cm wide at the top once its pleats, `depth` cm each, are laid."""
     # Between pleats runs a chord, half a one at either side; a chord of each pleat is folded away.
     each = width / pleats
     steps = [each / 2, *([depth, each] * (pleats - 1)), depth, each / 2]
@@ -80,8 +80,7 @@ def pleated_panel(
 
 def _radius(steps: list[float], angle: float) -> float:
     """Of the circle on which chords of these lengths, one after the other, span an angle."""
-    low, high = sum(steps) / angle, 1.2 * sum(steps) / angle
-    low *= 0.8
+    low, high = 0.8 * sum(steps) / angle, 1.2 * sum(steps) / angle
     for _ in range(80):
         middle = (low + high) / 2
         spanned = sum(2 * math.asin(min(step / (2 * middle), 1.0)) for step in steps)

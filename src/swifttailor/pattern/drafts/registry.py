@@ -70,7 +70,7 @@ _DRAFTS = (
     DraftInfo("swing-dress", "Dress that widens from bust to hem", long_garments.draft_swing_dress),
     DraftInfo("kaftan", "Long and wide, with wide sleeves", long_garments.draft_kaftan),
     DraftInfo(
-        "robe", "Wide sleeves, V neck to the waist, front open from the knee", long_garments.draft_robe
+        "robe", "Wide sleeves, V neck to the waist, front open from the hem up", long_garments.draft_robe
     ),
     DraftInfo("jumpsuit", "Bodice and trousers joined at the waist", fitted_garments.draft_jumpsuit),
     DraftInfo("trousers", "Long or short legs, back darts, waistband", trousers.draft_trousers),

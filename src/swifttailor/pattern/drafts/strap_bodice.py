@@ -61,7 +61,7 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
         outline.line("shoulder", inner, figure.shoulder_line(inner) + lift)
         outline.line("neck", inner, base_y)
         low = base_y - (shape.dip if front else 0.0)
-        low = max(low, hem_y - drop + 4.0)
+        low = max(low, hem_y - drop + SIDE_MINIMUM)
         outline.quadratic("neck", (0.5 * inner, low if front else base_y), (0.0, low))
         outline.line("centre", *outline.sides[0].start).closed()
         table.lay(

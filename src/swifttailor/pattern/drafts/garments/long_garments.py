@@ -15,7 +15,6 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 from swifttailor.pattern.pattern import Pattern
 
-LongLength = Annotated[float, Option("Hem below the waist.", "cm", 25.0, 100.0)]
 LongNeckDepth = Annotated[
     float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 8.0, 38.0)
 ]
@@ -30,7 +29,7 @@ WideSleeveEnd = Annotated[
 class RobeOptions:
     """Options of the robe."""
 
-    length: LongLength = 72.0
+    length: declared.LongLength = 72.0
     chest_ease: declared.ChestEase = 22.0
     flare: declared.HemFlare = 12.0
     neck_widening: declared.NeckWidening = 1.5
@@ -68,7 +67,7 @@ def draft_robe(options: RobeOptions, measurements: Measurements) -> Pattern:
 class KaftanOptions:
     """Options of the kaftan."""
 
-    length: LongLength = 92.0
+    length: declared.LongLength = 92.0
     chest_ease: Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 16.0, 60.0)] = (
         36.0
     )
@@ -105,7 +104,7 @@ def draft_kaftan(options: KaftanOptions, measurements: Measurements) -> Pattern:
 class SwingDressOptions:
     """Options of the swing dress."""
 
-    length: LongLength = 46.0
+    length: declared.LongLength = 46.0
     chest_ease: declared.BustEase = 7.0
     flare: Annotated[float, Option("Extra width of the hem, all around.", "cm", 20.0, 130.0)] = 90.0
     neckline: declared.NeckShapeOption = "round"

@@ -45,7 +45,7 @@ def draft_camisole(options: CamisoleOptions, measurements: Measurements) -> Patt
 class SlipDressOptions:
     """Options of the slip dress."""
 
-    length: Annotated[float, Option("Hem below the waist.", "cm", 25.0, 100.0)] = 56.0
+    length: declared.LongLength = 56.0
     chest_ease: declared.BustEase = 4.0
     flare: declared.HemFlare = 24.0
     strap_width: StrapWidth = 1.5
