@@ -17,6 +17,9 @@ SwiftTailor is imported; give the files to ``swifttailor data build`` and ``swif
 GarmentCode draws each parameter for itself, and most of what comes is worn by nobody. With --archetypes
 scripts/archetypes the seed draws one of the garments of that folder first, then its parameters around what
 shops show; each line has its name as well ("archetype": "pencil skirt").
+
+With --designs FILE (of scripts/design_parameters_torch.py) no parameters are drawn: of the designs of each
+line the first that GarmentCode accepts is built, under the id of the line.
 """
 
 from __future__ import annotations
@@ -35,6 +38,7 @@ import random
 import sys
 import tempfile
 import time
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -64,14 +68,19 @@ def main() -> None:
         metavar="FOLDER",
         help="draw garments that shops sell, of tables like those in scripts/archetypes",
     )
+    parser.add_argument("--designs", type=Path, metavar="FILE", help="build given designs: .jsonl.gz")
     parser.add_argument("--out", type=Path, required=True, help="a .jsonl.gz file")
     parser.add_argument("--workers", type=int, default=os.cpu_count())
     options = parser.parse_args()
     if not (options.garmentcode / DESIGNS).is_file():
         parser.error(f"{options.garmentcode} is no checkout of GarmentCode: it has no {DESIGNS}")
-    if options.edits_of is None and options.count is None:
+    if options.edits_of is None and options.designs is None and options.count is None:
         parser.error("--count is missing: how many patterns to write")
-    make, seeds = sample, itertools.count(options.start)
+    make: Callable[[Any], dict[str, Any] | str] = sample
+    seeds: Iterable[Any] = itertools.count(options.start)
+    if options.designs is not None:
+        with gzip.open(options.designs, "rt") as file:
+            make, seeds = given_design, [json.loads(line) for line in file]
     if options.edits_of is not None:
         with gzip.open(options.edits_of, "rt") as file:
             make, seeds = edit, [json.loads(line)["seed"] for line in file]
@@ -200,6 +209,20 @@ def edit(seed: int) -> dict[str, Any] | str:
             edits = [{"path": p, "from": values[p], "to": other[p]} for p in changed]
             return {"id": f"{name}_edit", "base": name, "edits": edits, "pattern": pattern}
     return outcome
+
+
+def given_design(line: dict[str, Any]) -> dict[str, Any] | str:
+    """The pattern of the first design that GarmentCode accepts, or why it refuses the likeliest."""
+    refusals = []
+    for number, values in enumerate(line["designs"]):
+        design = copy.deepcopy(given()[0].default())
+        for path, value in values.items():
+            parameter(design, path)["v"] = value
+        pattern = build(line["id"], design)
+        if not isinstance(pattern, str):
+            return {"id": line["id"], "attempts": number + 1, "design": values, "pattern": pattern}
+        refusals.append(pattern)
+    return refusals[0]
 
 
 def build(name: str, design: dict[str, Any]) -> dict[str, Any] | str:

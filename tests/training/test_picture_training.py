@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -87,6 +88,32 @@ def test_it_learns_resumes_and_is_written(data, tmp_path, capsys):
     written.write_text(json.dumps(card | {"labels_sha256": "0"}))
     with pytest.raises(InputError, match="other statements"):
         TrainExport(source=tmp_path / "run", out=path, overwrite=True).run()
+
+
+def test_begins_where_the_model_file_ended(data, tmp_path):
+    """Norms that the file has folded away go by the batch again, and the network says the same with them."""
+    import torch
+
+    from swifttailor.cli.train_export import TrainExport
+    from swifttailor.data.pictures.bank import PictureBank
+    from swifttailor.training.picture_loop_torch import PictureTask
+    from swifttailor.training.processes_torch import Processes
+
+    config = tiny_config(
+        network=replace(tiny_config().network, image_size=192), steps=12
+    )  # another size is resampled in the file
+    run_of(data, tmp_path / "run", config=config)
+    path = tmp_path / "reader.onnx"
+    assert TrainExport(source=tmp_path / "run", out=path, half=True).run() == 0
+
+    banks = [PictureBank([data / name]) for name in ("train", "validation")]
+    task = PictureTask(replace(config, start=str(path)), *banks, Processes.start(), workers=0)
+    pictures = torch.cat([task.batches[step][0] for step in range(8)])
+    guess = torch.cat([task.batches[step][1] for step in range(8)])
+    with torch.no_grad():
+        read, learning = (task.network.train(mode)(pictures, guess) for mode in (False, True))
+    for one, other in zip(read, learning, strict=True):
+        assert (one - other).abs().max() < 0.02 * (1 + one.abs().max())
 
 
 def test_garments_that_are_judged_by_are_not_learnt_from(data, tmp_path):

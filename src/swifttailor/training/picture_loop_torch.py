@@ -12,6 +12,7 @@ from torch import Tensor, nn
 
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.errors import InputError
+from swifttailor.networks.settled_norms_torch import settle_norms
 from swifttailor.picture_reader.export_torch import build_network
 from swifttailor.picture_reader.labels import labels_checksum
 from swifttailor.picture_reader.network_torch import Reading
@@ -22,7 +23,10 @@ from swifttailor.training.picture_config import PictureConfig
 from swifttailor.training.picture_losses_torch import reading_losses
 from swifttailor.training.picture_validation_torch import ValidationPictures, judge
 from swifttailor.training.processes_torch import Processes
-from swifttailor.training.start_torch import load_start
+from swifttailor.training.start_torch import GRAPH, load_start
+
+_SETTLING_BATCHES = 8
+"""What tells mean and variance of the features of a network that was read from a graph."""
 
 
 def train(
@@ -66,7 +70,7 @@ def train(
     bank.leave_out(held.digests().union(*(other.digests() for other in others)))
     if processes.count > 1 and config.batch_size % processes.count:
         raise InputError(f"batch_size is {config.batch_size}; a multiple of the processes is accepted.")
-    task = PictureTask(config, bank, held, processes, workers=workers)
+    task = PictureTask(config, bank, held, processes, workers=workers, resumed=loop.resume)
     report(
         f"{sum(p.numel() for p in task.network.parameters()) / 1e6:.2f} M parameters; {len(bank)} garments "
         f"to draw, {len(task.held)} pictures to validate; {processes.device}, {processes.count} process(es)."
@@ -87,6 +91,7 @@ class PictureTask(Task):
         processes: Processes,
         *,
         workers: int,
+        resumed: bool = False,
     ) -> None:
         """Begins with random weights, or those of ``config.start``.
 
@@ -96,17 +101,20 @@ class PictureTask(Task):
             validation: To judge by.
             processes: That train.
             workers: Processes that draw.
+            resumed: Whether the weights will be those of a checkpoint.
         """
         torch.manual_seed(config.seed)
         self.config, self.device = config, processes.device
         self.network = build_network(asdict(config.network)).to(processes.device)
         self.network = self.network.to(memory_format=torch.channels_last)
+        self.batches = PictureBatches(bank, config, workers=workers, part=(processes.rank, processes.count))
         if config.start:
             load_start(self.network, Path(config.start))
+            if config.start.endswith(GRAPH) and not resumed:
+                settle_norms(self.network, self._show_some)
         self.weights = MasterWeights(self.network)
         lowered = config.precision == "bfloat16" or (config.precision == "auto" and _has_bfloat16())
         self.precision = "bfloat16" if lowered else "float32"
-        self.batches = PictureBatches(bank, config, workers=workers, part=(processes.rank, processes.count))
         self.held = ValidationPictures(validation, config)
         self.data = {
             "train": {"garments": len(bank), "sha256": bank.checksum()},
@@ -120,6 +128,12 @@ class PictureTask(Task):
         with torch.autocast(self.device.type, torch.bfloat16, enabled=self.precision == "bfloat16"):
             reading = Reading(*trained(pictures, guess.to(self.device)))
         return reading_losses(reading, to_device(truth, self.device), self.config.losses)
+
+    @torch.no_grad()
+    def _show_some(self) -> None:
+        for step in range(_SETTLING_BATCHES):
+            pictures, guess, _ = self.batches[step]
+            self.network(pictures.to(self.device), guess.to(self.device))
 
     def validate(self) -> dict[str, Any]:
         """How well the pictures to validate with are read."""
