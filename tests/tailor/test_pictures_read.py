@@ -44,6 +44,17 @@ def test_a_garment_is_cut_to_what_its_picture_shows(sewer):
     assert "wish_reader" not in made.report["weights"]
 
 
+@pytest.mark.parametrize(("certainty", "cut"), [(0.65, False), (0.75, True)])
+def test_what_is_hardly_likely_is_read_and_not_cut(sewer, certainty, cut):
+    seen = worn("upper", {"kind": ("top", 0.98), "neckline": ("v", certainty)})
+    made = tailor(sewer, (seen,)).generate(image=PHOTO)
+    v_neck = Claim("neckline", "v")
+    assert not v_neck.holds(measure_facts(draft("t-shirt")))
+    assert v_neck.holds(measure_facts(made.pattern)) == cut
+    (likely,) = made.report["pictures"]["likely"]
+    assert "v" in likely["wish"].lower() and likely["certainty"] == certainty
+
+
 def test_words_outrank_the_picture_and_that_is_said(sewer):
     made = tailor(sewer, (SHIRT,)).generate("a sleeveless top", PHOTO)
     assert Claim("sleeves", "none").holds(measure_facts(made.pattern))

@@ -84,7 +84,7 @@ def fit(written: WrittenPattern, wanted: Wanted, *, drafted: bool = False) -> An
     """
     edit, unsaid = wanted.order.edit, wanted.unsaid and not drafted
     changes = tuple(wish.change for wish in wanted.wishes)
-    maybe = tuple(wish.change for wish in wanted.likely)
+    maybe = wanted.maybe
     pattern, level = written.pattern, ""
     if unsaid and not asks_for_one_side((*changes, *maybe)):
         pattern = made_of_one_side(pattern, written.unsewn > 0)
@@ -131,7 +131,7 @@ def _best_alteration(
             written = None
         if written is not None and (wanted.unsaid or wanted.part is not None):
             written = replace(written, cuts=(*filter(None, [level]), *written.cuts))
-            maybe = tuple(wish.change for wish in wanted.likely)
+            maybe = wanted.maybe
             written = _finished(written, changes, maybe, unsaid=unsaid)
     # Of two that do as much, the one that leaves the rest as it was; but for another kind of garment.
     if recut is not None and (written is None or len(recut.open) + remade <= len(written.open)):

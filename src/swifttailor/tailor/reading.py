@@ -27,7 +27,7 @@ from swifttailor.recutting.one_sided import asks_for_one_side
 from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted
 from swifttailor.tailor.order import NO_READER, Order, one_line
-from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
+from swifttailor.tailor.seen_wishes import LEAST_CUT, not_overruled, seen_wishes
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.hearing_changes import hear_instruction
@@ -93,6 +93,12 @@ class Wanted:
     def said(self) -> tuple[Wish, ...]:
         """The wishes that are the text's, as far as it was understood for certain."""
         return tuple(wish for wish in self.wishes if wish not in self.seen)
+
+    @property
+    def maybe(self) -> tuple[Change, ...]:
+        """What is likely, and cut last where that costs nothing else: of pictures what is sure enough."""
+        cut = [w for w in self.likely if w not in self.seen or w.certainty >= LEAST_CUT]
+        return tuple(wish.change for wish in cut)
 
     @property
     def color(self) -> str | None:

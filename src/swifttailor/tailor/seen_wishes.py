@@ -14,6 +14,9 @@ from swifttailor.wording.claim_kinds import fits_kind
 
 LEAST_SEEN = 0.5
 """What is less sure is not asked for."""
+LEAST_CUT = 0.7
+"""What is less sure is not cut: what is cut wrongly takes a known pattern further from the garment than its
+other statements bring it near."""
 _HALF = math.log(2)
 
 
