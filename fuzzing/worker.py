@@ -107,6 +107,7 @@ def _work(job: Job, target: Target, folder: Path, tell: Callable[[dict[str, Any]
 
 def _placed(file: File, folder: Path) -> Path:
     path = folder / f"input{file.ending}"
+    path.unlink(missing_ok=True)  # whatever still has the last one mapped into memory keeps that
     path.write_bytes(file.data)
     return path
 

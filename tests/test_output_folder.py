@@ -285,7 +285,7 @@ def test_a_file_that_appears_meanwhile_stays(tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["a"]
 
 
-@pytest.mark.parametrize("number", [errno.ENOSPC, errno.EDQUOT, errno.EACCES])
+@pytest.mark.parametrize("number", [errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EACCES])
 def test_a_full_disk_is_told_from_other_troubles(number, tmp_path, monkeypatch):
     fill(tmp_path, "first")
     before, replace, refused = snapshot(tmp_path), os.replace, []

@@ -15,7 +15,8 @@ from pathlib import Path
 from swifttailor.errors import DiskFullError, InputError
 
 _PART = 1 << 20
-_NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT})
+NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
+"""Numbers of errors; the last one is of files that are larger than any may be, as `ulimit -f` says."""
 
 
 def write_atomically(path: Path | str, write: Callable[[Path], object], *, overwrite: bool = False) -> Path:
@@ -67,13 +68,16 @@ def write_atomically(path: Path | str, write: Callable[[Path], object], *, overw
 
 
 def is_disk_full(error: BaseException) -> bool:
-    """Whether an error says that there is no room left, or that a quota is used up."""
-    return isinstance(error, DiskFullError) or (isinstance(error, OSError) and error.errno in _NO_ROOM)
+    """Whether an error says that there is no room left: on the disk, in a quota, or for a file so large."""
+    return isinstance(error, DiskFullError) or (isinstance(error, OSError) and error.errno in NO_ROOM)
 
 
 def disk_full(path: Path | str) -> DiskFullError:
     """The error of a file that there is no room for."""
-    return DiskFullError(f"Cannot write '{path}': the disk is full, or your quota is used up.")
+    return DiskFullError(
+        f"Cannot write '{path}': the disk is full, your quota is used up, or files may not be so large "
+        "(see `ulimit -f`)."
+    )
 
 
 def write_text(path: Path | str, text: str, *, overwrite: bool = False) -> Path:

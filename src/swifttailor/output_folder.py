@@ -143,6 +143,15 @@ class OutputFolder:
             if os.path.lexists(path) and not self._may_replace(path, listed.get(name, set())):
                 raise would_be_replaced(path, _WHY)
 
+    def changed(self) -> list[str]:
+        """Listed files that are there, but not as they were written: cut short, or changed by a person."""
+        try:
+            listed = self._listed()
+        except InputError:
+            return [LIST]
+        paths = {name: self.folder / name for name in listed}
+        return [n for n, path in paths.items() if os.path.lexists(path) and not _is_sound(path, listed[n])]
+
     @contextmanager
     def fill(self, *, stale: Iterable[str] = ()) -> Generator[Path]:
         """Gives a folder to write files into, which are put in their places when all are there.
@@ -329,6 +338,13 @@ def _take_lock(handle: int) -> bool:
 
 def _is_as_written(path: Path, own: set[str]) -> bool:
     return bool(own) and path.is_file() and not path.is_symlink() and _digest(path) in own
+
+
+def _is_sound(path: Path, own: set[str]) -> bool:
+    try:
+        return _is_as_written(path, own)
+    except OSError:  # it cannot be read
+        return False
 
 
 def _digest(path: Path) -> str:

@@ -250,6 +250,28 @@ def test_a_file_of_that_name_stays(command, name, ask, capsys):
     assert kept(ask.out) == before
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="has no such limit")
+@pytest.mark.parametrize("limit", [50, 5_000], ids=["none fits", "some fit"])
+@pytest.mark.parametrize("command", COMMANDS)
+def test_where_files_may_not_be_so_large_nothing_is_left(command, limit, ask, capsys):
+    import resource
+
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (limit, hard))
+    try:
+        code = ask(COMMANDS[command][0])
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    if limit > 50 and code < 2:
+        assert files(ask.out) == set(COMMANDS[command][1])
+        return
+    streams = capsys.readouterr()
+    said = streams.err + streams.out
+    assert code == 2 and not files(ask.out)
+    # The solver may have to be compiled first, and cannot be kept.
+    assert "`ulimit -f`" in said and (f"Cannot write '{ask.out}" in said or "compiled code" in said)
+
+
 @pytest.mark.parametrize("command", ["sew", "ggi", "generate"])
 def test_one_s_own_result_that_was_changed_stays(command, ask, capsys):
     line, names = COMMANDS[command]

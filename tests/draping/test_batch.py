@@ -21,6 +21,7 @@ from swifttailor.draping.batch import run as running
 from swifttailor.draping.batch.make_garment import DISK_FULL
 from swifttailor.draping.batch.summary import kind_of_reason
 from swifttailor.errors import DiskFullError, InputError, PatternError, SimulationError
+from swifttailor.output_folder import OutputFolder
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.garmentcode_writer import to_specification
 from swifttailor.pattern.pattern_list import count_patterns, folder_name, read_patterns
@@ -274,6 +275,47 @@ def test_a_deleted_garment_is_made_again(tmp_path):
     (tmp_path / "out" / "a" / "report.json").unlink()
     quick(source, tmp_path / "out")
     assert sorted((tmp_path / "out" / "made.txt").read_text().split()) == ["a", "a", "b"]
+
+
+def make_listed(task):
+    """As the real maker leaves a folder: with the list of what was written."""
+    made = make_quickly(task)
+    folder = task.out / task.pattern.folder
+    (folder / "report.json").unlink()
+    with OutputFolder(folder, overwrite=task.overwrite) as output, output.fill() as files:
+        (files / "report.json").write_text("{}")
+        (files / "garment.npz").write_bytes(task.pattern.id.encode() * 1000)
+    return made
+
+
+@pytest.mark.parametrize(
+    ("name", "damage"),
+    [
+        ("garment.npz", lambda whole: whole[:500]),
+        ("garment.npz", lambda whole: b""),
+        ("garment.npz", lambda whole: whole[:500] + b"?" + whole[501:]),
+        ("report.json", lambda whole: whole[:1]),
+        (".swifttailor", lambda whole: whole[:30]),
+    ],
+)
+def test_a_garment_cut_short_is_named_and_made_again_where_that_is_asked_for(name, damage, tmp_path):
+    source = jsonl(tmp_path / "p.jsonl", line("a"), line("b"), line("c"))
+    out = tmp_path / "out"
+    assert "changed" not in quick(source, out, make=make_listed)
+    whole = (out / "b" / name).read_bytes()
+    (out / "b" / name).write_bytes(damage(whole))
+    (out / "c" / "garment.npz").unlink()  # of this a person knows
+    summary = quick(source, out, make=make_listed)
+    assert summary["changed"] == {"b": [name]}
+    assert summary["counts"]["patterns"] == 3
+    assert (out / "b" / name).read_bytes() == damage(whole)  # it may be somebody's
+    if name == ".swifttailor":
+        return  # without the list nothing there is known to be SwiftTailor's
+    summary = quick(source, out, make=make_listed, overwrite=True)
+    assert "changed" not in summary
+    assert (out / "b" / name).read_bytes() == whole
+    assert (out / "made.txt").read_text().split() == ["a", "b", "c", "b"]
+    assert "changed" not in quick(source, out, make=make_listed)
 
 
 def test_a_limit_can_be_raised(tmp_path):

@@ -32,6 +32,15 @@ def test_counts_from_the_first_frame_on(clock):
     assert seen[-1] == ("draping", 0.1) and len(seen) == 22
 
 
+def test_of_a_solver_that_is_compiled_meshing_and_the_first_frame_count(clock):
+    limit = TimeLimit(25.0, lambda stage, share: None, instead="", compiled=True)
+    limit("meshing", 0.0)  # 0 seconds
+    limit("meshing", 1.0)
+    limit("sewing", 0.0)
+    with pytest.raises(TimeLimitError, match="Gave up sewing after 25 seconds"):
+        limit("sewing", 0.01)  # 30
+
+
 def test_what_is_done_is_kept(clock):
     limit = TimeLimit(5.0, lambda stage, share: None, instead="")
     limit("draping", 0.5)

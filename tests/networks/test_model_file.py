@@ -124,6 +124,19 @@ def test_a_graph_says_what_it_is_and_is_refused_wherever_it_is_damaged(graph, tm
 
 
 @pytest.mark.needs_torch
+def test_names_and_cards_that_are_not_text_are_refused(graph, tmp_path):
+    path = write_graph(tmp_path / "adder.onnx", ADDER, graph, {"seed": 3})
+    whole = path.read_bytes()
+    assert b'"seed"' in whole and b"\x0a\x01x" in graph
+    path.write_bytes(whole.replace(b'"seed"', b'"s\xeded"'))
+    with pytest.raises(InputError, match="not text in UTF-8"):
+        open_model(path, ADDER)
+    path = write_graph(tmp_path / "names.onnx", ADDER, graph.replace(b"\x0a\x01x", b"\x0a\x01\xed"), {})
+    with pytest.raises(InputError, match=r"not text in UTF-8|not a network that can be run"):
+        open_model(path, ADDER)
+
+
+@pytest.mark.needs_torch
 def test_weights_in_other_files_are_not_read(graph, tmp_path):
     import onnx
 

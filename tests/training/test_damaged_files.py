@@ -50,3 +50,23 @@ def test_settings_of_answers_are_refused(damage, tmp_path):
     (tmp_path / "settings.json").write_bytes(DAMAGED[damage])
     with pytest.raises(InputError, match="settings"):
         keep_settings(tmp_path / "settings.json", {"seed": 0}, "answers", [])
+
+
+@pytest.mark.needs_torch
+def test_checkpoints_are_refused_wherever_they_are_damaged(tmp_path):
+    import torch
+
+    from swifttailor.training.checkpoint_torch import read_checkpoint, write_checkpoint
+
+    device = torch.device("cpu")
+    state = {"step": 3, "weights": torch.arange(1000.0), "optimiser": {"mean": torch.ones(300)}}
+    path = write_checkpoint(tmp_path, state)
+    whole = path.read_bytes()
+    assert torch.equal(read_checkpoint(tmp_path, device, state)["weights"], state["weights"])
+    values = [whole.index(t.numpy().tobytes()) for t in (state["weights"], state["optimiser"]["mean"])]
+    flipped = [whole[:k] + bytes([whole[k] ^ 1]) + whole[k + 1 :] for k in (values[0] + 2002, values[1] + 3)]
+    for damaged in (*flipped, whole[: len(whole) // 2], whole[:-1], b"", b"{}", whole[1:]):
+        path.write_bytes(damaged)
+        with pytest.raises(InputError, match="is damaged") as refused:
+            read_checkpoint(tmp_path, device, state)
+        assert len(str(refused.value)) < 500

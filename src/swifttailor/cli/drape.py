@@ -182,7 +182,8 @@ class Drape(GarmentResults, WearerOptions, FabricOption):
 
                 sewable = replace(sewable, pattern=fit(sewable.pattern, body))
             loaded = time.perf_counter()
-            if not solver_is_compiled():
+            compiled = solver_is_compiled()
+            if not compiled:
                 progress.note(COMPILE_NOTE)
             garment = drape(
                 sewable.pattern,
@@ -191,7 +192,7 @@ class Drape(GarmentResults, WearerOptions, FabricOption):
                 edge_length=self.edge_length,
                 engine=self.engine,
                 seed=self.seed,
-                progress=TimeLimit(self._time_limit(), progress, instead=MORE_TIME),
+                progress=TimeLimit(self._time_limit(), progress, instead=MORE_TIME, compiled=compiled),
             )
             report = sewable.complete_report(garment.report, loaded - started)
             garment, shown = self.posed(replace(garment, report=report), body)

@@ -53,8 +53,24 @@ def run_drape_batch(options: Drape, source: Path) -> int:
     else:
         _print_summary(summary, options.folder, progress.done, time.perf_counter() - started)
     options.show("sheet-01.png")
+    _warn_of_changed(summary.get("changed", {}), options.folder)
     counts = summary["counts"]
-    return 0 if counts["accepted"] == counts["patterns"] else NOT_ALL_ACCEPTED
+    all_well = counts["accepted"] == counts["patterns"] and "changed" not in summary
+    return 0 if all_well else NOT_ALL_ACCEPTED
+
+
+def _warn_of_changed(changed: dict[str, list[str]], out: Path) -> None:
+    """Says which garments of earlier calls are not as they were left."""
+    if not changed:
+        return
+    id, names = next(iter(changed.items()))
+    shown = ", ".join(names[:3]) + f" of {id}" + (", ..." if len(names) > 3 or len(changed) > 1 else "")
+    number = f"{len(changed)} garments have" if len(changed) > 1 else "1 garment has"
+    sys.stderr.write(
+        f"warning: {number} files that are not as they were written: they were cut short, or changed by "
+        f"somebody ({shown}; all are in {out / 'summary.json'}). "
+        "To have them made again, start the same command with --overwrite.\n"
+    )
 
 
 def _print_summary(summary: dict[str, Any], out: Path, new: int, seconds: float) -> None:

@@ -113,7 +113,12 @@ def _report(error: Exception) -> int:
         )
         return INTERNAL_ERROR
     if isinstance(error, OSError):
+        from swifttailor.atomic_files import is_disk_full
+
         place = f"'{error.filename}': " if error.filename else ""
+        if is_disk_full(error):  # results have their own words for this (`atomic_files`): it is a cache
+            place = f"{place}compiled code or other work files cannot be kept: "
+            again = "Make room, or raise the limit on file sizes (`ulimit -f`)."
         _say(f"Error: {place}{error.strerror or error}. {again}")
         return USAGE_ERROR
     _say(

@@ -21,21 +21,25 @@ def usual_time_limit(edge_length: float) -> float:
 class TimeLimit:
     """A `StageProgress` that ends the simulation after some seconds of computing.
 
-    Seconds are those that this process computes, so that a busy machine changes nothing; they count from the
-    first frame on, which compiles the solver.
+    Seconds are those that this process computes, so that a busy machine changes nothing. They count from the
+    meshing on; where the first frame has to compile the solver, from there.
     """
 
-    def __init__(self, seconds: float, progress: StageProgress, *, instead: str) -> None:
+    def __init__(
+        self, seconds: float, progress: StageProgress, *, instead: str, compiled: bool = False
+    ) -> None:
         """Makes it ready.
 
         Args:
             seconds: How long it may take.
             progress: Every call is passed on to it.
             instead: What a person can do where it takes longer, as a sentence.
+            compiled: Whether the solver is compiled already.
         """
         self._instead = instead
         self._seconds = seconds
         self._progress = progress
+        self._compiled = compiled
         self._started: float | None = None
 
     def __call__(self, stage: str, share: float) -> None:
@@ -45,11 +49,12 @@ class TimeLimit:
             TimeLimitError: The time is over.
         """
         self._progress(stage, share)
-        if stage not in _STAGES or share == 0.0:
+        counts = stage in _STAGES and share > 0.0
+        if not counts and not self._compiled:
             return
         now = time.process_time()
         self._started = now if self._started is None else self._started
-        if now - self._started > self._seconds and share < 1.0:
+        if counts and now - self._started > self._seconds and share < 1.0:
             raise TimeLimitError(
                 f"Gave up {stage} after {self._seconds:g} seconds: more cloth than in usual garments, "
                 f"or more tangled. {self._instead} What may be wrong with the pattern: "

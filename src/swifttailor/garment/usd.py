@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import os
 import tempfile
+from collections.abc import Generator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from swifttailor.arrays import Array
-from swifttailor.atomic_files import write_atomically
+from swifttailor.atomic_files import NO_ROOM, write_atomically
 from swifttailor.errors import InputError
 from swifttailor.garment.triangle_mesh import TriangleMesh
 from swifttailor.garment.units import CM_PER_METRE, to_metres
@@ -20,6 +23,7 @@ ENDINGS = (".usd", ".usda", ".usdc", ".usdz")
 WEARER = "swifttailorBody"
 """Custom data of the mesh that is no cloth."""
 _PRINT_FILE = "print.png"
+_LONGEST_REASON = 300
 
 
 def write_usd(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) -> Path:
@@ -48,8 +52,9 @@ def write_usd(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) 
             if mesh.print is not None:
                 (Path(folder) / _PRINT_FILE).write_bytes(mesh.print.png)
             _export(pxr, stage, layer)
-            if not pxr.UsdUtils.CreateNewUsdzPackage(str(layer), str(temporary)):
-                raise InputError(f"Cannot write '{path}': USD could not make the package.")
+            with _said_briefly(pxr, path):
+                if not pxr.UsdUtils.CreateNewUsdzPackage(str(layer), str(temporary)):
+                    raise InputError(f"Cannot write '{path}': USD could not make the package.")
 
     return write_atomically(path, write, overwrite=overwrite)
 
@@ -182,8 +187,19 @@ def _material(pxr: Any, stage: Any, name: str, color: str) -> Any:
 
 
 def _export(pxr: Any, stage: Any, path: Path) -> None:
-    try:
+    with _said_briefly(pxr, path):
         if not stage.GetRootLayer().Export(str(path)):
             raise InputError(f"Cannot write '{path}': USD refused the file.")
+
+
+@contextmanager
+def _said_briefly(pxr: Any, path: Path) -> Generator[None]:
+    """Tells a full disk from other troubles; USD repeats each for every block that it cannot write."""
+    try:
+        yield
     except pxr.Tf.ErrorException as error:
-        raise InputError(f"Cannot write '{path}': {error}") from error
+        said = str(error)
+        for number in NO_ROOM:
+            if os.strerror(number) in said:
+                raise OSError(number, os.strerror(number)) from error
+        raise InputError(f"Cannot write '{path}': {' '.join(said.split())[:_LONGEST_REASON]}") from error

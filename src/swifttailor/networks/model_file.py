@@ -264,7 +264,11 @@ def _graphs_in(members: Mapping[str, bytes]) -> list[str]:
 
 
 def _read_note(session: Any, graph: bytes, path: Path, kind: ModelKind) -> dict[str, Any]:
-    about = _read_about(session.get_modelmeta().custom_metadata_map.get(NOTE, ""), path, kind)
+    try:
+        text = session.get_modelmeta().custom_metadata_map.get(NOTE, "")
+    except UnicodeDecodeError as error:
+        raise _not_text(str(path)) from error
+    about = _read_about(text, path, kind)
     checksum = about.get(GRAPH)
     if checksum is not None:  # older files have none
         size = checksum.get("bytes") if isinstance(checksum, dict) else None
@@ -289,8 +293,17 @@ def _read_about(text: str | bytes, path: Path, kind: ModelKind) -> dict[str, Any
     return about
 
 
+def _not_text(source: str) -> InputError:
+    return InputError(
+        f"'{source}' is damaged: a name or its card is not text in UTF-8. Copy it again from its source."
+    )
+
+
 def _require_signature(session: Any, wanted: Signature, source: str) -> None:
-    found = tuple(i.name for i in session.get_inputs()), tuple(o.name for o in session.get_outputs())
+    try:
+        found = tuple(i.name for i in session.get_inputs()), tuple(o.name for o in session.get_outputs())
+    except UnicodeDecodeError as error:
+        raise _not_text(source) from error
     if found != wanted:
         raise InputError(
             f"'{source}' is another network: it makes {', '.join(found[1])} of {', '.join(found[0])}, not "

@@ -62,6 +62,10 @@ class Edge:
     label: str = ""
     """Attachment label of GarmentCode, such as ``lower_interface``; empty for most edges."""
 
+    def drawn_as(self, curve: Curve) -> Edge:
+        """The edge with another shape; itself where that is the shape that it has, as lines mostly do."""
+        return self if curve is self.curve else replace(self, curve=curve)
+
 
 @dataclass(frozen=True, eq=False)
 class Panel:
@@ -165,12 +169,12 @@ class Panel:
     def reversed(self) -> Panel:
         """The same outline travelled the other way; edge k becomes edge n - 1 - k."""
         vertices = np.roll(self.vertices[::-1], 1, axis=0)
-        edges = tuple(replace(e, curve=curves.reverse(e.curve)) for e in self.edges[::-1])
+        edges = tuple(e.drawn_as(curves.reverse(e.curve)) for e in self.edges[::-1])
         return replace(self, vertices=vertices, edges=edges)
 
     def mirrored(self) -> Panel:
         """The outline reflected in the local y axis (x -> -x); edges keep their ids, the winding flips."""
-        edges = tuple(replace(e, curve=curves.mirror(e.curve)) for e in self.edges)
+        edges = tuple(e.drawn_as(curves.mirror(e.curve)) for e in self.edges)
         return replace(self, vertices=self.vertices * np.array([-1.0, 1.0]), edges=edges)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from swifttailor.pattern import Panel, Pattern
+from swifttailor.pattern.panel import Edge
 from swifttailor.pattern.tidying.symmetry import between, distance, reflected, self_reflection
 
 ALIKE_CM = 0.05
@@ -69,17 +70,19 @@ def made_alike(pattern: Pattern, likeness: Likeness) -> Pattern:
         )
         mean = replace(mean, placement=replace(panels[i].placement, translation=(x, y, z)))
         panels[i] = mean
-        panels[j] = replace(
-            reflected(mean, panels[j].name),
-            label=panels[j].label,
-            edges=tuple(
-                replace(new, label=old.label)
-                for new, old in zip(reflected(mean, panels[j].name).edges, panels[j].edges, strict=True)
-            ),
-        )
+        other = reflected(mean, panels[j].name)
+        panels[j] = replace(other, label=panels[j].label, edges=_labelled(other, panels[j]))
     for i, shift in likeness.own:
         panels[i] = _even(panels[i], shift)
     return replace(pattern, panels=tuple(panels))
+
+
+def _labelled(panel: Panel, like: Panel) -> tuple[Edge, ...]:
+    """The edges of a panel with the labels of another's."""
+    return tuple(
+        new if new.label == old.label else replace(new, label=old.label)
+        for new, old in zip(panel.edges, like.edges, strict=True)
+    )
 
 
 def _even(panel: Panel, shift: int) -> Panel:
@@ -90,5 +93,4 @@ def _even(panel: Panel, shift: int) -> Panel:
     others = panel.vertices[[(shift - k) % count for k in range(count)]]
     axis = float((panel.vertices[:, 0] + others[:, 0]).mean() / 2)
     mean = between(panel, Reflection(shift, axis, 0.0).image(panel))
-    edges = tuple(replace(new, label=old.label) for new, old in zip(mean.edges, panel.edges, strict=True))
-    return replace(mean, edges=edges)
+    return replace(mean, edges=_labelled(mean, panel))

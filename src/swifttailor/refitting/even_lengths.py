@@ -8,8 +8,9 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import spsolve
 
+from swifttailor.arrays import Floats, Longs
 from swifttailor.pattern import Panel, Pattern
-from swifttailor.pattern.curve import scale
+from swifttailor.pattern.curve import Arc, Line, length, scale
 
 _ROUNDS = 6
 _SEAM = 200.0
@@ -25,62 +26,98 @@ def keep_seam_ratios(before: Pattern, after: Pattern) -> Pattern:
         before: The pattern whose ratios count.
         after: The same panels, edges and stitches in other sizes.
     """
+    equations = _Equations(before, after)
     pattern = after
     for _ in range(_ROUNDS):
-        pattern = _once(before, pattern, after)
+        pattern = equations.solved(pattern)
     return pattern
 
 
-def _once(before: Pattern, now: Pattern, target: Pattern) -> Pattern:
-    start = np.cumsum([0, *(len(p.vertices) for p in now.panels)])
-    place = np.concatenate([p.vertices for p in now.panels])
-    at = place.tolist()
-    rows: list[tuple[list[int], list[float], float]] = []
-    for number, (panel, goal) in enumerate(zip(now.panels, target.panels, strict=True)):
-        count, goals = len(panel.vertices), goal.vertices.tolist()
-        for k in range(count):
-            i, j = start[number] + k, start[number] + (k + 1) % count
-            for axis in (0, 1):
-                chord = goals[(k + 1) % count][axis] - goals[k][axis]
-                gap = chord - (at[j][axis] - at[i][axis])
-                rows.append(([2 * j + axis, 2 * i + axis], [1.0, -1.0], gap))
-                held = goals[k][axis] - at[i][axis]
-                rows.append(([2 * i + axis], [_HELD], _HELD * held))
-    for stitch in now.stitches:
-        ratio = before.edge_length(stitch.first) / max(before.edge_length(stitch.second), 1e-9)
-        columns: list[int] = []
-        slopes: list[float] = []
-        lengths = []
-        for ref, weight in zip(stitch.sides, (1.0, -ratio), strict=True):
-            number = now.panel_index(ref.panel)
-            count = len(now.panels[number].vertices)
-            i, j = start[number] + ref.edge, start[number] + (ref.edge + 1) % count
-            along = place[j] - place[i]
-            length, chord = now.edge_length(ref), float(np.linalg.norm(along))
-            # The curve goes with its chord: its length is a multiple of the chord's.
-            pull = weight * (length / max(chord, 1e-9)) * along / max(chord, 1e-9)
-            columns += [2 * j, 2 * j + 1, 2 * i, 2 * i + 1]
-            slopes += [pull[0], pull[1], -pull[0], -pull[1]]
-            lengths.append(weight * length)
-        rows.append((columns, [_SEAM * s for s in slopes], -_SEAM * sum(lengths)))
-    index = np.repeat(np.arange(len(rows)), [len(c) for c, _, _ in rows])
-    system = sparse.csr_array(
-        (np.concatenate([v for _, v, _ in rows]), (index, np.concatenate([c for c, _, _ in rows]))),
-        shape=(len(rows), 2 * len(place)),
-    )
-    right = np.array([r for _, _, r in rows])
-    step = spsolve((system.T @ system).tocsc(), system.T @ right).reshape(-1, 2)
-    moved = place + step
-    panels = [with_corners(panel, moved[start[k] : start[k + 1]]) for k, panel in enumerate(now.panels)]
-    return replace(now, panels=tuple(panels))
+class _Equations:
+    """What each round asks of the corners.
+
+    Corners are numbered through all panels; the edge from a corner has its number.
+    """
+
+    def __init__(self, before: Pattern, target: Pattern) -> None:
+        panels = target.panels
+        self.start = np.cumsum([0, *(len(p.vertices) for p in panels)])
+        self.next = np.concatenate([np.roll(np.arange(a, b), -1) for a, b in _pairs(self.start)])
+        self.goals = np.concatenate([p.vertices for p in panels])
+        sides = np.array(
+            [[self.start[target.panel_index(r.panel)] + r.edge for r in s.sides] for s in target.stitches],
+            np.int64,
+        )
+        self.sides = sides.reshape(-1, 2)
+        first, second = (_edge_lengths(before, self.start, self.sides[:, k]) for k in (0, 1))
+        self.weights = np.stack([np.ones(len(first)), -first / np.maximum(second, 1e-9)], axis=1)
+        corners = np.arange(len(self.goals))
+        x, to_x = 2 * corners, 2 * self.next
+        # Of each corner: its edge's x, its own x, its edge's y, its own y; then a row for each stitch.
+        columns = np.stack([to_x, x, x, to_x + 1, x + 1, x + 1], axis=1)
+        rows = 4 * corners[:, None] + [0, 0, 1, 2, 2, 3]
+        a, b = 2 * self.sides, 2 * self.next[self.sides]
+        sewn = np.stack([b, b + 1, a, a + 1], axis=2).reshape(-1, 8)
+        seams = 4 * len(corners) + np.repeat(np.arange(len(sewn)), 8)
+        self.columns = np.concatenate([columns.ravel(), sewn.ravel()])
+        self.rows = np.concatenate([rows.ravel(), seams])
+        self.shape = (4 * len(corners) + len(sewn), 2 * len(corners))
+
+    def solved(self, now: Pattern) -> Pattern:
+        """The pattern after one round."""
+        place = np.concatenate([p.vertices for p in now.panels])
+        gaps = (self.goals[self.next] - self.goals) - (place[self.next] - place)
+        held = _HELD * (self.goals - place)
+        slopes, excess = self._seams(now, place)
+        corner = np.tile([1.0, -1.0, _HELD], 2 * len(place))
+        system = sparse.csr_array(
+            (np.concatenate([corner, (_SEAM * slopes).ravel()]), (self.rows, self.columns)), shape=self.shape
+        )
+        right = np.concatenate([np.stack([gaps, held], axis=2).ravel(), -_SEAM * excess])
+        moved = place + spsolve((system.T @ system).tocsc(), system.T @ right).reshape(-1, 2)
+        panels = [
+            with_corners(panel, moved[a:b])
+            for panel, (a, b) in zip(now.panels, _pairs(self.start), strict=True)
+        ]
+        return replace(now, panels=tuple(panels))
+
+    def _seams(self, now: Pattern, place: Floats) -> tuple[Floats, Floats]:
+        """(s, 2, 4) how the sides' lengths go with their corners, (s,) what is too much on the first side."""
+        along = place[self.next[self.sides]] - place[self.sides]
+        chord = np.maximum(np.sqrt(np.vecdot(along, along)), 1e-9)
+        lengths = np.stack([_edge_lengths(now, self.start, self.sides[:, k]) for k in (0, 1)], axis=1)
+        # The curve goes with its chord: its length is a multiple of the chord's.
+        pull = (self.weights * (lengths / chord))[..., None] * along / chord[..., None]
+        return np.concatenate([pull, -pull], axis=2), (self.weights * lengths).sum(axis=1)
 
 
-def with_corners(panel: Panel, vertices: np.ndarray) -> Panel:
+def _pairs(start: Longs) -> list[tuple[int, int]]:
+    return list(zip(start[:-1].tolist(), start[1:].tolist(), strict=True))
+
+
+def _edge_lengths(pattern: Pattern, start: Longs, numbers: Longs) -> Floats:
+    """Lengths (n,) of edges that are numbered through all panels, cm."""
+    straight = [
+        np.hypot(*(np.roll(panel.vertices, -1, axis=0) - panel.vertices).T) for panel in pattern.panels
+    ]
+    lengths = np.concatenate(straight)
+    edges = [edge for panel in pattern.panels for edge in panel.edges]
+    owners = np.searchsorted(start, numbers, side="right") - 1
+    for number, owner in zip(numbers.tolist(), owners.tolist(), strict=True):
+        curve = edges[number].curve
+        if not isinstance(curve, Line):
+            lengths[number] = length(curve, pattern.panels[owner].chord(number - int(start[owner])))
+    return lengths[numbers]
+
+
+def with_corners(panel: Panel, vertices: Floats) -> Panel:
     """The panel with other corners, each edge a scaled copy of what it was."""
-    old = np.linalg.norm(np.roll(panel.vertices, -1, axis=0) - panel.vertices, axis=1)
-    new = np.linalg.norm(np.roll(vertices, -1, axis=0) - vertices, axis=1)
-    edges = tuple(
-        replace(edge, curve=scale(edge.curve, float(b / max(a, 1e-9))))
-        for edge, a, b in zip(panel.edges, old, new, strict=True)
-    )
+    edges = panel.edges
+    if any(isinstance(edge.curve, Arc) for edge in edges):
+        old = np.linalg.norm(np.roll(panel.vertices, -1, axis=0) - panel.vertices, axis=1)
+        new = np.linalg.norm(np.roll(vertices, -1, axis=0) - vertices, axis=1)
+        edges = tuple(
+            edge.drawn_as(scale(edge.curve, float(b / max(a, 1e-9))))
+            for edge, a, b in zip(edges, old, new, strict=True)
+        )
     return replace(panel, vertices=vertices, edges=edges)

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cached_property
+
 import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import factorized
 
-from swifttailor.arrays import Bools, Floats, Ints
+from swifttailor.arrays import Array, Bools, Floats, Ints
+
+Solver = Callable[[Array], Floats]
+"""Gives the solution of equations that were prepared for several right sides."""
 
 
 class PanelSheet:
@@ -33,11 +39,14 @@ class PanelSheet:
         shape = (len(vertices), len(vertices))
         self.stiffness = sparse.coo_array((products.ravel(), (rows, columns)), shape=shape).tocsr()
         self.mass = np.bincount(faces.ravel(), np.repeat(self.area / 3, 3), len(vertices)) + 1e-9
+        self._solvers: dict[float, Solver] = {}
 
     def smoothed(self, values: Floats, reach: float) -> Floats:
         """Values (n, k) at the vertices, evened out over about so many cm."""
-        system = (sparse.diags_array(self.mass) + reach**2 / 2 * self.stiffness).tocsc()
-        solve = factorized(system)
+        solve = self._solvers.get(reach)
+        if solve is None:
+            system = (sparse.diags_array(self.mass) + reach**2 / 2 * self.stiffness).tocsc()
+            solve = self._solvers[reach] = factorized(system)
         return np.stack([solve(self.mass * column) for column in values.T], axis=1)
 
     def slopes(self, values: Floats) -> Floats:
@@ -51,17 +60,19 @@ class PanelSheet:
             stretch: (f, 2, 2) symmetric: what each face is multiplied by.
         """
         wanted = np.einsum("fia,fba,f->fib", self.gradients, stretch, self.area)
-        right = np.stack(
-            [np.bincount(self.faces.ravel(), wanted[..., k].ravel(), len(self.vertices)) for k in (0, 1)],
-            axis=1,
-        )
-        # One vertex is held, for the equations leave the place open.
-        free = np.arange(1, len(self.vertices))
-        solve = factorized(self.stiffness[free][:, free].tocsc())
+        columns = [
+            np.bincount(self.faces.ravel(), wanted[..., k].ravel(), len(self.vertices)) for k in (0, 1)
+        ]
         moved = np.zeros_like(self.vertices)
-        moved[1:] = np.stack([solve(right[free, k]) for k in (0, 1)], axis=1)
+        moved[1:] = np.stack([self._solve_held(column[1:]) for column in columns], axis=1)
         weight = self.mass[:, None] / self.mass.sum()
         return moved + ((self.vertices - moved) * weight).sum(axis=0)
+
+    @cached_property
+    def _solve_held(self) -> Solver:
+        """Solves for all vertices but the first, which is held: the equations leave the place open."""
+        free = np.arange(1, len(self.vertices))
+        return factorized(self.stiffness[free][:, free].tocsc())
 
     def spread(self, values: Floats, border: Bools) -> Floats:
         """Values (n, k) that are known at border vertices (n,) evened out over the rest."""

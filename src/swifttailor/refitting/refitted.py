@@ -83,12 +83,12 @@ def refit(
     likeness = find_likeness(before)
     stretch = stretches(garment, places_of(garment, start), start, end)
     stretch = _bands_kept(garment, stretch, ease_scale(start, end))
-    sheets = [_Sheet(garment, number) for number in range(len(before.panels))]
     along = places_of(garment, start).along
+    sheets = [_Sheet(garment, number, along) for number in range(len(before.panels))]
     after, flat = before, np.array(garment.mesh.flat_vertices)
     shaped = shaped_seams(before, likeness)
     for _ in range(_ROUNDS):
-        grown = _grown(garment, sheets, along, stretch)
+        grown = _grown(garment, sheets, stretch)
         after = made_alike(_with_outlines(garment, grown, shaped), likeness)
         after = made_alike(keep_seam_ratios(before, after), likeness)
         flat = _filled(garment, sheets, grown, after)
@@ -138,26 +138,27 @@ def _bands_kept(garment: Garment, stretch: Stretches, scale: float) -> Stretches
 
 
 class _Sheet:
-    """A panel of a garment as a sheet."""
+    """A panel of a garment as a sheet, and the directions in which it runs along the body."""
 
-    def __init__(self, garment: Garment, number: int) -> None:
+    def __init__(self, garment: Garment, number: int, along: Floats) -> None:
         mesh = garment.mesh
         self.own = np.flatnonzero(mesh.flat_panel == number)
         faces = mesh.flat_faces[mesh.face_panel == number]
         self.sheet = PanelSheet(mesh.flat_vertices[self.own], np.searchsorted(self.own, faces))
+        direction = _directions(self.sheet, along[self.own])
+        self.down = np.einsum("fa,fb->fab", direction, direction)
 
 
-def _grown(garment: Garment, sheets: list[_Sheet], along: Floats, stretch: Stretches) -> Floats:
+def _grown(garment: Garment, sheets: list[_Sheet], stretch: Stretches) -> Floats:
     """(m, 2) where the flat vertices lie in the grown panels."""
     result = np.array(garment.mesh.flat_vertices, np.float64)
     for one in sheets:
         sheet, own = one.sheet, one.own
         both = np.stack([stretch.around[own], stretch.along[own]], axis=1)
         amounts = sheet.smoothed(both, _AMOUNTS_CM)
-        direction = _directions(sheet, along[own])
         across, down = (amounts[sheet.faces, k].mean(axis=1) for k in (0, 1))
-        outer = np.einsum("fa,fb->fab", direction, direction)
-        result[own] = sheet.grown(across[:, None, None] * (np.eye(2) - outer) + down[:, None, None] * outer)
+        wanted = across[:, None, None] * (np.eye(2) - one.down) + down[:, None, None] * one.down
+        result[own] = sheet.grown(wanted)
     return result
 
 

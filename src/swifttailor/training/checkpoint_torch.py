@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from pathlib import Path
 from typing import Any
+from zipfile import ZipFile
 
 import torch
 from torch import Tensor
@@ -12,6 +13,9 @@ from torch import Tensor
 from swifttailor.atomic_files import write_atomically
 from swifttailor.errors import InputError
 from swifttailor.training.run_record import CHECKPOINT
+
+_LONGEST_REASON = 200
+"""Characters: torch explains at length how one might read a damaged file after all."""
 
 
 class MovingAverage:
@@ -59,10 +63,12 @@ def read_checkpoint(folder: Path, device: torch.device, expected: Collection[str
     if not path.is_file():
         raise InputError(f"'{folder}' has no {CHECKPOINT} to go on from. Start without --resume.")
     try:
+        _require_checksums(path)
         state = torch.load(path, map_location=device, weights_only=True)
     except Exception as error:  # torch raises a dozen kinds for a damaged file
+        reason = " ".join(str(error).split())[:_LONGEST_REASON]
         raise InputError(
-            f"'{path}' is damaged ({type(error).__name__}: {error}). "
+            f"'{path}' is damaged ({type(error).__name__}: {reason}). "
             "Start again without --resume, in another folder."
         ) from error
     missing = sorted(set(expected) - set(state if isinstance(state, dict) else ()))
@@ -72,3 +78,15 @@ def read_checkpoint(folder: Path, device: torch.device, expected: Collection[str
             "Go on with that version, or start again without --resume, in another folder."
         )
     return state
+
+
+def _require_checksums(path: Path) -> None:
+    """Refuses a file that is not as it was written: torch writes checksums, and does not look at them.
+
+    Raises:
+        ValueError: A part of it has changed.
+        BadZipFile, OSError: It is cut short, or no archive at all.
+    """
+    with ZipFile(path) as archive:
+        if (name := archive.testzip()) is not None:
+            raise ValueError(f"the checksum of its part '{name}' is wrong")

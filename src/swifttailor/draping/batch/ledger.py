@@ -35,7 +35,8 @@ class Ledger(WorkFolder):
         """For what is said of the whole batch."""
         self.records: dict[str, dict[str, Any]] = {}
         """The last record of each id."""
-        self._settings = settings
+        self._settings, self._overwrite = settings, overwrite
+        self._changed: dict[str, list[str]] = {}
 
     def _open(self) -> None:
         self._lock = FolderLock(self.folder, "batch")
@@ -57,7 +58,19 @@ class Ledger(WorkFolder):
             return False
         if record["status"] == "failed":
             return not retry_failed
-        return (self.folder / record["folder"] / "report.json").is_file()
+        if not (self.folder / record["folder"] / "report.json").is_file():
+            return False
+        # Who has changed a file may want to keep it: it is made again only where that was asked for.
+        return not (self._overwrite and self.changed(id))
+
+    def changed(self, id: str) -> list[str]:
+        """Files of a garment from an earlier call that are not as they were written.
+
+        Reading them takes a few milliseconds, making them seconds.
+        """
+        if id not in self._changed:
+            self._changed[id] = OutputFolder(self.folder / self.records[id]["folder"]).changed()
+        return self._changed[id]
 
     def _check_settings(self) -> None:
         identity = self._settings.identity()

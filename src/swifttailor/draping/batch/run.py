@@ -54,14 +54,16 @@ def run_batch(
         limit: Only the first so many patterns.
         time_limit: Seconds after which a garment is given up.
         retry_failed: Try again what failed in an earlier call.
-        overwrite: Replace files in the batch's folder that somebody else has put there or changed.
+        overwrite: Replace files in the batch's folder that somebody else has put there or changed, and make
+            garments again that have files which were cut short or changed.
         on_start: Called with the number of patterns that earlier calls have done and whether the solver is
             compiled.
         on_record: Called with each new record.
         make: Makes one garment (for tests).
 
     Returns:
-        The content of summary.json.
+        The content of summary.json; "changed" lists garments of earlier calls with files that are not as they
+        were written, and these files.
 
     Raises:
         InputError: The source, the settings or the folder cannot be used.
@@ -78,6 +80,7 @@ def run_batch(
     settings.require_usable()
     with Ledger(out, settings, overwrite=overwrite) as ledger:
         seen: dict[str, dict[str, Any]] = {}
+        changed: dict[str, list[str]] = {}
 
         def take_in(record: dict[str, Any]) -> None:
             seen[record["id"]] = record  # first, so that an interruption never loses what is on disk
@@ -88,7 +91,9 @@ def run_batch(
         def tasks() -> Iterator[GarmentTask]:
             for pattern in chain([first], patterns):
                 if ledger.is_done(pattern.id, retry_failed=retry_failed):
-                    seen[pattern.id] = ledger.records[pattern.id]
+                    seen[pattern.id] = record = ledger.records[pattern.id]
+                    if record["status"] == "made" and (names := ledger.changed(pattern.id)):
+                        changed[pattern.id] = names
                 elif pattern.error:
                     take_in(_unusable(pattern))
                 else:
@@ -111,6 +116,8 @@ def run_batch(
         finally:
             outcomes.close()
             summary = plain(summarize(seen.values(), settings.identity(), complete=complete))
+            if changed:
+                summary["changed"] = changed
             try:
                 with ledger.output.fill() as made:
                     write_text(made / SUMMARY, json.dumps(summary, indent=2, allow_nan=False) + "\n")

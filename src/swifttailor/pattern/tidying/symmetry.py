@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern.curve import Arc, Cubic, Curve, Line, Quadratic
 from swifttailor.pattern.names import PANEL_NAMES, TWINS
 from swifttailor.pattern.panel import Panel, Placement
@@ -22,6 +23,8 @@ OTHER_SIDE: dict[str, str] = {
 LEAST_CURVATURE = 1e-6
 """Per cm: what is straighter is a line."""
 _SAMPLES = 5
+_FEW = 32
+"""Edges that are looked at first, where a panel has many."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,17 +75,26 @@ def self_reflection(panel: Panel) -> Reflection | None:
     kinds = np.unique(names, return_inverse=True)[1]
     best: Reflection | None = None
     points = np.array([panel.sample_edge(k, _SAMPLES) for k in range(count)])
+    few = slice(None, None, max(count // _FEW, 1))
     for shift in range(count):
         partners = (shift - 1 - np.arange(count)) % count
         if (kinds != kinds[partners]).any():
             continue
         others = points[partners][:, ::-1]
         axis = float((points[..., 0] + others[..., 0]).mean() / 2)
-        apart = others * [-1.0, 1.0] + [2 * axis, 0.0] - points
-        deviation = float(np.linalg.norm(apart, axis=-1).max())
+        deviation = _farthest(points[few], others[few], axis)
+        if best is not None and deviation >= best.deviation:
+            continue  # a few edges have told already that this is no better
+        deviation = _farthest(points, others, axis)
         if best is None or deviation < best.deviation:
             best = Reflection(shift, axis, deviation)
     return best
+
+
+def _farthest(points: Floats, others: Floats, axis: float) -> float:
+    """How far points (n, k, 2) are at most from others reflected in a line, cm."""
+    apart = others * [-1.0, 1.0] + [2 * axis, 0.0] - points
+    return float(np.linalg.norm(apart, axis=-1).max())
 
 
 def distance(one: Panel, other: Panel) -> float | None:
@@ -99,9 +111,7 @@ def distance(one: Panel, other: Panel) -> float | None:
 def between(one: Panel, other: Panel) -> Panel:
     """The panel half-way between two that have the same kinds of edges, named and placed like the first."""
     vertices = (one.vertices + other.vertices) / 2
-    edges = tuple(
-        replace(a, curve=_between(a.curve, b.curve)) for a, b in zip(one.edges, other.edges, strict=True)
-    )
+    edges = tuple(a.drawn_as(_between(a.curve, b.curve)) for a, b in zip(one.edges, other.edges, strict=True))
     return replace(one, vertices=vertices, edges=edges)
 
 
