@@ -47,7 +47,7 @@ _OF: Mapping[str, Mapping[Property, _Way]] = {
         "width": ("armholes", 1),
         "length": ("armholes", 1),
     },
-    "tiers": {"length": ("tiers", 1), "width": ("tiers", 1)},
+    "tiers": {"length": ("tiers", 1), "width": ("tier gathers", 1)},
     "back_slit": {"length": ("back slit", 1), "height": ("back slit", 1)},
 }
 PARTS = frozenset({*_OF, "hem", "waist", "hips", "skirt", "slit", "lower", "all"})

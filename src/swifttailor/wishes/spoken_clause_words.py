@@ -16,13 +16,15 @@ from swifttailor.wishes.change_words import (
 from swifttailor.wishes.mentions import Mention
 from swifttailor.wishes.spoken_amounts import (
     SIGNED,
+    counts,
     is_more_by,
     is_target,
     more_of_them,
     to_target,
 )
 from swifttailor.wishes.spoken_clauses import SpokenClause
-from swifttailor.wishes.spoken_places import hem_shape, slit
+from swifttailor.wishes.spoken_places import hem_shape, slit, slit_step
+from swifttailor.wishes.spoken_wholes import of_wholes
 from swifttailor.wishes.unread import is_function_word
 from swifttailor.wording.lexicon import Implication, WordMark, WordReading
 
@@ -124,6 +126,8 @@ def read_clause(
         made: tuple[Change, ...] = () if bare else hem_shape(said, named, word, kind)
         if named in (None, "all") and text[word.start : word.end] in _OF_HEMS:
             named = "hem"
+        if (named or last) == "slit" and not made:
+            made = slit_step(word, is_so, amount)
         for part in (named or (last if bare or them else None), last, None):
             made = made or changes_of(part, word.what, word.sign, kind, amount)
         made = made if target is None else to_target(made, target)
@@ -144,8 +148,12 @@ def read_clause(
         ):
             what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
             changes += changes_of(part, what, sign, kind, length)
-    if not changes:
-        changes += more_of_them(said)
+    counted = more_of_them(said)
+    whole = of_wholes(said, grown, kind, is_so)
+    if counted or whole:
+        # What is said of all of it is said of none of its parts: "drop the waist" of a skirt.
+        changes, claims, details = [*counted, *whole], [], []
+        used += [(m.start(), m.end()) for m in _WORD.finditer(text, start, end) if whole or counts(m[0])]
     if any(p.part == "tiers" for p in parts) and _STEPS_DOWN.search(said) and not changes:
         changes.append(Step("tiers", -1, 1.0))
     if any(p.part == "slit" for p in parts) and not claims and not changes:
