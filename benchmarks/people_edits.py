@@ -1,6 +1,6 @@
 """What becomes of people's instructions: expected statements that hold afterwards, by the path of `edit`.
 
-python benchmarks/people_edits.py building|fresh|fresher|cutting|cutting_after|final [--misses] [--count N] [--only ID ...]
+python benchmarks/people_edits.py HALF [--misses] [--count N] [--only ID ...]; halves are those of `_FILES`
 
 Each instruction is given to a garment of which what it presupposes is true, made by the path of `generate`.
 Of the final half only counts are printed.

@@ -45,7 +45,7 @@ GOOD_ENOUGH = 2.0
 """So much that no wish names may change where others might change less; then no other pattern is tried."""
 
 
-def anew_from_known(wanted: Wanted, library: Callable[[], PatternLibrary]) -> Answer | None:
+def anew_from_known(wanted: Wanted, library: Callable[[], PatternLibrary | None]) -> Answer | None:
     """The known pattern that does all that is asked and is else what the one to edit is.
 
     Args:
@@ -60,6 +60,8 @@ def anew_from_known(wanted: Wanted, library: Callable[[], PatternLibrary]) -> An
     if edit is None or original is None or not changes:
         return None
     known, cutter, parts = library(), Cutter(edit), spoken_parts(changes)
+    if known is None:
+        return None
     best: tuple[float, Answer] | None = None
     for number in _nearest(edit, changes, original, known)[:MOST_TRIED]:
         donor = Cutter(known.pattern(int(number)))

@@ -34,7 +34,7 @@ def write_patterns(
     samples: Sequence[Sample],
     clock: Clock,
     library: PatternLibrary | None = None,
-    known_to_edit: Callable[[], PatternLibrary] | None = None,
+    known_to_edit: Callable[[], PatternLibrary | None] | None = None,
 ) -> list[Answer | SwiftTailorError]:
     """Finds a pattern for each sample, all together, until each is sound or had its attempts.
 
@@ -131,7 +131,7 @@ def write_patterns(
     return chosen
 
 
-def _edited(wanted: Wanted, library: Callable[[], PatternLibrary] | None) -> list[Answer]:
+def _edited(wanted: Wanted, library: Callable[[], PatternLibrary | None] | None) -> list[Answer]:
     """The pattern to edit, recut; and made anew from a known one where that does all that is asked."""
     cut = from_edit(wanted)
     found = [] if cut is None else [cut]

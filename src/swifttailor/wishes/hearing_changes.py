@@ -12,6 +12,7 @@ from swifttailor.describing.facts import GarmentFacts
 from swifttailor.wishes.change_parts import subjects_of
 from swifttailor.wishes.change_words import find_parts
 from swifttailor.wishes.heard import Heard
+from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.spoken_amounts import share_of
 from swifttailor.wishes.spoken_changes import SpokenChanges, spoken_changes
@@ -19,7 +20,7 @@ from swifttailor.wishes.spoken_clauses import SpokenClause, other_than
 from swifttailor.wishes.spoken_measures import spoken_measures
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
-from swifttailor.wishes.unread import not_understood, says_nothing_else
+from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, Entry, WordReading, exclude
 
@@ -88,6 +89,8 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         found = _by_network(text, clause, reader, words, len(spoken.clauses) == 1)
         part = text[clause.start : clause.end]
         new = [w for w in found if _adds(w.change, told, spoken, words) and _is_named(w.change, part)]
+        if told and facts is not None:  # what is so already describes what is there
+            new = [w for w in new if isinstance(w.change, Step) or not w.change.holds(facts, facts)]
         certain = [w for w in sure_wishes(tuple(new)) if not clause.changes or w.certainty >= SURE_BESIDE]
         plain = [w for w in likely_wishes(tuple(new)) if w.certainty >= SURE_IN_KNOWN_WORDS]
         if not clause.changes and plain and says_nothing_else(part, [w.change for w in (*certain, *plain)]):
@@ -96,21 +99,23 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         told += [w.change for w in certain]
         likely += [w for w in likely_wishes(tuple(new)) if w not in certain]
         unread += _still_unread(part, clause, certain, reader)
-    held = [] if facts is None else [c for c in words.never if c.holds(facts)]
+    never = _refused(words)
+    held = [] if facts is None else [c for c in never if c.holds(facts)]
     sure += [
         Wish(gain, SURENESS["usual"] + 0.1)
-        for gain in other_than(words.never, held, [subject_of(change) for change in told])
+        for gain in other_than(never, held, [subject_of(change) for change in told])
         if not _is_moved_away(gain, told)
     ]
     changes = [wish.change for wish in sure]
     unread += _other_garments(text, words, kind, changes)
+    unread += [n for n in unread_numbers(text, changes) if not _counts_elsewhere(n, text, changes)]
     lacks = tuple([lack for lack in lacks_of(words, changes, measures) if lack.said])
     silent = _not_answered(unread, words)
     return Heard(
         text,
         tuple(sure),
         tuple(likely),
-        words.never,
+        never,
         silent,
         lacks,
         words,
@@ -172,6 +177,28 @@ def _made_where_lacking(change: Change, facts: GarmentFacts) -> Change:
     made = _MADE.get(change.quantity)
     lacks = made is not None and QUANTITIES[change.quantity].of(facts) is None
     return Gain(made) if made is not None and lacks and fits_kind(made.name, named_kind(facts)) else change
+
+
+def _counts_elsewhere(number: str, text: str, changes: Sequence[Change]) -> bool:
+    """Whether a number is in no wish as it stands and yet counts: as a share, on both sides."""
+    if share_of(text.lower()) is not None:
+        return True
+    value = next((m.value for m in find_mentions(number)), None)
+    amounts = [c.amount for c in changes if isinstance(c, Step) and c.amount is not None]
+    return value is not None and any(abs(amount - 2 * value) < 0.1 for amount in amounts)
+
+
+def _refused(words: WordReading) -> tuple[Claim, ...]:
+    """What is refused; of a detail that means several things the first: not strapless may be sleeveless."""
+    beside = {
+        claim
+        for mark in words.marks
+        if mark.denied
+        for entry in mark.entries
+        if entry.category != "garments"
+        for claim in entry.claims("certain")[1:]
+    }
+    return tuple([claim for claim in words.never if claim not in beside])
 
 
 def _is_named(change: Change, part: str) -> bool:

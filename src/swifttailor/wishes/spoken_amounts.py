@@ -38,6 +38,10 @@ SIGNED = re.compile(r"(?:[+\-\u2212]|(?<!\w)(?:plus|minus))\s*$")
 """Before a number without a unit, which is in cm then: "sleeve +4"."""
 _MORE_BEFORE = re.compile(r"(?:(?<!\w)(?:plus|extra|add|adding|another|gain)(?: about)?\s*|\+\s*)$")
 _MORE_BEHIND = re.compile(r"\s*(?:more|extra|plus)(?!\w)(?!\s+\w*(?:er|long|wide|deep)(?!\w))")
+_CHANGE_BEFORE = re.compile(
+    r"(?<!\w)(?:down|up|in|out|by|longer|shorter|wider|narrower|deeper|higher|lower|raise|drop|lengthen|shorten)\s$"
+)
+_NOTHING_BEHIND = re.compile(r"\s*(?:$|[.,;!?)]|please|each|and|then)")
 _CAREFUL_CM = 6.0
 """A step of no stated size where something beyond it is refused: "shorter, but not mini"."""
 _NUMBERS = {
@@ -67,6 +71,12 @@ def is_more_by(text: str, numbers: Sequence[Mention]) -> bool:
         and (_MORE_BEFORE.search(text[: m.start]) or _MORE_BEHIND.match(text, m.end))
         for m in numbers
     )
+
+
+def is_bare_cm(text: str, mention: Mention) -> bool:
+    """Whether a number without a unit is by how many cm something changes: "back neck down 8"."""
+    before, behind = text[: mention.start], text[mention.end :]
+    return not mention.is_length and bool(_CHANGE_BEFORE.search(before) and _NOTHING_BEHIND.match(behind))
 
 
 def by_little(change: Change) -> Change:

@@ -23,6 +23,11 @@ _ALIKE = re.compile(
     r"|lopsided|lop-sided|symmetric|symmetrical|even (?:it|them) (?:out|up)|mirror (?:it|the)"
     r"|beide (?:seiten|ärmel)|gleich lang|symmetrisch|symétrique|simétric[oa])(?!\w)"
 )
+_LEVEL = re.compile(
+    r"(?<!\w)(?:straighten|level|even)(?: out| up| off)? (?:the|my|this) (?:hem|hemline|bottom)(?!\w)"
+    r"|(?<!\w)(?:hem|hemline|bottom)(?: (?:to be|is|all))? (?:level|straight|even)(?!\w)"
+    r"|(?<!\w)(?:level|even|straight) hem(?:line)?(?!\w)"
+)
 _COVERED = re.compile(
     r"(?<!\w)(?:cover\w*|second|both|other|two|add|adding|needs?|want|with|put|sew|give)(?!\w)"
     r"[^.,;]{0,30}(?<!\w)(?:shoulders?|straps?|träger|bretelles?|tirantes)(?!\w)"
@@ -52,6 +57,12 @@ _NO_DARTS = re.compile(
     r"[^.,;]{0,25}(?<!\w)(?:darts?|abnäher|pinces|pinzas)(?!\w)"
 )
 
+_GIVEN = re.compile(
+    r"(?<!\w)(?:with|add|adding|give it|gets?|needs?|wants?|put|sew|have|mit|avec|con)(?: on| in)?"
+    r"(?: some| a| an| any| proper)?\s(?:(?P<sleeves>sleeves?|ärmeln?|manches|mangas)"
+    r"|waistband|bund|ceinture|pretina)(?!\w)"
+)
+
 
 def of_wholes(said: str, grown: Sequence[ChangeWord], kind: str, is_so: _IsSo) -> tuple[Change, ...]:
     """What a clause asks of the whole garment; nothing where it does not.
@@ -64,6 +75,8 @@ def of_wholes(said: str, grown: Sequence[ChangeWord], kind: str, is_so: _IsSo) -
     """
     if is_so(Claim("sides", "different")) and _ALIKE.search(said):
         return (Gain(Claim("sides", "alike")),)
+    if _LEVEL.search(said) and not is_so(Claim("hem_shape", "level")):
+        return (Gain(Claim("hem_shape", "level")),)
     if any(map(is_so, _BARE)) and _COVERED.search(said):
         return (Gain(Claim("shoulders", "both")),)
     if is_so(Claim("bodice", "darted")) and _NO_DARTS.search(said):
@@ -72,6 +85,15 @@ def of_wholes(said: str, grown: Sequence[ChangeWord], kind: str, is_so: _IsSo) -
         return _half(said, kind) or _seam(said)
     sign = next((word.sign for word in grown if word.what == "height"), 0)
     return _rise(sign, is_so) if kind in _LOWER and sign and _SITS.search(said) else ()
+
+
+def lacking(said: str, is_so: _IsSo) -> tuple[Change, ...]:
+    """Parts that a garment lacks and is to have, without a word of what they are like: "with sleeves"."""
+    found = _GIVEN.search(said)
+    if found is None:
+        return ()
+    without, made = ("sleeves", "short") if found["sleeves"] else ("waistband", "waist")
+    return (Gain(Claim(without, made)),) if is_so(Claim(without, "none")) else ()
 
 
 def _half(said: str, kind: str) -> tuple[Change, ...]:

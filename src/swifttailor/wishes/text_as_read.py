@@ -25,6 +25,14 @@ _REACHES = re.compile(
 _OF = re.compile(r"(?<!\w)([^\W\d_]+) (?:of|for)(?: the| an?)? ([^\W\d_]+)(?!\w)")
 
 
+_WITHDRAWN = re.compile(
+    r"(?<!\w)(?:with |in )?(?:an? |some )?[\w'’-]+(?: [\w'’-]+)?\?\s*(?:no|nah|nope|nein|non)(?!\w)[,:]?\s*"
+    r"(?=(?:just|only|nur)(?!\w))",
+    re.IGNORECASE,
+)
+"""What is asked and answered with no: "with godets? no, just a full circle"."""
+
+
 def text_as_read(text: str, kind: str | None = None) -> tuple[str, WordReading]:
     """The text with typing errors put right, and its words.
 
@@ -55,6 +63,7 @@ def _turned(text: str) -> str:
         name = f"{found[2]} {found[1]}"
         return name if is_garment(name.lower()) else found[0]
 
+    text = _WITHDRAWN.sub("", text)
     text = _ABOUT.sub(r"\1 ", text)
     return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", _OF.sub(turned, text)))
 
