@@ -148,8 +148,8 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
 
 
 _BOTH_FACES = re.compile(
-    r"neck\w*[^.,;]{0,20}(?<!\w)(?:front (?:and|&) (?:at the |the )?back|back (?:and|&) (?:at the |the )?front)"
-    r"(?!\w)",
+    r"neck\w*[^.,;]{0,20}(?<!\w)"
+    r"(?:front (?:and|&) (?:at the |the )?back|back (?:and|&) (?:at the |the )?front)(?!\w)",
     re.IGNORECASE,
 )
 _BEHIND = {"v": "v", "square": "square", "round": "round", "scoop": "round", "crew": "round"}

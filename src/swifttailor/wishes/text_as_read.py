@@ -32,6 +32,13 @@ _WITHDRAWN = re.compile(
 )
 """What is asked and answered with no: "with godets? no, just a full circle"."""
 
+_CORRECTED = re.compile(
+    r"^\W*(?:[\w'’-]+\s+){0,3}[\w'’-]+[\s,.;–—-]+(?:no,? wait|wait,? no|scratch that|actually,? no|or rather"
+    r"|(?:sorry,? )?i meant?|no,? sorry)(?!\w)[\s,:–—-]*(?=\D+$)",
+    re.IGNORECASE,
+)
+"""A few words that are taken back: "a dress, no wait, a jumpsuit"."""
+
 
 def text_as_read(text: str, kind: str | None = None) -> tuple[str, WordReading]:
     """The text with typing errors put right, and its words.
@@ -63,7 +70,7 @@ def _turned(text: str) -> str:
         name = f"{found[2]} {found[1]}"
         return name if is_garment(name.lower()) else found[0]
 
-    text = _WITHDRAWN.sub("", text)
+    text = _CORRECTED.sub("", _WITHDRAWN.sub("", text))
     text = _ABOUT.sub(r"\1 ", text)
     return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", _OF.sub(turned, text)))
 
