@@ -19,6 +19,7 @@ _FITS = 0.01
 """Widths that differ by less, as a part of the whole, are the same."""
 _MOST_STRETCHED = 1.3
 """So much wider or narrower a half may be cut to fit the other; its own shape is lost beyond that."""
+_EASED = 0.12
 _BELOW_CM = 2.0
 """From what holds a lower half down to it, as placed."""
 
@@ -108,7 +109,9 @@ def _cut_to(half: Pattern, factor: float) -> Pattern | None:
         return None
     if abs(factor - 1.0) <= _FITS:
         return half
-    return widen_panels(half, [p.name for p in half.panels], factor)
+    wider = widen_panels(half, [p.name for p in half.panels], factor)
+    # Arcs that sweep far cannot be stretched: the fullness is eased into the seam.
+    return half if wider is None and abs(factor - 1.0) <= _EASED else wider
 
 
 def _by_face(cutter: Cutter, refs: Sequence[EdgeRef]) -> _Edges | None:
