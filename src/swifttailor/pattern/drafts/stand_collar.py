@@ -8,7 +8,7 @@ from swifttailor.pattern.drafts.outline import Outline
 
 CLOSER_CM = 0.5
 """So much shorter is the upper edge of each quarter than the lower one: it leans to the neck."""
-_FRONT_Z, _BACK_Z = 10.0, -10.0
+_FRONT_Z, _BACK_Z = 18.0, -17.0
 """Where its halves stand before draping, cm."""
 _ABOVE_NECK = 2.0
 
