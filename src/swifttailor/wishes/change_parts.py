@@ -145,11 +145,7 @@ def _way(part: str, what: Property, kind: str) -> _Way | None:
         if part == "waist":
             return ("waistband width", 1) if kind in _LOWER or kind == "skirt" else ("chest", 1)
         return (
-            ("leg end", 1)
-            if kind in _LEGS
-            else ("chest", 1)
-            if kind in ("top", "tunic")
-            else ("skirt hem", 1)
+            ("thigh", 1) if kind in _LEGS else ("chest", 1) if kind in ("top", "tunic") else ("skirt hem", 1)
         )
     if part == "slit":
         return None

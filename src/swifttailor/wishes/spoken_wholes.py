@@ -28,6 +28,17 @@ _LEVEL = re.compile(
     r"|(?<!\w)(?:hem|hemline|bottom)(?: (?:to be|is|all))? (?:level|straight|even)(?!\w)"
     r"|(?<!\w)(?:level|even|straight) hem(?:line)?(?!\w)"
 )
+_SIDE = r"(?:the |my |her )?(?P<side>left|right)"
+_NO_SLEEVE = re.compile(
+    rf"(?<!\w)(?:remove|lose|ditch|take off|get rid of|without|no) {_SIDE} sleeve(?!s|\w| \w*er)"
+    rf"|(?<!\w)(?:drop|cut|take|leave) (?:the |my |her )?(?P<other>left|right) sleeve"
+    r" (?:off|out|away|altogether|entirely|completely)(?!\w)"
+)
+_BARED = re.compile(
+    rf"(?<!\w)(?:bare|expose|uncover|show) {_SIDE} shoulder(?!\w)"
+    r"|(?<!\w)(?:take|leave|drop|cut|have) (?:the |my |her )?(?P<other>left|right) shoulder"
+    r" (?:off|out|away|bare|free|open)(?!\w)"
+)
 _COVERED = re.compile(
     r"(?<!\w)(?:cover\w*|second|both|other|two|add|adding|needs?|want|with|put|sew|give)(?!\w)"
     r"[^.,;]{0,30}(?<!\w)(?:shoulders?|straps?|träger|bretelles?|tirantes)(?!\w)"
@@ -77,6 +88,8 @@ def of_wholes(said: str, grown: Sequence[ChangeWord], kind: str, is_so: _IsSo) -
         return (Gain(Claim("sides", "alike")),)
     if _LEVEL.search(said) and not is_so(Claim("hem_shape", "level")):
         return (Gain(Claim("hem_shape", "level")),)
+    if kind not in _LOWER and (one := _one_side(said)) is not None:
+        return (one,)
     if any(map(is_so, _BARE)) and _COVERED.search(said):
         return (Gain(Claim("shoulders", "both")),)
     if is_so(Claim("bodice", "darted")) and _NO_DARTS.search(said):
@@ -85,6 +98,17 @@ def of_wholes(said: str, grown: Sequence[ChangeWord], kind: str, is_so: _IsSo) -
         return _half(said, kind) or _seam(said)
     sign = next((word.sign for word in grown if word.what == "height"), 0)
     return _rise(sign, is_so) if kind in _LOWER and sign and _SITS.search(said) else ()
+
+
+def _one_side(said: str) -> Change | None:
+    """A sleeve that goes, or a shoulder that is bared, on one side."""
+    for pattern in (_NO_SLEEVE, _BARED):
+        if (found := pattern.search(said)) is not None:
+            side = found["side"] or found["other"]
+            if pattern is _BARED:
+                return Gain(Claim("shoulders", f"bare {side}"))
+            return Gain(Claim("sleeves", f"{'left' if side == 'right' else 'right'} only"))
+    return None
 
 
 def lacking(said: str, is_so: _IsSo) -> tuple[Change, ...]:
