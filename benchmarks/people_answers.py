@@ -1,6 +1,6 @@
 """What is made of people's wishes: expected statements that hold of the patterns, by the path of `generate`.
 
-python benchmarks/people_answers.py building|final [--misses] [--count N]
+python benchmarks/people_answers.py building|fresh|fresh_after|final [--misses] [--count N]
 
 Patterns are written as `generate` writes them, and measured. Of the final half only counts are printed.
 """
@@ -20,6 +20,13 @@ from swifttailor.describing.claims import CLAIM_TYPES, claims_of
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.tailor import Order
+
+_FILES = {
+    "building": WORDS / "building" / "prompts.jsonl",
+    "final": WORDS / "final" / "prompts.jsonl",
+    "fresh": WORDS / "fresh" / "prompts.jsonl",
+    "fresh_after": WORDS / "fresh" / "prompts_after.jsonl",
+}
 
 
 def met(expected: Expectation, facts: object) -> bool:
@@ -63,11 +70,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("half", choices=("building", "final"))
-    parser.add_argument("--misses", action="store_true", help="name what does not hold (building alone)")
+    parser.add_argument("half", choices=tuple(_FILES))
+    parser.add_argument(
+        "--misses", action="store_true", help="name what does not hold (not of the final half)"
+    )
     parser.add_argument("--count", type=int, help="only the first so many")
     args = parser.parse_args()
-    prompts = [p for p in read_people_prompts(WORDS / args.half / "prompts.jsonl") if p.garment][: args.count]
+    prompts = [p for p in read_people_prompts(_FILES[args.half]) if p.garment][: args.count]
     tailor, counts, misses = swifttailor.Tailor.load(), Counter[str](), list[str]()
     begun = time.perf_counter()
     for number, prompt in enumerate(prompts, start=1):
@@ -79,7 +88,7 @@ def main() -> None:
     print(f"  wishes of which all holds and nothing refused is so: {counts['prompts in all']}")
     print(f"  wrong in silence: {counts['wrong in silence']}; none made: {counts['none made']}")
     print(f"  refused, and so: {counts['refused, and so']}")
-    if args.misses and args.half == "building":
+    if args.misses and args.half != "final":
         print("\n".join(misses))
 
 

@@ -1,6 +1,6 @@
 """What becomes of people's instructions: expected statements that hold afterwards, by the path of `edit`.
 
-python benchmarks/people_edits.py building|fresh|fresher|final [--misses] [--count N] [--only ID ...]
+python benchmarks/people_edits.py HALF [--misses] [--count N] [--only ID ...]; halves are those of `_FILES`
 
 Each instruction is given to a garment of which what it presupposes is true, made by the path of `generate`.
 Of the final half only counts are printed.
@@ -34,6 +34,8 @@ _FILES = {
     "final": WORDS / "final" / "edits.jsonl",
     "fresh": WORDS / "fresh" / "edits.jsonl",
     "fresher": WORDS / "fresh" / "edits_after.jsonl",
+    "cutting": WORDS / "fresh" / "edits_cutting.jsonl",
+    "cutting_after": WORDS / "fresh" / "edits_cutting_after.jsonl",
 }
 _STAYS_CM = 2.0
 """What is to stay may move by so much."""
@@ -121,7 +123,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("half", choices=("building", "fresh", "fresher", "final"))
+    parser.add_argument("half", choices=tuple(_FILES))
     parser.add_argument(
         "--misses", action="store_true", help="name what does not hold (not of the final half)"
     )

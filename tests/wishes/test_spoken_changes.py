@@ -59,6 +59,20 @@ def gain(name, value):
         ("sleeve +4", "top", [Step("sleeve length", 1, 4.0)]),
         ("trim 5cm off sleeves & hem", "top", [Step("sleeve length", -1, 5.0), Step("length", -1, 5.0)]),
         ("another tier", "skirt", [Step("tiers", 1, 1.0)]),
+        ("one tier less", "skirt", [Step("tiers", -1, 1.0)]),
+        ("two more gores", "skirt", [Step("gores", 1, 2.0)]),
+        ("the tiers are too frilly", "skirt", [Step("tier gathers", -1)]),
+        ("drop the waist seam to the hip", "dress", [gain("waist_seam", "dropped")]),
+        ("raise the waist to under the bust", "dress", [gain("waist_seam", "empire")]),
+        ("just the top half of this", "dress", [gain("kind", "top")]),
+        ("I only want the skirt part", "dress", [gain("kind", "skirt")]),
+        ("drop the right sleeve altogether", "top", [gain("sleeves", "left only")]),
+        ("take the right shoulder off", "dress", [gain("shoulders", "bare right")]),
+        ("a touch more room in the seat", "trousers", [Step("thigh", 1)]),
+        ("nip the waist by three", "dress", [Step("chest", -1, 3.0)]),
+        ("straighten the hem", "dress", [gain("hem_shape", "level")]),
+        ("back neck down 8", "dress", [Step("back depth", 1, 8.0)]),
+        ("take the legs in from the knee down", "trousers", [Step("leg end", -1)]),
         ("two slits at the sides", "skirt", [gain("slit", "left"), gain("slit", "right")]),
         ("split the hem front, about 30cm", "skirt", [gain("slit", "front")]),
         ("not so tight", "top", [Step("chest", 1, 6.0)]),
@@ -88,12 +102,35 @@ def test_what_is_so_already_names_what_it_is_said_of():
     assert heard("deeper V", is_so=v_neck).changes == (Step("neck depth", 1),)
 
 
+@pytest.mark.parametrize(
+    ("text", "kind", "so", "changes"),
+    [
+        ("both sleeves the same please", "dress", ("sides", "different"), [gain("sides", "alike")]),
+        ("cover the left shoulder too", "top", ("shoulders", "bare left"), [gain("shoulders", "both")]),
+        ("let the darts out", "top", ("bodice", "darted"), [gain("bodice", "undarted")]),
+        ("sit it a bit lower on my hips", "skirt", ("rise", "high"), [gain("rise", "mid")]),
+        ("raise the waist", "trousers", ("rise", "low"), [gain("rise", "mid")]),
+        ("to the knee and with sleeves", "dress", ("sleeves", "none"), [gain("sleeves", "short")]),
+        ("the slit is too long", "skirt", ("slit", "left"), [Step("left slit", -1)]),
+    ],
+)
+def test_what_is_so_says_what_a_word_of_the_whole_garment_asks_for(text, kind, so, changes):
+    found = heard(text, kind, is_so=lambda claim: claim == Claim(*so)).changes
+    assert [c for c in found if c in changes] == changes
+    assert not set(heard(text, kind).changes) & set(changes)
+
+
 def test_what_is_denied_stays_as_it_is():
     said = heard("Don't make it shorter, just narrower at the hem", "skirt")
     assert said.changes == (Step("skirt hem", -1),)
     assert "length" in said.kept
     assert "length" in heard("lower the waist by 3 cm, keep overall length").kept
     assert "sleeve width" in heard("everything tighter except the sleeves", "top").kept
+
+
+def test_what_is_swapped_is_not_asked_for():
+    asked = heard("swap the long sleeves for short sleeves").changes
+    assert gain("sleeves", "short") in asked and gain("sleeves", "long") not in asked
 
 
 def test_each_clause_has_its_own_part_and_number():

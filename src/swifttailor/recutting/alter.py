@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
+from typing import cast
 
 from swifttailor.body import BodyMeasurements
 from swifttailor.describing import Claim
@@ -16,7 +17,7 @@ from swifttailor.recutting.levers.lever import Lever, Trick
 from swifttailor.recutting.plans import TRICKS, Plan, find_plans, names_it
 from swifttailor.recutting.table.checking import accepted
 from swifttailor.recutting.table.cutter import Cutter
-from swifttailor.recutting.unasked import spoken_parts, unasked, undoing
+from swifttailor.recutting.unasked import Keep, spoken_parts, unasked, undoing
 
 MOST_CUTS = 12
 TRIES_A_CUT = 5
@@ -45,7 +46,7 @@ class Alteration:
 
 def alter(
     pattern: Pattern,
-    wishes: Sequence[Change | Claim | str],
+    wishes: Sequence[Change | Claim | Keep | str],
     *,
     original: GarmentFacts | None = None,
     body: BodyMeasurements | None = None,
@@ -61,7 +62,7 @@ def alter(
     Args:
         pattern: Any pattern placed around a body.
         wishes: What the garment should show: changes, claims, or either as text, such as ``sleeves=long`` or
-            ``length +10`` (`read_change`).
+            ``length +10`` (`read_change`); or measures that are to stay (`Keep`).
         original: What steps are judged against; what the pattern shows when None.
         body: Who it is made for; the default body when None.
         most_cuts: How many cuts are kept at most.
@@ -76,7 +77,7 @@ def alter(
     if not pattern.panels:
         raise PatternError("A pattern without panels cannot be altered. Give one with at least one panel.")
     start = Cutter(pattern, body)
-    asked = tuple(dict.fromkeys(map(read_change, wishes)))
+    asked = tuple(dict.fromkeys([_as_change(wish) for wish in wishes]))
     parts = spoken_parts(asked) if keep_others else None
     work = _Work(original or start.facts, asked, most_cuts * TRIES_A_CUT, parts, frozenset(kept))
     before = set(work.holding(start.facts))
@@ -103,6 +104,10 @@ def alter(
         tuple(w for w in work.wishes if w not in holding),
         tuple(said),
     )
+
+
+def _as_change(wish: Change | Claim | Keep | str) -> Change:
+    return cast(Change, wish) if isinstance(wish, Keep) else read_change(wish)
 
 
 @dataclass

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.check.repair import Change
@@ -42,6 +42,8 @@ class Answer:
     """Id of the known pattern that it is cut from; empty where it was written."""
     draft: str = ""
     """Name of the draft that it is cut from; empty where it was not."""
+    anew: Literal["", "half", "all"] = ""
+    """How much of an edited pattern was made anew from a known one, which cutting did not lead to."""
     cuts: tuple[str, ...] = ()
     """What was altered, in words."""
     of_edit: bool = False

@@ -47,16 +47,21 @@ def from_edit(wanted: Wanted) -> Answer | None:
         return _as_it_is(edit, wanted, open=())
     if recut is None or len(recut.open) == len(wanted.wishes) or _is_remade(edit, recut):
         return None
-    verdict = Verdict(
+    verdict = judged(recut, wanted)
+    if verdict.unsound:
+        return None
+    return Answer(recut.pattern, verdict, wanted=wanted, cuts=recut.cuts, of_edit=True)
+
+
+def judged(recut: Alteration, wanted: Wanted) -> Verdict:
+    """What is wrong with a recut pattern."""
+    return Verdict(
         tuple(check_pattern(recut.pattern)),
         wanted.tolerated,
         senseless=_is_senseless(recut.facts),
         open=recut.open,
         refused=_refused(recut.facts, wanted),
     )
-    if verdict.unsound:
-        return None
-    return Answer(recut.pattern, verdict, wanted=wanted, cuts=recut.cuts, of_edit=True)
 
 
 def _as_it_is(

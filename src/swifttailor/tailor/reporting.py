@@ -109,6 +109,8 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
     writing: dict[str, Any] = {}
     if answer.known:
         writing = {"source": "library", "known_pattern": answer.known}
+        if answer.anew:
+            writing["made_anew"] = answer.anew
     elif answer.draft:
         writing = {"source": "draft", "draft": answer.draft}
     elif written is not None:
@@ -225,7 +227,10 @@ def _changed_notes(answer: Answer) -> list[str]:
     if answer.is_given:
         return ["Nothing was changed." if answer.verdict.open else "Nothing was changed: it was so already."]
     found = []
-    if not answer.of_edit:
+    if answer.anew:
+        what = "The half that was spoken of was made anew" if answer.anew == "half" else "Made anew"
+        found.append(f"{what}, since cutting the pattern does not lead there; compare the two.")
+    elif not answer.of_edit:
         found.append(
             "Written anew by PatternMaker, since that meets more than cutting does; compare the two."
         )

@@ -242,7 +242,12 @@ class Tailor(Workshop):
         clock.stop("reading")
         samples = [(one, one.order.seed + k) for one in wanted for k in range(one.order.samples)]
         return write_patterns(
-            lambda: self.pattern_maker, self.garment_sewer, samples, clock, self.library_for(orders)
+            lambda: self.pattern_maker,
+            self.garment_sewer,
+            samples,
+            clock,
+            self.library_for(orders),
+            lambda: self.pattern_library,
         )
 
     def _read(self, order: Order) -> Wanted:

@@ -14,6 +14,7 @@ from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.drafted import draft_candidates
 from swifttailor.tailor.fitting import fit, from_edit
 from swifttailor.tailor.known import KNOWN_ATTEMPTS, KnownCandidates, known_candidates
+from swifttailor.tailor.made_anew import anew_from_known
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.protocols import PatternWriter, Sewer
 from swifttailor.tailor.reading import Wanted
@@ -33,6 +34,7 @@ def write_patterns(
     samples: Sequence[Sample],
     clock: Clock,
     library: PatternLibrary | None = None,
+    known_to_edit: Callable[[], PatternLibrary | None] | None = None,
 ) -> list[Answer | SwiftTailorError]:
     """Finds a pattern for each sample, all together, until each is sound or had its attempts.
 
@@ -49,6 +51,8 @@ def write_patterns(
         samples: At least one; their orders have one temperature and number of attempts.
         clock: Takes the seconds of the stages.
         library: Known patterns; None where all are to be written.
+        known_to_edit: Gives those that edits may be made anew from, where cutting does not lead to what is
+            asked; None where they may not.
 
     Returns:
         For each sample its pattern, prepared to be sewn, or why there is none.
@@ -72,7 +76,11 @@ def write_patterns(
     if library is not None:
         clock.stop("searching")
     tried: list[list[Answer]] = [[] for _ in samples]
-    kept = {k: replace(one, seed=seed) for k, (w, seed) in enumerate(samples) if (one := from_edit(w))}
+    kept = {
+        k: [replace(one, seed=seed) for one in found]
+        for k, (w, seed) in enumerate(samples)
+        if (found := _edited(w, known_to_edit))
+    }
     for attempt in range(attempts):
         waiting = [
             k
@@ -115,12 +123,22 @@ def write_patterns(
                 clock.stop("drawing")
             tried[k].append(answer)
     clock.restart()
-    chosen = [_chosen(tried[k] or [kept[k]], sewer, wanted.order) for k, (wanted, _) in enumerate(samples)]
+    chosen = [_chosen(tried[k] or kept[k], sewer, wanted.order) for k, (wanted, _) in enumerate(samples)]
     clock.stop("drawing")
     if any(wanted.part is not None and wanted.order.most_refined for wanted, _ in samples):
         chosen = [_refined(answer, tried[k], known[k], samples[k], sewer) for k, answer in enumerate(chosen)]
         clock.stop("refining")
     return chosen
+
+
+def _edited(wanted: Wanted, library: Callable[[], PatternLibrary | None] | None) -> list[Answer]:
+    """The pattern to edit, recut; and made anew from a known one where that does all that is asked."""
+    cut = from_edit(wanted)
+    found = [] if cut is None else [cut]
+    if library is None or wanted.order.edit is None or (cut is not None and not cut.verdict.open):
+        return found
+    anew = anew_from_known(wanted, library)
+    return found if anew is None else [*found, anew]
 
 
 def _begun_from(answer: Answer, draft: str) -> Answer:
@@ -170,7 +188,8 @@ def _prepared(answer: Answer, sewer: Sewer, order: Order) -> Answer:
 def _chosen(tried: Sequence[Answer], sewer: Sewer, order: Order) -> Answer | SwiftTailorError:
     """The last of the answers to a sample if that is sound, else the best of those that can be sewn."""
     best_first = sorted(range(len(tried)), key=lambda k: tried[k].rank)
-    for taken in best_first if tried[-1].verdict.fault else [len(tried) - 1]:
+    last = [] if tried[-1].verdict.fault else [len(tried) - 1]
+    for taken in dict.fromkeys([*last, *best_first]):
         answer = tried[taken]
         if answer.prepared is None and not answer.verdict.unsewable:
             answer = _prepared(answer, sewer, order)

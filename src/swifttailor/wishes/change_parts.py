@@ -47,7 +47,7 @@ _OF: Mapping[str, Mapping[Property, _Way]] = {
         "width": ("armholes", 1),
         "length": ("armholes", 1),
     },
-    "tiers": {"length": ("tiers", 1), "width": ("tiers", 1)},
+    "tiers": {"length": ("tiers", 1), "width": ("tier gathers", 1)},
     "back_slit": {"length": ("back slit", 1), "height": ("back slit", 1)},
 }
 PARTS = frozenset({*_OF, "hem", "waist", "hips", "skirt", "slit", "lower", "all"})
@@ -145,11 +145,7 @@ def _way(part: str, what: Property, kind: str) -> _Way | None:
         if part == "waist":
             return ("waistband width", 1) if kind in _LOWER or kind == "skirt" else ("chest", 1)
         return (
-            ("leg end", 1)
-            if kind in _LEGS
-            else ("chest", 1)
-            if kind in ("top", "tunic")
-            else ("skirt hem", 1)
+            ("thigh", 1) if kind in _LEGS else ("chest", 1) if kind in ("top", "tunic") else ("skirt hem", 1)
         )
     if part == "slit":
         return None

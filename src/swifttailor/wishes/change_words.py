@@ -79,7 +79,8 @@ def _apart_patterns() -> list[tuple[tuple[Property, int], re.Pattern[str]]]:
         verbs = _any_of(list(row.texts)).pattern
         # "in the front" and "in blue" say where and how, not that something is taken in.
         behind = (
-            r"(?= (?:a|by|at|around|round|some|to|so|just|slightly|\d)\b|\W*$|[.,;:!?)]| and\b| please\b)"
+            r"(?= (?:a|by|at|around|round|some|to|so|just|slightly|from|below|above|\d)\b"
+            r"|\W*$|[.,;:!?)]| and\b| please\b)"
         )
         pattern = rf"(?P<verb>{verbs})(?: [\w'’]+){{1,5}}? (?P<particle>{particle}){behind}"
         found.append(((what, _SIGNS[sign]), re.compile(pattern)))

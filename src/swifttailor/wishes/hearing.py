@@ -7,6 +7,7 @@ together.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
@@ -77,6 +78,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         *stated,
         *[w for w in found if not _is_outdone(w, said, never) and w.change not in _changes(stated)],
     )
+    found = (*found, *_of_both_faces(text, found))
     if any(claim == _BARE_ARMS for claim in never) and not any(
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve") for w in found
     ):
@@ -87,6 +89,17 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     sure, likely = sure_wishes(found), likely_wishes(found)
     silent = unaccounted(words, _changes((*sure, *likely)), never, [m.mention.end for m in measures])
     return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
+
+
+def _of_both_faces(text: str, found: Sequence[Wish]) -> list[Wish]:
+    """A neckline that is the same behind: "a V neck front and back"."""
+    claims = {w.change.claim.name: w for w in found if isinstance(w.change, Gain)}
+    front = claims.get("neckline")
+    if front is None or "back_neckline" in claims or not _BOTH_FACES.search(text):
+        return []
+    assert isinstance(front.change, Gain)
+    shape = _BEHIND.get(str(front.change.claim.value))
+    return [] if shape is None else [Wish(Gain(Claim("back_neckline", shape)), front.certainty)]
 
 
 def _changes(wishes: Iterable[Wish]) -> list[Change]:
@@ -134,6 +147,13 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
     return found
 
 
+_BOTH_FACES = re.compile(
+    r"neck\w*[^.,;]{0,20}(?<!\w)"
+    r"(?:front (?:and|&) (?:at the |the )?back|back (?:and|&) (?:at the |the )?front)(?!\w)",
+    re.IGNORECASE,
+)
+_BEHIND = {"v": "v", "square": "square", "round": "round", "scoop": "round", "crew": "round"}
+"""Shapes of back necklines by those of front ones."""
 _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
 _BARE_ARMS = Claim("sleeves", "none")
 _TOPICS = {

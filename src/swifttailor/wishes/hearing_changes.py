@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
-from swifttailor.describing.claims import claims_of
+from swifttailor.describing.claims import Claim, claims_of
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
+from swifttailor.wishes.change_parts import subjects_of
+from swifttailor.wishes.change_words import find_parts
 from swifttailor.wishes.heard import Heard
+from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.spoken_amounts import share_of
 from swifttailor.wishes.spoken_changes import SpokenChanges, spoken_changes
 from swifttailor.wishes.spoken_clauses import SpokenClause, other_than
 from swifttailor.wishes.spoken_measures import spoken_measures
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
-from swifttailor.wishes.unread import not_understood, says_nothing_else
+from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
+from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, Entry, WordReading, exclude
 
 SURE_IN_KNOWN_WORDS = 0.7
@@ -23,6 +29,18 @@ SURE_IN_KNOWN_WORDS = 0.7
 are meant (instructions between validation patterns, written as for the training)."""
 SURE_BESIDE = 0.97
 """Enough in a clause of an instruction that words alone explain in part."""
+
+
+_MADE = {
+    "sleeve length": Claim("sleeves", "long"),
+    "waistband height": Claim("waistband", "waist"),
+    "collar height": Claim("collar", "stand"),
+    "hood depth": Claim("hood", "hood"),
+    "hood height": Claim("hood", "hood"),
+    "cuff length": Claim("cuffs", "band"),
+    "leg cuff length": Claim("leg_cuffs", "band"),
+}
+"""What has to be there for a measure to grow."""
 
 
 def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None = None) -> Heard:
@@ -41,6 +59,8 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     spoken = spoken_changes(
         text, words, kind or "dress", lambda claim: facts is not None and claim.holds(facts)
     )
+    if facts is not None:
+        spoken = _with_shares(text, spoken, facts)
     told = list(spoken.changes)
     stated = {}
     measures = spoken_measures(text, kind)
@@ -56,6 +76,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         ):
             stated[clause.start] = measure
             told.append(Gain(measure.claim))
+    told = _without_vague_depth(told if facts is None else [_made_where_lacking(c, facts) for c in told])
     covered = facts is not None and QUANTITIES["armholes"].of(facts) is None
     hidden = [c for c in told if covered and isinstance(c, Step) and c.quantity == "armholes"]
     told = [change for change in told if change not in hidden]  # nobody takes sleeves off for that
@@ -66,31 +87,35 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         if not clause.left_over or clause.start in stated:
             continue
         found = _by_network(text, clause, reader, words, len(spoken.clauses) == 1)
-        new = [w for w in found if _adds(w.change, told, spoken, words)]
+        part = text[clause.start : clause.end]
+        new = [w for w in found if _adds(w.change, told, spoken, words) and _is_named(w.change, part)]
+        if told and facts is not None:  # what is so already describes what is there
+            new = [w for w in new if isinstance(w.change, Step) or not w.change.holds(facts, facts)]
         certain = [w for w in sure_wishes(tuple(new)) if not clause.changes or w.certainty >= SURE_BESIDE]
         plain = [w for w in likely_wishes(tuple(new)) if w.certainty >= SURE_IN_KNOWN_WORDS]
-        part = text[clause.start : clause.end]
         if not clause.changes and plain and says_nothing_else(part, [w.change for w in (*certain, *plain)]):
             certain = [*certain, *plain]
         sure += certain
         told += [w.change for w in certain]
         likely += [w for w in likely_wishes(tuple(new)) if w not in certain]
         unread += _still_unread(part, clause, certain, reader)
-    held = [] if facts is None else [c for c in words.never if c.holds(facts)]
+    never = _refused(words)
+    held = [] if facts is None else [c for c in never if c.holds(facts)]
     sure += [
         Wish(gain, SURENESS["usual"] + 0.1)
-        for gain in other_than(words.never, held, [subject_of(change) for change in told])
+        for gain in other_than(never, held, [subject_of(change) for change in told])
         if not _is_moved_away(gain, told)
     ]
     changes = [wish.change for wish in sure]
     unread += _other_garments(text, words, kind, changes)
+    unread += [n for n in unread_numbers(text, changes) if not _counts_elsewhere(n, text, changes)]
     lacks = tuple([lack for lack in lacks_of(words, changes, measures) if lack.said])
     silent = _not_answered(unread, words)
     return Heard(
         text,
         tuple(sure),
         tuple(likely),
-        words.never,
+        never,
         silent,
         lacks,
         words,
@@ -138,11 +163,73 @@ def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: 
     return True
 
 
+def _without_vague_depth(told: Sequence[Change]) -> list[Change]:
+    """Of a neckline that is 12 cm deep nobody says besides how deep it is."""
+    names = {subject_of(change) for change in told}
+    stated = {name for name in ("neck_depth", "back_depth") if f"{name}_cm" in names}
+    return [change for change in told if subject_of(change) not in stated]
+
+
+def _made_where_lacking(change: Change, facts: GarmentFacts) -> Change:
+    """What a garment lacks is made before it can be larger: longer sleeves of a sleeveless dress."""
+    if not isinstance(change, Step) or change.direction < 0 or change.amount is not None:
+        return change
+    made = _MADE.get(change.quantity)
+    lacks = made is not None and QUANTITIES[change.quantity].of(facts) is None
+    return Gain(made) if made is not None and lacks and fits_kind(made.name, named_kind(facts)) else change
+
+
+def _counts_elsewhere(number: str, text: str, changes: Sequence[Change]) -> bool:
+    """Whether a number is in no wish as it stands and yet counts: as a share, on both sides."""
+    if share_of(text.lower()) is not None:
+        return True
+    value = next((m.value for m in find_mentions(number)), None)
+    amounts = [c.amount for c in changes if isinstance(c, Step) and c.amount is not None]
+    return value is not None and any(abs(amount - 2 * value) < 0.1 for amount in amounts)
+
+
+def _refused(words: WordReading) -> tuple[Claim, ...]:
+    """What is refused; of a detail that means several things the first: not strapless may be sleeveless."""
+    beside = {
+        claim
+        for mark in words.marks
+        if mark.denied
+        for entry in mark.entries
+        if entry.category != "garments"
+        for claim in entry.claims("certain")[1:]
+    }
+    return tuple([claim for claim in words.never if claim not in beside])
+
+
+def _is_named(change: Change, part: str) -> bool:
+    """Whether a clause speaks of what a change is about, or names no part at all."""
+    named = {found.part for found in find_parts(part.lower())} - {"all"}
+    return not named or any(subject_of(change) in subjects_of(each) for each in named)
+
+
+def _with_shares(text: str, spoken: SpokenChanges, facts: GarmentFacts) -> SpokenChanges:
+    """Steps by a part of what the garment measures: "half as high"."""
+    clauses = []
+    for clause in spoken.clauses:
+        share = share_of(text[clause.start : clause.end].lower())
+        changes = [_by_share(c, share, facts) for c in clause.changes] if share else clause.changes
+        clauses.append(replace(clause, changes=tuple(changes)))
+    return replace(spoken, clauses=tuple(clauses))
+
+
+def _by_share(change: Change, share: float, facts: GarmentFacts) -> Change:
+    if not isinstance(change, Step) or change.amount is not None:
+        return change
+    measure = QUANTITIES[change.quantity].of(facts)
+    return change if measure is None else replace(change, amount=round(share * measure, 2))
+
+
 def _is_moved_away(gain: Gain, told: Sequence[Change]) -> bool:
     """Whether a step leads away from what is refused already."""
     moved = {
         "fit": ("chest",), "neckline": ("neck depth", "neck width"), "skirt_hem": ("length",),
         "sleeve_shape": ("sleeve width", "sleeve end", "sleeve head"),
+        "skirt": ("tier gathers", "tiers", "gores", "godets", "skirt hem", "skirt gathers"),
     }  # fmt: skip
     steps = {change.quantity for change in told if isinstance(change, Step)}
     return bool(steps.intersection(moved.get(gain.claim.name, ())))

@@ -14,21 +14,54 @@ from swifttailor.wishes.spoken_clauses import SpokenClause
 _TO = re.compile(r"(?<!\w)(?:to|auf|à|a|at|becomes?)\s*(?:about|around|roughly|exactly)?\s*$")
 _SMALLEST_CM = 10.0
 """A bare number from here on is a measure in cm."""
-_COUNTED = {"tiers": "tier|tiers|row|rows|stufe|stufen|étage|étages", "godets": "godet|godets"}
-_ONE_MORE = re.compile(
-    r"(?<!\w)(?:another|one more|an extra|an additional|extra|add an?|add one)"
-    r"(?: [\w'’]+)?? (?P<what>[\w'’]+)"
-)
-_SOME_MORE = re.compile(
-    r"(?:(?:another|add) (?P<one>\w+)|(?P<other>\w+) (?:more|extra|additional)) (?P<what>[\w'’]+)"
+_COUNTED = {
+    "tiers": "tiers?|rows?|layers?|stufen?|étages?|volantes?",
+    "godets": "godets?",
+    "gores": "gores?|panels?|bahn|bahnen",
+}
+_N = r"(?P<n>an?|one|two|three|four|five|six|\d|eine?|zwei|drei|une?|deux|trois|una?|dos|tres)"
+_MORE, _FEWER = r"(?:more|extra|additional|mehr|de plus|más)", r"(?:fewer|less|weniger|de moins|menos)"
+_LOST = r"(?:lose|remove|drop|ditch|take (?:off|out|away)|cut off|without|minus)"
+_COUNT_CHANGES = tuple(
+    (sign, re.compile(rf"(?<!\w){words}(?!\w)"))
+    for sign, words in (
+        (1, rf"(?:another|add|with)(?: {_N})?(?: {_MORE})? (?P<what>\w+)"),
+        (1, r"(?:extra|additional) (?P<what>\w+)"),
+        (1, rf"{_N} {_MORE} (?P<what>\w+)"),
+        (1, rf"{_N} (?P<what>\w+) {_MORE}"),
+        (-1, rf"{_N} {_FEWER} (?P<what>\w+)"),
+        (-1, rf"{_N} (?P<what>\w+) {_FEWER}"),
+        (-1, rf"{_LOST} (?:the |its )?(?:(?:bottom|lowest|last|top) )?(?:{_N} )?(?P<what>\w+)"),
+    )
 )
 SIGNED = re.compile(r"(?:[+\-\u2212]|(?<!\w)(?:plus|minus))\s*$")
 """Before a number without a unit, which is in cm then: "sleeve +4"."""
 _MORE_BEFORE = re.compile(r"(?:(?<!\w)(?:plus|extra|add|adding|another|gain)(?: about)?\s*|\+\s*)$")
 _MORE_BEHIND = re.compile(r"\s*(?:more|extra|plus)(?!\w)(?!\s+\w*(?:er|long|wide|deep)(?!\w))")
+_CHANGE_BEFORE = re.compile(
+    r"(?<!\w)(?:down|up|in|out|by|longer|shorter|wider|narrower|deeper|higher|lower|raise|drop|lengthen|shorten)\s$"
+)
+_NOTHING_BEHIND = re.compile(r"\s*(?:$|[.,;!?)]|please|each|and|then)")
 _CAREFUL_CM = 6.0
 """A step of no stated size where something beyond it is refused: "shorter, but not mini"."""
-_NUMBERS = {"two": 2.0, "three": 3.0, "four": 4.0, "2": 2.0, "3": 3.0, "4": 4.0}
+_NUMBERS = {
+    word: float(number)
+    for number, words in (
+        (2, "two zwei deux dos"),
+        (3, "three drei trois tres"),
+        (4, "four"),
+        (5, "five"),
+        (6, "six"),
+    )
+    for word in words.split()
+}
+_SHARES = (
+    (0.5, r"half as|by half|(?:in|by) half|halve|half the|halb so|moitié"),
+    (1.0, r"twice as|twice the|double|doppelt so|deux fois plus"),
+    (1 / 3, r"(?:by )?(?:a|one) third"),
+    (0.25, r"(?:by )?(?:a|one) quarter"),
+)
+_PERCENT = re.compile(r"(\d{1,3}) ?(?:%|per ?cent|prozent)")
 
 
 def is_more_by(text: str, numbers: Sequence[Mention]) -> bool:
@@ -38,6 +71,12 @@ def is_more_by(text: str, numbers: Sequence[Mention]) -> bool:
         and (_MORE_BEFORE.search(text[: m.start]) or _MORE_BEHIND.match(text, m.end))
         for m in numbers
     )
+
+
+def is_bare_cm(text: str, mention: Mention) -> bool:
+    """Whether a number without a unit is by how many cm something changes: "back neck down 8"."""
+    before, behind = text[: mention.start], text[mention.end :]
+    return not mention.is_length and bool(_CHANGE_BEFORE.search(before) and _NOTHING_BEHIND.match(behind))
 
 
 def by_little(change: Change) -> Change:
@@ -70,22 +109,41 @@ def to_target(changes: Sequence[Change], mention: Mention) -> tuple[Change, ...]
 
 
 def more_of_them(said: str) -> tuple[Change, ...]:
-    """Pieces that are to be added: "another tier", "add two tiers".
+    """Pieces that are to be added or taken off: "another tier", "two gores fewer".
 
     Args:
         said: A clause in lower case.
     """
-    for quantity, words in _COUNTED.items():
-        named = re.compile(words)
-        several = _SOME_MORE.search(said)
-        if several is not None and named.fullmatch(several["what"]):
-            count = _NUMBERS.get(several["one"] or several["other"])
-            if count is not None:
-                return (Step(quantity, 1, count),)
-        one = _ONE_MORE.search(said)
-        if one is not None and named.fullmatch(one["what"]):
-            return (Step(quantity, 1, 1.0),)
+    for sign, pattern in _COUNT_CHANGES:
+        for found in pattern.finditer(said):
+            for quantity, words in _COUNTED.items():
+                if not re.fullmatch(words, found["what"]):
+                    continue
+                number = found.groupdict().get("n") or ""
+                count = _NUMBERS.get(number, float(number) if number.isdigit() else 1.0)
+                if number or not found["what"].endswith("s"):
+                    return (Step(quantity, sign, count),)
     return ()
+
+
+def counts(word: str) -> bool:
+    """Whether a word is of what is counted: tiers, godets, gores."""
+    return any(re.fullmatch(words, word) for words in _COUNTED.values())
+
+
+def share_of(said: str) -> float | None:
+    """By which part of itself a measure is to change: "half as high", "20 % wider"; None where none is said.
+
+    Args:
+        said: A clause in lower case.
+    """
+    percent = _PERCENT.search(said)
+    if percent is not None:
+        return float(percent[1]) / 100
+    return next(
+        (share for share, words in _SHARES if re.search(rf"(?<!\w)(?:{words})(?!\w)", said)),
+        None,
+    )
 
 
 def joined_amount(clause: SpokenClause, length: float) -> SpokenClause:

@@ -28,7 +28,8 @@ from swifttailor.wishes.spoken_clause_words import part_said_of, read_clause
 from swifttailor.wishes.spoken_clauses import SpokenClause, clashes_of, without_what_is_so
 from swifttailor.wishes.spoken_places import at_the_neck
 from swifttailor.wishes.spoken_scenes import SpokenScene, spoken_scene
-from swifttailor.wishes.spoken_targets import clauses_of, meant
+from swifttailor.wishes.spoken_targets import clauses_of, given_away, meant
+from swifttailor.wishes.spoken_wholes import of_wholes
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import WordReading, read_words
 
@@ -72,6 +73,8 @@ def spoken_changes(
     them = False
     changes, parts, mentions = find_changes(small), find_parts(small), find_mentions(text)
     implied = meant(small, words, kind)
+    gone = given_away(small, implied)
+    implied = [each for each in implied if each not in gone]
     bounds = clauses_of(small)
     found: list[SpokenClause] = []
     kept: set[str] = set()
@@ -80,7 +83,8 @@ def spoken_changes(
     vague: tuple[int, SpokenScene] | None = None
     for start, end in bounds:
         inside = [p for p in parts if start <= p.start < end]
-        if kept_words().search(small, start, end):
+        whole = of_wholes(small[start:end], (), kind, is_so)
+        if not whole and kept_words().search(small, start, end):
             for part in inside:
                 kept |= subjects_of(part.part)
                 if part.word.endswith(("length", "länge", "longueur", "largo")):

@@ -16,13 +16,16 @@ from swifttailor.wishes.change_words import (
 from swifttailor.wishes.mentions import Mention
 from swifttailor.wishes.spoken_amounts import (
     SIGNED,
+    counts,
+    is_bare_cm,
     is_more_by,
     is_target,
     more_of_them,
     to_target,
 )
 from swifttailor.wishes.spoken_clauses import SpokenClause
-from swifttailor.wishes.spoken_places import hem_shape, slit
+from swifttailor.wishes.spoken_places import hem_shape, slit, slit_step
+from swifttailor.wishes.spoken_wholes import lacking, of_wholes
 from swifttailor.wishes.unread import is_function_word
 from swifttailor.wording.lexicon import Implication, WordMark, WordReading
 
@@ -43,8 +46,14 @@ _NAMED = {
 }
 """Kinds that a name of a garment can mean where one is there already."""
 _OF_HEMS = frozenset({"sweep", "flare", "swing", "vuelo"})
+_PRONOUNS = frozenset({"it", "them", "es", "ihn"})
 _GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders"})
 _TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
+_FROM_THERE = re.compile(
+    r"(?<!\w)(?:from|below|above) (?:the )?(?:knees?|elbows?|waist|hips?|thighs?|ankles?)"
+    r" (?:down|downwards|up|upwards)(?!\w)"
+)
+"""Where along a part it is to change, and no length: "in from the knee down"."""
 _TO_BE = re.compile(r"(?<!\w)(?:make|made|be|become|want|wants|need|prefer|should|mach|rends|haz)(?!\w)")
 _YEAR = re.compile(r"(?<!\w)(?:1[5-9]\d\d|\d0)s(?!\w)|(?<!\w)1[5-9]\d\d(?!\w)")
 _STEPS_DOWN = re.compile(r"(?<!\w)(?:off|away|remove|take|lose|without|weniger|weg)(?!\w)")
@@ -83,6 +92,9 @@ def read_clause(
     claims = [i for i in implied if start <= i.mark.start < end and not _within(i.mark, grown)]
     if _TAKEN_OUT.search(said):
         claims = []
+    places = [m.span() for m in _FROM_THERE.finditer(text, start, end)]
+    claims = [i for i in claims if not any(a <= i.mark.start < b for a, b in places)]
+    grown = [c for c in grown if not any(a <= c.start < b for a, b in places)]
     details = [i for i in claims if i.mark.entries[0].category != "parts"]
     spans = [(i.mark.start, i.mark.end) for i in details]
     # What is said of a detail is no change: "a low neckline" is not lowered by being called so.
@@ -110,10 +122,10 @@ def read_clause(
         if meant and len(meant) == len(claims):
             grown = [c for c in plain if start <= c.start < end]
             claims, details, bare = [], [], True
-    signed = next((m.value for m in numbers if SIGNED.search(text[: m.start])), None)
+    signed = next((m.value for m in numbers if SIGNED.search(text[: m.start]) or is_bare_cm(text, m)), None)
     length = next((m.value for m in numbers if m.is_length), signed)
     changes: list[Change] = []
-    used: list[tuple[int, int]] = []
+    used: list[tuple[int, int]] = list(places)
     missed: list[str] = []
     for word in grown:
         named = part_said_of(word, parts, spans)
@@ -124,6 +136,9 @@ def read_clause(
         made: tuple[Change, ...] = () if bare else hem_shape(said, named, word, kind)
         if named in (None, "all") and text[word.start : word.end] in _OF_HEMS:
             named = "hem"
+        spoken_of = last if named in (None, "all") and all(p.word in _PRONOUNS for p in parts) else named
+        if spoken_of == "slit" and not made:
+            made = slit_step(word, is_so, amount)
         for part in (named or (last if bare or them else None), last, None):
             made = made or changes_of(part, word.what, word.sign, kind, amount)
         made = made if target is None else to_target(made, target)
@@ -144,8 +159,14 @@ def read_clause(
         ):
             what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
             changes += changes_of(part, what, sign, kind, length)
-    if not changes:
-        changes += more_of_them(said)
+    counted = more_of_them(said)
+    whole = of_wholes(said, grown, kind, is_so)
+    if not (whole or changes or claims):
+        whole = lacking(said, is_so)
+    if counted or whole:
+        # What is said of all of it is said of none of its parts: "drop the waist" of a skirt.
+        changes, claims, details = [*counted, *whole], [], []
+        used += [(m.start(), m.end()) for m in _WORD.finditer(text, start, end) if whole or counts(m[0])]
     if any(p.part == "tiers" for p in parts) and _STEPS_DOWN.search(said) and not changes:
         changes.append(Step("tiers", -1, 1.0))
     if any(p.part == "slit" for p in parts) and not claims and not changes:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
-from swifttailor.describing.differences import Change, Gain
+from swifttailor.describing.differences import Change, Gain, Step
 from swifttailor.wishes.change_words import ChangeWord, find_parts
 from swifttailor.wishes.spoken_clauses import SpokenClause
 
@@ -54,6 +54,19 @@ def slit(said: str, denied: bool) -> list[Change]:
         (name for name, words in _PLACES.items() if re.search(rf"(?<!\w)(?:{words})(?!\w)", said)), None
     )
     return [] if place is None else [Gain(Claim("slit", place))]
+
+
+def slit_step(word: ChangeWord, is_so: Callable[[Claim], bool], amount: float | None) -> tuple[Change, ...]:
+    """Slits that are there made longer or shorter.
+
+    Args:
+        word: The word of change.
+        is_so: Whether a claim is true of the garment.
+        amount: By how many cm, where that is said.
+    """
+    if word.what == "width":
+        return ()
+    return tuple([Step(f"{p} slit", word.sign, amount) for p in _PLACES if is_so(Claim("slit", p))])
 
 
 def at_the_neck(text: str, clause: SpokenClause, is_so: Callable[[Claim], bool]) -> SpokenClause:

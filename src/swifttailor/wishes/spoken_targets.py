@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
@@ -17,6 +18,10 @@ _JOINT = re.compile(
     re.IGNORECASE,
 )
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
+_SWAPPED = re.compile(
+    r"(?<!\w)(?:swap|swop|exchange|trade|replace|switch|change|tausche?|ersetze?|remplacer?|cambia)\s+"
+    r"(?P<old>(?:the|these|those|my|its|this|that|die|den|das|le|la|les|los|las)\s[^.;!?]+?)\s+(?:for|with|by|to|into|gegen|durch|par|por)(?!\w)"
+)
 _PARTS_OF = {"dress": ("skirt", "top"), "jumpsuit": ("trousers", "top"), "playsuit": ("shorts", "top")}
 
 
@@ -31,6 +36,9 @@ def meant(text: str, words: WordReading, kind: str) -> list[Implication]:
     found = []
     for each in words.implications:
         certain = each.certainty == "certain"
+        unmade = any(entry.cannot for entry in each.mark.entries) and each.claim.name != "kind"
+        if unmade and not certain:
+            continue  # what goes with a detail that cannot be made is not asked for without it
         if each.said and each.certainty != "likely":
             peplum = each.claim.value == "peplum" and kind in ("top", "tunic")
             if fits_kind(each.claim.name, kind) or each.claim.name == "kind" or peplum:
@@ -42,6 +50,17 @@ def meant(text: str, words: WordReading, kind: str) -> list[Implication]:
     if any(i.claim.name == "kind" for i in kinds):
         return kinds
     return [*kinds, *_after_arrow(text, words, kind)]
+
+
+def given_away(text: str, implied: Sequence[Implication]) -> list[Implication]:
+    """What is named only because it goes: the sleeves of "swap the long sleeves for short ones".
+
+    Args:
+        text: In lower case.
+        implied: What the lexicon reads in the text.
+    """
+    spans = [m.span("old") for m in _SWAPPED.finditer(text)]
+    return [i for i in implied if any(a <= i.mark.start < b for a, b in spans)]
 
 
 def _short_legs(each: Implication, kind: str) -> Implication:

@@ -25,6 +25,21 @@ _REACHES = re.compile(
 _OF = re.compile(r"(?<!\w)([^\W\d_]+) (?:of|for)(?: the| an?)? ([^\W\d_]+)(?!\w)")
 
 
+_WITHDRAWN = re.compile(
+    r"(?<!\w)(?:with |in )?(?:an? |some )?[\w'’-]+(?: [\w'’-]+)?\?\s*(?:no|nah|nope|nein|non)(?!\w)[,:]?\s*"
+    r"(?=(?:just|only|nur)(?!\w))",
+    re.IGNORECASE,
+)
+"""What is asked and answered with no: "with godets? no, just a full circle"."""
+
+_CORRECTED = re.compile(
+    r"^\W*(?:[\w'’-]+\s+){0,3}[\w'’-]+[\s,.;–—-]+(?:no,? wait|wait,? no|scratch that|actually,? no|or rather"
+    r"|(?:sorry,? )?i meant?|no,? sorry)(?!\w)[\s,:–—-]*(?=\D+$)",
+    re.IGNORECASE,
+)
+"""A few words that are taken back: "a dress, no wait, a jumpsuit"."""
+
+
 def text_as_read(text: str, kind: str | None = None) -> tuple[str, WordReading]:
     """The text with typing errors put right, and its words.
 
@@ -55,6 +70,7 @@ def _turned(text: str) -> str:
         name = f"{found[2]} {found[1]}"
         return name if is_garment(name.lower()) else found[0]
 
+    text = _CORRECTED.sub("", _WITHDRAWN.sub("", text))
     text = _ABOUT.sub(r"\1 ", text)
     return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", _OF.sub(turned, text)))
 

@@ -48,6 +48,17 @@ def test_straps_are_as_wide_as_asked(name, width):
     assert abs(top[0][0] - top[1][0]) == pytest.approx(width)
 
 
+@pytest.mark.parametrize("height", [2.0, 10.0, 14.0])
+def test_a_turtleneck_s_collar_is_as_long_as_its_neckline_and_as_high_as_asked(height):
+    pattern = draft("turtleneck", collar_height=height)
+    for face in ("front", "back"):
+        neck, collar = seam_length(pattern, f"left_{face[0]}torso", f"left_collar_{face}")
+        assert collar == pytest.approx(neck, rel=1e-3)
+    facts = measure_facts(pattern)
+    assert facts.collar is not None and facts.collar.height == pytest.approx(height, abs=0.1)
+    assert Claim("collar", "turtleneck").holds(facts) == (height > 4.0)
+
+
 @pytest.mark.parametrize("name", ["jeans", "leggings"])
 def test_slim_legs_are_slim_down_to_the_ankle(name):
     facts = measure_facts(draft(name))

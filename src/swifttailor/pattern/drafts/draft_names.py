@@ -12,6 +12,7 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "tank-top": "top",
     "camisole": "top",
     "bustier": "top",
+    "turtleneck": "top",
     "waistcoat": "top",
     "hoodie": "top",
     "fitted-dress": "dress",

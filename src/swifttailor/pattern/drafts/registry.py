@@ -49,6 +49,9 @@ _DRAFTS = (
     DraftInfo("tank-top", "Sleeveless top with straps", tops.draft_tank_top),
     DraftInfo("camisole", "Top on thin straps", strappy.draft_camisole),
     DraftInfo("bustier", "Strapless top to the waist, a heart for its upper edge", strappy.draft_bustier),
+    DraftInfo(
+        "turtleneck", "Long sleeves, a collar that stands close around the neck", tops.draft_turtleneck
+    ),
     DraftInfo("waistcoat", "Sleeveless top, deep V neck, pointed front hem", tops.draft_waistcoat),
     DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", tops.draft_hoodie),
     DraftInfo(

@@ -18,6 +18,7 @@ from swifttailor.recutting.levers.lever import Lever, Trick
 from swifttailor.recutting.levers.necks import NECK_LEVERS, NECK_TRICKS
 from swifttailor.recutting.levers.parts import ADDED_PARTS, PART_TRICKS
 from swifttailor.recutting.levers.peplum import PEPLUM_TRICKS
+from swifttailor.recutting.levers.sides import SIDE_TRICKS
 from swifttailor.recutting.levers.sleeve_widths import SLEEVE_WIDTH_LEVERS
 from swifttailor.recutting.levers.slits import SLIT_LEVERS, SLIT_TRICKS
 from swifttailor.recutting.levers.tiers import TIER_LEVERS, TIER_TRICKS
@@ -44,6 +45,7 @@ LEVERS: tuple[Lever, ...] = (
 TRICKS: tuple[Trick, ...] = (
     *NECK_TRICKS,
     *ARMHOLE_TRICKS,
+    *SIDE_TRICKS,
     *BODICE_DART_TRICKS,
     *SLIT_TRICKS,
     *TIER_TRICKS,

@@ -1,4 +1,4 @@
-"""Tops with a loose torso: t-shirt, tank top, waistcoat, hoodie."""
+"""Tops with a loose torso: t-shirt, tank top, turtleneck, waistcoat, hoodie."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.pattern import Pattern
 
 
@@ -85,6 +86,46 @@ def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Patte
     lay_loose_bodice(table, figure, bodice)
     table.mirror()
     sew_centres(table)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class TurtleneckOptions:
+    """Options of the turtleneck."""
+
+    length: declared.TopLength = 20.0
+    chest_ease: declared.ChestEase = 8.0
+    flare: declared.HemFlare = 0.0
+    neck_widening: Annotated[
+        float, Option("Distance of the collar from the neck, along the shoulder.", "cm", 0.0, 3.0)
+    ] = 0.5
+    neck_depth: Annotated[
+        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 5.0, 10.0)
+    ] = 6.5
+    collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 14.0)] = 10.0
+    armhole_drop: declared.ArmholeDrop = 2.5
+    sleeve_length: declared.SleeveLength = 60.0
+    arm_ease: declared.ArmEase = 6.0
+    sleeve_end: declared.SleeveEnd = 22.0
+
+
+def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> Pattern:
+    """Drafts the turtleneck for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("turtleneck")
+    bodice = LooseBodice(
+        Neckline("round", options.neck_widening, options.neck_depth, 1.5),
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        flare=options.flare,
+    )
+    lay_loose_bodice(table, figure, bodice)
+    lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01))
+    lay_stand_collar(table, figure, options.collar_height)
+    table.mirror()
+    sew_centres(table)
+    sew_collar(table)
     return table.finish()
 
 

@@ -1,0 +1,43 @@
+"""A collar that stands around the neck: a strip in four, as long as the neckline below."""
+
+from __future__ import annotations
+
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.outline import Outline
+
+CLOSER_CM = 0.5
+"""So much shorter is the upper edge of each quarter than the lower one: it leans to the neck."""
+_FRONT_Z, _BACK_Z = 18.0, -17.0
+"""Where its halves stand before draping, cm."""
+_ABOVE_NECK = 2.0
+
+
+def lay_stand_collar(table: CuttingTable, figure: Figure, height: float) -> None:
+    """Lays ``left_collar_front`` and ``left_collar_back`` and sews them to the left neckline.
+
+    Args:
+        table: Where the left half of a torso lies; `sew_collar` joins the halves after its `mirror`.
+        figure: The body.
+        height: cm.
+    """
+    for face, torso in (("front", "left_ftorso"), ("back", "left_btorso")):
+        long = table.length(f"{torso}.neck")
+        outline = Outline(0.0, 0.0).line("neck", long, 0.0)
+        outline.line("end", long - CLOSER_CM, height).line("top", 0.0, height)
+        outline.line("centre", 0.0, 0.0)
+        table.lay(
+            f"left_collar_{face}",
+            outline.closed(),
+            label="body",
+            at=(0.0, figure.neck_y + _ABOVE_NECK, _FRONT_Z if face == "front" else _BACK_Z),
+            back=face == "back",
+        )
+        table.seam(f"{torso}.neck", f"left_collar_{face}.neck")
+    table.seam("left_collar_front.end", "left_collar_back.end")
+
+
+def sew_collar(table: CuttingTable) -> None:
+    """Sews the halves together in the middle of front and back."""
+    table.seam("right_collar_front.centre", "left_collar_front.centre")
+    table.seam("left_collar_back.centre", "right_collar_back.centre")

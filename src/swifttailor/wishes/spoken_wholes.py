@@ -1,0 +1,148 @@
+"""What an instruction says of a garment as a whole: its halves and sides, where it sits, what covers it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain
+from swifttailor.wishes.change_words import ChangeWord
+
+_IsSo = Callable[[Claim], bool]
+_LOWER = frozenset({"skirt", "trousers", "shorts"})
+_OF_TWO = frozenset({"dress", "jumpsuit", "playsuit"})
+
+_PAIR = (
+    r"(?:both|two|either|each)?\s?(?:of )?(?:the |my )?"
+    r"(?:sleeves?|sides?|shoulders?|halves|arms?|legs?|straps?)"
+)
+_ALIKE = re.compile(
+    rf"(?<!\w)(?:{_PAIR}[^.,;]{{0,20}} (?:the same|match|matching|alike|equal|identical|even)"
+    rf"|(?:matching|identical|equal|even|same) {_PAIR}"
+    r"|lopsided|lop-sided|symmetric|symmetrical|even (?:it|them) (?:out|up)|mirror (?:it|the)"
+    r"|beide (?:seiten|ärmel)|gleich lang|symmetrisch|symétrique|simétric[oa])(?!\w)"
+)
+_LEVEL = re.compile(
+    r"(?<!\w)(?:straighten|level|even)(?: out| up| off)? (?:the|my|this) (?:hem|hemline|bottom)(?!\w)"
+    r"|(?<!\w)(?:hem|hemline|bottom)(?: (?:to be|is|all))? (?:level|straight|even)(?!\w)"
+    r"|(?<!\w)(?:level|even|straight) hem(?:line)?(?!\w)"
+)
+_SIDE = r"(?:the |my |her )?(?P<side>left|right)"
+_NO_SLEEVE = re.compile(
+    rf"(?<!\w)(?:remove|lose|ditch|take off|get rid of|without|no) {_SIDE} sleeve(?!s|\w| \w*er)"
+    rf"|(?<!\w)(?:drop|cut|take|leave) (?:the |my |her )?(?P<other>left|right) sleeve"
+    r" (?:off|out|away|altogether|entirely|completely)(?!\w)"
+)
+_BARED = re.compile(
+    rf"(?<!\w)(?:bare|expose|uncover|show) {_SIDE} shoulder(?!\w)"
+    r"|(?<!\w)(?:take|leave|drop|cut|have) (?:the |my |her )?(?P<other>left|right) shoulder"
+    r" (?:off|out|away|bare|free|open)(?!\w)"
+)
+_COVERED = re.compile(
+    r"(?<!\w)(?:cover\w*|second|both|other|two|add|adding|needs?|want|with|put|sew|give)(?!\w)"
+    r"[^.,;]{0,30}(?<!\w)(?:shoulders?|straps?|träger|bretelles?|tirantes)(?!\w)"
+)
+_BARE = tuple(Claim("shoulders", value) for value in ("bare left", "bare right", "strapless"))
+_ONLY = re.compile(
+    r"^\W*(?:(?:please|so|maybe|can i have|could i have|i'd like|i would like|actually)\s+)*"
+    r"(?:i (?:only|just) (?:want|need)|only|just|nothing but|keep only|only keep|nur|seulement|solo)\s+"
+    r"(?:the |its |das |den |die |le |la |el )?"
+    r"(?:(?P<top>top|upper|bodice|oberteil|haut)|(?P<skirt>skirt|rock|jupe|falda)"
+    r"|(?P<lower>bottom|lower|trousers?|pants|shorts|hose|pantalon))"
+    r"(?:\s+(?:half|part|bit|section|piece))?"
+    r"(?:\s+(?:of|from) (?:this|it|the \w+|that))?(?=\W*$|,|\s+(?:as|please|on its own)(?!\w))"
+)
+_SITS = re.compile(r"(?<!\w)(?:sit|sits|sitting|rise|waist|waistline|sitzen|sitzt|leibhöhe|taille)(?!\w)")
+_WAIST_TO = r"(?<!\w)waist\w*[^.,;]*(?<!\w)"
+_HIP = re.compile(rf"{_WAIST_TO}(?:to|at|on|onto|around)\s+(?:the |my |her )?(?:low )?hips?(?!\w)")
+_BUST = re.compile(
+    rf"{_WAIST_TO}(?:under|below|beneath|underneath|to)\s+(?:the |my |her )?(?:bust|breasts?)(?!\w)"
+)
+_NATURAL = re.compile(
+    rf"{_WAIST_TO}(?:where (?:my|the|her) (?:\w+ )?waist"
+    r"|(?:to|at|on) (?:the |my |her )?(?:natural|real|actual|own) waist|natural)"
+)
+_NO_DARTS = re.compile(
+    r"(?<!\w)(?:no|without|lose|remove|ditch|drop|let|take|get rid of|undo|unpick|skip|ohne|sans|sin)(?!\w)"
+    r"[^.,;]{0,25}(?<!\w)(?:darts?|abnäher|pinces|pinzas)(?!\w)"
+)
+
+_GIVEN = re.compile(
+    r"(?<!\w)(?:with|add|adding|give it|gets?|needs?|wants?|put|sew|have|mit|avec|con)(?: on| in)?"
+    r"(?: some| a| an| any| proper)?\s(?:(?P<sleeves>sleeves?|ärmeln?|manches|mangas)"
+    r"|waistband|bund|ceinture|pretina)(?!\w)"
+)
+
+
+def of_wholes(said: str, grown: Sequence[ChangeWord], kind: str, is_so: _IsSo) -> tuple[Change, ...]:
+    """What a clause asks of the whole garment; nothing where it does not.
+
+    Args:
+        said: The clause, in lower case.
+        grown: Words of change in it.
+        kind: Of the garment.
+        is_so: Whether a claim is true of it.
+    """
+    if is_so(Claim("sides", "different")) and _ALIKE.search(said):
+        return (Gain(Claim("sides", "alike")),)
+    if _LEVEL.search(said) and not is_so(Claim("hem_shape", "level")):
+        return (Gain(Claim("hem_shape", "level")),)
+    if kind not in _LOWER and (one := _one_side(said)) is not None:
+        return (one,)
+    if any(map(is_so, _BARE)) and _COVERED.search(said):
+        return (Gain(Claim("shoulders", "both")),)
+    if is_so(Claim("bodice", "darted")) and _NO_DARTS.search(said):
+        return (Gain(Claim("bodice", "undarted")),)
+    if kind in _OF_TWO:
+        return _half(said, kind) or _seam(said)
+    sign = next((word.sign for word in grown if word.what == "height"), 0)
+    return _rise(sign, is_so) if kind in _LOWER and sign and _SITS.search(said) else ()
+
+
+def _one_side(said: str) -> Change | None:
+    """A sleeve that goes, or a shoulder that is bared, on one side."""
+    for pattern in (_NO_SLEEVE, _BARED):
+        if (found := pattern.search(said)) is not None:
+            side = found["side"] or found["other"]
+            if pattern is _BARED:
+                return Gain(Claim("shoulders", f"bare {side}"))
+            return Gain(Claim("sleeves", f"{'left' if side == 'right' else 'right'} only"))
+    return None
+
+
+def lacking(said: str, is_so: _IsSo) -> tuple[Change, ...]:
+    """Parts that a garment lacks and is to have, without a word of what they are like: "with sleeves"."""
+    found = _GIVEN.search(said)
+    if found is None:
+        return ()
+    without, made = ("sleeves", "short") if found["sleeves"] else ("waistband", "waist")
+    return (Gain(Claim(without, made)),) if is_so(Claim(without, "none")) else ()
+
+
+def _half(said: str, kind: str) -> tuple[Change, ...]:
+    only = _ONLY.search(said)
+    if only is None:
+        return ()
+    if only["top"]:
+        return (Gain(Claim("kind", "top")),)
+    if only["skirt"] and kind != "dress":
+        return ()
+    lower = {"dress": "skirt", "jumpsuit": "trousers", "playsuit": "shorts"}
+    return (Gain(Claim("kind", lower[kind])),)
+
+
+def _seam(said: str) -> tuple[Change, ...]:
+    for pattern, value in ((_HIP, "dropped"), (_BUST, "empire"), (_NATURAL, "natural")):
+        if pattern.search(said):
+            return (Gain(Claim("waist_seam", value)),)
+    return ()
+
+
+def _rise(sign: int, is_so: _IsSo) -> tuple[Change, ...]:
+    """One step of the scale up or down; nothing at its ends."""
+    scale = ("low", "mid", "high")
+    now = next((k for k, value in enumerate(scale) if is_so(Claim("rise", value))), None)
+    if now is None or not 0 <= now + sign < len(scale):
+        return ()
+    return (Gain(Claim("rise", scale[now + sign])),)
