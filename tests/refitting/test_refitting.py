@@ -218,3 +218,31 @@ def test_shorts_that_end_above_the_crotch_are_refitted(bodies):
     lifted = np.maximum(places.points, [-1e3, start.levels[3] + 5.0, -1e3])
     found = stretches(sewn, replace(places, points=lifted), start, end)
     assert np.isfinite(found.around).all() and np.isfinite(found.along).all()
+
+
+def test_each_place_of_the_cloth_is_corrected_by_one_ring_alone(bodies, garments):
+    """Two that each make up for what is lacking would overshoot, and more so every round."""
+    from swifttailor.refitting.stretch import stretches
+
+    start, end = profile_of(Body.default()), profile_of(bodies["women 48"])
+    for _, sewn in garments.values():
+        rings = stretches(sewn, places_of(sewn, start), start, end).rings
+        assert rings
+        assert np.sum([ring.moved for ring in rings], axis=0).max() == 1
+
+
+def test_trouser_legs_keep_their_ease(bodies, garments):
+    from swifttailor.refitting.stretch import stretches
+
+    pattern, sewn = garments["trousers"]
+    start = profile_of(Body.default())
+    for size in ("women 48", "men 54"):
+        rings = stretches(sewn, places_of(sewn, start), start, profile_of(bodies[size])).rings
+        legs = [ring for ring in rings if ring.places.max() < start.levels[3]]
+        assert len(legs) == 2
+        made = refit(pattern, bodies[size], sewn=sewn)
+        grown = replace(sewn.mesh, flat_vertices=made.flat_positions)
+        for ring in legs:
+            got = cloth_around(grown, ring.along, ring.faces, ring.places, (ring.members,))[:, 0]
+            there = (ring.wanted > 0) & (ring.places > start.levels[1] + 3.0)
+            assert np.abs(got - ring.wanted)[there].mean() < 1.0

@@ -11,7 +11,9 @@ from scipy.sparse.linalg import spsolve
 from swifttailor.pattern import Panel, Pattern
 from swifttailor.pattern.curve import scale
 
-_ROUNDS = 6
+_MOST_ROUNDS = 12
+_CLOSE = 2e-5
+"""Ratios are kept to this share."""
 _SEAM = 200.0
 """How much a centimetre between two sides of a seam counts beside one of an edge's shape."""
 _HELD = 0.02
@@ -26,9 +28,22 @@ def keep_seam_ratios(before: Pattern, after: Pattern) -> Pattern:
         after: The same panels, edges and stitches in other sizes.
     """
     pattern = after
-    for _ in range(_ROUNDS):
+    for _ in range(_MOST_ROUNDS):
+        if _worst_ratio(before, pattern) < _CLOSE:
+            break
         pattern = _once(before, pattern, after)
     return pattern
+
+
+def _worst_ratio(before: Pattern, now: Pattern) -> float:
+    """By what share the ratio of a seam's sides is off at most."""
+    off = 0.0
+    for stitch in now.stitches:
+        was, here = (
+            p.edge_length(stitch.first) / max(p.edge_length(stitch.second), 1e-9) for p in (before, now)
+        )
+        off = max(off, abs(here / max(was, 1e-9) - 1.0))
+    return off
 
 
 def _once(before: Pattern, now: Pattern, target: Pattern) -> Pattern:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cached_property
+
 import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import factorized
@@ -33,11 +36,19 @@ class PanelSheet:
         shape = (len(vertices), len(vertices))
         self.stiffness = sparse.coo_array((products.ravel(), (rows, columns)), shape=shape).tocsr()
         self.mass = np.bincount(faces.ravel(), np.repeat(self.area / 3, 3), len(vertices)) + 1e-9
+        self._smoothing: dict[float, Callable[[Floats], Floats]] = {}
+
+    @cached_property
+    def _held(self) -> Callable[[Floats], Floats]:
+        """Solves for all vertices but the first, which is held: the equations leave the place open."""
+        return factorized(self.stiffness[1:, 1:].tocsc())
 
     def smoothed(self, values: Floats, reach: float) -> Floats:
         """Values (n, k) at the vertices, evened out over about so many cm."""
-        system = (sparse.diags_array(self.mass) + reach**2 / 2 * self.stiffness).tocsc()
-        solve = factorized(system)
+        if reach not in self._smoothing:
+            system = sparse.diags_array(self.mass) + reach**2 / 2 * self.stiffness
+            self._smoothing[reach] = factorized(system.tocsc())
+        solve = self._smoothing[reach]
         return np.stack([solve(self.mass * column) for column in values.T], axis=1)
 
     def slopes(self, values: Floats) -> Floats:
@@ -51,15 +62,12 @@ class PanelSheet:
             stretch: (f, 2, 2) symmetric: what each face is multiplied by.
         """
         wanted = np.einsum("fia,fba,f->fib", self.gradients, stretch, self.area)
-        right = np.stack(
+        right: Floats = np.stack(
             [np.bincount(self.faces.ravel(), wanted[..., k].ravel(), len(self.vertices)) for k in (0, 1)],
             axis=1,
         )
-        # One vertex is held, for the equations leave the place open.
-        free = np.arange(1, len(self.vertices))
-        solve = factorized(self.stiffness[free][:, free].tocsc())
         moved = np.zeros_like(self.vertices)
-        moved[1:] = np.stack([solve(right[free, k]) for k in (0, 1)], axis=1)
+        moved[1:] = np.stack([self._held(right[1:, k]) for k in (0, 1)], axis=1)
         weight = self.mass[:, None] / self.mass.sum()
         return moved + ((self.vertices - moved) * weight).sum(axis=0)
 

@@ -30,9 +30,9 @@ from swifttailor.refitting.uncrossed import uncrossed
 
 _EDGE_CM = 2.5
 """Of the mesh on which places are looked up."""
-_AMOUNTS_CM, _DIRECTIONS_CM = 3.0, 6.0
+_AMOUNTS_CM, _DIRECTIONS_CM = 2.0, 6.0
 """Over what distances on the cloth amounts and directions are evened out."""
-_ROUNDS = 5
+_ROUNDS = 9
 """Of growing the panels and measuring what came of it."""
 _BAND_CM = 9.0
 """Panels that are lower are bands."""
@@ -83,17 +83,18 @@ def refit(
     likeness = find_likeness(before)
     stretch = stretches(garment, places_of(garment, start), start, end)
     stretch = _bands_kept(garment, stretch, ease_scale(start, end))
-    sheets = [_Sheet(garment, number) for number in range(len(before.panels))]
     along = places_of(garment, start).along
+    sheets = [_Sheet(garment, number, along) for number in range(len(before.panels))]
     after, flat = before, np.array(garment.mesh.flat_vertices)
     shaped = shaped_seams(before, likeness)
     for _ in range(_ROUNDS):
-        grown = _grown(garment, sheets, along, stretch)
+        grown = _grown(garment, sheets, stretch)
         after = made_alike(_with_outlines(garment, grown, shaped), likeness)
         after = made_alike(keep_seam_ratios(before, after), likeness)
         flat = _filled(garment, sheets, grown, after)
         stretch = stretch.corrected(garment.mesh, flat)
-    after = uncrossed(before, straightened(after, shaped), likeness)
+    after = made_alike(keep_seam_ratios(before, straightened(after, shaped)), likeness)
+    after = uncrossed(before, after, likeness)
     after = placed_on(before, after, start, end)
     after = made_alike(after, likeness)
     order = {panel.name: panel for panel in after.panels}
@@ -140,23 +141,23 @@ def _bands_kept(garment: Garment, stretch: Stretches, scale: float) -> Stretches
 class _Sheet:
     """A panel of a garment as a sheet."""
 
-    def __init__(self, garment: Garment, number: int) -> None:
+    def __init__(self, garment: Garment, number: int, along: Floats) -> None:
         mesh = garment.mesh
         self.own = np.flatnonzero(mesh.flat_panel == number)
         faces = mesh.flat_faces[mesh.face_panel == number]
         self.sheet = PanelSheet(mesh.flat_vertices[self.own], np.searchsorted(self.own, faces))
+        self.direction = _directions(self.sheet, along[self.own])
 
 
-def _grown(garment: Garment, sheets: list[_Sheet], along: Floats, stretch: Stretches) -> Floats:
+def _grown(garment: Garment, sheets: list[_Sheet], stretch: Stretches) -> Floats:
     """(m, 2) where the flat vertices lie in the grown panels."""
     result = np.array(garment.mesh.flat_vertices, np.float64)
     for one in sheets:
         sheet, own = one.sheet, one.own
         both = np.stack([stretch.around[own], stretch.along[own]], axis=1)
         amounts = sheet.smoothed(both, _AMOUNTS_CM)
-        direction = _directions(sheet, along[own])
         across, down = (amounts[sheet.faces, k].mean(axis=1) for k in (0, 1))
-        outer = np.einsum("fa,fb->fab", direction, direction)
+        outer = np.einsum("fa,fb->fab", one.direction, one.direction)
         result[own] = sheet.grown(across[:, None, None] * (np.eye(2) - outer) + down[:, None, None] * outer)
     return result
 
