@@ -62,6 +62,8 @@ BODIES = {
         measures=parse_measures(["height=188", "bust=96", "waist=78", "hips=97", "inseam=88"]), figure="men"
     ),
 }
+DEFAULT = "default"
+"""The body that the patterns were drafted for, in the rows of GarmentSewer."""
 LEVELS = {"chest": 6, "waist": 5, "hips": 4}
 """Index in `BodyProfile.levels`."""
 AROUND = 0.85
@@ -189,6 +191,9 @@ def main() -> None:
                 first_worn[item.id] = None
                 continue
             first_worn[item.id], sewn[item.id] = measured(start, first), sew(pattern)
+            if options.network and (item.id, DEFAULT) not in done:
+                beside = network(pattern, Body.default(), start, options.edge_length)
+                keep(results, {"key": [item.id, DEFAULT], "network": beside})
         wanted = first_worn[item.id]
         assert wanted is not None
         made = refit(pattern, bodies[name], sewn=sewn[item.id])
@@ -196,10 +201,14 @@ def main() -> None:
         row = one(
             made, pattern, bodies[name], profiles[name], first, wanted, options, f"{item.id}-{name}", unfitted
         )
-        with results.open("a") as file:
-            file.write(json.dumps({"key": [item.id, name]} | row) + "\n")
+        keep(results, {"key": [item.id, name]} | row)
         print(item.id, name, json.dumps(row)[:300], flush=True)
     summarise(results)
+
+
+def keep(results: Path, row: dict[str, Any]) -> None:
+    with results.open("a") as file:
+        file.write(json.dumps(row) + "\n")
 
 
 def one(
@@ -258,7 +267,8 @@ def picture(garment: Garment, body: Body, path: Path) -> None:
 
 
 def summarise(results: Path) -> None:
-    rows = [json.loads(line) for line in results.open()]
+    known = [json.loads(line) for line in results.open()]
+    rows = [row for row in known if row["key"][1] != DEFAULT]
     print(f"n = {len(rows)} garments")
     for title, low, high in (
         ("", -np.inf, np.inf),
@@ -289,9 +299,9 @@ def summarise(results: Path) -> None:
     for r in rows:
         if not r["fitted"]["accepted"]:
             print(*r["key"], r["fitted"]["reasons"])
-    nets = [(r["key"][1], r["network"]) for r in rows if "network" in r]
-    for name in ("", *BODIES):
-        own = [n for body, n in nets if name in ("", body)]
+    nets = {tuple(r["key"]): r["network"] for r in known if "network" in r}
+    for name in (DEFAULT, *BODIES):
+        own = [n for (_, body), n in nets.items() if name == body]
         if own:
             error, inside = (np.mean([n[k] for n in own]) for k in ("error_cm", "inside"))
             print(

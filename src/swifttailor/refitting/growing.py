@@ -62,12 +62,11 @@ class PanelSheet:
             stretch: (f, 2, 2) symmetric: what each face is multiplied by.
         """
         wanted = np.einsum("fia,fba,f->fib", self.gradients, stretch, self.area)
-        right: Floats = np.stack(
-            [np.bincount(self.faces.ravel(), wanted[..., k].ravel(), len(self.vertices)) for k in (0, 1)],
-            axis=1,
-        )
         moved = np.zeros_like(self.vertices)
-        moved[1:] = np.stack([self._held(right[1:, k]) for k in (0, 1)], axis=1)
+        for k in (0, 1):
+            right = np.zeros(len(self.vertices))
+            np.add.at(right, self.faces.ravel(), wanted[..., k].ravel())
+            moved[1:, k] = self._held(right[1:])
         weight = self.mass[:, None] / self.mass.sum()
         return moved + ((self.vertices - moved) * weight).sum(axis=0)
 
