@@ -246,3 +246,25 @@ def test_trouser_legs_keep_their_ease(bodies, garments):
             got = cloth_around(grown, ring.along, ring.faces, ring.places, (ring.members,))[:, 0]
             there = (ring.wanted > 0) & (ring.places > start.levels[1] + 3.0)
             assert np.abs(got - ring.wanted)[there].mean() < 1.0
+
+
+def test_a_panel_that_comes_to_cross_itself_is_taken_from_a_round_before(garments, monkeypatch):
+    """Rounds go on for the sake of ease; what cannot be sewn is worth less than a centimetre of it."""
+    from swifttailor.refitting import refitted
+    from swifttailor.refitting.alike import Likeness
+    from swifttailor.refitting.uncrossed import crosses_anew
+
+    _, sewn = garments["t-shirt"]
+    before = sewn.pattern
+    panel = before.panels[0]
+    twisted = panel.vertices.copy()
+    twisted[[0, 1]] = twisted[[1, 0]]
+    broken = replace(before, panels=(replace(panel, vertices=twisted), *before.panels[1:]))
+    assert crosses_anew(before, broken) and not crosses_anew(before, before)
+    flat = np.zeros((1, 2))
+    rounds = [(before, flat), (before, flat + 1), (broken, flat + 2)]
+    monkeypatch.setattr(refitted, "uncrossed", lambda _, after, __: after)
+    monkeypatch.setattr(refitted, "keep_seam_ratios", lambda _, after: after)
+    after, kept = refitted._last_sound(before, rounds, Likeness((), ()), frozenset())
+    assert kept[0, 0] == 1 and not crosses_anew(before, after)
+    assert refitted._last_sound(before, [(broken, flat)], Likeness((), ()), frozenset())[1] is flat

@@ -31,8 +31,9 @@ _SIDE_CM = 3.0
 _BLEND_CM = 5.0
 _PROFILE_SLICES = 2.0
 """Over so many slices of the trunk its profile is evened out."""
-_EAGER = 1.6
-"""What is lacking is made up for more than once, since a sheet gives way to a short bulge only in part."""
+_EAGER, _EASY = 1.6, 0.6
+"""How many times what is lacking is made up for: in close cloth more than once, since a sheet gives way to a
+short bulge only in part; less where cloth hangs free."""
 _LOOSE = 1.3
 """A skirt that is so many times as wide as both legs hangs from the hips."""
 _CLOSE_EASE_CM, _FREE_EASE_CM = 10.0, 30.0
@@ -97,6 +98,8 @@ class Ring:
     """(p,) where it is measured, along the part."""
     wanted: Floats
     """(p,) cm; 0 where there is no cloth."""
+    free: Floats
+    """(p,) from 0, cloth close to the body, to 1, cloth that hangs free of it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,7 +127,8 @@ class Stretches:
             there = (got > 0) & (ring.wanted > 0)
             if not there.any():
                 continue
-            lack = np.clip(ring.wanted[there] / got[there], 0.8, 1.25) ** _EAGER
+            lack = np.clip(ring.wanted[there] / got[there], 0.8, 1.25)
+            lack **= _EAGER + (_EASY - _EAGER) * ring.free[there]
             factor = np.interp(ring.along, ring.places[there], lack)
             around = np.where(ring.moved, around * factor, around)
         return replace(self, around=np.clip(around, _LEAST, _MOST))
@@ -213,7 +217,7 @@ def _trunk(
     ease = cloth.sum(axis=1) - np.interp(at, start.heights, start.girth)
     goes = ease >= 0.0
     # What hangs free of the body does not follow its every curve: its seams would wave.
-    free = np.clip((ease - _CLOSE_EASE_CM) / (_FREE_EASE_CM - _CLOSE_EASE_CM), 0.0, 1.0)
+    free = _freedom(ease)
     for k, name in enumerate(("front", "back")):
         hanging, close = (
             _wider(
@@ -235,7 +239,7 @@ def _trunk(
         exact = np.where(goes, raw[:, k] + wanted - cloth[:, k], raw[:, k] * ratio)
         full = raw[:, k] > _WHOLE * cloth[:, k]
         wide = np.where(full, exact, 0.0)[ringed]
-        rings.append(Ring(y, parts[k], parts[k] & own, faces, heights[ringed], wide))
+        rings.append(Ring(y, parts[k], parts[k] & own, faces, heights[ringed], wide, free[ringed]))
     around = ahead * more[0] + (1 - ahead) * more[1]
     around = _shoulders(places, start, end, around)
     rising = height_map(start, end).derivative()(np.clip(y, -5.0, levels[-1] + 20.0))
@@ -319,7 +323,8 @@ def _legs(
         ratio = np.where(cloth[:, k] > 0, wanted / np.maximum(cloth[:, k], 1e-6), other / girth)
         sides.append(np.interp(y, heights, ratio))
         members = parts[k] & (y < crotch)
-        rings.append(Ring(y, members, members, faces, heights[ringed], (raw[:, k] * ratio)[ringed]))
+        wide, free = (raw[:, k] * ratio)[ringed], _freedom(cloth[:, k] - girth)[ringed]
+        rings.append(Ring(y, members, members, faces, heights[ringed], wide, free))
     leg = np.where(x > 0, sides[0], sides[1])
     below = places.leg * _ramp((crotch - y) / _BLEND_CM)
     return below, leg, rings
@@ -342,8 +347,14 @@ def _sleeves(
         # Short sleeves end before the first place; there they are as wide as the arm.
         last = reached[-1] + 1 if len(reached) else 1
         sides.append(np.interp(down, along[:last], ratio[:last]))
-        rings.append(Ring(down, parts[k], parts[k], faces, along, wanted))
+        free = _freedom(cloth[:, k] - start.arm)
+        rings.append(Ring(down, parts[k], parts[k], faces, along, wanted, free))
     return np.where(x > 0, sides[0], sides[1]), rings
+
+
+def _freedom(ease: Floats) -> Floats:
+    """From 0, close to the body, to 1, free of it."""
+    return np.clip((ease - _CLOSE_EASE_CM) / (_FREE_EASE_CM - _CLOSE_EASE_CM), 0.0, 1.0)
 
 
 def _evened(widths: Floats, reach: float, there: Bools) -> Floats:
