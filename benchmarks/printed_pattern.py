@@ -47,7 +47,7 @@ def render(pdf: Path, dpi: int, *, first: int = 1, last: int | None = None) -> I
     document = pypdfium2.PdfDocument(pdf)
     for page in range(first - 1, last or first):
         picture = document[page].render(scale=dpi / 72, grayscale=True).to_numpy()
-        yield 1.0 - picture[..., 0].astype(np.float64) / 255.0
+        yield 1.0 - np.atleast_3d(picture)[..., 0].astype(np.float64) / 255.0
 
 
 def test_square_cm(darkness: np.ndarray, dpi: int) -> tuple[float, float]:

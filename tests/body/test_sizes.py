@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -52,6 +53,38 @@ def test_charts_grow_in_every_measure():
             for name in a.measures.keys() & b.measures.keys():
                 assert b.measures[name] >= a.measures[name], (a.title, b.title, name)
             assert b.measures["bust"] > a.measures["bust"]
+
+
+EN_13402_3_WOMEN = {
+    "bust": [76, 80, 84, 88, 92, 96, 100, 104, 110, 116, 122, 128],
+    "waist": [60, 64, 68, 72, 76, 80, 84, 88, 94, 100, 106, 112],
+    "hips": [84, 88, 92, 96, 100, 104, 108, 112, 117, 122, 127, 132],
+}
+"""The body dimensions of the standard, as they are quoted about it."""
+
+
+def test_eu_sizes_are_those_of_en_13402_3():
+    women, men = charts()["women", "EU"], charts()["men", "EU"]
+    assert list(women) == [str(n) for n in range(32, 56, 2)]
+    for name, values in EN_13402_3_WOMEN.items():
+        assert [size.measures[name] for size in women.values()] == values
+    for label, size in men.items():  # half the chest girth, and a drop of 12 cm
+        assert (size.measures["bust"], size.measures["waist"]) == (2 * int(label), 2 * int(label) - 12)
+        assert "hips" not in size.measures  # left to the likeliest body
+
+
+def test_hips_of_us_sizes_are_those_of_en_13402_3_beside_the_same_bust():
+    """ASTM's own are not public."""
+    for size in charts()["women", "US"].values():
+        bust, hips = (EN_13402_3_WOMEN[name] for name in ("bust", "hips"))
+        expected = np.interp(size.measures["bust"], bust, hips)
+        assert size.measures["hips"] == pytest.approx(expected, abs=0.6), size.title
+
+
+def test_uk_numbers_are_28_less_than_eu_numbers():
+    eu, uk = charts()["women", "EU"], charts()["women", "UK"]
+    for label, size in uk.items():
+        assert size.measures == eu[str(int(label) + 28)].measures
 
 
 @pytest.mark.parametrize(

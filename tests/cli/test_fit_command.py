@@ -49,7 +49,7 @@ def test_sew_refits_to_a_size_and_stands_in_a_pose(shirt, tmp_path, capsys):
         (["--measure", "girth=90"], "There is no measure 'girth'"),
         (["--size", "99"], "There is no size '99'"),
         (["--size", "44", "--sizes", "36-40"], "Give one of them"),
-        (["--sizes", "44-36"], "no run of sizes"),
+        (["--sizes", "44-36"], "not a run of sizes"),
         ([], "No body was given"),
     ],
 )

@@ -96,6 +96,27 @@ def test_a_garment_with_color_print_and_body(shirt, tmp_path):
     assert len(plain.faces) == len(worn.faces) and len(plain.line_names) == len(draft("t-shirt").stitches)
 
 
+def test_the_body_beside_a_garment_is_its_wearers(shirt, tmp_path, capsys):
+    """Not the one that all patterns are drafted for first."""
+    import trimesh
+
+    child = ["--size", "children 122", "--edge-length", "4"]
+    run(["sew", str(shirt / "shirt.json"), *child, "--out", str(tmp_path / "child")])
+    run(["sew", str(shirt / "shirt.json"), *child, "--pose", "T", "--out", str(tmp_path / "level")])
+    spans = {}
+    for name in ("child", "level"):
+        assert run(["convert", str(tmp_path / name), str(tmp_path / f"{name}.glb"), "--with-body"]) == 0
+        body = trimesh.load(tmp_path / f"{name}.glb").geometry["body"]
+        assert np.ptp(body.vertices[:, 1]) == pytest.approx(1.22, abs=0.02)
+        spans[name] = np.ptp(body.vertices[:, 0])
+    assert spans["level"] > 1.1 * spans["child"]
+    run(["sew", str(shirt / "shirt.json"), *child, "--fit", "never", "--out", str(tmp_path / "large")])
+    capsys.readouterr()
+    assert run(["convert", str(tmp_path / "large"), str(tmp_path / "large.glb"), "--with-body"]) == 2
+    assert "does not hold the measures of its wearer" in capsys.readouterr().err
+    assert not (tmp_path / "large.glb").exists()
+
+
 def huge_print(folder):
     """500 megapixels in a small file."""
     path = folder / "huge.png"

@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from swifttailor.body import Body, body_for
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.garment_sewer.to_scale import ScaledSewer, scaled_pattern, sewer_for
+from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.refitting import fit
 
@@ -52,3 +54,15 @@ def test_a_childs_dress_hangs_from_the_childs_shoulders(sewer):
     m = child.measurements
     assert m.shoulder_level - 3 < garment.vertices[:, 1].max() < m.neck_level + 4
     assert garment.report["sewing"]["inside_body"] < 0.01
+
+
+def test_a_garment_has_the_mesh_of_its_pattern_and_its_folder_is_read_back(sewer, tmp_path):
+    """Enlarged and made small again, panels whose points lie evenly would be joined in another way."""
+    body = body_for("44")
+    garment = sewer_for(sewer, body).sew(fit(draft("shirt-dress"), body))
+    mesh = mesh_pattern(garment.pattern.canonical(), 2.0)
+    assert np.array_equal(garment.mesh.faces, mesh.faces)
+    assert np.array_equal(garment.mesh.flat_vertices, mesh.flat_vertices)
+    garment.save(tmp_path / "dress")
+    again = Garment.load(tmp_path / "dress")
+    assert np.allclose(again.vertices, garment.vertices, atol=1e-3)

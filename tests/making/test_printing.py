@@ -103,6 +103,7 @@ def test_the_cover_says_what_is_needed(shipped_plans, tmp_path):
     cover = document[0].get_textpage().get_text_bounded()
     for expected in (
         "Page map",
+        "Made for the default body: bust 99.8, waist 84.3, hips 103.5, height 172 cm",
         "Test square",
         "1.25 m of cloth",
         "Bodice front: cut 2, mirrored",

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 
 from swifttailor.making import cutting_plan
 from swifttailor.making.allowances import EdgeKind
+from swifttailor.making.made_for import made_for
 from swifttailor.making.seams import SeamRole, gather
 from swifttailor.making.sewing_steps import sewing_steps, steps_markdown
+from swifttailor.pattern.drafted_for import DraftedFor
 
 
 def test_every_stitch_is_closed_once(plans):
@@ -77,3 +80,19 @@ def test_no_two_pieces_of_a_garment_have_one_name(few_real_patterns):
         names = [p.name for p in cutting_plan(pattern).pieces]
         assert len(set(names)) == len(names)
         assert not any("_" in name for name in names), names
+
+
+def test_steps_say_whom_the_pattern_is_for(draft_plans):
+    """Compared with one's own measures before the cloth is cut."""
+    pattern = draft_plans["t-shirt"].sewn.pattern
+    assert "Made for the default body: bust 99.8, waist 84.3, hips 103.5, height 172 cm" in steps_markdown(
+        draft_plans["t-shirt"]
+    )
+    sized = DraftedFor("women EU 44", "women", (("bust", 100.0), ("height", 168.0)))
+    measured = DraftedFor("bust 96, height 172", None, (("bust", 96.0), ("height", 172.0)))
+    for named, words in (
+        (sized, "women EU 44: bust 100, height 168 cm"),
+        (measured, "bust 96, height 172 cm"),
+        (DraftedFor("me.obj"), "me.obj"),
+    ):
+        assert made_for(replace(pattern, drafted_for=named)) == words

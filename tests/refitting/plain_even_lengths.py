@@ -10,7 +10,7 @@ from scipy.sparse.linalg import spsolve
 
 from swifttailor.pattern import Panel, Pattern
 from swifttailor.pattern.curve import scale
-from swifttailor.refitting.even_lengths import _HELD, _ROUNDS, _SEAM
+from swifttailor.refitting.even_lengths import _CLOSE, _HELD, _MOST_ROUNDS, _SEAM
 
 
 def keep_seam_ratios(before: Pattern, after: Pattern) -> Pattern:
@@ -21,9 +21,21 @@ def keep_seam_ratios(before: Pattern, after: Pattern) -> Pattern:
         after: The same panels, edges and stitches in other sizes.
     """
     pattern = after
-    for _ in range(_ROUNDS):
+    for _ in range(_MOST_ROUNDS):
+        if _worst_ratio(before, pattern) < _CLOSE:
+            break
         pattern = _once(before, pattern, after)
     return pattern
+
+
+def _worst_ratio(before: Pattern, now: Pattern) -> float:
+    off = 0.0
+    for stitch in now.stitches:
+        was, here = (
+            p.edge_length(stitch.first) / max(p.edge_length(stitch.second), 1e-9) for p in (before, now)
+        )
+        off = max(off, abs(here / max(was, 1e-9) - 1.0))
+    return off
 
 
 def _once(before: Pattern, now: Pattern, target: Pattern) -> Pattern:

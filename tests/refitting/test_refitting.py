@@ -218,3 +218,53 @@ def test_shorts_that_end_above_the_crotch_are_refitted(bodies):
     lifted = np.maximum(places.points, [-1e3, start.levels[3] + 5.0, -1e3])
     found = stretches(sewn, replace(places, points=lifted), start, end)
     assert np.isfinite(found.around).all() and np.isfinite(found.along).all()
+
+
+def test_each_place_of_the_cloth_is_corrected_by_one_ring_alone(bodies, garments):
+    """Two that each make up for what is lacking would overshoot, and more so every round."""
+    from swifttailor.refitting.stretch import stretches
+
+    start, end = profile_of(Body.default()), profile_of(bodies["women 48"])
+    for _, sewn in garments.values():
+        rings = stretches(sewn, places_of(sewn, start), start, end).rings
+        assert rings
+        assert np.sum([ring.moved for ring in rings], axis=0).max() == 1
+
+
+def test_trouser_legs_keep_their_ease(bodies, garments):
+    from swifttailor.refitting.stretch import stretches
+
+    pattern, sewn = garments["trousers"]
+    start = profile_of(Body.default())
+    for size in ("women 48", "men 54"):
+        rings = stretches(sewn, places_of(sewn, start), start, profile_of(bodies[size])).rings
+        legs = [ring for ring in rings if ring.places.max() < start.levels[3]]
+        assert len(legs) == 2
+        made = refit(pattern, bodies[size], sewn=sewn)
+        grown = replace(sewn.mesh, flat_vertices=made.flat_positions)
+        for ring in legs:
+            got = cloth_around(grown, ring.along, ring.faces, ring.places, (ring.members,))[:, 0]
+            there = (ring.wanted > 0) & (ring.places > start.levels[1] + 3.0)
+            assert np.abs(got - ring.wanted)[there].mean() < 1.0
+
+
+def test_a_panel_that_comes_to_cross_itself_is_taken_from_a_round_before(garments, monkeypatch):
+    """Rounds go on for the sake of ease; what cannot be sewn is worth less than a centimetre of it."""
+    from swifttailor.refitting import refitted
+    from swifttailor.refitting.alike import Likeness
+    from swifttailor.refitting.uncrossed import crosses_anew
+
+    _, sewn = garments["t-shirt"]
+    before = sewn.pattern
+    panel = before.panels[0]
+    twisted = panel.vertices.copy()
+    twisted[[0, 1]] = twisted[[1, 0]]
+    broken = replace(before, panels=(replace(panel, vertices=twisted), *before.panels[1:]))
+    assert crosses_anew(before, broken) and not crosses_anew(before, before)
+    flat = np.zeros((1, 2))
+    rounds = [(before, flat), (before, flat + 1), (broken, flat + 2)]
+    monkeypatch.setattr(refitted, "uncrossed", lambda _, after, __: after)
+    monkeypatch.setattr(refitted, "keep_seam_ratios", lambda _, after: after)
+    after, kept = refitted._last_sound(before, rounds, Likeness((), ()), frozenset())
+    assert kept[0, 0] == 1 and not crosses_anew(before, after)
+    assert refitted._last_sound(before, [(broken, flat)], Likeness((), ()), frozenset())[1] is flat

@@ -109,7 +109,7 @@ def size_run(text: str) -> list[Size]:
     chart = list(charts()[first.figure, first.region].values())
     if first.region != last.region or chart.index(first) >= chart.index(last):
         raise InputError(
-            f"'{text}' is no run of sizes. Give the smallest and the largest of one chart, such as 36-46."
+            f"'{text}' is not a run of sizes. Give the smallest and the largest of one chart, such as 36-46."
         )
     return chart[chart.index(first) : chart.index(last) + 1]
 

@@ -73,7 +73,7 @@ class Convert:
     print_width: float = 20.0
     """Width of one repeat of the print, cm."""
     with_body: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Put the mannequin into .glb and .usd too."""
+    """Put a mannequin of the wearer into .glb and .usd too."""
 
     layout: Annotated[str | None, tyro.conf.arg(metavar="NAME")] = None
     """Of .jsonl: which system has written the folder. Default: told by its files."""
@@ -302,8 +302,11 @@ class Convert:
         if self.with_body:
             from swifttailor.body import Body
             from swifttailor.body.mannequin import mannequin
+            from swifttailor.garment.folder_wearer import wearer_of
 
-            mesh = replace(mesh, wearer=mannequin(Body.default(), mesh.vertices))
+            # Of a mesh by itself nothing is known but that it is one of ours.
+            wearer = wearer_of(self.source) if self.source.is_dir() else Body.default()
+            mesh = replace(mesh, wearer=mannequin(wearer, mesh.vertices))
         return mesh
 
 

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from swifttailor.pattern.panel import RotationReading
 
 ENDINGS = (".pdf", ".dxf")
-_TITLES = ("bust", "waist", "hips", "height")
 
 
 def patterns_of_sizes(folder: Path) -> list[Path]:
@@ -111,11 +110,13 @@ def _write_pdf(
 
 def _said(names: list[str], patterns: list[Pattern]) -> list[str]:
     """Each size's measures; the height where it is not the same in all."""
+    from swifttailor.making.made_for import MAIN_MEASURES, measures_in_words
+
     known = [{} if p.drafted_for is None else dict(p.drafted_for.measures) for p in patterns]
     heights = {measures.get("height") for measures in known}
-    titles = [title for title in _TITLES if title != "height" or len(heights) > 1]
+    titles = [title for title in MAIN_MEASURES if title != "height" or len(heights) > 1]
     lines = []
     for name, measures in zip(names, known, strict=True):
-        shown = ", ".join(f"{title} {measures[title]:g}" for title in titles if title in measures)
-        lines.append(f"{name}: {shown} cm" if shown else name)
+        shown = measures_in_words(measures, titles)
+        lines.append(f"{name}: {shown}" if shown else name)
     return lines

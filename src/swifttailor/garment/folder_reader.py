@@ -46,7 +46,7 @@ def read_folder(folder: Path | str) -> tuple[PatternMesh, Floats, dict[str, Any]
             f"'{folder}' holds no {PATTERN}; it is not the folder of a garment. "
             "Make one with: swifttailor drape PATTERN --out DIR"
         )
-    report = _read_report(folder / REPORT)
+    report = read_report(folder / REPORT)
     edge_length = report.get("edge_length_cm")
     if isinstance(edge_length, bool) or not isinstance(edge_length, int | float):
         raise InputError(
@@ -91,7 +91,12 @@ def _require_same_mesh(mesh: PatternMesh, stored: TriangleMesh, folder: Path, so
         )
 
 
-def _read_report(path: Path) -> dict[str, Any]:
+def read_report(path: Path) -> dict[str, Any]:
+    """Reads the report of a garment's folder.
+
+    Raises:
+        InputError: It cannot be read, or is not a report.
+    """
     try:
         if path.stat().st_size > _MAX_REPORT_BYTES:
             raise InputError(f"'{path}' is larger than any report ({_MAX_REPORT_BYTES // 2**20} MB).")

@@ -15,6 +15,8 @@ from swifttailor.body import Body
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.sewer import GarmentSewer, Prepared
+from swifttailor.panel_mesh import mesh_pattern
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.curve import scale
 
@@ -28,10 +30,10 @@ _LENGTHS = ("edge_length_cm", "cm_per_pixel")
 class EnlargedPattern:
     """A pattern that is prepared at another scale."""
 
-    pattern: Pattern
+    mesh: PatternMesh
     """At its own scale."""
     prepared: Prepared
-    """At the default body's."""
+    """At the default body's, with the same mesh enlarged."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +47,15 @@ class ScaledSewer(GarmentSewer):
         """See `GarmentSewer.prepare`."""
         enlarged = scaled_pattern(pattern, self.factor)
         inner = super().prepare(enlarged, edge_length=edge_length * self.factor, resolution=resolution)
-        return EnlargedPattern(pattern, inner)
+        large = inner.layout.pattern
+        own = replace(
+            pattern, panels=tuple(pattern.panel(p.name) for p in large.panels), stitches=large.stitches
+        )
+        # A mesh of the enlarged pattern may join other points: ties are broken by the last digit, and a
+        # garment's folder is read by meshing its pattern again.
+        mesh = mesh_pattern(own, edge_length)
+        enlarged_mesh = replace(mesh, pattern=large, flat_vertices=mesh.flat_vertices * self.factor)
+        return EnlargedPattern(mesh, replace(inner, mesh=enlarged_mesh))
 
     def predict(self, prepared: Sequence[Any]) -> list[Floats]:
         """See `GarmentSewer.predict`."""
@@ -54,17 +64,13 @@ class ScaledSewer(GarmentSewer):
     def decode(self, prepared: Any, values: Floats) -> Garment:
         """See `GarmentSewer.decode`."""
         large = super().decode(prepared.prepared, values)
-        own = prepared.pattern
-        order = [own.panel(panel.name) for panel in large.pattern.panels]
-        pattern = replace(own, panels=tuple(order), stitches=large.pattern.stitches)
-        mesh = replace(large.mesh, pattern=pattern, flat_vertices=large.mesh.flat_vertices / self.factor)
         sewing = {
             name: value / self.factor if name.endswith("_cm") else value
             for name, value in large.report["sewing"].items()
         }
         lengths = {name: large.report[name] / self.factor for name in _LENGTHS}
         report = large.report | lengths | {"sewing": sewing}
-        return Garment(mesh, large.vertices / self.factor, report)
+        return Garment(prepared.mesh, large.vertices / self.factor, report)
 
 
 def sewer_for(sewer: GarmentSewer, body: Body) -> GarmentSewer:

@@ -11,6 +11,7 @@ import numpy as np
 
 from swifttailor.making import drawing
 from swifttailor.making.drawing import Drawing, Stroke, Style, Text
+from swifttailor.making.made_for import made_for
 from swifttailor.making.paper import Paper
 from swifttailor.making.pdf_canvas import POINTS_PER_CM, draw, start_page, wrapped
 from swifttailor.making.pieces import CuttingPlan
@@ -44,13 +45,12 @@ def draw_cover(canvas: Any, facts: CoverFacts) -> int:
     plan, sheet = facts.plan, facts.sheet
     top = paper.height - _BORDER_CM - 0.6
     count = sum(piece.count for piece in plan.pieces)
-    pages = f"{len(sheet.tiles)} page{'s' * (len(sheet.tiles) != 1)} of {_paper_words(facts.paper)}"
+    pages = f"{_counted(len(sheet.tiles), 'page')} of {_paper_words(facts.paper)}"
     lines = [
         Text(plan.name, _BORDER_CM, top, 0.8, anchor="start", bold=True),
         Text(
-            f"{len(plan.pieces)} patterns for {count} pieces of cloth, on {pages}. Print at 100 % "
-            "(\u201cactual size\u201d), "
-            "one-sided.",
+            f"{_counted(len(plan.pieces), 'pattern piece')} for {_counted(count, 'piece')} of cloth, "
+            f"on {pages}. Print at 100 % (\u201cactual size\u201d), one-sided.",
             _BORDER_CM, top - 0.9, _BODY_CM, anchor="start",
         ),
     ]  # fmt: skip
@@ -92,8 +92,8 @@ def draw_steps(canvas: Any, facts: CoverFacts) -> int:
 def _pieces_beside(canvas: Any, facts: CoverFacts, paper: Paper, left: float, top: float) -> int:
     """List of pieces and cloth beside the page map, continued on a page of its own where it is long."""
     plan = facts.plan
-    entries: list[tuple[str, bool]] = [("Sizes", True)] if facts.sizes else []
-    entries += [(words, False) for words, _ in facts.sizes]
+    entries: list[tuple[str, bool]] = [("Sizes" if facts.sizes else "Made for", True)]
+    entries += [(words, False) for words, _ in facts.sizes] or [(made_for(plan.sewn.pattern), False)]
     lines_of = dict(facts.sizes)
     entries.append(("Pieces", True))
     entries += [
@@ -181,6 +181,10 @@ def _picture(canvas: Any, path: Path, left: float, bottom: float, width: float, 
         scale * image.width * POINTS_PER_CM,
         scale * image.height * POINTS_PER_CM,
     )
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}{'s' * (number != 1)}"
 
 
 def _paper_words(paper: Paper) -> str:

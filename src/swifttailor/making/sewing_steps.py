@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from swifttailor.making.allowances import EdgeKind
+from swifttailor.making.made_for import made_for
 from swifttailor.making.pieces import CuttingPlan, Piece
 from swifttailor.making.seams import Seam, SeamRole, gather
 from swifttailor.pattern import EdgeRef
@@ -105,7 +106,14 @@ def steps_markdown(plan: CuttingPlan, *, cloth: Sequence[str] = ()) -> str:
         plan: What is sewn.
         cloth: Lines about how much cloth is needed.
     """
-    lines = [f"# {plan.name}: how to sew it", "", "## Pieces", ""]
+    lines = [
+        f"# {plan.name}: how to sew it",
+        "",
+        f"Made for {made_for(plan.sewn.pattern)}.",
+        "",
+        "## Pieces",
+        "",
+    ]
     lines += [f"- **{piece.name}**: {piece.instruction.lower()}" for piece in plan.pieces]
     lines += ["", "## Before you sew", ""]
     lines += [f"- {line}" for line in (*cloth, *preparation(plan))]

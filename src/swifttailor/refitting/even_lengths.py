@@ -12,7 +12,9 @@ from swifttailor.arrays import Floats, Longs
 from swifttailor.pattern import Panel, Pattern
 from swifttailor.pattern.curve import Arc, Line, length, scale
 
-_ROUNDS = 6
+_MOST_ROUNDS = 12
+_CLOSE = 2e-5
+"""Ratios are kept to this share."""
 _SEAM = 200.0
 """How much a centimetre between two sides of a seam counts beside one of an edge's shape."""
 _HELD = 0.02
@@ -28,7 +30,9 @@ def keep_seam_ratios(before: Pattern, after: Pattern) -> Pattern:
     """
     equations = _Equations(before, after)
     pattern = after
-    for _ in range(_ROUNDS):
+    for _ in range(_MOST_ROUNDS):
+        if equations.worst_ratio(pattern) < _CLOSE:
+            break
         pattern = equations.solved(pattern)
     return pattern
 
@@ -62,6 +66,12 @@ class _Equations:
         self.columns = np.concatenate([columns.ravel(), sewn.ravel()])
         self.rows = np.concatenate([rows.ravel(), seams])
         self.shape = (4 * len(corners) + len(sewn), 2 * len(corners))
+
+    def worst_ratio(self, now: Pattern) -> float:
+        """By what share the ratio of a seam's sides is off at most."""
+        first, second = (_edge_lengths(now, self.start, self.sides[:, k]) for k in (0, 1))
+        wanted = np.maximum(-self.weights[:, 1], 1e-9)
+        return float(np.abs(first / np.maximum(second, 1e-9) / wanted - 1.0).max(initial=0.0))
 
     def solved(self, now: Pattern) -> Pattern:
         """The pattern after one round."""

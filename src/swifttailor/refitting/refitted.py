@@ -18,7 +18,7 @@ from swifttailor.arrays import Floats
 from swifttailor.body import Body
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern import Pattern
-from swifttailor.refitting.alike import find_likeness, made_alike
+from swifttailor.refitting.alike import Likeness, find_likeness, made_alike
 from swifttailor.refitting.body_profile import profile_of
 from swifttailor.refitting.even_lengths import keep_seam_ratios
 from swifttailor.refitting.growing import PanelSheet
@@ -26,13 +26,13 @@ from swifttailor.refitting.outlines import moved_panel
 from swifttailor.refitting.placing import placed_on
 from swifttailor.refitting.shaped_seams import curved, shaped_seams, straightened
 from swifttailor.refitting.stretch import Stretches, ease_scale, places_of, stretches
-from swifttailor.refitting.uncrossed import uncrossed
+from swifttailor.refitting.uncrossed import crosses_anew, uncrossed
 
 _EDGE_CM = 2.5
 """Of the mesh on which places are looked up."""
-_AMOUNTS_CM, _DIRECTIONS_CM = 3.0, 6.0
+_AMOUNTS_CM, _DIRECTIONS_CM = 2.0, 6.0
 """Over what distances on the cloth amounts and directions are evened out."""
-_ROUNDS = 5
+_ROUNDS = 9
 """Of growing the panels and measuring what came of it."""
 _BAND_CM = 9.0
 """Panels that are lower are bands."""
@@ -85,15 +85,16 @@ def refit(
     stretch = _bands_kept(garment, stretch, ease_scale(start, end))
     along = places_of(garment, start).along
     sheets = [_Sheet(garment, number, along) for number in range(len(before.panels))]
-    after, flat = before, np.array(garment.mesh.flat_vertices)
     shaped = shaped_seams(before, likeness)
+    rounds: list[tuple[Pattern, Floats]] = []
     for _ in range(_ROUNDS):
         grown = _grown(garment, sheets, stretch)
         after = made_alike(_with_outlines(garment, grown, shaped), likeness)
         after = made_alike(keep_seam_ratios(before, after), likeness)
         flat = _filled(garment, sheets, grown, after)
         stretch = stretch.corrected(garment.mesh, flat)
-    after = uncrossed(before, straightened(after, shaped), likeness)
+        rounds.append((after, flat))
+    after, flat = _last_sound(before, rounds, likeness, shaped)
     after = placed_on(before, after, start, end)
     after = made_alike(after, likeness)
     order = {panel.name: panel for panel in after.panels}
@@ -135,6 +136,22 @@ def _bands_kept(garment: Garment, stretch: Stretches, scale: float) -> Stretches
         if np.ptp(panel.outline(), axis=0).min() < _BAND_CM:
             along[mesh.flat_panel == number] = scale
     return replace(stretch, along=along)
+
+
+def _last_sound(
+    before: Pattern,
+    rounds: list[tuple[Pattern, Floats]],
+    likeness: Likeness,
+    shaped: frozenset[tuple[int, int]],
+) -> tuple[Pattern, Floats]:
+    """The last round after which no panel crosses itself that did not before; the last one where all do."""
+    settled = []
+    for after, flat in reversed(rounds):
+        even = made_alike(keep_seam_ratios(before, straightened(after, shaped)), likeness)
+        settled.append((uncrossed(before, even, likeness), flat))
+        if not crosses_anew(before, settled[-1][0]):
+            return settled[-1]
+    return settled[0]
 
 
 class _Sheet:

@@ -31,8 +31,15 @@ _SIDE_CM = 3.0
 _BLEND_CM = 5.0
 _PROFILE_SLICES = 2.0
 """Over so many slices of the trunk its profile is evened out."""
+_EAGER, _EASY = 1.6, 0.6
+"""How many times what is lacking is made up for: in close cloth more than once, since a sheet gives way to a
+short bulge only in part; less where cloth hangs free."""
 _LOOSE = 1.3
 """A skirt that is so many times as wide as both legs hangs from the hips."""
+_CLOSE_EASE_CM, _FREE_EASE_CM = 10.0, 30.0
+"""Up to so much ease cloth follows the body; from so much on it hangs free."""
+_FREE_EVEN_CM = 12.0
+"""Over so much height the growth of free cloth is averaged."""
 _LEAST, _MOST = 0.4, 2.5
 """What cloth can be multiplied by."""
 _CROTCH, _HIPS, _BUST, _ARMPIT, _SHOULDER, _NECK, _CROWN = 3, 4, 6, 7, 8, 9, 10
@@ -83,12 +90,16 @@ class Ring:
     """(m,) of every flat vertex, how far along that part it lies, cm."""
     members: Bools
     """(m,) the flat vertices whose cloth counts."""
+    moved: Bools
+    """(m,) those whose stretch it decides; each belongs to one ring alone."""
     faces: Bools
     """(f,) the faces that count."""
     places: Floats
     """(p,) where it is measured, along the part."""
     wanted: Floats
     """(p,) cm; 0 where there is no cloth."""
+    free: Floats
+    """(p,) from 0, cloth close to the body, to 1, cloth that hangs free of it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,8 +128,9 @@ class Stretches:
             if not there.any():
                 continue
             lack = np.clip(ring.wanted[there] / got[there], 0.8, 1.25)
+            lack **= _EAGER + (_EASY - _EAGER) * ring.free[there]
             factor = np.interp(ring.along, ring.places[there], lack)
-            around = np.where(ring.members, around * factor, around)
+            around = np.where(ring.moved, around * factor, around)
         return replace(self, around=np.clip(around, _LEAST, _MOST))
 
 
@@ -187,8 +199,9 @@ def _trunk(
     is_front = counted & (ahead > 0.5)
     faces = np.asarray(counted[garment.mesh.flat_faces].all(axis=1))
     parts = (is_front, counted & ~is_front)
+    own = ~(places.leg & (y < levels[_CROTCH]))
     raw = cloth_around(garment.mesh, y, faces, heights, parts)
-    cloth = _evened(raw)
+    cloth = _evened(raw, _EVEN_CM, raw > 0)
     # What hangs below the hips grows as the hips do, and up to the armhole all grows as the chest does: side
     # seams are straight there, and it is the fullest place that has to fit.
     at = np.clip(heights, levels[_HIPS], levels[_BUST])
@@ -201,7 +214,10 @@ def _trunk(
     ringed = (heights > levels[_CROTCH]) if places.leg.any() else np.ones(len(heights), np.bool_)
     ringed &= heights < levels[_ARMPIT] - 1.0
     # It goes around where front and back together do, wherever the side seams lie.
-    goes = cloth.sum(axis=1) >= np.interp(at, start.heights, start.girth)
+    ease = cloth.sum(axis=1) - np.interp(at, start.heights, start.girth)
+    goes = ease >= 0.0
+    # What hangs free of the body does not follow its every curve: its seams would wave.
+    free = _freedom(ease)
     for k, name in enumerate(("front", "back")):
         hanging, close = (
             _wider(
@@ -212,15 +228,18 @@ def _trunk(
             )
             for h in (at, np.minimum(heights, at[-1]))
         )
-        wanted = cloth[:, k] + (1 - tight) * hanging + tight * close
-        ratio = wanted / np.maximum(cloth[:, k], 1e-6)
         there = cloth[:, k] > 0
+        growth = (1 - tight) * hanging + tight * close
+        growth += free * (_evened(growth, _FREE_EVEN_CM, there) - growth)
+        wanted = cloth[:, k] + growth
+        ratio = wanted / np.maximum(cloth[:, k], 1e-6)
         ratio = np.where(there, ratio, np.interp(at, start.heights, end.girth / start.girth))
         more.append(np.interp(y, heights, ratio))
         # Widths that were evened out would give the waist too little, and the seat too much.
         exact = np.where(goes, raw[:, k] + wanted - cloth[:, k], raw[:, k] * ratio)
         full = raw[:, k] > _WHOLE * cloth[:, k]
-        rings.append(Ring(y, parts[k], faces, heights[ringed], np.where(full, exact, 0.0)[ringed]))
+        wide = np.where(full, exact, 0.0)[ringed]
+        rings.append(Ring(y, parts[k], parts[k] & own, faces, heights[ringed], wide, free[ringed]))
     around = ahead * more[0] + (1 - ahead) * more[1]
     around = _shoulders(places, start, end, around)
     rising = height_map(start, end).derivative()(np.clip(y, -5.0, levels[-1] + 20.0))
@@ -294,7 +313,7 @@ def _legs(
     faces = np.asarray(places.leg[garment.mesh.flat_faces].all(axis=1))
     parts = places.leg & (x > 0), places.leg & (x <= 0)
     raw = cloth_around(garment.mesh, y, faces, heights, parts)
-    cloth = _evened(raw)
+    cloth = _evened(raw, _EVEN_CM, raw > 0)
     # The same place of the other leg: as many slices between two landmarks.
     girth, other = (np.interp(heights, start.leg_heights, body.leg) for body in (start, end))
     sides, rings = [], []
@@ -304,7 +323,8 @@ def _legs(
         ratio = np.where(cloth[:, k] > 0, wanted / np.maximum(cloth[:, k], 1e-6), other / girth)
         sides.append(np.interp(y, heights, ratio))
         members = parts[k] & (y < crotch)
-        rings.append(Ring(y, members, faces, heights[ringed], (raw[:, k] * ratio)[ringed]))
+        wide, free = (raw[:, k] * ratio)[ringed], _freedom(cloth[:, k] - girth)[ringed]
+        rings.append(Ring(y, members, members, faces, heights[ringed], wide, free))
     leg = np.where(x > 0, sides[0], sides[1])
     below = places.leg * _ramp((crotch - y) / _BLEND_CM)
     return below, leg, rings
@@ -327,17 +347,25 @@ def _sleeves(
         # Short sleeves end before the first place; there they are as wide as the arm.
         last = reached[-1] + 1 if len(reached) else 1
         sides.append(np.interp(down, along[:last], ratio[:last]))
-        rings.append(Ring(down, parts[k], faces, along, wanted))
+        free = _freedom(cloth[:, k] - start.arm)
+        rings.append(Ring(down, parts[k], parts[k], faces, along, wanted, free))
     return np.where(x > 0, sides[0], sides[1]), rings
 
 
-def _evened(cloth: Floats) -> Floats:
-    """Widths (h, g) averaged over `_EVEN_CM`; where there is no cloth nothing counts."""
+def _freedom(ease: Floats) -> Floats:
+    """From 0, close to the body, to 1, free of it."""
+    return np.clip((ease - _CLOSE_EASE_CM) / (_FREE_EASE_CM - _CLOSE_EASE_CM), 0.0, 1.0)
+
+
+def _evened(widths: Floats, reach: float, there: Bools) -> Floats:
+    """Widths (h, g) averaged over so many cm of height; where there is no cloth nothing counts."""
     from scipy.ndimage import gaussian_filter1d
 
-    there = (cloth > 0).astype(float)
-    weight = gaussian_filter1d(there, _EVEN_CM / _STEP_CM, axis=0, mode="constant")
-    return gaussian_filter1d(cloth, _EVEN_CM / _STEP_CM, axis=0, mode="constant") / np.maximum(weight, 1e-3)
+    known, weight = (
+        gaussian_filter1d(values, reach / _STEP_CM, axis=0, mode="constant")
+        for values in (np.where(there, widths, 0.0), there.astype(float))
+    )
+    return known / np.maximum(weight, 1e-3)
 
 
 def _ramp(value: Floats) -> Floats:

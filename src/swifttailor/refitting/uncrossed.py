@@ -49,6 +49,11 @@ def uncrossed(before: Pattern, after: Pattern, likeness: Likeness) -> Pattern:
     return pattern if still < sum(_depth(panel) for panel in after.panels) else after
 
 
+def crosses_anew(before: Pattern, after: Pattern) -> bool:
+    """Whether a panel crosses itself, or does so more deeply, that did not before."""
+    return any(_depth(b) > _depth(a) for a, b in zip(before.panels, after.panels, strict=True))
+
+
 def _depth(panel: Panel) -> float:
     """How deeply an outline crosses itself, cm; -1 where it does not even touch itself."""
     found = find_crossing(trace_outline(panel))
