@@ -307,6 +307,15 @@ def summarise(results: Path) -> None:
             print(
                 f"GarmentSewer beside the drape {name}: {error:.2f} cm, inside {inside:.2%}, n = {len(own)}"
             )
+    # On each body beside the default one, with the same patterns.
+    pairs = [
+        (n["error_cm"], nets[pattern, DEFAULT]["error_cm"])
+        for (pattern, body), n in nets.items()
+        if body != DEFAULT and (pattern, DEFAULT) in nets
+    ]
+    if pairs:
+        other, default = np.mean(pairs, axis=0)
+        print(f"the same patterns on other bodies {other:.2f} cm, on the default body {default:.2f} cm")
 
 
 def line(values: list[float | None]) -> str:
