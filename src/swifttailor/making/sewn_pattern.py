@@ -111,10 +111,11 @@ def require_sewable(pattern: Pattern) -> None:
     """
     if not pattern.panels:
         raise PatternError("The pattern has no panels, so there is nothing to cut. Give one with panels.")
-    if len(pattern.panels) > MOST_PANELS or sum(len(p.edges) for p in pattern.panels) > MOST_EDGES:
+    edges = sum(len(panel.edges) for panel in pattern.panels)
+    if len(pattern.panels) > MOST_PANELS or edges > MOST_EDGES:
         raise PatternError(
-            f"The pattern has {len(pattern.panels)} panels; at most {MOST_PANELS}, with {MOST_EDGES} edges "
-            "in all, are made into files to sew from. Divide it into garments."
+            f"The pattern has {len(pattern.panels)} panels and {edges} edges; at most {MOST_PANELS} panels "
+            f"and {MOST_EDGES} edges are made into files to sew from. Divide it into garments."
         )
     require_no_errors(check_pattern(pattern), f"The pattern '{pattern.name}'")
 
