@@ -68,6 +68,15 @@ def test_refuses_a_boundary_that_crosses_itself():
         triangulate_polygon(np.array([[0.0, 0], [10, 10]]), 2.0)
 
 
+def test_refuses_a_thin_strip_across_a_wide_box():
+    """Little cloth, and a box around it of which a fine lattice would take gigabytes."""
+    strip = np.array([[0.0, 0.0], [1.0, 0.0], [2000.0, 2000.0], [1999.0, 2000.0]])
+    with pytest.raises(GeometryError, match="2000 x 2000 cm; at an edge length of 0.05 cm"):
+        triangulate_polygon(strip, 0.05)
+    points, faces = triangulate_polygon(strip, 2.0)
+    assert len(points) >= 4 and len(faces) >= 2
+
+
 def test_recovers_an_edge_that_delaunay_leaves_out():
     points = np.array([[0.0, 0], [10, 0], [5, 1], [5, -1], [2.5, 0.8], [7.5, -0.8]])
     faces, neighbors = delaunay(points)

@@ -19,6 +19,8 @@ _CLEARANCE = 0.62
 _BULGE = 1e-4
 _SHARP, _MANY_CORNERS = 0.3, 200
 """Turns, rad, and how many of them no panel for clothes has."""
+_MOST_LATTICE_POINTS = 5_000_000
+"""In the box around a panel, where a mesh begins: some 250 MB."""
 
 
 def triangulate_polygon(boundary: Floats, edge_length: float) -> tuple[Floats, Ints]:
@@ -133,6 +135,13 @@ def _lattice(boundary: Floats, edge_length: float) -> Floats:
     if len(boundary) < 3:
         raise GeometryError(f"An outline needs 3 points, got {len(boundary)}. Run: swifttailor check PATTERN")
     low, high = boundary.min(axis=0), boundary.max(axis=0)
+    expected = float(np.prod((high - low) / edge_length + 1)) * 2 / math.sqrt(3)
+    if not expected <= _MOST_LATTICE_POINTS:  # a long thin panel that lies aslant: its area is small all the same
+        raise GeometryError(
+            f"It reaches over {high[0] - low[0]:.0f} x {high[1] - low[1]:.0f} cm; at an edge length of "
+            f"{edge_length:g} cm the mesh of that would begin with {expected:.0f} points, and at most "
+            f"{_MOST_LATTICE_POINTS} are accepted. Give a larger edge length, or turn the panel."
+        )
     rows = np.arange(low[1], high[1], edge_length * math.sqrt(3) / 2)
     columns = np.arange(low[0], high[0] + edge_length, edge_length)
     x, y = np.meshgrid(columns, rows)
