@@ -42,10 +42,10 @@ STRAPLESS = {"bustier", "strapless-dress"}
 
 
 def nameless(pattern, name):
-    """Other names for panels whose names tell what they are; sleeves, hoods and bands keep theirs."""
+    """Other names for panels whose names tell what they are; sleeves, hoods, collars and bands keep theirs."""
     if name in STRAPLESS:
         return {}
-    told = ("sleeve", "hood", "wb", "cuff")
+    told = ("sleeve", "hood", "collar", "wb", "cuff")
     return {p.name: f"n{k}" for k, p in enumerate(pattern.panels) if not any(t in p.name for t in told)}
 
 
