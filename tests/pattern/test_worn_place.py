@@ -42,7 +42,7 @@ STRAPLESS = {"bustier", "strapless-dress"}
 
 
 def nameless(pattern, name):
-    """Other names for panels whose names tell what they are; sleeves, hoods, collars and bands keep theirs."""
+    """Other names for panels whose names tell what they are; sleeves, hoods, collars and bands keep them."""
     if name in STRAPLESS:
         return {}
     told = ("sleeve", "hood", "collar", "wb", "cuff")

@@ -136,7 +136,7 @@ def _lattice(boundary: Floats, edge_length: float) -> Floats:
         raise GeometryError(f"An outline needs 3 points, got {len(boundary)}. Run: swifttailor check PATTERN")
     low, high = boundary.min(axis=0), boundary.max(axis=0)
     expected = float(np.prod((high - low) / edge_length + 1)) * 2 / math.sqrt(3)
-    if not expected <= _MOST_LATTICE_POINTS:  # a long thin panel that lies aslant: its area is small all the same
+    if not expected <= _MOST_LATTICE_POINTS:  # thin and aslant: its own area may be small
         raise GeometryError(
             f"It reaches over {high[0] - low[0]:.0f} x {high[1] - low[1]:.0f} cm; at an edge length of "
             f"{edge_length:g} cm the mesh of that would begin with {expected:.0f} points, and at most "
