@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import shapely
 from filled_polygons import areas, assert_fills, delaunay
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from swifttailor.errors import GeometryError
@@ -42,6 +42,7 @@ def test_jagged_outlines_are_filled_to_the_last_tooth(seed, count, edge_length, 
     assert_fills(boundary, *triangulate_polygon(boundary, edge_length))
 
 
+@example(3254296740, 245, 0.9254221026636861)  # three corners on a line
 @given(SEEDS, st.integers(3, 400), st.floats(0.01, 1.0))
 @settings(max_examples=40, deadline=None)
 def test_tiny_outlines_of_many_edges_are_filled(seed, count, size):
