@@ -12,6 +12,7 @@ import pytest
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.model_file import KIND as SEWER
 from swifttailor.garment_sewer.sewer import SHIPPED as SEWER_FILE
+from swifttailor.networks import model_file
 from swifttailor.networks.model_file import (
     GRAPH,
     ModelKind,
@@ -134,6 +135,24 @@ def test_names_and_cards_that_are_not_text_are_refused(graph, tmp_path):
     path = write_graph(tmp_path / "names.onnx", ADDER, graph.replace(b"\x0a\x01x", b"\x0a\x01\xed"), {})
     with pytest.raises(InputError, match=r"not text in UTF-8|not a network that can be run"):
         open_model(path, ADDER)
+
+
+def test_axes_whose_names_are_not_text_are_refused_before_they_are_needed():
+    class Value:
+        name = "x"
+
+        @property
+        def shape(self):
+            return [b"\x8f".decode()]
+
+    class Session:
+        def get_inputs(self):
+            return [Value()]
+
+        get_outputs = get_inputs
+
+    with pytest.raises(InputError, match=r"'a\.zip, trust\.onnx' is damaged: a name or its card is not text"):
+        model_file._require_signature(Session(), (("x",), ("x",)), "a.zip, trust.onnx")
 
 
 @pytest.mark.needs_torch

@@ -301,9 +301,12 @@ def _not_text(source: str) -> InputError:
 
 def _require_signature(session: Any, wanted: Signature, source: str) -> None:
     try:
-        found = tuple(i.name for i in session.get_inputs()), tuple(o.name for o in session.get_outputs())
+        both = session.get_inputs(), session.get_outputs()
+        # With the shapes: axes have names too, and what is not text is refused before it is needed.
+        sides = [[(value.name, value.shape) for value in values] for values in both]
     except UnicodeDecodeError as error:
         raise _not_text(source) from error
+    found = tuple(tuple(name for name, _ in side) for side in sides)
     if found != wanted:
         raise InputError(
             f"'{source}' is another network: it makes {', '.join(found[1])} of {', '.join(found[0])}, not "
