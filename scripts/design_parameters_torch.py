@@ -53,6 +53,8 @@ WIDTH, CANDIDATES = 768, 8
 WORDY = 0.5
 """Share of patterns of which no more is told than a few words tell."""
 BATCH, RATE, HELD = 256, 1e-3, 10
+LOTS = 10
+"""Number of the chances that candidates are drawn by, the same for every question."""
 BOX_CM = 50.0
 
 
@@ -301,7 +303,7 @@ def answer(options: argparse.Namespace) -> None:
                 continue
             with torch.no_grad():
                 logits = network(torch.from_numpy(vector(sought))[None])[0]
-            designs = candidates(logits, parameters, np.random.default_rng([options.seed, len(question.id)]))
+            designs = candidates(logits, parameters, np.random.default_rng([options.seed, LOTS]))
             file.write(json.dumps({"id": question.id, "designs": designs}).encode() + b"\n")
     print(f"{len(questions)} questions: {options.out}")
 

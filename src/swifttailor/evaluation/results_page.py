@@ -45,9 +45,10 @@ def _section(path: Path) -> str:
     try:
         about, tables = summary["about"], [Table.of_json(value) for value in summary["tables"]]
         asked = ", ".join(f"{int(count)} {task}" for task, count in about["questions"].items())
+        title = path.stem.replace("-", " ")
         commit = str(about["commit"] or "unknown")[:12]
         lines = [
-            f"## {path.stem}\n",
+            f"## {title[:1].upper()}{title[1:]}\n",
             f"```bash\n{about['command']}\n```\n",
             f"Patterns {', '.join(map(str, about['patterns']))} "
             f"(sha256 of all {about['patterns_sha256'][:16]}), {about['of']};\n"

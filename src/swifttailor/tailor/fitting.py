@@ -136,8 +136,7 @@ def _best_alteration(
             written = None
         if written is not None and (wanted.unsaid or wanted.part is not None):
             written = replace(written, cuts=(*filter(None, [level]), *written.cuts))
-            maybe = wanted.maybe
-            written = _finished(written, changes, maybe, unsaid=unsaid)
+            written = _finished(written, changes, wanted.maybe, unsaid=unsaid)
     # Of two that do as much, the one that leaves the rest as it was; but for another kind of garment.
     if recut is not None and (written is None or len(recut.open) + remade <= len(written.open)):
         return recut, True

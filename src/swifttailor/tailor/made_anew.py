@@ -39,8 +39,9 @@ _UNMET = 1000.0
 """What a wish that a known pattern does not fulfil counts for, beside all that it has in common."""
 _UPPER = frozenset({"sleeves", "neck", "shoulders", "bodice", "sides"})
 _LOWER = frozenset({"skirt", "hem", "legs"})
-
-
+_COUNTED = frozenset({"tiers", "gores", "godets"})
+"""What is asked for by number, and is another garment with one more."""
+_SAME_NUMBER = 0.25
 GOOD_ENOUGH = 2.0
 """So much that no wish names may change where others might change less; then no other pattern is tried."""
 
@@ -103,10 +104,9 @@ def _nearest(
             if column is not None:
                 fits -= _UNMET * (table.statements[:, column] != TRUE)
             elif (kind := CLAIM_TYPES[change.claim.name].measure) is not None and kind.name in names:
-                values = np.nan_to_num(table.measures[:, names[kind.name]], nan=-1e3)
-                whole = kind.name in ("tiers", "gores", "godets")
-                if whole:
-                    fits -= _UNMET * (np.abs(values - float(change.claim.value)) > 0.25)
+                if kind.name in _COUNTED:
+                    values = np.nan_to_num(table.measures[:, names[kind.name]], nan=-1e3)
+                    fits -= _UNMET * (np.abs(values - float(change.claim.value)) > _SAME_NUMBER)
         elif isinstance(change, Step):
             was = QUANTITIES[change.quantity].of(original)
             values = table.measures[:, names[change.quantity]]
@@ -114,8 +114,8 @@ def _nearest(
                 with np.errstate(invalid="ignore"):
                     more = (values - was) * change.direction
                     good = more > QUANTITIES[change.quantity].least
-                    if change.quantity in ("tiers", "gores", "godets") and change.amount is not None:
-                        good &= np.abs(more - change.amount) < 0.25
+                    if change.quantity in _COUNTED and change.amount is not None:
+                        good &= np.abs(more - change.amount) < _SAME_NUMBER
                 fits -= _UNMET * ~good
     return np.argsort(-fits, kind="stable")
 

@@ -129,7 +129,6 @@ class PictureTask(Task):
             reading = Reading(*trained(pictures, guess.to(self.device)))
         return reading_losses(reading, to_device(truth, self.device), self.config.losses)
 
-    @torch.no_grad()
     def _show_some(self) -> None:
         for step in range(_SETTLING_BATCHES):
             pictures, guess, _ = self.batches[step]
