@@ -220,6 +220,7 @@ class Loop:
                         self.record.write_card(card)
                     trained.train()
                 processes.wait()
+        processes.finish()
         self.report(f"{step} steps in {seconds / 60:.1f} minutes. The weights are in '{self.out / WEIGHTS}'.")
         return card or self._card(task, step, seconds, {})
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import contextlib
 import os
 from collections.abc import Generator
@@ -73,3 +74,19 @@ class Processes:
         """Until all processes are here."""
         if self._accelerator is not None:
             self._accelerator.wait_for_everyone()
+
+    def finish(self) -> None:
+        """Says that all went well: the processes part from one another before Python ends.
+
+        Left to the end of Python, the threads that connect them now and then abort the process
+        (pytorch/pytorch#179291). After an error nobody waits for the others, who may never come.
+        """
+        if self._accelerator is not None:
+            self.wait()
+            atexit.unregister(_part)  # a second training of the same processes needs them connected
+            atexit.register(_part)
+
+
+def _part() -> None:
+    if torch.distributed.is_initialized():
+        torch.distributed.destroy_process_group()
