@@ -15,7 +15,8 @@ import pytest
 from PIL import Image
 from running_studio import content_of, follow
 
-from swifttailor.pattern import read_specification
+from swifttailor.pattern import read_specification, to_specification
+from swifttailor.pattern.drafts import draft
 from swifttailor.studio.mesh_record import unpack_mesh
 from swifttailor.studio.models.documents import Document
 from swifttailor.studio.models.jobs import Job
@@ -257,6 +258,17 @@ def test_a_sewn_garment_is_finished(client, dress):
     assert view["state"] == "done" and view["frame"] >= 1 and document["garment"] == "finished"
     assert document["quality"]["accepted"] and document["mesh"] != sewn["mesh"]
     assert document["edge_length"] == sewn["edge_length"]
+
+
+def test_a_drape_around_the_ankles_is_not_called_good(client):
+    low = to_specification(draft("t-shirt"))
+    for panel in low["pattern"]["panels"].values():
+        panel["translation"][1] -= 75.0
+    body = {"kind": "drape", "pattern": low, "edge_length": 4.0, "fabric": "cotton"}
+    document = follow(client, ask(client, "/api/jobs", body)["id"])[-1][1]["documents"][0]
+    assert not document["quality"]["accepted"]
+    assert any("not where it is worn" in reason for reason in document["quality"]["reasons"])
+    assert any(finding["code"] == "misplaced-panel" for finding in document["findings"])
 
 
 def test_an_example_is_finished_from_how_it_hangs(client):

@@ -73,7 +73,7 @@ class Drape(GarmentResults, WearerOptions, FabricOption):
     limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """With --batch: only the first N patterns."""
     time_limit: Annotated[float | None, tyro.conf.arg(metavar="SECONDS")] = None
-    """Give up on a garment after computing for so long. Default: 25, more where --edge-length is below 2;
+    """Give up on a garment after computing for so long. Default: 22, more where --edge-length is below 2;
     with --batch or another engine: 600."""
     retry_failed: tyro.conf.FlagCreatePairsOff[bool] = False
     """With --batch: when resuming, retry what failed before."""

@@ -7,7 +7,7 @@ import time
 from swifttailor.errors import TimeLimitError
 from swifttailor.progress import StageProgress
 
-USUAL_SECONDS = 25.0
+USUAL_SECONDS = 22.0
 """Of physics, enough for garments of usual size at `_USUAL_EDGE_CM`, which take two to five."""
 _USUAL_EDGE_CM = 2.0
 _STAGES = ("sewing", "draping")
