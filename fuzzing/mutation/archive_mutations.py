@@ -61,7 +61,7 @@ def mutate_archive(data: bytes, random: Random, change: Change, *, stored: bool)
         else:
             try:
                 members[k] = (name, change(name, content, random))
-            except (ValueError, EOFError, LookupError, TypeError, RecursionError):  # it is damaged already
+            except Exception:  # it is damaged already, and may look like anything
                 members[k] = (name, mutate_bytes(content, random))
     return archive_of(members, packing)
 
