@@ -14,7 +14,17 @@ from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain, Step
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.pattern_library.nearest import CHOSEN, Search, Weights, alike, log_likelihoods, nearest
-from swifttailor.pattern_library.sought import ASKED, SURE, UNTOLD, UNTOLD_PANEL, WORDS, Sought
+from swifttailor.pattern_library.sought import (
+    ASKED,
+    BESIDE_PICTURE,
+    FORESEEN,
+    FORESEEN_BESIDE_PICTURE,
+    SURE,
+    UNTOLD,
+    UNTOLD_PANEL,
+    WORDS,
+    Sought,
+)
 from swifttailor.picture_reader.labels import BOX, measure_labels, statement_labels
 from swifttailor.picture_reader.reading import Measure, PartReading, SeenPanel, Statement
 from swifttailor.picture_reader.truth import TRUE
@@ -172,13 +182,40 @@ def test_words_outrank_the_picture():
     both = Sought.of(reading(), wishes)
     asked = Sought.of_words(wishes)
     for k, (claim, _) in enumerate(statement_labels()):
-        source = asked if claim == "neckline" else seen
-        assert (both.statements[k], both.said[k]) == (source.statements[k], source.said[k])
+        spoken = claim == "neckline"
+        source, counts = (asked, BESIDE_PICTURE / WORDS) if spoken else (seen, 1.0)
+        assert (both.statements[k], both.said[k]) == (source.statements[k], source.said[k] * counts)
     length = measure_labels().index("length")
     assert both.measured[length, 0] == pytest.approx(np.arcsinh(6.0), rel=1e-5)
     np.testing.assert_array_equal(both.panels, seen.panels)
     np.testing.assert_array_equal(Sought.of(None, wishes).said, asked.said)
     np.testing.assert_array_equal(Sought.of(reading()).said, seen.said)
+
+
+@given(st.integers(0, 2**31), st.floats(0.1, 5))
+@settings(max_examples=25)
+def test_what_is_foreseen_of_panels_is_added_to_what_is_known(library, seed, weight):
+    """As of independent witnesses: the sum of both log likelihoods, but for what all patterns share."""
+    sought, odds = random_sought(seed), np.random.default_rng(seed).uniform(-4, 4, P)
+    alone = Sought.nothing().with_panels(odds, weight)
+    assert alone.named.min() == alone.named.max() == pytest.approx(weight)
+    np.testing.assert_allclose(alone.panels, 1 / (1 + np.exp(-odds)), rtol=1e-4)
+    both = log_likelihoods(library.table, sought.with_panels(odds, weight), CHOSEN)
+    apart = log_likelihoods(library.table, sought, CHOSEN) + log_likelihoods(library.table, alone, CHOSEN)
+    np.testing.assert_allclose(both - both[0], apart - apart[0], atol=2e-2)
+
+
+def test_no_panel_that_is_foreseen_is_beyond_doubt():
+    certain = Sought.nothing().with_panels(np.where(np.arange(P) % 2, 50.0, -50.0), 1.0).panels
+    np.testing.assert_allclose(certain, np.where(np.arange(P) % 2, 0.99, 0.01), atol=1e-3)
+
+
+def test_panels_foreseen_count_less_beside_a_picture():
+    odds, wishes = np.full(P, 3.0), [Wish(Gain(Claim("neckline", "round")), 0.97)]
+    words, both = Sought.of(None, wishes, foreseen=odds), Sought.of(reading(), wishes, foreseen=odds)
+    assert words.named.max() == FORESEEN and not words.placed.any()
+    np.testing.assert_array_equal(both.named, Sought.of_reading(reading()).named + FORESEEN_BESIDE_PICTURE)
+    assert (both.panels > Sought.of_reading(reading()).panels).any()
 
 
 def test_words_decide_between_patterns_that_a_picture_shows_alike(library, truths):

@@ -139,3 +139,19 @@ def test_what_nobody_speaks_of_is_sought_as_it_is_usual(tailor):
 
     assert likely("a midi skirt")[0] == pytest.approx(0.8) and likely("a midi skirt")[1] > 0
     assert likely("a midi skirt with a high-low hem")[0] < 0.8
+
+
+def test_panels_are_foreseen_from_words_where_known_patterns_are_asked(library, sewer):
+    """By the writer's own network; what nobody foresees is left open."""
+    ours, theirs = (
+        Tailor(pattern_library=library),
+        Tailor(scripted_maker([WRITTEN]), sewer, pattern_library=library),
+    )
+    assert ours.read(Order("a midi skirt")).sought.named.min() > 0
+    assert not theirs.read(Order("a midi skirt")).sought.named.any()
+    for order in (
+        Order("a midi skirt", source="writer"),
+        Order("make it shorter", edit=DRAFTS["midi"]),
+        Order("a midi skirt", alter=False),
+    ):
+        assert ours.read(order).foresight is None

@@ -12,7 +12,7 @@ import hashlib
 import io
 import json
 import zipfile
-from collections.abc import Generator, Mapping
+from collections.abc import Collection, Generator, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -95,20 +95,23 @@ class ModelFile:
                 )
 
 
-def open_model(path: Path | str, kind: ModelKind, *, threads: int = 1) -> ModelFile:
+def open_model(
+    path: Path | str, kind: ModelKind, *, threads: int = 1, only: Collection[str] = ()
+) -> ModelFile:
     """Reads a model file and opens its graphs.
 
     Args:
         path: The file.
         kind: What it must be.
         threads: Processor cores to run on.
+        only: Of an archive the graphs that are read, as far as it holds them; all when empty.
 
     Raises:
         InputError: It is missing, too large, damaged, or another kind of file.
     """
     path = Path(path)
     if kind.archive:
-        about, members = read_archive(path, kind)
+        about, members = read_archive(path, kind, only)
         graphs = {name: members.pop(f"{name}.onnx") for name in _graphs_in(members)}
         sources = {name: f"{path}, {name}.onnx" for name in graphs}
     else:
@@ -121,8 +124,11 @@ def open_model(path: Path | str, kind: ModelKind, *, threads: int = 1) -> ModelF
     }
     if not kind.archive:
         about = _read_note(sessions[GRAPH], graphs[GRAPH], path, kind)
-    for name, wanted in next(s for s in kind.graphs if s.keys() == graphs.keys()).items():
-        _require_signature(sessions[name], wanted, sources[name])
+    wanted = next(
+        s for s in kind.graphs if (s.keys() >= graphs.keys() if only else s.keys() == graphs.keys())
+    )
+    for name, session in sessions.items():
+        _require_signature(session, wanted[name], sources[name])
     return ModelFile(path, about, sessions, members)
 
 
@@ -139,8 +145,15 @@ def read_bytes(path: Path, max_bytes: int) -> bytes:
         raise InputError(f"Cannot read the weights '{path}': {error.strerror or error}.") from error
 
 
-def read_archive(path: Path, kind: ModelKind) -> tuple[dict[str, Any], dict[str, bytes]]:
+def read_archive(
+    path: Path, kind: ModelKind, only: Collection[str] = ()
+) -> tuple[dict[str, Any], dict[str, bytes]]:
     """What an archive says of itself, and everything else in it, compared with its checksums.
+
+    Args:
+        path: The file.
+        kind: What it must be.
+        only: The graphs that are read, as far as it holds them; all when empty.
 
     Raises:
         InputError: It is missing, too large, damaged, or another kind of file.
@@ -158,7 +171,8 @@ def read_archive(path: Path, kind: ModelKind) -> tuple[dict[str, Any], dict[str,
                 )
             if any(i.compress_type != zipfile.ZIP_STORED or i.file_size > kind.max_bytes for i in infos):
                 raise InputError(f"'{path}' was packed by another program. Give the file as it was exported.")
-            members = {info.filename: archive.read(info) for info in infos}
+            left = {f"{graph}.onnx" for graph in _graphs_in(names) if only and graph not in only}
+            members = {name: archive.read(name) for name in names if name not in left}
     except OSError as error:
         raise InputError(f"Cannot read the weights '{path}': {error.strerror or error}.") from error
     except (zipfile.BadZipFile, ValueError, RuntimeError, NotImplementedError, EOFError) as error:
@@ -259,7 +273,7 @@ def _require_self_contained(graph: bytes, source: str, kind: ModelKind) -> None:
         )
 
 
-def _graphs_in(members: Mapping[str, bytes]) -> list[str]:
+def _graphs_in(members: Iterable[str]) -> list[str]:
     return [name.removesuffix(".onnx") for name in members if name.endswith(".onnx")]
 
 

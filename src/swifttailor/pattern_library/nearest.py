@@ -29,7 +29,7 @@ class Weights:
     panels: float = 1.0
     boxes: float = 0.5
     alike: float = 0.1
-    """What garments that fit are like (`alike`), where nothing is known of panels: words leave much open."""
+    """What garments that fit are like (`alike`), where it is open where panels are: words leave much open."""
 
 
 CHOSEN = Weights()
@@ -152,8 +152,8 @@ class Search:
         self.library, self.sought, self.weights = library, sought, weights
         fits = log_likelihoods(library.table, sought, weights)
         self.usual: Sought | None = None
-        """What garments are like that fit; None where panels are known."""
-        if weights.alike and not sought.named.any():
+        """What garments are like that fit; None where it is known where their panels are."""
+        if weights.alike and not sought.placed.any():
             self.usual = alike(library.table, fits + np.log(library.stands_for + 1.0))
             fits = fits + weights.alike * log_likelihoods(library.table, self.usual, weights)
         self.fits = fits

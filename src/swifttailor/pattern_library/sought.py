@@ -26,8 +26,13 @@ SURE = 0.98
 """No statement of a picture, and none that is simply true, is surer: readers err."""
 ASKED = 0.999
 """What words ask for with certainty."""
-WORDS = 4.0
-"""A statement of words counts as much as so many of a picture."""
+WORDS, BESIDE_PICTURE = 4.0, 1.0
+"""A statement of words alone counts as much as so many of a picture, and beside a picture: what words ask for
+is cut in any case, and the picture tells more of the rest the less is given up for it."""
+FORESEEN, FORESEEN_BESIDE_PICTURE = 2.0, 1.0
+"""What a network foresees of panels from words counts as much as so many readings of a picture."""
+_SUREST_ODDS = 4.6
+"""Of a panel that is foreseen, as a logarithm: 99 %."""
 UNTOLD, UNTOLD_PANEL, UNTOLD_MEASURE = 0.02, 0.02, 0.02
 """Probability of what a reading leaves out (`reader.LEAST_CERTAINTY`)."""
 EXACT = 0.05
@@ -123,12 +128,42 @@ class Sought:
         return found
 
     @staticmethod
-    def of(reading: PartReading | None, wishes: Sequence[Wish] = (), never: Iterable[Claim] = ()) -> Sought:
-        """What a picture shows, and what words ask for and refuse; words outrank it."""
+    def of(
+        reading: PartReading | None,
+        wishes: Sequence[Wish] = (),
+        never: Iterable[Claim] = (),
+        foreseen: NDArray[np.float64] | None = None,
+    ) -> Sought:
+        """What a picture shows, and what words ask for and refuse; words outrank it.
+
+        Args:
+            reading: Of the picture; None where there are words alone.
+            wishes: What words ask for.
+            never: What they refuse.
+            foreseen: Odds of panels from the words (`PanelForesight.odds`).
+        """
         asked = Sought.of_words(wishes)
         for claim in never:
             asked._refuse(claim)
-        return asked if reading is None else Sought.of_reading(reading).outranked_by(asked)
+        if reading is None:
+            return asked.with_panels(foreseen, FORESEEN)
+        share = BESIDE_PICTURE / WORDS
+        beside = replace(asked, said=asked.said * share, measures=asked.measures * share)
+        return Sought.of_reading(reading).outranked_by(beside).with_panels(foreseen, FORESEEN_BESIDE_PICTURE)
+
+    def with_panels(self, odds: NDArray[np.float64] | None, weight: float) -> Sought:
+        """The same, and what else is known of which panels there are: both count, as if independent.
+
+        Args:
+            odds: (P,) of each panel, as a logarithm; nothing is added when None.
+            weight: How much they count.
+        """
+        if odds is None:
+            return self
+        own = np.log(self.panels / (1 - self.panels)) * self.named
+        counts = self.named + np.float32(weight)
+        both = (own + np.clip(odds, -_SUREST_ODDS, _SUREST_ODDS) * weight) / counts
+        return replace(self, panels=(1 / (1 + np.exp(-both))).astype(np.float32), named=counts)
 
     def outranked_by(self, words: Sought) -> Sought:
         """The same, but of each claim and measure that words speak of what words say."""

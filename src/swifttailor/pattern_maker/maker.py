@@ -22,14 +22,12 @@ from swifttailor.pattern_maker.asking.generation import Asked, Written, write_an
 from swifttailor.pattern_maker.asking.pictures import picture_for_network
 from swifttailor.pattern_maker.asking.prompt import make_prompt
 from swifttailor.pattern_maker.asking.scripts import about_scripts, says_something
-from swifttailor.pattern_maker.network.model_file import MakerModel, load_model
+from swifttailor.pattern_maker.network.model_file import SHIPPED, MakerModel, load_model
 from swifttailor.pattern_maker.temperatures import HIGHEST_TEMPERATURE
 from swifttailor.pattern_maker.tokens.decode import decode
 from swifttailor.pattern_maker.tokens.encode import encode
 from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
 from swifttailor.render.picture_file import read_picture
-
-SHIPPED = Path(__file__).with_name("pattern_maker.zip")
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from swifttailor.arrays import Pixels
 from swifttailor.describing.claims import Claim
@@ -19,7 +20,9 @@ from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern import Pattern, check_pattern
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
+from swifttailor.pattern_maker.asking.scripts import says_something
 from swifttailor.pattern_maker.maker import Request
+from swifttailor.pattern_maker.panel_foresight import PanelForesight
 from swifttailor.picture_reader.reading import PartReading
 from swifttailor.recutting.alter import Alteration, alter
 from swifttailor.recutting.nearer import towards
@@ -88,6 +91,8 @@ class Wanted:
     """What is doubtful about the pictures."""
     heard: Heard = HEARD_NOTHING
     """What its words say beyond wishes: colours, what cannot be made, what was not understood."""
+    foresight: PanelForesight | None = None
+    """Tells of its words which panels the garment may have; None where that is not asked."""
 
     @property
     def said(self) -> tuple[Wish, ...]:
@@ -138,7 +143,14 @@ class Wanted:
             names = {w.change.claim.name for w in said if isinstance(w.change, Gain)}
             usual = (*_UNSAID, *_UNSAID_OF.get(self.heard.kind or "", ()))
             said += [Wish(Gain(claim), _USUAL) for claim in usual if claim.name not in names]
-        return Sought.of(self.part, said, self.heard.never)
+        return Sought.of(self.part, said, self.heard.never, self._foreseen(said))
+
+    def _foreseen(self, said: Sequence[Wish]) -> NDArray[np.float64] | None:
+        """Which panels there may be, by the text as it is and in words that the network was taught."""
+        if self.foresight is None or not said:
+            return None
+        taught = in_own_words([wish.change for wish in said])
+        return self.foresight.odds([one for one in (one_line(self.text), taught) if says_something(one)])
 
     @property
     def unsaid(self) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 from functools import cache
 from itertools import islice
 from pathlib import Path
@@ -238,7 +239,7 @@ class Tailor(Workshop):
 
         clock = clock or Clock()
         clock.restart()
-        wanted = [self._read(order) for order in orders]
+        wanted = [self.read(order) for order in orders]
         clock.stop("reading")
         samples = [(one, one.order.seed + k) for one in wanted for k in range(one.order.samples)]
         return write_patterns(
@@ -250,17 +251,29 @@ class Tailor(Workshop):
             lambda: self.pattern_library,
         )
 
-    def _read(self, order: Order) -> Wanted:
+    def read(self, order: Order) -> Wanted:
+        """What an order asks for, before anything is made.
+
+        Args:
+            order: What is wanted.
+
+        Raises:
+            SwiftTailorError: See `read_order`.
+        """
         from swifttailor.tailor.reading import read_order
 
         if not order.alter:
             return read_order(order, None)
-        return read_order(order, self.wish_reader, self.picture_reader if order.images else None)
+        read = read_order(order, self.wish_reader, self.picture_reader if order.images else None)
+        asked = order.text.strip() and self.library_for([order]) is not None
+        return replace(read, foresight=self.panel_foresight) if asked else read
 
     def _open(self, order: Order) -> None:
         """Opens the networks that an order needs, so that their time is not another stage's."""
         if self.library_for([order]) is None:
             _ = self.pattern_maker
+        elif order.text.strip():
+            _ = self.panel_foresight
         _ = self.garment_sewer, self.wish_reader if order.alter else None
         _ = self.picture_reader if order.alter and order.images else None
         if isinstance(self.garment_sewer, GarmentSewer):

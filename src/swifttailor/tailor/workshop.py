@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.draping.fabric import Fabric
     from swifttailor.pattern_library.known import PatternLibrary
+    from swifttailor.pattern_maker.panel_foresight import PanelForesight
     from swifttailor.tailor.looking import ReadsPictures
     from swifttailor.wishes.reader import WishReader
 
@@ -131,6 +132,21 @@ class Workshop:
                 return None
             return PictureReader.load(self._eyes, threads=self._threads)
         return self._eyes
+
+    @cached_property
+    def panel_foresight(self) -> PanelForesight | None:
+        """What tells of words which panels a garment will have; None where somebody else's writer does not.
+
+        Raises:
+            InputError: There are no such weights, or they are damaged.
+        """
+        from swifttailor.pattern_maker.panel_foresight import PanelForesight
+
+        if self._maker is None or isinstance(self._maker, Path | str):
+            return PanelForesight.load(self._maker, threads=self._threads)
+        from swifttailor.pattern_maker.maker import PatternMaker
+
+        return PanelForesight.of(self._maker) if isinstance(self._maker, PatternMaker) else None
 
     @cached_property
     def pattern_library(self) -> PatternLibrary | None:

@@ -92,13 +92,10 @@ class NearestKnown:
         return [self._one(question, pictures) for question in questions]
 
     def _one(self, question: Question, pictures: GarmentPictures | None) -> Content | SwiftTailorError:
-        from swifttailor.tailor.reading import read_order
-
         clock = Clock()
         order = self.asking.order(question, pictures)
         try:
-            eyes = self.tailor.picture_reader if order.images else None
-            sought = read_order(order, self.tailor.wish_reader, eyes).sought
+            sought = self.tailor.read(order).sought
             clock.stop("reading")
             if sought.is_empty:
                 return InputError("Nothing that was asked for was understood, so no pattern is the nearest.")

@@ -24,6 +24,7 @@ from swifttailor.pattern_maker.network.runtime import (
 from swifttailor.pattern_maker.tokens.grammar import Grammar
 from swifttailor.pattern_maker.tokens.vocabulary import NUMBERS, SIZE
 
+SHIPPED = Path(__file__).parents[1] / "pattern_maker.zip"
 TEXT, CONFIDENCE = "text_tokens.json", "confidence.json"
 KIND = ModelKind(
     "PatternMaker",
