@@ -104,6 +104,8 @@ def changes_of(
     """
     if part == "sleeve_end" and kind in (*_LOWER, "skirt"):
         part = "leg_end" if kind in _LOWER else "hem"
+    if part == "chest" and what == "length" and kind in ("top", "tunic"):
+        part = "all"  # without a waist seam the body of it is all of it
     if part == "lower":
         part = "legs" if kind in _LEGS else "skirt"
     found = _way(part or "all", what, kind)

@@ -20,6 +20,7 @@ from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
 from swifttailor.wishes.spoken_measures import SpokenMeasure, same_number, spoken_measures
+from swifttailor.wishes.spoken_sides import spoken_sides, without_spans
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import says_nothing_else, unread_numbers
@@ -64,7 +65,10 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     named = next((str(i.claim.value) for i in words.implications if i.claim.name == "kind"), None)
     measures = spoken_measures(text, named)
     hem = spoken_hem(text, named)
+    sides = spoken_sides(text)
+    words = without_spans(words, sides.spans)
     said = [m.claim for m in measures if m.claim is not None] + ([] if hem is None else [hem])
+    said += sides.claims
     said += spoken_bounds(text, words)
     if (slit := spoken_slit(text, words)) is not None:
         said.append(slit)
@@ -129,11 +133,13 @@ def _with_parts(words: WordReading) -> tuple[Claim, ...]:
 def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
     """What the network reads, no surer of what the name of a draft implies than the lexicon is.
 
-    So the draft stays as it is named. What garments of the kind cannot have, as the bodice of "tailored
-    trousers", is left out.
+    So the draft stays as it is named: where all words are known, what none of them is said of ("darted" of
+    "a fitted turtleneck") is no more than likely. What garments of the kind cannot have, as the bodice of
+    "tailored trousers", is left out.
     """
     implied = [i for i in words.implications if not i.said]
     most = {i.claim: SURENESS[i.certainty] for i in implied if any(e.drafts for e in i.mark.entries)}
+    told = {i.claim.name for i in words.implications} if most and not words.unknown else None
     sure = [i.claim for i in implied if i.claim.name == "kind" and i.certainty == "certain"]
     kind = next(iter(sure), None)
     found = []
@@ -143,6 +149,8 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
             if not fits_kind(claim.name, str(kind.value)):
                 continue
         bound = 1.0 if claim is None else most.get(claim, 1.0)
+        if claim is not None and told is not None and claim.name not in told and isinstance(claim.value, str):
+            bound = SURENESS["likely"]
         found.append(replace(wish, certainty=min(wish.certainty, bound)))
     return found
 

@@ -10,7 +10,7 @@ from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.wishes.change_parts import subjects_of
-from swifttailor.wishes.change_words import find_parts
+from swifttailor.wishes.change_words import find_changes, find_parts
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.reader import Wish, WishReader
@@ -76,6 +76,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         ):
             stated[clause.start] = measure
             told.append(Gain(measure.claim))
+    told = _without_steps_to(told)
     told = _without_vague_depth(told if facts is None else [_made_where_lacking(c, facts) for c in told])
     covered = facts is not None and QUANTITIES["armholes"].of(facts) is None
     hidden = [c for c in told if covered and isinstance(c, Step) and c.quantity == "armholes"]
@@ -100,7 +101,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         likely += [w for w in likely_wishes(tuple(new)) if w not in certain]
         unread += _still_unread(part, clause, certain, reader)
     never = _refused(words)
-    held = [] if facts is None else [c for c in never if c.holds(facts)]
+    held = [] if facts is None else [c for c in never if c.holds(facts) and c not in _less(text, words)]
     sure += [
         Wish(gain, SURENESS["usual"] + 0.1)
         for gain in other_than(never, held, [subject_of(change) for change in told])
@@ -163,6 +164,17 @@ def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: 
     return True
 
 
+def _without_steps_to(told: Sequence[Change]) -> list[Change]:
+    """Without steps of what is stated in figures: "a narrower waistband, 2 cm"."""
+    stated = {c.claim.name for c in told if isinstance(c, Gain) and not isinstance(c.claim.value, str)}
+
+    def is_stated(change: Change) -> bool:
+        how = QUANTITIES[change.quantity].stated if isinstance(change, Step) else None
+        return how is not None and how.claim in stated
+
+    return [change for change in told if not is_stated(change)]
+
+
 def _without_vague_depth(told: Sequence[Change]) -> list[Change]:
     """Of a neckline that is 12 cm deep nobody says besides how deep it is."""
     names = {subject_of(change) for change in told}
@@ -186,6 +198,18 @@ def _counts_elsewhere(number: str, text: str, changes: Sequence[Change]) -> bool
     value = next((m.value for m in find_mentions(number)), None)
     amounts = [c.amount for c in changes if isinstance(c, Step) and c.amount is not None]
     return value is not None and any(abs(amount - 2 * value) < 0.1 for amount in amounts)
+
+
+def _less(text: str, words: WordReading) -> frozenset[Claim]:
+    """Refused by nothing but a word of change, which says what is to be otherwise: "not as wide"."""
+    spans = [(c.start, c.end) for c in find_changes(text.lower())]
+    return frozenset(
+        claim
+        for mark in words.marks
+        if mark.denied and any(a <= mark.start < b for a, b in spans)
+        for entry in mark.entries
+        for claim in entry.claims()
+    )
 
 
 def _refused(words: WordReading) -> tuple[Claim, ...]:

@@ -21,13 +21,14 @@ _SPOKEN_SMALL = r"centimet(?:re|er)s?|cms?|inch(?:es)?"
 _UNIT = rf"{_SPOKEN}|mm|cms?|m|ins?|ft|[\"\u201d\u2033]"
 _FEW = {"couple": 2.0, "few": 3.0, "a": 1.0}
 _PARTS = {"half": 0.5, "third": 1 / 3, "quarter": 0.25}
+_HALF = r"(?: and a half(?! (?:circle|moon))(?!\w))?"
 _FIGURE = r"\d{1,5} \d/\d|\d/\d|\d{1,5}(?:[.,]\d{1,3})?"
 # Not inside of a word or a longer number; "in" is no unit in "6 in the front".
 _MENTION = re.compile(
     rf"(?<![\w.,/])(?:(?P<figure>{_FIGURE})(?:[ -]?(?P<unit>{_UNIT})(?!\w)(?! (?:the|front|back|one)\b))?"
-    rf"|(?P<few>an?|a couple(?: of)?|a few) (?P<few_unit>{_SPOKEN_SMALL})"
+    rf"|(?P<few>an?|a couple(?: of)?|a few) (?P<few_unit>{_SPOKEN_SMALL})(?P<few_half>{_HALF})"
     rf"|(?P<part>half|(?:a )?third|(?:a )?quarter)(?: of)? an? (?P<whole>{_SPOKEN})"
-    rf"|(?P<word>{'|'.join(_COUNTS)})(?:[ -](?P<words_unit>{_SPOKEN}))?)(?![\w/])",
+    rf"|(?P<word>{'|'.join(_COUNTS)})(?:(?P<half> and a half)?[ -](?P<words_unit>{_SPOKEN}))?)(?![\w/])",
     re.IGNORECASE,
 )
 _LARGEST = 99_999.0
@@ -58,12 +59,14 @@ def find_mentions(text: str) -> list[Mention]:
 def _mention(found: re.Match[str]) -> Mention:
     if found["few"]:
         count = next(number for word, number in _FEW.items() if word in found["few"].lower())
+        count += 0.5 * bool(found["few_half"])
         return Mention(found.start(), found.end(), count * _CM[_unit(found["few_unit"].lower())], True)
     if found["part"]:
         value = _PARTS[found["part"].lower().split()[-1]] * _CM[_unit(found["whole"].lower())]
         return Mention(found.start(), found.end(), value, True)
     if found["word"]:
         value, unit = _COUNTS[found["word"].lower()], found["words_unit"]
+        value += 0.5 * bool(found["half"])
         factor = _CM[_unit(unit.lower())] if unit else 1.0
         return Mention(found.start(), found.end(), value * factor, unit is not None)
     value = min(_figure(found["figure"]), _LARGEST)

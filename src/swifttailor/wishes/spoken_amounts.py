@@ -41,6 +41,10 @@ _MORE_BEHIND = re.compile(r"\s*(?:more|extra|plus)(?!\w)(?!\s+\w*(?:er|long|wide
 _CHANGE_BEFORE = re.compile(
     r"(?<!\w)(?:down|up|in|out|by|longer|shorter|wider|narrower|deeper|higher|lower|raise|drop|lengthen|shorten)\s$"
 )
+_CHANGE_BEHIND = re.compile(
+    r" (?:down|up|in|out|longer|shorter|wider|narrower|deeper|higher|lower)"
+    r"\s*(?=$|[.,;!?)]|please(?!\w)|and(?!\w))"
+)
 _NOTHING_BEHIND = re.compile(r"\s*(?:$|[.,;!?)]|please|each|and|then)")
 _CAREFUL_CM = 6.0
 """A step of no stated size where something beyond it is refused: "shorter, but not mini"."""
@@ -76,7 +80,11 @@ def is_more_by(text: str, numbers: Sequence[Mention]) -> bool:
 def is_bare_cm(text: str, mention: Mention) -> bool:
     """Whether a number without a unit is by how many cm something changes: "back neck down 8"."""
     before, behind = text[: mention.start], text[mention.end :]
-    return not mention.is_length and bool(_CHANGE_BEFORE.search(before) and _NOTHING_BEHIND.match(behind))
+    if mention.is_length:
+        return False
+    return bool(
+        (_CHANGE_BEFORE.search(before) and _NOTHING_BEHIND.match(behind)) or _CHANGE_BEHIND.match(behind)
+    )
 
 
 def by_little(change: Change) -> Change:

@@ -12,8 +12,9 @@ from dataclasses import dataclass, replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
-from swifttailor.wishes.change_parts import changes_of, subjects_of
+from swifttailor.wishes.change_parts import changes_of, part_of, subjects_of
 from swifttailor.wishes.change_words import (
+    ChangeWord,
     PartWord,
     find_changes,
     find_parts,
@@ -24,19 +25,34 @@ from swifttailor.wishes.spoken_amounts import (
     by_little,
     joined_amount,
 )
-from swifttailor.wishes.spoken_clause_words import part_said_of, read_clause
+from swifttailor.wishes.spoken_clause_words import is_of_parts, of_their_parts, part_said_of, read_clause
 from swifttailor.wishes.spoken_clauses import SpokenClause, clashes_of, without_what_is_so
 from swifttailor.wishes.spoken_places import at_the_neck
 from swifttailor.wishes.spoken_scenes import SpokenScene, spoken_scene
-from swifttailor.wishes.spoken_targets import clauses_of, given_away, meant
+from swifttailor.wishes.spoken_sides import blanked, spoken_sides, without_spans
+from swifttailor.wishes.spoken_targets import away, beside_no_numbers, clauses_of, given_away, meant
 from swifttailor.wishes.spoken_wholes import of_wholes
 from swifttailor.wording.claim_kinds import fits_kind
-from swifttailor.wording.lexicon import WordReading, read_words
+from swifttailor.wording.lexicon import Implication, WordReading, read_words
 
 _THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
 _UNDENIED = re.compile(r"(?:in|out|so|too|as|that|overly)(?!\w)")
 """Words of change that are no less so for a "not": what is "not so tight" is to be wider."""
 _DENIED = re.compile(r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas)(?:\s+\w+){0,2}\s+$")
+_EXCEPT = re.compile(
+    r"\s*(?:except(?: for)?|apart from|other than|save for|but not|außer|bis auf|sauf|salvo|excepto)(?!\w)"
+)
+_ALL_STAYS = re.compile(
+    r"(?<!\w)(?:(?:everything|all(?: of it)?|the (?:rest|lot)) (?:else )?"
+    r"(?:stays?|should stay|can stay|is (?:fine|good|perfect|great))"
+    r"|(?:keep|leave) (?:everything|it all|all of it|the rest|the lot)"
+    r"|alles (?:bleibt|so lassen)|tout garder)(?!\w)"
+)
+"""What is excepted from it is to change: "everything stays apart from the skirt"."""
+_JOINED = re.compile(r"(?<!\w)(?:and|but|und|aber|et|mais|y|pero)\s+$")
+"""Before a clause that goes on about what the one before it spoke of: "shorter sleeves and a bit wider"."""
+_ONES = frozenset({"skirt", "collar", "hood", "band"})
+"""Parts that "it" can mean where they were changed just before: "lengthen the skirt and taper it"."""
 _OF_SCENES = frozenset({"shoulders", "sleeves", "neck", "collar"})
 
 
@@ -69,22 +85,39 @@ def spoken_changes(
         kind: Of the garment to change.
         is_so: Whether a claim is true of it: who says so describes it and asks for nothing.
     """
-    small = text.lower()
+    sides = spoken_sides(text)
+    small, words = blanked(text.lower(), sides.spans), without_spans(words, sides.spans)
     them = False
-    changes, parts, mentions = find_changes(small), find_parts(small), find_mentions(text)
+    changes, parts, mentions = find_changes(small), find_parts(small), find_mentions(small)
     implied = meant(small, words, kind)
     gone = given_away(small, implied)
     implied = [each for each in implied if each not in gone]
+    given_up: list[SpokenClause] = []
+    if gone:
+        implied, given_up = _in_their_place(small, words, kind, implied, gone)
     bounds = clauses_of(small)
-    found: list[SpokenClause] = []
+    found = given_up + [
+        SpokenClause(a, b, (Gain(claim),), ())
+        for claim, (a, b) in zip(sides.claims, sides.spans, strict=True)
+    ]
     kept: set[str] = set()
     last: str | None = None
+    spoken_of: str | None = None
     taken: list[tuple[str, tuple[Change, ...]]] = []
     vague: tuple[int, SpokenScene] | None = None
+    stays = excepted = False
+    grown: list[ChangeWord] = []
     for start, end in bounds:
         inside = [p for p in parts if start <= p.start < end]
         whole = of_wholes(small[start:end], (), kind, is_so)
-        if not whole and kept_words().search(small, start, end):
+        if stays and inside and _EXCEPT.match(small, start, end):
+            named = [p.part for p in inside if p.part != "all"]
+            last = spoken_of = named[-1] if named else last
+            stays, excepted = False, True
+            if not any(start <= c.start < end for c in changes):
+                continue
+        stays = bool(_ALL_STAYS.search(small, start, end))
+        if not whole and not excepted and kept_words().search(small, start, end):
             for part in inside:
                 kept |= subjects_of(part.part)
                 if part.word.endswith(("length", "länge", "longueur", "largo")):
@@ -109,8 +142,32 @@ def spoken_changes(
             found.append(SpokenClause(start, end, scene.changes, ()))
             last = next(p.part for p in inside if p.part in _OF_SCENES)
             continue
+        joined = bool(_JOINED.search(small, 0, start))
+        if (
+            joined
+            and grown
+            and not any(start <= c.start < end for c in said)
+            and is_of_parts(small, (start, end), inside)
+        ):
+            more = _said_again(inside, grown, found, kind)
+            if more:
+                found.append(SpokenClause(start, end, more, ()))
+                continue
+        goes_on = last is not None and last == spoken_of and (joined or excepted)
+        excepted = False
+        grown = [c for c in said if start <= c.start < end]
+        if goes_on and last in _ONES and inside and all(p.word == "it" for p in inside):
+            inside = []
         clause = read_clause(
-            small, (start, end), (said, inside, mentions), implied, words, kind, last, is_so, them=them
+            small,
+            (start, end),
+            (said, inside, mentions),
+            implied,
+            words,
+            kind,
+            last,
+            is_so,
+            them=them or (goes_on and not inside),
         )
         clause = _read_alone(text, clause, kind)
         if denied and not clause.changes:
@@ -121,11 +178,15 @@ def spoken_changes(
         found.append(clause)
         named = [p.part for p in inside if p.part not in ("all", "waist")]
         last = named[-1] if named else last
+        if named:
+            parts_changed = {part_of(subject_of(change)) for change in clause.changes}
+            stepped = any(isinstance(change, Step) for change in clause.changes)
+            spoken_of = last if stepped or last in parts_changed else None
     if vague is not None and all(isinstance(c, Gain) and is_so(c.claim) for f in found for c in f.changes):
         at, scene = vague  # where nothing else is asked for: "for a summer wedding" asks for no other hem
         found[at] = replace(found[at], changes=scene.changes, left_over=())
         taken.append((text[scene.start : scene.end], scene.changes))
-    found = _joined(small, found, mentions, parts)
+    found = _joined(small, found, mentions, parts, kind)
     found = without_what_is_so([at_the_neck(small, c, is_so) for c in found], is_so)
     clashes = clashes_of(found, words, is_so)
     wanted = [change for clause in found for change in clause.changes]
@@ -153,12 +214,49 @@ def spoken_changes(
     )
 
 
+def _said_again(
+    inside: Sequence[PartWord], grown: Sequence[ChangeWord], found: Sequence[SpokenClause], kind: str
+) -> tuple[Change, ...]:
+    """What was asked of one part, asked of those that are named behind it: "tighter cuffs and waistband"."""
+    before = [c.amount for c in found[-1].changes if isinstance(c, Step)] if found else []
+    if not before:
+        return ()
+    amount = before[0] if len(set(before)) == 1 else None
+    parts = dict.fromkeys(p.part for p in inside if p.part != "all")
+    return tuple(
+        [change for part in parts for w in grown for change in changes_of(part, w.what, w.sign, kind, amount)]
+    )
+
+
+def _in_their_place(
+    text: str, words: WordReading, kind: str, implied: list[Implication], gone: Sequence[Implication]
+) -> tuple[list[Implication], list[SpokenClause]]:
+    """What is to take the place of something else, where that outdid it: "turn the hood into a turtleneck".
+
+    Returns:
+        What the lexicon reads without what goes, and the clauses of what is taken off for it.
+    """
+    if not implied:
+        rest = read_words(blanked(text, away(text)), kind=kind, language=words.language)
+        implied = meant(text, rest, kind)
+    names = {each.claim.name for each in implied}
+    off = [
+        SpokenClause(each.mark.start, each.mark.end, (Gain(Claim(each.claim.name, "none")),), ())
+        for each in gone
+        if implied and each.claim.name in ("hood", "collar", "cuffs") and each.claim.name not in names
+    ]
+    return implied, off
+
+
 def _read_alone(text: str, clause: SpokenClause, kind: str) -> SpokenClause:
     """A clause whose words something said before outdoes: "it is square; I'd have it boat-shaped"."""
     if clause.changes or not clause.left_over:
         return clause
     words = read_words(text[clause.start : clause.end], kind=kind)
-    details = [i for i in words.implications if i.said and i.certainty != "likely" and i.claim.name != "kind"]
+    implied = beside_no_numbers(text[clause.start : clause.end].lower(), words.implications)
+    details = [i for i in implied if i.said and i.certainty != "likely" and i.claim.name != "kind"]
+    said_of = find_parts(text[clause.start : clause.end].lower())
+    details, _ = of_their_parts(text[clause.start : clause.end].lower(), details, said_of)
     gains = [Gain(i.claim) for i in details if fits_kind(i.claim.name, kind)]
     said = {word for i in details for word in i.mark.word.lower().split()}
     left = tuple([words for words in clause.left_over if not set(re.split(r"[\s-]+", words)) & said])
@@ -166,7 +264,11 @@ def _read_alone(text: str, clause: SpokenClause, kind: str) -> SpokenClause:
 
 
 def _joined(
-    text: str, found: Sequence[SpokenClause], mentions: Sequence[Mention], parts: Sequence[PartWord]
+    text: str,
+    found: Sequence[SpokenClause],
+    mentions: Sequence[Mention],
+    parts: Sequence[PartWord],
+    kind: str,
 ) -> list[SpokenClause]:
     """Clauses that go together: "sleeves: minus 4 cm", "a bit shorter, like 4 cm", "bigger. No, bigger"."""
     joined: list[SpokenClause] = []
@@ -182,7 +284,7 @@ def _joined(
                 continue
         named = " ".join(p.word for p in parts if clause.start <= p.start < clause.end)
         if not clause.changes and k + 1 < len(found) and " ".join(clause.left_over) == named:
-            clause = replace(clause, left_over=())
+            clause = _with_next(text, clause, found[k + 1], parts, kind)
         whole = text[clause.start : clause.end].split()
         repeated = [c for c in clause.changes if isinstance(c, Step) and c.quantity in ("chest", "length")]
         if joined and len(whole) == 1 and repeated and len(clause.changes) == 1:
@@ -193,3 +295,19 @@ def _joined(
                 clause = replace(clause, changes=())
         joined.append(clause)
     return joined
+
+
+def _with_next(
+    text: str, clause: SpokenClause, behind: SpokenClause, parts: Sequence[PartWord], kind: str
+) -> SpokenClause:
+    """Parts that share what the clause behind them asks for: "the sleeves and the hem shorter"."""
+    own = [p for p in parts if clause.start <= p.start < clause.end and p.part != "all"]
+    shared = _JOINED.search(text, 0, behind.start) and any(
+        behind.start <= p.start < behind.end and p.part not in ("all", *[q.part for q in own]) for p in parts
+    )
+    steps = [c for c in behind.changes if isinstance(c, Step)]
+    if not (shared and steps and own):
+        return replace(clause, left_over=())
+    grown = [c for c in find_changes(text) if behind.start <= c.start < behind.end]
+    made = _said_again(own, grown, [behind], kind)
+    return replace(clause, changes=made, left_over=() if made else clause.left_over)

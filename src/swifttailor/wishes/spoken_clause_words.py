@@ -32,6 +32,8 @@ from swifttailor.wording.lexicon import Implication, WordMark, WordReading
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 _LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|(?<!\d)-\s*\d")
 _PLACES = re.compile(r"(?:(?:front|back|side|sides|left|right|centre|center|top|bottom|hem)(?:\s|$))+")
+_GRIP = re.compile(r"(?<!\w)(?:tight|loose|snug|eng|weit|locker|serr|ajust)")
+"""Of a cuff these speak of its girth, where "wider" speaks of its height."""
 _EACH = re.compile(r"(?<!\w)(?:(?:on )?(?:each|either|both) sides?|per side)(?!\w)")
 _VERY = re.compile(r"(?<!\w)(?:super|very|really|extra|much|way|even|muy|très|sehr)(?!\w)")
 """Of what is so already there is to be more: "super wide legs" of wide ones."""
@@ -45,16 +47,35 @@ _NAMED = {
     ),
 }
 """Kinds that a name of a garment can mean where one is there already."""
-_OF_HEMS = frozenset({"sweep", "flare", "swing", "vuelo"})
+_OF_HEMS = frozenset(
+    "sweep flare swing vuelo poofy puffy full fuller flared flarey swishy swishier billowy voluminous frilly "
+    "ruffly flouncy poofier puffier floatier flowy a-line gathered".split()
+)
+"""What is said of a skirt, where no part is named."""
 _PRONOUNS = frozenset({"it", "them", "es", "ihn"})
 _GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders"})
 _TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
+_SKIRTED = frozenset({"dress", "skirt"})
 _FROM_THERE = re.compile(
-    r"(?<!\w)(?:from|below|above) (?:the )?(?:knees?|elbows?|waist|hips?|thighs?|ankles?)"
-    r" (?:down|downwards|up|upwards)(?!\w)"
+    r"(?<!\w)(?:(?:below|above) (?:the )?(?:knees?|elbows?|waist|hips?|thighs?|ankles?)"
+    r" (?:down|downwards|up|upwards)"
+    r"|from (?:the )?(?:knees?|elbows?|waist|hips?|thighs?|ankles?)(?: (?:down|downwards|up|upwards))?)(?!\w)"
 )
 """Where along a part it is to change, and no length: "in from the knee down"."""
+_NARROWED_AT = re.compile(
+    r"(?<!\w)(?:below|above|at|around|near) the (?:knees?|elbows?|thighs?|calf|calves|ankles?)(?!\w)"
+)
+"""The same where something is to be wider or narrower there: "narrow the legs below the knee"."""
+_DRAGS = re.compile(
+    r"(?<!\w)(?:drag|drags|dragging|trip|tripping|sweeps|sweeping|trails|trailing)(?!\w)[^.;]*(?<!\w)(?:floor|ground)(?!\w)"
+)
+"""What reaches the floor and is not to."""
+_RUFFLES = re.compile(r"(?<!\w)(?:ruffles?|ruffled|ruffels?|flounces?|flounced|frills?|frilly|frilled)(?!\w)")
+_UPPER = frozenset(
+    {"sleeves", "sleeve_end", "cuffs", "neck", "collar", "shoulders", "hood", "straps", "armholes"}
+)
 _TO_BE = re.compile(r"(?<!\w)(?:make|made|be|become|want|wants|need|prefer|should|mach|rends|haz)(?!\w)")
+_ARTICLE = re.compile(r"\s+(?:the|my|her|his)(?!\w)")
 _YEAR = re.compile(r"(?<!\w)(?:1[5-9]\d\d|\d0)s(?!\w)|(?<!\w)1[5-9]\d\d(?!\w)")
 _STEPS_DOWN = re.compile(r"(?<!\w)(?:off|away|remove|take|lose|without|weniger|weg)(?!\w)")
 
@@ -93,8 +114,14 @@ def read_clause(
     if _TAKEN_OUT.search(said):
         claims = []
     places = [m.span() for m in _FROM_THERE.finditer(text, start, end)]
+    if any(c.what == "width" for c in grown):
+        places += [m.span() for m in _NARROWED_AT.finditer(text, start, end)]
     claims = [i for i in claims if not any(a <= i.mark.start < b for a, b in places)]
     grown = [c for c in grown if not any(a <= c.start < b for a, b in places)]
+    if (drags := _DRAGS.search(said)) is not None:
+        claims = [i for i in claims if i.claim.name not in ("skirt_hem", "leg_hem")]
+        places.append((start + drags.start(), start + drags.end()))
+    claims, ruffled = of_their_parts(said, claims, parts)
     details = [i for i in claims if i.mark.entries[0].category != "parts"]
     spans = [(i.mark.start, i.mark.end) for i in details]
     # What is said of a detail is no change: "a low neckline" is not lowered by being called so.
@@ -114,7 +141,9 @@ def read_clause(
     bare = not grown and not claims and not any(p.part == "slit" for p in parts)
     denied = any(m.denied and start <= m.start < end for m in words.marks)
     if bare and (_TO_BE.search(said) or (not denied and _is_plain(text, bounds, parts))):
+        lengths = {m.end for m in numbers if m.is_length}  # "60 cm long" is a measure and no change
         grown = [c for c in find_adjectives(text) if start <= c.start < end]
+        grown = [c for c in grown if len(text[: c.start].rstrip(" -")) not in lengths]
     if not parts and last in ("sleeves", "legs") and not grown:
         # "The arms are cold, make it long": what was spoken of before is meant.
         plain = find_adjectives(text)
@@ -134,13 +163,16 @@ def read_clause(
         if amount is not None and _EACH.search(said) and word.what == "width":
             amount *= 2
         made: tuple[Change, ...] = () if bare else hem_shape(said, named, word, kind)
-        if named in (None, "all") and text[word.start : word.end] in _OF_HEMS:
-            named = "hem"
+        if named in (None, "all") and kind in _SKIRTED and not (them or (bare and last)):
+            if set(text[word.start : word.end].split()) & _OF_HEMS:
+                named = "hem"
         spoken_of = last if named in (None, "all") and all(p.word in _PRONOUNS for p in parts) else named
         if spoken_of == "slit" and not made:
             made = slit_step(word, is_so, amount)
         for part in (named or (last if bare or them else None), last, None):
             made = made or changes_of(part, word.what, word.sign, kind, amount)
+        if named == "cuffs" and _GRIP.search(text[word.start : word.end]):
+            made = (Step("cuff opening", word.sign, amount),)
         made = made if target is None else to_target(made, target)
         changes += made
         if made or claims:
@@ -160,7 +192,7 @@ def read_clause(
             what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
             changes += changes_of(part, what, sign, kind, length)
     counted = more_of_them(said)
-    whole = of_wholes(said, grown, kind, is_so)
+    whole = of_wholes(said, grown, kind, is_so) or ruffled
     if not (whole or changes or claims):
         whole = lacking(said, is_so)
     if counted or whole:
@@ -185,6 +217,29 @@ def read_clause(
     if not changes and not any(word in phrase for word in missed for phrase in left):
         left = (*left, *missed)
     return SpokenClause(start, end, tuple(dict.fromkeys(changes)), left)
+
+
+def of_their_parts(
+    said: str, claims: list[Implication], parts: Sequence[PartWord]
+) -> tuple[list[Implication], tuple[Change, ...]]:
+    """What a clause says of the skirt, where it names none and another part: "ruffles at the sleeves"."""
+    named = {p.part for p in parts} - {"all", "hem"}
+    if not named or not named <= _UPPER:
+        return claims, ()
+    kept = [i for i in claims if i.claim.name != "skirt"]
+    denied = _STEPS_DOWN.search(said) or re.search(r"(?<!\w)(?:no|not|fewer|instead)(?!\w)", said)
+    ruffled = _RUFFLES.search(said) and named <= {"sleeves", "sleeve_end", "cuffs"} and not denied
+    return kept, (Gain(Claim("cuffs", "flounce")),) if ruffled else ()
+
+
+def is_of_parts(text: str, bounds: tuple[int, int], parts: Sequence[PartWord]) -> bool:
+    """Whether a clause is nothing but names of parts: "and the hem" behind "shorten the sleeves"."""
+    named = [p for p in parts if p.part != "all"]
+    spans = [(p.start, p.end) for p in named]
+    return bool(named) and all(
+        is_function_word(m[0]) or any(a <= m.start() < b for a, b in spans)
+        for m in _WORD.finditer(text, *bounds)
+    )
 
 
 def _is_plain(text: str, bounds: tuple[int, int], parts: Sequence[PartWord]) -> bool:
@@ -253,6 +308,8 @@ def _left_over(
     for match in _WORD.finditer(text, start, end):
         if is_function_word(match[0]) or any(a <= match.start() < b for a, b in taken):
             continue
+        if match[0] == "round" and _ARTICLE.match(text, match.end()):
+            continue  # "looser round the tummy": no neckline
         missed.append(match)
     joined: list[list[re.Match[str]]] = []
     for match in missed:

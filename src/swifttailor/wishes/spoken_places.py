@@ -14,9 +14,11 @@ from swifttailor.wishes.spoken_clauses import SpokenClause
 _TOO_CLOSE = re.compile(
     r"(?<!\w)(?:remove|off|away|lose|strangl\w*|chok\w*|scratch\w*|itch\w*|suffocat\w*|weg|würgt|étrangle)(?!\w)"
 )
+_CHOKES = re.compile(r"(?<!\w)(?:strangl\w*|chok\w*|throttl\w*|suffocat\w*|würgt|étrangle)(?!\w)")
 _CLOSED = re.compile(r"(?<!\w)(?:close|closed|shut|sew up|sewn up|zu|fermer|cerrar)(?!\w)")
 _PAIR = re.compile(
-    r"(?<!\w)(?:(?:slits|splits|vents)(?= .*sides?(?!\w))|(?:both|two) side|side (?:slits|splits|vents))"
+    r"(?<!\w)(?:(?:slits|splits|vents)(?= .*sides?(?!\w))|(?:both|two|each|either) sides?"
+    r"|side (?:slits|splits|vents))"
 )
 _SIDE = re.compile(
     r"(?<!\w)(?:(?P<left>left|links|gauche|izquierda)|(?P<right>right|rechts|droite|derecha)"
@@ -72,6 +74,12 @@ def slit_step(word: ChangeWord, is_so: Callable[[Claim], bool], amount: float | 
 def at_the_neck(text: str, clause: SpokenClause, is_so: Callable[[Claim], bool]) -> SpokenClause:
     """A collar that is not named: "remove what is around the neck", "the neck is strangling me"."""
     said = text[clause.start : clause.end]
+    named = {p.part for p in find_parts(said)}
+    if _CHOKES.search(said) and named & {"neck", "collar"}:
+        high = any(is_so(Claim("collar", each)) for each in ("stand", "turtleneck"))
+        if "collar" in named or not high:
+            step = Step("collar height", -1) if high else Step("neck depth", 1)
+            return replace(clause, changes=(step,), left_over=())
     if clause.changes or not any(p.part == "neck" for p in find_parts(said)) or not _TOO_CLOSE.search(said):
         return clause
     collars = [Claim("collar", kind) for kind in ("stand", "turtleneck", "lapel")]

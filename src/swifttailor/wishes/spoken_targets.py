@@ -8,12 +8,14 @@ from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.wishes.change_words import target_words
+from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.unread import is_function_word
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import Implication, WordMark, WordReading
 
 _JOINT = re.compile(
-    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+]\s|\s(?:and|but|then|und|aber|et|mais|y|pero)\s|\sso\s(?=it|that|can|could|i\b|she|he|they)"
+    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+]\s|\s(?:and(?! a half(?!\w))|but|then|und|aber|et|mais|y|pero)\s"
+    r"|\sso\s(?=it|that|can|could|i\b|she|he|they)|(?<=\bsame)\s(?:only|just|with)\s"
     r"|\s(?=(?:except|apart from|other than|save for|außer|bis auf|sauf|salvo|excepto)\s)",
     re.IGNORECASE,
 )
@@ -21,7 +23,10 @@ _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 _SWAPPED = re.compile(
     r"(?<!\w)(?:swap|swop|exchange|trade|replace|switch|change|tausche?|ersetze?|remplacer?|cambia)\s+"
     r"(?P<old>(?:the|these|those|my|its|this|that|die|den|das|le|la|les|los|las)\s[^.;!?]+?)\s+(?:for|with|by|to|into|gegen|durch|par|por)(?!\w)"
+    r"|(?<!\w)(?:turn|make|convert|transform)\s+(?P<turned>(?:the|these|those|my|its)\s[^.,;!?]+?)\s+into(?!\w)"
+    r"|(?<!\w)(?:instead of|in place of|rather than)\s+(?P<left>(?:the|these|those|my|its|an?)\s\w+(?: \w+)?)"
 )
+_BESIDE_NUMBERS = frozenset({"long", "short", "wide", "high", "deep", "lang", "largo", "hoch", "tief"})
 _PARTS_OF = {"dress": ("skirt", "top"), "jumpsuit": ("trousers", "top"), "playsuit": ("shorts", "top")}
 
 
@@ -34,7 +39,7 @@ def meant(text: str, words: WordReading, kind: str) -> list[Implication]:
         kind: Of the garment to change.
     """
     found = []
-    for each in words.implications:
+    for each in beside_no_numbers(text, words.implications):
         certain = each.certainty == "certain"
         unmade = any(entry.cannot for entry in each.mark.entries) and each.claim.name != "kind"
         if unmade and not certain:
@@ -52,6 +57,17 @@ def meant(text: str, words: WordReading, kind: str) -> list[Implication]:
     return [*kinds, *_after_arrow(text, words, kind)]
 
 
+def beside_no_numbers(text: str, implied: Sequence[Implication]) -> list[Implication]:
+    """Without what stands right behind a length: "60 cm long" says nothing but the number."""
+    lengths = {m.end for m in find_mentions(text) if m.is_length}
+    return [
+        each
+        for each in implied
+        if len(text[: each.mark.start].rstrip(" -")) not in lengths
+        or each.mark.word.lower() not in _BESIDE_NUMBERS
+    ]
+
+
 def given_away(text: str, implied: Sequence[Implication]) -> list[Implication]:
     """What is named only because it goes: the sleeves of "swap the long sleeves for short ones".
 
@@ -59,8 +75,18 @@ def given_away(text: str, implied: Sequence[Implication]) -> list[Implication]:
         text: In lower case.
         implied: What the lexicon reads in the text.
     """
-    spans = [m.span("old") for m in _SWAPPED.finditer(text)]
+    spans = away(text)
     return [i for i in implied if any(a <= i.mark.start < b for a, b in spans)]
+
+
+def away(text: str) -> list[tuple[int, int]]:
+    """Where in a text stands what is to make way for something else: "turn the hood into a turtleneck"."""
+    return [
+        m.span(name)
+        for m in _SWAPPED.finditer(text)
+        for name in ("old", "turned", "left")
+        if m[name] is not None
+    ]
 
 
 def _short_legs(each: Implication, kind: str) -> Implication:

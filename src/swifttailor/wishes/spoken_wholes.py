@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.wishes.change_words import ChangeWord
+from swifttailor.wishes.spoken_sides import one_sleeve
 
 _IsSo = Callable[[Claim], bool]
 _LOWER = frozenset({"skirt", "trousers", "shorts"})
@@ -18,6 +19,7 @@ _PAIR = (
     r"(?:sleeves?|sides?|shoulders?|halves|arms?|legs?|straps?)"
 )
 _ALIKE = re.compile(
+    r"(?<!\w)(?:left|right) (?:sleeve|arm|side) as (?:long|short|wide|full) as(?!\w)|"
     rf"(?<!\w)(?:{_PAIR}[^.,;]{{0,20}} (?:the same|match|matching|alike|equal|identical|even)"
     rf"|(?:matching|identical|equal|even|same) {_PAIR}"
     r"|lopsided|lop-sided|symmetric|symmetrical|even (?:it|them) (?:out|up)|mirror (?:it|the)"
@@ -30,9 +32,11 @@ _LEVEL = re.compile(
 )
 _SIDE = r"(?:the |my |her )?(?P<side>left|right)"
 _NO_SLEEVE = re.compile(
-    rf"(?<!\w)(?:remove|lose|ditch|take off|get rid of|without|no) {_SIDE} sleeve(?!s|\w| \w*er)"
+    rf"(?<!\w)(?:remove|lose|ditch|take off|get rid of|without|no|off with|cut off|chop off|rip off)"
+    rf" {_SIDE} (?:sleeve|arm)(?!s|\w| \w*er| (?:at|to|by)(?!\w))"
     rf"|(?<!\w)(?:drop|cut|take|leave) (?:the |my |her )?(?P<other>left|right) sleeve"
     r" (?:off|out|away|altogether|entirely|completely)(?!\w)"
+    r"|(?<!\w)(?P<gone>left|right) (?:sleeve|arm) (?:off|gone|away|can go|should go|has to go)(?!\w)"
 )
 _BARED = re.compile(
     rf"(?<!\w)(?:bare|expose|uncover|show) {_SIDE} shoulder(?!\w)"
@@ -68,6 +72,25 @@ _NO_DARTS = re.compile(
     r"[^.,;]{0,25}(?<!\w)(?:darts?|abnäher|pinces|pinzas)(?!\w)"
 )
 
+_HALVES = {
+    "skirt": r"skirt|rock|jupe|falda",
+    "trousers": r"trousers|pants|trouser legs|legs|hose|pantalon|pantalón",
+    "shorts": r"shorts",
+}
+_SHAPES = ("pencil", "circle", "a-line", "gathered", "straight")
+_NAMES = "|".join(_HALVES.values())
+_A = r"(?:(?:the|its|a|an|some|my|wide|narrow|long|short|full|slim|pencil|circle|a-line|gathered|straight) )*"
+_OTHER_HALF = (
+    re.compile(
+        rf"(?<!\w)(?P<new>{_NAMES}) (?:instead of|in place of|rather than|not|statt|au lieu de) "
+        rf"{_A}(?P<old>{_NAMES})(?!\w)"
+    ),
+    re.compile(
+        rf"(?<!\w)(?:swap|swop|replace|exchange|change|turn|make) {_A}(?P<old>{_NAMES})"
+        rf" (?:for|with|by|to|into) {_A}(?P<new>{_NAMES})(?!\w)"
+    ),
+)
+"""One lower half for another: trousers for the skirt of a dress."""
 _GIVEN = re.compile(
     r"(?<!\w)(?:with|add|adding|give it|gets?|needs?|wants?|put|sew|have|mit|avec|con)(?: on| in)?"
     r"(?: some| a| an| any| proper)?\s(?:(?P<sleeves>sleeves?|ärmeln?|manches|mangas)"
@@ -88,23 +111,26 @@ def of_wholes(said: str, grown: Sequence[ChangeWord], kind: str, is_so: _IsSo) -
         return (Gain(Claim("sides", "alike")),)
     if _LEVEL.search(said) and not is_so(Claim("hem_shape", "level")):
         return (Gain(Claim("hem_shape", "level")),)
-    if kind not in _LOWER and (one := _one_side(said)) is not None:
+    if kind not in _LOWER and (one := _one_side(said, grown, is_so)) is not None:
         return (one,)
     if any(map(is_so, _BARE)) and _COVERED.search(said):
         return (Gain(Claim("shoulders", "both")),)
     if is_so(Claim("bodice", "darted")) and _NO_DARTS.search(said):
         return (Gain(Claim("bodice", "undarted")),)
     if kind in _OF_TWO:
-        return _half(said, kind) or _seam(said)
+        return _other_half(said, kind) or _half(said, kind) or _seam(said)
     sign = next((word.sign for word in grown if word.what == "height"), 0)
     return _rise(sign, is_so) if kind in _LOWER and sign and _SITS.search(said) else ()
 
 
-def _one_side(said: str) -> Change | None:
-    """A sleeve that goes, or a shoulder that is bared, on one side."""
+def _one_side(said: str, grown: Sequence[ChangeWord], is_so: _IsSo) -> Change | None:
+    """A sleeve that goes or is to be longer or shorter, or a shoulder that is bared, on one side."""
+    sign = next((word.sign for word in grown if word.what == "length"), 0)
+    if sign and (sleeve := one_sleeve(said, sign, is_so)) is not None:
+        return Gain(sleeve)
     for pattern in (_NO_SLEEVE, _BARED):
         if (found := pattern.search(said)) is not None:
-            side = found["side"] or found["other"]
+            side = next(found[name] for name in found.re.groupindex if found[name])
             if pattern is _BARED:
                 return Gain(Claim("shoulders", f"bare {side}"))
             return Gain(Claim("sleeves", f"{'left' if side == 'right' else 'right'} only"))
@@ -118,6 +144,24 @@ def lacking(said: str, is_so: _IsSo) -> tuple[Change, ...]:
         return ()
     without, made = ("sleeves", "short") if found["sleeves"] else ("waistband", "waist")
     return (Gain(Claim(without, made)),) if is_so(Claim(without, "none")) else ()
+
+
+def _other_half(said: str, kind: str) -> tuple[Change, ...]:
+    """Legs for the skirt of a dress, or a skirt for the legs: "trousers instead of the skirt"."""
+    found = next((found for pattern in _OTHER_HALF if (found := pattern.search(said))), None)
+    if found is None:
+        return ()
+    old, new = (
+        next((name for name, words in _HALVES.items() if re.fullmatch(words, found[side])), None)
+        for side in ("old", "new")
+    )
+    mine = {"dress": "skirt", "jumpsuit": "trousers", "playsuit": "shorts"}[kind]
+    if old != mine or new in (None, mine):
+        return ()
+    made = {"skirt": "dress", "trousers": "jumpsuit", "shorts": "playsuit"}[str(new)]
+    shapes = [name for name in _SHAPES if re.search(rf"(?<!\w){name.replace('-', '[- ]')}(?!\w)", said)]
+    shape = [Gain(Claim("skirt", name)) for name in shapes[:1] if new == "skirt"]
+    return (Gain(Claim("kind", made)), *shape)
 
 
 def _half(said: str, kind: str) -> tuple[Change, ...]:
