@@ -72,6 +72,27 @@ def test_places_lie_in_the_text_and_are_blanked_alone(text):
             None,
             [Step("length", 1), Step("skirt hem", -1)],
         ),
+        ("dress", "longer sleeves and hem", None, [Step("sleeve length", 1), Step("length", 1)]),
+        (
+            "dress",
+            "shorten the sleeves and skirt by 3 cm",
+            None,
+            [Step("sleeve length", -1, 3.0), Step("length", -1, 3.0)],
+        ),
+        (
+            "dress",
+            "elbow sleeves and 10 cm longer",
+            None,
+            [gain("sleeves", "elbow"), Step("length", 1, 10.0)],
+        ),
+        ("top", "elbow sleeves and a bit wider", None, [gain("sleeves", "elbow"), Step("sleeve width", 1)]),
+        ("dress", "V neck and longer", None, [gain("neckline", "v"), Step("length", 1)]),
+        (
+            "dress",
+            "add a stand collar and make it longer",
+            None,
+            [gain("collar", "stand"), Step("length", 1)],
+        ),
         ("hoodie", "tighter cuffs", None, [Step("cuff opening", -1)]),
         ("skirt", "60 cm long", None, []),
         ("trousers", "narrow the legs below the knee", None, [Step("leg end", -1)]),
@@ -95,3 +116,8 @@ def test_instructions_in_peoples_own_words(kind, text, true, changes):
 def test_halves_of_a_unit_are_counted(text, cm):
     (mention,) = find_mentions(text)
     assert mention.value == pytest.approx(cm) and mention.is_length
+
+
+def test_a_part_of_a_list_that_nothing_came_of_is_left_over():
+    clauses = heard("sleeves, hem and neck all a bit smaller", "dress").clauses
+    assert "sleeves" in {word for clause in clauses for word in clause.left_over}

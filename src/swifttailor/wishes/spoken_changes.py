@@ -51,6 +51,8 @@ _ALL_STAYS = re.compile(
 """What is excepted from it is to change: "everything stays apart from the skirt"."""
 _JOINED = re.compile(r"(?<!\w)(?:and|but|und|aber|et|mais|y|pero)\s+$")
 """Before a clause that goes on about what the one before it spoke of: "shorter sleeves and a bit wider"."""
+_GOING_ON = frozenset({"sleeves", "legs"})
+"""Parts that a clause without one goes on about, even where they were not compared with what they were."""
 _ONES = frozenset({"skirt", "collar", "hood", "band"})
 """Parts that "it" can mean where they were changed just before: "lengthen the skirt and taper it"."""
 _OF_SCENES = frozenset({"shoulders", "sleeves", "neck", "collar"})
@@ -105,7 +107,7 @@ def spoken_changes(
     spoken_of: str | None = None
     taken: list[tuple[str, tuple[Change, ...]]] = []
     vague: tuple[int, SpokenScene] | None = None
-    stays = excepted = False
+    stays = excepted = compared = False
     grown: list[ChangeWord] = []
     for start, end in bounds:
         inside = [p for p in parts if start <= p.start < end]
@@ -149,13 +151,18 @@ def spoken_changes(
             and not any(start <= c.start < end for c in said)
             and is_of_parts(small, (start, end), inside)
         ):
+            length = next((m.value for m in mentions if start <= m.start < end and m.is_length), None)
+            if length is not None and found:
+                found[-1] = joined_amount(found[-1], length)
             more = _said_again(inside, grown, found, kind)
             if more:
                 found.append(SpokenClause(start, end, more, ()))
                 continue
         goes_on = last is not None and last == spoken_of and (joined or excepted)
-        excepted = False
         grown = [c for c in said if start <= c.start < end]
+        # "Elbow sleeves and 10 cm longer": their length is said already, so the garment is meant.
+        goes_on = goes_on and (compared or excepted or all(c.what == "width" for c in grown))
+        excepted = False
         if goes_on and last in _ONES and inside and all(p.word == "it" for p in inside):
             inside = []
         clause = read_clause(
@@ -179,9 +186,10 @@ def spoken_changes(
         named = [p.part for p in inside if p.part not in ("all", "waist")]
         last = named[-1] if named else last
         if named:
-            parts_changed = {part_of(subject_of(change)) for change in clause.changes}
+            # Behind "a V neck and" and "a stand collar and" all of the garment is to be longer.
+            made = {part_of(subject_of(c)) for c in clause.changes if isinstance(c, Gain)} & _GOING_ON
             stepped = any(isinstance(change, Step) for change in clause.changes)
-            spoken_of = last if stepped or last in parts_changed else None
+            spoken_of, compared = (last if stepped or last in made else None), stepped
     if vague is not None and all(isinstance(c, Gain) and is_so(c.claim) for f in found for c in f.changes):
         at, scene = vague  # where nothing else is asked for: "for a summer wedding" asks for no other hem
         found[at] = replace(found[at], changes=scene.changes, left_over=())
@@ -287,7 +295,7 @@ def _joined(
             clause = _with_next(text, clause, found[k + 1], parts, kind)
         whole = text[clause.start : clause.end].split()
         repeated = [c for c in clause.changes if isinstance(c, Step) and c.quantity in ("chest", "length")]
-        if joined and len(whole) == 1 and repeated and len(clause.changes) == 1:
+        if joined and len(whole) == 1 and not named and repeated and len(clause.changes) == 1:
             earlier = [c for one in joined for c in one.changes if isinstance(c, Step)]
             if any(
                 c.direction == repeated[0].direction and c.quantity != repeated[0].quantity for c in earlier
@@ -307,7 +315,9 @@ def _with_next(
     )
     steps = [c for c in behind.changes if isinstance(c, Step)]
     if not (shared and steps and own):
-        return replace(clause, left_over=())
+        told = {subject_of(change) for change in behind.changes}
+        answered = not own or any(told & subjects_of(part.part) for part in own)
+        return replace(clause, left_over=()) if answered else clause
     grown = [c for c in find_changes(text) if behind.start <= c.start < behind.end]
     made = _said_again(own, grown, [behind], kind)
     return replace(clause, changes=made, left_over=() if made else clause.left_over)
