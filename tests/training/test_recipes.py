@@ -71,7 +71,7 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     assert maker.model.runtime.plans and maker.model.card["model"] == "PatternMaker"
     WishReader.load(files["WishReader"]).read("a knee-length dress")
     reader = PictureReader.load(files["PictureReader"])
-    assert reader.size == 64 and reader.card["config"]["start"].endswith("large/weights.safetensors")
+    assert reader.size == 64 and reader.card["config"]["start"].endswith("full/weights.safetensors")
     assert len(PatternLibrary.load(work / "pattern-library/known_patterns.zip")) == 6
     assert PictureReader.load(work / "gpu/picture_reader.onnx").size == 64
     near = PictureReader.load(
