@@ -114,8 +114,3 @@ def one_sleeve(said: str, sign: int, is_so: Callable[[Claim], bool]) -> Claim | 
     if now is None or not 0 <= now + sign < len(_SCALE):
         return None
     return Claim(name, _SCALE[now + sign])
-
-
-def names_one_arm(said: str) -> bool:
-    """Whether a clause speaks of one sleeve alone."""
-    return _SIDE_ARM.search(said) is not None
