@@ -1,0 +1,12 @@
+"""GarmentCode's garment programs: a sewing pattern from design parameters and a body's measurements.
+
+Rewritten from GarmentCode (Maria Korosteleva and Olga Sorkine-Hornung, 2023; MIT licence, kept beside this file
+as LICENSE-GarmentCode), with its names for parts, parameters and operations. The same parameters give the same
+patterns.
+
+May import the lowest floors, `pattern` and `body`.
+"""
+
+from __future__ import annotations
+
+__all__: list[str] = []
