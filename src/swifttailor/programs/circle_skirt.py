@@ -33,7 +33,7 @@ class RingPanel(Panel):
             top: The upper arc.
             bottom_corner: Where the lower arc starts.
             bottom: The lower arc.
-            match_top_int_proportion: Length of what the top is sewn to, if it is to be gathered or stretched, cm.
+            match_top_int_proportion: Length of what the top is gathered or stretched to, cm; none without it.
             match_bottom_int_proportion: The same for the bottom.
         """
         self.edges.append(top)

@@ -167,7 +167,7 @@ _TABLE = (
     _number("pencil-skirt.back_slit", "float", 0, 0.9, 0),
     _number("pencil-skirt.left_slit", "float", 0, 0.9, 0),
     _number("pencil-skirt.right_slit", "float", 0, 0.9, 0),
-    _select("pencil-skirt.style_side_cut", ("Sun", "SIGGRAPH_logo", None), None),
+    _select("pencil-skirt.style_side_cut", ("Sun", None), None),
     _select("levels-skirt.base", ("Skirt2", "PencilSkirt", "SkirtCircle", "AsymmSkirtCircle"), "PencilSkirt"),
     _select("levels-skirt.level", ("Skirt2", "SkirtCircle", "AsymmSkirtCircle"), "Skirt2"),
     _number("levels-skirt.num_levels", "int", 1, 5, 1),

@@ -31,8 +31,8 @@ def complete_design(values: Mapping[str, Any]) -> Design:
 def read_design(path: Path | str) -> dict[str, Any]:
     """Reads a design from one of GarmentCode's files, YAML or JSON.
 
-    Both the nested form (``design: {sleeve: {length: {v: 0.3}}}``) and flat names (``sleeve.length: 0.3``) are
-    read, with or without ``design`` around them.
+    Both the nested form (``design: {sleeve: {length: {v: 0.3}}}``) and flat names (``sleeve.length: 0.3``)
+    are read, with or without ``design`` around them.
 
     Returns:
         Values by flat name, as they are in the file, for `make_pattern`.

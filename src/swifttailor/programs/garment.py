@@ -72,13 +72,13 @@ def make_pattern(design: Mapping[str, Any], body: BodyParameters | None = None) 
     """Drafts the pattern of a garment from design parameters.
 
     Args:
-        design: Values of `DESIGN_PARAMETERS` by flat name, such as ``{"meta.upper": "Shirt"}``; what is missing
-            has its default.
+        design: Values of `DESIGN_PARAMETERS` by flat name, such as ``{"meta.upper": "Shirt"}``; what is
+            missing has its default.
         body: Whom it should fit; GarmentCode's mean body by default.
 
     Raises:
-        DesignError: There is no such parameter, a value is not accepted, or the parameters make no garment that can
-            be worn.
+        DesignError: There is no such parameter, a value is not accepted, or the parameters make no garment
+            that can be worn.
     """
     values = complete_design(design)
     refuse_combinations(values)
@@ -87,8 +87,8 @@ def make_pattern(design: Mapping[str, Any], body: BodyParameters | None = None) 
     length, floor = garment.length(), body["height"] - body["head_l"]
     if length > floor + FLOOR_CM:
         raise DesignError(
-            f"The garment would be {length:.1f} cm long, and it is {floor:.1f} cm from the neck to the floor. "
-            f"Make it shorter: {_lengths(values)}."
+            f"The garment would be {length:.1f} cm long, and it is {floor:.1f} cm from the neck to the "
+            f"floor. Make it shorter: {_lengths(values)}."
         )
     panels = in_garmentcode_order([panel.assembly() for panel in garment.panels()])
     return Pattern(panels, tuple(garment.all_stitches()))

@@ -6,6 +6,7 @@ import math
 
 from swifttailor.programs.body_parameters import BodyParameters
 from swifttailor.programs.bottoms import BaseBottoms
+from swifttailor.programs.cuffs import CUFFS
 from swifttailor.programs.curved_edges import curve_from_tangents
 from swifttailor.programs.design import Design
 from swifttailor.programs.design_parameters import DESIGN_PARAMETERS
@@ -182,8 +183,6 @@ class PantsHalf(BaseBottoms):
         )
         self._leg_length = self.front.length()
         if design["cuff.type"]:
-            from swifttailor.programs.cuffs import CUFFS
-
             hem = Interface.from_multiple(front["bottom"], back["bottom"])
             width = hem.edges.length() / design["cuff.top_ruffle"]
             own = design.replaced({"cuff.b_width": width, "cuff.cuff_len": cuff_len})

@@ -19,11 +19,8 @@ _WEIGHT = np.tile(_WEIGHTS / 8, 4)
 _LENGTH_TOLERANCE = 1e-11
 
 
-class PlanarCurve:
+class _Curve:
     """A curve from t = 0 to t = 1."""
-
-    start: complex
-    end: complex
 
     def point(self, t: float) -> complex:
         """The point at a parameter."""
@@ -70,7 +67,7 @@ class PlanarCurve:
 
 
 @dataclass(frozen=True, slots=True)
-class LineCurve(PlanarCurve):
+class LineCurve(_Curve):
     """A straight line."""
 
     start: complex
@@ -102,7 +99,7 @@ class LineCurve(PlanarCurve):
 
 
 @dataclass(frozen=True, slots=True)
-class QuadraticCurve(PlanarCurve):
+class QuadraticCurve(_Curve):
     """A Bezier curve with one control point."""
 
     start: complex
@@ -147,7 +144,7 @@ class QuadraticCurve(PlanarCurve):
 
 
 @dataclass(frozen=True, slots=True)
-class CubicCurve(PlanarCurve):
+class CubicCurve(_Curve):
     """A Bezier curve with two control points."""
 
     start: complex
@@ -191,7 +188,7 @@ class CubicCurve(PlanarCurve):
 
 
 @dataclass(frozen=True, slots=True)
-class ArcCurve(PlanarCurve):
+class ArcCurve(_Curve):
     """A circular arc; ``right`` arcs bulge to the right of travel and run counter-clockwise."""
 
     start: complex
@@ -259,7 +256,10 @@ class ArcCurve(PlanarCurve):
         return sorted(set(found))
 
 
-def _on_segment(curve: PlanarCurve, terms: list[complex], first: complex, second: complex) -> list[float]:
+PlanarCurve = LineCurve | QuadraticCurve | CubicCurve | ArcCurve
+
+
+def _on_segment(curve: _Curve, terms: list[complex], first: complex, second: complex) -> list[float]:
     """Parameters in [0, 1] at which sum(terms[k] t^k) lies on the straight line between two points."""
     line = second - first
     turned = [(term * line.conjugate()).imag for term in terms]

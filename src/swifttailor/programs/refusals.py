@@ -21,23 +21,25 @@ def refuse_combinations(design: Design) -> None:
     if not lower:
         what = f"only a waistband ({belt})" if belt else "empty"
         raise DesignError(
-            f"The garment would be {what}: meta.upper and meta.bottom are both null. Set at least one of them."
+            f"The garment would be {what}: meta.upper and meta.bottom are both null. "
+            "Set at least one of them."
         )
     base = design[_BASES[lower]] if lower in _BASES else lower
     loose_belt = not belt or design["waistband.waist"] > 1
     if base == "Skirt2" and design["skirt.ruffle"] > 1 and loose_belt:
         raise DesignError(
             f"A gathered skirt (skirt.ruffle {design['skirt.ruffle']:.3g}) would slide down without an upper "
-            f"garment: {_belt(design)}. Set skirt.ruffle to 1, or meta.wb with waistband.waist 1, or meta.upper."
+            f"garment: {_belt(design)}. Set skirt.ruffle to 1, or meta.wb with waistband.waist 1, or "
+            "meta.upper."
         )
     if base in _FLARED and (loose_belt or design["waistband.width"] <= 0.25):
         name = "levels-skirt.length" if lower == "SkirtLevels" else "flare-skirt.length"
         if design[name] > 0.5 or design["flare-skirt.suns"] > 0.75:
             raise DesignError(
-                f"A heavy skirt ({name} {design[name]:.3g}, flare-skirt.suns {design['flare-skirt.suns']:.3g}) "
-                f"would slide down without an upper garment: {_belt(design)}. Set {name} to 0.5 at most and "
-                "flare-skirt.suns to 0.75 at most, or meta.wb with waistband.waist 1 and waistband.width above "
-                "0.25, or meta.upper."
+                f"A heavy skirt ({name} {design[name]:.3g}, flare-skirt.suns "
+                f"{design['flare-skirt.suns']:.3g}) would slide down without an upper garment: "
+                f"{_belt(design)}. Set {name} to 0.5 at most and flare-skirt.suns to 0.75 at most, or "
+                "meta.wb with waistband.waist 1 and waistband.width above 0.25, or meta.upper."
             )
 
 

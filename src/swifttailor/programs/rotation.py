@@ -40,6 +40,9 @@ class Rotation:
             )
         )
 
+    def __deepcopy__(self, memo: object) -> Rotation:
+        return self  # it never changes
+
     def apply(self, point: Sequence[float]) -> list[float]:
         """The turned point, as three numbers."""
         return [_dot(row, point) for row in self.rows]

@@ -9,6 +9,7 @@ from swifttailor.programs.bottoms import BaseBottoms, StackableSkirt
 from swifttailor.programs.design import Design
 from swifttailor.programs.distributing import distribute_y
 from swifttailor.programs.interface import Interface
+from swifttailor.programs.ornaments import ORNAMENTS
 from swifttailor.programs.panel import Panel
 from swifttailor.programs.rotation import Rotation
 from swifttailor.programs.skirt_panels import FittedSkirtPanel, SkirtPanel, ThinSkirtPanel
@@ -35,6 +36,10 @@ class PencilSkirt(StackableSkirt):
         self.rise = design["rise"] if rise is None else rise
         waist, hips_depth, back_waist = self.eval_rise(self.rise)
         length = design["length"] * body["_leg_length"] if length is None else length - hips_depth
+        ornament = None
+        if design["style_side_cut"]:
+            depth = 0.7 * (body["hips"] / 4 - body["bust_points"] / 2)
+            ornament = ORNAMENTS[design["style_side_cut"]](depth * 1.5, depth)
         slits = [design[f"{side}_slit"] if slit else 0.0 for side in ("front", "back", "left", "right")]
 
         self.front = FittedSkirtPanel(
@@ -51,6 +56,7 @@ class PencilSkirt(StackableSkirt):
             slit=slits[0],
             left_slit=slits[2],
             right_slit=slits[3],
+            side_cut=ornament,
         ).translate_to([0.0, body["_waist_level"], 25.0])
         self.back = FittedSkirtPanel(
             "skirt_back",
@@ -68,6 +74,7 @@ class PencilSkirt(StackableSkirt):
             slit=slits[1],
             left_slit=slits[2],
             right_slit=slits[3],
+            side_cut=ornament,
         ).translate_to([0.0, body["_waist_level"], -20.0])
 
         front, back = self.front.interfaces, self.back.interfaces

@@ -18,7 +18,7 @@ class StraightBandPanel(Panel):
     def __init__(
         self, name: str, width: float, depth: float, match_int_proportion: float | None = None
     ) -> None:
-        """Drafts it; top and bottom may be gathered or stretched to the length of what they are sewn to, cm."""
+        """Drafts it; `match_int_proportion`: what top and bottom are gathered or stretched to, cm."""
         super().__init__(name)
         self.edges = from_verts([0.0, 0.0], [0.0, depth], [width, depth], [width, 0.0], loop=True)
         ruffle = 1.0 if match_int_proportion is None else width / match_int_proportion
