@@ -16,8 +16,8 @@ from swifttailor.programs.interface import Interface
 from swifttailor.programs.planar_curves import ArcCurve, LineCurve, PlanarCurve
 
 TOLERANCE = 1e-2
-MISFIT = 0.01
-"""Square of the distance in cm by which a cut may miss its place."""
+_EXACT_CM = 1e-9
+_MOST_STEPS = 50
 
 
 def cut_into_edge(
@@ -120,18 +120,29 @@ def _symmetric(curve: PlanarCurve, middle: float, width: float) -> tuple[float, 
             shift = math.asin(width / 2 / radius) / abs(sweep)
             return middle - shift, middle + shift
     at = curve.point(middle)
+    first = second = width / 2 / abs(curve.derivative(middle))
+    for _ in range(_MOST_STEPS):  # Newton's, for the width and for the difference of both distances
+        one, two = curve.point(middle + first), curve.point(middle - second)
+        across, ahead, behind = one - two, one - at, two - at
+        wide, uneven = abs(across) - width, abs(ahead) - abs(behind)
+        if abs(wide) + abs(uneven) < _EXACT_CM:
+            return middle - second, middle + first
+        by_first, by_second = curve.derivative(middle + first), curve.derivative(middle - second)
+        a, b = _along(across, by_first), _along(across, by_second)
+        c, d = _along(ahead, by_first), _along(behind, by_second)
+        area = a * d - b * c
+        if area == 0.0:
+            break
+        first -= (wide * d - uneven * b) / area
+        second -= (uneven * a - wide * c) / area
+    raise DesignError(
+        f"No place was found for a cut {width:.4g} cm wide in an edge of {curve.length():.4g} cm. "
+        "Change the parameters of the cut or of the width there."
+    )
 
-    def misfit(shift: Floats) -> float:
-        one, two = curve.point(middle + shift[0]), curve.point(middle - shift[1])
-        return (abs(two - one) - width) ** 2 + (abs(one - at) - abs(two - at)) ** 2
 
-    found = minimize(misfit, [0.1, 0.1], bounds=[(0, 1), (0, 1)])
-    if found.fun >= MISFIT:
-        raise DesignError(
-            f"No place was found for a cut {width:.4g} cm wide in an edge of {curve.length():.4g} cm. "
-            "Change the parameters of the cut or of the width there."
-        )
-    return middle - float(found.x[1]), middle + float(found.x[0])
+def _along(way: complex, step: complex) -> float:
+    return (way.conjugate() * step).real / abs(way)
 
 
 def cut_corner(target_shape: EdgeSequence, target_interface: Interface) -> tuple[EdgeSequence, Interface]:
