@@ -75,7 +75,7 @@ _TABLE = (
     _select("collar.f_collar", _NECKS, "CircleNeckHalf"),
     _select("collar.b_collar", _NECKS, "CircleNeckHalf"),
     _number("collar.width", "float", -0.5, 1, 0.2),
-    _number("collar.fc_depth", "float", 0.3, 2, 0.4),
+    _number("collar.fc_depth", "float", 0.0, 2, 0.4),  # drawn from 0.3 upwards; shallower ones are worn
     _number("collar.bc_depth", "float", 0, 2, 0),
     _number("collar.fc_angle", "int", 70, 110, 95),
     _number("collar.bc_angle", "int", 70, 110, 95),
