@@ -9,4 +9,17 @@ May import the lowest floors, `pattern` and `body`.
 
 from __future__ import annotations
 
-__all__: list[str] = []
+from swifttailor.programs.body_parameters import BodyParameters
+from swifttailor.programs.design_error import DesignError
+from swifttailor.programs.design_parameters import DESIGN_PARAMETERS, DesignParameter
+from swifttailor.programs.design_reader import read_design
+from swifttailor.programs.garment import make_pattern
+
+__all__ = [
+    "DESIGN_PARAMETERS",
+    "BodyParameters",
+    "DesignError",
+    "DesignParameter",
+    "make_pattern",
+    "read_design",
+]

@@ -19,6 +19,7 @@ from swifttailor.programs.pants import Pants
 from swifttailor.programs.refusals import refuse_combinations
 from swifttailor.programs.skirt_levels import SkirtLevels
 from swifttailor.programs.skirt_paneled import PencilSkirt, Skirt2, SkirtManyPanels
+from swifttailor.programs.uppers import UPPERS
 from swifttailor.programs.waistbands import FittedWB, StraightWB
 
 WAISTBANDS = {"StraightWB": StraightWB, "FittedWB": FittedWB}
@@ -44,8 +45,6 @@ class MetaGarment(Component):
         super().__init__("garment")
         upper, belt, lower = design["meta.upper"], design["meta.wb"], design["meta.bottom"]
         if upper:
-            from swifttailor.programs.uppers import UPPERS
-
             self._add(UPPERS[upper](body, design), "body")
         bottom = None
         if lower:

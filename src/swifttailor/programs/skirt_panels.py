@@ -31,6 +31,10 @@ class SkirtPanel(Panel):
     ) -> None:
         """Drafts it; `bottom_cut` cm of the sides stay open, `flare` cm are added at the hem on each side."""
         super().__init__(name)
+        if close_enough(length):
+            raise DesignError(
+                f"Panel '{name}' would have no length. Lengthen this part, or give it a smaller cuff."
+            )
         top_width = waist_length * ruffles
         low_width = top_width + 2 * flare
         inset = (low_width - top_width) / 2
