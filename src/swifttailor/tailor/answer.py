@@ -15,6 +15,7 @@ USUAL = 0.8
 
 if TYPE_CHECKING:
     from swifttailor.describing.differences import Change as Difference
+    from swifttailor.parameter_reader.reader import Design
     from swifttailor.pattern_maker.asking.confidence import Confidence
     from swifttailor.pattern_maker.maker import WrittenPattern
     from swifttailor.tailor.reading import Wanted
@@ -40,6 +41,8 @@ class Answer:
     be edited and left as it was."""
     known: str = ""
     """Id of the known pattern that it is cut from; empty where it was written."""
+    design: Design | None = None
+    """The design parameters that it was drafted from; None where it was not."""
     draft: str = ""
     """Name of the draft that it is cut from; empty where it was not."""
     anew: Literal["", "half", "all"] = ""
@@ -69,7 +72,12 @@ class Answer:
     @property
     def is_written(self) -> bool:
         """Whether the network wrote it."""
-        return self.written is not None and not self.known and not self.draft
+        return self.written is not None and not self.found and not self.draft
+
+    @property
+    def found(self) -> str:
+        """Name of the candidate that it is cut from (`Candidate.name`); empty where it was none."""
+        return self.known or ("" if self.design is None else "design")
 
     @cached_property
     def seen(self) -> tuple[Difference, ...] | None:

@@ -20,6 +20,7 @@ from swifttailor.recutting.one_sided import (
 )
 from swifttailor.recutting.unasked import spoken_parts, unasked
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.candidates import Candidate
 from swifttailor.tailor.reading import Wanted, altered
 from swifttailor.tailor.verdict import Verdict
 from swifttailor.wishes.unsaid import leaves_hem_unsaid, unsaid_wishes
@@ -120,6 +121,12 @@ def fit(written: WrittenPattern, wanted: Wanted, *, drafted: bool = False) -> An
         cuts=() if taken is None else taken.cuts,
         of_edit=of_edit,
     )
+
+
+def cut_from(candidate: Candidate, wanted: Wanted, seed: int) -> Answer:
+    """A candidate altered to what is wanted, and judged; see `fit`."""
+    answer = fit(candidate.written, wanted)
+    return replace(answer, seed=seed, known=candidate.known, design=candidate.design)
 
 
 def _best_alteration(

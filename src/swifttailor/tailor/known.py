@@ -10,6 +10,7 @@ from swifttailor.errors import InputError
 from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_library.nearest import Search
 from swifttailor.pattern_maker.maker import WrittenPattern
+from swifttailor.tailor.candidates import Candidate
 from swifttailor.tailor.reading import Wanted
 
 KNOWN_ATTEMPTS = 2
@@ -50,14 +51,14 @@ class KnownCandidates:
         """How well one of them fits what is wanted: a log likelihood, see `Search`."""
         return float(self._fits[self._order[number]])
 
-    def take(self, number: int) -> tuple[str, WrittenPattern]:
-        """The id in the library of one of them, and the pattern.
+    def take(self, number: int) -> Candidate:
+        """One of them.
 
         Raises:
             InputError: The file of the library is damaged.
         """
         k = int(self._order[number])
-        return self._library.ids[k], WrittenPattern(self._library.pattern(k))
+        return Candidate(WrittenPattern(self._library.pattern(k)), known=self._library.ids[k])
 
 
 def known_candidates(

@@ -27,9 +27,9 @@ USUAL_REFINED, MOST_REFINED = 4, 32
 LONGEST_TITLE = 60
 
 Image = NDArray[np.uint8] | Path | str
-Source = Literal["both", "drafts", "library", "writer"]
-"""Where patterns come from: drafts that words name, known ones, and written ones where none of these will do;
-or one of the three alone."""
+Source = Literal["both", "drafts", "designs", "library", "writer"]
+"""Where patterns come from: drafts that words name, drafts of design parameters that are read in words and
+pictures, known patterns, and written ones where none of these will do; or one of the four alone."""
 Part = Literal["upper", "lower", "whole"]
 """Where a garment in a picture is worn; ``whole`` is one dress or jumpsuit."""
 MOST_PICTURES = 2
@@ -95,8 +95,9 @@ class Order:
             raise InputError(f"part is {self.part!r}; {', '.join(get_args(Part))} are accepted.")
         if self.source not in get_args(Source):
             raise InputError(f"source is {self.source!r}; {', '.join(get_args(Source))} are accepted.")
-        if self.source == "library" and (self.edit is not None or not self.alter):
-            raise InputError("Known patterns are found to be altered, and not for edits: leave source out.")
+        if self.source in ("library", "designs") and (self.edit is not None or not self.alter):
+            what = "Known patterns" if self.source == "library" else "Drafts of designs"
+            raise InputError(f"{what} are there to be altered, and not for edits: leave source out.")
         if not 1 <= self.samples <= MOST_SAMPLES:
             raise InputError(f"samples is {self.samples}; 1 to {MOST_SAMPLES} is accepted.")
         if self.attempts is not None and not 1 <= self.attempts <= MOST_ATTEMPTS:

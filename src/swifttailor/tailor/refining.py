@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment_sewer.sewer import BATCH
 from swifttailor.tailor.answer import Answer
-from swifttailor.tailor.fitting import fit
-from swifttailor.tailor.known import KnownCandidates
+from swifttailor.tailor.fitting import cut_from
+from swifttailor.tailor.candidates import CandidateList
 from swifttailor.tailor.likeness import can_be_compared, distance_cm
 from swifttailor.tailor.protocols import Sewer
 from swifttailor.tailor.reading import Wanted
@@ -36,18 +36,18 @@ class Refinement:
 def refined(
     answer: Answer,
     tried: Sequence[Answer],
-    candidates: KnownCandidates | None,
+    candidates: CandidateList | None,
     wanted: Wanted,
     sewer: Sewer,
     *,
     place: int = 0,
 ) -> Answer:
-    """An answer, or another known pattern that does as well and whose garment is more like the pictures.
+    """An answer, or another candidate that does as well and whose garment is more like the pictures.
 
     Args:
         answer: The best so far, prepared to be sewn.
         tried: All answers so far, this one included.
-        candidates: Known patterns, the first of which may have been tried.
+        candidates: Not written ones, the first of which may have been tried.
         wanted: What is wanted.
         sewer: Makes the garments that are compared.
         place: 0 takes the best, 1 the next, and so on.
@@ -58,16 +58,17 @@ def refined(
     part, count = wanted.part, wanted.order.most_refined
     if candidates is None or part is None or not count or not can_be_compared(wanted.pictures, part.part):
         return answer
-    known = {one.known: one for one in tried if one.known}
+    known = {one.found: one for one in tried if one.found}
     others, fits = [], {}
     for number in range(min(count, len(candidates))):
-        name, written = candidates.take(number)
+        candidate = candidates.take(number)
+        name = candidate.name
         fits[name] = candidates.fit(number)
-        one = known.get(name) or replace(fit(written, wanted), seed=answer.seed, known=name)
-        if name != answer.known and not one.verdict.unsound and one.verdict.rank <= answer.verdict.rank:
+        one = known.get(name) or cut_from(candidate, wanted, answer.seed)
+        if name != answer.found and not one.verdict.unsound and one.verdict.rank <= answer.verdict.rank:
             others.append(one)
     distances = _distances([answer, *others], wanted, part.part, sewer)
-    names = [one.known for one in (answer, *others)]
+    names = [one.found for one in (answer, *others)]
     usual = max(fits.values(), default=0.0)  # of what was written nothing is known
     best = sorted(distances, key=lambda k: CM_WORTH * distances[k] - fits.get(names[k], usual))
     if len(best) < 2 or 0 not in distances:

@@ -62,6 +62,7 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
         "weights": weights(
             pattern_maker=tailor.pattern_maker if answer.is_written else None,
             pattern_library=tailor.pattern_library if answer.known else None,
+            parameter_reader=None if answer.design is None else tailor.parameter_reader,
             wish_reader=tailor.wish_reader if wanted is not None and wanted.said else None,
             picture_reader=tailor.picture_reader if wanted is not None and wanted.pictures else None,
             garment_sewer=tailor.garment_sewer,
@@ -111,6 +112,9 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
         writing = {"source": "library", "known_pattern": answer.known}
         if answer.anew:
             writing["made_anew"] = answer.anew
+    elif answer.design is not None:
+        design = complete_design(answer.design)
+        writing = {"source": "design", "design": {name: design[name] for name in sorted(matters(design))}}
     elif answer.draft:
         writing = {"source": "draft", "draft": answer.draft}
     elif written is not None:
@@ -167,7 +171,7 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
 
     order = wanted.order
     # How the picture was framed for PatternMaker is of no interest where that wrote nothing.
-    found = [] if answer.known and wanted.part is not None else list(wanted.notes)
+    found = [] if answer.found and wanted.part is not None else list(wanted.notes)
     if answer.failures:
         count = len(answer.failures) + 1
         found.append(f"{count} patterns were tried; number {answer.attempt + 1} was taken.")
@@ -179,6 +183,8 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
         )
     if answer.known:
         found.append(f"Cut from a known pattern: {answer.known}.")
+    if answer.design is not None:
+        found.append("Drafted by GarmentCode's programs from design parameters that were read; see report.json.")
     if answer.draft:
         found.append(f"Begun from a draft of ours: {answer.draft}.")
         if "pleats" in DRAFTS_SHOW.get(answer.draft, ()) and not order.finish:

@@ -249,6 +249,7 @@ class Tailor(Workshop):
             clock,
             self.library_for(orders),
             lambda: self.pattern_library,
+            self.designer_for(orders),
         )
 
     def read(self, order: Order) -> Wanted:
@@ -265,7 +266,8 @@ class Tailor(Workshop):
         if not order.alter:
             return read_order(order, None)
         read = read_order(order, self.wish_reader, self.picture_reader if order.images else None)
-        asked = order.text.strip() and self.library_for([order]) is not None
+        sought = self.library_for([order]) is not None or self.designer_for([order]) is not None
+        asked = order.text.strip() and sought
         return replace(read, foresight=self.panel_foresight) if asked else read
 
     def _open(self, order: Order) -> None:

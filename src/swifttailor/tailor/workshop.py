@@ -15,6 +15,7 @@ from swifttailor.tailor.protocols import PatternWriter, Sewer
 if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.draping.fabric import Fabric
+    from swifttailor.parameter_reader.reader import ParameterReader
     from swifttailor.pattern_library.known import PatternLibrary
     from swifttailor.pattern_maker.panel_foresight import PanelForesight
     from swifttailor.tailor.looking import ReadsPictures
@@ -32,6 +33,7 @@ class Workshop:
         wish_reader: WishReader | Path | str | None = None,
         picture_reader: ReadsPictures | Path | str | None = None,
         pattern_library: PatternLibrary | Path | str | None = None,
+        parameter_reader: ParameterReader | Path | str | None = None,
         body: Body | None = None,
         fabric: Fabric | str = "cotton",
         fit: bool = False,
@@ -50,6 +52,9 @@ class Workshop:
                 what `looking.ReadsPictures` says; the one that comes with the package when None.
             pattern_library: Known patterns, tried before any is written, or their file; those that come with
                 the package when None, unless a writer or weights of your own are given: these write them all.
+            parameter_reader: The network that reads design parameters to draft patterns from, or its model
+                file; the one that comes with the package when None, unless a writer, weights or a library of
+                your own are given.
             body: Who wears the garments: a `GarmentSewer` sews them around it and keeps them out of it,
                 physics hangs them on it (`finish`), and previews show it. Somebody else's sewer has to know
                 it by itself. The default body when None.
@@ -61,6 +66,7 @@ class Workshop:
         self.fits = fit
         self._maker, self._sewer, self._reader = pattern_maker, garment_sewer, wish_reader
         self._eyes, self._library = picture_reader, pattern_library
+        self._parameters = parameter_reader
         self.body, self.fabric = body, fabric
         self._threads = threads
 
@@ -161,6 +167,25 @@ class Workshop:
             own = self._maker is not None
             return None if self._library is None and own else PatternLibrary.load(self._library)
         return self._library
+
+    @cached_property
+    def parameter_reader(self) -> ParameterReader | None:
+        """The network that reads design parameters; None where others have the say.
+
+        Raises:
+            InputError: There is no such file, or it is damaged.
+        """
+        if self._parameters is None or isinstance(self._parameters, Path | str):
+            from swifttailor.parameter_reader.reader import ParameterReader
+
+            own = self._maker is not None or self._library is not None
+            return None if self._parameters is None and own else ParameterReader.load(self._parameters)
+        return self._parameters
+
+    def designer_for(self, orders: Sequence[Order]) -> ParameterReader | None:
+        """What reads design parameters, where any order may be answered by a draft of them."""
+        asked = any(one.source in ("both", "designs") and one.edit is None and one.alter for one in orders)
+        return self.parameter_reader if asked else None
 
     def library_for(self, orders: Sequence[Order]) -> PatternLibrary | None:
         """Known patterns, where any order may be answered by one."""

@@ -7,13 +7,16 @@ from dataclasses import replace
 
 from swifttailor.clock import Clock
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
+from swifttailor.parameter_reader.reader import ParameterReader
 from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.pattern_maker.temperatures import HIGHEST_TEMPERATURE
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.candidates import Candidate, CandidateList, InTurn
+from swifttailor.tailor.designed import designed_candidates
 from swifttailor.tailor.drafted import draft_candidates
-from swifttailor.tailor.fitting import fit, from_edit
-from swifttailor.tailor.known import KNOWN_ATTEMPTS, KnownCandidates, known_candidates
+from swifttailor.tailor.fitting import cut_from, fit, from_edit
+from swifttailor.tailor.known import KNOWN_ATTEMPTS, known_candidates
 from swifttailor.tailor.made_anew import anew_from_known
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.protocols import PatternWriter, Sewer
@@ -35,11 +38,13 @@ def write_patterns(
     clock: Clock,
     library: PatternLibrary | None = None,
     known_to_edit: Callable[[], PatternLibrary | None] | None = None,
+    designer: ParameterReader | None = None,
 ) -> list[Answer | SwiftTailorError]:
     """Finds a pattern for each sample, all together, until each is sound or had its attempts.
 
-    The first attempt is with a draft where words name a garment that one shows; the next are with known
-    patterns, where anything is known of what is wanted; the others are written.
+    The first attempt is with a draft where words name a garment that one shows; the next is with a draft of
+    the design parameters that are read in what is wanted, and then come known patterns, where anything is
+    known of it; the others are written.
 
     Sound are those of which a check doubts nothing but what it doubted of the pattern to edit before, which
     can be sewn, and of which everything holds that was asked for. Where none is, the best is taken that can
@@ -53,6 +58,7 @@ def write_patterns(
         library: Known patterns; None where all are to be written.
         known_to_edit: Gives those that edits may be made anew from, where cutting does not lead to what is
             asked; None where they may not.
+        designer: Reads design parameters to draft from; None where nothing is to be drafted so.
 
     Returns:
         For each sample its pattern, prepared to be sewn, or why there is none.
@@ -67,13 +73,9 @@ def write_patterns(
     clock.restart()
     drafts = draft_candidates(samples)
     begun = [0 if one is None else 1 for one in drafts]
-    only_drafts = [wanted.order.source == "drafts" for wanted, _ in samples]
-    known = known_candidates(library, samples)
-    counts = [
-        0 if one is None else min(len(one), attempts if wanted.order.source == "library" else KNOWN_ATTEMPTS)
-        for one, (wanted, _) in zip(known, samples, strict=True)
-    ]
-    if library is not None:
+    only_drafts = [wanted.order.source in ("drafts", "designs") for wanted, _ in samples]
+    candidates, counts = _candidates(library, designer, samples, attempts)
+    if library is not None or designer is not None:
         clock.stop("searching")
     tried: list[list[Answer]] = [[] for _ in samples]
     kept = {
@@ -90,13 +92,13 @@ def write_patterns(
         if not waiting:
             break
         clock.restart()
-        found: dict[int, tuple[str, WrittenPattern]] = {}
+        found: dict[int, Candidate] = {}
         for k in waiting:
-            candidates, begins = known[k], drafts[k]
+            listed, begins = candidates[k], drafts[k]
             if begins is not None and attempt < begun[k]:
-                found[k] = "", begins.take()
-            elif candidates is not None and attempt - begun[k] < counts[k]:
-                found[k] = candidates.take(attempt - begun[k])
+                found[k] = Candidate(begins.take())
+            elif listed is not None and attempt - begun[k] < counts[k]:
+                found[k] = listed.take(attempt - begun[k])
         if found:
             clock.stop("searching")
         draws = {k: attempt - begun[k] - counts[k] for k in waiting if k not in found}
@@ -109,14 +111,15 @@ def write_patterns(
                 draw=draw,
             )
             _take_time(written, clock)
-            found |= {k: ("", one) for k, one in zip(asked, written, strict=True)}
+            found |= {k: Candidate(one) for k, one in zip(asked, written, strict=True)}
         for k in waiting:
-            name, one = found[k]
-            begins = drafts[k] if not name and attempt < begun[k] else None
-            answer = fit(one, samples[k][0], drafted=begins is not None)
-            answer = replace(answer, seed=samples[k][1], known=name)
+            wanted, seed = samples[k]
+            begins = drafts[k] if attempt < begun[k] else None
             if begins is not None:
+                answer = replace(fit(found[k].written, wanted, drafted=True), seed=seed)
                 answer = _begun_from(answer, begins.name)
+            else:
+                answer = cut_from(found[k], wanted, seed)
             clock.stop("altering")
             if not answer.verdict.unsound:
                 answer = _prepared(answer, sewer, samples[k][0].order)
@@ -126,9 +129,32 @@ def write_patterns(
     chosen = [_chosen(tried[k] or kept[k], sewer, wanted.order) for k, (wanted, _) in enumerate(samples)]
     clock.stop("drawing")
     if any(wanted.part is not None and wanted.order.most_refined for wanted, _ in samples):
-        chosen = [_refined(answer, tried[k], known[k], samples[k], sewer) for k, answer in enumerate(chosen)]
+        chosen = [_refined(answer, tried[k], candidates[k], samples[k], sewer) for k, answer in enumerate(chosen)]
         clock.stop("refining")
     return chosen
+
+
+def _candidates(
+    library: PatternLibrary | None,
+    designer: ParameterReader | None,
+    samples: Sequence[Sample],
+    attempts: int,
+) -> tuple[list[CandidateList | None], list[int]]:
+    """For each sample what may be tried before anything is written, and how much of it is."""
+    known, designed = known_candidates(library, samples), designed_candidates(designer, samples)
+    lists: list[CandidateList | None] = []
+    counts = []
+    for one, draft, (wanted, _) in zip(known, designed, samples, strict=True):
+        tried = 0 if one is None else min(len(one), KNOWN_ATTEMPTS)
+        if one is not None and wanted.order.source == "library":
+            tried = min(len(one), attempts)
+        if draft is not None:
+            draft.library = library
+            tried += len(draft)
+        found = [x for x in (draft, one) if x is not None and len(x)]
+        lists.append(InTurn(tuple(found)) if found else None)
+        counts.append(tried)
+    return lists, counts
 
 
 def _edited(wanted: Wanted, library: Callable[[], PatternLibrary | None] | None) -> list[Answer]:
@@ -152,7 +178,7 @@ def _begun_from(answer: Answer, draft: str) -> Answer:
 def _refined(
     answer: Answer | SwiftTailorError,
     tried: Sequence[Answer],
-    candidates: KnownCandidates | None,
+    candidates: CandidateList | None,
     sample: Sample,
     sewer: Sewer,
 ) -> Answer | SwiftTailorError:
@@ -205,6 +231,6 @@ def _refusal(best: Answer, count: int) -> PatternError:
     if best.is_given:
         return PatternError(f"The pattern to edit cannot be sewn, and nothing was altered in it: {fault}.")
     if count == 1:
-        said = f"The pattern that was {'found' if best.known else 'written'} cannot be sewn: {fault}"
+        said = f"The pattern that was {'found' if best.found else 'written'} cannot be sewn: {fault}"
     hints = f"Try another seed than {best.seed}, more attempts, or other words."
     return PatternError(" ".join([f"{said}.", *best.doubts, hints]))

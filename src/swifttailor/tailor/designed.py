@@ -1,0 +1,90 @@
+"""A draft of the design parameters that are read in what is wanted, as a candidate beside known patterns."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import islice
+
+from swifttailor.describing.measuring import measure_facts
+from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.parameter_reader.reader import ParameterReader
+from swifttailor.pattern_library.known import PatternLibrary
+from swifttailor.pattern_library.nearest import Search
+from swifttailor.pattern_maker.maker import WrittenPattern
+from swifttailor.picture_reader.truth import Truth
+from swifttailor.programs import DesignError, make_pattern
+from swifttailor.tailor.candidates import Candidate
+from swifttailor.tailor.reading import Wanted
+
+MOST_DESIGNS = 8
+"""Drafted until GarmentCode's rules accept one."""
+WORTH = 10.0
+"""How much better a draft is than a known pattern of the same fit, as a logarithm of likelihood: it was
+made for what is sought, with measures between those of all known ones."""
+_NOTHING_SOUGHT = (
+    "Design parameters are read in what is understood of a text or read in a picture, and nothing was. Say "
+    "more of the garment, or let the pattern be written: --source writer"
+)
+
+
+class DesignedCandidate:
+    """The draft for one garment, or none where no design is accepted."""
+
+    def __init__(self, reader: ParameterReader, wanted: Wanted, seed: int) -> None:
+        """Drafts it.
+
+        Args:
+            reader: Reads design parameters.
+            wanted: What is wanted.
+            seed: The first seed has the likeliest design, others have others.
+        """
+        self._wanted = wanted
+        self._found: list[Candidate] = []
+        place = seed - wanted.order.seed
+        for design in islice(reader.designs(wanted.sought, seed=seed), place, place + MOST_DESIGNS):
+            try:
+                pattern = make_pattern(design).canonical()
+            except DesignError:
+                continue
+            self._found.append(Candidate(WrittenPattern(pattern), design=design))
+            break
+        self.library: PatternLibrary | None = None
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def fit(self, number: int) -> float:
+        """How well it fits, and `WORTH`; without known patterns to compare with, 0."""
+        if self.library is None:
+            return 0.0
+        pattern = self._found[number].written.pattern
+        try:
+            truth = Truth.of(pattern, measure_facts(pattern))
+        except SwiftTailorError:
+            return -float("inf")
+        return Search(self.library, self._wanted.sought).fit_of(truth) + WORTH
+
+    def take(self, number: int) -> Candidate:
+        """The draft."""
+        return self._found[number]
+
+
+def designed_candidates(
+    reader: ParameterReader | None, samples: Sequence[tuple[Wanted, int]]
+) -> list[DesignedCandidate | None]:
+    """The draft for each sample; None where its pattern is to come from elsewhere.
+
+    Raises:
+        InputError: Only drafts of designs are asked for, and nothing is known of what is wanted.
+    """
+    found: list[DesignedCandidate | None] = []
+    for wanted, seed in samples:
+        order = wanted.order
+        asked = order.source in ("both", "designs") and order.edit is None and order.alter
+        if reader is None or not asked or wanted.sought.is_empty:
+            if order.source == "designs":
+                raise InputError(_NOTHING_SOUGHT)
+            found.append(None)
+            continue
+        found.append(DesignedCandidate(reader, wanted, seed))
+    return found
