@@ -9,25 +9,16 @@ import statistics
 
 import pytest
 
-from benchmarks.garment_programs import alike, differences, distance
+from benchmarks.garment_programs import alike, differences, distance, has_searched_curves
 from swifttailor.pattern import read_specification
 from swifttailor.programs import make_pattern
 
 EVERY = 60
 
 
-def searched_curves(design) -> bool:
-    """Whether it has sleeves or a hood, with curves that GarmentCode finds by a search."""
-    if not design["meta.upper"]:
-        return False
-    sides = [""] + ["left."] * design["left.enable_asym"]
-    hood = not design["left.enable_asym"] and design["collar.component.style"] == "Hood2Panels"
-    return hood or any(not design[f"{side}sleeve.sleeveless"] for side in sides)
-
-
 def pairs(real_samples, wanted):
     for sample in [*real_samples("repository"), *real_samples("train", "train-2", "train-3", every=EVERY)]:
-        if searched_curves(sample["design"]) == wanted:
+        if has_searched_curves(sample["design"]) == wanted:
             yield sample["id"], make_pattern(sample["design"]), read_specification(sample["pattern"]).pattern
 
 
