@@ -65,8 +65,11 @@ def main() -> None:
         if found:
             print(f"{line['id']} ({kind}): {'; '.join(found[:4])}{' ...' if len(found) > 4 else ''}")
     for kind, count in sorted(kinds.items()):
-        print(f"{kind:40} {same[kind]:6} of {count:6} the same")
-    print(f"{'all':40} {same.total():6} of {kinds.total():6} the same")
+        print(f"{kind:50} {same[kind]:6} of {count:6} the same")
+    for name, wanted in (("all without sleeves and hood", False), ("all with sleeves or hood", True)):
+        there = [kind for kind in kinds if kind.endswith(", sleeves or hood") == wanted]
+        print(f"{name:50} {sum(same[k] for k in there):6} of {sum(kinds[k] for k in there):6} the same")
+    print(f"{'all':50} {same.total():6} of {kinds.total():6} the same")
     if apart:
         middle, late, most = np.percentile(apart, [50, 95, 100])
         print(
@@ -88,7 +91,17 @@ def read_lines(files: Sequence[Path], every: int = 1) -> Iterator[dict[str, Any]
 
 def kind_of(design: dict[str, Any]) -> str:
     """Upper and lower part of a garment."""
-    return " + ".join(str(design[name]) for name in ("meta.upper", "meta.bottom") if design[name])
+    parts = " + ".join(str(design[name]) for name in ("meta.upper", "meta.bottom") if design[name])
+    return f"{parts}, sleeves or hood" if has_searched_curves(design) else parts
+
+
+def has_searched_curves(design: dict[str, Any]) -> bool:
+    """Whether a garment has sleeves or a hood, with curves that GarmentCode finds by its search."""
+    if not design["meta.upper"]:
+        return False
+    sides = [""] + ["left."] * design["left.enable_asym"]
+    hood = not design["left.enable_asym"] and design["collar.component.style"] == "Hood2Panels"
+    return hood or any(not design[f"{side}sleeve.sleeveless"] for side in sides)
 
 
 def differences(drafted: Pattern, expected: Pattern) -> list[str]:

@@ -6,7 +6,7 @@ from importlib import import_module
 
 from fuzzing.target import Target
 
-MODULES = ("patterns", "pictures", "networks", "geometry_images", "shards", "meshes", "style3d")
+MODULES = ("patterns", "pictures", "networks", "geometry_images", "shards", "meshes", "style3d", "designs")
 
 
 def all_targets() -> dict[str, Target]:

@@ -7,6 +7,7 @@ itself is found, as a sequence of small quadratic programs with the bends as bou
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -15,6 +16,7 @@ import numpy as np
 from scipy.optimize import nnls
 
 from swifttailor.arrays import Floats
+from swifttailor.programs.design_error import DesignError
 from swifttailor.programs.edges import BezierEdge, to_complex, to_vertex
 from swifttailor.programs.planar_curves import CubicCurve
 
@@ -107,6 +109,11 @@ class _Search:
     def minimum(self) -> Floats:
         """The unknowns of the best curve."""
         best, damping = self._trial(np.zeros(5)), 1e-3
+        if not math.isfinite(best.misfit):
+            raise DesignError(
+                "A sleeve or a hood would begin with a curve whose points coincide. "
+                "Change the parameters that give the depths of armhole or neckline."
+            )
         for _ in range(_MOST_STEPS):
             linear = self._linear(best)
             while damping < _MOST_DAMPING:
@@ -160,7 +167,7 @@ def _candidates(sizes: Floats) -> list[int]:
     """Places of local maxima that are not much smaller than the largest, and their neighbours."""
     padded = np.concatenate([[-1.0], sizes, [-1.0]])
     inner = padded[1:-1]
-    peaks = np.flatnonzero((inner >= padded[:-2]) & (inner >= padded[2:]) & (inner > 0.3 * inner.max()))
+    peaks = np.flatnonzero((inner >= padded[:-2]) & (inner >= padded[2:]) & (inner >= 0.3 * inner.max()))
     near = {int(p) + d for p in peaks for d in (-1, 0, 1)}
     return sorted(k for k in near if 0 <= k < len(sizes))
 
