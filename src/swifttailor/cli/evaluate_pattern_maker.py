@@ -70,7 +70,7 @@ class EvaluatePatternMaker:
     --network-alone."""
     attempts: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Patterns to write at most until one is as asked for; 4 without it, or 1 at temperature 0."""
-    source: Literal["both", "drafts", "library", "writer"] = "both"
+    source: Literal["both", "drafts", "designs", "library", "writer"] = "both"
     """Where patterns come from, as swifttailor generate has it."""
     refine: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Known patterns that are compared with a picture, as swifttailor generate has it."""
@@ -183,6 +183,7 @@ class EvaluatePatternMaker:
     def _weights(self) -> dict[str, Any]:
         """The files of all networks that decide the answers."""
         from swifttailor.evaluation.provenance import file_identity
+        from swifttailor.parameter_reader.reader import SHIPPED as DESIGNER
         from swifttailor.pattern_library.known import SHIPPED as LIBRARY
         from swifttailor.pattern_maker.maker import SHIPPED
         from swifttailor.picture_reader.reader import SHIPPED as EYES
@@ -200,6 +201,8 @@ class EvaluatePatternMaker:
                     found["read_from_near_by"] = file_identity(near)
             if self.source != "writer" and (self.weights is None or self.pattern_library is not None):
                 found["known_from"] = file_identity(self.pattern_library or LIBRARY)
+            if self.source in ("both", "designs") and self.weights is None and self.pattern_library is None:
+                found["designed_by"] = file_identity(DESIGNER)
         if not self.network_alone:
             found["sewn_by"] = file_identity(self._sewer_file())
         return found
@@ -226,8 +229,9 @@ class EvaluatePatternMaker:
             raise InputError("--look is about pictures: give the data set that has the garments, --data DIR.")
         if self.view != "front" and self.look is None:
             raise InputError(f"--view {self.view} goes with --look: say how the pictures are to look.")
-        if self.source == "library" and not self.alter:
-            raise InputError("Known patterns are found to be altered: leave --source or --no-alter out.")
+        if self.source in ("library", "designs") and not self.alter:
+            what = "Known patterns" if self.source == "library" else "Drafts of designs"
+            raise InputError(f"{what} are there to be altered: leave --source or --no-alter out.")
         if self.garments and self.data is None:
             raise InputError("--garments compares with drapes: give the data set that has them, --data DIR.")
         if self.network_alone:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from swifttailor.tailor import Tailor
 
 FILES = "summary.json", "tables.txt", "tables.csv", "tables.tex", "failures.jsonl"
-Own = Literal["ours", "uncut", "network-alone", "library", "nearest", "chance", "truth"]
+Own = Literal["ours", "uncut", "network-alone", "designs", "library", "nearest", "chance", "truth"]
 OWN: tuple[Own, ...] = get_args(Own)
 Sewing = Literal["network", "network+finish", "physics"]
 
@@ -37,6 +37,7 @@ class EvaluateSystems:
       ours           answers as swifttailor generate gives them
       uncut          the same, but nothing is recut to what the texts ask for
       network-alone  the first pattern that PatternMaker's network writes, at temperature 0
+      designs        drafts of design parameters that are read alone, recut
       library        known patterns alone, recut
       nearest        the known pattern that fits best, as it is
       chance         a known pattern drawn by lot
@@ -166,13 +167,14 @@ class EvaluateSystems:
         """The files that decide the answers of our generators."""
         from swifttailor.evaluation.provenance import file_identity
         from swifttailor.garment_sewer.sewer import SHIPPED as SEWER
+        from swifttailor.parameter_reader.reader import SHIPPED as DESIGNER
         from swifttailor.pattern_library.known import SHIPPED as LIBRARY
         from swifttailor.pattern_maker.maker import SHIPPED as WRITER
         from swifttailor.picture_reader.reader import SHIPPED as EYES
         from swifttailor.picture_reader.reader import SHIPPED_CLOSE as NEAR
         from swifttailor.wishes.reader import SHIPPED as READER
 
-        files = {"writer": WRITER, "sewer": SEWER, "words": READER, "library": LIBRARY}
+        files = {"writer": WRITER, "sewer": SEWER, "words": READER, "library": LIBRARY, "designs": DESIGNER}
         files |= {"pictures": EYES, "near": NEAR} if self.data is not None else {}
         return {name: file_identity(path) for name, path in files.items() if path.is_file()}
 
@@ -200,6 +202,7 @@ class EvaluateSystems:
             "ours": {},
             "uncut": {"alter": False},
             "network-alone": {"network_alone": True, "temperature": 0.0},
+            "designs": {"source": "designs"},
             "library": {"source": "library"},
         }
         return TailorGenerator(name, self._tailor, self._asking(**askings[name]), weights)

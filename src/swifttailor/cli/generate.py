@@ -42,13 +42,14 @@ class Generate(Making):
     that are seen; two get a folder each in DIR."""
     read: tyro.conf.FlagCreatePairsOff[bool] = False
     """Only read the picture: print what it shows, write seen.png and reading.json."""
-    source: Literal["both", "drafts", "library", "writer"] = "both"
+    source: Literal["both", "drafts", "designs", "library", "writer"] = "both"
     """Where patterns come from. both: from a draft where the text names a garment that only that shows, else
-    from the library of known patterns, and where none of the nearest will do PatternMaker writes one; or one
-    of the three alone."""
+    drafted by GarmentCode's programs from design parameters that are read in text and picture, else from the
+    library of known patterns, and where none of these will do PatternMaker writes one; or one of the four
+    alone."""
     refine: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
-    """Known patterns that are sewn and compared with the picture, of which the most alike is taken; 4 without
-    it, and 0 to compare none."""
+    """Drafted and known patterns that are sewn and compared with the picture, of which the most alike is
+    taken; 4 without it, and 0 to compare none."""
     crop: bool = True
     """Show PatternMaker the picture cropped to its figure where the background is plain."""
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 from swifttailor.programs.body_parameters import BodyParameters
 from swifttailor.programs.design_error import DesignError
 from swifttailor.programs.design_parameters import DESIGN_PARAMETERS, DesignParameter
-from swifttailor.programs.design_reader import read_design
+from swifttailor.programs.design_reader import complete_design, read_design
 from swifttailor.programs.garment import make_pattern
 
 __all__ = [
@@ -20,6 +20,7 @@ __all__ = [
     "BodyParameters",
     "DesignError",
     "DesignParameter",
+    "complete_design",
     "make_pattern",
     "read_design",
 ]

@@ -104,6 +104,8 @@ def fitted_note(body: Body) -> str:
 
 def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
     """What a report says of an order and how it was answered: JSON values."""
+    from swifttailor.parameter_reader.which_matter import matters
+    from swifttailor.programs import complete_design
     from swifttailor.wording.wish_lines import wish_line
 
     written = answer.written
