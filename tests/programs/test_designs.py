@@ -156,6 +156,19 @@ def test_the_body_decides_how_large_it_is():
     assert heights[1] - heights[0] == pytest.approx(5)
 
 
+@pytest.mark.parametrize(
+    "values", [{"size": 40}, {"_waist_level": 100}, {"waist": -1}, {"waist": float("nan")}]
+)
+def test_bodies_that_cannot_be_are_refused(values):
+    with pytest.raises(InputError):
+        BodyParameters.default().with_measures(**values)
+
+
+def test_a_body_needs_all_measurements():
+    with pytest.raises(InputError, match="missing: height"):
+        BodyParameters({"waist": 80})
+
+
 def height_of(panel):
     low, high = panel.bounding_box()
     return high[1] - low[1]

@@ -5,16 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from swifttailor.body.measurements import BodyMeasurements
+from swifttailor.errors import InputError
 
 
 class BodyParameters(Mapping[str, float]):
     """Measurements by GarmentCode's names, cm and degrees; what is derived begins with an underscore."""
 
     def __init__(self, measurements: BodyMeasurements | Mapping[str, float]) -> None:
-        """Derives the rest from the measurements."""
-        if isinstance(measurements, BodyMeasurements):
-            measurements = measurements.as_dict()
-        p = {name: float(value) for name, value in measurements.items() if not name.startswith("_")}
+        """Derives the rest from the measurements.
+
+        Raises:
+            InputError: A measurement is missing, is not a finite number or is not above zero.
+        """
+        if not isinstance(measurements, BodyMeasurements):
+            measurements = BodyMeasurements.from_mapping(measurements)
+        p = measurements.as_dict()
         p["_waist_level"] = p["height"] - p["head_l"] - p["waist_line"]
         p["_leg_length"] = p["_waist_level"] - p["hips_line"]
         p["_base_sleeve_balance"] = p["shoulder_w"] - 2  # the sleeve begins a little nearer to the neck
@@ -30,7 +35,15 @@ class BodyParameters(Mapping[str, float]):
         return _DEFAULT
 
     def with_measures(self, **values: float) -> BodyParameters:
-        """The body with other measurements."""
+        """The body with other measurements.
+
+        Raises:
+            InputError: There is no such measurement, or it is not a number above zero.
+        """
+        unknown = [name for name in values if name not in self._values or name.startswith("_")]
+        if unknown:
+            known = ", ".join(name for name in self._values if not name.startswith("_"))
+            raise InputError(f"There is no body measurement '{unknown[0]}'. The measurements are: {known}.")
         return BodyParameters({**self._values, **values})
 
     def __getitem__(self, name: str) -> float:
