@@ -5,8 +5,8 @@ python scripts/train_parameter_reader_torch.py --patterns train.jsonl.gz usual.j
 
 The patterns have their design parameters beside them (``design``), as those of scripts/sample_garmentcode.py.
 The network is told what is true of a pattern: now as a picture shows it, with mistakes drawn by lot, now the
-little that words say, and of the garments of --data what the picture reader really reads in a plain picture. It
-answers with the parameters. The card is written beside the model file. Needs the extra ``networks``.
+little that words say, and of the garments of --data what the picture reader really reads in a plain picture.
+It answers with the parameters. The card is written beside the model file. Needs the extra ``networks``.
 """
 
 from __future__ import annotations

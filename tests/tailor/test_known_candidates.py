@@ -82,7 +82,7 @@ def test_one_source_can_be_chosen(tailor):
     assert found.answer.known and tailor.pattern_maker.model.runtime.asked == [1]
     with pytest.raises(InputError, match="Known patterns are found by what is understood"):
         tailor.generate("zzz", source="library")
-    with pytest.raises(InputError, match="both, drafts, library, writer are accepted"):
+    with pytest.raises(InputError, match="both, drafts, designs, library, writer are accepted"):
         Order("a skirt", source="shop")
     with pytest.raises(InputError, match="not for edits"):
         Order("longer", edit=DRAFTS["mini"], source="library")
@@ -108,14 +108,14 @@ def test_seeds_choose_among_those_that_fit_as_well(library, tailor):
     search = Search(library, Sought.nothing())
     search.fits = np.array([-9.0, -1.0, -2.5, 0.0, -50.0])
     orders = [
-        [KnownCandidates(search, seed=seed, temperature=0.2, most=5).take(k)[0] for k in range(5)]
+        [KnownCandidates(search, seed=seed, temperature=0.2, most=5).take(k).known for k in range(5)]
         for seed in range(5)
     ]
     assert orders[0] == ["shirt", "midi", "midi again", "mini", "trousers"]
     assert orders[1] == ["midi", "midi again", "mini", "shirt", "trousers"], "at least four are as good"
     assert orders[4] == orders[0]
     search.fits = np.array([-0.1, -1.0, -1.5, 0.0, -1.8])
-    assert {KnownCandidates(search, seed=s, temperature=0.2, most=1).take(0)[0] for s in range(5)} == set(
+    assert {KnownCandidates(search, seed=s, temperature=0.2, most=1).take(0).known for s in range(5)} == set(
         DRAFTS
     )
 

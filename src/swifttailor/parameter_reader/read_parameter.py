@@ -88,5 +88,10 @@ def _number(name: str, values: Sequence[float]) -> ReadParameter:
     edges = np.unique(among[len(among) * np.arange(1, RANGES) // RANGES])
     edges = edges[edges < among[-1]]  # a range ends with a value that occurs, so that none is empty
     which = np.searchsorted(edges, among)
-    middles = [float(np.median(among[which == k])) for k in range(len(edges) + 1)]
+    counts = np.bincount(which, minlength=len(edges) + 1)
+    middles = among[
+        np.cumsum(counts) - (counts + 1) // 2
+    ].tolist()  # values that occur: whole where they must be
+    if DESIGN_PARAMETERS[name].kind == "int":
+        middles = [int(value) for value in middles]
     return ReadParameter(name, tuple(middles), tuple(edges.tolist()))

@@ -1,4 +1,4 @@
-"""Which design parameters a garment follows from: the others may be anything, and are drawn by lot in designs."""
+"""Which design parameters a garment follows from; the others may be anything, and are drawn by lot."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 _ANGLED = ("TrapezoidNeckHalf", "CircleArcNeckHalf")
 _FLIPPED = ("CurvyNeckHalf", "CircleArcNeckHalf", "Bezier2NeckHalf")
 _CUT = ("depth", "width", "place")
-_LEVELS = ("base", "level", "num_levels", "level_ruffle", "length", "base_length_frac")
+_LEVELS = ("base", "level", "num_levels", "level_ruffle", "length", "rise", "base_length_frac")
 _GODETS = ("base", "insert_w", "insert_depth", "num_inserts", "cuts_distance")
 
 
@@ -70,8 +70,16 @@ def _of_side(design: Mapping[str, Any], side: str, strapless: bool) -> set[str]:
         if shape == "Bezier2NeckHalf":
             names |= {f"{collar}.{end}_bezier_x", f"{collar}.{end}_bezier_y"}
     if design[f"{sleeve}.sleeveless"]:
-        return names | {f"{sleeve}.armhole_shape"}
-    own = ("length", "end_width", "sleeve_angle", "connect_ruffle", "smoothing_coeff", "standing_shoulder")
+        return names | {f"{sleeve}.armhole_shape", f"{sleeve}.smoothing_coeff"}
+    own = (
+        "length",
+        "end_width",
+        "sleeve_angle",
+        "connect_ruffle",
+        "smoothing_coeff",
+        "standing_shoulder",
+        "opening_dir_mix",
+    )
     names |= {f"{sleeve}.{name}" for name in own}
     if design[f"{sleeve}.standing_shoulder"]:
         names.add(f"{sleeve}.standing_shoulder_len")
@@ -98,9 +106,9 @@ def _of_bottom(design: Mapping[str, Any], *, rises: bool) -> set[str]:
         names = {f"godet-skirt.{name}" for name in _GODETS}
         return names | _of_skirt(design, design["godet-skirt.base"], {"length"} | rise, alone=False)
     if kind == "SkirtLevels":
-        names = {f"levels-skirt.{name}" for name in {*_LEVELS, *rise}}
+        names = {f"levels-skirt.{name}" for name in _LEVELS}
         for part in ("base", "level"):
-            names |= _of_skirt(design, design[f"levels-skirt.{part}"], set(), alone=False)
+            names |= _of_skirt(design, design[f"levels-skirt.{part}"], {"rise"}, alone=False)
         return names
     return _of_skirt(design, kind, {"length"} | rise, alone=True)
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment_sewer.sewer import BATCH
 from swifttailor.tailor.answer import Answer
-from swifttailor.tailor.fitting import cut_from
 from swifttailor.tailor.candidates import CandidateList
+from swifttailor.tailor.fitting import cut_from
 from swifttailor.tailor.likeness import can_be_compared, distance_cm
 from swifttailor.tailor.protocols import Sewer
 from swifttailor.tailor.reading import Wanted

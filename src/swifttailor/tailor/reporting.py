@@ -186,7 +186,9 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     if answer.known:
         found.append(f"Cut from a known pattern: {answer.known}.")
     if answer.design is not None:
-        found.append("Drafted by GarmentCode's programs from design parameters that were read; see report.json.")
+        found.append(
+            "Drafted by GarmentCode's programs from design parameters that were read; see report.json."
+        )
     if answer.draft:
         found.append(f"Begun from a draft of ours: {answer.draft}.")
         if "pleats" in DRAFTS_SHOW.get(answer.draft, ()) and not order.finish:

@@ -129,7 +129,9 @@ def write_patterns(
     chosen = [_chosen(tried[k] or kept[k], sewer, wanted.order) for k, (wanted, _) in enumerate(samples)]
     clock.stop("drawing")
     if any(wanted.part is not None and wanted.order.most_refined for wanted, _ in samples):
-        chosen = [_refined(answer, tried[k], candidates[k], samples[k], sewer) for k, answer in enumerate(chosen)]
+        chosen = [
+            _refined(answer, tried[k], candidates[k], samples[k], sewer) for k, answer in enumerate(chosen)
+        ]
         clock.stop("refining")
     return chosen
 

@@ -1,0 +1,116 @@
+"""Drafts of design parameters that are read come before known patterns."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from own_library import library_of
+from scripted_maker import scripted_maker
+from seeing import Seeing, worn
+
+from swifttailor.errors import InputError
+from swifttailor.parameter_reader.read_parameter import ReadParameter
+from swifttailor.parameter_reader.reader import ParameterReader
+from swifttailor.pattern.drafts import draft
+from swifttailor.tailor import Order, Tailor
+
+CHOICES = (
+    ReadParameter("meta.bottom", ("PencilSkirt", "SkirtCircle")),
+    ReadParameter("pencil-skirt.length", (0.4, 0.8), (0.6,)),
+    ReadParameter("meta.wb", ("StraightWB", None)),
+    ReadParameter("flare-skirt.suns", (0.5, 1.9), (1.0,)),
+)
+PICTURE = np.full((64, 64, 3), 200, np.uint8)
+
+
+class Says:
+    """Logits that are always the same."""
+
+    def __init__(self, *logits: float):
+        self.logits = np.array([logits], np.float32)
+
+    def run(self, names, given):
+        return [self.logits]
+
+
+def designer(*logits: float) -> ParameterReader:
+    return ParameterReader(Says(*logits), CHOICES, {"model": "ParameterReader"})
+
+
+PENCIL = (9.0, 0.0, 9.0, 0.0, 9.0, 0.0, 9.0, 0.0)
+"""A pencil skirt, short, with a waistband."""
+
+
+@pytest.fixture
+def eyes():
+    return Seeing((worn("lower", {"kind": ("skirt", 0.99), "skirt_hem": ("midi", 0.97)}),))
+
+
+@pytest.fixture
+def library(tmp_path):
+    return library_of({"midi": draft("fitted-skirt", length=75.0)}, tmp_path)
+
+
+def tailor_of(sewer, eyes, reader, library=None) -> Tailor:
+    maker = scripted_maker([draft("fitted-dress")])
+    return Tailor(maker, sewer, picture_reader=eyes, parameter_reader=reader, pattern_library=library)
+
+
+def test_what_is_read_is_drafted_cut_and_said(sewer, eyes, tmp_path):
+    made = tailor_of(sewer, eyes, designer(*PENCIL)).generate(image=PICTURE)
+    assert made.answer.design is not None and not made.answer.known
+    panels = [panel.name for panel in made.pattern.panels]
+    assert {"skirt_front", "skirt_back", "wb_front", "wb_back"} <= set(panels)
+    writing = made.report["writing"]
+    assert writing["source"] == "design" and writing["attempt"] == 1
+    assert (
+        writing["design"]["meta.bottom"] == "PencilSkirt" and writing["design"]["pencil-skirt.length"] == 0.4
+    )
+    assert "flare-skirt.suns" not in writing["design"], "of a pencil skirt it does not matter"
+    assert "parameter_reader" in made.report["weights"] and "pattern_maker" not in made.report["weights"]
+    assert any("design parameters" in note for note in made.notes)
+    hem = [w for w in made.report["wishes"] if "midi" in w["wish"] or "calf" in w["wish"]]
+    assert made.report["wishes"] and all(w["holds"] for w in hem), "it was drafted too short, and cut"
+    made.save(tmp_path, preview=False)
+
+
+def test_one_of_several_sources_can_be_chosen(sewer, eyes, library):
+    tailor = tailor_of(sewer, eyes, designer(*PENCIL), library)
+    assert tailor.generate(image=PICTURE, source="designs").answer.design is not None
+    assert tailor.generate(image=PICTURE, source="library").answer.known == "midi"
+    written = tailor.generate(image=PICTURE, source="writer", attempts=1).answer
+    assert written.design is None and not written.known
+    with pytest.raises(InputError, match="Design parameters are read in what is understood"):
+        tailor.generate("zzz", source="designs")
+    with pytest.raises(InputError, match="Drafts of designs are there to be altered"):
+        Order("longer", edit=draft("t-shirt"), source="designs")
+
+
+def test_a_design_that_is_refused_is_followed_by_another(sewer, eyes, library):
+    # The likeliest is a double circle without an upper part, which would slide down.
+    heavy = designer(-0.2, 0.0, 9.0, 0.0, 0.0, 0.2, 0.0, 9.0)
+    answer = tailor_of(sewer, eyes, heavy, library).generate(image=PICTURE).answer
+    assert answer.design is not None
+    assert answer.design["meta.bottom"] == "PencilSkirt"
+
+
+def test_where_no_design_is_accepted_known_patterns_are_taken(sewer, eyes, library):
+    never = designer(-40.0, 0.0, 9.0, 0.0, -40.0, 0.0, 0.0, 9.0)
+    assert tailor_of(sewer, eyes, never, library).generate(image=PICTURE).answer.known == "midi"
+
+
+def test_edits_and_what_is_not_altered_are_not_drafted(sewer, eyes):
+    tailor = tailor_of(sewer, eyes, designer(*PENCIL))
+    assert tailor.edit(draft("fitted-skirt"), "make it longer", attempts=1).answer.design is None
+    assert tailor.generate(image=PICTURE, alter=False, attempts=1).answer.design is None
+
+
+def test_of_several_garments_each_has_a_design_of_its_own(sewer, eyes):
+    open_choice = designer(0.1, 0.0, 9.0, 0.0, 9.0, 0.0, 9.0, 0.0)
+    made = tailor_of(sewer, eyes, open_choice).make(Order(image=PICTURE, samples=6, refine=0))
+    kinds = {one.answer.design["meta.bottom"] for one in made}
+    assert kinds == {"PencilSkirt", "SkirtCircle"}
+
+
+def test_a_writer_of_your_own_is_not_passed_by(sewer):
+    assert Tailor(scripted_maker([draft("fitted-skirt")]), sewer).parameter_reader is None
