@@ -28,7 +28,8 @@ necks = st.builds(
 def test_every_shape_leads_from_shoulder_to_middle(name, neck):
     shape = NECKLINES[name](neck)
     assert shape[0].start == [0.0, 0.0]
-    assert shape[-1].end == pytest.approx([neck.width / 2, -neck.depth])
+    # Arcs that are nearly half a circle are drawn as half a circle, as in GarmentCode.
+    assert shape[-1].end == pytest.approx([neck.width / 2, -neck.depth], abs=0.05)
     assert len(shape) == 1 or shape.is_chained()
 
 

@@ -187,3 +187,21 @@ def test_a_shirt_is_as_long_as_it_says(length):
     assert below_neck == pytest.approx(
         length * BODY["waist_line"] + slope * PLAIN["shirt.width"] * BODY["back_width"] / 2
     )
+
+
+def test_an_armhole_for_which_there_is_no_room_names_its_parameter():
+    slim = BODY.with_measures(
+        bust=97.4,
+        back_width=46.17,
+        waist=80.34,
+        waist_back_width=37.77,
+        waist_line=35.75,
+        shoulder_w=34.71,
+        waist_over_bust_line=39.99,
+    )
+    deep = {"meta.upper": "FittedShirt", "sleeve.connecting_width": 2.0}
+    with pytest.raises(
+        DesignError, match=r"Panel 'right_.torso' has no room for an armhole .*connecting_width"
+    ):
+        make_pattern(deep, slim)
+    make_pattern({**deep, "sleeve.connecting_width": 0.2}, slim)

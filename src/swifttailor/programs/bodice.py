@@ -17,6 +17,8 @@ from swifttailor.programs.collars import Collar, NoPanelsCollar, SimpleLapel, Tu
 from swifttailor.programs.component import Component, lin_interpolation
 from swifttailor.programs.cutting import cut_corner
 from swifttailor.programs.design import Design
+from swifttailor.programs.design_error import DesignError
+from swifttailor.programs.edge_sequence import EdgeSequence
 from swifttailor.programs.hood import Hood2Panels
 from swifttailor.programs.interface import Interface
 from swifttailor.programs.panel import Panel
@@ -122,8 +124,8 @@ class BodiceHalf(Component):
         self.sleeve = Sleeve(
             self.name, body, design, self.ftorso.get_width(level), self.btorso.get_width(level)
         )
-        _, front = cut_corner(self.sleeve.front_shape, self.ftorso.interfaces["shoulder_corner"])
-        _, back = cut_corner(self.sleeve.back_shape, self.btorso.interfaces["shoulder_corner"])
+        front = _cut_out(self.sleeve.front_shape, self.ftorso, "shoulder_corner")
+        back = _cut_out(self.sleeve.back_shape, self.btorso, "shoulder_corner")
         if not design["sleeveless"]:
             armhole = Interface.from_multiple(front.reverse(with_edge_dir_reverse=True), back.reverse())
             sewn_in = self.sleeve.interfaces["in"]
@@ -135,8 +137,8 @@ class BodiceHalf(Component):
 
     def _add_collars(self, body: BodyParameters, design: Design) -> None:
         self.collar: Collar = COLLARS[design["collar.component.style"]](self.name, body, design)
-        _, front = cut_corner(self.collar.front_shape, self.ftorso.interfaces["collar_corner"])
-        _, back = cut_corner(self.collar.back_shape, self.btorso.interfaces["collar_corner"])
+        front = _cut_out(self.collar.front_shape, self.ftorso, "collar_corner")
+        back = _cut_out(self.collar.back_shape, self.btorso, "collar_corner")
         own = self.collar.interfaces
         if "bottom" in own:
             self.stitching_rules.append((Interface.from_multiple(front, back), own["bottom"]))
@@ -163,6 +165,25 @@ class BodiceHalf(Component):
     def length(self) -> float:
         """Length of the back, cm."""
         return self.btorso.length()
+
+
+_DEPTHS = {
+    "shoulder_corner": ("an armhole", "sleeve.connecting_width"),
+    "collar_corner": ("a neckline", "collar.width, collar.fc_depth or collar.bc_depth"),
+}
+
+
+def _cut_out(shape: EdgeSequence, panel: Panel, corner: str) -> Interface:
+    """Cuts a shape out of a corner of a panel; returns the new interface."""
+    try:
+        return cut_corner(shape, panel.interfaces[corner])[1]
+    except DesignError:
+        (x, y), (to_x, to_y) = shape.shortcut()
+        what, parameters = _DEPTHS[corner]
+        raise DesignError(
+            f"Panel '{panel.name}' has no room for {what} of {abs(to_x - x):.3g} by {abs(to_y - y):.3g} cm: "
+            f"nothing would be left of one of its edges. Make {parameters} smaller."
+        ) from None
 
 
 def _side_length(panel: Panel) -> float:

@@ -26,7 +26,7 @@ _END_COST = 0.001
 """What a centimetre that the end moves along the chord costs, squared."""
 _ENOUGH = 1e-11
 _MOST_STEPS = 60
-_MOST_DAMPING = 1e6
+_LEAST_DAMPING, _MOST_DAMPING = 1e-7, 1e6
 
 
 def curve_match_tangents(
@@ -124,12 +124,14 @@ class _Search:
                 damping *= 8
             else:
                 break
-            gain = best.misfit - trial.misfit
-            share = gain / (best.misfit - foreseen)
-            damping = max(damping / 5 if share > 0.7 else damping * 2 if share < 0.3 else damping, 1e-7)
+            gain, expected = best.misfit - trial.misfit, best.misfit - foreseen
             best = trial
             if gain < _ENOUGH:
                 break
+            damping = (
+                damping / 5 if gain > 0.7 * expected else damping * 2 if gain < 0.3 * expected else damping
+            )
+            damping = max(damping, _LEAST_DAMPING)
         return best.x
 
     def _trial(self, x: Floats) -> _Trial:
