@@ -18,7 +18,7 @@ GarmentCode draws each parameter for itself, and most of what comes is worn by n
 scripts/archetypes the seed draws one of the garments of that folder first, then its parameters around what
 shops show; each line has its name as well ("archetype": "pencil skirt").
 
-With --designs FILE (of scripts/design_parameters_torch.py) no parameters are drawn: of the designs of each
+With --designs FILE no parameters are drawn: of the designs of each
 line the first that GarmentCode accepts is built, under the id of the line.
 """
 

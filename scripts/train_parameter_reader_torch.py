@@ -31,6 +31,7 @@ from swifttailor.data.reader import SplitReader
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.evaluation.maker.looks import LookPictures
+from swifttailor.parameter_reader.drawn import drawn_designs
 from swifttailor.parameter_reader.features import BOX_UNIT_CM, features_of
 from swifttailor.parameter_reader.network_torch import ParameterNetwork, export
 from swifttailor.parameter_reader.read_parameter import ReadParameter, read_parameters
@@ -56,7 +57,8 @@ SHOWN = ("meta.upper", "meta.bottom", "meta.wb", "collar.f_collar", "sleeve.slee
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("--patterns", type=Path, nargs="+", required=True, help=".jsonl.gz with design")
+    parser.add_argument("--patterns", type=Path, nargs="*", default=[], help=".jsonl.gz with design")
+    parser.add_argument("--draw", type=int, default=0, help="so many designs are drawn by lot, and drafted")
     parser.add_argument("--apart", type=Path, nargs="*", default=[], help="patterns whose twins are left out")
     parser.add_argument("--data", type=Path, nargs="*", default=[], help="splits of sewn garments to read")
     parser.add_argument("--most-read", type=int, default=3000, help="garments of each split that are read")
@@ -69,6 +71,7 @@ def main() -> None:
     torch.manual_seed(options.seed)
     apart = {pattern_digest(pattern) for path in options.apart for _, _, pattern in patterns_of(path)}
     rows = [row for path in options.patterns for row in measured(path, apart, options.cache)]
+    rows += drawn(options.draw, options.seed, apart)
     read = [one for path in options.data for one in readings(path, options.most_read, options.cache)]
     print(f"{len(rows)} patterns, {len(read)} pictures read", flush=True)
     training = Training(rows, read, options.seed)
@@ -79,7 +82,7 @@ def main() -> None:
         "parameters": sum(p.numel() for p in training.network.parameters()),
         "config": {"width": WIDTH, "blocks": BLOCKS, "dropout": DROPOUT, "steps": options.steps}
         | {"batch_size": BATCH, "read_batch_size": READ_BATCH, "learning_rate": RATE, "seed": options.seed},
-        "data": {"patterns": len(rows), "pictures": training.pictures, "files": files},
+        "data": {"patterns": len(rows), "drawn": options.draw, "pictures": training.pictures, "files": files},
         "validation": figures,
         "command": " ".join(["python", "scripts/train_parameter_reader_torch.py", *map(shown, sys.argv[1:])]),
     }
@@ -139,6 +142,17 @@ def measured(path: Path, apart: set[str], cache: Path | None) -> list[Row]:
     return rows
 
 
+def drawn(count: int, seed: int, apart: set[str]) -> list[Row]:
+    """Designs drawn by lot."""
+    rows: list[Row] = []
+    for design, pattern in drawn_designs(seed):
+        if len(rows) >= count:
+            break
+        if pattern_digest(pattern) not in apart:
+            rows.append(Row(f"drawn {len(rows)}", design, Truth.of(pattern, measure_facts(pattern))))
+    return rows
+
+
 def readings(split: Path, most: int, cache: Path | None) -> list[tuple[str, np.ndarray]]:
     """What the picture reader says of plain pictures of garments, front and back in turn."""
     kept = None if cache is None else cache / f"read-{split.parent.name}-{split.name}-{most}.npz"
@@ -185,7 +199,7 @@ class Training:
         place = {row.id: k for k, row in enumerate(rows)}
         read = [(id, features) for id, features in read if id in place]
         self.pictures = len(read)
-        self.features = torch.from_numpy(np.array([features for _, features in read]))
+        self.features = torch.from_numpy(np.array([features for _, features in read], np.float32))
         self.of = torch.tensor([place[id] for id, _ in read], dtype=torch.long)
         self.chance = torch.Generator().manual_seed(seed)
         count = len(features_of(Sought.nothing()))

@@ -15,7 +15,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 RECIPES = (
     *("wish_reader", "garment_sewer", "pattern_maker", "picture_reader", "pattern_library"),
-    *("close_up_reader", "picture_reader_on_gpu"),
+    *("close_up_reader", "picture_reader_on_gpu", "parameter_reader"),
 )
 
 
@@ -41,6 +41,7 @@ def run(name: str, work: Path, *arguments: str, **more: str) -> subprocess.Compl
 @pytest.mark.timeout(1800)  # some minutes on two idle cores
 def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     from swifttailor.garment_sewer.sewer import GarmentSewer
+    from swifttailor.parameter_reader import ParameterReader
     from swifttailor.pattern.drafts import draft
     from swifttailor.pattern_library.known import PatternLibrary
     from swifttailor.pattern_maker.maker import PatternMaker
@@ -74,6 +75,8 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     assert reader.size == 64 and reader.card["config"]["start"].endswith("full/weights.safetensors")
     assert len(PatternLibrary.load(work / "pattern-library/known_patterns.zip")) == 6
     assert PictureReader.load(work / "gpu/picture_reader.onnx").size == 64
+    parameters = ParameterReader.load(work / "parameter-reader/parameter_reader.onnx")
+    assert parameters.card["data"]["patterns"] == 40 and len(parameters.parameters) > 40
     near = PictureReader.load(
         files["PictureReader"], close_ups=work / "close-up-reader/close_up_reader.onnx"
     ).near

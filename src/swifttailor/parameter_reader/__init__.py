@@ -6,3 +6,7 @@ itself.
 
 May import `programs`, `pattern_library` and what these may import.
 """
+
+from swifttailor.parameter_reader.reader import ParameterReader
+
+__all__ = ["ParameterReader"]
