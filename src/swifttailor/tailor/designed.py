@@ -80,8 +80,9 @@ def designed_candidates(
     found: list[DesignedCandidate | None] = []
     for wanted, seed in samples:
         order = wanted.order
-        asked = order.source in ("both", "designs") and order.edit is None and order.alter
-        if reader is None or not asked or wanted.sought.is_empty:
+        # Words alone say too little of measures for a draft to be nearer than what is known.
+        asked = order.source == "designs" or (order.source == "both" and wanted.part is not None)
+        if reader is None or not asked or order.edit is not None or not order.alter or wanted.sought.is_empty:
             if order.source == "designs":
                 raise InputError(_NOTHING_SOUGHT)
             found.append(None)

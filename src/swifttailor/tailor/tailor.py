@@ -276,6 +276,7 @@ class Tailor(Workshop):
             _ = self.pattern_maker
         elif order.text.strip():
             _ = self.panel_foresight
+        _ = self.designer_for([order])
         _ = self.garment_sewer, self.wish_reader if order.alter else None
         _ = self.picture_reader if order.alter and order.images else None
         if isinstance(self.garment_sewer, GarmentSewer):

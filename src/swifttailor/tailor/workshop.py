@@ -184,7 +184,12 @@ class Workshop:
 
     def designer_for(self, orders: Sequence[Order]) -> ParameterReader | None:
         """What reads design parameters, where any order may be answered by a draft of them."""
-        asked = any(one.source in ("both", "designs") and one.edit is None and one.alter for one in orders)
+        asked = any(
+            (one.source == "designs" or (one.source == "both" and one.images))
+            and one.edit is None
+            and one.alter
+            for one in orders
+        )
         return self.parameter_reader if asked else None
 
     def library_for(self, orders: Sequence[Order]) -> PatternLibrary | None:
