@@ -80,8 +80,9 @@ def designed_candidates(
     found: list[DesignedCandidate | None] = []
     for wanted, seed in samples:
         order = wanted.order
-        # Words alone say too little of measures for a draft to be nearer than what is known.
-        asked = order.source == "designs" or (order.source == "both" and wanted.part is not None)
+        # Where there are words, known patterns are nearer: docs/garment-programs.md.
+        pictured = wanted.part is not None and not order.text.strip()
+        asked = order.source == "designs" or (order.source == "both" and pictured)
         if reader is None or not asked or order.edit is not None or not order.alter or wanted.sought.is_empty:
             if order.source == "designs":
                 raise InputError(_NOTHING_SOUGHT)

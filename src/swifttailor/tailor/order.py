@@ -28,7 +28,8 @@ LONGEST_TITLE = 60
 
 Image = NDArray[np.uint8] | Path | str
 Source = Literal["both", "drafts", "designs", "library", "writer"]
-"""Where patterns come from: drafts that words name, drafts of design parameters that are read in pictures,
+"""Where patterns come from: drafts that words name, drafts of design parameters that are read in pictures
+without words,
 known patterns, and written ones where none of these will do; or one of the four alone."""
 Part = Literal["upper", "lower", "whole"]
 """Where a garment in a picture is worn; ``whole`` is one dress or jumpsuit."""

@@ -185,7 +185,7 @@ class Workshop:
     def designer_for(self, orders: Sequence[Order]) -> ParameterReader | None:
         """What reads design parameters, where any order may be answered by a draft of them."""
         asked = any(
-            (one.source == "designs" or (one.source == "both" and one.images))
+            (one.source == "designs" or (one.source == "both" and one.images and not one.text.strip()))
             and one.edit is None
             and one.alter
             for one in orders
