@@ -44,8 +44,8 @@ class Generate(Making):
     """Only read the picture: print what it shows, write seen.png and reading.json."""
     source: Literal["both", "drafts", "designs", "library", "writer"] = "both"
     """Where patterns come from. both: from a draft where the text names a garment that only that shows, else
-    of a picture alone drafted by GarmentCode's programs from design parameters that are read in it, else from the
-    library of known patterns, and where none of these will do PatternMaker writes one; or one of the four
+    of a picture alone drafted by GarmentCode's programs from design parameters that are read in it, else from
+    the library of known patterns, and where none of these will do PatternMaker writes one; or one of the four
     alone."""
     refine: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     """Drafted and known patterns that are sewn and compared with the picture, of which the most alike is
