@@ -150,8 +150,9 @@ class PictureBatches:
             seed=config.seed,
             size=drawn,
             count=config.block,
-            shares={name: getattr(config, name) for name in ("plain", "studio", "nothing", "several")},
+            shares=config.shares,
             close=config.close,
+            near=config.near,
         )
         self.truths = TruthTable(bank)
         self._each = config.block * config.echo // self._size

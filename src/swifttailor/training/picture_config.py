@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from swifttailor.training.config_file import read_config_of, require
 from swifttailor.training.loop_config import LoopConfig
 
+if TYPE_CHECKING:
+    from swifttailor.data.pictures.blocks import Family
+
 _STRIDE = 32
+_ROUNDED = 1e-6
 
 
 @dataclass(frozen=True)
@@ -79,8 +83,13 @@ class PictureConfig(LoopConfig):
     """Share of pictures without any garment: places, plain colours, drawings."""
     several: float = 0.04
     """Share of pictures of several people."""
+    unlike: float = 0.0
+    """Share of pictures that are not plain and of which is learnt that they show nobody: for a reader that is
+    asked of plain ones alone, and says which are."""
     close: float = 0.3
     """Share of close-ups among the pictures of one person."""
+    near: float = 0.65
+    """Share of the other plain pictures that the garment fills, as the second look at one does."""
     variation: float = 1.0
     """Strength of the cutting, turning and lighting."""
     unguessed: float = 0.35
@@ -91,16 +100,37 @@ class PictureConfig(LoopConfig):
         super().__post_init__()
         require(self, "block", self.block % self.batch_size == 0, f"a multiple of {self.batch_size}")
         require(self, "echo", self.echo >= 1, "at least 1")
-        families = ("plain", "studio", "nothing", "several")
-        for name in families:
-            require(self, name, 0 <= getattr(self, name) <= 1, "0 to 1")
-        total = sum(getattr(self, name) for name in families)
-        require(self, "studio", total <= 1, f"such that {', '.join(families)} are at most 1 together")
+        for name, share in self.shares.items():
+            require(self, name, 0 <= share <= 1, "0 to 1")
+        total = sum(self.shares.values())
+        require(
+            self,
+            "studio",
+            total <= 1 + _ROUNDED,
+            f"such that {', '.join(self.shares)} are at most 1 together",
+        )
         require(self, "close", 0 <= self.close <= 1, "0 to 1")
+        require(self, "near", 0 <= self.near <= 1, "0 to 1")
         require(self, "unguessed", 0 <= self.unguessed <= 1, "0 to 1")
         require(self, "variation", self.variation >= 0, "0 or more")
         require(self, "validation_garments", self.validation_garments >= 1, "at least 1")
         require(self, "compiled", not self.compiled, "false")
+
+    @property
+    def shares(self) -> dict[Family, float]:
+        """Of each look that is no person's among the pictures."""
+        return {
+            "plain": self.plain,
+            "studio": self.studio,
+            "nothing": self.nothing,
+            "several": self.several,
+            "unlike": self.unlike,
+        }
+
+    @property
+    def only_plain(self) -> bool:
+        """Whether all that it learns to read is plain."""
+        return not self.studio and sum(self.shares.values()) > 1 - _ROUNDED
 
 
 CONFIGS: dict[str, PictureConfig] = {"small": PictureConfig()}

@@ -21,7 +21,8 @@ from swifttailor.training.picture_batch_torch import TruthTable
 from swifttailor.training.picture_calibration import calibration_error, fit_scales
 from swifttailor.training.picture_config import PictureConfig
 
-SHOWN: tuple[tuple[Family, View], ...] = (
+Looks = tuple[tuple[Family, View], ...]
+SHOWN: Looks = (
     ("plain", "front"),
     ("studio", "front"),
     ("studio", "back"),
@@ -30,8 +31,10 @@ SHOWN: tuple[tuple[Family, View], ...] = (
     ("held out", "front"),
 )
 """The pictures of each garment: how it looks, and from where."""
-CLOSE: tuple[tuple[Family, View], ...] = (("plain", "front"), ("people", "front")) * 2
+CLOSE: Looks = (("plain", "front"), ("people", "front")) * 2
 """The close-ups of each garment, each of something by lot."""
+PLAIN: Looks = (("plain", "front"), ("plain", "back"))
+"""Both for a network that learns to read plain pictures alone."""
 _BATCH = 64
 
 
@@ -41,9 +44,10 @@ class ValidationPictures:
     def __init__(self, bank: PictureBank, config: PictureConfig) -> None:
         """Draws the pictures `SHOWN`, and those of `CLOSE`, of each of the first garments of a bank."""
         self.garments = min(config.validation_garments, len(bank))
+        self.looks, near = (PLAIN, 2 * PLAIN) if config.only_plain else (SHOWN, CLOSE)
         table, wardrobe = TruthTable(bank), Wardrobe(bank)
-        self.whole = _drawn(wardrobe, table, self.garments, SHOWN, config, close=False)
-        self.near = _drawn(wardrobe, table, self.garments, CLOSE, config, close=True)
+        self.whole = _drawn(wardrobe, table, self.garments, self.looks, config, close=False)
+        self.near = _drawn(wardrobe, table, self.garments, near, config, close=True)
 
     def __len__(self) -> int:
         return len(self.whole.pictures)
@@ -66,7 +70,7 @@ def _drawn(
     wardrobe: Wardrobe,
     table: TruthTable,
     garments: int,
-    shown: tuple[tuple[Family, View], ...],
+    shown: Looks,
     config: PictureConfig,
     *,
     close: bool,
@@ -132,17 +136,18 @@ def judge(network: EyesNetwork, held: ValidationPictures, device: torch.device) 
     shown = held.whole
     reading = read_all(network, shown, device)
     rows = np.arange(len(held))
-    of_look: list[list[np.ndarray[Any, Any]]] = [[] for _ in SHOWN]
+    looks = held.looks
+    of_look: list[list[np.ndarray[Any, Any]]] = [[] for _ in looks]
     found = claims_read(reading.statements.numpy()[rows, shown.parts], shown.judged)
     for asked, good in found.values():
-        for n in range(len(SHOWN)):
-            of_look[n].append(good[asked % len(SHOWN) == n])
+        for n in range(len(looks)):
+            of_look[n].append(good[asked % len(looks) == n])
     near = read_all(network, held.near, device, seen=True).statements.numpy()
     found_near = claims_read(near[np.arange(len(near)), held.near.parts], held.near.judged)
     panels = (reading.panels.numpy()[rows, shown.parts] > 0) == (shown.panels > 0)
     mask, true = reading.masks.numpy()[rows, shown.parts] > 0, shown.masks > 127
     inside = (mask & true).sum(axis=(1, 2)) / np.maximum((mask | true).sum(axis=(1, 2)), 1)
-    names = [f"{family} {view}" for family, view in SHOWN]
+    names = [f"{family} {view}" for family, view in looks]
     return {
         "pictures": len(held),
         "not_false": _share_of(good for _, good in found.values()),
@@ -169,7 +174,7 @@ def calibrate(network: EyesNetwork, held: ValidationPictures, device: torch.devi
     shown = held.whole
     reading = read_all(network, shown, device)
     logits = reading.statements.numpy()[np.arange(len(held)), shown.parts].astype(np.float64)
-    known = np.array([SHOWN[k % len(SHOWN)][0] != "held out" for k in range(len(held))])
+    known = np.array([held.looks[k % len(held.looks)][0] != "held out" for k in range(len(held))])
     half = shown.numbers % 2 == 0
     scales = fit_scales(logits[known & half], shown.judged[known & half])
     rest = known & ~half

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from swifttailor.body import Body
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.closer import close_up_by_lot, coarsened
-from swifttailor.data.pictures.odd_scenes import draw_group, draw_nothing
+from swifttailor.data.pictures.odd_scenes import draw_group, draw_nothing, unread
 from swifttailor.data.pictures.panel_cells import panel_cells
 from swifttailor.data.pictures.scenes import VIEWS, Chance, Scene, View, Wardrobe, draw_scene
 from swifttailor.data.pictures.worn_places import worn_places
@@ -26,16 +26,18 @@ from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS
 from swifttailor.picture_reader.view import view_of
 from swifttailor.render import Plain
 
-Family = Literal["plain", "seamless", "studio", "people", "held out", "nothing", "several"]
-"""How a picture looks: like those of GarmentCodeData; the same in one colour and without seams, which
-training never draws; a garment in a studio; people; people in looks that training never draws; no garment at
-all; and several people."""
+Family = Literal["plain", "seamless", "studio", "people", "held out", "nothing", "several", "unlike"]
+"""How a picture looks: like those of GarmentCodeData; the same in one colour and without seams, of which
+nothing is learnt; a garment in a studio; people; people in looks that training never draws; no garment at
+all; several people; and any of seamless, studio and people of which a reader of plain pictures is to learn
+that it is not for it."""
+_UNLIKE: tuple[Family, ...] = "seamless", "studio", "people"
 _VIEW_SHARES = 0.4, 0.3, 0.3
 _ONE_TONE = 3
 """Of the colours of plain panels the one that seamless pictures have: not white on white."""
-_NEAR_SHARE, _NEAR_MARGIN, _NEAR_SHIFT = 0.65, (0.08, 0.45), 0.06
-"""Plain pictures that the garment fills, as the second look at one does; the space around it; and by how much
-it is off the middle, in heights of the picture."""
+_NEAR_MARGIN, _NEAR_SHIFT = (0.08, 0.45), 0.06
+"""Of plain pictures that the garment fills: the space around it, and by how much it is off the middle, in
+heights of the picture."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +74,7 @@ class Blocks:
         count: int,
         shares: Mapping[Family, float],
         close: float = 0.0,
+        near: float = 0.65,
     ) -> None:
         """Prepares to draw.
 
@@ -82,9 +85,10 @@ class Blocks:
             count: Pictures in a block.
             shares: Of families; the others show people.
             close: Share of close-ups.
+            near: Share of other plain pictures that the garment fills, as the second look at one does.
         """
         self.wardrobe, self.seed, self.size, self.count = Wardrobe(bank), seed, size, count
-        self.shares, self.close = dict(shares), close
+        self.shares, self.close, self.near = dict(shares), close, near
 
     def __getitem__(self, number: int) -> Block:
         chance = np.random.default_rng([self.seed, number])
@@ -96,7 +100,7 @@ class Blocks:
         garment = int(_order(self.seed, epoch, len(self.wardrobe.bank))[k])
         family, view = self._family(chance), VIEWS[int(chance.choice(3, p=_VIEW_SHARES))]
         close = chance.random() < self.close
-        near = family == "plain" and not close and chance.random() < _NEAR_SHARE
+        near = family == "plain" and not close and chance.random() < self.near
         return draw(self.wardrobe, garment, family, view, chance, self.size, near=near, close=close)
 
     def _family(self, chance: Chance) -> Family:
@@ -135,6 +139,9 @@ def draw(
         return draw_nothing(chance, size)
     if family == "several":
         return draw_group(wardrobe, number, chance, size)
+    if family == "unlike":
+        other = _UNLIKE[int(chance.integers(len(_UNLIKE)))]
+        return unread(draw(wardrobe, number, other, view, chance, size).pixels, "none")
     if family in ("people", "held out"):
         return draw_scene(wardrobe, number, view, chance, size, held_out=family == "held out", close=close)
     worn = wardrobe.bank[number]

@@ -48,7 +48,7 @@ def draw_nothing(chance: Chance, size: int) -> Scene:
         pixels = _strokes(chance, size)
     if chance.random() < 0.6:
         pixels = random_effects(chance).apply(pixels)
-    return _unread(pixels, "none")
+    return unread(pixels, "none")
 
 
 def draw_group(wardrobe: Wardrobe, number: int, chance: Chance, size: int) -> Scene:
@@ -71,10 +71,11 @@ def draw_group(wardrobe: Wardrobe, number: int, chance: Chance, size: int) -> Sc
         pixels = draw_scene(wardrobe, number, view, chance, size, behind=behind, aside=aside).pixels
         behind = linear_light(pixels)
         number = int(chance.integers(len(wardrobe.bank)))
-    return _unread(pixels, "several")
+    return unread(pixels, "several")
 
 
-def _unread(pixels: Pixels, figures: str) -> Scene:
+def unread(pixels: Pixels, figures: str) -> Scene:
+    """A picture of which nothing is learnt but how many of `FIGURES` it shows."""
     cells = len(pixels) // MASK_STRIDE
     masks = np.zeros((cells, cells, len(PARTS)), np.uint8)
     nowhere = np.full((cells, cells, 3), np.float16(np.nan))
