@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.picture_reader.close_looks import close_squares, with_close_looks
-from swifttailor.picture_reader.close_ups import CLOSE_UPS, WHOLE, told_by
+from swifttailor.picture_reader.close_ups import ALL_PARTS, CLOSE_UPS, WHOLE, sees, told_by
 from swifttailor.picture_reader.labels import measure_labels, statement_labels
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 
@@ -38,6 +38,24 @@ def test_whole_pictures_tell_of_everything_and_close_ups_of_what_they_show():
     assert told.panels[NUMBER["waist"]].tolist() == [name.startswith("wb_") for name in PANEL_NAMES]
 
 
+def test_a_close_up_tells_nothing_of_the_other_side_of_a_neck():
+    labels, measures = statement_labels(), measure_labels()
+    cosine = np.cos(np.deg2rad([20, 200, 90, 20, 200]))
+    seen = sees(np.array([NUMBER["neck"]] * 3 + [WHOLE, NUMBER["waist"]]), cosine)
+    told = told_by()
+    hidden = {"back_neckline", "back_depth"}, {"neckline", "left_neckline", "right_neckline", "neck_depth"}
+    for row, names in enumerate(hidden):
+        lost = {labels[k][0] for k in np.flatnonzero(told.statements[0] & ~seen.statements[row])}
+        assert lost == names and not (seen.statements[row] & ~told.statements[0]).any()
+        lost = {measures[k] for k in np.flatnonzero(told.measures[0] & ~seen.measures[row])}
+        assert lost == ({"back depth"}, {"neck depth"})[row]
+    for row, number in ((2, NUMBER["neck"]), (3, WHOLE), (4, NUMBER["waist"])):
+        for table, of_all in zip(seen, told, strict=True):
+            np.testing.assert_array_equal(table[row], of_all[number])
+    assert (seen.panels[:3] == told.panels[0]).all()
+    assert ALL_PARTS == ("neck", "waist", "sleeve", "leg", "skirt")
+
+
 def test_the_parts_are_where_they_are_worn():
     grid = np.stack(np.meshgrid(np.arange(-60.0, 61, 2), np.arange(0.0, 151, 2), [5.0]), -1).reshape(-1, 3)
     torso = grid[(np.abs(grid[:, 0]) < 25) & (grid[:, 1] > 80)]
@@ -59,7 +77,7 @@ def test_the_parts_are_where_they_are_worn():
 
 def test_there_is_nothing_to_look_at_where_a_garment_has_no_such_part():
     places = np.array([[0.0, 60.0, 0.0], [5.0, 70.0, 0.0], [np.nan, np.nan, np.nan]])
-    assert not any(shown(name, places, "skirt").any() for name in NAMES if name != "waist")
+    assert not any(shown(name, places, "skirt").any() for name in NAMES if name not in ("waist", "skirt"))
     assert not shown("neck", np.full((4, 3), np.nan), "front bodice").any()
     assert not shown("neck", np.zeros((0, 3)), "front bodice").any()
 
@@ -117,7 +135,8 @@ def test_what_is_said_altogether_is_a_mean_of_those_that_tell(seen):
     sizes |= {"boxes": (len(PANEL_NAMES), 5)}
 
     def answers():
-        return {name: chance.normal(size=(2, *size)) for name, size in sizes.items()}
+        found = {name: chance.normal(size=(2, *size)) for name, size in sizes.items()}
+        return found | {"camera_view": np.zeros(6)}
 
     whole, near = answers(), {NUMBER[name]: answers() for name in seen}
     found = with_close_looks(whole | {"seams": np.ones(3)}, 1, near)

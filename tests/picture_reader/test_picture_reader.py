@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from swifttailor.errors import InputError
 from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import labels_checksum, measure_labels, statement_labels
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS, kinds_of_panels
 from swifttailor.picture_reader.reader import LEAST_CERTAINTY, PictureReader, cut_square
@@ -180,6 +181,7 @@ class Looking:
     def __init__(self, *, two: bool = False) -> None:
         self.guesses: list[np.ndarray] = []
         self.two = two
+        self.figures = "one"
 
     def run(self, names, feeds):
         self.guesses.append(feeds["guess"][0])
@@ -198,7 +200,7 @@ class Looking:
             "panels": np.full((1, 2, panels), -9.0),
             "boxes": np.zeros((1, 2, panels, 5)),
             "camera_view": np.array([[0.0, 1.0, 0.0, -0.7, 0.02, -0.01]]),
-            "figures": np.array([[0.0, 9.0 if look == 1 else -9.0, 0.0]]),
+            "figures": np.array([[9.0 * (name == self.figures) for name in FIGURES]]),
             "masks": mask,
             "worn_places": np.zeros((1, 3, 16, 16)),
             "panel_kinds": np.zeros((1, len(PANEL_KINDS), 16, 16)),
@@ -243,7 +245,7 @@ def test_details_are_looked_at_by_the_network_for_them():
     as_said, doubled = np.tile([1.0, 0.0], (count, 1)), np.tile([2.0, 0.0], (count, 1))
     whole, close = Wearing(1.0), Wearing(3.0)
     near = PictureReader(close, 64, doubled, {}, close_ups=("neck", "waist"))
-    reader = PictureReader(whole, 64, as_said, {}, close_ups=(), near=near)
+    reader = PictureReader(whole, 64, as_said, {}, close_ups=(), near=(near,))
     found = reader.read(np.zeros((1280, 1280, 3), np.uint8))
     assert len(whole.guesses) == 4 and len(close.guesses) == 2
     assert all(guess[6] == 1 for guess in close.guesses), "told where the camera is"
@@ -251,6 +253,49 @@ def test_details_are_looked_at_by_the_network_for_them():
     told = {1 / (1 + np.exp(-logit)) for logit in (1.0, 0.4 * 1.0 + 0.6 * 6.0)}
     assert all(min(abs(value - one) for one in told) < 1e-6 for value in certain.values())
     assert abs(certain["neckline v"] - max(told)) < 1e-6 and abs(certain["skirt_hem knee"] - min(told)) < 1e-6
+
+
+def test_each_network_looks_at_its_own_details():
+    said = np.tile([1.0, 0.0], (len(statement_labels()), 1))
+    networks = Wearing(1.0), Wearing(3.0), Wearing(-3.0)
+    neck, waist = (
+        PictureReader(n, 64, said, {}, (name,))
+        for n, name in zip(networks[1:], ("neck", "waist"), strict=True)
+    )
+    reader = PictureReader(networks[0], 64, said, {}, near=(neck, waist))
+    (part,) = reader.read(np.zeros((1280, 1280, 3), np.uint8)).parts
+    assert [len(n.guesses) for n in networks] == [4, 1, 1]
+    certain = {f"{s.claim.name} {s.claim.value}": s.certainty for s in part.statements}
+    for claim, logit in (("neckline v", 3.0), ("waistband none", -3.0)):
+        assert abs(certain[claim] - 1 / (1 + np.exp(-(0.4 + 0.6 * logit)))) < 1e-6
+
+
+@pytest.mark.parametrize("border", ["one colour", "a little noise", "a hand", "a place"])
+@pytest.mark.parametrize("known", [True, False])
+def test_plain_pictures_are_read_by_the_network_that_knows_them(border, known):
+    said = np.tile([1.0, 0.0], (len(statement_labels()), 1))
+    others, own = Wearing(1.0), Wearing(3.0)
+    own.figures = "one" if known else "none"
+    opened = []
+
+    def plain():
+        opened.append(True)
+        return PictureReader(own, 64, said, {})
+
+    picture = np.full((640, 640, 3), 250, np.uint8)
+    chance = np.random.default_rng(0)
+    picture[100:500, 200:400] = chance.integers(0, 256, (400, 200, 3))
+    if border == "a little noise":
+        picture = picture + chance.integers(0, 5, picture.shape, np.uint8)
+    if border == "a hand":
+        picture[300:340, :20] = 0
+    if border == "a place":
+        picture[:, :200] = 90
+    (part,) = PictureReader(others, 64, said, {}, plain=plain).read(picture).parts
+    asked = border != "a place"
+    assert bool(opened) == asked and bool(own.guesses) == asked
+    assert abs(part.statements[0].certainty - 1 / (1 + np.exp(-(3.0 if asked and known else 1.0)))) < 1e-6
+    assert len(others.guesses) == (0 if asked and known else 4)
 
 
 def test_each_of_two_garments_is_looked_at_nearer():

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.picture_reader.close_ups import CLOSE_UPS, LEAST_CM, told_by
+from swifttailor.picture_reader.close_ups import CLOSE_UPS, LEAST_CM, sees
 from swifttailor.picture_reader.units import VIEW_CM
 from swifttailor.picture_reader.view import Square
 
@@ -71,11 +71,13 @@ def with_close_looks(
     Returns:
         The answers; where close-ups tell something they count more.
     """
-    told, numbers = told_by(), list(near)
+    numbers = list(near)
     altogether = dict(answers)
     if not numbers:
         return altogether
-    for name, table in (
+    cosines = np.array([near[k]["camera_view"][1] for k in numbers])
+    told = sees(np.array(numbers), cosines)
+    for name, telling in (
         ("statements", told.statements),
         ("has", told.measures),
         ("measures", told.measures),
@@ -84,7 +86,7 @@ def with_close_looks(
     ):
         value = np.array(answers[name], np.float64)
         of_each = np.stack([near[k][name][part] for k in numbers])
-        telling = table[numbers].astype(float)
+        telling = telling.astype(float)
         count = telling.sum(axis=0)
         shape = (len(numbers), -1) + (1,) * (of_each.ndim - 2)
         mean = (of_each * telling.reshape(shape)).sum(axis=0) / np.maximum(count, 1).reshape(shape[1:])

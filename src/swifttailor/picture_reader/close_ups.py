@@ -1,4 +1,4 @@
-"""What is looked at from near, a neckline, a waist, the end of a sleeve or a leg, and what each tells.
+"""What is looked at from near, a neckline, a waist, an end of a sleeve or leg, a skirt, and what each tells.
 
 A neckline is some 20 pixels of a picture of a whole dress. Where these parts are follows from where on the
 wearer, as he stands, and on which kind of panel a point lies; so drawn garments and pictures that are
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +39,11 @@ class CloseUp:
     side: int = 0
     """1 for the wearer's left half, -1 for the right one."""
 
+    @property
+    def part(self) -> str:
+        """The same for the left and the right one: ``neck``, ``waist``, ``sleeve``, ``leg`` or ``skirt``."""
+        return self.name.split()[-1]
+
     def __post_init__(self) -> None:
         known = (set(PANEL_KINDS), set(CLAIM_TYPES), set(DIMENSIONS), set(PANEL_KINDS))
         for names, all_names in zip(
@@ -61,7 +66,7 @@ class CloseUp:
             mine &= np.isfinite(places[:, 1]) & (self.side * places[:, 0] >= 0)
         if np.count_nonzero(mine) < 2:
             return np.zeros(len(mine), bool)
-        return mine & _REGIONS[self.name.split()[-1]](places, mine)
+        return mine & _REGIONS[self.part](places, mine)
 
 
 def _neck(places: Array, mine: Mask) -> Mask:
@@ -87,6 +92,10 @@ def _leg(places: Array, mine: Mask) -> Mask:
     return mine & (places[:, 1] < np.percentile(places[mine, 1], 2) + _END_CM)
 
 
+def _skirt(_: Array, mine: Mask) -> Mask:
+    return mine
+
+
 def _high(levels: Array) -> float:
     return float(np.percentile(levels, 98))
 
@@ -94,9 +103,10 @@ def _high(levels: Array) -> float:
 _HALF_NECK_CM, _DEEP_CM = 22.0, 30.0
 _ABOVE_WAIST_CM, _WAIST_CM, _HALF_WAIST_CM = 121.0, 34.0, 32.0
 _END_CM = 17.0
-_REGIONS = {"neck": _neck, "waist": _waist, "sleeve": _sleeve, "leg": _leg}
+_REGIONS = {"neck": _neck, "waist": _waist, "sleeve": _sleeve, "leg": _leg, "skirt": _skirt}
 _BODICE = ("front bodice", "back bodice")
-_LOWER = ("skirt", "tier", "gore", "leg", "inset")
+_SKIRT = ("skirt", "tier", "gore", "inset")
+_LOWER = (*_SKIRT, "leg")
 
 
 def _sleeve_end(side: int, name: str) -> CloseUp:
@@ -151,7 +161,30 @@ CLOSE_UPS: tuple[CloseUp, ...] = (
     _sleeve_end(-1, "right"),
     _leg_end(1, "left"),
     _leg_end(-1, "right"),
+    CloseUp(
+        "skirt",
+        _SKIRT,
+        ("skirt", "hem_shape", "slit", "slit_size"),
+        (
+            "tiers",
+            "gores",
+            "godets",
+            "godet width",
+            "godet height",
+            "skirt gathers",
+            "tier gathers",
+            "skirt hem",
+            "front slit",
+            "back slit",
+            "left slit",
+            "right slit",
+            "slits",
+            "dip",
+        ),
+        _SKIRT,
+    ),
 )
+ALL_PARTS: tuple[str, ...] = tuple(dict.fromkeys(close_up.part for close_up in CLOSE_UPS))
 WHOLE = len(CLOSE_UPS)
 """Number of a picture that is no close-up."""
 
@@ -174,3 +207,41 @@ def told_by() -> Told:
     measures = [[name in c.measures for name in measure_labels()] for c in CLOSE_UPS]
     panels = [[PANEL_KINDS[kind] in c.panels for kind in kinds_of_panels()] for c in CLOSE_UPS]
     return Told(*(np.array([*rows, [True] * len(rows[0])]) for rows in (claims, measures, panels)))
+
+
+@cache
+def hidden_from() -> Told:
+    """What cannot be seen of a neck from the front, and from behind: a row for each."""
+    statements = [[claim in names for claim, _ in statement_labels()] for names in _HIDDEN]
+    measures = [[name in names for name in measure_labels()] for names in _HIDDEN]
+    panels = [[False] * len(kinds_of_panels()) for _ in _HIDDEN]
+    return Told(*map(np.array, (statements, measures, panels)))
+
+
+_HIDDEN = (
+    ("back_neckline", "back_depth", "back depth"),
+    ("neckline", "left_neckline", "right_neckline", "neck_depth", "neck depth"),
+)
+_CLEAR_COSINE = 0.5
+"""Of the azimuth: within 60 degrees of the front or the back."""
+
+
+def sees(close_up: NDArray[np.int64], cosine: NDArray[Any]) -> Told:
+    """What pictures tell of: `told_by`, less what is on the other side of a neck.
+
+    Args:
+        close_up: (n,) numbers of `CLOSE_UPS`, or `WHOLE`, of which all is asked from everywhere.
+        cosine: (n,) of the azimuth from which each looks, 1 in front of the wearer.
+
+    Returns:
+        (n, ...).
+    """
+    near = close_up != WHOLE
+    sides = near & (cosine > _CLEAR_COSINE), near & (cosine < -_CLEAR_COSINE)
+    found = []
+    for told, hidden in zip(told_by(), hidden_from(), strict=True):
+        seen = told[close_up]
+        for side, of_side in zip(sides, hidden, strict=True):
+            seen[np.ix_(side, of_side)] = False
+        found.append(seen)
+    return Told(*found)

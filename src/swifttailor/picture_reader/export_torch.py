@@ -14,7 +14,7 @@ from swifttailor.errors import InputError
 from swifttailor.networks.model_file import write_graph
 from swifttailor.networks.onnx_export_torch import export_graph
 from swifttailor.networks.trained_weights_torch import trained_network
-from swifttailor.picture_reader.close_ups import CLOSE_UPS
+from swifttailor.picture_reader.close_ups import ALL_PARTS, CLOSE_UPS
 from swifttailor.picture_reader.labels import GUESS, labels_checksum, statement_labels
 from swifttailor.picture_reader.network_torch import EyesConfig, EyesNetwork
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
@@ -69,7 +69,7 @@ def export(
         card: What it was trained on and how good it is.
         path: File to write, ``.onnx``.
         scales: (S, 2), see `PictureReader.scales`; as the network says it when None.
-        close_ups: What it is to look at from near: last words of the names of `CLOSE_UPS`; all it has learnt
+        close_ups: What it is to look at from near: see `CloseUp.part`; all it has learnt
             from when None.
 
     Raises:
@@ -82,13 +82,15 @@ def export(
     if scales is None:
         scales = np.tile(np.array([1.0, 0.0]), (len(statement_labels()), 1))
     said = [[round(float(v), 4) for v in row] for row in scales]
-    learnt = [c.name for c in CLOSE_UPS] if card.get("config", {}).get("close") else []
-    known = sorted({name.split()[-1] for name in learnt})
+    config = card.get("config", {})
+    parts = config.get("parts", ALL_PARTS) if config.get("close") else ()
+    learnt = [c for c in CLOSE_UPS if c.part in parts]
+    known = sorted({c.part for c in learnt})
     for word in close_ups or ():
         if word not in known:
             accepted = ", ".join(known) or "none: it was trained without"
             raise InputError(f"It has learnt from no close-ups '{word}'; accepted: {accepted}.")
-    looked_at = [name for name in learnt if close_ups is None or name.split()[-1] in close_ups]
+    looked_at = [c.name for c in learnt if close_ups is None or c.part in close_ups]
     return write_graph(
         path,
         KIND,

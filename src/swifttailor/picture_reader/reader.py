@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +26,7 @@ from swifttailor.picture_reader.labels import (
     statement_labels,
 )
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
+from swifttailor.picture_reader.plain_pictures import one_colour_around
 from swifttailor.picture_reader.reading import (
     Measure,
     PartReading,
@@ -38,6 +41,10 @@ from swifttailor.render.pixels import require_picture
 
 SHIPPED = Path(__file__).with_name("picture_reader.onnx")
 SHIPPED_CLOSE = Path(__file__).with_name("close_up_reader.onnx")
+SHIPPED_PLAIN = Path(__file__).with_name("plain_reader.onnx")
+SHIPPED_PLAIN_CLOSE = tuple(
+    Path(__file__).with_name(f"plain_{part}_reader.onnx") for part in ("neck", "sleeve", "skirt")
+)
 INPUTS = ("pictures", "guess")
 OUTPUTS = (
     "present",
@@ -81,29 +88,43 @@ class PictureReader:
     """What it was trained on and how good it is."""
     close_ups: tuple[str, ...] = ()
     """Names of the `CLOSE_UPS` it has learnt from."""
-    near: PictureReader | None = None
-    """Looks at these in its place."""
+    near: tuple[PictureReader, ...] = ()
+    """Look at these in its place, each at what it has learnt from."""
+    plain: Callable[[], PictureReader] | None = None
+    """Gives the one that reads plain pictures in its place."""
 
     @staticmethod
     def load(
-        weights: Path | str | None = None, *, close_ups: Path | str | None = None, threads: int = 1
+        weights: Path | str | None = None,
+        *,
+        close_ups: Sequence[Path | str] | None = None,
+        plain: Sequence[Path | str] | None = None,
+        threads: int = 1,
     ) -> PictureReader:
         """Opens a model file.
 
         Args:
             weights: File; the ones that come with the package when None.
-            close_ups: File of a network that looks at details; where `weights` are given and this is not, the
-                network looks at them itself, if it has learnt to.
+            close_ups: Files of networks that look at details, each at what it has learnt from; where
+                `weights` are given and these are not, the network looks at them itself, if it has learnt to.
+            plain: Files of the network that reads plain pictures, and of those that look at their details;
+                where `weights` are given and these are not, plain pictures are read like others. They are
+                opened when the first picture comes that may be plain.
             threads: CPU cores for the network.
 
         Raises:
             InputError: There is no such file, or it is damaged or another.
         """
-        if close_ups is None and weights is None and SHIPPED_CLOSE.is_file():
-            close_ups = SHIPPED_CLOSE
+        if weights is None:
+            close_ups = [SHIPPED_CLOSE] if close_ups is None else close_ups
+            plain = [SHIPPED_PLAIN, *SHIPPED_PLAIN_CLOSE] if plain is None else plain
         reader = PictureReader._opened(SHIPPED if weights is None else weights, threads)
-        return (
-            reader if close_ups is None else replace(reader, near=PictureReader._opened(close_ups, threads))
+        reader = replace(reader, near=tuple(PictureReader._opened(file, threads) for file in close_ups or ()))
+        if not plain:
+            return reader
+        whole, *details = plain
+        return replace(
+            reader, plain=cache(lambda: PictureReader.load(whole, close_ups=details, threads=threads))
         )
 
     @staticmethod
@@ -124,7 +145,8 @@ class PictureReader:
     def read(self, pixels: Pixels) -> PictureReading:
         """What a picture shows.
 
-        It is looked at whole for where the wearer is, then near each garment, and at last near its details.
+        It is looked at whole for where the wearer is, then near each garment, and at last near its details. A
+        picture like those of GarmentCodeData is read by networks that have learnt from nothing else.
 
         Args:
             pixels: (h, w, 3) sRGB, row 0 at the top.
@@ -136,6 +158,10 @@ class PictureReader:
         height, width = pixels.shape[:2]
         side = max(height, width)
         whole = ((width - side) // 2, (height - side) // 2, side)
+        if self.plain is not None and one_colour_around(pixels):
+            plain = self.plain()
+            if plain.knows(pixels):
+                return plain.read(pixels)
         first = self._look(pixels, whole, None)
         seen: dict[int, tuple[Square, dict[str, Any]]] = {}
         waiting = [(k, whole, first) for k in _present(first)]
@@ -146,6 +172,13 @@ class PictureReader:
                 seen[part] = square, self._nearer(pixels, part, square, whole, first)
                 waiting += [(k, *seen[part]) for k in _present(seen[part][1])]
         return self._reading(first, whole, seen, (height, width))
+
+    def knows(self, pixels: Pixels) -> bool:
+        """Whether a picture (h, w, 3) shows one person, as far as this network knows what one looks like."""
+        height, width = pixels.shape[:2]
+        side = max(height, width)
+        first = self._look(pixels, ((width - side) // 2, (height - side) // 2, side), None)
+        return int(first["figures"].argmax()) == FIGURES.index("one")
 
     def _nearer(
         self, pixels: Pixels, part: int, square: Square, whole: Square, first: dict[str, Any]
@@ -159,12 +192,12 @@ class PictureReader:
         answers = {name: np.mean([look[name] for look in looks], axis=0) for name in OUTPUTS}
         answers |= {name: looks[0][name] for name in _OF_A_FRAME}
         view = answers["camera_view"]
-        looker = self.near or self
         near = {
             number: looker._look(pixels, detail, view_in(view, square, detail))
+            for looker in self.near or (self,)
             for number, detail in close_squares(answers, part, square, looker.close_ups).items()
         }
-        return with_close_looks(answers, part, near, OWN_SHARE if looker is self else SHARE)
+        return with_close_looks(answers, part, near, SHARE if self.near else OWN_SHARE)
 
     def _look(self, pixels: Pixels, square: Square, view: NDArray[np.float32] | None) -> dict[str, Any]:
         shown = cut_square(pixels, square, self.size)

@@ -14,7 +14,7 @@ from torch.utils.data import DataLoader, Dataset
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Block, Blocks
 from swifttailor.data.pictures.panel_cells import SEAM
-from swifttailor.picture_reader.close_ups import WHOLE, told_by
+from swifttailor.picture_reader.close_ups import WHOLE, sees
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import MASK_STRIDE
 from swifttailor.picture_reader.network_torch import scaled
@@ -78,7 +78,6 @@ class TruthTable:
         found = {name: torch.from_numpy(v) for name, v in bank.truths(range(len(bank))).items()}
         self.statements, self.measures = found["statements"], found["measures"].float()
         self.panels, self.boxes = found["panels"], found["boxes"]
-        self._told = OfEach(*map(torch.from_numpy, told_by()))
 
     def answers(
         self,
@@ -105,7 +104,8 @@ class TruthTable:
         present = garments >= 0
         k = garments.clamp_min(0)
         judged, measures, panels = self.statements[k], self.measures[k], self.panels[k]
-        told = OfEach(*(table[close_up][:, None] & present[..., None] for table in self._told))
+        seen = sees(close_up.numpy(), views[:, 1].numpy())
+        told = OfEach(*(torch.from_numpy(table)[:, None] & present[..., None] for table in seen))
         return Answers(
             present.float(),
             close_up == WHOLE,
@@ -153,6 +153,7 @@ class PictureBatches:
             shares=config.shares,
             close=config.close,
             near=config.near,
+            parts=config.parts,
         )
         self.truths = TruthTable(bank)
         self._each = config.block * config.echo // self._size

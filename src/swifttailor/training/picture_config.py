@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
+from swifttailor.picture_reader.close_ups import ALL_PARTS
 from swifttailor.training.config_file import read_config_of, require
 from swifttailor.training.loop_config import LoopConfig
 
@@ -88,6 +89,8 @@ class PictureConfig(LoopConfig):
     asked of plain ones alone, and says which are."""
     close: float = 0.3
     """Share of close-ups among the pictures of one person."""
+    parts: tuple[str, ...] = ALL_PARTS
+    """Of close-ups, see `CloseUp.part`."""
     near: float = 0.65
     """Share of the other plain pictures that the garment fills, as the second look at one does."""
     variation: float = 1.0
@@ -110,6 +113,8 @@ class PictureConfig(LoopConfig):
             f"such that {', '.join(self.shares)} are at most 1 together",
         )
         require(self, "close", 0 <= self.close <= 1, "0 to 1")
+        accepted = f"some of {', '.join(ALL_PARTS)}"
+        require(self, "parts", bool(self.parts) and set(self.parts) <= set(ALL_PARTS), accepted)
         require(self, "near", 0 <= self.near <= 1, "0 to 1")
         require(self, "unguessed", 0 <= self.unguessed <= 1, "0 to 1")
         require(self, "variation", self.variation >= 0, "0 or more")

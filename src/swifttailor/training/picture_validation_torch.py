@@ -13,7 +13,7 @@ from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Family, draw
 from swifttailor.data.pictures.scenes import View, Wardrobe
 from swifttailor.evaluation.pictures.reading import claims_read
-from swifttailor.picture_reader.close_ups import WHOLE, told_by
+from swifttailor.picture_reader.close_ups import WHOLE, sees
 from swifttailor.picture_reader.labels import GUESS
 from swifttailor.picture_reader.network_torch import EyesNetwork, Reading
 from swifttailor.picture_reader.truth import TRUE, UNCLEAR
@@ -44,6 +44,7 @@ class ValidationPictures:
     def __init__(self, bank: PictureBank, config: PictureConfig) -> None:
         """Draws the pictures `SHOWN`, and those of `CLOSE`, of each of the first garments of a bank."""
         self.garments = min(config.validation_garments, len(bank))
+        self.only_near = config.close == 1
         self.looks, near = (PLAIN, 2 * PLAIN) if config.only_plain else (SHOWN, CLOSE)
         table, wardrobe = TruthTable(bank), Wardrobe(bank)
         self.whole = _drawn(wardrobe, table, self.garments, self.looks, config, close=False)
@@ -81,17 +82,21 @@ def _drawn(
         family, view = shown[place % len(shown)]
         chance = np.random.default_rng([config.seed, 9, int(number), place % len(shown)])
         size = config.network.image_size
-        scenes.append(draw(wardrobe, int(number), family, view, chance, size, close=close))
+        scenes.append(
+            draw(wardrobe, int(number), family, view, chance, size, close=close, parts=config.parts)
+        )
     judged = table.statements.numpy()[numbers]
-    told = told_by().statements[[scene.close_up for scene in scenes]]
+    shown_of = np.array([scene.close_up for scene in scenes])
+    views = np.stack([scene.views for scene in scenes])
+    told = sees(shown_of, views[:, 1]).statements
     if close:
-        told[[scene.close_up == WHOLE for scene in scenes]] = False
+        told[shown_of == WHOLE] = False
     return Shown(
         np.stack([scene.pixels for scene in scenes]),
         np.stack([scene.masks[:, :, part] for scene, part in zip(scenes, parts, strict=True)]),
         numbers,
         parts,
-        np.stack([scene.views for scene in scenes]),
+        views,
         np.where(told, judged, UNCLEAR),
         table.panels.numpy()[numbers],
     )
@@ -169,12 +174,15 @@ def calibrate(network: EyesNetwork, held: ValidationPictures, device: torch.devi
     """What makes the statements of a network as sure as they are right.
 
     Fitted on every second garment; the error afterwards is that of the others. Looks that are held out have
-    no part in either.
+    no part in either. Of a network that has learnt from close-ups alone, close-ups decide.
     """
-    shown = held.whole
-    reading = read_all(network, shown, device)
-    logits = reading.statements.numpy()[np.arange(len(held)), shown.parts].astype(np.float64)
-    known = np.array([held.looks[k % len(held.looks)][0] != "held out" for k in range(len(held))])
+    shown = held.near if held.only_near else held.whole
+    count = len(shown.pictures)
+    reading = read_all(network, shown, device, seen=held.only_near)
+    logits = reading.statements.numpy()[np.arange(count), shown.parts].astype(np.float64)
+    known = np.ones(count, bool)
+    if not held.only_near:
+        known = np.array([held.looks[k % len(held.looks)][0] != "held out" for k in range(count)])
     half = shown.numbers % 2 == 0
     scales = fit_scales(logits[known & half], shown.judged[known & half])
     rest = known & ~half

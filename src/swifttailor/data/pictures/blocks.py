@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from typing import Literal
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from swifttailor.body import Body
 from swifttailor.data.pictures.bank import PictureBank
-from swifttailor.data.pictures.closer import close_up_by_lot, coarsened
+from swifttailor.data.pictures.closer import close_up_by_lot, coarsened, has_any
 from swifttailor.data.pictures.odd_scenes import draw_group, draw_nothing, unread
 from swifttailor.data.pictures.panel_cells import panel_cells
 from swifttailor.data.pictures.scenes import VIEWS, Chance, Scene, View, Wardrobe, draw_scene
@@ -21,7 +21,7 @@ from swifttailor.data.renders.draw import draw_seen, look_camera
 from swifttailor.data.renders.look import View as LookView
 from swifttailor.data.renders.look import random_look
 from swifttailor.data.renders.plain_look import plain_camera, plain_look
-from swifttailor.picture_reader.close_ups import WHOLE
+from swifttailor.picture_reader.close_ups import ALL_PARTS, WHOLE
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS
 from swifttailor.picture_reader.view import view_of
 from swifttailor.render import Plain
@@ -35,6 +35,8 @@ _UNLIKE: tuple[Family, ...] = "seamless", "studio", "people"
 _VIEW_SHARES = 0.4, 0.3, 0.3
 _ONE_TONE = 3
 """Of the colours of plain panels the one that seamless pictures have: not white on white."""
+_STRIDE, _TRIES = 7, 40
+"""How far away in the order, and how often, another garment is taken that has the parts to look at."""
 _NEAR_MARGIN, _NEAR_SHIFT = (0.08, 0.45), 0.06
 """Of plain pictures that the garment fills: the space around it, and by how much it is off the middle, in
 heights of the picture."""
@@ -75,6 +77,7 @@ class Blocks:
         shares: Mapping[Family, float],
         close: float = 0.0,
         near: float = 0.65,
+        parts: Sequence[str] = ALL_PARTS,
     ) -> None:
         """Prepares to draw.
 
@@ -86,9 +89,12 @@ class Blocks:
             shares: Of families; the others show people.
             close: Share of close-ups.
             near: Share of other plain pictures that the garment fills, as the second look at one does.
+            parts: Of close-ups, see `CloseUp.part`. Where these are not all, garments without them are passed
+                over.
         """
         self.wardrobe, self.seed, self.size, self.count = Wardrobe(bank), seed, size, count
         self.shares, self.close, self.near = dict(shares), close, near
+        self.parts = tuple(parts)
 
     def __getitem__(self, number: int) -> Block:
         chance = np.random.default_rng([self.seed, number])
@@ -97,11 +103,17 @@ class Blocks:
 
     def _one(self, place: int, chance: Chance) -> Scene:
         epoch, k = divmod(place, len(self.wardrobe.bank))
-        garment = int(_order(self.seed, epoch, len(self.wardrobe.bank))[k])
+        order = _order(self.seed, epoch, len(self.wardrobe.bank))
         family, view = self._family(chance), VIEWS[int(chance.choice(3, p=_VIEW_SHARES))]
         close = chance.random() < self.close
+        garment = int(order[k])
+        if close and set(self.parts) < set(ALL_PARTS):
+            others = (int(order[(k + n * _STRIDE) % len(order)]) for n in range(_TRIES))
+            garment = next((g for g in others if has_any(self.wardrobe.bank[g], self.parts)), garment)
         near = family == "plain" and not close and chance.random() < self.near
-        return draw(self.wardrobe, garment, family, view, chance, self.size, near=near, close=close)
+        return draw(
+            self.wardrobe, garment, family, view, chance, self.size, near=near, close=close, parts=self.parts
+        )
 
     def _family(self, chance: Chance) -> Family:
         lot = chance.random()
@@ -122,6 +134,7 @@ def draw(
     *,
     near: bool = False,
     close: bool = False,
+    parts: Sequence[str] = ALL_PARTS,
 ) -> Scene:
     """A picture of a garment.
 
@@ -133,7 +146,8 @@ def draw(
         chance: Decides everything else.
         size: Pixels along each side.
         near: Whether a garment that is shown plainly fills the picture.
-        close: Whether one of `CLOSE_UPS` fills it, where there is a garment.
+        close: Whether one of `CLOSE_UPS` fills it, where there is a garment that has any.
+        parts: Of close-ups, see `CloseUp.part`.
     """
     if family == "nothing":
         return draw_nothing(chance, size)
@@ -143,7 +157,8 @@ def draw(
         other = _UNLIKE[int(chance.integers(len(_UNLIKE)))]
         return unread(draw(wardrobe, number, other, view, chance, size).pixels, "none")
     if family in ("people", "held out"):
-        return draw_scene(wardrobe, number, view, chance, size, held_out=family == "held out", close=close)
+        held_out = family == "held out"
+        return draw_scene(wardrobe, number, view, chance, size, held_out=held_out, close=close, parts=parts)
     worn = wardrobe.bank[number]
     if family in ("plain", "seamless"):
         side = view if view != "free" else VIEWS[int(chance.integers(2))]
@@ -157,7 +172,7 @@ def draw(
     close_up = WHOLE
     if close:
         camera = look_camera(worn.vertices, _body(), look)
-        camera, close_up = close_up_by_lot(worn, worn.vertices, camera, chance)
+        camera, close_up = close_up_by_lot(worn, worn.vertices, camera, chance, parts)
         look = replace(look, view=LookView(camera=camera))
     drawn = draw_seen(worn, _body(), look, size)
     pixels = drawn.pixels if close_up == WHOLE else coarsened(drawn.pixels, chance)

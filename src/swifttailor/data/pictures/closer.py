@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Array, Floats, Pixels
 from swifttailor.data.pictures.bank import WornGarment
-from swifttailor.picture_reader.close_ups import CLOSE_UPS, LEAST_CM, WHOLE
+from swifttailor.picture_reader.close_ups import ALL_PARTS, CLOSE_UPS, LEAST_CM, WHOLE
 from swifttailor.picture_reader.panel_kinds import kinds_of_panels
 from swifttailor.render import Camera
 
@@ -26,7 +27,11 @@ def face_kinds(garment: WornGarment) -> NDArray[np.uint8] | None:
 
 
 def close_up_by_lot(
-    garment: WornGarment, carried: Floats, camera: Camera, chance: np.random.Generator
+    garment: WornGarment,
+    carried: Floats,
+    camera: Camera,
+    chance: np.random.Generator,
+    parts: Sequence[str] = ALL_PARTS,
 ) -> tuple[Camera, int]:
     """A camera that looks from where another does, but at one of `CLOSE_UPS` alone.
 
@@ -35,20 +40,37 @@ def close_up_by_lot(
         carried: (v, 3) its vertices where the picture has them, cm.
         camera: Looks at the whole garment.
         chance: Decides at what.
+        parts: Of these, see `CloseUp.part`.
 
     Returns:
         The camera, and the number in `CLOSE_UPS`; the same camera and `WHOLE` where there is nothing.
     """
+    found = _first_of(garment, chance, parts)
+    if found is None:
+        return camera, WHOLE
+    shown, number = found
+    return _aimed(camera, carried[garment.faces[shown].ravel()], chance), number
+
+
+def has_any(garment: WornGarment, parts: Sequence[str]) -> bool:
+    """Whether there is any of these parts, see `CloseUp.part`, to look at from near."""
+    return _first_of(garment, np.random.default_rng(0), parts) is not None
+
+
+def _first_of(
+    garment: WornGarment, chance: np.random.Generator, parts: Sequence[str]
+) -> tuple[NDArray[np.bool_], int] | None:
+    """Which faces one of the close-ups shows, by lot, and its number."""
     kinds = face_kinds(garment)
     if kinds is None:
-        return camera, WHOLE
+        return None
     places = garment.vertices[garment.faces].mean(axis=1)
     for number in chance.permutation(len(CLOSE_UPS)):
-        shown = CLOSE_UPS[number].points(places, kinds)
-        if shown.any():
-            corners = carried[garment.faces[shown].ravel()]
-            return _aimed(camera, corners, chance), int(number)
-    return camera, WHOLE
+        if CLOSE_UPS[number].part in parts:
+            shown = CLOSE_UPS[number].points(places, kinds)
+            if shown.any():
+                return shown, int(number)
+    return None
 
 
 def _aimed(camera: Camera, points: Array, chance: np.random.Generator) -> Camera:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache, lru_cache
 from typing import Literal, NamedTuple
@@ -29,7 +30,7 @@ from swifttailor.data.renders.camera_effects import random_effects
 from swifttailor.data.renders.cloths import DrawnCloth, Place, random_cloth, random_color
 from swifttailor.data.renders.foreground import random_before
 from swifttailor.data.renders.look import random_lighting
-from swifttailor.picture_reader.close_ups import WHOLE
+from swifttailor.picture_reader.close_ups import ALL_PARTS, WHOLE
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS, statement_labels
 from swifttailor.picture_reader.truth import TRUE
@@ -109,6 +110,7 @@ def draw_scene(
     behind: NDArray[np.float32] | None = None,
     aside: tuple[float, float] | None = None,
     close: bool = False,
+    parts: Sequence[str] = ALL_PARTS,
 ) -> Scene:
     """Draws somebody who wears a garment.
 
@@ -123,6 +125,7 @@ def draw_scene(
         aside: How far from the middle the figure stands, in sides of the picture, and how many centimetres
             the picture is high there; the garment fills the picture when None.
         close: Whether one of `CLOSE_UPS` of the garment fills it instead.
+        parts: Of these, see `CloseUp.part`.
     """
     worn = [(number, wardrobe.bank[number])]
     nobody = not held_out and chance.random() < _NOBODY
@@ -159,7 +162,7 @@ def draw_scene(
         camera = _aside(camera, *aside)
     close_up = WHOLE
     if close:
-        camera, close_up = close_up_by_lot(worn[0][1], shown, camera, chance)
+        camera, close_up = close_up_by_lot(worn[0][1], shown, camera, chance, parts)
     lighting = random_lighting(chance)
     seen = render_seen(
         surfaces,

@@ -1,0 +1,23 @@
+"""Which pictures may be plain: before one colour, as those of GarmentCodeData are.
+
+Networks that have learnt from nothing else read these better; they say themselves which pictures are theirs,
+and are not even asked of photographs.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from swifttailor.arrays import Pixels
+
+_ALIKE = 6
+"""By how much values of one colour may differ, of 255: JPEG's files are not exact."""
+_SHARE = 0.97
+"""Of the border; a hem or a hand may touch it."""
+
+
+def one_colour_around(pixels: Pixels) -> bool:
+    """Whether the border of a picture (h, w, 3) has one colour."""
+    border = np.concatenate([pixels[0], pixels[-1], pixels[:, 0], pixels[:, -1]]).astype(np.int16)
+    apart = np.abs(border - np.median(border, axis=0)).max(axis=1)
+    return bool((apart <= _ALIKE).mean() >= _SHARE)
