@@ -15,7 +15,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 RECIPES = (
     *("wish_reader", "garment_sewer", "pattern_maker", "picture_reader", "pattern_library"),
-    *("close_up_reader", "picture_reader_on_gpu", "parameter_reader"),
+    *("close_up_reader", "plain_reader", "picture_reader_on_gpu", "parameter_reader"),
 )
 
 
@@ -77,10 +77,18 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     assert PictureReader.load(work / "gpu/picture_reader.onnx").size == 64
     parameters = ParameterReader.load(work / "parameter-reader/parameter_reader.onnx")
     assert parameters.card["data"]["patterns"] == 40 and len(parameters.parameters) > 40
-    near = PictureReader.load(
-        files["PictureReader"], close_ups=work / "close-up-reader/close_up_reader.onnx"
+    (near,) = PictureReader.load(
+        files["PictureReader"], close_ups=[work / "close-up-reader/close_up_reader.onnx"]
     ).near
-    assert near is not None and {name.split()[-1] for name in near.close_ups} == {"neck", "waist", "sleeve"}
+    assert {name.split()[-1] for name in near.close_ups} == {"neck", "waist", "sleeve"}
+    names = [work / f"plain-reader/plain_{name}.onnx" for name in ("reader", "neck", "sleeve", "skirt")]
+    plain = PictureReader.load(files["PictureReader"], plain=names).plain()
+    assert plain.close_ups == () and plain.card["config"]["unlike"] > 0
+    assert [{name.split()[-1] for name in one.close_ups} for one in plain.near] == [
+        {"neck"},
+        {"sleeve"},
+        {"skirt"},
+    ]
 
     again = run("wish_reader", work)
     assert again.returncode == 0

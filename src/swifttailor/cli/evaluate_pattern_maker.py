@@ -86,10 +86,12 @@ class EvaluatePatternMaker:
     """GarmentSewer's model file; the one of the package without it. It says which patterns can be sewn."""
     picture_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Model file (.onnx) of a picture reader; the one of the package without it."""
-    close_up_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Model file (.onnx) of a network that looks at necks, waists and ends of sleeves from near, beside
-    --picture-reader-weights; those look themselves without it, if they
-    were trained to."""
+    close_up_weights: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
+    """Model files (.onnx) of networks that look at details from near, each at what it has learnt from, beside
+    --picture-reader-weights; that one looks itself without them, if it was trained to."""
+    plain_reader_weights: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
+    """Model files (.onnx) of a network that reads pictures like GarmentCodeData's, and of those that look
+    at their details, beside --picture-reader-weights. Without them that one reads all pictures."""
     pattern_library: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Library (.zip) of known patterns; the one of the package without it, unless --weights are given."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
@@ -123,7 +125,9 @@ class EvaluatePatternMaker:
         tailor = Tailor(
             self.weights,
             sewer,
-            picture_reader=chosen_reader(self.picture_reader_weights, self.close_up_weights),
+            picture_reader=chosen_reader(
+                self.picture_reader_weights, self.close_up_weights, self.plain_reader_weights
+            ),
             pattern_library=self.pattern_library,
             threads=self.threads,
         )
@@ -187,7 +191,7 @@ class EvaluatePatternMaker:
         from swifttailor.pattern_library.known import SHIPPED as LIBRARY
         from swifttailor.pattern_maker.maker import SHIPPED
         from swifttailor.picture_reader.reader import SHIPPED as EYES
-        from swifttailor.picture_reader.reader import SHIPPED_CLOSE
+        from swifttailor.picture_reader.reader import SHIPPED_CLOSE, SHIPPED_PLAIN
         from swifttailor.wishes.reader import SHIPPED as READER
 
         found: dict[str, Any] = dict(file_identity(SHIPPED if self.weights is None else self.weights))
@@ -196,9 +200,11 @@ class EvaluatePatternMaker:
             eyes = self.picture_reader_weights or (EYES if EYES.is_file() else None)
             if eyes is not None and self.data is not None:
                 found["read_by"] = file_identity(eyes)
-                near = self.close_up_weights if self.picture_reader_weights else SHIPPED_CLOSE
-                if near is not None and near.is_file():
-                    found["read_from_near_by"] = file_identity(near)
+                own = self.picture_reader_weights is not None
+                near = self.close_up_weights if own else (SHIPPED_CLOSE,)
+                plain = self.plain_reader_weights if own else SHIPPED_PLAIN
+                found["read_from_near_by"] = [file_identity(file) for file in near]
+                found["plain_read_by"] = [file_identity(file) for file in plain]
             if self.source != "writer" and (self.weights is None or self.pattern_library is not None):
                 found["known_from"] = file_identity(self.pattern_library or LIBRARY)
             if self.source in ("both", "designs") and self.weights is None and self.pattern_library is None:

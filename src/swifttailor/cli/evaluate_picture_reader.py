@@ -21,8 +21,11 @@ class EvaluatePictureReader:
 
     weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """The picture reader's model file; the one of the package without it."""
-    close_up_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Model file of a network that looks at details, beside --weights; those look themselves without it."""
+    close_up_weights: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
+    """Model files of networks that look at details, beside --weights; that one looks itself without them."""
+    plain_reader_weights: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
+    """Model files of a network that reads plain pictures, and of those that look at their details, beside
+    --weights; that one reads all pictures without them."""
     data: Annotated[Path, tyro.conf.arg(metavar="DIR")]
     """Data set of sewn garments (swifttailor data build --engine network)."""
     out: Annotated[Path, tyro.conf.arg(metavar="DIR")] = Path("picture-reader-evaluation")
@@ -73,7 +76,11 @@ class EvaluatePictureReader:
         from swifttailor.evaluation.provenance import choose_samples, provenance
         from swifttailor.picture_reader.reader import PictureReader
 
-        reader = PictureReader.load(self.weights, close_ups=self.close_up_weights)
+        reader = PictureReader.load(
+            self.weights,
+            close_ups=self.close_up_weights or None,
+            plain=self.plain_reader_weights or None,
+        )
         split = open_split(self.data, self.split)
         numbers = choose_samples(split, self.limit, self.seed)
         bank = PictureBank([split.folder])

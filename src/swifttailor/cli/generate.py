@@ -55,9 +55,12 @@ class Generate(Making):
 
     picture_reader_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Model file (.onnx) of a trained picture reader. Default: the one in the package."""
-    close_up_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
-    """Model file (.onnx) of a network that looks at necks, waists and ends of sleeves from near, beside
-    --picture-reader-weights. Default: those look themselves, if they were trained to."""
+    close_up_weights: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
+    """Model files (.onnx) of networks that look at details from near, each at what it has learnt from, beside
+    --picture-reader-weights. Default: that one looks itself, if it was trained to."""
+    plain_reader_weights: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
+    """Model files (.onnx) of a network that reads pictures like GarmentCodeData's, and of those that look
+    at their details, beside --picture-reader-weights. Default: that one reads all pictures."""
     pattern_library: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """Library (.zip) of known patterns. Default: the one in the package."""
 
@@ -97,7 +100,7 @@ class Generate(Making):
 
     def tailor(self, **networks: Any) -> Tailor:
         """Who makes the garments, and reads the pictures."""
-        reader = chosen_reader(self.picture_reader_weights, self.close_up_weights)
+        reader = chosen_reader(self.picture_reader_weights, self.close_up_weights, self.plain_reader_weights)
         return super().tailor(picture_reader=reader, pattern_library=self.pattern_library, **networks)
 
     def several(self, tailor: Tailor, order: Order) -> dict[str, Order]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,23 +12,29 @@ if TYPE_CHECKING:
     from swifttailor.picture_reader.reader import PictureReader
 
 
-def chosen_reader(weights: Path | None, close_ups: Path | None) -> Path | PictureReader | None:
+def chosen_reader(
+    weights: Path | None, close_ups: Sequence[Path], plain: Sequence[Path]
+) -> Path | PictureReader | None:
     """What a tailor is given to read pictures with.
 
     Args:
-        weights: Model file; the one of the package when None.
-        close_ups: Model file of the network that looks at details, of which there is one in the package too.
+        weights: Model file; the ones of the package when None.
+        close_ups: Model files of networks that look at details.
+        plain: Model files of the network that reads plain pictures, and of those that look at their details.
 
     Raises:
-        InputError: `close_ups` are given without `weights`, or a file cannot be used.
+        InputError: `close_ups` or `plain` are given without `weights`, or a file cannot be used.
     """
-    if close_ups is None:
+    if not close_ups and not plain:
         return weights
     if weights is None:
+        option, file = (
+            ("--close-up-weights", close_ups[0]) if close_ups else ("--plain-reader-weights", plain[0])
+        )
         raise InputError(
-            f"--close-up-weights '{close_ups}' goes with a picture reader of your own; give its model file "
-            "as --picture-reader-weights."
+            f"{option} '{file}' goes with a picture reader of your own; give its model file as "
+            "--picture-reader-weights."
         )
     from swifttailor.picture_reader.reader import PictureReader
 
-    return PictureReader.load(weights, close_ups=close_ups)
+    return PictureReader.load(weights, close_ups=close_ups, plain=plain)

@@ -41,10 +41,10 @@ from swifttailor.render.pixels import require_picture
 
 SHIPPED = Path(__file__).with_name("picture_reader.onnx")
 SHIPPED_CLOSE = Path(__file__).with_name("close_up_reader.onnx")
-SHIPPED_PLAIN = Path(__file__).with_name("plain_reader.onnx")
-SHIPPED_PLAIN_CLOSE = tuple(
-    Path(__file__).with_name(f"plain_{part}_reader.onnx") for part in ("neck", "sleeve", "skirt")
+SHIPPED_PLAIN = tuple(
+    Path(__file__).with_name(f"plain_{name}.onnx") for name in ("reader", "neck", "sleeve", "skirt")
 )
+"""Reads all of a plain picture; necks; ends of sleeves; skirts."""
 INPUTS = ("pictures", "guess")
 OUTPUTS = (
     "present",
@@ -117,7 +117,7 @@ class PictureReader:
         """
         if weights is None:
             close_ups = [SHIPPED_CLOSE] if close_ups is None else close_ups
-            plain = [SHIPPED_PLAIN, *SHIPPED_PLAIN_CLOSE] if plain is None else plain
+            plain = SHIPPED_PLAIN if plain is None else plain
         reader = PictureReader._opened(SHIPPED if weights is None else weights, threads)
         reader = replace(reader, near=tuple(PictureReader._opened(file, threads) for file in close_ups or ()))
         if not plain:

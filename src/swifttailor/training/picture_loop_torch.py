@@ -141,18 +141,22 @@ class PictureTask(Task):
     def result_text(self, result: dict[str, Any]) -> str:
         """In one line."""
         shown = ("kind", "skirt_hem", "neckline", "waistband", "sleeves", "skirt")
-        some = ", ".join(f"{name} {result['claims'].get(name, float('nan')):.0%}" for name in shown)
-        looks = ", ".join(f"{name} {value:.0%}" for name, value in result["by_look"].items())
-        near = ", ".join(f"{name} {value:.0%}" for name, value in result["near"].items())
+        some = ", ".join(f"{name} {_percent(result['claims'].get(name), 0)}" for name in shown)
+        looks = ", ".join(f"{name} {_percent(value, 0)}" for name, value in result["by_look"].items())
+        near = ", ".join(f"{name} {_percent(value, 0)}" for name, value in result["near"].items())
         return (
-            f"validation: not false {result['not_false']:.1%} of all claims ({some}; {looks}); from near "
-            f"{result['near_not_false']:.1%} ({near}); panels all right {result['panels']:.1%}; mask "
-            f"{result['mask']:.1%}"
+            f"validation: not false {_percent(result['not_false'])} of all claims ({some}; {looks}); from "
+            f"near {_percent(result['near_not_false'])} ({near}); panels all right {result['panels']:.1%}; "
+            f"mask {result['mask']:.1%}"
         )
 
     def card(self) -> dict[str, Any]:
         """Model, labels and data."""
         return {"model": "PictureReader", "labels_sha256": labels_checksum(), "data": self.data}
+
+
+def _percent(share: float | None, digits: int = 1) -> str:
+    return "-" if share is None else f"{share:.{digits}%}"
 
 
 def _has_bfloat16() -> bool:

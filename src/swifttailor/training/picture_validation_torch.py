@@ -136,7 +136,7 @@ def judge(network: EyesNetwork, held: ValidationPictures, device: torch.device) 
         ``claims``: of each claim the share of pictures whose likeliest word is not false, of those that show
         a garment of which one is true; ``not_false``: of all claims together; ``by_look``: the same by look
         and view; ``near``: the claims that close-ups tell of; ``panels``: share of pictures with exactly the
-        right panel names; ``mask``: intersection over union.
+        right panel names; ``mask``: intersection over union. A share of nothing is None.
     """
     shown = held.whole
     reading = read_all(network, shown, device)
@@ -165,9 +165,10 @@ def judge(network: EyesNetwork, held: ValidationPictures, device: torch.device) 
     }
 
 
-def _share_of(parts: Iterable[np.ndarray[Any, Any]]) -> float:
+def _share_of(parts: Iterable[np.ndarray[Any, Any]]) -> float | None:
+    """None of nothing: files hold no values that are not numbers."""
     found = list(parts)
-    return round(float(np.concatenate(found).mean()), 4) if found else float("nan")
+    return round(float(np.concatenate(found).mean()), 4) if found else None
 
 
 def calibrate(network: EyesNetwork, held: ValidationPictures, device: torch.device) -> Calibration:

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# The networks that read plain pictures, those that look like GarmentCodeData's: one for the whole picture, which also says
+# whether a picture is plain, and one each for necks, ends of sleeves, and skirts from near.
+#
+#   runs/plain_reader.sh
+#
+# After picture_reader.sh and close_up_reader.sh, whose garments and weights it takes (START and START_NEAR for other weights,
+# picture_reader.onnx and close_up_reader.onnx among them; MORE is a list of splits of further garments). steps.sh lists the
+# environment. What has one look and one part to learn is learnt in minutes: of MINUTES (170) the whole picture has four in
+# nine, plain close-ups of all parts one and a half, and each part one. Ends with $WORK/plain-reader/plain_reader.onnx,
+# plain_neck.onnx, plain_sleeve.onnx and plain_skirt.onnx, cards beside them.
+#
+# The package's files: the whole picture 45 minutes without pictures of other looks and 50 with them; close-ups of all parts 33;
+# necks 13, sleeves 12 and 10, skirts 13; each on a core that others used as well, from the package's own weights of before.
+source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
+
+minutes=${MINUTES:-170}
+begin=${START:-$work/picture-reader/run/weights.safetensors}
+begin_near=${START_NEAR:-$work/close-up-reader/run/weights.safetensors}
+sewn=$work/worn out=$work/plain-reader
+read -ra more <<< "${MORE:-}"
+both=(batch_size=64 block=256 echo=2 validation_garments=100 variation=0.7 studio=0 several=0)
+whole=(network.image_size=160 ema=0.995 validate_every=250 learning_rate=0.0006 plain=0.92 nothing=0.02 unlike=0.06 close=0
+    near=0.9 unguessed=0.1)
+near=(network.image_size=96 plain=1.0 nothing=0 close=1.0 unguessed=0 learning_rate=0.001)
+part=(ema=0.99 validate_every=150 warmup_steps=30 losses.masks=0.5 losses.places=0.5 losses.view=0.1)
+skirt=(network.image_size=128 learning_rate=0.0007)
+if [ -n "$rehearse" ]; then
+    both+=(steps=2 batch_size=4 block=4 echo=1 log_every=1 validate_every=1 validation_garments=2 network.embedding=8
+        "network.stages=[8,8,16,16]" "network.depths=[1,1,1,1]" network.width=24 network.heads=2 network.mask_width=8)
+    whole+=(network.image_size=64) near+=(network.image_size=64) skirt=(network.image_size=64)
+fi
+plain() { # name, eighteenths of the time, settings
+    local run=$out/$1 again=()
+    [ -f "$run/checkpoint.pt" ] && again+=(--resume)
+    OMP_NUM_THREADS=1 swifttailor train picture-reader --data "$sewn/train" "${more[@]}" --validation "$sewn/validation" \
+        --apart "$sewn/test" --out "$run" --workers 1 --threads 1 --max-minutes $(((minutes * $2 + 17) / 18)) "${again[@]}" \
+        --set "${both[@]}" "${@:3}"
+}
+exported() { # run, file
+    step "plain-$1-exported" swifttailor train export "$out/$1" --out "$out/plain_$2.onnx" --overwrite --int8 \
+        --data "$sewn/validation"
+}
+step plain-whole plain whole 8 "${whole[@]}" "${settings[@]}" start="$begin"
+step plain-near plain near 3 "${near[@]}" "${settings[@]}" start="$begin_near"
+near_set=("${near[@]}" "${part[@]}")
+step plain-neck plain neck 2 "${near_set[@]}" 'parts=["neck"]' "${settings[@]}" start="$out/near/weights.safetensors"
+step plain-sleeve plain sleeve 3 "${near_set[@]}" 'parts=["sleeve"]' "${settings[@]}" start="$out/near/weights.safetensors"
+step plain-skirt plain skirt 2 "${near_set[@]}" "${skirt[@]}" 'parts=["skirt"]' "${settings[@]}" \
+    start="$out/whole/weights.safetensors"
+exported whole reader
+for name in neck sleeve skirt; do
+    exported "$name" "$name"
+done
