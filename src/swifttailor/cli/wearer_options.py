@@ -21,10 +21,10 @@ class BodyOptions:
     """A body by its size, its measures or a file."""
 
     size: Annotated[str | None, tyro.conf.arg(metavar="SIZE")] = None
-    """Refit to a size of a chart: 44, "UK 12", "US 8", M, "men 50", "children 128". EU sizes for women unless
-    it says otherwise."""
+    """Make it for a size of a chart: 44, "UK 12", "US 8", M, "men 50", "children 128". EU sizes for women
+    unless it says otherwise."""
     measure: Annotated[tuple[str, ...], tyro.conf.arg(metavar="NAME=CM")] = ()
-    """Refit to measures, such as bust=96 waist=80 height=172; they outrank those of --size."""
+    """Make it for measures, such as bust=96 waist=80 height=172; they outrank those of --size."""
     figure: Literal["women", "men", "children"] | None = None
     """Whose shape completes the measures. Default: the size's, else an adult like the default body."""
     body: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None

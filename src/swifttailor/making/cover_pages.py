@@ -11,7 +11,9 @@ import numpy as np
 
 from swifttailor.making import drawing
 from swifttailor.making.drawing import Drawing, Stroke, Style, Text
+from swifttailor.making.finished_measures import MeasuresColumn, in_inches
 from swifttailor.making.made_for import made_for
+from swifttailor.making.measures_page import draw_measures
 from swifttailor.making.paper import Paper
 from swifttailor.making.pdf_canvas import POINTS_PER_CM, draw, start_page, wrapped
 from swifttailor.making.pieces import CuttingPlan
@@ -36,6 +38,8 @@ class CoverFacts:
     preview: Path | None
     sizes: tuple[tuple[str, Style], ...] = ()
     """Of a file with several: what is said of each size, and its cut line."""
+    finished: tuple[MeasuresColumn, ...] = ()
+    """The measurements of the finished garment, one column a size."""
 
 
 def draw_cover(canvas: Any, facts: CoverFacts) -> int:
@@ -65,7 +69,8 @@ def draw_cover(canvas: Any, facts: CoverFacts) -> int:
     draw(canvas, Drawing((), (Text("Page map", _BORDER_CM, bottom, 0.5, anchor="start", bold=True),)))
     wide = 0.58 * (paper.width - 2 * _BORDER_CM)
     draw(canvas, _page_map(facts, _BORDER_CM, _BORDER_CM, wide, bottom - 0.4 - _BORDER_CM))
-    return _pieces_beside(canvas, facts, paper, _BORDER_CM + wide + 0.8, bottom)
+    pages = _pieces_beside(canvas, facts, paper, _BORDER_CM + wide + 0.8, bottom)
+    return pages + (draw_measures(canvas, facts.finished, paper) if facts.sizes else 0)
 
 
 def draw_steps(canvas: Any, facts: CoverFacts) -> int:
@@ -95,6 +100,10 @@ def _pieces_beside(canvas: Any, facts: CoverFacts, paper: Paper, left: float, to
     entries: list[tuple[str, bool]] = [("Sizes" if facts.sizes else "Made for", True)]
     entries += [(words, False) for words, _ in facts.sizes] or [(made_for(plan.sewn.pattern), False)]
     lines_of = dict(facts.sizes)
+    if facts.finished and not facts.sizes:
+        entries.append(("Finished garment", True))
+        (column,) = facts.finished
+        entries += [(f"{name}: {cm:.1f} cm, {in_inches(cm)} in", False) for name, cm in column.cm.items()]
     entries.append(("Pieces", True))
     entries += [
         (f"{k}. {p.name}: {p.instruction.lower()}", False) for k, p in enumerate(plan.pieces, start=1)
