@@ -6,7 +6,8 @@ fall. A cutter measures straight across. So heights are evened out within each p
 drawn.
 
 Armholes reach down to about the bust points. A line at that level runs through some of them, and a garment
-that hangs a centimetre lower loses many centimetres of width there. A tailor measures the chest an inch below.
+that hangs a centimetre lower loses many centimetres of width there. A tailor measures the chest an inch
+below.
 """
 
 from __future__ import annotations

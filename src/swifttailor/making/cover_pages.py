@@ -69,8 +69,7 @@ def draw_cover(canvas: Any, facts: CoverFacts) -> int:
     draw(canvas, Drawing((), (Text("Page map", _BORDER_CM, bottom, 0.5, anchor="start", bold=True),)))
     wide = 0.58 * (paper.width - 2 * _BORDER_CM)
     draw(canvas, _page_map(facts, _BORDER_CM, _BORDER_CM, wide, bottom - 0.4 - _BORDER_CM))
-    pages = _pieces_beside(canvas, facts, paper, _BORDER_CM + wide + 0.8, bottom)
-    return pages + (draw_measures(canvas, facts.finished, paper) if facts.sizes else 0)
+    return _pieces_beside(canvas, facts, paper, _BORDER_CM + wide + 0.8, bottom)
 
 
 def draw_steps(canvas: Any, facts: CoverFacts) -> int:
@@ -100,10 +99,6 @@ def _pieces_beside(canvas: Any, facts: CoverFacts, paper: Paper, left: float, to
     entries: list[tuple[str, bool]] = [("Sizes" if facts.sizes else "Made for", True)]
     entries += [(words, False) for words, _ in facts.sizes] or [(made_for(plan.sewn.pattern), False)]
     lines_of = dict(facts.sizes)
-    if facts.finished and not facts.sizes:
-        entries.append(("Finished garment", True))
-        (column,) = facts.finished
-        entries += [(f"{name}: {cm:.1f} cm, {in_inches(cm)} in", False) for name, cm in column.cm.items()]
     entries.append(("Pieces", True))
     entries += [
         (f"{k}. {p.name}: {p.instruction.lower()}", False) for k, p in enumerate(plan.pieces, start=1)
@@ -120,6 +115,9 @@ def _pieces_beside(canvas: Any, facts: CoverFacts, paper: Paper, left: float, to
             False,
         )
     )
+    # The finished garment's measures stay together: here where there is room, else on a page of their own.
+    alone = () if facts.sizes else facts.finished
+    measures = [f"{name}: {cm:.1f} cm, {in_inches(cm)} in" for own in alone for name, cm in own.cm.items()]
     pages, y, width = 1, top, paper.width - _BORDER_CM - left
     for text, is_heading in entries:
         lines = [text] if is_heading else list(wrapped(text, width, _BODY_CM))
@@ -143,8 +141,17 @@ def _pieces_beside(canvas: Any, facts: CoverFacts, paper: Paper, left: float, to
                 draw(canvas, Drawing((Stroke(sample, lines_of[text]),)))
             y -= _LINE_CM
         y -= 0.08
+    fits = y - 1.25 - _LINE_CM * len(measures) >= _BORDER_CM
+    if measures and fits:
+        y -= 0.5
+        words = [Text("Finished garment", left, y, 0.5, anchor="start", bold=True)]
+        lows = y - 0.75 - _LINE_CM * np.arange(len(measures))
+        words += [
+            Text(m, left, float(low), _BODY_CM, anchor="start") for m, low in zip(measures, lows, strict=True)
+        ]
+        draw(canvas, Drawing((), tuple(words)))
     canvas.showPage()
-    return pages
+    return pages if measures and fits else pages + draw_measures(canvas, facts.finished, paper)
 
 
 def _page_map(facts: CoverFacts, left: float, bottom: float, width: float, height: float) -> Drawing:
