@@ -28,7 +28,7 @@ from typing import Any
 import numpy as np
 
 import swifttailor
-from level_lines import without_folds
+from level_lines import chest_line, without_folds
 from machine import describe
 from swifttailor.arrays import Bools, Floats
 from swifttailor.body import Body
@@ -90,27 +90,36 @@ def measured(garment: Garment, profile: BodyProfile) -> Worn:
     places = places_of(garment, profile)
     counted = ~places.arm[garment.mesh.flat_faces].any(axis=1)
     heights = places.points[:, 1]
-    plain = {name: width(garment.mesh, heights, counted, profile, name) for name in LEVELS}
     even = without_folds(garment.mesh, heights)
-    ease = {name: width(garment.mesh, even, counted, profile, name) for name in LEVELS}
+    lines = lines_of(garment.mesh, even, profile)
     sleeve = float(places.down_arm[places.arm].max()) if places.arm.any() else None
     return Worn(
-        {name: as_ease(ease[name], profile, name) for name in LEVELS},
-        {name: as_ease(plain[name], profile, name) for name in LEVELS},
+        {name: as_ease(width(garment.mesh, even, counted, at), profile, at) for name, at in lines.items()},
+        {name: as_ease(width(garment.mesh, heights, counted, at), profile, at) for name, at in lines.items()},
         float(garment.vertices[:, 1].min()),
         sleeve,
     )
 
 
-def width(mesh: PatternMesh, heights: Floats, counted: Bools, profile: BodyProfile, name: str) -> float:
-    """Of the cloth around a level, cm; the median of heights nearby."""
-    places = profile.levels[LEVELS[name]] + np.array([-1.0, -0.5, 0.0, 0.5, 1.0])
+def lines_of(mesh: PatternMesh, heights: Floats, profile: BodyProfile) -> dict[str, float]:
+    """Heights at which a garment is measured, by name, cm."""
+    levels = {name: float(profile.levels[k]) for name, k in LEVELS.items()}
+    return levels | {"chest": chest_line(mesh, heights, profile.measurements)}
+
+
+def width(mesh: PatternMesh, heights: Floats, counted: Bools, at: float) -> float:
+    """Of the cloth around a height, cm; the median of heights nearby."""
+    places = at + np.array([-1.0, -0.5, 0.0, 0.5, 1.0])
     return float(np.median(cloth_around(mesh, heights, counted, places)))
 
 
-def as_ease(cloth: float, profile: BodyProfile, name: str) -> float | None:
-    """Ease of cloth that wide at a level; None where it does not go around."""
-    girth = float(np.interp(profile.levels[LEVELS[name]], profile.heights, profile.girth))
+def girth_at(profile: BodyProfile, at: float) -> float:
+    return float(np.interp(at, profile.heights, profile.girth))
+
+
+def as_ease(cloth: float, profile: BodyProfile, at: float) -> float | None:
+    """Ease of cloth that wide at a height; None where it does not go around."""
+    girth = girth_at(profile, at)
     return cloth - girth if cloth > AROUND * girth else None
 
 
@@ -123,12 +132,14 @@ def off_in_pattern(
     heights = without_folds(made.sewn.mesh, places.points[:, 1])
     grown = replace(made.sewn.mesh, flat_vertices=made.flat_positions)
     off: dict[str, float | None] = {}
+    lines = lines_of(made.sewn.mesh, heights, start)
     before = {
-        name: as_ease(width(made.sewn.mesh, heights, counted, start, name), start, name) for name in LEVELS
+        name: as_ease(width(made.sewn.mesh, heights, counted, at), start, at) for name, at in lines.items()
     }
+    to = height_map(start, end)
     for name, ease in before.items():
-        other = float(np.interp(end.levels[LEVELS[name]], end.heights, end.girth))
-        after = width(grown, heights, counted, start, name) - other
+        other = girth_at(end, float(to(lines[name])))
+        after = width(grown, heights, counted, lines[name]) - other
         off[name] = None if ease is None else after - ease_scale(start, end) * ease
     return off, before
 

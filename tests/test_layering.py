@@ -272,8 +272,8 @@ def test_public_names():
     )
     more = "PatternMaker PatternWriter Placement Quadratic Settled Sewer SewnGarment Stitch"
     errors = "SwiftTailorError Tailor WrittenPattern"
-    functions = "alter body_for check describe draft drape fit load_pattern register_engine repair sew"
-    names = f"{classes} {more} {errors} {functions}".split()
+    functions = "alter body_for check describe draft draft_design drape fit load_pattern register_engine"
+    names = f"{classes} {more} {errors} {functions} repair sew".split()
     assert sorted(swifttailor.__all__) == sorted(["__version__", *names])
     assert list(swifttailor._PUBLIC) == names
     for name in swifttailor.__all__:

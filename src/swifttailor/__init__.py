@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from swifttailor.pattern.drafts import draft
     from swifttailor.pattern_maker.maker import PatternMaker, WrittenPattern
     from swifttailor.recutting import alter
-    from swifttailor.refitting import fit
+    from swifttailor.refitting import draft_design, fit
     from swifttailor.tailor import Tailor
     from swifttailor.tailor.one_pattern import sew
     from swifttailor.tailor.protocols import PatternWriter, Sewer
@@ -75,6 +75,7 @@ _PUBLIC = {
     "check": "pattern:check_pattern",
     "describe": "wording.description",
     "draft": "pattern.drafts",
+    "draft_design": "refitting",
     "drape": "draping",
     "fit": "refitting",
     "load_pattern": "pattern",
@@ -116,6 +117,7 @@ __all__ = [
     "check",
     "describe",
     "draft",
+    "draft_design",
     "drape",
     "fit",
     "load_pattern",

@@ -65,6 +65,7 @@ COMMANDS = {
     "convert": lambda file, out: ["convert", file, out / "pattern.svg"],
     "convert to pdf": lambda file, out: ["convert", file, out / "pattern.pdf"],
     "marker": lambda file, out: ["marker", file, "--out", out / "marker.svg"],
+    "draft --design": lambda file, out: ["draft", "--design", file, "--out", out / "pattern.json"],
     "ggi": lambda file, out: ["ggi", file, "--out", out],
     "ggi --decode": lambda file, out: ["ggi", "--decode", file, "--out", out],
 }

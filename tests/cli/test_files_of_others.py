@@ -48,6 +48,11 @@ SEWN = tuple(f"{pattern}/{name}" for pattern in ("skirt", "other") for name in (
 # What is asked, with the inputs by name and OUT for the folder, and what it writes there.
 COMMANDS: dict[str, tuple[str, tuple[str, ...]]] = {
     "draft": ("draft fitted-skirt --out OUT/a.json", ("a.json",)),
+    "draft --design": ("draft --design design.yaml --out OUT/a.json", ("a.json",)),
+    "draft --design --sizes": (
+        "draft --design design.yaml --sizes 36,44 --out OUT",
+        ("women-eu-36.json", "women-eu-44.json"),
+    ),
     "convert to svg": ("convert skirt.json OUT/a.svg", ("a.svg",)),
     "convert to json": ("convert worn OUT/a.json", ("a.json",)),
     "convert to pdf": ("convert worn OUT/a.pdf", ("a.pdf",)),
@@ -181,6 +186,7 @@ def inputs(tmp_path_factory) -> Path:
     write_ggi(encode(worn(), 128), folder / "ggi.npz")
     line = {"id": "skirt", "pattern": to_specification(draft("fitted-skirt"))}
     (folder / "skirts.jsonl").write_text(json.dumps(line) + "\n")
+    (folder / "design.yaml").write_text("meta.bottom: Skirt2\nskirt.ruffle: 1\n")
     Image.new("RGB", (200, 200), "white").save(folder / "photo.png")
     assert run(["fit", str(folder / "skirt.json"), "--sizes", "36,40", "--out", str(folder / "sizes")]) in (
         0,

@@ -40,6 +40,22 @@ def test_sew_refits_to_a_size_and_stands_in_a_pose(shirt, tmp_path, capsys):
     assert load_pattern(out / "pattern.json").drafted_for.figure == "men"
 
 
+@pytest.mark.parametrize("fitting", ["auto", "never"])
+def test_edit_keeps_the_size_where_only_a_height_is_given(fitting):
+    from dataclasses import replace
+
+    from swifttailor.body import body_for
+    from swifttailor.cli.edit import Edit
+
+    dress = replace(draft("t-shirt"), drafted_for=body_for("46").made_for)
+    edit = Edit(pattern=Path("dress"), instruction="longer", measure=("height=160",), fit=fitting)
+    order = edit.order("longer", edit=dress)
+    worn = order.body if fitting == "auto" else edit.tailor(dress.drafted_for).body
+    assert worn is not None and worn.name == "women EU 46, height 160"
+    assert worn.measurements.height == pytest.approx(160, abs=0.5)
+    assert worn.measurements.bust == pytest.approx(104, abs=0.5)
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

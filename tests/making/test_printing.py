@@ -11,6 +11,7 @@ from benchmarks.printed_pattern import outline_errors, render, test_square_cm
 from swifttailor.errors import InputError
 from swifttailor.making import cutting_plan
 from swifttailor.making.close_packing import pack_closely
+from swifttailor.making.finished_measures import finished_measures, in_inches
 from swifttailor.making.paper import MARGIN_CM, PAPERS, Paper, Tile
 from swifttailor.making.pattern_pdf import write_pdf
 from swifttailor.making.piece_drawing import drawn_shape
@@ -114,6 +115,19 @@ def test_the_cover_says_what_is_needed(shipped_plans, tmp_path):
     assert "Hems." in steps or printed.steps_pages > 1
     fonts = printed.path.read_bytes()
     assert (b"/Helvetica" in fonts and b"CreationDate (D:2000" in fonts) or b"CreationDate" not in fonts
+
+
+def test_the_finished_garment_s_measures_stand_on_the_cover_or_together_behind_it(
+    shipped_plans, skirt, tmp_path
+):
+    for plan in (cutting_plan(skirt), shipped_plans["gc_1000272"]):
+        printed = write_pdf(plan, tmp_path / "p.pdf", paper=Paper.named("a4"), overwrite=True)
+        first = printed.pages - printed.steps_pages - len(printed.sheet.tiles)
+        document = pypdfium2.PdfDocument(printed.path)
+        pages = [" ".join(document[k].get_textpage().get_text_bounded().split()) for k in range(first)]
+        (page,) = [page for page in pages if "Finished garment" in page]
+        for name, cm in finished_measures(plan.sewn.pattern).items():
+            assert name in page and f"{cm:.1f}" in page and in_inches(cm) in page
 
 
 def test_the_same_bytes_every_time(skirt, tmp_path):

@@ -93,7 +93,7 @@ def test_a_size_can_be_hidden(run, tmp_path):
     (tmp_path / "hidden.pdf").write_bytes(raw[:start] + b"/OFF [" + first + rest + raw[end:])
 
     def drawn(path):
-        return np.asarray(pypdfium2.PdfDocument(path)[1].render(scale=0.5).to_pil().convert("L"), float)
+        return np.asarray(pypdfium2.PdfDocument(path)[2].render(scale=0.5).to_pil().convert("L"), float)
 
     everything, less = drawn(one.path), drawn(tmp_path / "hidden.pdf")
     assert (less >= everything - 1).all() and (less > everything + 30).sum() > 500

@@ -15,6 +15,9 @@ from swifttailor.errors import InputError
 from swifttailor.pattern.drafted_for import DraftedFor
 
 MEASURE_FILES = (".yaml", ".yml", ".json")
+GIRTHS = ("bust", "underbust", "waist", "hips")
+OF_MESHES = ("height", *GIRTHS, "waist_line", "hips_line", "arm_length", "shoulder_w")
+"""What patterns say of a body that is a mesh."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +34,9 @@ class Wearer:
     """``women``, ``men`` or ``children``; the size says it otherwise."""
     pose: str = "A"
     """One of `standing.POSES`; patterns are made for the A-pose."""
+    before: DraftedFor | None = None
+    """Who wore the garment until now. What was asked of that body holds where measures alone are said and
+    none of them overrules it; a size, a file or another figure begins anew."""
 
     def body(self) -> Body:
         """The body.
@@ -46,8 +52,10 @@ class Wearer:
             body = Body.load(self.file)
             named = DraftedFor(self.file.stem, None, known_measures(body))
             return self._posed(replace(body, made_for=named))
-        wanted: dict[str, float] = {}
-        figure, name = self.figure, ""
+        before = self._kept()
+        wanted = {} if before is None else dict(before.measures)
+        figure = self.figure or (None if before is None else before.figure)
+        name = "" if before is None else before.name
         if self.size is not None:
             size = find_size(f"{self.figure} {self.size}" if self.figure else self.size)
             wanted |= size.measures
@@ -66,7 +74,33 @@ class Wearer:
             name = f"{name}, {given}" if name else given
         if not wanted and figure is None:
             return self._posed(Body.default())
-        return self._posed(body_of(DraftedFor(name or figure or "", figure, tuple(wanted.items()))))
+        named = DraftedFor(name or figure or "", figure, tuple(wanted.items()))
+        try:
+            return self._posed(body_of(named))
+        except InputError as error:
+            kept = [f"{k}={v:g}" for k, v in wanted.items() if k not in (self.measures or {})]
+            if before is None or not kept:
+                raise
+            raise InputError(
+                f"{error} The garment was made for '{before.name}', from whom these are kept: "
+                f"{', '.join(kept)}. Give other values for them, or a size, which begins anew."
+            ) from error
+
+    def _kept(self) -> DraftedFor | None:
+        """What is known of the wearer until now and holds still, named without what is overruled."""
+        before = self.before
+        if before is None or self.size is not None or self.file is not None:
+            return None
+        if self.figure is not None and before.figure not in (None, self.figure):
+            return None
+        new = self.measures or {}
+        # Of a mesh the girths are kept: its other measures belong to it alone, and go with the height.
+        of_mesh = before.figure is None and tuple(name for name, _ in before.measures) == OF_MESHES
+        names = GIRTHS if of_mesh else tuple(name for name, _ in before.measures)
+        kept = tuple((k, v) for k, v in before.measures if k in names and k not in new)
+        overruled = {f"{k} {v:g}" for k, v in before.measures if k in new}
+        parts = [part for part in before.name.split(", ") if part not in overruled]
+        return replace(before, name=", ".join(parts), measures=kept, mesh=None)
 
     def _posed(self, body: Body) -> Body:
         if self.pose == "A":
@@ -109,18 +143,5 @@ def body_of(named: DraftedFor) -> Body:
 
 def known_measures(body: Body) -> tuple[tuple[str, float], ...]:
     """The main measures of a body by name, cm: what patterns say of a body that is a mesh."""
-    from swifttailor.body.body_measures import MEASURES
-
     values = body.measurements.as_dict()
-    main = (
-        "height",
-        "bust",
-        "underbust",
-        "waist",
-        "hips",
-        "waist_line",
-        "hips_line",
-        "arm_length",
-        "shoulder_w",
-    )
-    return tuple((name, round(values[name], 2)) for name in main if name in MEASURES)
+    return tuple((name, round(values[name], 2)) for name in OF_MESHES)

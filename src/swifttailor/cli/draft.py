@@ -1,4 +1,4 @@
-"""``swifttailor draft``: a sewing pattern from a garment's name, a few options and a body."""
+"""``swifttailor draft``: a sewing pattern from a garment's name, options and a body, or from a design."""
 
 from __future__ import annotations
 
@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import new_place
+from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
     from swifttailor.pattern.drafts import DraftInfo, Measurements, OptionField
 
 USAGE_ERROR = 2
+DESIGN = "--design"
 _OUT = "GarmentCode JSON file to write. Default: a new one in the current folder, GARMENT.json."
 _OVERWRITE = "Replace the file where there is one."
 
@@ -25,7 +27,8 @@ class DraftList:
     """Draft the sewing pattern of a garment.
 
     Name a garment to draft it: swifttailor draft t-shirt --sleeve-length 40 --out shirt.json. Its options:
-    swifttailor draft t-shirt --help.
+    swifttailor draft t-shirt --help. Or give GarmentCode's design parameters in a file, and for whom it is:
+    swifttailor draft --design FILE --size 44 --out dress.json.
     """
 
     list: bool = False
@@ -38,17 +41,36 @@ def run_draft(arguments: list[str]) -> int:
     """Runs ``swifttailor draft`` with the arguments that follow the command's name.
 
     Returns:
-        The exit code: 0, or 2 after a usage error that has been printed.
+        The exit code: 0, 2 after a usage error that has been printed, or 1 where a check finds something in
+        the pattern of a design.
 
     Raises:
         SwiftTailorError: The garment, an option or the body is not usable, or the file cannot be written.
     """
     try:
+        if any(argument.split("=")[0] == DESIGN for argument in arguments):
+            return _draft_design(arguments)
         if arguments and not arguments[0].startswith("-"):
             return _draft(arguments[0], arguments[1:])
         return _list(arguments)
     except SystemExit as leaving:  # tyro has printed help or a usage error
         return leaving.code if isinstance(leaving.code, int) else USAGE_ERROR
+
+
+def _draft_design(arguments: list[str]) -> int:
+    from swifttailor.cli.draft_design import DraftDesign
+    from swifttailor.cli.plain_options import operands, read_plain
+
+    named = operands(DraftDesign, arguments)
+    if named:
+        raise InputError(
+            f"Both a garment ('{named[0]}') and {DESIGN} were given. Give one of them: a garment of this "
+            "package and its options, or a file with GarmentCode's design parameters."
+        )
+    options = read_plain(DraftDesign, arguments)
+    if options is None:
+        options = tyro.cli(DraftDesign, args=arguments, prog=f"swifttailor draft {DESIGN} FILE")
+    return options.run()
 
 
 def _list(arguments: list[str]) -> int:
@@ -65,7 +87,7 @@ def _list(arguments: list[str]) -> int:
     )
     if not request.list:
         sys.stderr.write(
-            f"Name a garment to draft, or give --list. Garments: {names}.\n"
+            f"Name a garment to draft, or give --list or {DESIGN} FILE. Garments: {names}.\n"
             "Example: swifttailor draft t-shirt --out t-shirt.json\n"
         )
         return USAGE_ERROR

@@ -13,6 +13,7 @@ from swifttailor.cli.results import new_place
 from swifttailor.errors import InputError
 
 if TYPE_CHECKING:
+    from swifttailor.pattern.drafted_for import DraftedFor
     from swifttailor.tailor import Order, Tailor
 
 _BOTH = ("upper", "lower")
@@ -98,10 +99,10 @@ class Generate(Making):
         """Whether pictures are read."""
         return bool(self.image)
 
-    def tailor(self, **networks: Any) -> Tailor:
+    def tailor(self, before: DraftedFor | None = None, **networks: Any) -> Tailor:
         """Who makes the garments, and reads the pictures."""
         reader = chosen_reader(self.picture_reader_weights, self.close_up_weights, self.plain_reader_weights)
-        return super().tailor(picture_reader=reader, pattern_library=self.pattern_library, **networks)
+        return super().tailor(before, picture_reader=reader, pattern_library=self.pattern_library, **networks)
 
     def several(self, tailor: Tailor, order: Order) -> dict[str, Order]:
         """Both garments of a picture that shows two, unless one is asked for.

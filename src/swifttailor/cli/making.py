@@ -27,6 +27,8 @@ from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
     from swifttailor.output_folder import OutputFolder
+    from swifttailor.pattern import Pattern
+    from swifttailor.pattern.drafted_for import DraftedFor
     from swifttailor.tailor import Order, Tailor, Tailored
 
 SOMETHING_TO_LOOK_AT = 1
@@ -143,15 +145,16 @@ class Making(GarmentResults, WearerOptions, FabricOption):
         """Folders of orders in DIR that there may be."""
         return ("",)
 
-    def tailor(self, **networks: Any) -> Tailor:
+    def tailor(self, before: DraftedFor | None = None, **networks: Any) -> Tailor:
         """Who makes the garments.
 
         Args:
+            before: See `wearer`.
             networks: Others than both commands need, or their model files, as `Tailor.load` names them.
         """
         from swifttailor.tailor import Tailor
 
-        body = None if self.refits else self.wearer()
+        body = None if self.refits else self.wearer(before)
         return Tailor.load(
             self.maker_weights,
             self.sewer_weights,
@@ -185,7 +188,7 @@ class Making(GarmentResults, WearerOptions, FabricOption):
             text,
             **asked,
             fabric=self.fabric,
-            body=self.wearer() if self.refits else None,
+            body=self.wearer(_wore(asked.get("edit"))) if self.refits else None,
             samples=self.samples,
             seed=self.seed,
             temperature=self.temperature,
@@ -233,7 +236,7 @@ class Making(GarmentResults, WearerOptions, FabricOption):
         from swifttailor.tailor import Tailored
 
         started = time.perf_counter()
-        tailor = self.tailor()
+        tailor = self.tailor(_wore(order.edit))
         with StageProgress() as progress:
             for note in tailor.compile_notes(finish=self.finish):
                 progress.note(note)
@@ -273,6 +276,11 @@ class Making(GarmentResults, WearerOptions, FabricOption):
             where = f"; look at {look}" if self.preview else ""
             print(f"{seconds:.1f} s in all{where}.")  # noqa: T201
         return SOMETHING_TO_LOOK_AT if any(_is_flawed(one) for one in outcomes.values()) else 0
+
+
+def _wore(edited: Pattern | None) -> DraftedFor | None:
+    """Who wears the pattern to edit until now."""
+    return None if edited is None else edited.drafted_for
 
 
 def _is_flawed(outcome: Tailored | SwiftTailorError) -> bool:

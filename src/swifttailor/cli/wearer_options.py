@@ -11,6 +11,7 @@ from swifttailor.cli.postponed_imports import tyro
 if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.garment.garment import Garment
+    from swifttailor.pattern.drafted_for import DraftedFor
 
 MESHES = (".obj", ".ply", ".glb", ".stl")
 
@@ -20,10 +21,10 @@ class BodyOptions:
     """A body by its size, its measures or a file."""
 
     size: Annotated[str | None, tyro.conf.arg(metavar="SIZE")] = None
-    """Refit to a size of a chart: 44, "UK 12", "US 8", M, "men 50", "children 128". EU sizes for women unless
-    it says otherwise."""
+    """Make it for a size of a chart: 44, "UK 12", "US 8", M, "men 50", "children 128". EU sizes for women
+    unless it says otherwise."""
     measure: Annotated[tuple[str, ...], tyro.conf.arg(metavar="NAME=CM")] = ()
-    """Refit to measures, such as bust=96 waist=80 height=172; they outrank those of --size."""
+    """Make it for measures, such as bust=96 waist=80 height=172; they outrank those of --size."""
     figure: Literal["women", "men", "children"] | None = None
     """Whose shape completes the measures. Default: the size's, else an adult like the default body."""
     body: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
@@ -35,8 +36,11 @@ class BodyOptions:
         """Whether a body is asked for."""
         return any((self.size is not None, self.measure, self.figure is not None, self.body is not None))
 
-    def wearer(self) -> Body | None:
+    def wearer(self, before: DraftedFor | None = None) -> Body | None:
         """The body that is asked for; None where none is.
+
+        Args:
+            before: Who wears the garment until now, of whom all is kept that is not overruled.
 
         Raises:
             InputError: There is no such size, measure or file, or no body has these measures.
@@ -46,7 +50,7 @@ class BodyOptions:
         from swifttailor.body.measure_names import parse_measures
         from swifttailor.body.wearer import Wearer
 
-        return Wearer(self.size, parse_measures(self.measure), self.body, self.figure).body()
+        return Wearer(self.size, parse_measures(self.measure), self.body, self.figure, before=before).body()
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -11,7 +11,9 @@ import numpy as np
 
 from swifttailor.making import drawing
 from swifttailor.making.drawing import Drawing, Stroke, Style, Text
+from swifttailor.making.finished_measures import MeasuresColumn, in_inches
 from swifttailor.making.made_for import made_for
+from swifttailor.making.measures_page import draw_measures
 from swifttailor.making.paper import Paper
 from swifttailor.making.pdf_canvas import POINTS_PER_CM, draw, start_page, wrapped
 from swifttailor.making.pieces import CuttingPlan
@@ -36,6 +38,8 @@ class CoverFacts:
     preview: Path | None
     sizes: tuple[tuple[str, Style], ...] = ()
     """Of a file with several: what is said of each size, and its cut line."""
+    finished: tuple[MeasuresColumn, ...] = ()
+    """The measurements of the finished garment, one column a size."""
 
 
 def draw_cover(canvas: Any, facts: CoverFacts) -> int:
@@ -111,6 +115,9 @@ def _pieces_beside(canvas: Any, facts: CoverFacts, paper: Paper, left: float, to
             False,
         )
     )
+    # The finished garment's measures stay together: here where there is room, else on a page of their own.
+    alone = () if facts.sizes else facts.finished
+    measures = [f"{name}: {cm:.1f} cm, {in_inches(cm)} in" for own in alone for name, cm in own.cm.items()]
     pages, y, width = 1, top, paper.width - _BORDER_CM - left
     for text, is_heading in entries:
         lines = [text] if is_heading else list(wrapped(text, width, _BODY_CM))
@@ -134,8 +141,17 @@ def _pieces_beside(canvas: Any, facts: CoverFacts, paper: Paper, left: float, to
                 draw(canvas, Drawing((Stroke(sample, lines_of[text]),)))
             y -= _LINE_CM
         y -= 0.08
+    fits = y - 1.25 - _LINE_CM * len(measures) >= _BORDER_CM
+    if measures and fits:
+        y -= 0.5
+        words = [Text("Finished garment", left, y, 0.5, anchor="start", bold=True)]
+        lows = y - 0.75 - _LINE_CM * np.arange(len(measures))
+        words += [
+            Text(m, left, float(low), _BODY_CM, anchor="start") for m, low in zip(measures, lows, strict=True)
+        ]
+        draw(canvas, Drawing((), tuple(words)))
     canvas.showPage()
-    return pages
+    return pages if measures and fits else pages + draw_measures(canvas, facts.finished, paper)
 
 
 def _page_map(facts: CoverFacts, left: float, bottom: float, width: float, height: float) -> Drawing:

@@ -13,6 +13,7 @@ from swifttailor.atomic_files import write_atomically
 from swifttailor.making import drawing
 from swifttailor.making.cover_pages import CoverFacts, draw_cover, draw_steps
 from swifttailor.making.drawing import Drawing, Stroke, Text
+from swifttailor.making.finished_measures import finished_column
 from swifttailor.making.nested_drawing import draw_nested, size_line
 from swifttailor.making.paper import MARGIN_CM, Paper, Tile
 from swifttailor.making.pdf_canvas import POINTS_PER_CM, draw, new_canvas, start_page
@@ -74,11 +75,13 @@ def write_pdf(
     placed = [
         d.moved(turn, shift) for d, turn, shift in zip(drawings, sheet.turns, sheet.shifts, strict=True)
     ]
+    column = finished_column(plan.sewn.pattern)
+    finished = () if column is None else (column,)
     cover_pages = steps_pages = 0
 
     def write(temporary: Path) -> None:
         canvas = new_canvas(temporary, f"{plan.name}, sewing pattern", (paper.width, paper.height))
-        facts = CoverFacts(plan, sheet, paper, placed, tuple(cloth), preview)
+        facts = CoverFacts(plan, sheet, paper, placed, tuple(cloth), preview, finished=finished)
         nonlocal cover_pages, steps_pages
         cover_pages = draw_cover(canvas, facts)
         _tiles(canvas, sheet, paper, [Drawing.joined(placed)], plan.name)
@@ -135,13 +138,17 @@ def write_sizes_pdf(
     named = replace(base, pieces=tuple(one.pieces[run.base] for one in run.nested))
     words = said or run.sizes
     sizes = tuple((text, size_line(k)) for k, text in enumerate(words))
+    columns = [
+        finished_column(own.sewn.pattern, size) for size, own in zip(run.sizes, run.plans, strict=True)
+    ]
+    finished = tuple(column for column in columns if column is not None)
     cover_pages = steps_pages = 0
 
     def write(temporary: Path) -> None:
         canvas = new_canvas(
             temporary, f"{run.name}, sewing pattern", (paper.width, paper.height), layers=True
         )
-        facts = CoverFacts(named, sheet, paper, mapped, tuple(cloth), None, sizes)
+        facts = CoverFacts(named, sheet, paper, mapped, tuple(cloth), None, sizes, finished)
         nonlocal cover_pages, steps_pages
         cover_pages = draw_cover(canvas, facts)
         _tiles(canvas, sheet, paper, [Drawing.joined(common), *layers], run.name)

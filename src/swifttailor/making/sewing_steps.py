@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from swifttailor.making.allowances import EdgeKind
+from swifttailor.making.finished_measures import finished_column, in_inches
 from swifttailor.making.made_for import made_for
 from swifttailor.making.pieces import CuttingPlan, Piece
 from swifttailor.making.seams import Seam, SeamRole, gather
@@ -111,6 +112,7 @@ def steps_markdown(plan: CuttingPlan, *, cloth: Sequence[str] = ()) -> str:
         "",
         f"Made for {made_for(plan.sewn.pattern)}.",
         "",
+        *_finished(plan),
         "## Pieces",
         "",
     ]
@@ -124,6 +126,15 @@ def steps_markdown(plan: CuttingPlan, *, cloth: Sequence[str] = ()) -> str:
         lines += ["", "## Look at", ""]
         lines += [f"- {finding.message}." for finding in plan.findings]
     return "\n".join(lines) + "\n"
+
+
+def _finished(plan: CuttingPlan) -> list[str]:
+    """The measurements of the finished garment, as a table."""
+    column = finished_column(plan.sewn.pattern)
+    if column is None:
+        return []
+    rows = [f"| {name} | {cm:.1f} | {in_inches(cm)} |" for name, cm in column.cm.items()]
+    return ["## Finished garment", "", "| | cm | in |", "|---|---|---|", *rows, ""]
 
 
 def preparation(plan: CuttingPlan) -> list[str]:

@@ -123,10 +123,17 @@ def _panels(piece: Piece) -> frozenset[str]:
 
 def _same_piece(piece: Piece, size: str, plan: CuttingPlan) -> Piece:
     found = next((own for own in plan.pieces if _panels(own) == _panels(piece)), None)
-    if found is None or len(found.runs) != len(piece.runs):
+    panels = ", ".join((*piece.panels, *piece.mirrored))
+    if found is None:
         raise InputError(
-            f"Size {size} is not cut like the others: it has no piece of the panels "
-            f"{', '.join((*piece.panels, *piece.mirrored))}. Convert it by itself."
+            f"Size {size} is not cut like the others: it has no piece of the panels {panels}. "
+            "Convert it by itself."
+        )
+    if len(found.runs) != len(piece.runs):
+        raise InputError(
+            f"Size {size} is not cut like the others: its piece of the panels {panels} has {len(found.runs)} "
+            f"edges and that of the middle size {len(piece.runs)}, as where a dart comes or goes. Convert it "
+            "by itself, or make the sizes from one pattern: swifttailor fit PATTERN --sizes 36-46 --out DIR"
         )
     return replace(found, size=size, panels=piece.panels, mirrored=piece.mirrored)
 

@@ -58,7 +58,10 @@ def read_design(path: Path | str) -> dict[str, Any]:
             f"'{path}' holds no design. Accepted is a mapping of parameters, for example "
             "'design: {meta: {upper: {v: Shirt}}}' or 'meta.upper: Shirt'."
         )
-    return {name: _checked(name, value) for name, value in values.items()}
+    try:
+        return {name: _checked(name, value) for name, value in values.items()}
+    except DesignError as error:
+        raise DesignError(f"'{path}' is not a design: {error}") from error
 
 
 def _parse(text: str, path: Path) -> Any:

@@ -1,4 +1,4 @@
-"""Patterns for other bodies: a pattern that was drafted for one body is refitted to another (docs/sizes.md).
+"""Patterns for other bodies: drafted for one and refitted to another, or drafted for each (docs/sizes.md).
 
 May import what sews, and what lies below it.
 """
@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 from swifttailor.first_use import loaded_on_first_use
 
 if TYPE_CHECKING:
+    from swifttailor.refitting.designs import draft_design
     from swifttailor.refitting.refitted import Refitted, fit, refit
 
-_PUBLIC = {"Refitted": "refitted", "fit": "refitted", "refit": "refitted"}
+_PUBLIC = {"Refitted": "refitted", "draft_design": "designs", "fit": "refitted", "refit": "refitted"}
 
-__all__ = ["Refitted", "fit", "refit"]
+__all__ = ["Refitted", "draft_design", "fit", "refit"]
 
 __getattr__ = loaded_on_first_use(__name__, _PUBLIC)
 

@@ -34,7 +34,7 @@ def body_wanted(order: Order, usual: Body | None) -> Body | None:
     if order.alter and order.text.strip():
         wearer = hear_wearer(order.text, instruction=order.edit is not None).wearer
         if wearer is not None:
-            return wearer.body()
+            return replace(wearer, before=None if order.edit is None else order.edit.drafted_for).body()
     if usual is None and order.edit is not None and order.edit.drafted_for is not None:
         from swifttailor.body.wearer import body_of
 
