@@ -76,9 +76,46 @@ def test_what_details_say_outranks_the_network_and_that_outranks_names():
     )
     usual = claims(hear_description("a shirt", Saying()).likely)
     (said,) = [claim for claim in usual if claim.name == "sleeves"]
-    other = Claim("sleeves", "none" if said.value != "none" else "long")
-    heard = hear_description("a shirt", Saying(Wish(Gain(other), 0.95)))
+    network = Saying(
+        Wish(Gain(other := Claim("sleeves", "short" if said.value != "short" else "long")), 0.95)
+    )
+    heard = hear_description("a shirt with nice sleeves", network)
     assert other in claims(heard.sure) and said not in claims(heard.likely)
+
+
+def test_the_network_is_not_believed_in_what_no_word_is_about():
+    network = Saying(Wish(Gain(Claim("sleeves", "none")), 0.99), Wish(Gain(Claim("skirt", "peplum")), 0.99))
+    heard = hear_description("no v necks! a tee with a high round neck", network)
+    assert claims(heard.sure) == {
+        Claim("kind", "top"),
+        Claim("neckline", "round"),
+        Claim("neck_depth", "high"),
+    }
+    assert Claim("sleeves", "short") in claims(heard.likely), "as tees have"
+    assert not any(c.name == "skirt" for c in claims(hear_description("a column gown", network).sure))
+    strange = hear_description("a tee, wuzzled", network)
+    assert Claim("sleeves", "none") in claims(strange.sure), "a word that nobody knows may be about sleeves"
+
+
+@pytest.mark.parametrize(
+    ("text", "unread"),
+    [
+        ("a shirt whose collar is wider than the sleeves", ("wider",)),
+        ("a shirt, warmer than mine", ()),
+        ("a shirt that is longer behind than in front", ()),
+        ("a skirt not longer than the knee", ()),
+    ],
+)
+def test_comparisons_that_nothing_came_of_are_named(text, unread):
+    heard = hear_description(text, Saying())
+    assert tuple(word for word in heard.unread if word.endswith("er")) == unread
+
+
+def test_a_detail_that_becomes_its_opposite_is_named():
+    mini = Saying(Wish(Gain(Claim("skirt_hem", "mini")), 0.7))
+    heard = hear_description("long skirt, not floor length though", mini)
+    assert heard.never == (Claim("skirt_hem", "floor"),)
+    assert Claim("skirt_hem", "maxi") in claims((*heard.sure, *heard.likely))
 
 
 def test_where_the_network_leaves_no_word_out_it_comes_first(reader):
@@ -101,7 +138,7 @@ def test_numbers_of_a_skirt_fit_a_skirt(reader):
 def test_what_a_kind_cannot_have_is_not_taken_from_the_network():
     legs = Wish(Gain(Claim("legs", "wide")), 0.97)
     assert Claim("legs", "wide") not in claims(hear_description("a bathrobe", Saying(legs)).sure)
-    assert Claim("legs", "wide") in claims(hear_description("trousers", Saying(legs)).sure)
+    assert Claim("legs", "wide") in claims(hear_description("trousers, comfortable legs", Saying(legs)).sure)
 
 
 def test_refusals_are_kept_apart(reader):
