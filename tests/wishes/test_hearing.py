@@ -111,6 +111,51 @@ def test_comparisons_that_nothing_came_of_are_named(text, unread):
     assert tuple(word for word in heard.unread if word.endswith("er")) == unread
 
 
+@pytest.mark.parametrize(
+    ("text", "claim"),
+    [
+        ("a shirt whose back is longer than the front", Claim("hem_shape", "high-low")),
+        ("a shirt, shorter in front than behind", Claim("hem_shape", "high-low")),
+        ("a skirt, the hem longer on the left than on the right", Claim("hem_shape", "lower left")),
+        ("a skirt no longer than the knee", Claim("skirt_hem", "knee")),
+        ("a dress that is longer than the knee", Claim("skirt_hem", "below the knee")),
+        ("a dress with sleeves no longer than the elbow", Claim("sleeves", "elbow")),
+        ("ein Kleid übers Knie, hinten geschlitzt", Claim("skirt_hem", "below the knee")),
+        ("ein Kleid übers Knie, hinten geschlitzt", Claim("slit", "back")),
+    ],
+)
+def test_lengths_that_are_compared_are_heard(text, claim):
+    heard = hear_description(text, Saying())
+    assert claim in claims(heard.sure) and claim not in heard.never
+    assert heard.unread == ()
+
+
+@pytest.mark.parametrize("text", ["a dress for my nan", "trousers for my gf", "a body with sleeves"])
+def test_people_and_bodies_are_no_clothes(text):
+    heard = hear_description(text, Saying())
+    assert heard.unread == () and heard.cannot == ()
+
+
+def test_who_asks_for_box_pleats_is_told_that_the_cloth_decides():
+    lacks = [hear_description(f"a {sort}pleated skirt", Saying()).lacks for sort in ("box ", "knife ", "")]
+    assert [any(lack.what == "pleat_folds" for lack in each) for each in lacks] == [True, True, False]
+
+
+@pytest.mark.parametrize(
+    ("text", "draft"),
+    [
+        ("halter top", "halter-top"),
+        ("a halter dress", "halter-dress"),
+        ("off the shoulder top", "off-shoulder-top"),
+        ("a bardot dress", "off-shoulder-dress"),
+    ],
+)
+def test_bare_shoulders_begin_from_drafts_and_lack_nothing_then(text, draft):
+    heard = hear_description(text, Saying())
+    assert heard.drafts == (draft,)
+    assert {lack.what for lack in heard.made_as(draft).lacks} <= {"ties"}
+
+
 def test_a_detail_that_becomes_its_opposite_is_named():
     mini = Saying(Wish(Gain(Claim("skirt_hem", "mini")), 0.7))
     heard = hear_description("long skirt, not floor length though", mini)

@@ -24,6 +24,8 @@ _BEFORE = re.compile(
     rf"(?<!\w)(?:{_PLACE})(?!\w)\W+(?:\w+\W+){{0,2}}?(?:(?P<longer>{_LONGER})|(?P<shorter>{_SHORTER}))(?!\w)"
 )
 _OTHER_PARTS = re.compile(r"(?<!\w)(?:neck\w*|sleeve\w*|collar|waist|slit|back neck\w*|zip\w*)(?!\w)")
+_THAN_WHAT = re.compile(r"(?<!\w)(?:than|als|que)(?!\w)(?!.*(?<!\w)(?:in|at|behind)(?!\w))")
+"""What is longer than the front is so behind."""
 _OTHER_SIDE = {"left": "right", "right": "left", "back": "front", "front": "back"}
 
 
@@ -43,7 +45,8 @@ def spoken_hem(text: str, kind: str | None) -> Claim | None:
         if said is None:
             continue
         place = next(name for name in _OTHER_SIDE if said[name])
-        lower = place if said["longer"] else _OTHER_SIDE[place]
+        longer = bool(said["longer"]) != bool(_THAN_WHAT.search(said[0]))
+        lower = place if longer else _OTHER_SIDE[place]
         if lower in ("left", "right"):
             return Claim("hem_shape", f"lower {lower}")
         if lower == "back":

@@ -25,7 +25,7 @@ _REACHES = re.compile(
 _OF = re.compile(r"(?<!\w)([^\W\d_]+) (?:of|for)(?: the| an?)? ([^\W\d_]+)(?!\w)")
 
 
-_ITEM = re.compile(r"(?:^|(?<=\s))\s*(\d{1,2})[.)]\s+(?=[^\W\d])")
+_ITEM = re.compile(r"(?:^\s*|\s+)(\d{1,2})[.)]\s+(?=[^\W\d])")
 """Numbers before the items of a list."""
 
 _WITHDRAWN = re.compile(
