@@ -26,6 +26,7 @@ _FILES = {
     "final": WORDS / "final" / "prompts.jsonl",
     "fresh": WORDS / "fresh" / "prompts.jsonl",
     "fresh_after": WORDS / "fresh" / "prompts_after.jsonl",
+    "voices": WORDS / "fresh" / "prompts_voices.jsonl",
 }
 
 

@@ -36,6 +36,7 @@ _FILES = {
     "fresher": WORDS / "fresh" / "edits_after.jsonl",
     "cutting": WORDS / "fresh" / "edits_cutting.jsonl",
     "cutting_after": WORDS / "fresh" / "edits_cutting_after.jsonl",
+    "voices": WORDS / "fresh" / "edits_voices.jsonl",
 }
 _STAYS_CM = 2.0
 """What is to stay may move by so much."""

@@ -76,9 +76,91 @@ def test_what_details_say_outranks_the_network_and_that_outranks_names():
     )
     usual = claims(hear_description("a shirt", Saying()).likely)
     (said,) = [claim for claim in usual if claim.name == "sleeves"]
-    other = Claim("sleeves", "none" if said.value != "none" else "long")
-    heard = hear_description("a shirt", Saying(Wish(Gain(other), 0.95)))
+    network = Saying(
+        Wish(Gain(other := Claim("sleeves", "short" if said.value != "short" else "long")), 0.95)
+    )
+    heard = hear_description("a shirt with nice sleeves", network)
     assert other in claims(heard.sure) and said not in claims(heard.likely)
+
+
+def test_the_network_is_not_believed_in_what_no_word_is_about():
+    network = Saying(Wish(Gain(Claim("sleeves", "none")), 0.99), Wish(Gain(Claim("skirt", "peplum")), 0.99))
+    heard = hear_description("no v necks! a tee with a high round neck", network)
+    assert claims(heard.sure) == {
+        Claim("kind", "top"),
+        Claim("neckline", "round"),
+        Claim("neck_depth", "high"),
+    }
+    assert Claim("sleeves", "short") in claims(heard.likely), "as tees have"
+    assert not any(c.name == "skirt" for c in claims(hear_description("a column gown", network).sure))
+    strange = hear_description("a tee, wuzzled", network)
+    assert Claim("sleeves", "none") in claims(strange.sure), "a word that nobody knows may be about sleeves"
+
+
+@pytest.mark.parametrize(
+    ("text", "unread"),
+    [
+        ("a shirt whose collar is wider than the sleeves", ("wider",)),
+        ("a shirt, warmer than mine", ()),
+        ("a shirt that is longer behind than in front", ()),
+        ("a skirt not longer than the knee", ()),
+    ],
+)
+def test_comparisons_that_nothing_came_of_are_named(text, unread):
+    heard = hear_description(text, Saying())
+    assert tuple(word for word in heard.unread if word.endswith("er")) == unread
+
+
+@pytest.mark.parametrize(
+    ("text", "claim"),
+    [
+        ("a shirt whose back is longer than the front", Claim("hem_shape", "high-low")),
+        ("a shirt, shorter in front than behind", Claim("hem_shape", "high-low")),
+        ("a skirt, the hem longer on the left than on the right", Claim("hem_shape", "lower left")),
+        ("a skirt no longer than the knee", Claim("skirt_hem", "knee")),
+        ("a dress that is longer than the knee", Claim("skirt_hem", "below the knee")),
+        ("a dress with sleeves no longer than the elbow", Claim("sleeves", "elbow")),
+        ("ein Kleid übers Knie, hinten geschlitzt", Claim("skirt_hem", "below the knee")),
+        ("ein Kleid übers Knie, hinten geschlitzt", Claim("slit", "back")),
+    ],
+)
+def test_lengths_that_are_compared_are_heard(text, claim):
+    heard = hear_description(text, Saying())
+    assert claim in claims(heard.sure) and claim not in heard.never
+    assert heard.unread == ()
+
+
+@pytest.mark.parametrize("text", ["a dress for my nan", "trousers for my gf", "a body with sleeves"])
+def test_people_and_bodies_are_no_clothes(text):
+    heard = hear_description(text, Saying())
+    assert heard.unread == () and heard.cannot == ()
+
+
+def test_who_asks_for_box_pleats_is_told_that_the_cloth_decides():
+    lacks = [hear_description(f"a {sort}pleated skirt", Saying()).lacks for sort in ("box ", "knife ", "")]
+    assert [any(lack.what == "pleat_folds" for lack in each) for each in lacks] == [True, True, False]
+
+
+@pytest.mark.parametrize(
+    ("text", "draft"),
+    [
+        ("halter top", "halter-top"),
+        ("a halter dress", "halter-dress"),
+        ("off the shoulder top", "off-shoulder-top"),
+        ("a bardot dress", "off-shoulder-dress"),
+    ],
+)
+def test_bare_shoulders_begin_from_drafts_and_lack_nothing_then(text, draft):
+    heard = hear_description(text, Saying())
+    assert heard.drafts == (draft,)
+    assert {lack.what for lack in heard.made_as(draft).lacks} <= {"ties"}
+
+
+def test_a_detail_that_becomes_its_opposite_is_named():
+    mini = Saying(Wish(Gain(Claim("skirt_hem", "mini")), 0.7))
+    heard = hear_description("long skirt, not floor length though", mini)
+    assert heard.never == (Claim("skirt_hem", "floor"),)
+    assert Claim("skirt_hem", "maxi") in claims((*heard.sure, *heard.likely))
 
 
 def test_where_the_network_leaves_no_word_out_it_comes_first(reader):
@@ -101,7 +183,7 @@ def test_numbers_of_a_skirt_fit_a_skirt(reader):
 def test_what_a_kind_cannot_have_is_not_taken_from_the_network():
     legs = Wish(Gain(Claim("legs", "wide")), 0.97)
     assert Claim("legs", "wide") not in claims(hear_description("a bathrobe", Saying(legs)).sure)
-    assert Claim("legs", "wide") in claims(hear_description("trousers", Saying(legs)).sure)
+    assert Claim("legs", "wide") in claims(hear_description("trousers, comfortable legs", Saying(legs)).sure)
 
 
 def test_refusals_are_kept_apart(reader):

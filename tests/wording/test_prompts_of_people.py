@@ -43,7 +43,9 @@ def test_every_line_is_in_the_vocabulary(half, name):
     assert len(prompts) == FILES[name][1]
 
 
-@pytest.mark.parametrize(("file", "count"), [("edits.jsonl", 150), ("edits_after.jsonl", 75)])
+@pytest.mark.parametrize(
+    ("file", "count"), [("edits.jsonl", 150), ("edits_after.jsonl", 75), ("edits_voices.jsonl", 36)]
+)
 def test_instructions_written_later_are_in_the_vocabulary_and_new(file, count):
     later = read_people_edits(WORDS / "fresh" / file)
     assert len({prompt.text.lower() for prompt in later}) == count

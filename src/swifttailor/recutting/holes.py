@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from swifttailor.describing.measuring.anatomy import Border
+from swifttailor.describing.measuring.anatomy import Anatomy, Border
 from swifttailor.describing.measuring.parts import Part
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import EdgeRef, Panel, Pattern
@@ -34,10 +34,19 @@ def has_holes(pattern: Pattern) -> bool:
     arms = [loop.center[0] > 0 for loop in anatomy.loops(Border.ARM)]
     return (
         count[Border.TOP] != 1
-        or count[Border.OTHER] > 0
+        or count[Border.OTHER] > _bare_backs(anatomy)
         or (legs, hems) not in ((2, 0), (0, 1))
         or any(arms.count(side) > 1 for side in (True, False))
     )
+
+
+def _bare_backs(anatomy: Anatomy) -> int:
+    """1 for a halter, whose arms and back are bare in one border around both sides, front and back."""
+    if anatomy.loops(Border.ARM):
+        return 0
+    around = [{anatomy.parts[r.panel] for r in loop.edges} for loop in anatomy.loops(Border.OTHER)]
+    sides = [{(each.side, each.face) for each in parts if each.part is Part.TORSO} for parts in around]
+    return int(any(len(each - {("middle", "front"), ("middle", "back")}) == 4 for each in sides))
 
 
 def _is_open(pattern: Pattern, panel: Panel) -> bool:

@@ -36,6 +36,10 @@ _TOWARDS: Mapping[tuple[str, str], tuple[str, int]] = {
 }
 
 
+_PARTS = (0.75, 0.5)
+"""How much of a step is tried that cannot be done in full."""
+
+
 def towards(open_wishes: Sequence[Change], asked: Sequence[Change]) -> list[Step]:
     """Steps that lead towards wishes that do not hold, where nothing else is asked of the same measure.
 
@@ -46,6 +50,9 @@ def towards(open_wishes: Sequence[Change], asked: Sequence[Change]) -> list[Step
     told = {subject_of(change) for change in asked}
     found = []
     for wish in open_wishes:
+        if isinstance(wish, Step) and wish.amount is not None:
+            found += [Step(wish.quantity, wish.direction, round(part * wish.amount, 2)) for part in _PARTS]
+            continue
         way = _TOWARDS.get((wish.claim.name, str(wish.claim.value))) if isinstance(wish, Gain) else None
         if way is not None and way[0] not in told:
             found.append(Step(*way))

@@ -28,6 +28,8 @@ from swifttailor.wishes.unsaid import leaves_hem_unsaid, unsaid_wishes
 NARROWEST_SLEEVE_CM, NARROWEST_HEM_CM = 14.0, 60.0
 """No hand goes through less, and nobody walks in less; 16.6 cm around sleeves and 69.8 around skirts are the
 least of GarmentCode's validation patterns."""
+SHORTEST_SKIRT_CM = 12.0
+"""Below a dropped waist; what is shorter is a strip at the hem."""
 BARE_CM = 4.0
 """No skirt ends so far above the crotch; 0.5 cm is the highest of those."""
 
@@ -109,7 +111,7 @@ def fit(written: WrittenPattern, wanted: Wanted, *, drafted: bool = False) -> An
         senseless=taken is not None and _is_senseless(taken.facts),
         holes=not of_edit and _is_torn(pattern, edit),
         one_sided=() if of_edit else _unasked(pattern, (*changes, *maybe) if alters else (), edit),
-        open=changes if taken is None else taken.open,
+        open=changes if taken is None else (*taken.open, *_unseen(taken, changes)),
         refused=() if taken is None else _refused(taken.facts, wanted),
     )
     return Answer(
@@ -172,6 +174,16 @@ def _finished(
 
 def _refused(facts: GarmentFacts, wanted: Wanted) -> tuple[Gain, ...]:
     return tuple(gain for gain in map(Gain, wanted.heard.never) if gain.holds(facts, facts))
+
+
+def _unseen(taken: Alteration, changes: Sequence[Change]) -> tuple[Change, ...]:
+    """What is asked of the skirt of a dress and true of a strip at its hem alone, where nobody sees it."""
+    skirt = taken.facts.skirt
+    if taken.facts.kind != "dress" or skirt is None or skirt.length >= SHORTEST_SKIRT_CM:
+        return ()
+    return tuple(
+        [c for c in changes if isinstance(c, Gain) and c.claim.name == "skirt" and c not in taken.open]
+    )
 
 
 def _unasked(pattern: Pattern, changes: Sequence[Change], edit: Pattern | None) -> tuple[str, ...]:

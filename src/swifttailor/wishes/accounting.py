@@ -9,7 +9,7 @@ from collections.abc import Collection, Sequence, Set
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, subject_of
-from swifttailor.wording.lexicon import WordMark, WordReading
+from swifttailor.wording.lexicon import WordMark, WordReading, exclude
 
 _ABOUT = {
     "sleeves": "sleeves sleeve_shape left_sleeve right_sleeve cuffs sleeve_cm sleeve_width_cm cuff_cm",
@@ -38,10 +38,20 @@ _ABOUT = {
 }
 """Claims that are about a part; parts that are named only to say where something is are left out."""
 _OF_THE_CUT = frozenset(["fits", "lengths", "styles", "parts"])
+_COMPARED = frozenset(
+    "longer shorter wider narrower tighter looser bigger smaller deeper higher lower shallower fuller "
+    "slimmer roomier larger straighter rounder baggier puffier".split()
+)
+"""Words that compare parts of the cut; other comparisons ("warmer") ask for nothing that is cut."""
 
 
 def unaccounted(
-    words: WordReading, changes: Sequence[Change], never: Sequence[Claim] = (), numbers: Sequence[int] = ()
+    words: WordReading,
+    changes: Sequence[Change],
+    never: Sequence[Claim] = (),
+    numbers: Sequence[int] = (),
+    *,
+    compared: bool = False,
 ) -> tuple[str, ...]:
     """Words about the cut that nothing came of, in their order.
 
@@ -50,14 +60,24 @@ def unaccounted(
         changes: What was understood of the text.
         never: What the text refuses.
         numbers: Where the numbers of the text end that are measures: what "long" behind one says is known.
+        compared: Whether its comparisons are understood: "longer behind than in front".
     """
     claims = {change.claim for change in changes if isinstance(change, Gain)}
     subjects = {subject_of(change) for change in changes}
     refused = {*words.never, *never}
     lacking = [lack.mark for lack in words.lacks]
     found = []
+    opposed = [mark for pair in words.contradictions for mark in (pair.first, pair.second)]
     for k, mark in enumerate(words.marks):
+        if mark.word.lower() in _COMPARED and not compared and not numbers:
+            # "Not longer than the knee" is a hem at the knee.
+            with_what = [
+                i.claim for near in words.marks[k + 1 : k + 4] for e in near.entries for i in e.implied
+            ]
+            found += [] if claims.intersection(with_what) else [mark.word]
         if not mark.entries or mark.entries[0].category not in _OF_THE_CUT or mark.role == "theirs":
+            continue
+        if mark in opposed:  # named as such
             continue
         if any(0 <= mark.start - end <= 2 for end in numbers):
             continue
@@ -67,6 +87,22 @@ def unaccounted(
         if not _is_answered(mark, claims, subjects, refused):
             found.append(mark.word)
     return tuple(dict.fromkeys(found))
+
+
+def subjects_spoken_of(words: WordReading) -> frozenset[str]:
+    """Claims that details of a text are about: what they imply, also denied, and what their part has.
+
+    Any word may tell the kind, and what is said of sleeves tells of shoulders.
+
+    Args:
+        words: By the lexicon.
+    """
+    found = {"kind"}
+    for mark in words.marks:
+        for entry in mark.entries if mark.role not in ("garment", "like", "second") else ():
+            found |= {each.claim.name for each in entry.implied} | {claim.name for claim in entry.without}
+            found |= set(_ABOUT.get(entry.part or "", "").split())
+    return frozenset(found | ({"shoulders"} if "sleeves" in found else set()))
 
 
 def _is_answered(
@@ -82,5 +118,9 @@ def _is_answered(
     if mark.denied:
         gone = [claim for one in mark.entries for claim in one.without]
         return any(claim in claims for claim in gone) or any(claim in refused for claim in said)
-    names = {claim.name for claim in said}
-    return bool(names & set(subjects)) or any(claim in claims for claim in said)
+    if any(claim in claims for claim in said):
+        return True
+    about = [claim for claim in claims for one in said if claim.name == one.name]
+    stepped = {claim.name for claim in said} & (subjects - {claim.name for claim in claims})
+    # Of "a long skirt" that becomes a short one nothing came, though its hem was spoken of.
+    return bool(stepped) or any(not exclude(claim, one) for claim in about for one in said)

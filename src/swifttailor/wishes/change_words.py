@@ -124,7 +124,8 @@ def _nouns() -> re.Pattern[str]:
         for section in ("adding", "taking")
     )
     nouns = _any_of(list(_noun_meanings())).pattern
-    between = r"(?: (?!to\b|with\b|in\b|at\b)[\w'’%]+){0,3}? "
+    amount = r"(?: \d+(?:[.,]\d+)? ?(?:cm|mm|inch(?:es)?|in|zoll)?(?: (?:out|off|away|from))?(?: of)?)?"
+    between = rf"{amount}(?: (?!to\b|with\b|in\b|at\b)[\w'’%]+){{0,3}}? "
     few = r"(?:is|are|seems) (?:insufficient|too little|not enough)"
     return re.compile(
         rf"(?:(?P<take>{take})|(?P<add>{add})){between}(?P<noun>{nouns})"

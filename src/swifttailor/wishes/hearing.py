@@ -13,7 +13,7 @@ from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
-from swifttailor.wishes.accounting import unaccounted
+from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.lexicon_spelling import guessed_name
 from swifttailor.wishes.mentions import find_mentions
@@ -26,6 +26,7 @@ from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import says_nothing_else, unread_numbers
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, WordReading, exclude
+from swifttailor.wording.lexicon.conflicts import SCALES
 
 SURE_OF_EVERY_WORD = 0.96
 """Enough for the network to come before the lexicon, where it leaves no word out."""
@@ -69,11 +70,11 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     words = without_spans(words, sides.spans)
     said = [m.claim for m in measures if m.claim is not None] + ([] if hem is None else [hem])
     said += sides.claims
-    said += spoken_bounds(text, words)
+    said += (bounds := spoken_bounds(text, words, named))
     if (slit := spoken_slit(text, words)) is not None:
         said.append(slit)
     network = [w for w in network if not _is_against_phrase(w, words)]
-    never = (*words.never, *_with_parts(words))
+    never = tuple([claim for claim in (*words.never, *_with_parts(words)) if claim not in said])
     network = [w for w in network if not _is_measured(w, measures) and not _is_outdone(w, said, never)]
     network = _within_names(network, words)
     found = _explained(text, words, network) or united(text, words, network)
@@ -91,7 +92,13 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     known = " ".join([*words.sizes, *[text[m.mention.start : m.mention.end] for m in measures if m.claim]])
     unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in known]
     sure, likely = sure_wishes(found), likely_wishes(found)
-    silent = unaccounted(words, _changes((*sure, *likely)), never, [m.mention.end for m in measures])
+    silent = unaccounted(
+        words,
+        _changes((*sure, *likely)),
+        never,
+        [m.mention.end for m in measures],
+        compared=hem is not None or bool(bounds),
+    )
     return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
 
 
@@ -133,15 +140,17 @@ def _with_parts(words: WordReading) -> tuple[Claim, ...]:
 def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
     """What the network reads, no surer of what the name of a draft implies than the lexicon is.
 
-    So the draft stays as it is named: where all words are known, what none of them is said of ("darted" of
-    "a fitted turtleneck") is no more than likely. What garments of the kind cannot have, as the bodice of
-    "tailored trousers", is left out.
+    So the draft stays as it is named. Where all words are known, what no detail is about is no more than
+    likely: that a tee has no sleeves, since so many captions of round necklines go on like this. What
+    garments of the kind cannot have, as the bodice of "tailored trousers", is left out.
     """
     implied = [i for i in words.implications if not i.said]
     most = {i.claim: SURENESS[i.certainty] for i in implied if any(e.drafts for e in i.mark.entries)}
     told = {i.claim.name for i in words.implications} if most and not words.unknown else None
     sure = [i.claim for i in implied if i.claim.name == "kind" and i.certainty == "certain"]
     kind = next(iter(sure), None)
+    spoken = None if words.unknown else subjects_spoken_of(words)
+    named = [i.claim for i in implied]
     found = []
     for wish in network:
         claim = wish.change.claim if isinstance(wish.change, Gain) else None
@@ -149,6 +158,13 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
             if not fits_kind(claim.name, str(kind.value)):
                 continue
         bound = 1.0 if claim is None else most.get(claim, 1.0)
+        if claim is not None and spoken is not None and isinstance(claim.value, str):
+            agreed = claim in named or (
+                claim.name in SCALES
+                and any(one.name == claim.name and not exclude(one, claim) for one in named)
+            )
+            if claim.name not in spoken and not agreed:
+                bound = SURENESS["likely"]
         if claim is not None and told is not None and claim.name not in told and isinstance(claim.value, str):
             bound = SURENESS["likely"]
         found.append(replace(wish, certainty=min(wish.certainty, bound)))
@@ -205,7 +221,9 @@ def united(text: str, words: WordReading, network: Iterable[Wish]) -> tuple[Wish
     if kind == "skirt":  # "a skirt, no darts" asks for nothing of a bodice
         found = [w for w in found if not (isinstance(w.change, Gain) and w.change.claim.name == "bodice")]
     names = [Wish(Gain(each.claim), SURENESS[each.certainty]) for each in implied if each.claim not in told]
-    for wish in (*network, *names):
+    network = tuple(network)
+    guessed = [wish for wish in network if wish.certainty <= SURENESS["likely"]]
+    for wish in (*[wish for wish in network if wish not in guessed], *names, *guessed):
         if not isinstance(wish.change, Gain):
             continue
         claim = wish.change.claim

@@ -34,6 +34,8 @@ _SOUNDS = (
     ("or", "er"),
 )
 _DOUBLED = re.compile(r"(.)\1+")
+_SILENT = re.compile(r"e(?=s?$)")
+"""At the end of a word nobody hears it: "slevs"."""
 
 
 def lexicon_spelling(word: str) -> str | None:
@@ -86,7 +88,7 @@ def guessed_name(words: Iterable[str]) -> tuple[str, str] | None:
 def _sound(word: str) -> str:
     for written, heard in _SOUNDS:
         word = word.replace(written, heard)
-    return _DOUBLED.sub(r"\1", word)
+    return _SILENT.sub("", _DOUBLED.sub(r"\1", word))
 
 
 @cache

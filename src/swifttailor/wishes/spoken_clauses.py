@@ -119,6 +119,7 @@ _INSTEAD = {
     "neckline": dict.fromkeys(("v", "square", "boat", "trapezoid"), "round"),
     "fit": {"oversized": "easy", "loose": "easy", "close": "easy"},
     "shoulders": {"strapless": "both"},
+    "sleeves": {"none": "short"},
     "skirt_hem": {"micro": "knee", "mini": "knee", "maxi": "midi", "floor": "midi"},
 }
 """What is made where only the opposite is said."""

@@ -24,6 +24,8 @@ _BEFORE = re.compile(
     rf"(?<!\w)(?:{_PLACE})(?!\w)\W+(?:\w+\W+){{0,2}}?(?:(?P<longer>{_LONGER})|(?P<shorter>{_SHORTER}))(?!\w)"
 )
 _OTHER_PARTS = re.compile(r"(?<!\w)(?:neck\w*|sleeve\w*|collar|waist|slit|back neck\w*|zip\w*)(?!\w)")
+_THAN_WHAT = re.compile(r"(?<!\w)(?:than|als|que)(?!\w)(?!.*(?<!\w)(?:in|at|behind)(?!\w))")
+"""What is longer than the front is so behind."""
 _OTHER_SIDE = {"left": "right", "right": "left", "back": "front", "front": "back"}
 
 
@@ -43,7 +45,8 @@ def spoken_hem(text: str, kind: str | None) -> Claim | None:
         if said is None:
             continue
         place = next(name for name in _OTHER_SIDE if said[name])
-        lower = place if said["longer"] else _OTHER_SIDE[place]
+        longer = bool(said["longer"]) != bool(_THAN_WHAT.search(said[0]))
+        lower = place if longer else _OTHER_SIDE[place]
         if lower in ("left", "right"):
             return Claim("hem_shape", f"lower {lower}")
         if lower == "back":
@@ -55,14 +58,56 @@ _THAN = re.compile(r"(?<!\w)(?:than|als|que)\s+(?:the|my|to the|a)?\s*$", re.IGN
 _LENGTHS = frozenset({"skirt_hem", "top_hem", "leg_hem", "sleeves"})
 
 
-def spoken_bounds(text: str, words: WordReading) -> list[Claim]:
+_COMPARED = re.compile(
+    r"(?<!\w)(?P<no>(?:no|not|nothing|never|n['’]t be|nicht)\s+(?:\w+\s+)?)?"
+    r"(?P<how>longer|lower|länger|shorter|higher|kürzer)\s+(?:than|als)\s+"
+    r"(?:(?:the|my|to the|das|die|der)\s+)?"
+    r"(?P<level>knee|knie|mid-?calf|calf|calves|wade|ankle|knöchel|floor|ground|thigh|hip|waist|elbow|wrist)"
+)
+_LEVELS = {
+    "skirt_hem": {
+        **{"knee": "knee", "knie": "knee", "mid-calf": "midi", "midcalf": "midi", "calf": "midi"},
+        **{"calves": "midi", "wade": "midi", "ankle": "ankle", "knöchel": "ankle", "floor": "floor"},
+        **{"ground": "floor", "thigh": "mini"},
+    },
+    "leg_hem": {
+        **{"knee": "knee", "knie": "knee", "mid-calf": "calf", "midcalf": "calf", "calf": "calf"},
+        **{"calves": "calf", "wade": "calf", "ankle": "ankle", "knöchel": "ankle", "thigh": "mid-thigh"},
+    },
+    "top_hem": {"hip": "hip", "waist": "waist"},
+    "sleeves": {"elbow": "elbow", "wrist": "long"},
+}
+"""Hems at a height of the body."""
+_BESIDE_KNEE = {"longer": "below the knee", "shorter": "above the knee"}
+
+
+def _compared(text: str, kind: str | None) -> list[Claim]:
+    """A hem compared with a height: "no longer than the knee" asks for the knee, "longer" for more."""
+    hem = {"trousers": "leg_hem", "shorts": "leg_hem", "jumpsuit": "leg_hem", "top": "top_hem"}.get(
+        kind or "", "skirt_hem"
+    )
+    found = []
+    for said in _COMPARED.finditer(text.lower()):
+        name = "sleeves" if said["level"] in _LEVELS["sleeves"] else hem
+        value = _LEVELS[name].get(said["level"])
+        if value is not None and said["no"] is None:
+            way = "longer" if said["how"] in ("longer", "lower", "länger") else "shorter"
+            value = _BESIDE_KNEE[way] if (name, value) == ("skirt_hem", "knee") else None
+        found += [] if value is None else [Claim(name, value)]
+    return found
+
+
+def spoken_bounds(text: str, words: WordReading, kind: str | None = None) -> list[Claim]:
     """Lengths beyond which nothing may go: "nothing shorter than the calf" asks for the calf.
 
     Args:
         text: That the lexicon has read.
         words: By the lexicon; what stands behind "than" is denied in it.
+        kind: Of the garment, as far as it is named.
     """
-    found = []
+    found = _compared(text, kind)
+    if found:
+        return found
     for mark in words.marks:
         if not mark.denied or not _THAN.search(text[: mark.start]):
             continue

@@ -25,6 +25,9 @@ _REACHES = re.compile(
 _OF = re.compile(r"(?<!\w)([^\W\d_]+) (?:of|for)(?: the| an?)? ([^\W\d_]+)(?!\w)")
 
 
+_ITEM = re.compile(r"(?:^\s*|\s+)(\d{1,2})[.)]\s+(?=[^\W\d])")
+"""Numbers before the items of a list."""
+
 _WITHDRAWN = re.compile(
     r"(?<!\w)(?:with |in )?(?:an? |some )?[\w'’-]+(?: [\w'’-]+)?\?\s*(?:no|nah|nope|nein|non)(?!\w)[,:]?\s*"
     r"(?=(?:just|only|nur)(?!\w))",
@@ -70,9 +73,17 @@ def _turned(text: str) -> str:
         name = f"{found[2]} {found[1]}"
         return name if is_garment(name.lower()) else found[0]
 
-    text = _CORRECTED.sub("", _WITHDRAWN.sub("", text))
+    text = _without_list_numbers(_CORRECTED.sub("", _WITHDRAWN.sub("", text)))
     text = _ABOUT.sub(r"\1 ", text)
     return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", _OF.sub(turned, text)))
+
+
+def _without_list_numbers(text: str) -> str:
+    """A numbered list as its items: "1. no hood 2. high collar" asks for no number of anything."""
+    numbers = list(_ITEM.finditer(text))
+    if len(numbers) < 2 or [int(found[1]) for found in numbers] != list(range(1, len(numbers) + 1)):
+        return text
+    return _ITEM.sub("; ", text).removeprefix("; ")
 
 
 def lacks_of(

@@ -78,10 +78,14 @@ def test_left_and_right_are_mirror_images(name):
     assert pairs > 0 or name.endswith("skirt")
 
 
+NO_GARMENTCODE = {"left_btorso_strap", "right_btorso_strap"}
+"""Of halters, which GarmentCode does not make."""
+
+
 @EVERY
 def test_names_labels_and_origins_are_garmentcodes(name):
     pattern = draft(name)
-    assert {p.name for p in pattern.panels} <= set(PANEL_NAMES)
+    assert {p.name for p in pattern.panels} - NO_GARMENTCODE <= set(PANEL_NAMES)
     for panel in pattern.panels:
         assert panel.label in ("body", "arm", "leg")
         np.testing.assert_array_equal(panel.vertices[0], [0.0, 0.0])

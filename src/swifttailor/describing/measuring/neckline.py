@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -10,7 +12,7 @@ from swifttailor.describing.facts import Armhole, ArmholeShape, NeckHalf, Neckli
 from swifttailor.describing.measuring.anatomy import Anatomy, Border
 from swifttailor.describing.measuring.chain import Line, edge_runs
 from swifttailor.describing.measuring.parts import Face, Part
-from swifttailor.pattern import EdgeRef
+from swifttailor.pattern import EdgeRef, Panel
 
 _LEVEL_DEGREES = 22.0
 """What leaves the middle this flat is level there."""
@@ -18,6 +20,8 @@ _STRAIGHT_DEGREES = 30.0
 """A line that turns less in all looks straight."""
 _SHALLOW_DEGREES = 12.0
 _STEEP_DEGREES = 20.0
+_UNDERARM_CM = 3.0
+"""A back that ends so little above the armpits has no shoulders."""
 _STRAIGHT_LEG = 0.985
 """Chord over length of a leg beside a corner that looks straight."""
 
@@ -34,7 +38,10 @@ def measure_neckline(anatomy: Anatomy, face: Face, shoulders: tuple[bool, bool])
         return None
     halves: dict[str, NeckHalf] = {}
     edges = _neck_edges(anatomy)
-    for panel in anatomy.panels(Part.TORSO, face=face):
+    panels = anatomy.panels(Part.TORSO, face=face)
+    if face == "back" and (below := _below_strap(anatomy, panels)):
+        return _bare_back(anatomy, below)
+    for panel in panels:
         runs = edge_runs(panel, [r.edge for r in edges if r.panel == panel.name])
         if not runs:
             continue
@@ -52,6 +59,33 @@ def measure_neckline(anatomy: Anatomy, face: Face, shoulders: tuple[bool, bool])
         halves.get(s) if covered else None for s, covered in zip(("left", "right"), shoulders, strict=True)
     )
     return Neckline(left, right) if left or right else None
+
+
+def _below_strap(anatomy: Anatomy, panels: Sequence[Panel]) -> list[Panel]:
+    """The back of a halter, above which there are but straps at the neck; nothing of other garments."""
+    armpit = anatomy.figure.armpit_y
+    highest = {p.name: float(p.to_world(p.vertices)[:, 1].max()) for p in panels}
+    straps = [p for p in panels if p.to_world(p.vertices)[:, 1].min() > armpit]
+    below = [p for p in panels if p not in straps]
+    held = straps and all(highest[p.name] < armpit + _UNDERARM_CM for p in below)
+    return below if held else []
+
+
+def _bare_back(anatomy: Anatomy, panels: Sequence[Panel]) -> Neckline | None:
+    """What is bare above a back that ends below the arms, as deep as from the neck to its middle."""
+    hem = {r for loop in anatomy.loops(Border.HEM) for r in loop.edges}
+    free = [r for r in anatomy.free_edges(Part.TORSO) if r not in hem]
+    halves: dict[str, NeckHalf] = {}
+    for panel in panels:
+        runs = edge_runs(panel, [r.edge for r in free if r.panel == panel.name])
+        if not runs:
+            continue
+        half = _measure_half(_outward(Line.along(panel, max(runs, key=len))))
+        low = float(panel.to_world(panel.vertices)[:, 1].max()) - half.depth
+        depth = anatomy.figure.neck_y - low
+        halves["left" if anatomy.parts[panel.name].side == "left" else "right"] = replace(half, depth=depth)
+    left, right = halves.get("left"), halves.get("right")
+    return Neckline(left, right) if left and right else None
 
 
 def _neck_edges(anatomy: Anatomy) -> set[EdgeRef]:

@@ -12,6 +12,8 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "tank-top": "top",
     "camisole": "top",
     "bustier": "top",
+    "halter-top": "top",
+    "off-shoulder-top": "top",
     "turtleneck": "top",
     "waistcoat": "top",
     "hoodie": "top",
@@ -19,6 +21,8 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "shirt-dress": "dress",
     "slip-dress": "dress",
     "strapless-dress": "dress",
+    "halter-dress": "dress",
+    "off-shoulder-dress": "dress",
     "swing-dress": "dress",
     "kaftan": "dress",
     "robe": "dress",
@@ -37,5 +41,9 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "pleated-skirt": ("pleats",),
     "strapless-dress": ("sweetheart",),
     "bustier": ("sweetheart",),
+    "halter-top": ("halter",),
+    "halter-dress": ("halter",),
+    "off-shoulder-top": ("off_shoulder",),
+    "off-shoulder-dress": ("off_shoulder",),
 }
 """What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``."""

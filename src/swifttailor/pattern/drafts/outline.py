@@ -104,6 +104,11 @@ class Outline:
         """A circular arc of `radius` cm that bulges to the right or the left of travel."""
         return self._add(name, end, Arc(float(radius), large, right))
 
+    def follow(self, side: Side) -> Outline:
+        """An edge that was drawn elsewhere and begins where this outline is."""
+        assert math.dist(self._at, side.start) < 1e-6, f"the edge begins at {side.start}, not at {self._at}"
+        return self._add(side.name, side.end, side.curve)
+
     def darted_line(self, name: str, end: Point, darts: list[Dart]) -> Outline:
         """A straight seam line to `end` with darts pointing into the panel.
 

@@ -9,6 +9,7 @@ from typing import Any, get_type_hints
 
 from swifttailor.errors import PatternError
 from swifttailor.pattern.drafts.garments import (
+    bare_shoulders,
     fitted_garments,
     long_garments,
     pleated_skirts,
@@ -50,6 +51,12 @@ _DRAFTS = (
     DraftInfo("camisole", "Top on thin straps", strappy.draft_camisole),
     DraftInfo("bustier", "Strapless top to the waist, a heart for its upper edge", strappy.draft_bustier),
     DraftInfo(
+        "halter-top", "Top held behind the neck, back and shoulders bare", bare_shoulders.draft_halter_top
+    ),
+    DraftInfo(
+        "off-shoulder-top", "Neckline level around body and arms", bare_shoulders.draft_off_shoulder_top
+    ),
+    DraftInfo(
         "turtleneck", "Long sleeves, a collar that stands close around the neck", tops.draft_turtleneck
     ),
     DraftInfo("waistcoat", "Sleeveless top, deep V neck, pointed front hem", tops.draft_waistcoat),
@@ -69,6 +76,16 @@ _DRAFTS = (
         "strapless-dress",
         "Darted bodice with a heart for its upper edge, flared skirt",
         strappy.draft_strapless_dress,
+    ),
+    DraftInfo(
+        "halter-dress",
+        "Dress held behind the neck, back and shoulders bare",
+        bare_shoulders.draft_halter_dress,
+    ),
+    DraftInfo(
+        "off-shoulder-dress",
+        "Dress with a neckline level around body and arms",
+        bare_shoulders.draft_off_shoulder_dress,
     ),
     DraftInfo("swing-dress", "Dress that widens from bust to hem", long_garments.draft_swing_dress),
     DraftInfo("kaftan", "Long and wide, with wide sleeves", long_garments.draft_kaftan),

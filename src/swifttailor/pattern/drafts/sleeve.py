@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
-from swifttailor.pattern.drafts.outline import Outline
+from swifttailor.pattern.drafts.outline import Outline, Point
 
 ARM_Z = -1.5
 """z of the middle of the arm near the shoulder, cm."""
@@ -87,7 +87,13 @@ def sleeve_outline(cap: Cap, length: float, narrowing: float, *, front: bool) ->
 
 
 def place_on_arm(
-    table: CuttingTable, figure: Figure, name: str, outline: Outline, *, turn: float = 0.0
+    table: CuttingTable,
+    figure: Figure,
+    name: str,
+    outline: Outline,
+    *,
+    turn: float = 0.0,
+    tip: Point | None = None,
 ) -> None:
     """Lays a panel drawn with x along the arm from the shoulder tip and y across it.
 
@@ -97,9 +103,10 @@ def place_on_arm(
         name: Panel name; those ending in ``_b`` stand behind the arm.
         outline: Closed counter-clockwise outline, its axes turned back by `turn`.
         turn: Degrees by which the panel's own axes are turned against the arm's.
+        tip: Of the shoulder, local cm; None where the armhole of the torso reaches it.
     """
     back = name.endswith("_b")
-    tip = max((s.end for s in table.pieces["left_ftorso"].find("armhole")), key=lambda p: p[1])
+    tip = tip or max((s.end for s in table.pieces["left_ftorso"].find("armhole")), key=lambda p: p[1])
     angle = math.radians(figure.arm_angle)
     along, up = (math.cos(angle), -math.sin(angle)), (math.sin(angle), math.cos(angle))
     x, y = (tip[k] + GAP * along[k] + LIFT * up[k] for k in (0, 1))

@@ -172,7 +172,10 @@ def _of_parts(a: Claim, b: Claim) -> bool:
 
 
 def beyond(claim: Claim) -> tuple[Claim, ...]:
-    """A claim, and those that go farther the same way: "not too short" is neither mini nor micro."""
+    """A claim, and those that go farther the same way: "not too short" is neither mini nor micro.
+
+    Of values that differ little those before it stay: what is not to reach the floor may be a maxi.
+    """
     scale = SCALES.get(claim.name)
     if scale is None or not isinstance(claim.value, str):
         return (claim,)
@@ -180,7 +183,8 @@ def beyond(claim: Claim) -> tuple[Claim, ...]:
     if claim.value not in _DIRECTED:
         return (claim,)
     middle = (len(scale) - 1) / 2
-    wanted = scale[: step + 1] if step < middle else scale[step:]
+    own = scale[step][scale[step].index(claim.value) :]
+    wanted = scale[: step + 1] if step < middle else (own, *scale[step + 1 :])
     return tuple([Claim(claim.name, value) for values in wanted for value in values])
 
 

@@ -1,0 +1,122 @@
+"""Garments that leave the shoulders bare and are held elsewhere: halters, and necklines around the arms."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.bodice import sew_centres
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.halter_bodice import HalterBodice, lay_halter_bodice, sew_strap
+from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neckline import Neckline
+from swifttailor.pattern.drafts.off_shoulder_bodice import OffShoulderBodice, lay_off_shoulder_bodice
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.pattern import Pattern
+
+HalterStrap = Annotated[float, Option("Width of the front at the neck, and of the strap.", "cm", 1.5, 6.0)]
+AboveUnderarm = Annotated[float, Option("Height of the upper edge over the underarm.", "cm", 3.0, 9.0)]
+BareSleeve = Annotated[float, Option("Bare shoulder tip to the sleeve's end.", "cm", 18.0, 64.0)]
+CloseArmEase = Annotated[float, Option("Room on top of the upper arm girth, all around.", "cm", 2.0, 14.0)]
+
+
+@dataclass(frozen=True)
+class HalterTopOptions:
+    """Options of the halter top."""
+
+    length: declared.TopLength = 14.0
+    chest_ease: declared.BustEase = 3.0
+    flare: declared.HemFlare = 0.0
+    neckline: declared.NeckShapeOption = "v"
+    neck_depth: declared.NeckDepth = 16.0
+    strap_width: HalterStrap = 3.5
+
+
+def draft_halter_top(options: HalterTopOptions, measurements: Measurements) -> Pattern:
+    """Drafts the halter top for a body."""
+    return _halter("halter-top", options, measurements)
+
+
+@dataclass(frozen=True)
+class HalterDressOptions:
+    """Options of the halter dress."""
+
+    length: declared.LongLength = 52.0
+    chest_ease: declared.BustEase = 3.0
+    flare: Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 80.0)] = 40.0
+    neckline: declared.NeckShapeOption = "v"
+    neck_depth: declared.NeckDepth = 16.0
+    strap_width: HalterStrap = 3.5
+
+
+def draft_halter_dress(options: HalterDressOptions, measurements: Measurements) -> Pattern:
+    """Drafts the halter dress for a body."""
+    return _halter("halter-dress", options, measurements)
+
+
+@dataclass(frozen=True)
+class OffShoulderTopOptions:
+    """Options of the off-the-shoulder top."""
+
+    length: declared.TopLength = 14.0
+    chest_ease: declared.BustEase = 3.0
+    flare: declared.HemFlare = 0.0
+    above_underarm: AboveUnderarm = 5.0
+    sleeve_length: BareSleeve = 30.0
+    arm_ease: CloseArmEase = 5.0
+    sleeve_end: declared.SleeveEnd = 30.0
+
+
+def draft_off_shoulder_top(options: OffShoulderTopOptions, measurements: Measurements) -> Pattern:
+    """Drafts the off-the-shoulder top for a body."""
+    return _off_shoulder("off-shoulder-top", options, measurements)
+
+
+@dataclass(frozen=True)
+class OffShoulderDressOptions:
+    """Options of the off-the-shoulder dress."""
+
+    length: declared.LongLength = 50.0
+    chest_ease: declared.BustEase = 3.0
+    flare: Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 80.0)] = 30.0
+    above_underarm: AboveUnderarm = 5.0
+    sleeve_length: BareSleeve = 30.0
+    arm_ease: CloseArmEase = 5.0
+    sleeve_end: declared.SleeveEnd = 30.0
+
+
+def draft_off_shoulder_dress(options: OffShoulderDressOptions, measurements: Measurements) -> Pattern:
+    """Drafts the off-the-shoulder dress for a body."""
+    return _off_shoulder("off-shoulder-dress", options, measurements)
+
+
+def _halter(name: str, options: HalterTopOptions | HalterDressOptions, measurements: Measurements) -> Pattern:
+    table = CuttingTable(name)
+    neckline = Neckline(options.neckline, 0.5, options.neck_depth)
+    bodice = HalterBodice(options.chest_ease, options.length, options.strap_width, neckline, options.flare)
+    lay_halter_bodice(table, Figure.of(measurements), bodice)
+    table.mirror()
+    sew_centres(table)
+    sew_strap(table)
+    return table.finish()
+
+
+def _off_shoulder(
+    name: str, options: OffShoulderTopOptions | OffShoulderDressOptions, measurements: Measurements
+) -> Pattern:
+    table = CuttingTable(name)
+    bodice = OffShoulderBodice(
+        options.chest_ease,
+        options.length,
+        options.above_underarm,
+        options.flare,
+        options.sleeve_length,
+        options.arm_ease,
+        options.sleeve_end,
+    )
+    lay_off_shoulder_bodice(table, Figure.of(measurements), bodice)
+    table.mirror()
+    sew_centres(table)
+    return table.finish()

@@ -1,0 +1,21 @@
+"""Texts as they are read, before any word of them is understood."""
+
+from __future__ import annotations
+
+import pytest
+
+from swifttailor.wishes.text_as_read import text_as_read
+
+
+@pytest.mark.parametrize(
+    ("text", "read"),
+    [
+        ("1. no hood 2. high collar 3. slim sleeves", "no hood; high collar; slim sleeves"),
+        ("1) longer\n2) wider", "longer; wider"),
+        ("a skirt of 2. No hood", "a skirt of 2. No hood"),
+        ("2. no hood 1. high collar", "2. no hood 1. high collar"),
+        ("loger slevs", "longer sleeves"),
+    ],
+)
+def test_numbers_of_lists_and_slips_are_put_right(text, read):
+    assert text_as_read(text)[0] == read
