@@ -145,8 +145,8 @@ class PictureReader:
     def read(self, pixels: Pixels) -> PictureReading:
         """What a picture shows.
 
-        It is looked at whole for where the wearer is, then near each garment, and at last near its details. A
-        picture like those of GarmentCodeData is read by networks that have learnt from nothing else.
+        It is looked at whole for where the wearer is, then near each garment, and at last near its details;
+        in a picture like those of GarmentCodeData, from near by networks that have learnt from nothing else.
 
         Args:
             pixels: (h, w, 3) sRGB, row 0 at the top.
@@ -158,20 +158,25 @@ class PictureReader:
         height, width = pixels.shape[:2]
         side = max(height, width)
         whole = ((width - side) // 2, (height - side) // 2, side)
-        if self.plain is not None and one_colour_around(pixels):
-            plain = self.plain()
-            if plain.knows(pixels):
-                return plain.read(pixels)
         first = self._look(pixels, whole, None)
+        nearer = self._looking_nearer(pixels)
         seen: dict[int, tuple[Square, dict[str, Any]]] = {}
         waiting = [(k, whole, first) for k in _present(first)]
         while waiting:
             part, square, look = waiting.pop(0)
             if part not in seen:
                 square = _around(look, part, square) or whole
-                seen[part] = square, self._nearer(pixels, part, square, whole, first)
+                seen[part] = square, nearer._nearer(pixels, part, square, whole, first)
                 waiting += [(k, *seen[part]) for k in _present(seen[part][1])]
         return self._reading(first, whole, seen, (height, width))
+
+    def _looking_nearer(self, pixels: Pixels) -> PictureReader:
+        """Who looks at garments and details: of plain pictures those who have learnt from nothing else."""
+        if self.plain is not None and one_colour_around(pixels):
+            plain = self.plain()
+            if plain.knows(pixels):
+                return plain
+        return self
 
     def knows(self, pixels: Pixels) -> bool:
         """Whether a picture (h, w, 3) shows one person, as far as this network knows what one looks like."""
