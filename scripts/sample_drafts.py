@@ -25,6 +25,11 @@ CHANGED = 0.6
 EDITS = 2
 TRIES = 8
 
+LATER = {"halter-top", "off-shoulder-top", "halter-dress", "off-shoulder-dress"}
+"""Made after the networks were trained: with them the same seeds would give other patterns. PatternMaker
+has no name for the strap of a halter."""
+SAMPLED = [info for info in list_drafts() if info.name not in LATER]
+
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -36,7 +41,7 @@ def main() -> None:
     patterns, edits = [], []
     for seed in itertools.count(options.start):
         chance = random.Random(seed)
-        info = chance.choice(list_drafts())
+        info = chance.choice(SAMPLED)
         values = {f.name: drawn(f, chance) for f in info.options if chance.random() < CHANGED}
         pattern = sound(info, values)
         if pattern is None:

@@ -138,7 +138,7 @@ def _loaders():
         "sewer": GarmentSewer.load,
         "words": WishReader.load,
         "pictures": PictureReader.load,
-        "close-ups": lambda path: PictureReader.load(close_ups=path),
+        "close-ups": lambda path: PictureReader.load(close_ups=[path]),
     }
 
 

@@ -103,7 +103,8 @@ def test_patterns_for_a_body_are_sewn_on_it_as_they_are(tailor):
 
 
 def test_a_workshop_for_another_body_shares_the_networks(tailor):
+    model = tailor.garment_sewer.model
     other = tailor.worn_by(body_for("children 128"))
-    assert other.garment_sewer.model is tailor.garment_sewer.model
+    assert other.garment_sewer.model is model
     assert other.worn_by(None).garment_sewer.body.measurements == Body.default().measurements
     assert tailor.body is None

@@ -23,6 +23,7 @@ UNUSUAL = {
     "hoodie": {("hood", "none")},
     "waistcoat": {("top_hem", "hip")},
     "bustier": {("top_hem", "hip")},
+    "off-shoulder-top": {("top_hem", "hip")},
 }
 
 

@@ -293,8 +293,8 @@ COMMANDS: dict[str, Command] = {
         _load_drape,
     ),
     "draft": Command(
-        "Draft a sewing pattern from a garment's name and options, or from design parameters and a size.",
-        "swifttailor draft t-shirt --out FILE    all: --list    or: --design FILE --size 44 --out FILE",
+        "Draft a sewing pattern from a garment's name, or from design parameters and a size.",
+        "swifttailor draft t-shirt --out FILE    all: --list    or: --design FILE --size 44",
         _load_draft,
     ),
     "fit": Command(

@@ -112,6 +112,7 @@ def fit(written: WrittenPattern, wanted: Wanted, *, drafted: bool = False) -> An
         holes=not of_edit and _is_torn(pattern, edit),
         one_sided=() if of_edit else _unasked(pattern, (*changes, *maybe) if alters else (), edit),
         open=changes if taken is None else (*taken.open, *_unseen(taken, changes)),
+        seen=tuple(wish.change for wish in wanted.seen),
         refused=() if taken is None else _refused(taken.facts, wanted),
     )
     return Answer(

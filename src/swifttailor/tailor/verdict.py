@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 _SENSELESS, _HOLES, _ONE_SIDED = 4, 3, 2
 """What a garment of no kind, open seams, and panels that lack their counterpart count for, where an open wish
 or warning counts one."""
+_SAID = 2
+"""How much more an open wish of the words counts than one that was read in a picture beside them."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,8 @@ class Verdict:
     """Why it cannot be sewn, where that was tried."""
     open: tuple[Change, ...] = ()
     """What was asked for and does not hold, or cannot be measured."""
+    seen: tuple[Change, ...] = ()
+    """What a picture alone asked for."""
     refused: tuple[Change, ...] = ()
     """What was refused and holds nevertheless."""
 
@@ -80,4 +84,5 @@ class Verdict:
         doubts = (
             warnings + len(self.open) + len(self.refused) + _SENSELESS * self.senseless + _HOLES * self.holes
         )
-        return errors, doubts + _ONE_SIDED * bool(self.one_sided)
+        said = sum(change not in self.seen for change in self.open) if self.seen else 0
+        return errors, doubts + _SAID * said + _ONE_SIDED * bool(self.one_sided)

@@ -18,7 +18,7 @@ from swifttailor.evaluation.maker.questions import seed_of
 from swifttailor.evaluation.pictures.visible import ShownFrom
 
 SIZE = 320
-LOOKS: tuple[Family, ...] = tuple(f for f in get_args(Family) if f not in ("nothing", "several"))
+LOOKS: tuple[Family, ...] = tuple(f for f in get_args(Family) if f not in ("nothing", "several", "unlike"))
 _SIDES: dict[str, tuple[View, ...]] = {
     "front": ("front",),
     "back": ("back",),
