@@ -159,7 +159,7 @@ class PictureReader:
         side = max(height, width)
         whole = ((width - side) // 2, (height - side) // 2, side)
         first = self._look(pixels, whole, None)
-        nearer = self._looking_nearer(pixels)
+        nearer = self._looking_nearer(pixels, whole)
         seen: dict[int, tuple[Square, dict[str, Any]]] = {}
         waiting = [(k, whole, first) for k in _present(first)]
         while waiting:
@@ -170,20 +170,17 @@ class PictureReader:
                 waiting += [(k, *seen[part]) for k in _present(seen[part][1])]
         return self._reading(first, whole, seen, (height, width))
 
-    def _looking_nearer(self, pixels: Pixels) -> PictureReader:
+    def _looking_nearer(self, pixels: Pixels, whole: Square) -> PictureReader:
         """Who looks at garments and details: of plain pictures those who have learnt from nothing else."""
         if self.plain is not None and one_colour_around(pixels):
             plain = self.plain()
-            if plain.knows(pixels):
+            if plain._knows(pixels, whole):
                 return plain
         return self
 
-    def knows(self, pixels: Pixels) -> bool:
-        """Whether a picture (h, w, 3) shows one person, as far as this network knows what one looks like."""
-        height, width = pixels.shape[:2]
-        side = max(height, width)
-        first = self._look(pixels, ((width - side) // 2, (height - side) // 2, side), None)
-        return int(first["figures"].argmax()) == FIGURES.index("one")
+    def _knows(self, pixels: Pixels, whole: Square) -> bool:
+        """Whether a picture shows one person, as far as this network knows what one looks like."""
+        return int(self._look(pixels, whole, None)["figures"].argmax()) == FIGURES.index("one")
 
     def _nearer(
         self, pixels: Pixels, part: int, square: Square, whole: Square, first: dict[str, Any]

@@ -1,0 +1,23 @@
+"""Which of two attempts is the better one."""
+
+from __future__ import annotations
+
+from swifttailor.describing import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.tailor.verdict import Verdict
+
+KNEE, LOOSE, LOW = (
+    Gain(Claim(name, word)) for name, word in (("leg_hem", "knee"), ("waistband", "loose"), ("rise", "low"))
+)
+
+
+def test_what_words_ask_for_counts_more_than_what_a_picture_shows_beside_them():
+    seen = (LOOSE, LOW)
+    words_open, picture_open = Verdict(open=(KNEE,), seen=seen), Verdict(open=seen, seen=seen)
+    assert Verdict(seen=seen).rank < Verdict(open=(LOOSE,), seen=seen).rank < picture_open.rank
+    assert picture_open.rank < words_open.rank
+
+
+def test_without_a_picture_all_wishes_count_alike():
+    assert Verdict(open=(KNEE,)).rank == Verdict(open=(LOOSE,)).rank
+    assert Verdict(open=(KNEE,)).rank < Verdict(open=(LOOSE, LOW)).rank
