@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -66,8 +67,20 @@ def test_a_table_has_a_column_a_size_and_a_dash_where_one_lacks_a_measure():
     assert measures_table(columns, inches=True)[0] == ["chest", "39 3/8", "41"]
 
 
-def test_a_pattern_for_nobody_is_still_printed_without_them():
-    from dataclasses import replace
-
+def test_a_pattern_for_nobody_is_still_printed_without_them_and_says_why():
     nobody = DraftedFor("nobody", None, (("bust", 60.0), ("waist", 120.0)))
-    assert finished_column(replace(draft("t-shirt"), drafted_for=nobody)) is None
+    shirt = replace(draft("t-shirt"), drafted_for=nobody)
+    assert finished_column(shirt) is None
+    plan = cutting_plan(shirt)
+    [finding] = [finding for finding in plan.findings if finding.code == "no-such-wearer"]
+    assert "bust=60" in finding.message and "waist=120" in finding.message
+    text = steps_markdown(plan)
+    assert "## Finished garment" not in text
+    assert finding.message in text.split("## Look at")[1]
+
+
+def test_a_wearer_whom_there_is_is_no_finding():
+    somebody = DraftedFor("somebody", None, (("bust", 96.0), ("waist", 80.0)))
+    plan = cutting_plan(replace(draft("t-shirt"), drafted_for=somebody))
+    assert not [finding for finding in plan.findings if finding.code == "no-such-wearer"]
+    assert "## Finished garment" in steps_markdown(plan)

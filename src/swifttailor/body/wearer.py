@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 
 from swifttailor.body.body import Body
@@ -129,6 +130,7 @@ def body_for(
     return Wearer(size, named, figure=figure).body()
 
 
+@lru_cache(maxsize=4)  # one pattern is asked of several times, and it takes up to half a second
 def body_of(named: DraftedFor) -> Body:
     """The body that a figure and measures stand for.
 

@@ -37,4 +37,7 @@ def chosen_reader(
         )
     from swifttailor.picture_reader.reader import PictureReader
 
-    return PictureReader.load(weights, close_ups=close_ups, plain=plain)
+    reader = PictureReader.load(weights, close_ups=close_ups, plain=plain)
+    if reader.plain is not None:
+        reader.plain()  # a file that cannot be used is refused before any work
+    return reader

@@ -12,6 +12,7 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.describing.measuring.anatomy import Anatomy
 from swifttailor.errors import InputError
 from swifttailor.pattern import Pattern
+from swifttailor.pattern.finding import Finding, Severity
 
 CM_PER_INCH = 2.54
 _EIGHTHS = ("", "1/8", "1/4", "3/8", "1/2", "5/8", "3/4", "7/8")
@@ -73,10 +74,23 @@ def measure_names(columns: Sequence[MeasuresColumn]) -> list[str]:
     return list(dict.fromkeys(name for column in columns for name in column.cm))
 
 
+def wearer_findings(pattern: Pattern) -> list[Finding]:
+    """Says why a pattern is printed without its finished measurements, where no body has those it names."""
+    try:
+        if pattern.drafted_for is not None:
+            body_of(pattern.drafted_for)
+    except InputError as error:
+        reason = str(error).rstrip(".")
+        message = f"the measurements of the finished garment are left out. The pattern names its wearer, but {reason}"
+        return [Finding("no-such-wearer", Severity.WARNING, message)]
+    return []
+
+
 def finished_column(pattern: Pattern, size: str = "") -> MeasuresColumn | None:
     """The measurements of one size; None where no body has the measures that the pattern's file names.
 
-    Whoever prints a pattern needs the pattern; a file that names an impossible wearer is still printed.
+    Whoever prints a pattern needs the pattern; a file that names an impossible wearer is still printed, and
+    `wearer_findings` says why they are left out.
     """
     try:
         return MeasuresColumn(size, finished_measures(pattern))

@@ -12,6 +12,7 @@ from swifttailor.making.allowances import Allowances, EdgeKind
 from swifttailor.making.cut_line import CutLine, Run, cut_line
 from swifttailor.making.darts import dart_peak
 from swifttailor.making.notches import Notch, NotchPair, pair_notches, panel_notches
+from swifttailor.making.finished_measures import wearer_findings
 from swifttailor.making.overlaps import overlap_findings
 from swifttailor.making.piece_names import piece_names
 from swifttailor.making.seams import Seam, find_seams, gather
@@ -190,7 +191,7 @@ def cutting_plan(
     numbers = {
         ref: seam.number for seam in seams for k in seam.stitches for ref in sewn.pattern.stitches[k].sides
     }
-    pieces, findings = [], []
+    pieces, findings = [], wearer_findings(pattern)
     for name, group in zip(names, groups, strict=True):
         panel = sewn.panel(group[0][0])
         runs = _runs(sewn, panel, allowances)

@@ -184,6 +184,21 @@ CLOSE_UPS: tuple[CloseUp, ...] = (
         _SKIRT,
     ),
 )
+
+
+class Hidden(NamedTuple):
+    """What of a neck cannot be seen from a side."""
+
+    claims: tuple[str, ...]
+    measures: tuple[str, ...]
+
+
+HIDDEN: dict[str, Hidden] = {
+    "front": Hidden(("back_neckline", "back_depth", "back_depth_cm"), ("back depth",)),
+    "back": Hidden(
+        ("neckline", "left_neckline", "right_neckline", "neck_depth", "neck_depth_cm"), ("neck depth",)
+    ),
+}
 ALL_PARTS: tuple[str, ...] = tuple(dict.fromkeys(close_up.part for close_up in CLOSE_UPS))
 WHOLE = len(CLOSE_UPS)
 """Number of a picture that is no close-up."""
@@ -212,16 +227,13 @@ def told_by() -> Told:
 @cache
 def hidden_from() -> Told:
     """What cannot be seen of a neck from the front, and from behind: a row for each."""
-    statements = [[claim in names for claim, _ in statement_labels()] for names in _HIDDEN]
-    measures = [[name in names for name in measure_labels()] for names in _HIDDEN]
-    panels = [[False] * len(kinds_of_panels()) for _ in _HIDDEN]
+    sides = HIDDEN.values()
+    statements = [[claim in hidden.claims for claim, _ in statement_labels()] for hidden in sides]
+    measures = [[name in hidden.measures for name in measure_labels()] for hidden in sides]
+    panels = [[False] * len(kinds_of_panels()) for _ in sides]
     return Told(*map(np.array, (statements, measures, panels)))
 
 
-_HIDDEN = (
-    ("back_neckline", "back_depth", "back depth"),
-    ("neckline", "left_neckline", "right_neckline", "neck_depth", "neck depth"),
-)
 _CLEAR_COSINE = 0.5
 """Of the azimuth: within 60 degrees of the front or the back."""
 
