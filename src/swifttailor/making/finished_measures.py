@@ -81,7 +81,10 @@ def wearer_findings(pattern: Pattern) -> list[Finding]:
             body_of(pattern.drafted_for)
     except InputError as error:
         reason = str(error).rstrip(".")
-        message = f"the measurements of the finished garment are left out. The pattern names its wearer, but {reason}"
+        message = (
+            "the measurements of the finished garment are left out. The pattern names its wearer, but "
+            f"{reason[0].lower()}{reason[1:]}"
+        )
         return [Finding("no-such-wearer", Severity.WARNING, message)]
     return []
 

@@ -11,8 +11,8 @@ from swifttailor.arrays import Floats
 from swifttailor.making.allowances import Allowances, EdgeKind
 from swifttailor.making.cut_line import CutLine, Run, cut_line
 from swifttailor.making.darts import dart_peak
-from swifttailor.making.notches import Notch, NotchPair, pair_notches, panel_notches
 from swifttailor.making.finished_measures import wearer_findings
+from swifttailor.making.notches import Notch, NotchPair, pair_notches, panel_notches
 from swifttailor.making.overlaps import overlap_findings
 from swifttailor.making.piece_names import piece_names
 from swifttailor.making.seams import Seam, find_seams, gather
