@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 
 from swifttailor.cli.main import run
+from swifttailor.garment.folder_wearer import wearer_of
+from swifttailor.garment.garment import Garment
 from swifttailor.pattern import load_pattern
 from swifttailor.pattern.drafts import draft
 
@@ -38,6 +40,59 @@ def test_sew_refits_to_a_size_and_stands_in_a_pose(shirt, tmp_path, capsys):
     assert report["pose"] == "down"
     assert report["fitted_to"]["measures"]["bust"] == pytest.approx(96, abs=0.5)
     assert load_pattern(out / "pattern.json").drafted_for.figure == "men"
+
+
+@pytest.fixture(scope="module")
+def child(tmp_path_factory) -> Path:
+    """A shirt refitted to a child: the file says so."""
+    folder = tmp_path_factory.mktemp("child")
+    draft("t-shirt").save(folder / "shirt.json")
+    fitted = folder / "child.json"
+    assert run(["fit", str(folder / "shirt.json"), "--size", "children 122", "--out", str(fitted)]) in (0, 1)
+    return fitted
+
+
+def test_a_refitted_pattern_is_checked_around_its_own_wearer(child, tmp_path, capsys):
+    """A child's shirt is not an adult's that has slid down; a repair would have raised it by half a metre."""
+    capsys.readouterr()
+    run(["check", str(child), "--json", "--repair", str(tmp_path / "mended.json")])
+    told = json.loads(capsys.readouterr().out)
+    assert "misplaced-panel" not in {f["code"] for f in told["findings"]}
+    assert "misplaced-panel" not in {c["code"] for c in told["changes"]}
+
+
+@pytest.mark.parametrize("command", ["sew", "drape"])
+def test_a_refitted_pattern_is_worn_by_whom_it_names(child, tmp_path, capsys, command):
+    out = tmp_path / command
+    run([command, str(child), "--edge-length", "4", "--no-preview", "--out", str(out)])
+    assert "children EU 122" in capsys.readouterr().out
+    garment = Garment.load(out)
+    assert garment.report["body"] == "children EU 122"
+    assert garment.vertices[:, 1].max() < 110.0  # the child's shoulders, not an adult's
+    assert "misplaced-panel" not in {f["code"] for f in garment.report["findings"]}
+    assert wearer_of(out).name == "children EU 122"
+
+
+def test_each_of_many_patterns_is_worn_by_its_own_wearer(child, shirt, tmp_path, capsys):
+    out = tmp_path / "many"
+    again = tmp_path / "another.json"
+    again.write_bytes(child.read_bytes())
+    files = [str(child), str(again), str(shirt)]
+    run(["sew", *files, "--edge-length", "4", "--no-preview", "--out", str(out)])
+    names = [Garment.load(out / name).report.get("body") for name in ("child", "another", "shirt")]
+    assert names == ["children EU 122", "children EU 122", None]  # None is the default body
+
+
+def test_a_pattern_whose_wearer_there_is_not_is_not_sewn_and_says_why(child, shirt, tmp_path, capsys):
+    document = json.loads(child.read_text())
+    document["properties"]["drafted_for"]["measures"] = {"bust": 60, "waist": 120}
+    nobody = tmp_path / "nobody.json"
+    nobody.write_text(json.dumps(document))
+    out = tmp_path / "sewn"
+    assert run(["sew", str(nobody), str(shirt), "--edge-length", "4", "--no-preview", "--out", str(out)]) == 1
+    said = capsys.readouterr().out
+    assert "nobody.json" in said and "bust=60" in said
+    assert [p.name for p in out.iterdir() if p.is_dir()] == ["shirt"]
 
 
 @pytest.mark.parametrize("fitting", ["auto", "never"])

@@ -6,10 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import swifttailor
 from swifttailor.body import Body, body_for
-from swifttailor.pattern import check_pattern, load_pattern
+from swifttailor.pattern import Edge, EdgeRef, Panel, Pattern, Stitch, check_pattern, load_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.tidying.symmetry import reflected
 from swifttailor.refitting import refit
@@ -252,7 +254,7 @@ def test_a_panel_that_comes_to_cross_itself_is_taken_from_a_round_before(garment
     """Rounds go on for the sake of ease; what cannot be sewn is worth less than a centimetre of it."""
     from swifttailor.refitting import refitted
     from swifttailor.refitting.alike import Likeness
-    from swifttailor.refitting.uncrossed import crosses_anew
+    from swifttailor.refitting.uncrossed import damaged
 
     _, sewn = garments["t-shirt"]
     before = sewn.pattern
@@ -260,11 +262,31 @@ def test_a_panel_that_comes_to_cross_itself_is_taken_from_a_round_before(garment
     twisted = panel.vertices.copy()
     twisted[[0, 1]] = twisted[[1, 0]]
     broken = replace(before, panels=(replace(panel, vertices=twisted), *before.panels[1:]))
-    assert crosses_anew(before, broken) and not crosses_anew(before, before)
+    assert damaged(before, broken) and not damaged(before, before)
     flat = np.zeros((1, 2))
     rounds = [(before, flat), (before, flat + 1), (broken, flat + 2)]
     monkeypatch.setattr(refitted, "uncrossed", lambda _, after, __: after)
     monkeypatch.setattr(refitted, "keep_seam_ratios", lambda _, after: after)
     after, kept = refitted._last_sound(before, rounds, Likeness((), ()), frozenset())
-    assert kept[0, 0] == 1 and not crosses_anew(before, after)
+    assert kept[0, 0] == 1 and not damaged(before, after)
     assert refitted._last_sound(before, [(broken, flat)], Likeness((), ()), frozenset())[1] is flat
+
+
+@given(height=st.floats(1.0, 10.0), shrunk=st.floats(0.6, 1.5), lost=st.floats(-1.0, 0.3))
+def test_a_panel_that_collapses_or_turns_over_is_damaged_and_a_smaller_one_is_not(height, shrunk, lost):
+    """Flounces a centimetre high were pulled through themselves on large bodies."""
+    from swifttailor.refitting.uncrossed import damaged
+
+    before = _ring(40.0, height)
+    assert not damaged(before, _ring(40.0 * shrunk, height * shrunk))
+    assert damaged(before, _ring(40.0, lost * height))
+
+
+def _ring(width: float, height: float) -> Pattern:
+    """Two panels sewn to a ring; of a height below zero, they lie the other way round."""
+    corners = np.array([[0, 0], [width, 0], [width, height], [0, height]])
+    edges = tuple(Edge() for _ in corners)
+    panels = tuple(Panel(name, corners, edges) for name in ("front", "back"))
+    sewn = ((1, 3), (3, 1))
+    stitches = tuple(Stitch(EdgeRef("front", a), EdgeRef("back", b)) for a, b in sewn)
+    return Pattern(panels, stitches)

@@ -131,12 +131,17 @@ def body_for(
 
 
 @lru_cache(maxsize=4)  # one pattern is asked of several times, and it takes up to half a second
-def body_of(named: DraftedFor) -> Body:
-    """The body that a figure and measures stand for.
+def body_of(named: DraftedFor | None) -> Body:
+    """The body that a pattern says it was drafted for; the default body where it says nothing.
+
+    Args:
+        named: Its figure and measures; of a mesh, a body that has the same.
 
     Raises:
         InputError: No body has these measures.
     """
+    if named is None:
+        return Body.default()
     if not named.measures and named.figure is None:
         return Body.default()
     made = body_to_measure(dict(named.measures), figure=named.figure, name=named.name)

@@ -43,7 +43,8 @@ class Check:
     """How to read the placement angles: intrinsic, as GarmentCode writes them, or extrinsic, as its
     simulator and older files mean them."""
     body: bool = True
-    """Also look for panels inside the default body."""
+    """Also look for panels inside the body that the pattern was drafted for, and away from where on it they
+    are worn; the default body where the file names none."""
 
     def run(self) -> int:
         """Checks, repairs where asked, prints, and returns the exit code.
@@ -71,10 +72,10 @@ class Check:
         reading = read_pattern_file(self.pattern, rotation=self.rotation)
         body = None
         if self.body:
-            from swifttailor.body import Body
             from swifttailor.body.probe import probe_body
+            from swifttailor.body.wearer import body_of
 
-            body = probe_body(Body.default())
+            body = probe_body(body_of(reading.pattern.drafted_for))
         changes: tuple[Change, ...] = ()
         if self.repair is None:
             findings = check_pattern(reading.pattern, reader_findings=reading.findings, body=body)

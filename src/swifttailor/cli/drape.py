@@ -21,7 +21,7 @@ from swifttailor.cli.option_checks import (
 )
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import GarmentResults, file_name, new_place
-from swifttailor.cli.wearer_options import WearerOptions
+from swifttailor.cli.wearer_options import WearerOptions, worn_by
 from swifttailor.errors import InputError, SwiftTailorError
 
 if TYPE_CHECKING:
@@ -166,16 +166,17 @@ class Drape(GarmentResults, WearerOptions, FabricOption):
         started = time.perf_counter()
         reading = read_pattern_file(source, rotation=self.rotation)
         with StageProgress() as progress:
-            from swifttailor.body import Body
             from swifttailor.body.probe import probe_body
+            from swifttailor.body.wearer import body_of
             from swifttailor.draping import drape, get_fabric
             from swifttailor.draping.compiled_code import COMPILE_NOTE, solver_is_compiled
             from swifttailor.draping.sewable import require_sewable
             from swifttailor.draping.time_limit import TimeLimit
 
             fabric = get_fabric(self.fabric or "cotton")
-            body = self.wearer() or Body.default()
-            probe = probe_body(Body.default() if self.refits else body)
+            named = body_of(reading.pattern.drafted_for)
+            body = self.wearer() or named
+            probe = probe_body(named if self.refits else body)
             sewable = require_sewable(reading, str(source), repair=self.repair, body=probe)
             if self.refits:
                 from swifttailor.refitting.refitted import fit
@@ -227,7 +228,8 @@ class Drape(GarmentResults, WearerOptions, FabricOption):
         look = self.folder / ("preview.png" if self.preview else "garment.glb")
         lines = [
             verdict,
-            f"{report['panels']} panels, {report['vertices']} vertices, {report['faces']} faces.",
+            f"{report['panels']} panels, {report['vertices']} vertices, {report['faces']} faces"
+            f"{worn_by(report)}.",
             f"{sum(seconds.values()):.1f} s: {stages}.",
             f"Look at {look}; the numbers are in {self.folder / 'report.json'}.",
         ]

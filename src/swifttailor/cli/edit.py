@@ -69,7 +69,10 @@ class Edit(Making):
         reading = read_pattern_file(source, rotation=self._rotation(report))
         findings, pattern = reading.findings, reading.pattern
         if self.repair:
-            repaired = repair_pattern(pattern, findings)
+            from swifttailor.body.probe import probe_body
+            from swifttailor.body.wearer import body_of
+
+            repaired = repair_pattern(pattern, findings, body=probe_body(body_of(pattern.drafted_for)))
             findings, pattern = (), repaired.pattern
         findings = check_pattern(pattern, reader_findings=findings)
         require_no_errors(findings, f"'{source}'", repaired=self.repair, option=True)

@@ -13,7 +13,7 @@ from swifttailor.cli.findings_shown import REPORT_HAS_ALL, first_of
 from swifttailor.cli.option_checks import require_edge_length, require_threads, require_writable_folder
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.cli.results import GarmentResults, new_place
-from swifttailor.cli.wearer_options import WearerOptions
+from swifttailor.cli.wearer_options import WearerOptions, worn_by
 from swifttailor.errors import DiskFullError, InputError, SwiftTailorError
 
 if TYPE_CHECKING:
@@ -172,7 +172,7 @@ def _say(path: Path, folder: Path, made: Tailored) -> None:
 
         print(f"{path}: {not_accepted_line(report['quality'])}")  # noqa: T201
     print(  # noqa: T201
-        f"{path}: {report['panels']} panels, {report['vertices']} vertices; seams were "
+        f"{path}: {report['panels']} panels, {report['vertices']} vertices{worn_by(report)}; seams were "
         f"{report['sewing']['seam_gap_before_median_cm']:.2f} cm apart and are closed; "
         f"{sum(made.seconds.values()):.2f} s. Wrote {folder}"
     )

@@ -91,6 +91,14 @@ class WearerOptions(BodyOptions):
         return replace(garment, vertices=cloth, report=report), stood
 
 
+def worn_by(report: dict[str, Any]) -> str:
+    """``, worn by women EU 44``, of a garment's report; nothing of the default body."""
+    from swifttailor.body import Body
+
+    name = report.get("body", Body.default().name)
+    return "" if name == Body.default().name else f", worn by {name}"
+
+
 def _off_arm(garment: Garment) -> Any:
     """(v,) how far the vertices of a garment with sleeves are from the armholes, cm; None without sleeves."""
     import numpy as np

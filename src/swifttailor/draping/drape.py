@@ -9,6 +9,7 @@ import numpy as np
 
 from swifttailor import __version__
 from swifttailor.body import Body
+from swifttailor.body.wearer import body_of
 from swifttailor.clock import Clock
 from swifttailor.draping.attachment import find_attachment
 from swifttailor.draping.cloth import ClothModel, build_cloth
@@ -44,7 +45,7 @@ def drape(
 
     Args:
         pattern: Any order of panels and stitches gives the same garment.
-        body: What it is worn by; the default body when None.
+        body: What it is worn by; the one that the pattern was drafted for, else the default body, when None.
         fabric: A `Fabric` or the name of a preset (`known_fabrics.FABRICS`).
         edge_length: Target edge length of the mesh, cm.
         engine: What does the last stage: an `Engine`, or the name of one: ``xpbd``, ``newton`` for Newton's
@@ -58,7 +59,7 @@ def drape(
         The garment; its report holds `quality`, `seconds` per stage and what it was made with.
 
     Raises:
-        InputError: An argument is out of range.
+        InputError: An argument is out of range, or no body has the measures that the pattern names.
         PatternError: The pattern cannot be sewn.
         GeometryError: A panel cannot be meshed.
         SimulationError: The cloth went to infinity.
@@ -71,7 +72,7 @@ def drape(
     if not isinstance(seed, int) or not 0 <= seed < 2**63:
         raise InputError(f"The seed must be a whole number from 0 to 2^63 - 1, got {seed!r}.")
     fabric = get_fabric(fabric)
-    body = Body.default() if body is None else body
+    body = body_of(pattern.drafted_for) if body is None else body
     settings = SimulationSettings() if settings is None else settings
     report_progress = progress if progress is not None else (lambda stage, share: None)
 

@@ -7,6 +7,7 @@ import time
 import numpy as np
 
 from swifttailor.body import Body
+from swifttailor.body.wearer import body_of
 from swifttailor.draping.attachment import find_attachment
 from swifttailor.draping.cloth import build_cloth
 from swifttailor.draping.fabric import Fabric
@@ -31,7 +32,7 @@ def finish(
 
     Args:
         garment: Near where it will come to rest.
-        body: What it is worn by; the default body when None.
+        body: What it is worn by; the one that the pattern was drafted for, else the default body, when None.
         fabric: A `Fabric` or the name of a preset.
         settings: How long and how finely to simulate.
         progress: Called with the stage's name and the share of it that is done.
@@ -44,7 +45,7 @@ def finish(
     """
     started = time.perf_counter()
     fabric = get_fabric(fabric)
-    body = Body.default() if body is None else body
+    body = body_of(garment.pattern.drafted_for) if body is None else body
     mesh = garment.mesh
     cloth = build_cloth(mesh, fabric)
     attachment = find_attachment(mesh, body.measurements)

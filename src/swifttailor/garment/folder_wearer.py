@@ -24,8 +24,7 @@ def wearer_of(folder: Path | str) -> Body:
         PatternError: The pattern is broken.
     """
     folder = Path(folder)
-    named = load_pattern(folder / PATTERN).drafted_for
-    body = Body.default() if named is None else body_of(named)
+    body = body_of(load_pattern(folder / PATTERN).drafted_for)
     report = read_report(folder / REPORT)
     told = report.get("body", body.name)
     if told != body.name:

@@ -41,8 +41,7 @@ def finished_measures(pattern: Pattern) -> dict[str, float]:
     Raises:
         InputError: No body has the measures that the pattern names.
     """
-    named = pattern.drafted_for
-    body = Body.default() if named is None else body_of(named)
+    body = body_of(pattern.drafted_for)
     facts = measure_facts(pattern, body.measurements)
     found: dict[str, float | None] = {}
     torso, band, skirt, legs = facts.torso, facts.waistband, facts.skirt, facts.trousers
@@ -77,8 +76,7 @@ def measure_names(columns: Sequence[MeasuresColumn]) -> list[str]:
 def wearer_findings(pattern: Pattern) -> list[Finding]:
     """Says why a pattern is printed without its finished measurements, where no body has those it names."""
     try:
-        if pattern.drafted_for is not None:
-            body_of(pattern.drafted_for)
+        body_of(pattern.drafted_for)
     except InputError as error:
         reason = str(error).rstrip(".")
         message = (

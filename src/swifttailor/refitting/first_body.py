@@ -12,20 +12,6 @@ from swifttailor.garment_sewer.to_scale import sewer_for
 from swifttailor.pattern import Pattern
 
 
-def body_drafted_for(pattern: Pattern) -> Body:
-    """The body that a pattern says it was drafted for; the default body where it says nothing.
-
-    Raises:
-        InputError: No body has the measures that it names.
-    """
-    named = pattern.drafted_for
-    if named is None:
-        return Body.default()
-    from swifttailor.body.wearer import body_of
-
-    return body_of(named)
-
-
 def sewn_on(body: Body, edge_length: float) -> Callable[[Pattern], Garment]:
     """What sews patterns on a body: the package's own network.
 

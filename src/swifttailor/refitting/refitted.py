@@ -26,7 +26,7 @@ from swifttailor.refitting.outlines import moved_panel
 from swifttailor.refitting.placing import placed_on
 from swifttailor.refitting.shaped_seams import curved, shaped_seams, straightened
 from swifttailor.refitting.stretch import Stretches, ease_scale, places_of, stretches
-from swifttailor.refitting.uncrossed import crosses_anew, uncrossed
+from swifttailor.refitting.uncrossed import damaged, uncrossed
 
 _EDGE_CM = 2.5
 """Of the mesh on which places are looked up."""
@@ -74,9 +74,10 @@ def refit(
         PatternError: The pattern cannot be sewn.
         InputError: A body cannot be measured.
     """
-    from swifttailor.refitting.first_body import body_drafted_for, sewn_on
+    from swifttailor.body.wearer import body_of
+    from swifttailor.refitting.first_body import sewn_on
 
-    first = body_drafted_for(pattern) if drafted_for is None else drafted_for
+    first = body_of(pattern.drafted_for) if drafted_for is None else drafted_for
     garment = sewn if sewn is not None else (sew or sewn_on(first, _EDGE_CM))(pattern)
     start, end = profile_of(first), profile_of(body)
     before = garment.pattern
@@ -144,12 +145,12 @@ def _last_sound(
     likeness: Likeness,
     shaped: frozenset[tuple[int, int]],
 ) -> tuple[Pattern, Floats]:
-    """The last round after which no panel crosses itself that did not before; the last one where all do."""
+    """The last round after which no panel is `damaged`; the last one where some panel is after each."""
     settled = []
     for after, flat in reversed(rounds):
         even = made_alike(keep_seam_ratios(before, straightened(after, shaped)), likeness)
         settled.append((uncrossed(before, even, likeness), flat))
-        if not crosses_anew(before, settled[-1][0]):
+        if not damaged(before, settled[-1][0]):
             return settled[-1]
     return settled[0]
 

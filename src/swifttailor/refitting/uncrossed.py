@@ -17,6 +17,8 @@ _STEP = 0.95
 """What a curve's rise over its chord is multiplied by in each round."""
 _ROUNDS = 16
 _DEEPEST_CM = 100.0
+_LEAST_KEPT = 0.4
+"""Of a panel's width; the smallest children's are 0.6 of an adult's."""
 
 
 def uncrossed(before: Pattern, after: Pattern, likeness: Likeness) -> Pattern:
@@ -49,9 +51,17 @@ def uncrossed(before: Pattern, after: Pattern, likeness: Likeness) -> Pattern:
     return pattern if still < sum(_depth(panel) for panel in after.panels) else after
 
 
-def crosses_anew(before: Pattern, after: Pattern) -> bool:
-    """Whether a panel crosses itself, or does so more deeply, that did not before."""
-    return any(_depth(b) > _depth(a) for a, b in zip(before.panels, after.panels, strict=True))
+def damaged(before: Pattern, after: Pattern) -> bool:
+    """Whether a panel crosses itself, or does so more deeply, that did not before, or has collapsed."""
+    pairs = list(zip(before.panels, after.panels, strict=True))
+    return any(_collapsed(a, b) or _depth(b) > _depth(a) for a, b in pairs)
+
+
+def _collapsed(before: Panel, after: Panel) -> bool:
+    """Whether hardly any cloth is left, or the loop has turned over, as of flounces a centimetre high."""
+    old, new = trace_outline(before), trace_outline(after)
+    kept = np.sign(old.area * new.area) * new.mean_width
+    return bool(old.mean_width > 0 and kept < _LEAST_KEPT * old.mean_width)
 
 
 def _depth(panel: Panel) -> float:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from swifttailor.body import Body
 from swifttailor.body.probe import probe_body
+from swifttailor.body.wearer import body_of
 from swifttailor.clock import DIGITS
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
@@ -25,6 +26,7 @@ from swifttailor.tailor.verdict import Verdict
 
 if TYPE_CHECKING:
     from swifttailor.draping.fabric import Fabric
+    from swifttailor.pattern.drafted_for import DraftedFor
 
 _LOSING = frozenset({"dangling-stitch", "open-loop"})
 """Errors that are repaired by leaving a seam open, or by an edge that nobody drew: only when asked."""
@@ -56,41 +58,77 @@ def prepare(sewer: Sewer, answer: Answer, options: SewingOptions) -> Answer:
     return replace(answer, prepared=prepared, seconds=seconds)
 
 
-def read_and_prepare(
+@dataclass(frozen=True)
+class PatternSource:
+    """A pattern to sew as it was read, or why it could not be."""
+
+    name: str
+    """In messages."""
+    reading: Reading | SwiftTailorError
+    seconds: float
+
+    @property
+    def drafted_for(self) -> DraftedFor | None:
+        """Whom the pattern says it was drafted for."""
+        return None if isinstance(self.reading, SwiftTailorError) else self.reading.pattern.drafted_for
+
+
+def read_sources(
+    patterns: Iterable[Pattern | Path | str], rotation: RotationReading
+) -> Iterator[PatternSource]:
+    """Reads patterns one by one; what is wrong with one concerns no other.
+
+    Args:
+        patterns: Patterns, or GarmentCode JSON files.
+        rotation: How files mean their placement angles.
+    """
+    for source in patterns:
+        started = time.perf_counter()
+        reading: Reading | SwiftTailorError
+        if isinstance(source, Pattern):
+            name, reading = f"The pattern '{source.name}'", Reading(source, ())
+        else:
+            name = f"'{source}'"
+            try:
+                reading = read_pattern_file(source, rotation=rotation)
+            except SwiftTailorError as error:
+                reading = error
+        yield PatternSource(name, reading, time.perf_counter() - started)
+
+
+def prepare_sources(
     sewer: Callable[[], Sewer],
-    patterns: Iterable[Pattern | Path | str],
+    sources: Iterable[PatternSource],
     options: SewingOptions,
-    rotation: RotationReading,
     body: Body | None = None,
     *,
     fit: bool = False,
 ) -> Iterator[Answer | SwiftTailorError]:
-    """Reads, checks and prepares patterns one by one; what is wrong with one concerns no other.
+    """Checks and prepares patterns one by one; what is wrong with one concerns no other.
 
     Patterns with errors are refused, unless a repair that loses nothing leaves none.
 
     Args:
         sewer: Gives who prepares them; called when there is a pattern without errors.
-        patterns: Patterns, or GarmentCode JSON files.
+        sources: Patterns as they were read.
         options: How they are sewn.
-        rotation: How files mean their placement angles.
-        body: Who wears them.
-        fit: Whether they are refitted to `body` first.
+        body: Who wears them; the default body when None.
+        fit: Whether they are refitted to `body` first, from the bodies that they were drafted for.
     """
-    probe = probe_body(Body.default() if body is None or fit else body)
-    for source in patterns:
+    for source in sources:
         started = time.perf_counter()
+        reading = source.reading
+        if isinstance(reading, SwiftTailorError):
+            yield reading
+            continue
         try:
-            reading = (
-                Reading(source, ())
-                if isinstance(source, Pattern)
-                else read_pattern_file(source, rotation=rotation)
-            )
-            answer = _sewable(reading, source, options, probe)
+            drafted_for = body_of(source.drafted_for if fit else None)
+            probe = probe_body(drafted_for if body is None or fit else body)
+            answer = _sewable(reading, source.name, options, probe)
         except SwiftTailorError as error:
             yield error
             continue
-        answer = replace(answer, seconds={"loading": time.perf_counter() - started})
+        answer = replace(answer, seconds={"loading": source.seconds + time.perf_counter() - started})
         opened = sewer()  # what is wrong with its weights concerns all patterns
         try:
             yield _prepared(opened, answer, options, body if fit else None)
@@ -115,15 +153,12 @@ def _prepared(sewer: Sewer, answer: Answer, options: SewingOptions, body: Body |
     return prepare(sewer, answer, options)
 
 
-def _sewable(
-    reading: Reading, source: Pattern | Path | str, options: SewingOptions, probe: BodyProbe
-) -> Answer:
+def _sewable(reading: Reading, name: str, options: SewingOptions, probe: BodyProbe) -> Answer:
     """A pattern without errors.
 
     Raises:
         PatternError: It has errors that a repair leaves, or removes by giving up a seam or drawing an edge.
     """
-    name = f"The pattern '{source.name}'" if isinstance(source, Pattern) else f"'{source}'"
     answer = (_mended if options.repair else _checked)(reading, probe)
     errors = errors_of(answer.verdict.findings)
     if errors and not options.repair and _LOSING.isdisjoint(error.code for error in errors):

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cache
-from itertools import islice
+from itertools import groupby, islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from swifttailor.body.wearer import body_of
 from swifttailor.clock import Clock
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer
@@ -21,7 +22,7 @@ from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.order import NO_READER, Image, Order, Part, Source
 from swifttailor.tailor.protocols import PatternWriter, Sewer
 from swifttailor.tailor.reporting import described
-from swifttailor.tailor.sewing import SewingOptions, read_and_prepare, sew_answers
+from swifttailor.tailor.sewing import PatternSource, SewingOptions, prepare_sources, read_sources, sew_answers
 from swifttailor.tailor.tailored import Tailored
 from swifttailor.tailor.wearing import all_refitted, body_wanted, named_as
 from swifttailor.tailor.workshop import Workshop
@@ -320,6 +321,8 @@ class Tailor(Workshop):
     ) -> Iterator[Outcome]:
         """Makes the garments of many patterns, a few at a time; one that cannot be sewn stops no other.
 
+        Where the tailor has no body, each is worn by the one that it says it was drafted for.
+
         Args:
             patterns: Patterns, or GarmentCode JSON files.
             options: How they are sewn.
@@ -334,21 +337,35 @@ class Tailor(Workshop):
         options = options or SewingOptions()
 
         @cache
-        def sewer() -> Sewer:
+        def noted() -> None:
             if note is not None:
                 for line in self.compile_notes(finish=options.finish):
                     note(line)
+
+        for named, sources in groupby(read_sources(patterns, rotation), key=lambda one: one.drafted_for):
+            try:
+                tailor = self if named is None or self.body is not None else self.worn_by(body_of(named))
+            except InputError as error:
+                yield from (InputError(f"{one.name} names its wearer. {error}") for one in sources)
+                continue
+            yield from tailor._sew_sources(sources, options, noted, progress)
+
+    def _sew_sources(
+        self,
+        sources: Iterable[PatternSource],
+        options: SewingOptions,
+        noted: Callable[[], None],
+        progress: StageProgress | None,
+    ) -> Iterator[Outcome]:
+        """Sews what was read, on this tailor's body."""
+
+        def sewer() -> Sewer:
+            noted()
             return self.garment_sewer
 
-        source = read_and_prepare(
-            sewer,
-            patterns,
-            options,
-            rotation,
-            self.body,
-            fit=self.fits and self.body is not None,
-        )
-        while part := list(islice(source, BATCH)):
+        fit = self.fits and self.body is not None
+        prepared = prepare_sources(sewer, sources, options, self.body, fit=fit)
+        while part := list(islice(prepared, BATCH)):
             sewn = self._sew([one for one in part if isinstance(one, Answer)], options, progress)
             for one in part:
                 yield next(sewn) if isinstance(one, Answer) else one
