@@ -6,7 +6,7 @@ import pytest
 from swifttailor.body import Body, BodyPart
 from swifttailor.body.carrying import carry_all
 from swifttailor.body.footwear import FOOTWEAR, footwear
-from swifttailor.body.hair import HAIR_STYLES, hair, strand_shades
+from swifttailor.body.hair import HAIR_STYLES, VARIANTS, hair, hair_by_lot, strand_shades
 from swifttailor.body.mannequin import mannequin
 from swifttailor.body.parts import fill_holes
 from swifttailor.body.posing import random_pose
@@ -23,7 +23,9 @@ def outward(vertices, faces, middle):
     return np.einsum("ij,ij->i", normal, (a + b + c) / 3 - middle) > 0
 
 
-@pytest.mark.parametrize("style", HAIR_STYLES)
+@pytest.mark.parametrize(
+    "style", [*HAIR_STYLES, *(f"{style}~{1 + k % 8}" for k, style in enumerate(HAIR_STYLES))]
+)
 def test_hair_covers_the_scalp_and_not_the_face(style):
     vertices, faces = hair(style)
     body = Body.default()
@@ -37,13 +39,36 @@ def test_hair_covers_the_scalp_and_not_the_face(style):
     assert not (in_front & (np.abs(vertices[:, 0]) < 5)).any()
     top = head[regions == SkinRegion.SCALP]
     near = np.linalg.norm(top[:, None] - vertices[None], axis=-1).min(axis=1)
-    assert np.quantile(near, 0.95) < 5.0
+    fullest = 1.7 * HAIR_STYLES[style.partition("~")[0]].thickness
+    assert np.quantile(near, 0.95) < max(5.0, fullest + 2.0)
     assert outward(vertices, faces, (0.0, 158.0, 0.0))[: len(faces) // 4].mean() > 0.9
 
 
 def test_longer_hair_is_longer():
     ends = [hair(style)[0][:, 1].min() for style in ("short", "bob", "shoulder_length", "long")]
     assert all(shorter > longer + 3 for shorter, longer in pairwise(ends))
+
+
+def test_variants_differ_and_are_the_same_each_time():
+    lots = [hair_by_lot(np.random.default_rng(k)) for k in range(200)]
+    assert {lot.partition("~")[0] for lot in lots} == set(HAIR_STYLES)
+    assert {lot.partition("~")[2] for lot in lots} == {"", *(str(k + 1) for k in range(VARIANTS))}
+    shapes = [hair(f"wavy~{k + 1}")[0] for k in range(VARIANTS)]
+    for k, one in enumerate(shapes):
+        assert all(np.abs(one - other).max() > 1.0 for other in shapes[:k])
+    assert hair("wavy~3") is hair("wavy~3")
+
+
+def test_waves_swing_the_hair_that_falls_and_leave_what_lies_on_the_skull():
+    from swifttailor.body.hair import _waved
+
+    style = HAIR_STYLES["wavy"]
+    fallen = np.linspace(0.0, 40.0, 26)
+    strands = np.zeros((48, 26, 3))
+    strands[..., 0], strands[..., 1] = 9.0, 160.0 - fallen
+    moved = np.linalg.norm(_waved(strands, style) - strands, axis=-1)
+    assert not moved[:, 0].any() and moved.max() <= style.waves + 1e-9
+    assert moved[:, -1].min() >= 0.6 * style.waves - 1e-9
 
 
 def test_strands_are_of_many_shades():
@@ -60,7 +85,7 @@ def test_loose_hair_lies_on_the_chest_and_the_back():
     for style in HAIR_STYLES:
         vertices, _ = hair(style)
         before = vertices[(vertices[:, 1] < 142) & (vertices[:, 2] > 4)]
-        assert (len(before) > 20) == style.endswith("loose")
+        assert (len(before) > 20) == bool(HAIR_STYLES[style].before)
         if len(before):
             beside = np.abs(before[:, 0])
             assert beside.min() > 2 and beside.max() < 20, "the middle of the chest stays free"
@@ -116,6 +141,9 @@ def test_regions_lie_where_they_should():
 
 
 def test_unknown_names_are_refused():
+    for name in ("mohawk", "wavy~0", "wavy~9", "wavy~x", "~1"):
+        with pytest.raises(InputError, match=f"no hair style '{name}'; there are cropped.* ~1 to ~8"):
+            hair(name)
     with pytest.raises(InputError, match="no hair style 'mohawk'; there are cropped"):
         hair("mohawk")
     with pytest.raises(InputError, match="no footwear 'skis'; there are flats"):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -42,6 +42,12 @@ class HairStyle:
     """Hair that starts within this angle from the face falls before the shoulders, degrees."""
     knot: tuple[tuple[float, float, float], ...] = ()
     """Where hair that is tied goes, from the head to its end: height, depth and radius, cm."""
+    waves: float = 0.0
+    """How far falling hair swings to and fro, cm."""
+    wavelength: float = 8.0
+    """Along it, cm."""
+    uneven: float = 0.0
+    """By what share its thickness varies around the head."""
 
 
 HAIR_STYLES = {
@@ -52,6 +58,9 @@ HAIR_STYLES = {
     "long": HairStyle(1.9, 124.0, 70.0),
     "loose": HairStyle(2.3, 131.0, 62.0, before=108.0),
     "long_loose": HairStyle(2.1, 118.0, 64.0, before=112.0),
+    "wavy": HairStyle(2.6, 128.0, 58.0, before=100.0, waves=1.2, wavelength=9.0, uneven=0.15),
+    "curly": HairStyle(5.0, 143.0, 58.0, waves=1.0, wavelength=4.0, uneven=0.25),
+    "afro": HairStyle(7.0, uneven=0.1),
     "bun": HairStyle(
         0.8,
         knot=(
@@ -69,11 +78,21 @@ HAIR_STYLES = {
 }
 
 
+VARIANTS = 8
+"""Of each style, beside the style itself."""
+
+
+def hair_by_lot(chance: np.random.Generator) -> str:
+    """A style, or one of its variants: ``wavy~3`` is longer, fuller or falls otherwise than ``wavy``."""
+    style, variant = str(chance.choice(list(HAIR_STYLES))), int(chance.integers(VARIANTS + 1))
+    return f"{style}~{variant}" if variant else style
+
+
 def hair(style: str) -> tuple[Array, Array]:
     """The hair of the standing default body, to be carried along with it.
 
     Args:
-        style: One of `HAIR_STYLES`.
+        style: One of `HAIR_STYLES`, or a variant of one (`hair_by_lot`).
 
     Returns:
         Vertices (P, 3) in cm and faces (M, 3), anticlockwise seen from outside; the surface is open, so it
@@ -82,8 +101,6 @@ def hair(style: str) -> tuple[Array, Array]:
     Raises:
         InputError: There is no such style.
     """
-    if style not in HAIR_STYLES:
-        raise InputError(f"There is no hair style {style!r}; there are {', '.join(HAIR_STYLES)}.")
     return _hair(style)
 
 
@@ -91,7 +108,7 @@ def strand_shades(style: str, strength: float, chance: np.random.Generator) -> A
     """How light each face of some hair is, strand by strand: what tells hair from cloth.
 
     Args:
-        style: One of `HAIR_STYLES`.
+        style: See `hair`.
         strength: 0 makes all faces alike.
         chance: Decides.
 
@@ -109,13 +126,46 @@ def strand_shades(style: str, strength: float, chance: np.random.Generator) -> A
     return np.concatenate([shades, shades, np.exp(chance.normal(0.0, strength, rest))])
 
 
-@functools.lru_cache(maxsize=16)
+def _style(name: str) -> HairStyle:
+    """A style by its name, or the variant that its number decides."""
+    base, tilde, number = name.partition("~")
+    known = base in HAIR_STYLES
+    if not known or (tilde and not (number.isdecimal() and 1 <= int(number) <= VARIANTS)):
+        raise InputError(
+            f"There is no hair style {name!r}; there are {', '.join(HAIR_STYLES)}, and variants of each from "
+            f"~1 to ~{VARIANTS}."
+        )
+    style = HAIR_STYLES[base]
+    if not tilde:
+        return style
+    chance = np.random.default_rng([int(number), list(HAIR_STYLES).index(base)])
+    falls = style.ends is not None
+    opening = style.opening + chance.uniform(-9.0, 9.0) * falls
+    return replace(
+        style,
+        thickness=style.thickness * chance.uniform(0.75, 1.7),
+        ends=None if style.ends is None else style.ends + chance.uniform(-9.0, 9.0),
+        opening=opening,
+        before=max(style.before + chance.uniform(-12.0, 12.0), opening + 20.0) if style.before else 0.0,
+        waves=max(style.waves, chance.uniform(-1.0, 1.6)) if falls else 0.0,
+        wavelength=chance.uniform(5.0, 13.0),
+        uneven=max(style.uneven, chance.uniform(0.0, 0.3)),
+    )
+
+
+@functools.lru_cache(maxsize=128)
 def _hair(name: str) -> tuple[Array, Array]:
-    style = HAIR_STYLES[name]
+    style = _style(name)
     turn = np.linspace(0.0, 2 * np.pi, AROUND, endpoint=False)  # 0 is the back
-    strands = np.stack([_strand(style, angle) for angle in turn])
+    fuller = _rises(np.random.default_rng(AROUND), style.uneven)
+    strands = np.stack(
+        [
+            _strand(replace(style, thickness=style.thickness * full), angle)
+            for angle, full in zip(turn, fuller, strict=True)
+        ]
+    )
     if style.ends is not None:
-        strands = _off_the_body(strands)
+        strands = _off_the_body(_waved(strands, style))
     rows, columns = np.arange(ALONG - 1), np.arange(AROUND)
     a = columns[:, None] * ALONG + rows
     b = (columns[:, None] + 1) % AROUND * ALONG + rows
@@ -126,6 +176,32 @@ def _hair(name: str) -> tuple[Array, Array]:
         faces.append(sides + len(vertices[0]))
         vertices.append(tail)
     return read_only(np.concatenate(vertices)), read_only(np.concatenate(faces).astype(np.int32))
+
+
+def _rises(chance: np.random.Generator, strength: float) -> Array:
+    """(AROUND,) factors around the head that rise and fall by locks of about four strands."""
+    turn = np.linspace(0.0, 2 * np.pi, AROUND, endpoint=False)
+    orders = np.arange(2, 13)
+    phases, sizes = chance.uniform(0, 2 * np.pi, len(orders)), chance.normal(0, 1, len(orders))
+    wave = (sizes * np.cos(turn[:, None] * orders + phases)).sum(axis=1)
+    return 1.0 + strength * wave / np.abs(wave).max()
+
+
+def _waved(strands: Array, style: HairStyle) -> Array:
+    """Strands (AROUND, ALONG, 3) whose falling part swings out and in, lock by lock, more the lower it is."""
+    if not style.waves:
+        return strands
+    middle = strands - (0.0, 0.0, CROWN[2])
+    out = middle * (1.0, 0.0, 1.0)
+    out /= np.maximum(np.linalg.norm(out, axis=-1, keepdims=True), 1e-6)
+    aside = np.stack([out[..., 2], np.zeros(out.shape[:2]), -out[..., 0]], axis=-1)
+    fallen = np.clip(CROWN[1] - strands[..., 1], 0.0, None)
+    phase = 3.0 * (_rises(np.random.default_rng(ALONG), 1.0) - 1.0)[:, None]
+    angle = 2 * np.pi * fallen / style.wavelength + phase
+    reach = style.waves * np.clip(fallen / 12.0, 0.0, 1.0)
+    return strands + reach[..., None] * (
+        np.cos(angle)[..., None] * out + 0.6 * np.sin(angle)[..., None] * aside
+    )
 
 
 def _strand(style: HairStyle, turn: float) -> Array:

@@ -15,7 +15,7 @@ from swifttailor.body import Body
 from swifttailor.body.body_shape import random_shape
 from swifttailor.body.carrying import carry_all
 from swifttailor.body.footwear import FOOTWEAR, footwear
-from swifttailor.body.hair import HAIR_STYLES, hair, strand_shades
+from swifttailor.body.hair import hair, hair_by_lot, strand_shades
 from swifttailor.body.mannequin import mannequin
 from swifttailor.body.pose import Pose
 from swifttailor.body.posing import random_pose
@@ -224,7 +224,7 @@ def _figure(
                 color[regions == region] = tights
     accessories, sole = [], 0.0
     if is_person and chance.random() < 0.93:
-        style = str(chance.choice(list(HAIR_STYLES))) if not _any(worn, "hood", "hood") else "cropped"
+        style = hair_by_lot(chance) if not _any(worn, "hood", "hood") else "cropped"
         worn_hair = _hair(style)
         shades = strand_shades(style, chance.uniform(0.0, 0.45), chance)
         accessories.append(worn_hair._replace(color=np.clip(hair_color * shades[:, None], 0.002, 0.95)))
@@ -361,7 +361,7 @@ def _face_regions() -> NDArray[np.uint8]:
     return skin_regions(base.vertices[base.faces].mean(axis=1))
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=128)
 def _hair(style: str) -> _Thing:
     vertices, faces = hair(style)
     return _Thing(vertices, faces, np.zeros(3), Rig.default().weights_at(vertices), has_inside=True)
