@@ -199,9 +199,8 @@ def _waved(strands: Array, style: HairStyle) -> Array:
     phase = 3.0 * (_rises(np.random.default_rng(ALONG), 1.0) - 1.0)[:, None]
     angle = 2 * np.pi * fallen / style.wavelength + phase
     reach = style.waves * np.clip(fallen / 12.0, 0.0, 1.0)
-    return strands + reach[..., None] * (
-        np.cos(angle)[..., None] * out + 0.6 * np.sin(angle)[..., None] * aside
-    )
+    swung = np.cos(angle)[..., None] * out + 0.6 * np.sin(angle)[..., None] * aside
+    return strands + reach[..., None] * swung
 
 
 def _strand(style: HairStyle, turn: float) -> Array:
