@@ -64,7 +64,7 @@ def alter(
         wishes: What the garment should show: changes, claims, or either as text, such as ``sleeves=long`` or
             ``length +10`` (`read_change`); or measures that are to stay (`Keep`).
         original: What steps are judged against; what the pattern shows when None.
-        body: Who it is made for; the default body when None.
+        body: Who it is made for; the body that the pattern names, else the default body, when None.
         most_cuts: How many cuts are kept at most.
         keep_others: Whether nothing may be seen to change in parts that no wish speaks of (`unasked`): what a
             cut changes there is cut back, and a wish that cannot be had so stays open.

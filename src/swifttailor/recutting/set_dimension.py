@@ -65,7 +65,7 @@ def set_dimension(
         pattern: Any pattern placed around a body.
         name: A key of `QUANTITIES`.
         value: In its unit.
-        body: Who it is made for; the default body when None.
+        body: Who it is made for; the body that the pattern names, else the default body, when None.
 
     Returns:
         The recut pattern, and what was done, in words.

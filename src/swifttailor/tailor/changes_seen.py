@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from swifttailor.body.wearer import measurements_of
 from swifttailor.describing.differences import Change, find_differences
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
@@ -28,7 +29,8 @@ def changes_seen(before: Pattern, after: Pattern) -> tuple[Change, ...] | None:
     if pattern_digest(before) == pattern_digest(after):
         return ()
     try:
-        gains, steps = find_differences(measure_facts(before), measure_facts(after))
+        body = measurements_of(before.drafted_for)
+        gains, steps = find_differences(measure_facts(before, body), measure_facts(after, body))
     except SwiftTailorError:
         return None
     if any(gain.claim.name == "sleeves" for gain in gains):  # then nobody asks for each alone

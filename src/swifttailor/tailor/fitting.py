@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.describing.facts import GarmentFacts
-from swifttailor.pattern import Pattern, check_pattern
+from swifttailor.pattern import Pattern
 from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.recutting.alter import Alteration
 from swifttailor.recutting.holes import has_holes
@@ -21,7 +21,7 @@ from swifttailor.recutting.one_sided import (
 from swifttailor.recutting.unasked import spoken_parts, unasked
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.candidates import Candidate
-from swifttailor.tailor.reading import Wanted, altered
+from swifttailor.tailor.reading import Wanted, altered, checked
 from swifttailor.tailor.verdict import Verdict
 from swifttailor.wishes.unsaid import leaves_hem_unsaid, unsaid_wishes
 
@@ -59,7 +59,7 @@ def from_edit(wanted: Wanted) -> Answer | None:
 def judged(recut: Alteration, wanted: Wanted) -> Verdict:
     """What is wrong with a recut pattern."""
     return Verdict(
-        tuple(check_pattern(recut.pattern)),
+        checked(recut.pattern, wanted.order.edit),
         wanted.tolerated,
         senseless=_is_senseless(recut.facts),
         open=recut.open,
@@ -74,7 +74,7 @@ def _as_it_is(
     open: tuple[Change, ...] | None = None,
 ) -> Answer:
     missing = tuple(wish.change for wish in wanted.wishes) if open is None else open
-    verdict = Verdict(tuple(check_pattern(edit)), wanted.tolerated, open=missing)
+    verdict = Verdict(checked(edit, edit), wanted.tolerated, open=missing)
     return Answer(edit, verdict, wanted=wanted, written=written, of_edit=True)
 
 
@@ -106,7 +106,7 @@ def fit(written: WrittenPattern, wanted: Wanted, *, drafted: bool = False) -> An
     if taken is not None and (taken.cuts or of_edit):
         pattern, findings = taken.pattern, None
     verdict = Verdict(
-        tuple(check_pattern(pattern) if findings is None else findings),
+        checked(pattern, edit) if findings is None else tuple(findings),
         wanted.tolerated,
         senseless=taken is not None and _is_senseless(taken.facts),
         holes=not of_edit and _is_torn(pattern, edit),

@@ -17,7 +17,7 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError, NothingSeenError, SwiftTailorError
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import ClothPrint
-from swifttailor.pattern import Pattern, check_pattern
+from swifttailor.pattern import Finding, Pattern, check_pattern
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
 from swifttailor.pattern_maker.asking.scripts import says_something
@@ -160,7 +160,8 @@ class Wanted:
     @cached_property
     def tolerated(self) -> frozenset[str]:
         """Codes of what a check finds in the pattern to edit."""
-        return frozenset(f.code for f in check_pattern(self.order.edit)) if self.order.edit else frozenset()
+        edit = self.order.edit
+        return frozenset(f.code for f in checked(edit, edit)) if edit else frozenset()
 
     @cached_property
     def original(self) -> GarmentFacts | None:
@@ -310,6 +311,17 @@ def altered(
         return alter(pattern, changes, original=original, keep_others=keep_others, kept=kept)
     except SwiftTailorError:
         return None
+
+
+def checked(pattern: Pattern, edit: Pattern | None) -> tuple[Finding, ...]:
+    """What a check finds; in an edited pattern, around the body that the pattern to edit was drafted for."""
+    named = None if edit is None else edit.drafted_for
+    if named is None:
+        return check_pattern(pattern)
+    from swifttailor.body.probe import probe_body
+    from swifttailor.body.wearer import body_of
+
+    return check_pattern(pattern, body=probe_body(body_of(named)))
 
 
 def facts_of(pattern: Pattern) -> GarmentFacts | None:

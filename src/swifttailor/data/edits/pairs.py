@@ -80,7 +80,7 @@ def geometric_pairs(
         seed: Decides the ways to recut, amounts and wording.
         count: How many topics to recut it about, where as many work.
         topics: Ways to choose from.
-        body: Who it is made for; the default body when None.
+        body: Who it is made for; the body that the pattern names, else the default body, when None.
 
     Returns:
         Up to two pairs for each topic.

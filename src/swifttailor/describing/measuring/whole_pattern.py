@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from swifttailor.body import Body, BodyMeasurements
+from swifttailor.body import BodyMeasurements
+from swifttailor.body.wearer import measurements_of
 from swifttailor.describing.facts import GarmentFacts, HemFacts, Kind, LandmarkFacts
 from swifttailor.describing.measuring.anatomy import Anatomy
 from swifttailor.describing.measuring.hems import find_hem, measure_hem
@@ -27,16 +28,17 @@ def measure_facts(pattern: Pattern, body: BodyMeasurements | None = None) -> Gar
 
     Args:
         pattern: A pattern placed around the body, of any maker.
-        body: Who it is made for; the default body when None.
+        body: Who it is made for; the body that the pattern names, else the default body, when None.
 
     Raises:
         PatternError: The pattern has no panels.
+        InputError: No body has the measures that the pattern names.
     """
     if not pattern.panels:
         raise PatternError(
             "A pattern without panels shows no garment. Give a pattern with at least one panel."
         )
-    body = Body.default().measurements if body is None else body
+    body = measurements_of(pattern.drafted_for) if body is None else body
     return measure_anatomy(Anatomy.of(pattern.canonical(), body))
 
 

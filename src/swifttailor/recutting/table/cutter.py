@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from swifttailor.body import Body, BodyMeasurements
+from swifttailor.body import BodyMeasurements
+from swifttailor.body.wearer import measurements_of
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring.anatomy import Anatomy, Border
 from swifttailor.describing.measuring.hems import find_hem
@@ -19,7 +20,8 @@ class Cutter:
 
     def __init__(self, pattern: Pattern, body: BodyMeasurements | None = None) -> None:
         self.pattern = pattern.canonical()
-        self.anatomy = Anatomy.of(self.pattern, Body.default().measurements if body is None else body)
+        worn_by = measurements_of(pattern.drafted_for) if body is None else body
+        self.anatomy = Anatomy.of(self.pattern, worn_by)
 
     def with_pattern(self, pattern: Pattern) -> Cutter:
         """Another pattern for the same body."""
