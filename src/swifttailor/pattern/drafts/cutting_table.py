@@ -115,6 +115,17 @@ class CuttingTable:
         assert len(ours) == len(theirs), "both sides of a seam have the same joints"
         self._stitches += [(a.serial, b.serial) for (_, a), (_, b) in zip(ours, theirs, strict=True)]
 
+    def cut_seam(self, edge: str, fraction: float) -> None:
+        """Cuts an edge that is sewn in one, and what it is sewn to, at a fraction of the edge's length."""
+        piece, name = self._resolve(edge)
+        (side,) = piece.find(name)
+        (seam,) = [k for k, pair in enumerate(self._stitches) if side.serial in pair]
+        (partner,) = {*self._stitches.pop(seam)} - {side.serial}
+        other, twin = next((p, s) for p in self.pieces.values() for s in p.sides if s.serial == partner)
+        ours = self._cut([(piece, side)], [0.0, 1.0], [fraction], against=False)
+        theirs = self._cut([(other, twin)], [0.0, 1.0], [fraction], against=True)
+        self._stitches += [(a.serial, b.serial) for (_, a), (_, b) in zip(ours, theirs, strict=True)]
+
     def mirror(self) -> None:
         """Adds the right-hand twin of every left-hand piece, and of every seam between left-hand pieces."""
         twins: dict[int, int] = {}

@@ -33,6 +33,10 @@ SleeveEnd = Annotated[
     float,
     Option("Width around at the sleeve's end; at most that at the underarm.", "cm", 18.0, 50.0),
 ]
+Sleeves = Annotated[bool, Option("Set in sleeves.")]
+WaistShaping = Annotated[
+    float, Option("How far each side seam bends inward at the waist.", "cm", 0.0, 4.0)
+]
 CapEase = Annotated[float, Option("Fullness of the sleeve cap over the armhole.", "%", 0.0, 6.0)]
 CuffHeight = Annotated[float, Option("Height of the cuffs.", "cm", 3.0, 10.0)]
 CuffWidth = Annotated[float, Option("Room of the cuff on top of the wrist girth.", "cm", 2.0, 10.0)]

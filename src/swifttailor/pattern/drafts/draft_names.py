@@ -15,10 +15,12 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "halter-top": "top",
     "off-shoulder-top": "top",
     "turtleneck": "top",
+    "wrap-top": "top",
     "waistcoat": "top",
     "hoodie": "top",
     "fitted-dress": "dress",
     "shirt-dress": "dress",
+    "wrap-dress": "dress",
     "slip-dress": "dress",
     "strapless-dress": "dress",
     "halter-dress": "dress",
@@ -47,3 +49,9 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "off-shoulder-dress": ("off_shoulder",),
 }
 """What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``."""
+_CROSSED = "Its fronts do not overlap: a seam runs where the edge of the upper one would lie."
+STANDS_IN: Mapping[str, str] = {
+    "wrap-dress": _CROSSED,
+    "wrap-top": _CROSSED,
+}
+"""What a draft has in place of what cannot be made, for people."""

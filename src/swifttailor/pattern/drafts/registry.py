@@ -17,6 +17,7 @@ from swifttailor.pattern.drafts.garments import (
     strappy,
     tops,
     trousers,
+    wrap,
 )
 from swifttailor.pattern.drafts.measurements import Measurements, checked
 from swifttailor.pattern.drafts.options import OptionField, make_options, option_fields
@@ -59,6 +60,7 @@ _DRAFTS = (
     DraftInfo(
         "turtleneck", "Long sleeves, a collar that stands close around the neck", tops.draft_turtleneck
     ),
+    DraftInfo("wrap-top", "V neck whose right edge runs on to the left side", wrap.draft_wrap_top),
     DraftInfo("waistcoat", "Sleeveless top, deep V neck, pointed front hem", tops.draft_waistcoat),
     DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", tops.draft_hoodie),
     DraftInfo(
@@ -70,6 +72,11 @@ _DRAFTS = (
         "shirt-dress",
         "Easy bodice, sleeves with cuffs, waist seam, flared skirt",
         fitted_garments.draft_shirt_dress,
+    ),
+    DraftInfo(
+        "wrap-dress",
+        "Fronts that seem to cross, sleeves, waist seam, flared skirt",
+        wrap.draft_wrap_dress,
     ),
     DraftInfo("slip-dress", "Dress on thin straps", strappy.draft_slip_dress),
     DraftInfo(
