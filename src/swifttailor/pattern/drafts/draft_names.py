@@ -9,6 +9,7 @@ DraftKind = Literal["top", "dress", "jumpsuit", "trousers", "skirt"]
 
 DRAFT_KINDS: Mapping[str, DraftKind] = {
     "t-shirt": "top",
+    "polo-shirt": "top",
     "tank-top": "top",
     "camisole": "top",
     "bustier": "top",
@@ -16,6 +17,7 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "off-shoulder-top": "top",
     "turtleneck": "top",
     "wrap-top": "top",
+    "blazer": "top",
     "waistcoat": "top",
     "hoodie": "top",
     "fitted-dress": "dress",
@@ -43,6 +45,7 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "pleated-skirt": ("pleats",),
     "strapless-dress": ("sweetheart",),
     "bustier": ("sweetheart",),
+    "polo-shirt": ("shirt_collar", "flat_collar"),
     "halter-top": ("halter",),
     "halter-dress": ("halter",),
     "off-shoulder-top": ("off_shoulder",),

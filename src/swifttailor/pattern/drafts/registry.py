@@ -10,6 +10,7 @@ from typing import Any, get_type_hints
 from swifttailor.errors import PatternError
 from swifttailor.pattern.drafts.garments import (
     bare_shoulders,
+    collared,
     fitted_garments,
     long_garments,
     pleated_skirts,
@@ -48,6 +49,7 @@ class DraftInfo:
 
 _DRAFTS = (
     DraftInfo("t-shirt", "Loose top with set-in sleeves", tops.draft_t_shirt),
+    DraftInfo("polo-shirt", "Loose top with short sleeves, a collar folded down", collared.draft_polo_shirt),
     DraftInfo("tank-top", "Sleeveless top with straps", tops.draft_tank_top),
     DraftInfo("camisole", "Top on thin straps", strappy.draft_camisole),
     DraftInfo("bustier", "Strapless top to the waist, a heart for its upper edge", strappy.draft_bustier),
@@ -61,6 +63,7 @@ _DRAFTS = (
         "turtleneck", "Long sleeves, a collar that stands close around the neck", tops.draft_turtleneck
     ),
     DraftInfo("wrap-top", "V neck whose right edge runs on to the left side", wrap.draft_wrap_top),
+    DraftInfo("blazer", "Shaped sides, long sleeves, deep V neck with lapels", collared.draft_blazer),
     DraftInfo("waistcoat", "Sleeveless top, deep V neck, pointed front hem", tops.draft_waistcoat),
     DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", tops.draft_hoodie),
     DraftInfo(
