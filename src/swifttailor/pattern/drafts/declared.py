@@ -25,6 +25,7 @@ ArmholeDrop = Annotated[float, Option("How far the underarm lies below the armpi
 LongLength = Annotated[float, Option("Hem below the waist.", "cm", 25.0, 100.0)]
 TopLength = Annotated[float, Option("Hem below the waist; negative ends above it.", "cm", -12.0, 60.0)]
 HemFlare = Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 40.0)]
+DressFlare = Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 80.0)]
 SleeveLength = Annotated[
     float, Option("Shoulder tip to the sleeve's end along the arm, cuff included.", "cm", 12.0, 66.0)
 ]

@@ -35,6 +35,8 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "jeans": "trousers",
     "leggings": "trousers",
     "fitted-skirt": "skirt",
+    "wrap-skirt": "skirt",
+    "sarong": "skirt",
     "circle-skirt": "skirt",
     "gathered-skirt": "skirt",
     "pleated-skirt": "skirt",
@@ -53,8 +55,11 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
 }
 """What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``."""
 _CROSSED = "Its fronts do not overlap: a seam runs where the edge of the upper one would lie."
+_OPEN = "Its front is open below where the edges of a wound skirt would part; nothing overlaps."
 STANDS_IN: Mapping[str, str] = {
     "wrap-dress": _CROSSED,
     "wrap-top": _CROSSED,
+    "wrap-skirt": _OPEN,
+    "sarong": _OPEN,
 }
 """What a draft has in place of what cannot be made, for people."""

@@ -19,6 +19,7 @@ from swifttailor.pattern.drafts.garments import (
     tops,
     trousers,
     wrap,
+    wrap_skirts,
 )
 from swifttailor.pattern.drafts.measurements import Measurements, checked
 from swifttailor.pattern.drafts.options import OptionField, make_options, option_fields
@@ -107,6 +108,8 @@ _DRAFTS = (
     DraftInfo("jeans", "Slim legs, back darts, waistband", trousers.draft_jeans),
     DraftInfo("leggings", "The closest legs, high waistband", trousers.draft_leggings),
     DraftInfo("fitted-skirt", "Pencil or A-line skirt, waistband", skirts.draft_fitted_skirt),
+    DraftInfo("wrap-skirt", "A-line skirt, open in front beside the middle", wrap_skirts.draft_wrap_skirt),
+    DraftInfo("sarong", "Long straight skirt, open in front on a slant", wrap_skirts.draft_sarong),
     DraftInfo("circle-skirt", "Part of a circle on a waistband", skirts.draft_circle_skirt),
     DraftInfo("gathered-skirt", "Rectangles gathered into a waistband", skirts.draft_gathered_skirt),
     DraftInfo("pleated-skirt", "Pleats laid into a waistband", pleated_skirts.draft_pleated_skirt),
