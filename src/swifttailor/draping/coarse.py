@@ -146,8 +146,8 @@ def drape_coarsely(
 def _lies_folded(pattern: Pattern) -> bool:
     """Whether its collar lies on the torso all around.
 
-    Those of GarmentCode are folded in front and stand behind. GarmentSewer has learnt from drapes in which they spring
-    up, so that what it begins from must, too.
+    Those of GarmentCode are folded in front and stand behind. GarmentSewer has learnt from drapes in which
+    they spring up, so that what it begins from must, too.
     """
     seams = [s for s in pattern.stitches if len([r for r in s.sides if "collar" in r.panel]) == 1]
     return bool(seams) and all(s.right_wrong for s in seams)

@@ -1,7 +1,7 @@
 """Fronts that seem to cross: the right one runs on over the middle, down to the left side.
 
-Cloth lies in one layer, so nothing overlaps: where the edge of the upper front would lie there is a seam, which
-carries the line of the right neckline on.
+Cloth lies in one layer, so nothing overlaps: where the edge of the upper front would lie there is a seam,
+which carries the line of the right neckline on.
 """
 
 from __future__ import annotations
@@ -50,9 +50,9 @@ def cross_fronts(table: CuttingTable, above_hem: float = 0.0) -> None:
     """Gives what lies below the seam to the right front, and sews the fronts along it; after `mirror`.
 
     The seam ends on the left side seam, `above_hem` cm from its lower end.
-    Edges of ``left_ftorso`` are then side, armhole, shoulder, neck, cross and the darts of the side; those of
-    ``right_ftorso`` are the others and cross, its lower edge reaching from side to side. Both fronts lie in one
-    plane, in the same place.
+    Edges of ``left_ftorso`` are then side, armhole, shoulder, neck, cross and the darts of the side; those
+    of ``right_ftorso`` are the others and cross, its lower edge reaching from side to side. Both fronts must
+    lie in one plane, in the same place.
     """
     lower, upper = table.pieces[LOWER], table.pieces[UPPER]
     if above_hem:

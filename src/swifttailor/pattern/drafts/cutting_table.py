@@ -155,7 +155,9 @@ class CuttingTable:
                 sides.append(twin)
             (x, y, z), (a, b, c) = piece.placement.translation, piece.placement.rotation
             self.pieces[name] = Piece(name, sides, Placement((-x, y, z), (a, -b, -c)), piece.label)
-        reflected = {pair: (twins[pair[0]], twins[pair[1]]) for pair in self._stitches if twins.keys() >= {*pair}}
+        reflected = {
+            pair: (twins[pair[0]], twins[pair[1]]) for pair in self._stitches if twins.keys() >= {*pair}
+        }
         self._stitches += reflected.values()
         self._folded |= {twin for pair, twin in reflected.items() if pair in self._folded}
 

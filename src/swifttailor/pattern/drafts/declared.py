@@ -11,6 +11,9 @@ NeckShapeOption = Annotated[NeckShape, Option("Shape of the front neckline; the 
 NeckWidening = Annotated[
     float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 0.0, 6.0)
 ]
+CloseNeckWidening = Annotated[
+    float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 0.0, 3.0)
+]
 NeckDepth = Annotated[
     float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 6.0, 22.0)
 ]
@@ -35,9 +38,7 @@ SleeveEnd = Annotated[
     Option("Width around at the sleeve's end; at most that at the underarm.", "cm", 18.0, 50.0),
 ]
 Sleeves = Annotated[bool, Option("Set in sleeves.")]
-WaistShaping = Annotated[
-    float, Option("How far each side seam bends inward at the waist.", "cm", 0.0, 4.0)
-]
+WaistShaping = Annotated[float, Option("How far each side seam bends inward at the waist.", "cm", 0.0, 4.0)]
 CapEase = Annotated[float, Option("Fullness of the sleeve cap over the armhole.", "%", 0.0, 6.0)]
 CuffHeight = Annotated[float, Option("Height of the cuffs.", "cm", 3.0, 10.0)]
 CuffWidth = Annotated[float, Option("Room of the cuff on top of the wrist girth.", "cm", 2.0, 10.0)]

@@ -25,7 +25,7 @@ SKIRT_BACK_Z = -22.0
 
 @dataclass(frozen=True)
 class Opening:
-    """A front that is open from the hem up, between an upright edge on the left and a slanted one on the right."""
+    """A front that is open from the hem up, between a steep edge on the left and a slanted one."""
 
     height: float
     """Hem to its upper end, cm; less where the skirt is short."""

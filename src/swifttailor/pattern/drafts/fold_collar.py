@@ -1,4 +1,4 @@
-"""A collar that is folded down over the torso: cut along the neckline, in four, with points or lapels in front."""
+"""A collar folded down over the torso: cut along the neckline, in four, with points or lapels in front."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ def sew_skirt_to_bodice(
     gathered: bool = False,
     fronts: tuple[str, ...] = ("left", "right"),
 ) -> None:
-    """Sews the skirt's upper edges to the bodice's waist and labels them; `fronts` have the waist in front."""
+    """Sews the skirt's upper edges to the bodice's waist and labels them; `fronts` are those with a waist."""
     for part, halves in (("front", fronts), ("back", ("right", "left"))):
         skirt = [f"skirt_{part}.{e}" for e in (edges if part == "front" else edges[::-1])]
         for edge in skirt:

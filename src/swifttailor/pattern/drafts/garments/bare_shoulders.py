@@ -50,7 +50,8 @@ class HalterDressOptions(HalterTopOptions):
     length: declared.LongLength = 58.0
     flare: declared.DressFlare = 40.0
     waist_seam: Annotated[
-        bool, Option("Sew a skirt cut from a circle to a waist with darts; else it is cut in one, with a flare.")
+        bool,
+        Option("Sew a skirt cut from a circle to a waist with darts; else it is cut in one, with a flare."),
     ] = True
     waist_ease: declared.WaistEase = 2.0
     skirt_fraction: declared.CircleFraction = 0.5

@@ -24,9 +24,7 @@ class PoloShirtOptions:
     length: declared.TopLength = 20.0
     chest_ease: declared.ChestEase = 10.0
     flare: declared.HemFlare = 0.0
-    neck_widening: Annotated[
-        float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 0.0, 3.0)
-    ] = 0.5
+    neck_widening: declared.CloseNeckWidening = 0.5
     neck_depth: Annotated[
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 16.0)
     ] = 11.0
@@ -65,17 +63,13 @@ class BlazerOptions:
     chest_ease: declared.ChestEase = 9.0
     waist_shaping: declared.WaistShaping = 2.5
     flare: declared.HemFlare = 0.0
-    neck_widening: Annotated[
-        float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 0.0, 3.0)
-    ] = 1.0
+    neck_widening: declared.CloseNeckWidening = 1.0
     neck_depth: Annotated[
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 18.0, 34.0)
     ] = 28.0
     lapels: Annotated[FrontShape, Option("Shape of the collar in front.")] = "notched"
     collar_width: Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 6.0)] = 5.0
-    lapel_width: Annotated[
-        float, Option("Width of the lapels where they are widest.", "cm", 4.0, 11.0)
-    ] = 7.5
+    lapel_width: Annotated[float, Option("Width of the lapels where they are widest.", "cm", 4.0, 11.0)] = 7.5
     armhole_drop: declared.ArmholeDrop = 3.0
     sleeve_length: declared.SleeveLength = 59.0
     arm_ease: declared.ArmEase = 8.0
