@@ -15,7 +15,7 @@ from swifttailor.wording.wordings import all_wordings
 NOT_ON_DRAFTS = {
     *("gores", "tier gathers", "base width", "leg cuff length"),
     *("godets", "godet width", "godet height"),
-    *("front slit", "back slit", "left slit", "right slit", "slits"),
+    *("back slit", "left slit", "right slit"),
 }
 
 

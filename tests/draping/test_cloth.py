@@ -53,6 +53,19 @@ def test_rest_lengths_are_those_of_the_flat_panels(mesh):
         assert rest == pytest.approx(min(lengths[int(a), int(b)]), abs=1e-9)
 
 
+def test_folded_collars_are_pressed():
+    """Nothing bends a collar up along the seams where it is folded; all other edges stay stiff."""
+    mesh = mesh_pattern(draft("polo-shirt").canonical(), 3.0)
+    pressed, springy = (build_cloth(mesh, FABRICS["cotton"], press=p).arrays.hinges for p in (True, False))
+    folds = [seam.vertices for seam in mesh.seams if mesh.pattern.stitches[seam.stitch].right_wrong]
+    on_fold = np.any([np.isin(springy[:, :2], vertices).all(axis=1) for vertices in folds], axis=0)
+    assert on_fold.sum() >= sum(len(vertices) - 1 for vertices in folds) * 0.9
+    np.testing.assert_array_equal(pressed, springy[~on_fold])
+    plain = mesh_pattern(draft("t-shirt").canonical(), 4.0)
+    both = [build_cloth(plain, FABRICS["cotton"], press=p).arrays.hinges for p in (True, False)]
+    np.testing.assert_array_equal(*both)
+
+
 def test_gathered_seams_are_marked(mesh):
     cloth = build_cloth(mesh, FABRICS["cotton"])
     assert 0 < cloth.gathered.sum() < 0.2 * len(cloth.gathered)

@@ -135,3 +135,13 @@ def test_fields_on_parts_of_a_lattice_are_copied_onto_it(fields):
     found = [sample_field(joined.armless, joined.origin, joined.spacing, *p)[0] for p in beyond]
     inner = np.array(found) < 1e3  # at the last node there is no cell to interpolate in
     assert (np.array(found)[inner] <= armless.sample(beyond)[0][inner] + 1e-4).all()
+
+
+def test_a_folded_collar_falls_on_the_shoulders(fields):
+    pattern = draft("polo-shirt").canonical()
+    mesh = mesh_pattern(pattern, coarse_edge_length(pattern, CoarseSettings()))
+    positions = drape_coarsely(mesh, *fields, Body.default().measurements)
+    collar = np.array(["collar" in pattern.panels[k].name for k in mesh.flat_panel])
+    seams = np.concatenate([s.vertices for s in mesh.seams if mesh.pattern.stitches[s.stitch].right_wrong])
+    free = np.setdiff1d(mesh.weld[collar], seams)
+    assert positions[free, 1].mean() < positions[seams, 1].mean() - 1.5

@@ -30,6 +30,12 @@ def tailor(tmp_path, sewer):
         ("a kaftan", "kaftan", 8),
         ("a crop top with spaghetti straps", "camisole", 4),
         ("ein Faltenrock", "pleated-skirt", 4),
+        ("a wrap dress", "wrap-dress", 10),
+        ("a short-sleeved wrap top", "wrap-top", 8),
+        ("a polo shirt", "polo-shirt", 12),
+        ("a blazer", "blazer", 12),
+        ("a knee-length sarong", "sarong", 4),
+        ("a halter dress with a straight skirt", "halter-dress", 8),
     ],
 )
 def test_begins_from_the_draft_and_says_so(tailor, text, name, panels):
@@ -46,6 +52,20 @@ def test_report_and_notes_name_the_draft(tailor):
     assert any("--finish" in note and "pleats" in note for note in made.notes)
     assert made.report["heard"]["cannot"] == []
     assert "pattern_maker" not in made.report["weights"]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("a wrap top", ["a seam runs where the edge of the upper one would lie", "fronts that overlap"]),
+        ("a wrap skirt", ["nothing overlaps", "fronts that overlap"]),
+        ("a polo shirt", ["buttons", "an opening down the front"]),
+        ("a blazer", ["buttons", "pockets"]),
+    ],
+)
+def test_what_a_draft_stands_in_for_is_said(tailor, text, said):
+    notes = tailor.generate(text).notes
+    assert all(any(words in note for note in notes) for words in said), notes
 
 
 @pytest.mark.parametrize("text", ["a skirt", "a dress over my leggings", "trousers, not leggings"])

@@ -156,6 +156,65 @@ def test_bare_shoulders_begin_from_drafts_and_lack_nothing_then(text, draft):
     assert {lack.what for lack in heard.made_as(draft).lacks} <= {"ties"}
 
 
+@pytest.mark.parametrize(
+    ("text", "draft"),
+    [
+        ("a wrap dress", "wrap-dress"),
+        ("a knee length dress with a surplice neckline", "wrap-dress"),
+        ("ein Wickelkleid", "wrap-dress"),
+        ("a faux wrap top", "wrap-top"),
+        ("a wrap blouse with short sleeves", "wrap-top"),
+        ("a polo shirt", "polo-shirt"),
+        ("a long-sleeved polo", "polo-shirt"),
+        ("a double breasted blazer", "blazer"),
+        ("a dinner jacket", "blazer"),
+        ("a wrap skirt", "wrap-skirt"),
+        ("a pareo", "sarong"),
+    ],
+)
+def test_what_overlaps_or_is_folded_begins_from_drafts(text, draft):
+    assert hear_description(text, Saying()).drafts == (draft,)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *("a wrap jumpsuit", "wrap trousers", "a wrap coat", "a dress with a matching wrap", "a polo dress"),
+        *(
+            "a blazer dress",
+            "a dress with a cowl neck",
+            "a shirt with a polo collar",
+            "a dress, not a wrap dress",
+        ),
+    ],
+)
+def test_what_only_sounds_like_them_does_not(text):
+    assert hear_description(text, Saying()).drafts == ()
+
+
+def test_a_polo_neck_is_a_turtleneck():
+    assert hear_description("a polo neck", Saying()).drafts == ("turtleneck",)
+
+
+@pytest.mark.parametrize(
+    ("text", "draft", "lacking"),
+    [
+        ("a polo shirt", "polo-shirt", {"buttons", "open_front"}),
+        ("a blazer", "blazer", {"buttons", "open_front", "pockets", "second_layer"}),
+        ("a wrap dress", "wrap-dress", {"wrap", "ties"}),
+        ("a sarong", "sarong", {"draped_cloth", "wrap"}),
+    ],
+)
+def test_what_these_drafts_cannot_show_is_still_said(text, draft, lacking):
+    assert {lack.what for lack in hear_description(text, Saying()).made_as(draft).lacks} == lacking
+
+
+def test_a_name_that_means_a_length_outweighs_what_a_detail_goes_with():
+    heard = hear_description("a mini dress with a straight skirt", Saying())
+    hems = claims((*heard.sure, *heard.likely))
+    assert Claim("skirt_hem", "mini") in hems and Claim("skirt_hem", "knee") not in hems
+
+
 def test_a_detail_that_becomes_its_opposite_is_named():
     mini = Saying(Wish(Gain(Claim("skirt_hem", "mini")), 0.7))
     heard = hear_description("long skirt, not floor length though", mini)

@@ -24,6 +24,8 @@ UNUSUAL = {
     "waistcoat": {("top_hem", "hip")},
     "bustier": {("top_hem", "hip")},
     "off-shoulder-top": {("top_hem", "hip")},
+    "wrap-skirt": {("slit", "none")},
+    "sarong": {("slit", "none")},
 }
 
 

@@ -70,8 +70,10 @@ class ClothModel:
         return strain if len(strain) else np.zeros(1)
 
 
-def build_cloth(mesh: PatternMesh, fabric: Fabric) -> ClothModel:
+def build_cloth(mesh: PatternMesh, fabric: Fabric, *, press: bool = True) -> ClothModel:
     """Takes rest lengths, masses and bending weights from the flat panels.
+
+    With `press`, folds along ``right_wrong`` seams, as collars have them, do not spring up.
 
     On a seam the two panels may disagree about an edge's length (a gather); the shorter one holds, as in
     GarmentCode. Bending is isometric and quadratic: Bergou et al., "A quadratic bending model for
@@ -114,8 +116,9 @@ def build_cloth(mesh: PatternMesh, fabric: Fabric) -> ClothModel:
     edge_faces[:, 0] = half_face[order[first]]
     two = count == 2
     edge_faces[two, 1] = half_face[order[first[two] + 1]]
+    bent = two & ~_pressed(mesh, edges) if press else two
     hinges, weights = _hinges(
-        faces, corners, area, edges[two], order[first[two]], order[first[two] + 1], half_face, half_side
+        faces, corners, area, edges[bent], order[first[bent]], order[first[bent] + 1], half_face, half_side
     )
 
     start, neighbors, neighbor_edge = _neighbors(edges, mesh.vertex_count)
@@ -140,6 +143,15 @@ def build_cloth(mesh: PatternMesh, fabric: Fabric) -> ClothModel:
         spacing=max(float(np.median(shortest)), _MIN_SPACING_CM),
     )
     return ClothModel(arrays, longest / shortest > 1.05, mass)
+
+
+def _pressed(mesh: PatternMesh, edges: Ints) -> NDArray[np.bool_]:
+    """(e,) edges on seams along which cloth lies folded."""
+    found = np.zeros(len(edges), dtype=bool)
+    for seam in mesh.seams:
+        if mesh.pattern.stitches[seam.stitch].right_wrong:
+            found |= np.isin(edges, seam.vertices).all(axis=1)
+    return found
 
 
 def layer_distance(edge_length: Floats, thickness: float) -> Floats:

@@ -90,7 +90,7 @@ def drape_coarsely(
     """
     c = settings or CoarseSettings()
     fabric = get_fabric(fabric)
-    cloth = build_cloth(mesh, fabric).arrays
+    cloth = build_cloth(mesh, fabric, press=_lies_folded(mesh.pattern)).arrays
     attachment = find_attachment(mesh, measurements)
     held = HeldArrays(
         np.ascontiguousarray(attachment.vertices, dtype=np.int32),
@@ -141,3 +141,13 @@ def drape_coarsely(
             "'swifttailor check PATTERN'."
         )
     return positions
+
+
+def _lies_folded(pattern: Pattern) -> bool:
+    """Whether its collar lies on the torso all around.
+
+    Those of GarmentCode are folded in front and stand behind. GarmentSewer has learnt from drapes in which
+    they spring up, so that what it begins from must, too.
+    """
+    seams = [s for s in pattern.stitches if len([r for r in s.sides if "collar" in r.panel]) == 1]
+    return bool(seams) and all(s.right_wrong for s in seams)

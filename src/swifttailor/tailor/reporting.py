@@ -11,7 +11,7 @@ from swifttailor.garment.cloth_color import COLOR
 from swifttailor.garment.cloth_print import PRINT
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern.check import Change as Mending
-from swifttailor.pattern.drafts.draft_names import DRAFTS_SHOW
+from swifttailor.pattern.drafts.draft_names import DRAFTS_SHOW, STANDS_IN
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fabric_asked import fabric_unmet, fabric_warning
 from swifttailor.tailor.heard_notes import heard_notes, heard_report
@@ -193,6 +193,8 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
         found.append(f"Begun from a draft of ours: {answer.draft}.")
         if "pleats" in DRAFTS_SHOW.get(answer.draft, ()) and not order.finish:
             found.append(FOLDS_UNSEEN)
+        if answer.draft in STANDS_IN:
+            found.append(STANDS_IN[answer.draft])
     if wanted.part is not None:
         found.append(_read_line(wanted))
     if wanted.overruled:

@@ -56,9 +56,14 @@ def test_panels_face_outward_on_their_side(name):
         assert normal @ [middle[0], 0.0, middle[2]] > 5.0, panel.name
 
 
+CROSSED = {"wrap-dress", "wrap-top"}
+"""The right front of these runs on to the left side, where the back has a joint that the other side lacks."""
+
+
 @EVERY
 def test_left_and_right_are_mirror_images(name):
     pattern = draft(name)
+    uneven = {p.name for p in pattern.panels if "torso" in p.name and name in CROSSED}
     pairs = 0
     for panel in pattern.panels:
         twin = (
@@ -66,7 +71,7 @@ def test_left_and_right_are_mirror_images(name):
             if "left_" in panel.name
             else re.sub("_l$", "_r", panel.name)
         )
-        if twin == panel.name:
+        if twin == panel.name or panel.name in uneven:
             continue
         pairs += 1
         mine, other = (p.to_world(p.outline(0.01)) for p in (panel, pattern.panel(twin)))
@@ -75,7 +80,7 @@ def test_left_and_right_are_mirror_images(name):
             reflected.area, 1
         )
         assert panel.perimeter() == pytest.approx(pattern.panel(twin).perimeter())
-    assert pairs > 0 or name.endswith("skirt")
+    assert pairs > 0 or name.endswith(("skirt", "sarong"))
 
 
 NO_GARMENTCODE = {"left_btorso_strap", "right_btorso_strap"}

@@ -39,7 +39,7 @@ def measure_neckline(anatomy: Anatomy, face: Face, shoulders: tuple[bool, bool])
     halves: dict[str, NeckHalf] = {}
     edges = _neck_edges(anatomy)
     panels = anatomy.panels(Part.TORSO, face=face)
-    if face == "back" and (below := _below_strap(anatomy, panels)):
+    if face == "back" and (below := below_strap(anatomy, panels)):
         return _bare_back(anatomy, below)
     for panel in panels:
         runs = edge_runs(panel, [r.edge for r in edges if r.panel == panel.name])
@@ -61,7 +61,7 @@ def measure_neckline(anatomy: Anatomy, face: Face, shoulders: tuple[bool, bool])
     return Neckline(left, right) if left or right else None
 
 
-def _below_strap(anatomy: Anatomy, panels: Sequence[Panel]) -> list[Panel]:
+def below_strap(anatomy: Anatomy, panels: Sequence[Panel]) -> list[Panel]:
     """The back of a halter, above which there are but straps at the neck; nothing of other garments."""
     armpit = anatomy.figure.armpit_y
     highest = {p.name: float(p.to_world(p.vertices)[:, 1].max()) for p in panels}
@@ -71,10 +71,16 @@ def _below_strap(anatomy: Anatomy, panels: Sequence[Panel]) -> list[Panel]:
     return below if held else []
 
 
+def bare_back_edges(anatomy: Anatomy, panels: Sequence[Panel]) -> list[EdgeRef]:
+    """The upper edges of a back that ends below the arms."""
+    hem = {r for loop in anatomy.loops(Border.HEM) for r in loop.edges}
+    names = {p.name for p in panels}
+    return [r for r in anatomy.free_edges(Part.TORSO) if r.panel in names and r not in hem]
+
+
 def _bare_back(anatomy: Anatomy, panels: Sequence[Panel]) -> Neckline | None:
     """What is bare above a back that ends below the arms, as deep as from the neck to its middle."""
-    hem = {r for loop in anatomy.loops(Border.HEM) for r in loop.edges}
-    free = [r for r in anatomy.free_edges(Part.TORSO) if r not in hem]
+    free = bare_back_edges(anatomy, panels)
     halves: dict[str, NeckHalf] = {}
     for panel in panels:
         runs = edge_runs(panel, [r.edge for r in free if r.panel == panel.name])

@@ -45,19 +45,37 @@ def half_widths(panel: Panel, levels: Sequence[float]) -> Floats:
     panel across the middle it is the whole distance between its outer edges.
     """
     points = panel.to_world(panel.outline(_OUTLINE_CM))
-    x, y = points[:, 0], points[:, 1]
-    low, high = float(x.min()), float(x.max())
-    across = min(-low, high) > 0.2 * (high - low)
+    low, high = float(points[:, 0].min()), float(points[:, 0].max())
+    across = lies_across(panel)
     widths = np.zeros(len(levels))
     for k, level in enumerate(levels):
-        height = y - level
-        following = np.roll(height, -1)
-        crossing = (height > 0) != (following > 0)
-        if crossing.any():
-            t = height[crossing] / (height[crossing] - following[crossing])
-            cuts = x[crossing] * (1 - t) + np.roll(x, -1)[crossing] * t
+        cuts = _cuts(points, level)
+        if len(cuts):
             widths[k] = np.ptp(cuts) if across else cuts.max() - low if high > -low else high - cuts.min()
     return widths
+
+
+def lies_across(panel: Panel) -> bool:
+    """Whether a placed panel reaches far over the middle of the body."""
+    x = panel.to_world(panel.outline(_OUTLINE_CM))[:, 0]
+    low, high = float(x.min()), float(x.max())
+    return min(-low, high) > 0.2 * (high - low)
+
+
+def whole_widths(panels: Sequence[Panel], levels: Sequence[float]) -> Floats:
+    """From outer edge to outer edge of placed panels of one face at some heights, cm."""
+    outlines = [panel.to_world(panel.outline(_OUTLINE_CM)) for panel in panels]
+    cuts = [np.concatenate([_cuts(points, level) for points in outlines]) for level in levels]
+    return np.array([np.ptp(each) if len(each) else 0.0 for each in cuts])
+
+
+def _cuts(points: Floats, level: float) -> Floats:
+    """Where an outline (n, 3) passes a height: x (m,), cm."""
+    x, height = points[:, 0], points[:, 1] - level
+    following = np.roll(height, -1)
+    crossing = (height > 0) != (following > 0)
+    t = height[crossing] / (height[crossing] - following[crossing])
+    return x[crossing] * (1 - t) + np.roll(x, -1)[crossing] * t
 
 
 def girth_at(panels: Iterable[Panel], level: float) -> float:

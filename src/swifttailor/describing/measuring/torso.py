@@ -10,7 +10,7 @@ from swifttailor.describing.facts import Band, Collar, Hood, Torso
 from swifttailor.describing.measuring.anatomy import Anatomy, Border
 from swifttailor.describing.measuring.neckline import measure_armhole
 from swifttailor.describing.measuring.parts import LOWER_PARTS, Part
-from swifttailor.describing.measuring.slices import half_widths
+from swifttailor.describing.measuring.slices import half_widths, lies_across, whole_widths
 from swifttailor.describing.measuring.wear import Worn
 from swifttailor.pattern import EdgeRef, Panel
 
@@ -116,7 +116,14 @@ def _lower_edges(anatomy: Anatomy) -> tuple[tuple[EdgeRef, ...], float]:
 def _girth(panels: Sequence[Panel], level: float, below: Sequence[float]) -> float:
     """Girth at a placed height, cm: of several cuts the widest, since a dart may open into one of them."""
     levels = [level - b for b in below]
-    return sum(float(half_widths(p, levels).max()) for p in panels)
+    girth = 0.0
+    for back in (False, True):
+        face = [p for p in panels if (p.normal()[2] < 0) == back]
+        if len(face) > 1 and any(map(lies_across, face)):  # one front runs on into the other's half
+            girth += float(whole_widths(face, levels).max())
+        else:
+            girth += sum(float(half_widths(p, levels).max()) for p in face)
+    return girth
 
 
 def _underarm(anatomy: Anatomy, worn: Worn) -> tuple[float, float]:

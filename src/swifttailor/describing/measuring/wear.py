@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Floats, read_only
 from swifttailor.describing.measuring.anatomy import Anatomy, Seam
+from swifttailor.describing.measuring.neckline import bare_back_edges, below_strap
 from swifttailor.describing.measuring.parts import LOWER_PARTS, Part
 from swifttailor.pattern import EdgeRef
 from swifttailor.pattern.drafts.figure import Figure
@@ -121,7 +122,14 @@ def _hangers(
             more = np.concatenate([cloth.samples[ref] for ref in bare])
             nodes = np.concatenate([nodes, cloth.node[more]])
             levels = np.concatenate([levels, np.minimum(cloth.world[more, 1] + lift, figure.neck_y)])
-        return nodes, levels, float(levels.max())
+        top = float(levels.max())
+        back = below_strap(anatomy, anatomy.panels(Part.TORSO, face="back"))
+        if back:  # nothing holds it but its sides, between which it is as high as it is cut
+            more = np.concatenate([cloth.samples[ref] for ref in bare_back_edges(anatomy, back)])
+            own = cloth.world[more, 1]
+            nodes = np.concatenate([nodes, cloth.node[more]])
+            levels = np.concatenate([levels, own - _contour(anatomy, own)])
+        return nodes, levels, top
     if anatomy.top is None:
         return np.zeros(0, np.int64), np.zeros(0), 0.0
     samples = np.concatenate([cloth.samples[ref] for ref in anatomy.top.edges])

@@ -50,6 +50,8 @@ class CuttingTable:
         self.name = name
         self.pieces: dict[str, Piece] = {}
         self._stitches: list[tuple[int, int]] = []
+        self._folded: set[tuple[int, int]] = set()
+        """Those of the stitches whose edges run the same way."""
         self._labels: dict[int, str] = {}
 
     def lay(
@@ -87,20 +89,29 @@ class CuttingTable:
         """Length of edges given as ``panel.edge`` together, cm."""
         return sum(piece.length(name) for piece, name in map(self._resolve, edges))
 
-    def seam(self, first: str | list[str], second: str | list[str], *, gathered: bool = False) -> None:
+    def seam(
+        self,
+        first: str | list[str],
+        second: str | list[str],
+        *,
+        gathered: bool = False,
+        folded: bool = False,
+    ) -> None:
         """Sews two chains of edges, cutting edges where the other side has a seam (T-joints).
 
         Args:
             first: ``panel.edge`` or a list of them, in the order of travel along their loops.
             second: What they are sewn to, in the order met on that way (against their loops).
             gathered: Whether the lengths may differ; fullness is then spread evenly.
+            folded: Whether one side lies folded upon the other, so that both chains run the same way.
 
         Raises:
             PatternError: The lengths differ by more than 0.1 % and the seam is not gathered.
         """
         first, second = ([c] if isinstance(c, str) else c for c in (first, second))
         ours = [(p, s) for p, n in map(self._resolve, first) for s in p.find(n)]
-        theirs = [(p, s) for p, n in map(self._resolve, second) for s in reversed(p.find(n))]
+        way = list if folded else reversed
+        theirs = [(p, s) for p, n in map(self._resolve, second) for s in way(p.find(n))]
         lengths = [sum(s.length for _, s in chain) for chain in (ours, theirs)]
         if not gathered and abs(lengths[0] - lengths[1]) > 1e-3 * max(lengths):
             raise PatternError(
@@ -111,8 +122,21 @@ class CuttingTable:
         our_stops, their_stops = _stops(ours), _stops(theirs)
         our_cuts, their_cuts = _missing_joints(our_stops, their_stops, tolerance)
         ours = self._cut(ours, our_stops, our_cuts, against=False)
-        theirs = self._cut(theirs, their_stops, their_cuts, against=True)
+        theirs = self._cut(theirs, their_stops, their_cuts, against=not folded)
         assert len(ours) == len(theirs), "both sides of a seam have the same joints"
+        stitches = [(a.serial, b.serial) for (_, a), (_, b) in zip(ours, theirs, strict=True)]
+        self._stitches += stitches
+        self._folded.update(stitches if folded else ())
+
+    def cut_seam(self, edge: str, fraction: float) -> None:
+        """Cuts an edge that is sewn in one, and what it is sewn to, at a fraction of the edge's length."""
+        piece, name = self._resolve(edge)
+        (side,) = piece.find(name)
+        (seam,) = [k for k, pair in enumerate(self._stitches) if side.serial in pair]
+        (partner,) = {*self._stitches.pop(seam)} - {side.serial}
+        other, twin = next((p, s) for p in self.pieces.values() for s in p.sides if s.serial == partner)
+        ours = self._cut([(piece, side)], [0.0, 1.0], [fraction], against=False)
+        theirs = self._cut([(other, twin)], [0.0, 1.0], [fraction], against=True)
         self._stitches += [(a.serial, b.serial) for (_, a), (_, b) in zip(ours, theirs, strict=True)]
 
     def mirror(self) -> None:
@@ -131,7 +155,11 @@ class CuttingTable:
                 sides.append(twin)
             (x, y, z), (a, b, c) = piece.placement.translation, piece.placement.rotation
             self.pieces[name] = Piece(name, sides, Placement((-x, y, z), (a, -b, -c)), piece.label)
-        self._stitches += [(twins[a], twins[b]) for a, b in self._stitches if a in twins and b in twins]
+        reflected = {
+            pair: (twins[pair[0]], twins[pair[1]]) for pair in self._stitches if twins.keys() >= {*pair}
+        }
+        self._stitches += reflected.values()
+        self._folded |= {twin for pair, twin in reflected.items() if pair in self._folded}
 
     def finish(self) -> Pattern:
         """The pattern: every panel's first corner in its local origin, names in canonical order."""
@@ -140,7 +168,9 @@ class CuttingTable:
             for piece in self.pieces.values()
             for k, side in enumerate(piece.sides)
         }
-        stitches = tuple(Stitch(where[a], where[b]) for a, b in self._stitches)
+        stitches = tuple(
+            Stitch(where[a], where[b], right_wrong=(a, b) in self._folded) for a, b in self._stitches
+        )
         panels = sorted(map(self._panel, self.pieces.values()), key=lambda p: canonical_key(p.name))
         return Pattern(tuple(panels), stitches, self.name).canonical()
 

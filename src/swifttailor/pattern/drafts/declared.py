@@ -11,6 +11,9 @@ NeckShapeOption = Annotated[NeckShape, Option("Shape of the front neckline; the 
 NeckWidening = Annotated[
     float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 0.0, 6.0)
 ]
+CloseNeckWidening = Annotated[
+    float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 0.0, 3.0)
+]
 NeckDepth = Annotated[
     float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 6.0, 22.0)
 ]
@@ -25,6 +28,7 @@ ArmholeDrop = Annotated[float, Option("How far the underarm lies below the armpi
 LongLength = Annotated[float, Option("Hem below the waist.", "cm", 25.0, 100.0)]
 TopLength = Annotated[float, Option("Hem below the waist; negative ends above it.", "cm", -12.0, 60.0)]
 HemFlare = Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 40.0)]
+DressFlare = Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 80.0)]
 SleeveLength = Annotated[
     float, Option("Shoulder tip to the sleeve's end along the arm, cuff included.", "cm", 12.0, 66.0)
 ]
@@ -33,6 +37,8 @@ SleeveEnd = Annotated[
     float,
     Option("Width around at the sleeve's end; at most that at the underarm.", "cm", 18.0, 50.0),
 ]
+Sleeves = Annotated[bool, Option("Set in sleeves.")]
+WaistShaping = Annotated[float, Option("How far each side seam bends inward at the waist.", "cm", 0.0, 4.0)]
 CapEase = Annotated[float, Option("Fullness of the sleeve cap over the armhole.", "%", 0.0, 6.0)]
 CuffHeight = Annotated[float, Option("Height of the cuffs.", "cm", 3.0, 10.0)]
 CuffWidth = Annotated[float, Option("Room of the cuff on top of the wrist girth.", "cm", 2.0, 10.0)]

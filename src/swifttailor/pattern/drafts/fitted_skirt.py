@@ -5,16 +5,34 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.joins import sew_sides
 from swifttailor.pattern.drafts.outline import Outline
 from swifttailor.pattern.drafts.suppression import dart_places, suppress, waist_darts
 
+_UPRIGHT = 0.2
+"""How far the left edge of an opening slants outward, as a part of its width."""
+_BESIDE = 4.0
+"""Least of the hem that is left on either side of an opening, cm."""
 SKIRT_FRONT_Z = 25.0
 """Where front skirt panels stand before draping, cm."""
 SKIRT_BACK_Z = -22.0
 """Where back skirt panels stand before draping, cm."""
+
+
+@dataclass(frozen=True)
+class Opening:
+    """A front that is open from the hem up, between a steep edge on the left and a slanted one."""
+
+    height: float
+    """Hem to its upper end, cm; less where the skirt is short."""
+    width: float
+    """Along the hem, cm."""
+    aside: float
+    """Upper end from the middle to the wearer's left, cm."""
 
 
 @dataclass(frozen=True)
@@ -27,6 +45,8 @@ class FittedSkirt:
     """On top of the hip girth, cm around."""
     flare: float
     """Slant of the side seams below the hips, degrees; negative narrows the hem."""
+    opening: Opening | None = None
+    """Where the front is open."""
 
 
 def lay_fitted_skirt(
@@ -74,6 +94,8 @@ def lay_fitted_skirt(
         outline.darted_line("waist", (0.0, top_y), waist_darts(narrow, lost, place, depth))
         whole = outline.both_halves()
         _draw_hem(whole, corner, corner_y, slant, lift)
+        if front and shape.opening is not None:
+            _cut_open(whole, shape.opening, figure.hip_y - hem_y)
         at = (0.0, 0.0, SKIRT_FRONT_Z if front else SKIRT_BACK_Z)
         table.lay(name, whole.closed(), label="leg", at=at, back=not front)
     sew_sides(table, "skirt")
@@ -88,3 +110,21 @@ def _draw_hem(outline: Outline, corner: float, corner_y: float, slant: float, li
     reach = min(depth / math.tan(abs(slant)), 0.6 * corner)
     low = corner_y - depth
     outline.cubic("hem", (reach - corner, low), (corner - reach, low), (corner, corner_y))
+
+
+def _cut_open(outline: Outline, shape: Opening, most: float) -> None:
+    """Parts the hem, which is the last edge, and leads it up to the end of the opening and down again."""
+    hem = outline.sides.pop()
+    height = min(shape.height, most)
+    half = abs(hem.end[0])
+    left = min(shape.aside + _UPRIGHT * shape.width, half - _BESIDE)
+    right = max(left - shape.width, _BESIDE - half)
+    points = np.array([hem.start, hem.end])
+    shares = [(x - points[0, 0]) / (points[1, 0] - points[0, 0]) for x in (right, left)]
+    first, _, last = hem.split(shares)
+    top = (min(shape.aside, left - 0.5), hem.end[1] + height)
+    # The slanted edge leaves the upper end upright and curves away.
+    bend = (top[0] - 0.1 * (top[0] - first.end[0]), first.end[1] + 0.55 * height)
+    outline.sides.append(first)
+    opened = Outline(*first.end).quadratic("opening", bend, top).line("opening", *last.start)
+    outline.sides += [*opened.sides, last]

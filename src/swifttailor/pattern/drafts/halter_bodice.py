@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from swifttailor.pattern.drafts import fitted_bodice
 from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z, HEM_BALANCE, SIDE_MINIMUM
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
-from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.neckline import Neckline, draw_neckline
-from swifttailor.pattern.drafts.outline import Outline
+from swifttailor.pattern.drafts.outline import Dart, Outline
+from swifttailor.pattern.drafts.suppression import dart_places, suppress
 
 FRONT_LIFT = 0.6
 """Part of the front's extra length over the bust that its upper end has."""
@@ -16,6 +18,10 @@ STRAP_Z = -14.0
 """Where the strap stands before draping, cm."""
 BEHIND_NECK = 1.3
 """Way from the side of the neck to the middle behind it, over half the neck's width."""
+_BACK_FALL = 5.0
+"""How far the back falls from the underarm to its middle, cm."""
+_CLOSER = 2.5
+"""How much narrower each half of a fitted back is at its upper edge, so that it does not stand off, cm."""
 STRAP = "left_btorso_strap"
 
 
@@ -33,14 +39,32 @@ class HalterBodice:
     """Of the front."""
     flare: float
     """Extra width at the hem, cm around."""
+    waist_ease: float | None = None
+    """On top of the waist girth where darts shape the bodice and it ends at the waist, cm around."""
 
 
-def lay_halter_bodice(table: CuttingTable, figure: Figure, shape: HalterBodice) -> None:
+def lay_halter_bodice(table: CuttingTable, figure: Figure, shape: HalterBodice) -> Halves | None:
     """Lays and sews both left halves and half of the strap; call before `CuttingTable.mirror`.
 
-    Edges of ``left_ftorso``: hem, side, armhole, shoulder, neck, centre; of ``left_btorso``: hem, side, top,
-    centre; of the strap: lower, centre, upper, end.
+    Edges of ``left_ftorso``: hem (or waist and dart), side, armhole, shoulder, neck, centre; of
+    ``left_btorso``: hem, side, top, centre; of the strap: lower, centre, upper, end.
+
+    Returns:
+        The sewn half widths at the waist where it ends there, cm.
     """
+    if shape.waist_ease is None:
+        _lay_to_hem(table, figure, shape)
+        waist = None
+    else:
+        waist = figure.waist.eased(shape.waist_ease)
+        _lay_to_waist(table, figure, shape, waist)
+    table.seam("left_ftorso.side", "left_btorso.side")
+    table.label("left_ftorso.neck", "left_collar")
+    _lay_strap(table, figure, shape.strap)
+    return waist
+
+
+def _lay_to_hem(table: CuttingTable, figure: Figure, shape: HalterBodice) -> None:
     chest = figure.bust.eased(shape.chest_ease)
     hem_y = figure.waist_y - shape.length
     under_y = max(figure.armpit_y - 1.0, hem_y + SIDE_MINIMUM)
@@ -53,17 +77,46 @@ def lay_halter_bodice(table: CuttingTable, figure: Figure, shape: HalterBodice) 
         outline = Outline(0.0, hem_y - drop)
         outline.quadratic("hem", ((half + widening) * 0.6, hem_y - drop), (half + widening, hem_y + 0.5))
         outline.line("side", half, under_y)
+        _lay_half(table, figure, shape, outline, front=front)
+
+
+def _lay_to_waist(table: CuttingTable, figure: Figure, shape: HalterBodice, waist: Halves) -> None:
+    taken = suppress(figure.bust.eased(shape.chest_ease), waist, 0.45, 3.0)
+    chest = taken.wide(waist)
+    under_y = max(figure.armpit_y - 1.0, figure.waist_y + fitted_bodice.SIDE_MINIMUM)
+    room = under_y - figure.waist_y
+    places = dart_places(figure, waist)
+    for front, half, narrow, lost, place in (
+        (True, chest.front, waist.front, taken.front, places.front),
+        (False, chest.back, waist.back, taken.back, places.back),
+    ):
+        # Behind, the dart ends below the low edge.
+        reach = min(figure.bust_y - 3.0 - figure.waist_y, room - 1.5) if front else room - _BACK_FALL - 1.0
+        darts = [Dart(place, lost, max(reach, 2.5))] if lost else []
+        outline = Outline(0.0, figure.waist_y)
+        outline.darted_line("waist", (narrow + lost, figure.waist_y), darts)
         if front:
-            _draw_top(outline, figure, shape, (half, under_y))
+            fitted_bodice.draw_side_with_bust_dart(outline, figure, (half, under_y))
         else:
-            low = max(under_y - 5.0, hem_y + SIDE_MINIMUM)
-            outline.quadratic("top", (0.55 * half, low), (0.0, low))
-        outline.line("centre", *outline.sides[0].start).closed()
-        z = FRONT_Z if front else BACK_Z
-        table.lay(f"left_{side}torso", outline, label="body", at=(0.0, 0.0, z), back=not front)
-    table.seam("left_ftorso.side", "left_btorso.side")
-    table.label("left_ftorso.neck", "left_collar")
-    _lay_strap(table, figure, shape.strap)
+            outline.line("side", half, under_y)
+        _lay_half(table, figure, shape, outline, front=front)
+
+
+def _lay_half(
+    table: CuttingTable, figure: Figure, shape: HalterBodice, outline: Outline, *, front: bool
+) -> None:
+    """Draws the upper end of a left half from the underarm on, and lays it."""
+    half, under_y = outline.sides[-1].end
+    foot = outline.sides[0].start
+    if front:
+        _draw_top(outline, figure, shape, (half, under_y))
+    else:
+        low = max(under_y - _BACK_FALL, foot[1] + SIDE_MINIMUM)
+        closer = 0.0 if shape.waist_ease is None else _CLOSER
+        outline.quadratic("top", (0.55 * half, low), (closer, low))
+    outline.line("centre", *foot).closed()
+    name, z = ("left_ftorso", FRONT_Z) if front else ("left_btorso", BACK_Z)
+    table.lay(name, outline, label="body", at=(0.0, 0.0, z), back=not front)
 
 
 def sew_strap(table: CuttingTable) -> None:

@@ -16,9 +16,15 @@ def sew_sides(table: CuttingTable, part: str) -> None:
         table.seam(f"{part}_front.{side}", f"{part}_back.{side}")
 
 
-def sew_skirt_to_bodice(table: CuttingTable, edges: tuple[str, ...], *, gathered: bool = False) -> None:
-    """Sews the skirt's upper edges to both halves of the bodice's waist; labels the skirt's edges."""
-    for part, halves in (("front", ("left", "right")), ("back", ("right", "left"))):
+def sew_skirt_to_bodice(
+    table: CuttingTable,
+    edges: tuple[str, ...],
+    *,
+    gathered: bool = False,
+    fronts: tuple[str, ...] = ("left", "right"),
+) -> None:
+    """Sews the skirt's upper edges to the bodice's waist and labels them; `fronts` are those with a waist."""
+    for part, halves in (("front", fronts), ("back", ("right", "left"))):
         skirt = [f"skirt_{part}.{e}" for e in (edges if part == "front" else edges[::-1])]
         for edge in skirt:
             table.label(edge, "lower_interface")

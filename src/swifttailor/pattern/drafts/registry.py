@@ -10,6 +10,7 @@ from typing import Any, get_type_hints
 from swifttailor.errors import PatternError
 from swifttailor.pattern.drafts.garments import (
     bare_shoulders,
+    collared,
     fitted_garments,
     long_garments,
     pleated_skirts,
@@ -17,6 +18,8 @@ from swifttailor.pattern.drafts.garments import (
     strappy,
     tops,
     trousers,
+    wrap,
+    wrap_skirts,
 )
 from swifttailor.pattern.drafts.measurements import Measurements, checked
 from swifttailor.pattern.drafts.options import OptionField, make_options, option_fields
@@ -47,6 +50,7 @@ class DraftInfo:
 
 _DRAFTS = (
     DraftInfo("t-shirt", "Loose top with set-in sleeves", tops.draft_t_shirt),
+    DraftInfo("polo-shirt", "Loose top with short sleeves, a collar folded down", collared.draft_polo_shirt),
     DraftInfo("tank-top", "Sleeveless top with straps", tops.draft_tank_top),
     DraftInfo("camisole", "Top on thin straps", strappy.draft_camisole),
     DraftInfo("bustier", "Strapless top to the waist, a heart for its upper edge", strappy.draft_bustier),
@@ -59,6 +63,8 @@ _DRAFTS = (
     DraftInfo(
         "turtleneck", "Long sleeves, a collar that stands close around the neck", tops.draft_turtleneck
     ),
+    DraftInfo("wrap-top", "V neck whose right edge runs on to the left side", wrap.draft_wrap_top),
+    DraftInfo("blazer", "Shaped sides, long sleeves, deep V neck with lapels", collared.draft_blazer),
     DraftInfo("waistcoat", "Sleeveless top, deep V neck, pointed front hem", tops.draft_waistcoat),
     DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", tops.draft_hoodie),
     DraftInfo(
@@ -70,6 +76,11 @@ _DRAFTS = (
         "shirt-dress",
         "Easy bodice, sleeves with cuffs, waist seam, flared skirt",
         fitted_garments.draft_shirt_dress,
+    ),
+    DraftInfo(
+        "wrap-dress",
+        "Fronts that seem to cross, sleeves, waist seam, flared skirt",
+        wrap.draft_wrap_dress,
     ),
     DraftInfo("slip-dress", "Dress on thin straps", strappy.draft_slip_dress),
     DraftInfo(
@@ -97,6 +108,8 @@ _DRAFTS = (
     DraftInfo("jeans", "Slim legs, back darts, waistband", trousers.draft_jeans),
     DraftInfo("leggings", "The closest legs, high waistband", trousers.draft_leggings),
     DraftInfo("fitted-skirt", "Pencil or A-line skirt, waistband", skirts.draft_fitted_skirt),
+    DraftInfo("wrap-skirt", "A-line skirt, open in front beside the middle", wrap_skirts.draft_wrap_skirt),
+    DraftInfo("sarong", "Long straight skirt, open in front on a slant", wrap_skirts.draft_sarong),
     DraftInfo("circle-skirt", "Part of a circle on a waistband", skirts.draft_circle_skirt),
     DraftInfo("gathered-skirt", "Rectangles gathered into a waistband", skirts.draft_gathered_skirt),
     DraftInfo("pleated-skirt", "Pleats laid into a waistband", pleated_skirts.draft_pleated_skirt),

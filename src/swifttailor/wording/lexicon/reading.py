@@ -189,10 +189,12 @@ def _refused(mark: WordMark) -> tuple[list[Implication], list[Claim]]:
 
 
 def _settled(implied: Sequence[Implication]) -> list[Implication]:
-    """Leaves out what something better excludes: what is said, then what is surer, then what comes first."""
-    ranked = sorted(
-        implied, key=lambda i: (not (i.said and i.certainty != "likely"), _ORDER.index(i.certainty))
-    )
+    """Leaves out what something better excludes: what is said, then what is surer, then what comes first.
+
+    What a name means by definition is surer than what a detail usually goes with: of a mini dress with a
+    straight skirt the hem is a mini dress's.
+    """
+    ranked = sorted(implied, key=_rank)
     kept: list[Implication] = []
     for each in ranked:
         if any(each.claim == other.claim for other in kept):
@@ -200,6 +202,14 @@ def _settled(implied: Sequence[Implication]) -> list[Implication]:
         if not any(_outdone(each, other) for other in kept if other.mark is not each.mark):
             kept.append(each)
     return sorted(kept, key=lambda i: i.mark.start)
+
+
+def _rank(implied: Implication) -> tuple[int, int]:
+    """The smaller, the more it counts."""
+    order = _ORDER.index(implied.certainty)
+    if implied.certainty == "certain":
+        return (0 if implied.said else 1), order
+    return (2 if implied.said and implied.certainty == "usual" else 3), order
 
 
 def _outdone(each: Implication, better: Implication) -> bool:

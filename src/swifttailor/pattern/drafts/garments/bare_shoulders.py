@@ -9,7 +9,9 @@ from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.bodice import sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt
 from swifttailor.pattern.drafts.halter_bodice import HalterBodice, lay_halter_bodice, sew_strap
+from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_bodice
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.off_shoulder_bodice import OffShoulderBodice, lay_off_shoulder_bodice
@@ -36,24 +38,35 @@ class HalterTopOptions:
 
 def draft_halter_top(options: HalterTopOptions, measurements: Measurements) -> Pattern:
     """Drafts the halter top for a body."""
-    return _halter("halter-top", options, measurements)
+    table = CuttingTable("halter-top")
+    lay_halter_bodice(table, Figure.of(measurements), _halter(options))
+    return _sewn_halter(table)
 
 
 @dataclass(frozen=True)
-class HalterDressOptions:
+class HalterDressOptions(HalterTopOptions):
     """Options of the halter dress."""
 
-    length: declared.LongLength = 52.0
-    chest_ease: declared.BustEase = 3.0
-    flare: Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 80.0)] = 40.0
-    neckline: declared.NeckShapeOption = "v"
-    neck_depth: declared.NeckDepth = 16.0
-    strap_width: HalterStrap = 3.5
+    length: declared.LongLength = 58.0
+    flare: declared.DressFlare = 40.0
+    waist_seam: Annotated[
+        bool,
+        Option("Sew a skirt cut from a circle to a waist with darts; else it is cut in one, with a flare."),
+    ] = True
+    waist_ease: declared.WaistEase = 2.0
+    skirt_fraction: declared.CircleFraction = 0.5
 
 
 def draft_halter_dress(options: HalterDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the halter dress for a body."""
-    return _halter("halter-dress", options, measurements)
+    figure = Figure.of(measurements)
+    table = CuttingTable("halter-dress")
+    waist_ease = options.waist_ease if options.waist_seam else None
+    waist = lay_halter_bodice(table, figure, _halter(options, waist_ease))
+    if waist is None:
+        return _sewn_halter(table)
+    lay_flared_skirt(table, waist, options.length, figure.waist_y - 3.0, options.skirt_fraction)
+    return _sewn_halter(table, skirt=True)
 
 
 @dataclass(frozen=True)
@@ -75,16 +88,11 @@ def draft_off_shoulder_top(options: OffShoulderTopOptions, measurements: Measure
 
 
 @dataclass(frozen=True)
-class OffShoulderDressOptions:
+class OffShoulderDressOptions(OffShoulderTopOptions):
     """Options of the off-the-shoulder dress."""
 
     length: declared.LongLength = 50.0
-    chest_ease: declared.BustEase = 3.0
-    flare: Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 80.0)] = 30.0
-    above_underarm: AboveUnderarm = 5.0
-    sleeve_length: BareSleeve = 30.0
-    arm_ease: CloseArmEase = 5.0
-    sleeve_end: declared.SleeveEnd = 30.0
+    flare: declared.DressFlare = 30.0
 
 
 def draft_off_shoulder_dress(options: OffShoulderDressOptions, measurements: Measurements) -> Pattern:
@@ -92,20 +100,23 @@ def draft_off_shoulder_dress(options: OffShoulderDressOptions, measurements: Mea
     return _off_shoulder("off-shoulder-dress", options, measurements)
 
 
-def _halter(name: str, options: HalterTopOptions | HalterDressOptions, measurements: Measurements) -> Pattern:
-    table = CuttingTable(name)
+def _halter(options: HalterTopOptions, waist_ease: float | None = None) -> HalterBodice:
     neckline = Neckline(options.neckline, 0.5, options.neck_depth)
-    bodice = HalterBodice(options.chest_ease, options.length, options.strap_width, neckline, options.flare)
-    lay_halter_bodice(table, Figure.of(measurements), bodice)
+    return HalterBodice(
+        options.chest_ease, options.length, options.strap_width, neckline, options.flare, waist_ease
+    )
+
+
+def _sewn_halter(table: CuttingTable, *, skirt: bool = False) -> Pattern:
     table.mirror()
     sew_centres(table)
     sew_strap(table)
+    if skirt:
+        sew_skirt_to_bodice(table, SKIRT_WHOLE)
     return table.finish()
 
 
-def _off_shoulder(
-    name: str, options: OffShoulderTopOptions | OffShoulderDressOptions, measurements: Measurements
-) -> Pattern:
+def _off_shoulder(name: str, options: OffShoulderTopOptions, measurements: Measurements) -> Pattern:
     table = CuttingTable(name)
     bodice = OffShoulderBodice(
         options.chest_ease,

@@ -112,7 +112,7 @@ class SwingDressOptions:
     neck_depth: declared.NeckDepth = 11.0
     back_neck_depth: declared.BackNeckDepth = 4.0
     armhole_drop: declared.ArmholeDrop = 2.0
-    sleeves: Annotated[bool, Option("Set in sleeves.")] = False
+    sleeves: declared.Sleeves = False
     sleeve_length: declared.SleeveLength = 24.0
     arm_ease: declared.ArmEase = 6.0
     sleeve_end: declared.SleeveEnd = 33.0

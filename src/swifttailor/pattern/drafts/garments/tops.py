@@ -135,9 +135,7 @@ class WaistcoatOptions:
 
     length: declared.TopLength = 10.0
     chest_ease: declared.BustEase = 2.0
-    waist_shaping: Annotated[
-        float, Option("How far each side seam bends inward at the waist.", "cm", 0.0, 4.0)
-    ] = 2.5
+    waist_shaping: declared.WaistShaping = 2.5
     point: Annotated[float, Option("Fall of the front hem to its points.", "cm", 0.0, 12.0)] = 6.0
     neck_widening: declared.NeckWidening = 1.5
     neck_depth: Annotated[

@@ -1,0 +1,122 @@
+"""A collar folded down over the torso: cut along the neckline, in four, with points or lapels in front."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from swifttailor.pattern import curve as curves
+from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z
+from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
+from swifttailor.pattern.drafts.outline import Outline, Point, Side
+
+FrontShape = Literal["notched", "shawl"]
+_OUTSIDE = 4.0
+"""How far outside the torso it stands before draping, cm."""
+_POINT_OUT = 0.45
+"""Distance of a point from the middle, over the width of the collar."""
+_POINT_DOWN = 1.15
+"""Fall of a point below the end of the neckline, over the width of the collar."""
+_GORGE = 0.6
+"""Height of the points of lapels, as a part of the neckline's."""
+
+
+@dataclass(frozen=True)
+class FoldCollar:
+    """How the collar is cut."""
+
+    width: float
+    """Neckline to outer edge at the shoulder, cm."""
+    lapels: FrontShape | None = None
+    """What it has in front; None for two points at the end of the neckline."""
+    lapel_width: float = 0.0
+    """Neckline to outer edge where lapels are widest, cm."""
+
+
+def lay_fold_collar(table: CuttingTable, shape: FoldCollar) -> None:
+    """Lays ``left_collar_front`` and ``left_collar_back`` on the left torso and sews them to its neckline.
+
+    The edges that meet in a seam run the same way, since the collar lies folded on the torso; call before
+    `CuttingTable.mirror`, and `sew_fold_collar` after it.
+    """
+    for face, torso in (("front", "left_ftorso"), ("back", "left_btorso")):
+        front = face == "front"
+        neck = _neck(table.pieces[torso], back=not front)
+        low = neck[-1].end[1]
+        outer = _along(_shoulder(table.pieces[torso], back=not front), shape.width)
+        outline = Outline(0.0, low)
+        if not front:
+            outline.line("centre", 0.0, low - shape.width)
+            across, down = (0.6 * outer[0], low - shape.width), (outer[0] - 1.0, outer[1] - 0.5 * shape.width)
+            outline.cubic("outer", across, down, outer)
+        elif shape.lapels is None:
+            _draw_points(outline, neck, shape.width, outer)
+        else:
+            _draw_lapels(outline, neck, shape, outer)
+        outline.line("shoulder", *neck[0].start)
+        for side in neck:
+            outline.follow(side)
+        z = FRONT_Z + _OUTSIDE if front else BACK_Z - _OUTSIDE
+        name = f"left_collar_{face}"
+        table.lay(name, outline.closed(), label="body", at=(0.0, 0.0, z), back=not front)
+        table.seam(f"{torso}.neck", f"{name}.neck", folded=True)
+    table.seam("left_collar_front.shoulder", "left_collar_back.shoulder")
+
+
+def _draw_points(outline: Outline, neck: list[Side], width: float, outer: Point) -> None:
+    low, high = neck[-1].end[1], neck[0].start[1]
+    outline.line("end", _POINT_OUT * width, low - _POINT_DOWN * width)
+    outline.quadratic("outer", (outer[0], (low + high) / 2 - width), outer)
+
+
+def _draw_lapels(outline: Outline, neck: list[Side], shape: FoldCollar, outer: Point) -> None:
+    low, high = neck[-1].end[1], neck[0].start[1]
+    rise, wide = high - low, shape.lapel_width
+
+    def beside(height: float, distance: float) -> Point:
+        """The point so far outward of the neckline at a height over its end, cm."""
+        return _neck_x(neck, low + height) + distance, low + height
+
+    point = beside(_GORGE * rise, wide)
+    if shape.lapels == "shawl":
+        outline.cubic("outer", beside(0.2 * rise, 0.8 * wide), beside(0.4 * rise, 1.05 * wide), point)
+        outline.quadratic("outer", beside(0.78 * rise, shape.width + 0.4 * (wide - shape.width)), outer)
+        return
+    outline.quadratic("outer", beside(0.3 * rise, 0.85 * wide), point)
+    notch = beside(_GORGE * rise + 0.1 * wide, 0.48 * wide)
+    corner = beside(_GORGE * rise + 0.12 * wide + 0.35 * shape.width, 0.5 * wide + 0.4 * shape.width)
+    outline.line("outer", *notch).line("outer", *corner)
+    outline.quadratic("outer", beside(0.82 * rise, 0.95 * shape.width), outer)
+
+
+def _neck_x(neck: list[Side], y: float) -> float:
+    """Where the neckline is at a height, cm from the middle."""
+    points = np.concatenate([curves.evaluate(s.curve, s.chord, np.linspace(0.0, 1.0, 33)) for s in neck])
+    order = np.argsort(points[:, 1], kind="stable")
+    return float(np.interp(y, points[order, 1], points[order, 0]))
+
+
+def sew_fold_collar(table: CuttingTable) -> None:
+    """Sews the halves together behind; in front they lie apart."""
+    table.seam("left_collar_back.centre", "right_collar_back.centre")
+
+
+def _neck(piece: Piece, *, back: bool) -> list[Side]:
+    """Copies of the edges of the neckline, from the shoulder to the middle."""
+    sides = piece.find("neck")
+    sides = [side.reversed() for side in reversed(sides)] if back else sides
+    return [replace(side, serial=Side("", (0.0, 0.0), (1.0, 0.0)).serial) for side in sides]
+
+
+def _shoulder(piece: Piece, *, back: bool) -> tuple[Point, Point]:
+    """Ends of the shoulder seam, neck first."""
+    (side,) = piece.find("shoulder")
+    return (side.start, side.end) if back else (side.end, side.start)
+
+
+def _along(ends: tuple[Point, Point], distance: float) -> Point:
+    (x1, y1), (x2, y2) = ends
+    share = distance / ((x2 - x1) ** 2 + (y2 - y1) ** 2) ** 0.5
+    return x1 + share * (x2 - x1), y1 + share * (y2 - y1)

@@ -1,0 +1,98 @@
+"""Tops whose collar is folded down: polo shirt, blazer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.fold_collar import FoldCollar, FrontShape, lay_fold_collar, sew_fold_collar
+from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neckline import Neckline
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.pattern import Pattern
+
+
+@dataclass(frozen=True)
+class PoloShirtOptions:
+    """Options of the polo shirt."""
+
+    length: declared.TopLength = 20.0
+    chest_ease: declared.ChestEase = 10.0
+    flare: declared.HemFlare = 0.0
+    neck_widening: declared.CloseNeckWidening = 0.5
+    neck_depth: Annotated[
+        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 16.0)
+    ] = 11.0
+    collar_width: Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 7.0)] = 5.5
+    armhole_drop: declared.ArmholeDrop = 2.5
+    sleeve_length: declared.SleeveLength = 22.0
+    arm_ease: declared.ArmEase = 7.0
+    sleeve_end: declared.SleeveEnd = 33.0
+
+
+def draft_polo_shirt(options: PoloShirtOptions, measurements: Measurements) -> Pattern:
+    """Drafts the polo shirt for a body: closed in front, its collar folded down over a short V."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("polo-shirt")
+    bodice = LooseBodice(
+        Neckline("v", options.neck_widening, options.neck_depth, 1.5),
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        flare=options.flare,
+    )
+    lay_loose_bodice(table, figure, bodice)
+    lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01))
+    lay_fold_collar(table, FoldCollar(options.collar_width))
+    table.mirror()
+    sew_centres(table)
+    sew_fold_collar(table)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class BlazerOptions:
+    """Options of the blazer."""
+
+    length: declared.TopLength = 24.0
+    chest_ease: declared.ChestEase = 9.0
+    waist_shaping: declared.WaistShaping = 2.5
+    flare: declared.HemFlare = 0.0
+    neck_widening: declared.CloseNeckWidening = 1.0
+    neck_depth: Annotated[
+        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 18.0, 34.0)
+    ] = 28.0
+    lapels: Annotated[FrontShape, Option("Shape of the collar in front.")] = "notched"
+    collar_width: Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 6.0)] = 5.0
+    lapel_width: Annotated[float, Option("Width of the lapels where they are widest.", "cm", 4.0, 11.0)] = 7.5
+    armhole_drop: declared.ArmholeDrop = 3.0
+    sleeve_length: declared.SleeveLength = 59.0
+    arm_ease: declared.ArmEase = 8.0
+    sleeve_end: declared.SleeveEnd = 27.0
+
+
+def draft_blazer(options: BlazerOptions, measurements: Measurements) -> Pattern:
+    """Drafts the blazer for a body: buttoned up, so closed in front below the lapels."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("blazer")
+    bodice = LooseBodice(
+        Neckline("v", options.neck_widening, options.neck_depth, 1.5),
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        hip_ease=7.0,
+        flare=options.flare,
+        waist_shaping=options.waist_shaping,
+    )
+    lay_loose_bodice(table, figure, bodice)
+    lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.02))
+    lay_fold_collar(table, FoldCollar(options.collar_width, options.lapels, options.lapel_width))
+    table.mirror()
+    sew_centres(table)
+    sew_fold_collar(table)
+    return table.finish()

@@ -1,0 +1,115 @@
+"""Garments whose fronts seem to cross: wrap dress and wrap top."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice
+from swifttailor.pattern.drafts.crossed_fronts import cross_fronts, shorten_darts
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.fitted_bodice import FittedBodice, lay_fitted_bodice
+from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt
+from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_bodice
+from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neckline import Neckline
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.pattern import Pattern
+
+CrossDepth = Annotated[
+    float, Option("Fall of the point where the fronts cross below the neck-shoulder point.", "cm", 14.0, 28.0)
+]
+
+_ABOVE_HEM = 3.0
+"""Least distance of the end of the crossing from the hem of a top, cm."""
+
+
+@dataclass(frozen=True)
+class WrapDressOptions:
+    """Options of the wrap dress."""
+
+    bust_ease: declared.BustEase = 5.0
+    waist_ease: declared.WaistEase = 3.5
+    skirt_length: declared.SkirtLength = 62.0
+    skirt_fraction: declared.CircleFraction = 0.5
+    neck_widening: declared.NeckWidening = 1.5
+    neck_depth: CrossDepth = 24.0
+    back_neck_depth: declared.BackNeckDepth = 2.5
+    armhole_drop: declared.ArmholeDrop = 2.5
+    sleeves: declared.Sleeves = True
+    sleeve_length: declared.SleeveLength = 58.0
+    arm_ease: declared.ArmEase = 6.0
+    sleeve_end: declared.SleeveEnd = 23.0
+
+
+def draft_wrap_dress(options: WrapDressOptions, measurements: Measurements) -> Pattern:
+    """Drafts the wrap dress for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("wrap-dress")
+    bodice = FittedBodice(
+        Neckline("v", options.neck_widening, options.neck_depth, options.back_neck_depth),
+        options.bust_ease,
+        options.waist_ease,
+        options.armhole_drop,
+        shoulder_extension=0.0 if options.sleeves else -1.5,
+    )
+    waist = lay_fitted_bodice(table, figure, bodice)
+    shorten_darts(table)
+    _finish_bodice(table, figure, options)
+    lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
+    sew_skirt_to_bodice(table, SKIRT_WHOLE, fronts=("right",))
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class WrapTopOptions:
+    """Options of the wrap top."""
+
+    length: declared.TopLength = 18.0
+    chest_ease: declared.BustEase = 3.0
+    waist_shaping: declared.WaistShaping = 2.0
+    neck_widening: declared.NeckWidening = 1.5
+    neck_depth: CrossDepth = 22.0
+    back_neck_depth: declared.BackNeckDepth = 2.5
+    armhole_drop: declared.ArmholeDrop = 2.0
+    sleeves: declared.Sleeves = True
+    sleeve_length: declared.SleeveLength = 58.0
+    arm_ease: declared.ArmEase = 5.0
+    sleeve_end: declared.SleeveEnd = 22.0
+
+
+def draft_wrap_top(options: WrapTopOptions, measurements: Measurements) -> Pattern:
+    """Drafts the wrap top for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("wrap-top")
+    bodice = LooseBodice(
+        Neckline("v", options.neck_widening, options.neck_depth, options.back_neck_depth),
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        shoulder_extension=0.0 if options.sleeves else -1.5,
+        waist_shaping=options.waist_shaping,
+    )
+    lay_loose_bodice(table, figure, bodice)
+    # The fronts cross down to the waist, or to just above the hem of a shorter top.
+    above_hem = min(max(options.length, _ABOVE_HEM), 0.5 * table.length("left_ftorso.side"))
+    _finish_bodice(table, figure, options, above_hem)
+    return table.finish()
+
+
+def _finish_bodice(
+    table: CuttingTable,
+    figure: Figure,
+    options: WrapDressOptions | WrapTopOptions,
+    above_hem: float = 0.0,
+) -> None:
+    """Sets the sleeves in, lays the right half, and lets the fronts cross."""
+    if options.sleeves:
+        sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.015)
+        lay_sleeve(table, figure, sleeve)
+    table.mirror()
+    table.seam("left_btorso.centre", "right_btorso.centre")
+    cross_fronts(table, above_hem)
