@@ -270,6 +270,19 @@ def test_each_network_looks_at_its_own_details():
         assert abs(certain[claim] - 1 / (1 + np.exp(-(0.4 + 0.6 * logit)))) < 1e-6
 
 
+def test_of_several_that_know_a_detail_the_last_looks_at_it():
+    said = np.tile([1.0, 0.0], (len(statement_labels()), 1))
+    networks = Wearing(1.0), Wearing(3.0), Wearing(-3.0)
+    both = PictureReader(networks[1], 64, said, {}, ("neck", "waist"))
+    neck = PictureReader(networks[2], 64, said, {}, ("neck",))
+    reader = PictureReader(networks[0], 64, said, {}, near=(both, neck))
+    (part,) = reader.read(np.zeros((1280, 1280, 3), np.uint8)).parts
+    assert [len(n.guesses) for n in networks] == [4, 1, 1]
+    certain = {f"{s.claim.name} {s.claim.value}": s.certainty for s in part.statements}
+    for claim, logit in (("neckline v", -3.0), ("waistband none", 3.0)):
+        assert abs(certain[claim] - 1 / (1 + np.exp(-(0.4 + 0.6 * logit)))) < 1e-6
+
+
 @pytest.mark.parametrize("border", ["one colour", "a little noise", "a hand", "a place"])
 @pytest.mark.parametrize("known", [True, False])
 def test_plain_pictures_are_read_by_the_network_that_knows_them(border, known):

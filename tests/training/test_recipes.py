@@ -77,10 +77,10 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     assert PictureReader.load(work / "gpu/picture_reader.onnx").size == 64
     parameters = ParameterReader.load(work / "parameter-reader/parameter_reader.onnx")
     assert parameters.card["data"]["patterns"] == 40 and len(parameters.parameters) > 40
-    (near,) = PictureReader.load(
-        files["PictureReader"], close_ups=[work / "close-up-reader/close_up_reader.onnx"]
-    ).near
+    close_ups = [work / f"close-up-reader/{name}.onnx" for name in ("close_up_reader", "people_neck")]
+    near, neck = PictureReader.load(files["PictureReader"], close_ups=close_ups).near
     assert {name.split()[-1] for name in near.close_ups} == {"neck", "waist", "sleeve"}
+    assert neck.close_ups == ("neck",) and neck.card["config"]["parts"] == ["neck"]
     names = [work / f"plain-reader/plain_{name}.onnx" for name in ("reader", "neck", "sleeve", "skirt")]
     plain = PictureReader.load(files["PictureReader"], plain=names).plain()
     assert plain.close_ups == () and plain.card["config"]["unlike"] > 0

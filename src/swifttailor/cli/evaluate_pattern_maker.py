@@ -201,7 +201,7 @@ class EvaluatePatternMaker:
             if eyes is not None and self.data is not None:
                 found["read_by"] = file_identity(eyes)
                 own = self.picture_reader_weights is not None
-                near = self.close_up_weights if own else (SHIPPED_CLOSE,)
+                near = self.close_up_weights if own else SHIPPED_CLOSE
                 plain = self.plain_reader_weights if own else SHIPPED_PLAIN
                 found["read_from_near_by"] = [file_identity(file) for file in near]
                 found["plain_read_by"] = [file_identity(file) for file in plain]

@@ -177,7 +177,7 @@ class EvaluateSystems:
 
         files = {"writer": WRITER, "sewer": SEWER, "words": READER, "library": LIBRARY, "designs": DESIGNER}
         if self.data is not None:
-            files |= {"pictures": EYES, "near": NEAR} | {file.stem: file for file in PLAIN}
+            files |= {"pictures": EYES} | {file.stem: file for file in (*NEAR, *PLAIN)}
         return {name: file_identity(path) for name, path in files.items() if path.is_file()}
 
     def _generator(self, name: str) -> Generator:

@@ -17,6 +17,7 @@ from swifttailor.errors import InputError
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.picture_reader.close_looks import OWN_SHARE, SHARE, close_squares, with_close_looks
+from swifttailor.picture_reader.close_ups import CLOSE_UPS
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import (
     GUESS,
@@ -40,7 +41,8 @@ from swifttailor.picture_reader.view import Square, camera_of, view_in
 from swifttailor.render.pixels import require_picture
 
 SHIPPED = Path(__file__).with_name("picture_reader.onnx")
-SHIPPED_CLOSE = Path(__file__).with_name("close_up_reader.onnx")
+SHIPPED_CLOSE = tuple(Path(__file__).with_name(f"{name}.onnx") for name in ("close_up_reader", "people_neck"))
+"""Looks at necks, waists and ends of sleeves; at necks of people, in place of the one before."""
 SHIPPED_PLAIN = tuple(
     Path(__file__).with_name(f"plain_{name}.onnx") for name in ("reader", "neck", "sleeve", "skirt")
 )
@@ -89,7 +91,7 @@ class PictureReader:
     close_ups: tuple[str, ...] = ()
     """Names of the `CLOSE_UPS` it has learnt from."""
     near: tuple[PictureReader, ...] = ()
-    """Look at these in its place, each at what it has learnt from."""
+    """Look at these in its place, each at what it has learnt from; the last of several that have."""
     plain: Callable[[], PictureReader] | None = None
     """Gives the one that reads plain pictures in its place."""
 
@@ -105,8 +107,9 @@ class PictureReader:
 
         Args:
             weights: File; the ones that come with the package when None.
-            close_ups: Files of networks that look at details, each at what it has learnt from; where
-                `weights` are given and these are not, the network looks at them itself, if it has learnt to.
+            close_ups: Files of networks that look at details, each at what it has learnt from; at what
+                several have learnt from, the last of them looks. Where `weights` are given and these are not,
+                the network looks at them itself, if it has learnt to.
             plain: Files of the network that reads plain pictures, and of those that look at their details;
                 where `weights` are given and these are not, plain pictures are read like others. They are
                 opened when the first picture comes that may be plain.
@@ -116,7 +119,7 @@ class PictureReader:
             InputError: There is no such file, or it is damaged or another.
         """
         if weights is None:
-            close_ups = [SHIPPED_CLOSE] if close_ups is None else close_ups
+            close_ups = SHIPPED_CLOSE if close_ups is None else close_ups
             plain = SHIPPED_PLAIN if plain is None else plain
         reader = PictureReader._opened(SHIPPED if weights is None else weights, threads)
         reader = replace(reader, near=tuple(PictureReader._opened(file, threads) for file in close_ups or ()))
@@ -194,10 +197,10 @@ class PictureReader:
         answers = {name: np.mean([look[name] for look in looks], axis=0) for name in OUTPUTS}
         answers |= {name: looks[0][name] for name in _OF_A_FRAME}
         view = answers["camera_view"]
+        looker_of = {name: looker for looker in self.near or (self,) for name in looker.close_ups}
         near = {
-            number: looker._look(pixels, detail, view_in(view, square, detail))
-            for looker in self.near or (self,)
-            for number, detail in close_squares(answers, part, square, looker.close_ups).items()
+            number: looker_of[CLOSE_UPS[number].name]._look(pixels, detail, view_in(view, square, detail))
+            for number, detail in close_squares(answers, part, square, tuple(looker_of)).items()
         }
         return with_close_looks(answers, part, near, SHARE if self.near else OWN_SHARE)
 
