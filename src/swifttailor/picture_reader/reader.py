@@ -27,6 +27,7 @@ from swifttailor.picture_reader.labels import (
     statement_labels,
 )
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
+from swifttailor.picture_reader.people_wear import as_people_wear
 from swifttailor.picture_reader.plain_pictures import one_colour_around
 from swifttailor.picture_reader.reading import (
     Measure,
@@ -150,6 +151,7 @@ class PictureReader:
 
         It is looked at whole for where the wearer is, then near each garment, and at last near its details;
         in a picture like those of GarmentCodeData, from near by networks that have learnt from nothing else.
+        Where those say that it is none, what people seldom wear is believed less (`as_people_wear`).
 
         Args:
             pixels: (h, w, 3) sRGB, row 0 at the top.
@@ -169,7 +171,10 @@ class PictureReader:
             part, square, look = waiting.pop(0)
             if part not in seen:
                 square = _around(look, part, square) or whole
-                seen[part] = square, nearer._nearer(pixels, part, square, whole, first)
+                answers = nearer._nearer(pixels, part, square, whole, first)
+                if nearer is self and self.plain is not None:
+                    answers = as_people_wear(answers)
+                seen[part] = square, answers
                 waiting += [(k, *seen[part]) for k in _present(seen[part][1])]
         return self._reading(first, whole, seen, (height, width))
 

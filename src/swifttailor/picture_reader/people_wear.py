@@ -1,0 +1,46 @@
+"""What people wear less often in pictures than garments that are drawn by lot have it.
+
+A reader learns how often things are from what it is shown, and says that where it cannot see. GarmentCode's
+hoods are all worn over the head; in pictures of people hoods lie on the back, and what is around the head is
+hair.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.picture_reader.labels import statement_labels
+from swifttailor.picture_reader.panel_kinds import PANEL_KINDS, kinds_of_panels
+
+DRAWN, WORN = 0.08, 0.02
+"""Share of upper garments whose hood is over the head: of those drawn of people to validate with; and, by our
+estimate, in photographs of people."""
+
+
+def as_people_wear(answers: Mapping[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+    """What is read of a picture of people, with the odds of hoods as they are there.
+
+    Args:
+        answers: Logits by the names of outputs; (parts, S) of `statements`, (parts, P) of `panels`.
+
+    Returns:
+        The same, with the odds of hoods multiplied by the ratio of those of `WORN` and `DRAWN`.
+    """
+    more = np.log(WORN / (1 - WORN)) - np.log(DRAWN / (1 - DRAWN))
+    statements, panels = _of_hoods()
+    changed = {"statements": statements, "panels": panels}
+    return dict(answers) | {name: answers[name] + more * signs for name, signs in changed.items()}
+
+
+@cache
+def _of_hoods() -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """(S,) and (P,): 1 for what says that there is a hood, -1 for what says that there is none."""
+    signs = {("hood", "hood"): 1.0, ("hood", "none"): -1.0}
+    statements = [signs.get(label, 0.0) for label in statement_labels()]
+    panels = kinds_of_panels() == PANEL_KINDS.index("hood")
+    return np.array(statements, np.float32), panels.astype(np.float32)
