@@ -218,7 +218,8 @@ def test_full_size_files_of_rubbish_stay_within_time_and_memory(filler, tmp_path
         read_pattern_file(path)
     elapsed, peak = time.process_time() - started, tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    assert SHARE * elapsed < 10 * SECONDS and SHARE * peak < BYTES  # tracing slows it down some ten times
+    # Tracing slows it down some ten times, other processes on the same cores by half again.
+    assert SHARE * elapsed < 16 * SECONDS and SHARE * peak < BYTES
 
 
 def test_extreme_but_finite_shapes_are_read_checked_and_repaired_in_time():
