@@ -10,7 +10,6 @@ from pathlib import Path
 from swifttailor.body.body import Body
 from swifttailor.body.made_to_measure import body_to_measure
 from swifttailor.body.measure_names import measure_name, read_measures
-from swifttailor.body.measurements import BodyMeasurements
 from swifttailor.body.mesh_files import FORMATS
 from swifttailor.body.size_charts import find_size
 from swifttailor.errors import InputError
@@ -147,15 +146,6 @@ def body_of(named: DraftedFor | None) -> Body:
         return Body.default()
     made = body_to_measure(dict(named.measures), figure=named.figure, name=named.name)
     return replace(made.body, made_for=named)
-
-
-def measurements_of(named: DraftedFor | None) -> BodyMeasurements:
-    """Measurements of `body_of`.
-
-    Raises:
-        InputError: No body has the measures that are named.
-    """
-    return body_of(named).measurements
 
 
 def known_measures(body: Body) -> tuple[tuple[str, float], ...]:

@@ -174,9 +174,10 @@ class Drape(GarmentResults, WearerOptions, FabricOption):
             from swifttailor.draping.time_limit import TimeLimit
 
             fabric = get_fabric(self.fabric or "cotton")
-            named = body_of(reading.pattern.drafted_for)
-            body = self.wearer() or named
-            probe = probe_body(named if self.refits else body)
+            asked = self.wearer()
+            drafted_for = body_of(reading.pattern.drafted_for) if asked is None or self.refits else asked
+            body = asked or drafted_for
+            probe = probe_body(drafted_for)
             sewable = require_sewable(reading, str(source), repair=self.repair, body=probe)
             if self.refits:
                 from swifttailor.refitting.refitted import fit

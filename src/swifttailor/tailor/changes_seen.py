@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from swifttailor.body.wearer import measurements_of
+from swifttailor.body.wearer import body_of
 from swifttailor.describing.differences import Change, find_differences
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
@@ -29,7 +29,7 @@ def changes_seen(before: Pattern, after: Pattern) -> tuple[Change, ...] | None:
     if pattern_digest(before) == pattern_digest(after):
         return ()
     try:
-        body = measurements_of(before.drafted_for)
+        body = body_of(before.drafted_for).measurements
         gains, steps = find_differences(measure_facts(before, body), measure_facts(after, body))
     except SwiftTailorError:
         return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from swifttailor.body import BodyMeasurements
-from swifttailor.body.wearer import measurements_of
+from swifttailor.body.wearer import body_of
 from swifttailor.describing.facts import GarmentFacts, HemFacts, Kind, LandmarkFacts
 from swifttailor.describing.measuring.anatomy import Anatomy
 from swifttailor.describing.measuring.hems import find_hem, measure_hem
@@ -38,7 +38,7 @@ def measure_facts(pattern: Pattern, body: BodyMeasurements | None = None) -> Gar
         raise PatternError(
             "A pattern without panels shows no garment. Give a pattern with at least one panel."
         )
-    body = measurements_of(pattern.drafted_for) if body is None else body
+    body = body_of(pattern.drafted_for).measurements if body is None else body
     return measure_anatomy(Anatomy.of(pattern.canonical(), body))
 
 

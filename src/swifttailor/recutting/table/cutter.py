@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from swifttailor.body import BodyMeasurements
-from swifttailor.body.wearer import measurements_of
+from swifttailor.body.wearer import body_of
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring.anatomy import Anatomy, Border
 from swifttailor.describing.measuring.hems import find_hem
@@ -20,7 +20,7 @@ class Cutter:
 
     def __init__(self, pattern: Pattern, body: BodyMeasurements | None = None) -> None:
         self.pattern = pattern.canonical()
-        worn_by = measurements_of(pattern.drafted_for) if body is None else body
+        worn_by = body_of(pattern.drafted_for).measurements if body is None else body
         self.anatomy = Anatomy.of(self.pattern, worn_by)
 
     def with_pattern(self, pattern: Pattern) -> Cutter:
