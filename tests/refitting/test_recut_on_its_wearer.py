@@ -53,6 +53,14 @@ def test_long_sleeves_end_at_the_child_s_wrists(shirt, child):
     assert sleeve.length < Body.default().measurements.arm_length - 10.0
 
 
+def test_sleeves_are_sewn_on_a_child_s_top(child):
+    """New panels at a child's height are not misplaced."""
+    recut = alter(fit(draft("tank-top"), child), [Gain(Claim("sleeves", "long"))])
+    sleeve = measure_facts(recut.pattern, child.measurements).left_sleeve
+    assert not recut.open and sleeve is not None
+    assert sleeve.length == pytest.approx(child.measurements.arm_length, abs=6.0)
+
+
 def test_a_check_of_an_edit_knows_who_wears_it(shirt):
     bare = replace(shirt, drafted_for=None)
     assert "misplaced-panel" in {f.code for f in checked(bare, bare)}

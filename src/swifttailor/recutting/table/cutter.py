@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from swifttailor.body import BodyMeasurements
+import numpy as np
+
+from swifttailor.body import Body, BodyMeasurements
+from swifttailor.body.probe import body_levels
 from swifttailor.body.wearer import body_of
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring.anatomy import Anatomy, Border
@@ -13,6 +16,14 @@ from swifttailor.describing.measuring.parts import Face, Part
 from swifttailor.describing.measuring.wear import Worn, wear
 from swifttailor.describing.measuring.whole_pattern import measure_anatomy
 from swifttailor.pattern import EdgeRef, Pattern, Severity, check_pattern
+from swifttailor.pattern.check import BodyProbe
+
+
+def _heights_of(body: BodyMeasurements) -> BodyProbe | None:
+    """Where garments are worn on a body, and nothing else of it; None for the default body's own checks."""
+    if body == Body.default().measurements:
+        return None
+    return BodyProbe(lambda points: np.full(len(points), np.inf), 0.0, body.height, body_levels(body))
 
 
 class Cutter:
@@ -35,7 +46,7 @@ class Cutter:
     @cached_property
     def faults(self) -> frozenset[tuple[str, str]]:
         """Codes of errors and warnings, and the panels they are about."""
-        found = check_pattern(self.pattern)
+        found = check_pattern(self.pattern, body=_heights_of(self.anatomy.body))
         return frozenset((f.code, f.panel) for f in found if f.severity is not Severity.INFO)
 
     @cached_property
