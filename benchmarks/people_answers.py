@@ -1,6 +1,6 @@
 """What is made of people's wishes: expected statements that hold of the patterns, by the path of `generate`.
 
-python benchmarks/people_answers.py building|fresh|fresh_after|final [--misses] [--count N]
+python benchmarks/people_answers.py building|final|fresh|fresh_after|voices|persons|persons_after [--misses] [--count N]
 
 Patterns are written as `generate` writes them, and measured. Of the final half only counts are printed.
 """
@@ -27,6 +27,8 @@ _FILES = {
     "fresh": WORDS / "fresh" / "prompts.jsonl",
     "fresh_after": WORDS / "fresh" / "prompts_after.jsonl",
     "voices": WORDS / "fresh" / "prompts_voices.jsonl",
+    "persons": WORDS / "fresh" / "prompts_persons.jsonl",
+    "persons_after": WORDS / "fresh" / "prompts_persons_after.jsonl",
 }
 
 

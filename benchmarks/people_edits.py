@@ -37,6 +37,8 @@ _FILES = {
     "cutting": WORDS / "fresh" / "edits_cutting.jsonl",
     "cutting_after": WORDS / "fresh" / "edits_cutting_after.jsonl",
     "voices": WORDS / "fresh" / "edits_voices.jsonl",
+    "persons": WORDS / "fresh" / "edits_persons.jsonl",
+    "persons_after": WORDS / "fresh" / "edits_persons_after.jsonl",
 }
 _STAYS_CM = 2.0
 """What is to stay may move by so much."""

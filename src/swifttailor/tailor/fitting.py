@@ -128,7 +128,7 @@ def fit(written: WrittenPattern, wanted: Wanted, *, drafted: bool = False) -> An
 
 def cut_from(candidate: Candidate, wanted: Wanted, seed: int) -> Answer:
     """A candidate altered to what is wanted, and judged; see `fit`."""
-    answer = fit(candidate.written, wanted)
+    answer = fit(candidate.written, wanted if candidate.design is None else wanted.of_draft())
     return replace(answer, seed=seed, known=candidate.known, design=candidate.design)
 
 

@@ -30,7 +30,7 @@ from swifttailor.recutting.one_sided import asks_for_one_side
 from swifttailor.render.picture_file import read_picture
 from swifttailor.tailor.looking import ReadsPictures, SeenPicture, look_at, part_wanted
 from swifttailor.tailor.order import NO_READER, Order, one_line
-from swifttailor.tailor.seen_wishes import LEAST_CUT, not_overruled, seen_wishes
+from swifttailor.tailor.seen_wishes import LEAST_CUT, LEAST_CUT_OF_DRAFT, not_overruled, seen_wishes
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.hearing_changes import hear_instruction
@@ -93,6 +93,8 @@ class Wanted:
     """What its words say beyond wishes: colours, what cannot be made, what was not understood."""
     foresight: PanelForesight | None = None
     """Tells of its words which panels the garment may have; None where that is not asked."""
+    least_cut: float = LEAST_CUT
+    """What the pictures show less surely is not cut."""
 
     @property
     def said(self) -> tuple[Wish, ...]:
@@ -102,8 +104,16 @@ class Wanted:
     @property
     def maybe(self) -> tuple[Change, ...]:
         """What is likely, and cut last where that costs nothing else: of pictures what is sure enough."""
-        cut = [w for w in self.likely if w not in self.seen or w.certainty >= LEAST_CUT]
+        cut = [w for w in self.likely if w not in self.seen or w.certainty >= self.least_cut]
         return tuple(wish.change for wish in cut)
+
+    def of_draft(self) -> Wanted:
+        """The same, as a draft is cut to it whose design was read in the pictures (`LEAST_CUT_OF_DRAFT`)."""
+        doubted = [w for w in self.wishes if w in self.seen and w.certainty < LEAST_CUT_OF_DRAFT]
+        kept = tuple([wish for wish in self.wishes if wish not in doubted])
+        return replace(
+            self, wishes=kept, likely=(*self.likely, *doubted), least_cut=LEAST_CUT_OF_DRAFT
+        )
 
     @property
     def color(self) -> str | None:

@@ -17,6 +17,9 @@ LEAST_SEEN = 0.5
 LEAST_CUT = 0.7
 """What is less sure is not cut: what is cut wrongly takes a known pattern further from the garment than its
 other statements bring it near."""
+LEAST_CUT_OF_DRAFT = 0.97
+"""The same of a draft whose design was read: it follows from all that was seen, and where one statement does
+not hold of it, the others speak against that."""
 _HALF = math.log(2)
 
 
