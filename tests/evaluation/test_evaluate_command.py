@@ -261,6 +261,20 @@ def test_unknown_and_no_evaluations(capsys):
     assert run(["evaluate", "--help"]) == 0 and "drape-floor" in capsys.readouterr().out
 
 
+def test_garments_are_meshed_as_asked_and_kept_ones_are_not_taken_for_others(data, tmp_path, capsys):
+    asked = ["evaluate", "systems", "--patterns", str(data / "validation"), "--out", str(tmp_path)]
+    asked += ["--data", str(data / "validation"), "--generators", "truth", "--sewers", "physics"]
+    asked += ["--tasks", "text", "--limit", "1"]
+    assert run([*asked, "--edge-length", "6"]) == 0
+    about = json.loads((tmp_path / "summary.json").read_text())["about"]
+    assert " --sewers physics --edge-length 6 --tasks text " in about["command"]
+    capsys.readouterr()
+    assert run([*asked, "--edge-length", "5"]) == 2, "garments of 6 cm are no garments of 5"
+    assert "edge_length" in capsys.readouterr().err
+    assert run([*asked, "--edge-length", "0"]) == 2
+    assert "--edge-length is 0" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("command", "name"),
     [

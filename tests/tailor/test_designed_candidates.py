@@ -8,6 +8,8 @@ from own_library import library_of
 from scripted_maker import scripted_maker
 from seeing import Seeing, worn
 
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError
 from swifttailor.parameter_reader.read_parameter import ReadParameter
 from swifttailor.parameter_reader.reader import ParameterReader
@@ -72,6 +74,21 @@ def test_what_is_read_is_drafted_cut_and_said(sewer, eyes, tmp_path):
     hem = [w for w in made.report["wishes"] if "midi" in w["wish"] or "calf" in w["wish"]]
     assert made.report["wishes"] and all(w["holds"] for w in hem), "it was drafted too short, and cut"
     made.save(tmp_path, preview=False)
+
+
+@pytest.mark.parametrize(("certainty", "cut"), [(0.93, False), (0.98, True)])
+def test_a_draft_is_cut_only_to_what_is_all_but_certain(sewer, library, certainty, cut):
+    eyes = Seeing((worn("lower", {"kind": ("skirt", 0.99), "skirt_hem": ("midi", certainty)}),))
+    drafted = tailor_of(sewer, eyes, designer(*PENCIL)).generate(image=PICTURE, refine=0)
+    hem = measure_facts(drafted.pattern)
+    assert Claim("skirt_hem", "midi").holds(hem) is cut
+    assert not drafted.answer.verdict.open, "what the draft speaks against is no wish that is not met"
+    seen = [*drafted.report["wishes"], *drafted.report["pictures"]["likely"]]
+    assert any("midi" in str(wish) or "calf" in str(wish) for wish in seen), (
+        "what was read is said all the same"
+    )
+    known = tailor_of(sewer, eyes, None, library).generate(image=PICTURE, refine=0)
+    assert Claim("skirt_hem", "midi").holds(measure_facts(known.pattern)), "known patterns are cut to it"
 
 
 def test_one_of_several_sources_can_be_chosen(sewer, eyes, library):

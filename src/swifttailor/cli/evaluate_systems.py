@@ -10,7 +10,13 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
-from swifttailor.cli.option_checks import in_range, require_limit, require_threads, require_writable_folder
+from swifttailor.cli.option_checks import (
+    in_range,
+    require_edge_length,
+    require_limit,
+    require_threads,
+    require_writable_folder,
+)
 from swifttailor.cli.postponed_imports import tyro
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
 from swifttailor.output_folder import OutputFolder
@@ -64,6 +70,8 @@ class EvaluateSystems:
     """Where patterns come from: the names above, or NAME=SOURCE."""
     sewers: tuple[Sewing, ...] = ("network",)
     """How they become garments; physics takes some ten seconds a garment."""
+    edge_length: float = 2.0
+    """Edge length of the garments' meshes in cm: physics takes a third of the time at 3."""
     tasks: tuple[Literal["text", "image", "text+image"], ...] = ()
     """What to ask by. Default: everything that the given data allow."""
     limit: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
@@ -121,6 +129,7 @@ class EvaluateSystems:
         require_limit(self.limit)
         in_range("--seed", self.seed, 0, 2**31)
         require_threads(self.threads)
+        require_edge_length(self.edge_length)
         require_writable_folder(self.out)
         OutputFolder(self.out, overwrite=self.overwrite).require_own(FILES)
 
@@ -132,6 +141,7 @@ class EvaluateSystems:
             [] if self.data is None else ["--data", f"{self.data.resolve().parent.name}/{self.data.name}"]
         )
         parts += ["--generators", *sources, "--sewers", *self.sewers]
+        parts += [] if self.edge_length == 2.0 else ["--edge-length", f"{self.edge_length:g}"]
         parts += ["--tasks", *self.tasks] if self.tasks else []
         parts += [] if self.limit is None else ["--limit", str(self.limit)]
         parts += ["--seed", str(self.seed)]
@@ -218,9 +228,10 @@ class EvaluateSystems:
         sewer = GarmentSewer.load(threads=self.threads) if networks else None
         for name in self.sewers:
             if sewer is None or name == "physics":
-                made.append(PhysicsConstructor())
+                made.append(PhysicsConstructor(edge_length=self.edge_length))
             else:
-                made.append(NetworkConstructor(sewer, self._weights["sewer"], finish=name != "network"))
+                finish = name != "network"
+                made.append(NetworkConstructor(sewer, self._weights["sewer"], finish, self.edge_length))
         return made
 
     def _write(self, found: SystemsResult, about: Mapping[str, Any], folder: Path) -> None:
