@@ -84,9 +84,7 @@ def test_a_draft_is_cut_only_to_what_is_all_but_certain(sewer, library, certaint
     assert Claim("skirt_hem", "midi").holds(hem) is cut
     assert not drafted.answer.verdict.open, "what the draft speaks against is no wish that is not met"
     seen = [*drafted.report["wishes"], *drafted.report["pictures"]["likely"]]
-    assert any("midi" in str(wish) or "calf" in str(wish) for wish in seen), (
-        "it is said all the same"
-    )
+    assert any("midi" in str(wish) or "calf" in str(wish) for wish in seen), "it is said all the same"
     known = tailor_of(sewer, eyes, None, library).generate(image=PICTURE, refine=0)
     assert Claim("skirt_hem", "midi").holds(measure_facts(known.pattern)), "known patterns are cut to it"
 
