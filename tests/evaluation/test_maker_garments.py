@@ -31,7 +31,8 @@ class PerfectSewer:
             raise GeometryError("crosses itself")
         sample = next(s for s in self.samples if s.pattern == pattern)
         garment = sample.garment
-        return SimpleNamespace(vertices=np.add(garment.vertices, [0, self.moved, 0]), faces=garment.faces)
+        vertices = np.add(garment.vertices, [0, self.moved, 0])
+        return SimpleNamespace(vertices=vertices, faces=garment.faces, report={})
 
 
 @pytest.fixture(scope="module")

@@ -37,6 +37,8 @@ class EvaluateGarmentSewer:
     """Pixels along each side of the images. Default: what the network was trained at."""
     finish: tyro.conf.FlagCreatePairsOff[bool] = False
     """Let the garments hang to rest by physics before they are measured; takes a second or two each."""
+    relax: bool = True
+    """Let those that come out crumpled fall for a third of a second, as sew does."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
     """CPU cores for the network."""
     out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
@@ -86,6 +88,7 @@ class EvaluateGarmentSewer:
                 numbers,
                 resolution=self.resolution,
                 finish=self.finish,
+                relax=self.relax,
                 seed=self.seed,
                 progress=progress.add,
             )
@@ -93,10 +96,11 @@ class EvaluateGarmentSewer:
         report = GarmentReport(
             title="GarmentSewer against the drapes of the same patterns",
             about=provenance(reader, numbers, self.seed)
-            | {"weights": model, "resolution": size, "threads": self.threads, "finish": self.finish},
+            | {"weights": model, "resolution": size, "threads": self.threads}
+            | {"finish": self.finish, "relax": self.relax},
             notes=[
                 f"weights {model['file']} (sha256 {model['sha256'][:16]}), {size} px, {self.threads} threads"
-                + (", finished by physics" if self.finish else "")
+                + (", finished by physics" if self.finish else "" if self.relax else ", not relaxed")
             ],
             made=made,
             row=f"GarmentSewer{' and physics' if self.finish else ''}, {reader.index.split}",

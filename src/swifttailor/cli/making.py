@@ -60,6 +60,8 @@ class Making(GarmentResults, WearerOptions, FabricOption):
     """Recut the pattern until it is what the text asks for, as far as cutting can do that."""
     finish: tyro.conf.FlagCreatePairsOff[bool] = False
     """Finish with physics: let the garment hang to rest. Adds wrinkles and a report of its quality."""
+    relax: bool = True
+    """Let a garment that comes out crumpled, as wide skirts do, fall for a third of a second."""
     edge_length: float = 2.0
     """Edge length of the mesh in cm, 0.5 to 10."""
     maker_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
@@ -196,6 +198,7 @@ class Making(GarmentResults, WearerOptions, FabricOption):
             alter=self.alter,
             edge_length=self.edge_length,
             finish=self.finish,
+            relax=self.relax,
         )
 
     def make(self, order: Order) -> int:

@@ -48,6 +48,8 @@ class Sew(GarmentResults, WearerOptions, FabricOption):
     """Edge length of the mesh in cm, 0.5 to 10."""
     finish: tyro.conf.FlagCreatePairsOff[bool] = False
     """Finish with physics: let the garment hang to rest. Adds wrinkles and a report of its quality."""
+    relax: bool = True
+    """Let a garment that comes out crumpled, as wide skirts do, fall for a third of a second."""
     repair: tyro.conf.FlagCreatePairsOff[bool] = False
     """Repair the patterns first, as swifttailor check --repair does."""
     rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"
@@ -89,7 +91,7 @@ class Sew(GarmentResults, WearerOptions, FabricOption):
             from swifttailor.tailor.heard_notes import fabric_line
 
             print(fabric_line(self.fabric, finish=self.finish))  # noqa: T201
-        options = SewingOptions(self.edge_length, self.resolution, self.repair, self.finish)
+        options = SewingOptions(self.edge_length, self.resolution, self.repair, self.finish, self.relax)
         outcomes = tailor.sew_all(
             [path for path, _ in outputs],
             options,

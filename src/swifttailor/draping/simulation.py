@@ -238,6 +238,21 @@ def settle(simulation: Simulation, progress: StageProgress) -> tuple[int, bool]:
     return s.max_frames, False
 
 
+def fall(simulation: Simulation, frames: int, damping: float, progress: StageProgress) -> None:
+    """Lets the garment hang for a while, whether it comes to rest or not; necklines stay held."""
+    simulation.hold()
+    for k in range(frames):
+        simulation.frame(
+            gravity=GRAVITY,
+            damping=damping,
+            friction=simulation.fabric.friction,
+            self_collision=simulation.settings.self_collision,
+            max_speed=_FALLING_SPEED,
+            long_edges=k < 15,
+        )
+        progress("relaxing", (k + 1) / frames)
+
+
 def _sleeve_edges(mesh: PatternMesh, edges: NDArray[np.int32]) -> NDArray[np.bool_]:
     """(e,) edges with an end that lies on sleeves alone."""
     on_sleeve = np.array([region == "arm" for region in panel_regions(mesh.pattern).values()])

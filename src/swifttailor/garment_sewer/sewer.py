@@ -17,6 +17,7 @@ from swifttailor.errors import InputError
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.closing import ClosingSettings, close_seams, seam_gaps
 from swifttailor.garment_sewer.conditioning import conditioning_image
+from swifttailor.garment_sewer.crumpling import CRUMPLED, crumpled_share, folded_like
 from swifttailor.garment_sewer.model_file import SewerModel, load_model
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pixels.pixel_table import PixelTable, tabulate
@@ -174,7 +175,11 @@ class GarmentSewer:
         layout, mesh = prepared.layout, prepared.mesh
         if not np.isfinite(values).all():
             raise InputError("The network's positions are not finite numbers: its weights are damaged.")
-        flat = outline_sampler(layout, mesh).weights @ values
+        weights = outline_sampler(layout, mesh).weights
+        flat = weights @ values
+        crumpled = crumpled_share(mesh, flat)
+        if crumpled > CRUMPLED and self.model.conditioning.prior == "hung":
+            flat = folded_like(mesh, flat, weights @ prepared.table.prior.astype(np.float64))
         vertices = close_seams(mesh, flat, self.body, self.closing)
         gaps = seam_gaps(mesh, flat)
         depth, _ = self.body.sample(vertices, vertices_ignoring_arms(mesh))
@@ -192,6 +197,7 @@ class GarmentSewer:
                 "seam_gap_before_median_cm": float(np.median(gaps)) if len(gaps) else 0.0,
                 "seam_gap_before_p95_cm": float(np.percentile(gaps, 95)) if len(gaps) else 0.0,
                 "inside_body": float((depth < 0).mean()),
+                "crumpled": crumpled,
             },
         }
         return Garment(mesh, vertices, report)

@@ -11,7 +11,12 @@ from swifttailor.tailor.tailored import Tailored
 
 
 def sew(
-    pattern: Pattern | Path | str, *, edge_length: float = 2.0, finish: bool = False, repair: bool = False
+    pattern: Pattern | Path | str,
+    *,
+    edge_length: float = 2.0,
+    finish: bool = False,
+    relax: bool = True,
+    repair: bool = False,
 ) -> Tailored:
     """Makes the garment of a pattern with the package's own network, on the default body.
 
@@ -21,13 +26,14 @@ def sew(
         pattern: A pattern, or a GarmentCode JSON file.
         edge_length: Of the mesh, cm.
         finish: Whether it hangs to rest by physics in the end.
+        relax: Whether a garment that comes out crumpled falls for a third of a second.
         repair: Whether it is mended first.
 
     Raises:
         InputError: An argument, the file or the weights cannot be used.
         PatternError: The pattern cannot be sewn.
     """
-    return _tailor().sew(pattern, edge_length=edge_length, finish=finish, repair=repair)
+    return _tailor().sew(pattern, edge_length=edge_length, finish=finish, relax=relax, repair=repair)
 
 
 @cache

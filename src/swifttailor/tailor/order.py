@@ -84,6 +84,8 @@ class Order:
     """Of the mesh, cm."""
     finish: bool = False
     """Whether the garment hangs to rest by physics in the end."""
+    relax: bool = True
+    """Whether a garment that comes out crumpled, as wide skirts do, falls for a third of a second."""
 
     def __post_init__(self) -> None:
         if len(self.images) > MOST_PICTURES:

@@ -14,6 +14,7 @@ from swifttailor.body.wearer import body_of
 from swifttailor.clock import DIGITS
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
+from swifttailor.garment_sewer.relaxing import relaxed_where_crumpled
 from swifttailor.garment_sewer.sewer import BATCH, Prepared
 from swifttailor.pattern import Pattern, Reading, check_pattern, read_pattern_file, repair_pattern
 from swifttailor.pattern.check import BodyProbe, errors_of, require_no_errors
@@ -44,6 +45,8 @@ class SewingOptions:
     """Whether patterns are mended first."""
     finish: bool = False
     """Whether garments hang to rest by physics in the end."""
+    relax: bool = True
+    """Whether those that come out crumpled fall for a third of a second, where they are not finished."""
 
 
 def prepare(sewer: Sewer, answer: Answer, options: SewingOptions) -> Answer:
@@ -217,11 +220,16 @@ def sew_answers(
                 garment = replace(garment, report=garment.report | made_of.of(garment))
                 if options.finish:
                     garment = _finished(garment, options, body, made_of.fabric, progress)
+                elif options.relax:
+                    garment = relaxed_where_crumpled(
+                        garment, body=body, fabric=made_of.fabric, progress=progress
+                    )
             except SwiftTailorError as error:
                 yield error
             else:
                 garment = replace(garment, cloth=made_of.name)
-                yield _handed_over(garment, answer, None if options.finish else values, body)
+                moved = options.finish or "relaxed_frames" in garment.report
+                yield _handed_over(garment, answer, None if moved else values, body)
 
 
 @dataclass(frozen=True)

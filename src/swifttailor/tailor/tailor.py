@@ -99,6 +99,7 @@ class Tailor(Workshop):
         alter: bool = True,
         edge_length: float = 2.0,
         finish: bool = False,
+        relax: bool = True,
         progress: StageProgress | None = None,
     ) -> Tailored:
         """Makes a garment of a description, a picture, or both.
@@ -116,6 +117,7 @@ class Tailor(Workshop):
             alter: See `Order`.
             edge_length: Of the mesh, cm.
             finish: Whether it hangs to rest by physics in the end.
+            relax: See `Order`.
             progress: Called with the name of a stage and the share of it that is done.
 
         Raises:
@@ -134,6 +136,7 @@ class Tailor(Workshop):
             alter=alter,
             edge_length=edge_length,
             finish=finish,
+            relax=relax,
         )
         return _only(self.make(order, progress=progress))
 
@@ -150,6 +153,7 @@ class Tailor(Workshop):
         alter: bool = True,
         edge_length: float = 2.0,
         finish: bool = False,
+        relax: bool = True,
         progress: StageProgress | None = None,
     ) -> Tailored:
         """Makes a garment of a pattern, changed as the instruction says.
@@ -165,6 +169,7 @@ class Tailor(Workshop):
             alter: See `Order`.
             edge_length: Of the mesh, cm.
             finish: See `generate`.
+            relax: See `Order`.
             progress: See `generate`.
 
         Raises:
@@ -182,6 +187,7 @@ class Tailor(Workshop):
             alter=alter,
             edge_length=edge_length,
             finish=finish,
+            relax=relax,
         )
         return _only(self.make(order, progress=progress))
 
@@ -203,7 +209,7 @@ class Tailor(Workshop):
         self._open(order)
         clock.stop("loading")
         body = body_wanted(order, self.body if self.fits else None)
-        options = SewingOptions(order.edge_length, finish=order.finish)
+        options = SewingOptions(order.edge_length, finish=order.finish, relax=order.relax)
         say("writing", 0.0)
         if body is None:
             dressed, answers = self, self.write([order], clock)
@@ -291,6 +297,7 @@ class Tailor(Workshop):
         *,
         edge_length: float = 2.0,
         finish: bool = False,
+        relax: bool = True,
         repair: bool = False,
         progress: StageProgress | None = None,
     ) -> Tailored:
@@ -300,6 +307,7 @@ class Tailor(Workshop):
             pattern: In any order, or a GarmentCode JSON file.
             edge_length: Of the mesh, cm.
             finish: See `generate`.
+            relax: See `Order`.
             repair: Whether it is mended first.
             progress: See `generate`.
 
@@ -307,7 +315,7 @@ class Tailor(Workshop):
             InputError: An argument, the file or the weights cannot be used.
             PatternError: The pattern cannot be sewn.
         """
-        options = SewingOptions(edge_length, repair=repair, finish=finish)
+        options = SewingOptions(edge_length, repair=repair, finish=finish, relax=relax)
         return _only(list(self.sew_all([pattern], options, progress=progress)))
 
     def sew_all(

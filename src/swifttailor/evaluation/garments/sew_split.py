@@ -14,6 +14,7 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.evaluation.garments.point_cloud import PointCloud
 from swifttailor.evaluation.garments.score import Scored, draw_clouds, score_garment
 from swifttailor.garment.garment import Garment
+from swifttailor.garment_sewer.relaxing import relaxed_where_crumpled
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer, Prepared
 from swifttailor.progress import CountProgress, unwatched
 
@@ -44,6 +45,7 @@ def sew_split(
     *,
     resolution: int | None = None,
     finish: bool = False,
+    relax: bool = True,
     seed: int = 0,
     progress: CountProgress = unwatched,
 ) -> Made:
@@ -55,6 +57,7 @@ def sew_split(
         numbers: Of the samples.
         resolution: Of the images; the model's own when None.
         finish: Whether garments hang to rest by physics in the end.
+        relax: Whether those that come out crumpled fall for a third of a second, where they are not finished.
         seed: Of the points that surfaces are compared by.
         progress: Called with 1 after each.
 
@@ -68,7 +71,7 @@ def sew_split(
             work.prepare(sewer, resolution)
         _predict(sewer, [w for w in works if w.prepared is not None])
         for work in works:
-            garment = work.decode(sewer, finish=finish)
+            garment = work.decode(sewer, finish=finish, relax=relax)
             if garment is None:
                 made.lose(work.sample, work.number, work.error, seed)
             else:
@@ -102,7 +105,7 @@ class _Work:
             self.error = str(error)
         self.seconds += time.perf_counter() - started
 
-    def decode(self, sewer: GarmentSewer, *, finish: bool) -> Garment | None:
+    def decode(self, sewer: GarmentSewer, *, finish: bool, relax: bool) -> Garment | None:
         if self.prepared is None or self.values is None:
             return None
         started = time.perf_counter()
@@ -110,6 +113,8 @@ class _Work:
             garment = sewer.decode(self.prepared, self.values)
             if finish:
                 garment = hang_to_rest(garment)
+            elif relax:
+                garment = relaxed_where_crumpled(garment)
         except SwiftTailorError as error:
             self.error = str(error)
             return None

@@ -11,6 +11,7 @@ from swifttailor.data.builder.code_version import code_version
 from swifttailor.draping import drape
 from swifttailor.draping.finish import finish as hang_to_rest
 from swifttailor.garment.garment import Garment
+from swifttailor.garment_sewer.relaxing import relaxed_where_crumpled
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Pattern
 
@@ -41,7 +42,7 @@ class Constructor(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class NetworkConstructor:
-    """GarmentSewer; `finish` lets its garments hang to rest."""
+    """GarmentSewer, as `sew` ships it; `finish` lets its garments hang to rest."""
 
     sewer: GarmentSewer
     weights: Mapping[str, Any]
@@ -55,7 +56,7 @@ class NetworkConstructor:
 
     def identity(self) -> dict[str, Any]:
         """See `Constructor`."""
-        physics = {"code": code_version()["code"]} if self.finish else {}
+        physics = {"code": code_version()["code"]} if self.finish else {"relaxed": True}
         return {
             "weights": dict(self.weights),
             "finish": self.finish,
@@ -70,6 +71,9 @@ class NetworkConstructor:
         if self.finish:
             garment = hang_to_rest(garment)
             clock.stop("finishing")
+        else:
+            garment = relaxed_where_crumpled(garment)
+            clock.stop("relaxing")
         return replace(garment, report=garment.report | {"seconds": clock.seconds})
 
 

@@ -59,7 +59,7 @@ def fit(
             original,
             worn.body,
             drafted_for=before.body,
-            sew=lambda one: before.tailor.sew(one, edge_length=2.5).garment,
+            sew=lambda one: before.tailor.sew(one, edge_length=2.5, relax=False).garment,
         ).pattern
     fitted = replace(fitted, drafted_for=named).canonical()
     link.stage("sewing", 0.0)

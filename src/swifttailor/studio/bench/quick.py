@@ -48,7 +48,8 @@ def live(link: Link, *, pattern: dict[str, Any], edge_length: float, dragging: b
     seconds, error, record = {}, None, None
     try:
         worn = wearing(reading.pattern.drafted_for)
-        made = (worn.hasty_tailor if dragging else worn.tailor).sew(reading.pattern, edge_length=edge_length)
+        tailor = worn.hasty_tailor if dragging else worn.tailor
+        made = tailor.sew(reading.pattern, edge_length=edge_length, relax=not dragging)
     except SwiftTailorError as refused:
         error = refusal_of(refused)
         findings = check(reading.pattern, reading.findings)

@@ -1,0 +1,67 @@
+"""Lets crumpled cloth fall for a third of a second: it gets back its length, and folds as cloth does."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+
+from swifttailor.body import Body
+from swifttailor.body.wearer import body_of
+from swifttailor.draping.attachment import find_attachment
+from swifttailor.draping.cloth import build_cloth
+from swifttailor.draping.fabric import Fabric
+from swifttailor.draping.known_fabrics import get_fabric
+from swifttailor.draping.simulation import Simulation, SimulationSettings, fall
+from swifttailor.errors import SimulationError
+from swifttailor.garment.garment import Garment
+from swifttailor.progress import StageProgress
+
+FRAMES = 20
+"""Of a sixtieth of a second. Wide skirts get most of their folds in these; twenty more change little."""
+SUBSTEPS = 12
+DAMPING = 4.0
+"""Per second, as in the third second of a drape: what falls slowly does not pass through itself."""
+
+
+def relax(
+    garment: Garment,
+    *,
+    body: Body | None = None,
+    fabric: Fabric | str = "cotton",
+    frames: int = FRAMES,
+    progress: StageProgress | None = None,
+) -> Garment:
+    """Lets a garment fall for a short while, from where it is; it need not come to rest (see `finish`).
+
+    Args:
+        garment: Near where it will come to rest.
+        body: What it is worn by; the one that the pattern was drafted for, else the default body, when None.
+        fabric: A `Fabric` or the name of a preset.
+        frames: For so many sixtieths of a second.
+        progress: Called with the stage's name and the share of it that is done.
+
+    Returns:
+        The garment; its report is the one it had, with the frames under ``relaxed_frames`` and the seconds
+        it took under ``seconds``.
+
+    Raises:
+        SimulationError: The cloth went to infinity.
+    """
+    started = time.perf_counter()
+    fabric = get_fabric(fabric)
+    body = body_of(garment.pattern.drafted_for) if body is None else body
+    mesh = garment.mesh
+    attachment = find_attachment(mesh, body.measurements)
+    settings = SimulationSettings(substeps=SUBSTEPS)
+    cloth = build_cloth(mesh, fabric)
+    simulation = Simulation(mesh, cloth, body, fabric, attachment, garment.vertices, settings)
+    fall(simulation, frames, DAMPING, progress or (lambda stage, share: None))
+    if not np.isfinite(simulation.positions).all():
+        raise SimulationError(
+            "The cloth moved to infinity while it was relaxed. Drape the pattern instead: swifttailor drape "
+            "PATTERN; or leave it as it was sewn: --relax never"
+        )
+    seconds = garment.report.get("seconds", {}) | {"relaxing": round(time.perf_counter() - started, 4)}
+    report = garment.report | {"relaxed_frames": frames, "fabric": fabric.name, "seconds": seconds}
+    return Garment(mesh, simulation.positions, report)

@@ -1,0 +1,48 @@
+"""Predicted garments whose cloth came out crumpled, let fall for a moment."""
+
+from __future__ import annotations
+
+from swifttailor.body import Body
+from swifttailor.draping.fabric import Fabric
+from swifttailor.errors import SimulationError
+from swifttailor.garment.garment import Garment
+from swifttailor.garment_sewer.crumpling import CRUMPLED
+from swifttailor.progress import StageProgress
+
+
+def is_crumpled(garment: Garment) -> bool:
+    """Whether so much of a garment's cloth was predicted too short that it has to be relaxed."""
+    return float(garment.report.get("sewing", {}).get("crumpled", 0.0)) > CRUMPLED
+
+
+def relaxed_where_crumpled(
+    garment: Garment,
+    *,
+    body: Body | None = None,
+    fabric: Fabric | str = "cotton",
+    progress: StageProgress | None = None,
+) -> Garment:
+    """A garment as GarmentSewer made it, or after a third of a second of physics where it is crumpled.
+
+    Args:
+        garment: Of `GarmentSewer.decode`.
+        body: What it is worn by; see `relax`.
+        fabric: A `Fabric` or the name of a preset.
+        progress: Called with the name of a stage and the share of it that is done.
+
+    Returns:
+        The garment. Where the cloth went to infinity it is as it was, and its report says so under
+        ``not_relaxed``.
+    """
+    if not is_crumpled(garment):
+        return garment
+    from swifttailor.draping.compiled_code import COMPILE_NOTE, solver_is_compiled
+    from swifttailor.draping.relax import relax
+
+    say = progress or (lambda stage, share: None)
+    if not solver_is_compiled():
+        say(COMPILE_NOTE, 0.0)
+    try:
+        return relax(garment, body=body, fabric=fabric, progress=progress)
+    except SimulationError as error:
+        return Garment(garment.mesh, garment.vertices, garment.report | {"not_relaxed": str(error)})
