@@ -85,6 +85,8 @@ def test_a_draft_is_cut_only_to_what_is_all_but_certain(sewer, library, certaint
     assert not drafted.answer.verdict.open, "what the draft speaks against is no wish that is not met"
     seen = [*drafted.report["wishes"], *drafted.report["pictures"]["likely"]]
     assert any("midi" in str(wish) or "calf" in str(wish) for wish in seen), "it is said all the same"
+    said = [note for note in drafted.notes if "spoke against" in note]
+    assert len(said) == (not cut) and all("midi" in note for note in said)
     known = tailor_of(sewer, eyes, None, library).generate(image=PICTURE, refine=0)
     assert Claim("skirt_hem", "midi").holds(measure_facts(known.pattern)), "known patterns are cut to it"
 

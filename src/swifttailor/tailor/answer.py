@@ -97,6 +97,19 @@ class Answer:
         facts = facts_of(self.pattern) if unsure else None
         return tuple([w for w in unsure if facts is None or not w.change.holds(facts, facts)])
 
+    @cached_property
+    def not_followed(self) -> tuple[Wish, ...]:
+        """What pictures show nearly for certain and a draft of all that they show has otherwise."""
+        from swifttailor.tailor.reading import facts_of
+        from swifttailor.wishes.reader import SURE
+
+        wanted = self.wanted
+        seen = (
+            [] if wanted is None else [w for w in wanted.likely if w in wanted.seen and w.certainty >= SURE]
+        )
+        facts = facts_of(self.pattern) if seen else None
+        return tuple([w for w in seen if facts is not None and not w.change.holds(facts, facts)])
+
     @property
     def is_other_than_wanted(self) -> bool:
         """Whether something that was understood does not hold, or too little was understood to tell.

@@ -197,6 +197,9 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
             found.append(STANDS_IN[answer.draft])
     if wanted.part is not None:
         found.append(_read_line(wanted))
+    if answer.not_followed:
+        said = "; ".join(wish_line(w.change) for w in answer.not_followed)
+        found.append(f"The rest of the picture spoke against this, and the draft has it otherwise: {said}.")
     if wanted.overruled:
         said = "; ".join(wish_line(w.change) for w in wanted.overruled)
         found.append(f"The text overruled what the picture shows: {said}.")
