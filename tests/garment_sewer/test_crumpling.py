@@ -64,12 +64,13 @@ def test_the_share_is_that_of_singular_values(mesh, flat):
 def test_folds_are_taken_and_places_kept(mesh, flat):
     """Waves of 4 cm come from the folded cloth, a shift and a wide bend from the prediction."""
     wide = 3.0 * np.sin(mesh.welded_mean(flat)[mesh.weld][:, :1] / 60.0) * [0.0, 0.0, 1.0]
-    predicted = flat + [5.0, -2.0, 1.0] + wide
+    predicted = np.add(flat, [5.0, -2.0, 1.0]) + wide
     noise = np.random.default_rng(0).normal(0.0, 0.5, (mesh.vertex_count, 3))[mesh.weld]
     folded = flat + noise
     found = folded_like(mesh, predicted, folded)
     assert np.abs(found - noise - predicted).mean() < 0.25 * np.abs(noise).mean() + 0.1
-    assert np.allclose(folded_like(mesh, folded + [1.0, 2.0, 3.0], folded), folded + [1.0, 2.0, 3.0])
+    shifted = np.add(folded, [1.0, 2.0, 3.0])
+    assert np.allclose(folded_like(mesh, shifted, folded), shifted)
 
 
 def test_wide_skirts_come_out_crumpled_and_are_relaxed(sewer):

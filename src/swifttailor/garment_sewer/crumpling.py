@@ -1,8 +1,8 @@
 """Cloth that the network predicts crumpled, and the folds of the coarse drape for it.
 
 How the folds of a wide skirt fall is chance, and a network that is to be near all the drapes there might be
-predicts their mean: cloth that is nowhere folded and everywhere shorter than it is. Where that is so, where the
-garment lies is taken from the network and how it folds from the coarse drape that the network began from.
+predicts their mean: cloth that is nowhere folded and everywhere shorter than it is. Where that is so, where
+the garment lies is taken from the network and how it folds from the coarse drape that the network began from.
 """
 
 from __future__ import annotations
