@@ -50,6 +50,8 @@ _OF: Mapping[str, Mapping[Property, _Way]] = {
     "tiers": {"length": ("tiers", 1), "width": ("tier gathers", 1)},
     "back_slit": {"length": ("back slit", 1), "height": ("back slit", 1)},
 }
+_WAIST_CM = 3.0
+"""A waistband of skirt or trousers is too tight or too loose by so much, where nobody says by how much."""
 PARTS = frozenset({*_OF, "hem", "waist", "hips", "skirt", "slit", "lower", "all"})
 _SUBJECTS: Mapping[str, str] = {
     "sleeves": "sleeves sleeve_shape left_sleeve right_sleeve sleeve_cm sleeve_width_cm",
@@ -114,6 +116,8 @@ def changes_of(
     if part == "hips" and kind in ("skirt", "dress") and amount is not None:
         return ()  # what is measured there is no lever of its own: better said than cut at the hem
     quantity, factor = found
+    if part == "waist" and quantity == "waistband width" and amount is None:
+        amount = _WAIST_CM
     step = Step(quantity, sign * factor, amount)
     if part == "straps" and sign < 0 and amount is None:
         return step, Gain(Claim("straps", "narrow"))
@@ -147,7 +151,7 @@ def _way(part: str, what: Property, kind: str) -> _Way | None:
         if part == "waist":
             return ("waistband width", 1) if kind in _LOWER or kind == "skirt" else ("chest", 1)
         return (
-            ("thigh", 1) if kind in _LEGS else ("chest", 1) if kind in ("top", "tunic") else ("skirt hem", 1)
+            ("thigh", 1) if kind in _LEGS else ("top width", 1) if kind in ("top", "tunic") else ("skirt hem", 1)
         )
     if part == "slit":
         return None
