@@ -42,12 +42,31 @@ _BODICED = frozenset({"dress", "top", "tunic", "jumpsuit", "playsuit"})
 _Saying = tuple[str, str, frozenset[str] | None]
 
 _SAYINGS: tuple[_Saying, ...] = (
+    (r"(?P<n>an?|one|two|three|four|five|six|\d[\d.,/]*) (?:more|extra|additional) (?P<u>cms?|centimet\w+|inch(?:es)?|ins?|mm)\b", r"\g<n> \g<u> more", None),
     # What goes.
+    (
+        rf"{_CUT_VERB} {_THE} (?P<what>sleeves?|legs|skirt|hem|dress|trousers|pants|jeans|top|shirt)(?: right| clean| straight)* off(?: just| right| somewhere)? (?:at|to|by|above|below) "
+        r"(?:the |my )?(?P<level>elbows?|knees?|ankles?|wrists?|thighs?|mid-thigh|calf|calves|mid-calf|hips?|waist|shoulders?)\b",
+        r"the \g<what> to the \g<level>",
+        None,
+    ),
+    (
+        r"(?:can|could|may|might|would|should|must|shall) (?:the|that|this|my|those|these|its) (?:\w+ )?(?P<what>sleeves?|collar|hood|cuffs?|waistband|peplum|ruffles?|frills?|lapels?)"
+        r"(?: please| just)? (?:go|go away|disappear|vanish|be gone|come off|not be there|be left off|be removed)\b",
+        r"remove the \g<what>",
+        None,
+    ),
+    (
+        r"(?:can|could|may|might|would|should|must|shall) (?:the|that|this|my) (?:high|roll|polo|turtle|funnel|rolled|stand-up) ?(?:neck|collar)(?: please| just)?"
+        r" (?:go|go away|disappear|vanish|be gone|come off|not be there|be left off|be removed)\b",
+        "remove the collar",
+        None,
+    ),
     (rf"{_OFF_VERB} {_THE}\b(?! (?:left|right)\b)", "remove the", None),
     (rf"(?:drop|kill|cut|skip|without) (?:my|its|her|his|those|these|that) (?=\w)", "remove the ", None),
     (
         rf"{_CUT_VERB} {_THE} (?P<what>sleeves?|collar|hood|cuffs?|straps?|waistband|band|peplum|tiers?|ruffles?|frills?|turtleneck|lapels?)"
-        r"(?: right| clean| straight| completely| altogether| entirely)* off(?: completely| altogether| entirely| please)*\b",
+        r"(?: right| clean| straight| completely| altogether| entirely)* off(?: completely| altogether| entirely| please)*\b(?! (?:just |right |somewhere )?(?:at|above|below|to|by|past|\d|an? (?:inch|hand)))",
         r"remove the \g<what>",
         None,
     ),
@@ -64,7 +83,7 @@ _SAYINGS: tuple[_Saying, ...] = (
     (
         r"(?:one[- ]shoulder(?:ed)?|(?:off|on|over) one shoulder)\b[^.;]*?\b(?:keep|keeping|only|just|leave|with)\b[^.;]*?\b"
         r"(?:the )?(?P<side>left|right)\b(?: (?:side|shoulder|strap|one))*",
-        r"strap only on the \g<side>",
+        r"one strap on the \g<side>",
         _BODICED,
     ),
     (r"(?:off|down from|slipping off) (?:the |my )(?P<side>left|right) shoulder\b", r"bare \g<side> shoulder", _BODICED),
@@ -72,7 +91,7 @@ _SAYINGS: tuple[_Saying, ...] = (
      r"bare \g<side> shoulder", _BODICED),
     (r"(?:left|leave|have|make|with) (?:the |my )?(?P<side>left|right) shoulder (?:bare|uncovered|free|naked|exposed|open)\b",
      r"bare \g<side> shoulder", _BODICED),
-    (r"(?:just |only )?(?:the |a )?(?:one|single|1) sleeve\W{1,3}(?:only )?(?:on|over|for) (?:the |my )?(?P<side>left|right)(?: arm| side)?(?: only)?\b",
+    (r"(?:just |only )?(?:the |a )?(?:one|single|1) sleeve\W{1,3}(?:only |just )?(?:on |over |for )?(?:the |my )(?P<side>left|right)(?: arm| side)?(?: only)?\b",
      r"\g<side> sleeve only", _BODICED),
     # Where the waist seam is.
     (
@@ -113,10 +132,13 @@ _SAYINGS: tuple[_Saying, ...] = (
         _SKIRTED,
     ),
     (r"(?:hem )?sweep (?P<to>to|of|at) (?=\d)", "hem circumference ", _SKIRTED),
+    (r"(?:one|a|the|either) side (?:left )?(?:open|slit|split|slashed)(?: up)?(?: (?:right |all the way )?(?:up )?to (?:the |my )?(?P<to>top of (?:the |my )?thighs?|thighs?|mid-?thigh|hips?|knees?))?\b", "slit left {to}", _SKIRTED),
+    (r"(?:the )?(?P<side>left|right) side (?:left )?(?:open|slit|split|slashed)(?: up)?(?: (?:right |all the way )?(?:up )?to (?:the |my )?(?P<to>top of (?:the |my )?thighs?|thighs?|mid-?thigh|hips?|knees?))?\b", "slit {side} {to}", _SKIRTED),
+    (r"both sides (?:left )?(?:open|slit|split|slashed)(?: up)?(?: (?:right |all the way )?(?:up )?to (?:the |my )?(?P<to>top of (?:the |my )?thighs?|thighs?|mid-?thigh|hips?|knees?))?\b", "slits on both sides {to}", None),
     # Cuffs and gathers.
     (
         r"(?:gather(?:ed|ing)?|draw|pull|nip|cinch|catch) (?:(?:them|it|the (?:legs|bottoms|trousers|hems?|ends?|leg ends?|ankles?)|these) )?(?:all )?(?:in )?(?:in)?to"
-        r" (?:a |some |an )?(?:\w+ )?(?:cuffs?|bands?)(?: (?:at|on|round|around|by) (?:the |my )?ankles?)?\b",
+        r" (?:a |some |an )?(?:\w+ )?(?:cuffs?|bands?|elastics?|elastication)(?: (?:at|on|round|around|by) (?:the |my )?ankles?)?\b",
         "with gathered leg cuffs, ankle length",
         frozenset({"trousers"}),
     ),
@@ -146,7 +168,7 @@ _SAYINGS: tuple[_Saying, ...] = (
         "{grip}",
         None,
     ),
-    (r"(?:it|they|these|this|the (?:skirt|waist|waistband|trousers|pants|shorts))?\s?(?:keeps? )?(?:just )?(?:slid(?:e|es|ing)|slip(?:s|ping)?|fall(?:s|ing)?|drop(?:s|ping)?|com(?:e|es|ing)) (?:right )?(?:off|down|over)(?: from)? (?:of )?(?:my|the|her|his) (?:waist|hips?|bum|bottom|backside|bones)\b",
+    (r"(?:it|they|these|this|the (?:skirt|waist|waistband|trousers|pants|shorts))?\s?(?:keeps? )?(?:just )?(?:slid(?:e|es|ing)|slip(?:s|ping)?|fall(?:s|ing)?|drop(?:s|ping)?|com(?:e|es|ing)) (?:right )?(?:off|down|over)(?: from| over| past| below)? (?:of )?(?:my|the|her|his) (?:waist|hips?|bum|bottom|backside|bones)\b",
      "{grip}", _LOWER),
     (r"(?:it|they|these|this|the (?:dress|top|bodice|front))? ?(?:keeps?|won't stop) (?:slid|slipp|fall)ing (?:down|off)\b(?! (?:my|the|her) shoulder)", "{grip}", None),
     (r"(?:won't|will not|doesn't|don't|does not|never) stay up\b", "{grip}", None),
@@ -154,21 +176,36 @@ _SAYINGS: tuple[_Saying, ...] = (
      "the neckline is too wide", _BODICED),
     (r"(?:some )?(?:more|a bit more|a little more) (?:coverage|cover) (?:at|on|over|round|around|for|up) (?:the |my |her )?(?:top|bust|bosom|chest|cleavage|breasts?|boobs?|front|neck|d[ée]collet\w+|collarbones?)\b",
      "a higher neckline", _BODICED),
-    (r"(?:cover|hide|cover up|conceal) (?:the |my |her |up )?(?:collarbones?|cleavage|bust|bosom|chest|breasts?|boobs?|d[ée]collet\w+)\b|(?:collarbones?|cleavage|bust|bosom|breasts?|boobs?|d[ée]collet\w+) (?:must|should|has to|have to|needs? to)(?: all)? be (?:covered|hidden)\b",
+    (r"(?:cover|hide|cover up|conceal) (?:the |my |her |up )?(?:collarbones?|cleavage|bust|bosom|chest|breasts?|boobs?|d[ée]collet\w+)\b|(?:collarbones?|cleavage|bust|bosom|breasts?|boobs?|d[ée]collet\w+) (?:mustn't|must not|shouldn't|should not|can't|cannot|may not|isn't to|is not to)(?: be)? (?:show|shown|be seen|seen|peek|visible)\b|(?:collarbones?|cleavage|bust|bosom|breasts?|boobs?|d[ée]collet\w+) (?:must|should|has to|have to|needs? to)(?: all)? be (?:covered|hidden)\b",
      "higher neckline", _BODICED),
     # Narrow skirts.
     (r"(?:needs? to be|has to be|should be|must be|to be|want it|make it|i want the skirt|make the skirt) so (?P<how>narrow|tight|slim|close)\b(?: that)?[^.,;]*", r"should be a pencil skirt", _SKIRTED),
     (r"(?:think )?(?:a )?mermaid(?:'s)? without (?:the|a|its|her) tail\b", "pencil skirt", _SKIRTED),
     # How far down.
-    (r"(?:down |reach |reaching |all the way |right )*to (?:the|my|his|her) (?:shoes?|feet|foot|toes|heels?|instep|ground)\b", "{feet}", None),
+    (r"(?:(?:down |all the way |right )*to|reach|reaching|touch|touching|cover|covering|meet|hit) (?:the|my|his|her) (?:shoes?|feet|foot|toes|heels?|instep|ground)\b", "{feet}", None),
     (r"(?P<part>\b(?:trousers|pants|legs|bottoms)) (?:bottoms|hems)\b", r"\g<part>", _IN_LEGS),
     # What is no wish.
     (r"(?:(?:at|i'm|i am|being|only|just|barely|nearly|over|under) )*(?:four|five|six|4|5|6)(?: ?(?:foot|ft|feet)|')(?: ?(?:nothing|one|two|three|four|five|six|seven|eight|nine|ten|eleven|\d{1,2})\b\"?)?(?: and a half)?(?: (?:tall|here|of me))*\b(?! of)", "", None),
     (r"(?:normal|ordinary|regular|standard|proper|usual|plain old|bog[- ]standard) (?=(?:collar|sleeves?|cuffs?|hem|waistband|neckline|neck|straps?)\b)", "", None),
-    (r"(?:(?:give|allow|add|need|want|take) )?(?:(?:me|us|it|her|him) )?(?:another|an extra|some|about|maybe|say)? ?(?P<n>(?:an?|one|half an?|two|three|four|five|\d[\d.,/]*) ?(?:cms?|centimet\w+|inch(?:es)?|in|\"|mm))(?: (?:more|extra|or so))? (?:there|here)\b",
+    (r"(?:(?:please |can you |could you |let me have |i(?:'d| would)? (?:need|want|like) |let it out |(?:give|allow|add|need|want|take|have) )+)?(?:(?:me|us|it|her|him) )?(?:another|an extra|some|about|maybe|say)? ?(?P<n>(?:an?|one|half an?|two|three|four|five|\d[\d.,/]*) ?(?:cms?|centimet\w+|inch(?:es)?|in|\"|mm))(?: (?:more|extra|or so))? (?:there|here)\b",
      r"by \g<n>", None),
+    (r"(?:so|too) (?:narrow|tight|slim|close)(?: that)?,? (?:i|she|you|one|we) (?:can't|cannot|can not|can hardly|can barely|can scarcely|could not|couldn't) (?:even )?(?:walk|stride|climb|run|cycle|take a step|take steps|get into the car)\b[^.;,]*",
+     "wider hem", _SKIRTED),
+    (r"(?:i |she |we )?(?:keep|keeps|always|constantly|am always|am forever|kept)?(?: on)? ?(?:tread|tripp|stepp|stumbl|walk|stand)ing (?:on|over|up) (?:it|them|the (?:hems?|skirt|legs|trousers|dress|ends|bottoms?))\b|i (?:tread|trip|step|stumble|walk|stand) (?:on|over) (?:it|them|the (?:hems?|skirt|legs|trousers|dress|ends|bottoms?))\b",
+     "{drag}", None),
+    (r"(?:(?:it|they|the \w+) )?(?:pools?|puddles?|bunch(?:es)?|crumples?|piles? up|gathers?|scrapes?|sweeps?|drags?|trails?)(?: up)? (?:on|along|over|round|around|at) (?:the|my) (?:floor|ground|feet|ankles|shoes|pavement|street)\b",
+     "{drag}", None),
+    (r"(?:my )?(?:hands?|fingers?|fingertips|knuckles|thumbs) (?:disappear|vanish|get lost|are lost|are hidden|hide)s? (?:in|inside|under|up) (?:the |my |those )?sleeves?\b|sleeves? (?:swallow|cover|eat|hide|drown|go over|hang over|come over|fall over|flop over)s?(?: up)? (?:my |the )?(?:whole )?(?:hands?|fingers?|fingertips|knuckles|thumbs)\b",
+     "the sleeves are too long", _BODICED),
+    (r"(?:it |this |the \w+ )?(?:rutscht|rutschen|glisse|glissent|se me cae|se me caen|se me baja|se me bajan)(?: mir)?(?: \w+)?(?: runter| herunter| hinunter| vers le bas)?\b", "{grip}", None),
+    # In other languages.
+    (r"(?:taille|naht|taillennaht|rock)\b[^.;,]*\bunter (?:der|die|meiner|meine) brust\b|(?:taille|couture)\b[^.;,]*\bsous la poitrine\b|(?:cintura|talle|costura)\b[^.;,]*\bdebajo del (?:pecho|busto)\b",
+     "empire waist", _SEAMED),
+    (r"(?:taille|naht|taillennaht)\b[^.;,]*\b(?:natürlichen?|normalen?|richtigen?) (?:taille|stelle|höhe|platz)\b|(?:natürliche|normale) taille\b|taille naturelle\b|(?:cintura|talle) natural\b", "waist at the natural waist", _SEAMED),
+    (r"(?:taille|naht|taillennaht)\b[^.;,]*\bauf (?:die|der|den) hüften?\b|(?:taille)\b[^.;,]*\b(?:sur|aux) (?:les )?hanches\b|taille basse\b|(?:cintura|talle)\b[^.;,]*\ba las? caderas?\b", "dropped waist", _SEAMED),
+    (r"saum\b[^.;,]*\bspitz\w*(?: zulaufen\w*| zulaufend\w*)?|spitzer saum\b|ourlet\b[^.;,]*\ben pointe\b|(?:bajo|dobladillo)\b[^.;,]*\ben (?:punta|pico)\b", "pointed hem", None),
     # Measures that have a name of their own.
-    (r"(?P<n>(?:an?|one|half an?|two|three|\d[\d.,/]*) ?(?:cm|centimet\w+|inch(?:es)?|in|\"|mm)) (?:more|extra) (?:in|at|round|around|on) the (?P<part>waist|hips|chest|bust)\b",
+    (r"(?P<n>(?:an?|one|half an?|two|three|\d[\d.,/]*) ?(?:cm|centimet\w+|inch(?:es)?|in|\"|mm)) (?:more|extra)(?: room| space| please)? (?:in|at|round|around|on|for|across|over) (?:the|my) (?P<part>waist|hips|chest|bust|belly|tummy|thighs?|seat)\b",
      r"the \g<part> wider by \g<n>", None),
 )
 """Pattern, plain words, and the kinds of garments it is said of; braces are filled in by `_filled`."""
@@ -176,6 +213,7 @@ _GRIP = {
     **dict.fromkeys(("skirt", "trousers", "shorts"), "a tighter waist"),
     **dict.fromkeys(("dress", "top", "tunic", "jumpsuit", "playsuit"), "a tighter chest"),
 }
+_DRAG = dict.fromkeys(("trousers", "shorts", "jumpsuit", "playsuit"), "the legs are too long")
 _FEET = {
     **dict.fromkeys(("trousers", "jumpsuit"), "full length legs"),
     **dict.fromkeys(("dress", "skirt"), "to the floor"),
@@ -201,6 +239,11 @@ _SAID_TO_BE = re.compile(
     rf"(?:{_SOMEWHAT}|(?:(?<=is )|(?<=are )|(?<='s )|(?<='re )|(?<=feel )|(?<=feels )|(?<=fits )|(?<=looks )){_VERY}) (?P<adjective>{_ADJECTIVE})(?= (?:round|around|at|in|on|across|over|under|for|there|here|below|above)\b|\s*(?:$|[.,;!?]))"
 )
 _TOO_IN_OTHERS = re.compile(r"(?<!\w)me (?:queda|va|viene|están?|quedan|van)(?: un poco| muy| algo| bastante)? (?=\w)")
+_CLOSE_AROUND = re.compile(
+    r"(?P<before>(?:^|(?<=[.;,!?] ))(?:(?:it|it's|its|it is|this|they|they're|is|are|feels?|fits?|still|the \w+) )*)"
+    r"(?P<close>tight|snug|close|loose|baggy|saggy) (?=(?:across|round|around|over|under) (?:the|my|her|his) )"
+)
+"""What is said to be tight around a part of the body is felt to be so, where nobody asks for it."""
 _ASKS = re.compile(r"(?<!\w)(?:make|made|want|wants|like|should|be|become|prefer|give|need|needs|have)(?!\w)")
 
 
@@ -220,6 +263,7 @@ def plainly(text: str, kind: str) -> str:
             text = pattern.sub(lambda found, plain=plain: _filled(found, plain, kind), text)
     text = _MADE_OF_IT.sub(lambda found: found[0] if _asks_something(found[0]) else "", text)
     text = _LOOKS.sub("", text) if len(re.split(r"[.;,!?]", text)) > 1 else text
+    text = _CLOSE_AROUND.sub(lambda found: found[0] if _ASKS.search(found["before"]) else f"{found['before']}too {found['close']} ", text)
     text = _TOO_IN_OTHERS.sub("demasiado ", text)
     return _SAID_TO_BE.sub(_too, text)
 
@@ -254,9 +298,9 @@ def _filled(found: re.Match[str], plain: str, kind: str) -> str:
     high = "thigh high" if _HIGH.search(groups.get("to") or "") else ""
     sides = {"left": "on the left", "right": "on the right", "front": "in front", "back": "at the back"}
     if plain.startswith("slit"):
-        many = "side slits" if plain.startswith("slits") else f"slit {sides.get(side, '')}"
+        many = "side slits" if plain.startswith("slits") else f"slit {sides.get(side, sides['left'])}"
         return f"{many}, {high} slits" if high else many
-    return plain.format(grip=_GRIP.get(kind, "tighter"), feet=_FEET.get(kind, found[0]))
+    return plain.format(grip=_GRIP.get(kind, "tighter"), feet=_FEET.get(kind, found[0]), drag=_DRAG.get(kind, "the hem is too long"))
 
 
 @cache
@@ -268,6 +312,11 @@ _TO = re.compile(
     r"(?<!\w)(?P<part>[^\W\d]+(?: [^\W\d]+)?)(?: (?:width|girth|wide|circumference))?"
     r"(?: (?:down|up|in|out|narrowed|widened|cut|taken|reduced|increased|should be|to be))* (?:to|at|of|=) (?:about |only |just )?$"
 )
+_STRAPS = re.compile(
+    r"(?<!\w)(?P<part>shoulder straps?|straps?)(?:,? (?:about|of|at|only|just|width|wide|should be|to be|be|around|maybe|like|please|are|thin|narrow|broad))*,? $"
+)
+_BY = re.compile(r" ?(?:wider|narrower|thinner|longer|shorter|more|less|off|in|out|up|down)(?!\w)")
+_THINNER = re.compile(r"(?<!\w)(?:thinner|narrower|slimmer|skinnier|smaller)(?!\w)")
 _ACROSS = re.compile(r" (?:wide|across|broad|round|around)(?!\w)")
 _NARROW_CM = 3.0
 """Straps of less are narrow ones, however narrow they can be cut."""
@@ -283,6 +332,8 @@ def with_targets(text: str, kind: str, facts: GarmentFacts) -> str:
     """
     for mention in reversed([m for m in find_mentions(text) if m.is_length]):
         said = _TO.search(text[: mention.start])
+        if said is None and not _BY.match(text, mention.end):
+            said = _STRAPS.search(text[: mention.start])
         parts = [p for p in find_parts(said[0]) if p.part != "all"] if said else []
         if said is None or not parts:
             continue
@@ -297,6 +348,8 @@ def with_targets(text: str, kind: str, facts: GarmentFacts) -> str:
         plain = f"{part.word} {way} by {abs(mention.value - now):.1f} cm"
         if part.part == "straps" and mention.value < min(_NARROW_CM, now):
             plain = "narrow straps"
+        if plain == "narrow straps":
+            text = _THINNER.sub(lambda found: " " * len(found[0]), text[: mention.start]) + text[mention.start :]
         behind = _ACROSS.match(text, mention.end)
         text = text[: said.start() + part.start] + plain + text[behind.end() if behind else mention.end :]
     return text

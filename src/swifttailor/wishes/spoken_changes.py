@@ -55,6 +55,9 @@ _GOING_ON = frozenset({"sleeves", "legs"})
 """Parts that a clause without one goes on about, even where they were not compared with what they were."""
 _ONES = frozenset({"skirt", "collar", "hood", "band"})
 """Parts that "it" can mean where they were changed just before: "lengthen the skirt and taper it"."""
+_OF_LENGTH = re.compile(
+    r"(?<!\w)(?:long\w*|short\w*|length\w*|hem\w*|up|down|wider|narrower|looser|tighter|bigger|smaller|deeper|higher|lower)(?!\w)"
+)
 _OF_SCENES = frozenset({"shoulders", "sleeves", "neck", "collar"})
 
 
@@ -177,6 +180,10 @@ def spoken_changes(
             them=them or (goes_on and not inside),
         )
         clause = _read_alone(text, clause, kind)
+        amount = next((m.value for m in mentions if start <= m.start < end and m.is_length), None)
+        if amount is not None and not inside and found and _is_amount_of(small[start:end], clause, found[-1]):
+            found[-1] = joined_amount(found[-1], amount)
+            clause = replace(clause, changes=(), left_over=())
         if denied and not clause.changes:
             clause = replace(clause, left_over=())
         if vague is None and all(isinstance(c, Gain) and is_so(c.claim) for c in clause.changes):
@@ -220,6 +227,12 @@ def spoken_changes(
         tuple([(a, b) for a, b, _ in clashes]),
         tuple(taken),
     )
+
+
+def _is_amount_of(said: str, clause: SpokenClause, before: SpokenClause) -> bool:
+    """Whether a clause says by how much what stands before it: "too snug at the bust, I need 5 cm more"."""
+    waits = any(isinstance(c, Step) and c.amount is None for c in before.changes)
+    return waits and not _OF_LENGTH.search(said) and all(isinstance(c, Step) for c in clause.changes)
 
 
 def _said_again(

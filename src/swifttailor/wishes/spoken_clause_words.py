@@ -116,6 +116,7 @@ def read_clause(
     parts = list(seen[1])
     numbers = [m for m in seen[2] if start <= m.start < end]
     claims = [i for i in implied if start <= i.mark.start < end and not _within(i.mark, grown)]
+    claims = [i for i in claims if not _is_of_lack(text, i.mark, words)]
     if _TAKEN_OUT.search(said):
         claims = []
     places = [m.span() for m in _FROM_THERE.finditer(text, start, end)]
@@ -201,6 +202,8 @@ def read_clause(
         ):
             what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
             changes += changes_of(part, what, sign, kind, length)
+            if part in (None, "all") and what == "length" and _EVERYTHING.search(said):
+                changes += changes_of("sleeves", what, sign, kind, length)
     counted = more_of_them(said)
     whole = of_wholes(said, grown, kind, is_so) or ruffled
     others = [i for i in claims if i.claim.name not in ("waistband", "sleeves")]
@@ -267,6 +270,12 @@ def _is_plain(text: str, bounds: tuple[int, int], parts: Sequence[PartWord]) -> 
 def _is_around(parts: Sequence[PartWord], said: str) -> bool:
     """Whether a number is of the girth of a part."""
     return any(p.word.startswith(("bicep", "upper arm")) for p in parts) or "flare" in said
+
+
+def _is_of_lack(text: str, mark: WordMark, words: WordReading) -> bool:
+    """Whether a word says what something is to be like that cannot be made: the "big" of big pockets."""
+    behind = [lack.mark for lack in words.lacks if lack.said and lack.mark.start >= mark.end]
+    return any(not text[mark.end : other.start].strip() for other in behind)
 
 
 def _is_of_shape(mark: WordMark) -> bool:
