@@ -22,10 +22,15 @@ _KINDS: Mapping[str, Mapping[str, Any]] = {
 }
 _GORED: Mapping[str, Any] = {
     "meta.bottom": "SkirtManyPanels",
-    "flare-skirt.length": 0.55,
+    "flare-skirt.length": 0.5,  # longer ones are refused without a bodice: they would slide down
     "flare-skirt.suns": 0.4,
 }
-_WITH_GODETS: Mapping[str, Any] = {"meta.bottom": "GodetSkirt", "pencil-skirt.length": 0.55}
+_WITH_GODETS: Mapping[str, Any] = {
+    "meta.bottom": "GodetSkirt",
+    "pencil-skirt.length": 0.55,
+    "godet-skirt.insert_w": 25,
+    "godet-skirt.insert_depth": 30,
+}
 _TIERED: Mapping[str, Any] = {
     "meta.bottom": "SkirtLevels",
     "levels-skirt.base": "Skirt2",

@@ -50,6 +50,8 @@ _OF: Mapping[str, Mapping[Property, _Way]] = {
     "tiers": {"length": ("tiers", 1), "width": ("tier gathers", 1)},
     "back_slit": {"length": ("back slit", 1), "height": ("back slit", 1)},
 }
+_OF_BODICES = frozenset({"sleeves", "neck", "back_neck", "back", "chest", "shoulders", "straps", "collar", "hood", "armholes"})
+"""Parts that skirts and trousers lack."""
 _WAIST_CM = 3.0
 """A waistband of skirt or trousers is too tight or too loose by so much, where nobody says by how much."""
 PARTS = frozenset({*_OF, "hem", "waist", "hips", "skirt", "slit", "lower", "all"})
@@ -108,6 +110,8 @@ def changes_of(
         part = "leg_end" if kind in _LOWER else "hem"
     if part == "chest" and what == "length" and kind in ("top", "tunic"):
         part = "all"  # without a waist seam the body of it is all of it
+    if part in _OF_BODICES and kind in (*_LOWER, "skirt"):
+        return ()
     if part == "lower":
         part = "legs" if kind in _LEGS else "skirt"
     found = _way(part or "all", what, kind)

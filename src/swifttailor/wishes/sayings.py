@@ -72,6 +72,9 @@ _SAYINGS: tuple[_Saying, ...] = (
     ),
     (r"(?P<what>sleeves?|collar|hood|cuffs?|waistband|peplum|ruffles?) (?:is|are|has|have|needs?|must|should|can|could)(?: got)?(?: to)?"
      r" (?:go|come off|be gone|disappear|vanish|be binned|get lost)\b", r"remove the \g<what>", None),
+    (r"(?:take|get|pull|leave|let) (?:the |those |all the |its )?(?P<what>godets|gathers|gathering|pleats|ruffles?|tiers|darts|frills?|flounces?|wedges|slits?) (?:out|away)\b|flatten (?:the |those )?(?P<flat>tiers|gathers|ruffles?|frills?|flounces?)\b",
+     "{gone}", None),
+    (r"(?:sew|stitch|close|seal|zip|pin|shut) (?:up )?(?:the |that |my |those |both )?(?:left |right |side |back |front )?(?P<what>slits?|splits?|vents?)(?: up| shut| closed)*\b", r"no \g<what>", None),
     # Shoulders and sleeves of one side.
     (
         r"(?:(?:off|bare|over|on) (?:the |my )?(?:one|a single) shoulder|one[- ]shoulder(?:ed)?)\b[^.;]*?"
@@ -178,6 +181,10 @@ _SAYINGS: tuple[_Saying, ...] = (
      "a higher neckline", _BODICED),
     (r"(?:cover|hide|cover up|conceal) (?:the |my |her |up )?(?:collarbones?|cleavage|bust|bosom|chest|breasts?|boobs?|d[ée]collet\w+)\b|(?:collarbones?|cleavage|bust|bosom|breasts?|boobs?|d[ée]collet\w+) (?:mustn't|must not|shouldn't|should not|can't|cannot|may not|isn't to|is not to)(?: be)? (?:show|shown|be seen|seen|peek|visible)\b|(?:collarbones?|cleavage|bust|bosom|breasts?|boobs?|d[ée]collet\w+) (?:must|should|has to|have to|needs? to)(?: all)? be (?:covered|hidden)\b",
      "higher neckline", _BODICED),
+    (r"close (?:up )?(?:the |that |my )?(?:v|v-neck|v neck|neckline|neck|front)(?: up)?\b(?! behind| at the back)", "higher neckline", _BODICED),
+    (r"(?:show|see|reveal|flash|expose) (?:off )?(?:a bit |a little |some |much )?(?:more |some )(?:of )?(?:my |the |her )?(?:collarbones?|neck|cleavage|chest|d[ée]collet\w+|bust)\b", "deeper neckline", _BODICED),
+    (r"(?:show|see|reveal|flash|expose) (?:off )?(?:a bit |a little |some |much )?(?:more |some )(?:of )?(?:my |the |her )?back\b", "lower back", _BODICED),
+    (r"(?:my |the )?bra (?:strap )?(?:shows?|is showing|can be seen|peeks? out|sticks? out)(?: through)? (?:at|in|on) (?:the |my )?back\b", "higher back", _BODICED),
     # Narrow skirts.
     (r"(?:needs? to be|has to be|should be|must be|to be|want it|make it|i want the skirt|make the skirt) so (?P<how>narrow|tight|slim|close)\b(?: that)?[^.,;]*", r"should be a pencil skirt", _SKIRTED),
     (r"(?:think )?(?:a )?mermaid(?:'s)? without (?:the|a|its|her) tail\b", "pencil skirt", _SKIRTED),
@@ -213,7 +220,7 @@ _GRIP = {
     **dict.fromkeys(("skirt", "trousers", "shorts"), "a tighter waist"),
     **dict.fromkeys(("dress", "top", "tunic", "jumpsuit", "playsuit"), "a tighter chest"),
 }
-_DRAG = dict.fromkeys(("trousers", "shorts", "jumpsuit", "playsuit"), "the legs are too long")
+_DRAG = dict.fromkeys(("trousers", "shorts", "jumpsuit", "playsuit"), "shorten the legs")
 _FEET = {
     **dict.fromkeys(("trousers", "jumpsuit"), "full length legs"),
     **dict.fromkeys(("dress", "skirt"), "to the floor"),
@@ -300,7 +307,9 @@ def _filled(found: re.Match[str], plain: str, kind: str) -> str:
     if plain.startswith("slit"):
         many = "side slits" if plain.startswith("slits") else f"slit {sides.get(side, sides['left'])}"
         return f"{many}, {high} slits" if high else many
-    return plain.format(grip=_GRIP.get(kind, "tighter"), feet=_FEET.get(kind, found[0]), drag=_DRAG.get(kind, "the hem is too long"))
+    if plain == "{gone}":
+        return f"remove the {groups.get('what') or groups.get('flat')}"
+    return plain.format(grip=_GRIP.get(kind, "tighter"), feet=_FEET.get(kind, found[0]), drag=_DRAG.get(kind, "shorten the hem"))
 
 
 @cache

@@ -130,7 +130,8 @@ def read_clause(
     claims, ruffled = of_their_parts(said, claims, parts)
     details = [i for i in claims if i.mark.entries[0].category != "parts"]
     spans = [(i.mark.start, i.mark.end) for i in details]
-    spans += [(m.start, m.end) for m in words.marks if start <= m.start < end and _is_of_shape(m)]
+    if not _DRAGS.search(said):
+        spans += [(m.start, m.end) for m in words.marks if start <= m.start < end and _is_of_shape(m)]
     # What is said of a detail is no change: "a low neckline" is not lowered by being called so.
     grown = [c for c in grown if not any(a <= c.start < b for a, b in spans)]
     if grown:
@@ -213,7 +214,7 @@ def read_clause(
         # What is said of all of it is said of none of its parts: "drop the waist" of a skirt.
         changes, claims, details = [*counted, *whole], [], []
         used += [(m.start(), m.end()) for m in _WORD.finditer(text, start, end) if whole or counts(m[0])]
-    if any(p.part == "tiers" for p in parts) and _STEPS_DOWN.search(said) and not changes:
+    if any(p.part == "tiers" and not p.word.endswith("s") for p in parts) and _STEPS_DOWN.search(said) and not changes:
         changes.append(Step("tiers", -1, 1.0))
     if any(p.part == "slit" for p in parts) and not claims and not changes:
         changes += slit(said, any(m.denied and start <= m.start < end for m in words.marks))
