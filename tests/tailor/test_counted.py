@@ -14,7 +14,9 @@ from swifttailor.tailor.reading import Wanted
 from swifttailor.wishes.heard import HEARD_NOTHING
 from swifttailor.wishes.reader import Wish
 
-GORES, TIERS, GODETS = (lambda n, name=name: Gain(Claim(name, float(n))) for name in ("gores", "tiers", "godets"))
+GORES, TIERS, GODETS = (
+    lambda n, name=name: Gain(Claim(name, float(n))) for name in ("gores", "tiers", "godets")
+)
 
 
 @pytest.mark.parametrize("kind", ["skirt", "dress"])
@@ -40,7 +42,12 @@ def test_there_are_as_many_as_are_asked_for(kind, wish, of, count):
 
 @pytest.mark.parametrize(
     ("wishes", "kind"),
-    [([GORES(40)], "skirt"), ([GODETS(5)], "dress"), ([GORES(7)], "trousers"), ([Gain(Claim("skirt", "circle"))], "skirt")],
+    [
+        ([GORES(40)], "skirt"),
+        ([GODETS(5)], "dress"),
+        ([GORES(7)], "trousers"),
+        ([Gain(Claim("skirt", "circle"))], "skirt"),
+    ],
 )
 def test_there_is_no_design_of_what_cannot_be_counted_so(wishes, kind):
     assert counted_design(wishes, kind) is None and counted_pattern(wishes, kind) is None

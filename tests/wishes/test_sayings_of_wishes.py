@@ -43,7 +43,9 @@ def reader() -> WishReader:
 )
 def test_a_saying_describes_what_it_means(reader, text, sure):
     heard = hear_description(text, reader)
-    found = {f"{w.change.claim.name}={w.change.claim.value}" for w in heard.sure if isinstance(w.change, Gain)}
+    found = {
+        f"{w.change.claim.name}={w.change.claim.value}" for w in heard.sure if isinstance(w.change, Gain)
+    }
     assert sure <= found
 
 

@@ -106,7 +106,7 @@ class CountedCandidate:
         self._found: list[Candidate] = []
         if found is not None:
             pattern, design = found
-            self._found.append(Candidate(WrittenPattern(pattern), design=complete_design(design)))
+            self._found.append(Candidate(WrittenPattern(pattern), design=design))
 
     def __len__(self) -> int:
         return len(self._found)

@@ -28,7 +28,6 @@ from swifttailor.recutting.amounts.donor_parts import lower_from, upper_from
 from swifttailor.recutting.table.checking import accepted
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.unasked import part_of, spoken_parts, unasked, undoing
-from swifttailor.programs import complete_design
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.counted import counted_pattern
 from swifttailor.tailor.fitting import judged
@@ -111,7 +110,7 @@ def _from_design(
                 verdict,
                 wanted=wanted,
                 cuts=found.cuts,
-                design=complete_design(design),
+                design=design,
                 anew="half",
             )
     return None

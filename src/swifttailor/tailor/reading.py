@@ -111,9 +111,7 @@ class Wanted:
         """The same, as a draft is cut to it whose design was read in the pictures (`LEAST_CUT_OF_DRAFT`)."""
         doubted = [w for w in self.wishes if w in self.seen and w.certainty < LEAST_CUT_OF_DRAFT]
         kept = tuple([wish for wish in self.wishes if wish not in doubted])
-        return replace(
-            self, wishes=kept, likely=(*self.likely, *doubted), least_cut=LEAST_CUT_OF_DRAFT
-        )
+        return replace(self, wishes=kept, likely=(*self.likely, *doubted), least_cut=LEAST_CUT_OF_DRAFT)
 
     @property
     def color(self) -> str | None:

@@ -50,7 +50,9 @@ _OF: Mapping[str, Mapping[Property, _Way]] = {
     "tiers": {"length": ("tiers", 1), "width": ("tier gathers", 1)},
     "back_slit": {"length": ("back slit", 1), "height": ("back slit", 1)},
 }
-_OF_BODICES = frozenset({"sleeves", "neck", "back_neck", "back", "chest", "shoulders", "straps", "collar", "hood", "armholes"})
+_OF_BODICES = frozenset(
+    {"sleeves", "neck", "back_neck", "back", "chest", "shoulders", "straps", "collar", "hood", "armholes"}
+)
 """Parts that skirts and trousers lack."""
 _WAIST_CM = 3.0
 """A waistband of skirt or trousers is too tight or too loose by so much, where nobody says by how much."""
@@ -155,7 +157,11 @@ def _way(part: str, what: Property, kind: str) -> _Way | None:
         if part == "waist":
             return ("waistband width", 1) if kind in _LOWER or kind == "skirt" else ("chest", 1)
         return (
-            ("thigh", 1) if kind in _LEGS else ("top width", 1) if kind in ("top", "tunic") else ("skirt hem", 1)
+            ("thigh", 1)
+            if kind in _LEGS
+            else ("top width", 1)
+            if kind in ("top", "tunic")
+            else ("skirt hem", 1)
         )
     if part == "slit":
         return None

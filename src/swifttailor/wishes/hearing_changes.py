@@ -11,10 +11,11 @@ from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.wishes.change_parts import subjects_of
 from swifttailor.wishes.change_words import find_adjectives, find_changes, find_parts
+from swifttailor.wishes.girth_targets import with_targets
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.reader import Wish, WishReader
-from swifttailor.wishes.sayings import plainly, with_targets
+from swifttailor.wishes.sayings import plainly
 from swifttailor.wishes.spoken_amounts import share_of
 from swifttailor.wishes.spoken_changes import SpokenChanges, spoken_changes
 from swifttailor.wishes.spoken_clauses import SpokenClause, other_than

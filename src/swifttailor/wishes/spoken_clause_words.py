@@ -180,7 +180,12 @@ def read_clause(
             made = slit_step(word, is_so, amount)
         for part in (named or (last if bare or them else None), last, None):
             made = made or changes_of(part, word.what, word.sign, kind, amount)
-        if named in (None, "all") and word.what == "length" and _EVERYTHING.search(said) and kind not in _LOWERS:
+        if (
+            named in (None, "all")
+            and word.what == "length"
+            and _EVERYTHING.search(said)
+            and kind not in _LOWERS
+        ):
             if not is_so(Claim("sleeves", "none")):
                 made += changes_of("sleeves", "length", word.sign, kind, amount)
         if named == "cuffs" and _GRIP.search(text[word.start : word.end]):
@@ -214,7 +219,11 @@ def read_clause(
         # What is said of all of it is said of none of its parts: "drop the waist" of a skirt.
         changes, claims, details = [*counted, *whole], [], []
         used += [(m.start(), m.end()) for m in _WORD.finditer(text, start, end) if whole or counts(m[0])]
-    if any(p.part == "tiers" and not p.word.endswith("s") for p in parts) and _STEPS_DOWN.search(said) and not changes:
+    if (
+        any(p.part == "tiers" and not p.word.endswith("s") for p in parts)
+        and _STEPS_DOWN.search(said)
+        and not changes
+    ):
         changes.append(Step("tiers", -1, 1.0))
     if any(p.part == "slit" for p in parts) and not claims and not changes:
         changes += slit(said, any(m.denied and start <= m.start < end for m in words.marks))

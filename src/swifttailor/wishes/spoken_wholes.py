@@ -98,7 +98,10 @@ _GIVEN = re.compile(
     r"|(?:waist ?band|bund|ceinture|pretina|band (?:at|around|round|along|to|for|on) (?:the |my |its )?(?:waist|top))"
     r")(?!\w)"
 )
-_NARROW, _WIDE = re.compile(r"(?<!\w)(?:narrow|thin|slim)(?!\w)"), re.compile(r"(?<!\w)(?:wide|deep|broad|high|thick)(?!\w)")
+_NARROW, _WIDE = (
+    re.compile(r"(?<!\w)(?:narrow|thin|slim)(?!\w)"),
+    re.compile(r"(?<!\w)(?:wide|deep|broad|high|thick)(?!\w)"),
+)
 
 
 def of_wholes(said: str, grown: Sequence[ChangeWord], kind: str, is_so: _IsSo) -> tuple[Change, ...]:
