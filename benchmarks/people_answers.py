@@ -1,6 +1,6 @@
 """What is made of people's wishes: expected statements that hold of the patterns, by the path of `generate`.
 
-python benchmarks/people_answers.py building|final|fresh|fresh_after|voices|persons|persons_after [--misses] [--count N]
+python benchmarks/people_answers.py HALF [--misses] [--count N]; halves are those of `_FILES`
 
 Patterns are written as `generate` writes them, and measured. Of the final half only counts are printed.
 """

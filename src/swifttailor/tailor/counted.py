@@ -1,4 +1,4 @@
-"""Skirts of so many gores, tiers or godets, drafted by GarmentCode's programs where no known pattern has them."""
+"""Skirts of so many gores, tiers or godets, drafted by GarmentCode's programs where no known pattern does."""
 
 from __future__ import annotations
 

@@ -13,10 +13,13 @@ from swifttailor.wishes.mentions import find_mentions
 
 _TO = re.compile(
     r"(?<!\w)(?P<part>[^\W\d]+(?: [^\W\d]+)?)(?: (?:width|girth|wide|circumference))?"
-    r"(?: (?:down|up|in|out|narrowed|widened|cut|taken|reduced|increased|should be|to be))* (?:to|at|of|=) (?:about |only |just )?$"
+    r"(?: (?:down|up|in|out|narrowed|widened|cut|taken|reduced|increased|should be|to be))*"
+    r" (?:to|at|of|=) (?:about |only |just )?$"
 )
 _STRAPS = re.compile(
-    r"(?<!\w)(?P<part>shoulder straps?|straps?)(?:,? (?:about|of|at|only|just|width|wide|should be|to be|be|around|maybe|like|please|are|thin|narrow|broad))*,? $"
+    r"(?<!\w)(?P<part>shoulder straps?|straps?)"
+    r"(?:,? (?:about|of|at|only|just|width|wide|should be|to be|be|around|maybe|like|please|are|thin|narrow"
+    r"|broad))*,? $"
 )
 _BY = re.compile(r" ?(?:wider|narrower|thinner|longer|shorter|more|less|off|in|out|up|down)(?!\w)")
 _THINNER = re.compile(r"(?<!\w)(?:thinner|narrower|slimmer|skinnier|smaller)(?!\w)")

@@ -115,7 +115,7 @@ def _other_slits(text: str, claims: Sequence[Claim]) -> tuple[Claim, ...]:
 
 
 def _without_flare(found: Sequence[Wish]) -> tuple[Wish, ...]:
-    """Without what a skirt of rows or wedges cannot be called: it swings, and is not flared from the waist."""
+    """Without what a skirt of rows or wedges cannot be called: it is not flared from the waist."""
     changes = _changes(found)
     parted = any(Gain(Claim("skirt", value)) in changes for value in ("godets", "tiered"))
     return tuple([w for w in found if not (parted and w.change == Gain(Claim("skirt", "flared")))])

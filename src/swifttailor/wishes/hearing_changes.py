@@ -44,7 +44,7 @@ _MADE = {
 }
 """What has to be there for a measure to grow."""
 _ELSE = {"top width": ("skirt hem", "chest"), "skirt hem": ("top width",), "waistband width": ("chest",)}
-"""What is meant where a garment has no such measure: of a tunic with a skirt its hem, of a cropped one its chest."""
+"""What is meant where a garment has no such measure: of a tunic with a skirt the hem of that."""
 
 
 def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None = None) -> Heard:

@@ -1,8 +1,8 @@
 """What people say of a garment in other words than those of parts and changes, put into plain ones.
 
-"Gather them into a cuff", "it slides off my waist", "cut both sides open to the thigh" and "can it not be there" name
-what is wanted by what is done, felt or seen. They are rewritten before an instruction is read, so that everything
-behind this has to know one way of saying it. The table is for anybody to extend.
+"Gather them into a cuff", "it slides off my waist", "cut both sides open to the thigh" and "can it not be
+there" name what is wanted by what is done, felt or seen. They are rewritten before an instruction is read, so
+that everything behind this has to know one way of saying it. The table is for anybody to extend.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """What people say of a garment that they wish for in other words than the lexicon has, put into plain ones.
 
-Grammar that neighbouring words do not show: "one sleeve puffed, the other shoulder bare", "between the knee and the
-ankle", "high in front and low behind", "10 inches up from the hem" of a slit. The table is for anybody to extend.
+Grammar that neighbouring words do not show: "one sleeve puffed, the other shoulder bare", "between the knee
+and the ankle", "high in front and low behind", "10 inches up from the hem" of a slit.
+The table is for anybody to extend.
 """
 
 from __future__ import annotations

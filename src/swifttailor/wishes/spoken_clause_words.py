@@ -56,7 +56,8 @@ _PRONOUNS = frozenset({"it", "them", "es", "ihn"})
 _GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders"})
 _TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
 _EVERYTHING = re.compile(
-    r"(?<!\w)(?:everything|everywhere|all over|throughout|the whole thing|every part|alles|überall|tout|partout|todo)(?!\w)"
+    r"(?<!\w)(?:everything|everywhere|all over|throughout|the whole thing|every part"
+    r"|alles|überall|tout|partout|todo)(?!\w)"
 )
 _LACKED = frozenset({"waistband height", "waistband width", "sleeve width", "sleeve length"})
 _LOWERS = frozenset({"skirt", "trousers", "shorts"})

@@ -93,9 +93,11 @@ _OTHER_HALF = (
 """One lower half for another: trousers for the skirt of a dress."""
 _GIVEN = re.compile(
     r"(?<!\w)(?:with|add|adding|give it|gets?|needs?|wants?|put|sew|have|mit|avec|con)(?: on| in)?"
-    r"(?: some| a| an| any| proper| the)?(?: (?:little|small|thin|narrow|slim|wide|deep|broad|thick|high|plain|simple|nice|proper|short))?"
+    r"(?: some| a| an| any| proper| the)?"
+    r"(?: (?:little|small|thin|narrow|slim|wide|deep|broad|thick|high|plain|simple|nice|proper|short))?"
     r"\s(?:(?P<sleeves>sleeves?|ärmeln?|manches|mangas)"
-    r"|(?:waist ?band|bund|ceinture|pretina|band (?:at|around|round|along|to|for|on) (?:the |my |its )?(?:waist|top))"
+    r"|(?:waist ?band|bund|ceinture|pretina"
+    r"|band (?:at|around|round|along|to|for|on) (?:the |my |its )?(?:waist|top))"
     r")(?!\w)"
 )
 _NARROW, _WIDE = (
