@@ -25,7 +25,13 @@ from swifttailor.wishes.spoken_amounts import (
     by_little,
     joined_amount,
 )
-from swifttailor.wishes.spoken_clause_words import is_of_parts, of_their_parts, part_said_of, read_clause
+from swifttailor.wishes.spoken_clause_words import (
+    is_of_lack,
+    is_of_parts,
+    of_their_parts,
+    part_said_of,
+    read_clause,
+)
 from swifttailor.wishes.spoken_clauses import SpokenClause, clashes_of, without_what_is_so
 from swifttailor.wishes.spoken_places import at_the_neck
 from swifttailor.wishes.spoken_scenes import SpokenScene, spoken_scene
@@ -276,6 +282,7 @@ def _read_alone(text: str, clause: SpokenClause, kind: str) -> SpokenClause:
     words = read_words(text[clause.start : clause.end], kind=kind)
     implied = beside_no_numbers(text[clause.start : clause.end].lower(), words.implications)
     details = [i for i in implied if i.said and i.certainty != "likely" and i.claim.name != "kind"]
+    details = [i for i in details if not is_of_lack(text[clause.start : clause.end].lower(), i.mark, words)]
     said_of = find_parts(text[clause.start : clause.end].lower())
     details, _ = of_their_parts(text[clause.start : clause.end].lower(), details, said_of)
     gains = [Gain(i.claim) for i in details if fits_kind(i.claim.name, kind)]

@@ -117,7 +117,7 @@ def read_clause(
     parts = list(seen[1])
     numbers = [m for m in seen[2] if start <= m.start < end]
     claims = [i for i in implied if start <= i.mark.start < end and not _within(i.mark, grown)]
-    claims = [i for i in claims if not _is_of_lack(text, i.mark, words)]
+    claims = [i for i in claims if not is_of_lack(text, i.mark, words)]
     if _TAKEN_OUT.search(said):
         claims = []
     places = [m.span() for m in _FROM_THERE.finditer(text, start, end)]
@@ -283,7 +283,7 @@ def _is_around(parts: Sequence[PartWord], said: str) -> bool:
     return any(p.word.startswith(("bicep", "upper arm")) for p in parts) or "flare" in said
 
 
-def _is_of_lack(text: str, mark: WordMark, words: WordReading) -> bool:
+def is_of_lack(text: str, mark: WordMark, words: WordReading) -> bool:
     """Whether a word says what something is to be like that cannot be made: the "big" of big pockets."""
     behind = [lack.mark for lack in words.lacks if lack.said and lack.mark.start >= mark.end]
     return any(not text[mark.end : other.start].strip() for other in behind)
