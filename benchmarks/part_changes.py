@@ -36,6 +36,8 @@ _WITH = {
 """What cannot but change with a part: armholes are seen without sleeves, a hem widens with its length, and
 lengths are measured from the shoulder."""
 _EVERYTHING = frozenset({"kind", "sides"})
+_ONE_SIDE = frozenset({"bare left", "bare right", "left only", "right only", "unequal"})
+"""Values of claims about one side alone."""
 
 
 def part_of(subject: str) -> str | None:
@@ -58,10 +60,16 @@ def changed_elsewhere(prompt: PeopleEdit, before: GarmentFacts, after: GarmentFa
     }
     if spoken & _EVERYTHING:
         return []
+    one_sided = any(_ONE_SIDE.intersection(e.values) for e in prompt.expect)
+    sides = {"sides"} if one_sided else set()  # what is bare or sleeved on one side makes the sides differ
     asked = {part for name in spoken if (part := part_of(name))}
     allowed = asked | {other for part in asked for other in _WITH[part]}
     gains, steps = find_differences(before, after)
-    found = [f"{g.claim.name}={g.claim.value}" for g in gains if part_of(g.claim.name) not in allowed]
+    found = [
+        f"{g.claim.name}={g.claim.value}"
+        for g in gains
+        if g.claim.name not in sides and part_of(g.claim.name) not in allowed
+    ]
     found += [
         f"{s.quantity} {s.direction * (s.amount or 0):+.1f}"
         for s in steps

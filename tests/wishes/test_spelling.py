@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from swifttailor.wishes.spelling import cut_words, neighbours, put_right
+from swifttailor.wishes.spelling import _slips, common_slip, cut_words, neighbours, put_right
+from swifttailor.wording.lexicon import all_entries
 from swifttailor.wording.wordings import all_wordings
 
 
@@ -49,3 +50,16 @@ def test_neighbours_are_one_slip_away():
     assert "beck" not in near
     assert "neck" not in near
     assert "trousers" in cut_words()
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [("nee", "knee"), ("Strait", "straight"), ("bak", "back"), ("wlak", "walk"), ("coler", "collar")],
+)
+def test_common_slips_lead_back_to_what_is_meant(said, meant):
+    assert common_slip(said) == meant
+
+
+def test_no_common_slip_is_a_word_of_any_table():
+    known = {w.lower() for e in all_entries() for w in e.words}
+    assert not known & set(_slips())

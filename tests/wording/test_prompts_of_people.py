@@ -44,7 +44,14 @@ def test_every_line_is_in_the_vocabulary(half, name):
 
 
 @pytest.mark.parametrize(
-    ("file", "count"), [("edits.jsonl", 150), ("edits_after.jsonl", 75), ("edits_voices.jsonl", 36)]
+    ("file", "count"),
+    [
+        ("edits.jsonl", 150),
+        ("edits_after.jsonl", 75),
+        ("edits_voices.jsonl", 36),
+        ("edits_persons.jsonl", 50),
+        ("edits_persons_after.jsonl", 50),
+    ],
 )
 def test_instructions_written_later_are_in_the_vocabulary_and_new(file, count):
     later = read_people_edits(WORDS / "fresh" / file)

@@ -30,8 +30,9 @@ def topic_of(way: Way) -> str:
     return first.split(":")[0]
 
 
-_NOT_DRAWN = frozenset({"sides"})
-"""What hardly any pattern allows: drawing it would only change what is drawn for all the others."""
+_NOT_DRAWN = frozenset({"sides", "waistband width"})
+"""What hardly any pattern allows, or nobody sees at once: drawing it would only change what is drawn for all
+the others."""
 WAYS: Mapping[str, Way] = {way.label: way for way in (*TRICKS, *LEVERS) if topic_of(way) not in _NOT_DRAWN}
 """All that can be drawn, by label."""
 TOPICS: Mapping[str, tuple[Way, ...]] = {

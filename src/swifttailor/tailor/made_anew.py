@@ -29,8 +29,10 @@ from swifttailor.recutting.table.checking import accepted
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.unasked import part_of, spoken_parts, unasked, undoing
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.counted import counted_pattern
 from swifttailor.tailor.fitting import judged
 from swifttailor.tailor.reading import Wanted
+from swifttailor.wishes.hearing_changes import named_kind
 
 MOST_TRIED = 6
 """Known patterns that are cut for one instruction."""
@@ -85,7 +87,33 @@ def anew_from_known(wanted: Wanted, library: Callable[[], PatternLibrary | None]
             best = cost, answer
             if cost <= GOOD_ENOUGH:
                 return answer
-    return None if best is None else best[1]
+    return best[1] if best is not None else _from_design(wanted, cutter, changes, original)
+
+
+def _from_design(
+    wanted: Wanted, cutter: Cutter, changes: Sequence[Change], original: GarmentFacts
+) -> Answer | None:
+    """The lower half exchanged for one of as many gores, tiers or godets as are asked for, drafted anew."""
+    drafted = counted_pattern(changes, named_kind(original))
+    if drafted is None:
+        return None
+    pattern, design = drafted
+    parts = spoken_parts(changes)
+    for whole, start in _starts(cutter, Cutter(pattern), changes):
+        found = None if whole else _kept_like(start, changes, original)
+        if found is None or found.open or unasked(parts, original, found.facts, wanted.heard.kept):
+            continue
+        verdict = judged(found, wanted)
+        if not verdict.fault:
+            return Answer(
+                found.pattern,
+                verdict,
+                wanted=wanted,
+                cuts=found.cuts,
+                design=design,
+                anew="half",
+            )
+    return None
 
 
 def _nearest(

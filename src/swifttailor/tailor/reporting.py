@@ -62,7 +62,7 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
         "weights": weights(
             pattern_maker=tailor.pattern_maker if answer.is_written else None,
             pattern_library=tailor.pattern_library if answer.known else None,
-            parameter_reader=None if answer.design is None else tailor.parameter_reader,
+            parameter_reader=tailor.parameter_reader if _read_design(answer) else None,
             wish_reader=tailor.wish_reader if wanted is not None and wanted.said else None,
             picture_reader=tailor.picture_reader if wanted is not None and wanted.pictures else None,
             garment_sewer=tailor.garment_sewer,
@@ -86,6 +86,13 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
         report["notes"] = notes
     garment = replace(garment, report=report)
     return replace(sewn, garment=garment, notes=tuple(notes), warnings=tuple(warnings))
+
+
+def _read_design(answer: Answer) -> bool:
+    """Whether the network read the design parameters; of skirts of so many gores they follow from words."""
+    wanted = answer.wanted
+    asked = wanted is not None and (wanted.part is not None or wanted.order.source == "designs")
+    return answer.design is not None and asked
 
 
 def fitted_report(body: Body) -> dict[str, Any]:
@@ -187,7 +194,8 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
         found.append(f"Cut from a known pattern: {answer.known}.")
     if answer.design is not None:
         found.append(
-            "Drafted by GarmentCode's programs from design parameters that were read; see report.json."
+            "Drafted by GarmentCode's programs from design parameters"
+            f"{' that were read' if _read_design(answer) else ''}; see report.json."
         )
     if answer.draft:
         found.append(f"Begun from a draft of ours: {answer.draft}.")

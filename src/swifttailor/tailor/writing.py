@@ -13,6 +13,7 @@ from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.pattern_maker.temperatures import HIGHEST_TEMPERATURE
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.candidates import Candidate, CandidateList, InTurn
+from swifttailor.tailor.counted import CountedCandidate
 from swifttailor.tailor.designed import designed_candidates
 from swifttailor.tailor.drafted import draft_candidates
 from swifttailor.tailor.fitting import cut_from, fit, from_edit
@@ -153,7 +154,9 @@ def _candidates(
         if draft is not None:
             draft.library = library
             tried += len(draft)
-        found = [x for x in (draft, one) if x is not None and len(x)]
+        counted = None if one is None else CountedCandidate(wanted)
+        tried += 0 if counted is None else len(counted)
+        found = [x for x in (draft, one, counted) if x is not None and len(x)]
         lists.append(InTurn(tuple(found)) if found else None)
         counts.append(tried)
     return lists, counts

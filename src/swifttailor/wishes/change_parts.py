@@ -50,6 +50,12 @@ _OF: Mapping[str, Mapping[Property, _Way]] = {
     "tiers": {"length": ("tiers", 1), "width": ("tier gathers", 1)},
     "back_slit": {"length": ("back slit", 1), "height": ("back slit", 1)},
 }
+_OF_BODICES = frozenset(
+    {"sleeves", "neck", "back_neck", "back", "chest", "shoulders", "straps", "collar", "hood", "armholes"}
+)
+"""Parts that skirts and trousers lack."""
+_WAIST_CM = 3.0
+"""A waistband of skirt or trousers is too tight or too loose by so much, where nobody says by how much."""
 PARTS = frozenset({*_OF, "hem", "waist", "hips", "skirt", "slit", "lower", "all"})
 _SUBJECTS: Mapping[str, str] = {
     "sleeves": "sleeves sleeve_shape left_sleeve right_sleeve sleeve_cm sleeve_width_cm",
@@ -106,6 +112,8 @@ def changes_of(
         part = "leg_end" if kind in _LOWER else "hem"
     if part == "chest" and what == "length" and kind in ("top", "tunic"):
         part = "all"  # without a waist seam the body of it is all of it
+    if part in _OF_BODICES and kind in (*_LOWER, "skirt"):
+        return ()
     if part == "lower":
         part = "legs" if kind in _LEGS else "skirt"
     found = _way(part or "all", what, kind)
@@ -114,6 +122,8 @@ def changes_of(
     if part == "hips" and kind in ("skirt", "dress") and amount is not None:
         return ()  # what is measured there is no lever of its own: better said than cut at the hem
     quantity, factor = found
+    if part == "waist" and quantity == "waistband width" and amount is None:
+        amount = _WAIST_CM
     step = Step(quantity, sign * factor, amount)
     if part == "straps" and sign < 0 and amount is None:
         return step, Gain(Claim("straps", "narrow"))
@@ -147,7 +157,11 @@ def _way(part: str, what: Property, kind: str) -> _Way | None:
         if part == "waist":
             return ("waistband width", 1) if kind in _LOWER or kind == "skirt" else ("chest", 1)
         return (
-            ("thigh", 1) if kind in _LEGS else ("chest", 1) if kind in ("top", "tunic") else ("skirt hem", 1)
+            ("thigh", 1)
+            if kind in _LEGS
+            else ("top width", 1)
+            if kind in ("top", "tunic")
+            else ("skirt hem", 1)
         )
     if part == "slit":
         return None

@@ -18,6 +18,7 @@ from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.lexicon_spelling import guessed_name
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.sayings_of_wishes import plainly_wished
 from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
 from swifttailor.wishes.spoken_measures import SpokenMeasure, same_number, spoken_measures
 from swifttailor.wishes.spoken_sides import spoken_sides, without_spans
@@ -25,7 +26,7 @@ from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import says_nothing_else, unread_numbers
 from swifttailor.wording.claim_kinds import fits_kind
-from swifttailor.wording.lexicon import SURENESS, WordReading, exclude
+from swifttailor.wording.lexicon import SURENESS, WordReading, exclude, read_words
 from swifttailor.wording.lexicon.conflicts import SCALES
 
 SURE_OF_EVERY_WORD = 0.96
@@ -62,6 +63,8 @@ def hear_description(text: str, reader: WishReader) -> Heard:
 
 def _heard_description(text: str, reader: WishReader) -> Heard:
     text, words = text_as_read(text)
+    if (plain := plainly_wished(text)) != text:
+        text, words = plain, read_words(plain)
     network = reader.read(text, instruction=False) if words.language == ENGLISH else ()
     named = next((str(i.claim.value) for i in words.implications if i.claim.name == "kind"), None)
     measures = spoken_measures(text, named)
@@ -75,6 +78,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         said.append(slit)
     network = [w for w in network if not _is_against_phrase(w, words)]
     never = tuple([claim for claim in (*words.never, *_with_parts(words)) if claim not in said])
+    never = (*never, *_other_slits(text, [*said, *[i.claim for i in words.implications]]))
     network = [w for w in network if not _is_measured(w, measures) and not _is_outdone(w, said, never)]
     network = _within_names(network, words)
     found = _explained(text, words, network) or united(text, words, network)
@@ -83,7 +87,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         *stated,
         *[w for w in found if not _is_outdone(w, said, never) and w.change not in _changes(stated)],
     )
-    found = (*found, *_of_both_faces(text, found))
+    found = (*_without_flare(found), *_of_both_faces(text, found))
     if any(claim == _BARE_ARMS for claim in never) and not any(
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve") for w in found
     ):
@@ -100,6 +104,21 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         compared=hem is not None or bool(bounds),
     )
     return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
+
+
+def _other_slits(text: str, claims: Sequence[Claim]) -> tuple[Claim, ...]:
+    """Slits that are refused by asking for one alone: "one slit, on the right"."""
+    places = {claim.value for claim in claims if claim.name == "slit"}
+    if len(places) != 1 or not _ONE_SLIT.search(text):
+        return ()
+    return tuple([Claim("slit", each) for each in ("left", "right", "front", "back") if each not in places])
+
+
+def _without_flare(found: Sequence[Wish]) -> tuple[Wish, ...]:
+    """Without what a skirt of rows or wedges cannot be called: it is not flared from the waist."""
+    changes = _changes(found)
+    parted = any(Gain(Claim("skirt", value)) in changes for value in ("godets", "tiered"))
+    return tuple([w for w in found if not (parted and w.change == Gain(Claim("skirt", "flared")))])
 
 
 def _of_both_faces(text: str, found: Sequence[Wish]) -> list[Wish]:
@@ -178,8 +197,14 @@ _BOTH_FACES = re.compile(
 )
 _BEHIND = {"v": "v", "square": "square", "round": "round", "scoop": "round", "crew": "round"}
 """Shapes of back necklines by those of front ones."""
+_ONE_SLIT = re.compile(
+    r"(?<!\w)(?:(?:one|single|only one|just one|only a|just a) (?:\w+ )?(?:slit|split|vent)"
+    r"|(?:slit|split|vent)[^.;]{0,30}(?<!\w)only)(?!\w)",
+    re.IGNORECASE,
+)
 _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
 _BARE_ARMS = Claim("sleeves", "none")
+_PEPLUM = Claim("skirt", "peplum")
 _TOPICS = {
     "leg_width_cm": "legs",
     "sleeve_width_cm": "sleeve_shape",
@@ -231,6 +256,8 @@ def united(text: str, words: WordReading, network: Iterable[Wish]) -> tuple[Wish
             continue
         if kind is not None and not fits_kind(claim.name, kind):
             continue
+        if kind == "dress" and claim == _PEPLUM:
+            continue  # only tops have one that the word of no text has asked for
         found.append(wish)
         told.append(claim)
     return tuple(sorted(found, key=lambda wish: -wish.certainty))

@@ -10,10 +10,12 @@ from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.wishes.change_parts import subjects_of
-from swifttailor.wishes.change_words import find_changes, find_parts
+from swifttailor.wishes.change_words import find_adjectives, find_changes, find_parts
+from swifttailor.wishes.girth_targets import with_targets
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.sayings import plainly
 from swifttailor.wishes.spoken_amounts import share_of
 from swifttailor.wishes.spoken_changes import SpokenChanges, spoken_changes
 from swifttailor.wishes.spoken_clauses import SpokenClause, other_than
@@ -22,7 +24,7 @@ from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
 from swifttailor.wording.claim_kinds import fits_kind
-from swifttailor.wording.lexicon import SURENESS, Entry, WordReading, exclude
+from swifttailor.wording.lexicon import SURENESS, Entry, WordReading, exclude, read_words
 
 SURE_IN_KNOWN_WORDS = 0.7
 """Enough for an edit whose words are all known ones for what was read: 147 of 162 such wishes
@@ -41,6 +43,8 @@ _MADE = {
     "leg cuff length": Claim("leg_cuffs", "band"),
 }
 """What has to be there for a measure to grow."""
+_ELSE = {"top width": ("skirt hem", "chest"), "skirt hem": ("top width",), "waistband width": ("chest",)}
+"""What is meant where a garment has no such measure: of a tunic with a skirt the hem of that."""
 
 
 def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None = None) -> Heard:
@@ -56,6 +60,10 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     """
     kind = None if facts is None else named_kind(facts)
     text, words = text_as_read(text, kind)
+    plain = plainly(text, kind or "dress")
+    plain = plain if facts is None else with_targets(plain, kind or "dress", facts)
+    if plain != text.lower():
+        text, words = plain, read_words(plain, kind=kind)
     spoken = spoken_changes(
         text, words, kind or "dress", lambda claim: facts is not None and claim.holds(facts)
     )
@@ -86,6 +94,9 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     unread: list[str] = ["armholes (below sleeves they cannot be changed)"] if hidden else []
     for clause in spoken.clauses:
         if not clause.left_over or clause.start in stated:
+            continue
+        if told and _is_chatter(text, clause, words):
+            unread += clause.left_over
             continue
         found = _by_network(text, clause, reader, words, len(spoken.clauses) == 1)
         part = text[clause.start : clause.end]
@@ -123,6 +134,19 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         clashes=spoken.clashes,
         kept=spoken.kept,
         taken=spoken.taken,
+    )
+
+
+def _is_chatter(text: str, clause: SpokenClause, words: WordReading) -> bool:
+    """Whether a clause speaks of nothing that garments have: what the network reads in it is chance."""
+    part = text[clause.start : clause.end].lower()
+    if any(lack.said and clause.start <= lack.mark.start < clause.end for lack in words.lacks):
+        return not any(p.part != "all" for p in find_parts(part))  # how its pockets are to be
+    if find_changes(part) or find_adjectives(part) or any(p.part != "all" for p in find_parts(part)):
+        return False
+    return not any(
+        clause.start <= mark.start < clause.end and any(e.implied or e.part for e in mark.entries)
+        for mark in words.marks
     )
 
 
@@ -184,7 +208,13 @@ def _without_vague_depth(told: Sequence[Change]) -> list[Change]:
 
 def _made_where_lacking(change: Change, facts: GarmentFacts) -> Change:
     """What a garment lacks is made before it can be larger: longer sleeves of a sleeveless dress."""
-    if not isinstance(change, Step) or change.direction < 0 or change.amount is not None:
+    if not isinstance(change, Step):
+        return change
+    if QUANTITIES[change.quantity].of(facts) is None:
+        for other in _ELSE.get(change.quantity, ()):
+            if QUANTITIES[other].of(facts) is not None:
+                return replace(change, quantity=other)
+    if change.direction < 0 or change.amount is not None:
         return change
     made = _MADE.get(change.quantity)
     lacks = made is not None and QUANTITIES[change.quantity].of(facts) is None

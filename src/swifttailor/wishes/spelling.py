@@ -10,6 +10,7 @@ import re
 from functools import cache
 from pathlib import Path
 
+from swifttailor.wording.word_tables import read_table
 from swifttailor.wording.wordings import all_wordings
 
 SHORTEST = 4
@@ -17,6 +18,7 @@ SHORTEST = 4
 _WORD = re.compile(r"[^\W\d_]+(?:['-][^\W\d_]+)*")
 _PLACE = re.compile(r"{[^}]*}")
 _ORDINARY = Path(__file__).with_name("ordinary_words.txt")
+_SLIPS = Path(__file__).with_name("common_slips.txt")
 
 
 def put_right(text: str) -> str:
@@ -34,6 +36,16 @@ def _right(word: str) -> str:
     # The longest of several, then the first: a letter is left out more often than added.
     best = max(meant, key=len, default="")
     return best if len(best) >= SHORTEST else word
+
+
+def common_slip(word: str) -> str | None:
+    """The word that people mean who misspell it in a way that is known; None where it is not."""
+    return _slips().get(word.lower())
+
+
+@cache
+def _slips() -> dict[str, str]:
+    return {wrong: row.words[0] for row in read_table(_SLIPS) for wrong in row.texts}
 
 
 def neighbours(word: str) -> frozenset[str]:

@@ -25,7 +25,8 @@ _LOST = r"(?:lose|remove|drop|ditch|take (?:off|out|away)|cut off|without|minus)
 _COUNT_CHANGES = tuple(
     (sign, re.compile(rf"(?<!\w){words}(?!\w)"))
     for sign, words in (
-        (1, rf"(?:another|add|with)(?: {_N})?(?: {_MORE})? (?P<what>\w+)"),
+        (1, rf"(?:another|add)(?: {_N})?(?: {_MORE})? (?P<what>\w+)"),
+        (1, rf"with(?: {_N})? {_MORE} (?P<what>\w+)"),
         (1, r"(?:extra|additional) (?P<what>\w+)"),
         (1, rf"{_N} {_MORE} (?P<what>\w+)"),
         (1, rf"{_N} (?P<what>\w+) {_MORE}"),

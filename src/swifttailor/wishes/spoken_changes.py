@@ -25,7 +25,13 @@ from swifttailor.wishes.spoken_amounts import (
     by_little,
     joined_amount,
 )
-from swifttailor.wishes.spoken_clause_words import is_of_parts, of_their_parts, part_said_of, read_clause
+from swifttailor.wishes.spoken_clause_words import (
+    is_of_lack,
+    is_of_parts,
+    of_their_parts,
+    part_said_of,
+    read_clause,
+)
 from swifttailor.wishes.spoken_clauses import SpokenClause, clashes_of, without_what_is_so
 from swifttailor.wishes.spoken_places import at_the_neck
 from swifttailor.wishes.spoken_scenes import SpokenScene, spoken_scene
@@ -55,6 +61,9 @@ _GOING_ON = frozenset({"sleeves", "legs"})
 """Parts that a clause without one goes on about, even where they were not compared with what they were."""
 _ONES = frozenset({"skirt", "collar", "hood", "band"})
 """Parts that "it" can mean where they were changed just before: "lengthen the skirt and taper it"."""
+_OF_LENGTH = re.compile(
+    r"(?<!\w)(?:long\w*|short\w*|length\w*|hem\w*|up|down|wider|narrower|looser|tighter|bigger|smaller|deeper|higher|lower)(?!\w)"
+)
 _OF_SCENES = frozenset({"shoulders", "sleeves", "neck", "collar"})
 
 
@@ -177,6 +186,10 @@ def spoken_changes(
             them=them or (goes_on and not inside),
         )
         clause = _read_alone(text, clause, kind)
+        amount = next((m.value for m in mentions if start <= m.start < end and m.is_length), None)
+        if amount is not None and not inside and found and _is_amount_of(small[start:end], clause, found[-1]):
+            found[-1] = joined_amount(found[-1], amount)
+            clause = replace(clause, changes=(), left_over=())
         if denied and not clause.changes:
             clause = replace(clause, left_over=())
         if vague is None and all(isinstance(c, Gain) and is_so(c.claim) for c in clause.changes):
@@ -222,6 +235,12 @@ def spoken_changes(
     )
 
 
+def _is_amount_of(said: str, clause: SpokenClause, before: SpokenClause) -> bool:
+    """Whether a clause says by how much what stands before it: "too snug at the bust, I need 5 cm more"."""
+    waits = any(isinstance(c, Step) and c.amount is None for c in before.changes)
+    return waits and not _OF_LENGTH.search(said) and all(isinstance(c, Step) for c in clause.changes)
+
+
 def _said_again(
     inside: Sequence[PartWord], grown: Sequence[ChangeWord], found: Sequence[SpokenClause], kind: str
 ) -> tuple[Change, ...]:
@@ -263,6 +282,7 @@ def _read_alone(text: str, clause: SpokenClause, kind: str) -> SpokenClause:
     words = read_words(text[clause.start : clause.end], kind=kind)
     implied = beside_no_numbers(text[clause.start : clause.end].lower(), words.implications)
     details = [i for i in implied if i.said and i.certainty != "likely" and i.claim.name != "kind"]
+    details = [i for i in details if not is_of_lack(text[clause.start : clause.end].lower(), i.mark, words)]
     said_of = find_parts(text[clause.start : clause.end].lower())
     details, _ = of_their_parts(text[clause.start : clause.end].lower(), details, said_of)
     gains = [Gain(i.claim) for i in details if fits_kind(i.claim.name, kind)]

@@ -55,6 +55,12 @@ _OF_HEMS = frozenset(
 _PRONOUNS = frozenset({"it", "them", "es", "ihn"})
 _GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders"})
 _TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
+_EVERYTHING = re.compile(
+    r"(?<!\w)(?:everything|everywhere|all over|throughout|the whole thing|every part"
+    r"|alles|überall|tout|partout|todo)(?!\w)"
+)
+_LACKED = frozenset({"waistband height", "waistband width", "sleeve width", "sleeve length"})
+_LOWERS = frozenset({"skirt", "trousers", "shorts"})
 _SKIRTED = frozenset({"dress", "skirt"})
 _FROM_THERE = re.compile(
     r"(?<!\w)(?:(?:below|above) (?:the )?(?:knees?|elbows?|waist|hips?|thighs?|ankles?)"
@@ -111,6 +117,7 @@ def read_clause(
     parts = list(seen[1])
     numbers = [m for m in seen[2] if start <= m.start < end]
     claims = [i for i in implied if start <= i.mark.start < end and not _within(i.mark, grown)]
+    claims = [i for i in claims if not is_of_lack(text, i.mark, words)]
     if _TAKEN_OUT.search(said):
         claims = []
     places = [m.span() for m in _FROM_THERE.finditer(text, start, end)]
@@ -124,6 +131,8 @@ def read_clause(
     claims, ruffled = of_their_parts(said, claims, parts)
     details = [i for i in claims if i.mark.entries[0].category != "parts"]
     spans = [(i.mark.start, i.mark.end) for i in details]
+    if not _DRAGS.search(said):
+        spans += [(m.start, m.end) for m in words.marks if start <= m.start < end and _is_of_shape(m)]
     # What is said of a detail is no change: "a low neckline" is not lowered by being called so.
     grown = [c for c in grown if not any(a <= c.start < b for a, b in spans)]
     if grown:
@@ -144,6 +153,7 @@ def read_clause(
         lengths = {m.end for m in numbers if m.is_length}  # "60 cm long" is a measure and no change
         grown = [c for c in find_adjectives(text) if start <= c.start < end]
         grown = [c for c in grown if len(text[: c.start].rstrip(" -")) not in lengths]
+        grown = [c for c in grown if not any(a <= c.start < b for a, b in spans)]
     if not parts and last in ("sleeves", "legs") and not grown:
         # "The arms are cold, make it long": what was spoken of before is meant.
         plain = find_adjectives(text)
@@ -171,6 +181,14 @@ def read_clause(
             made = slit_step(word, is_so, amount)
         for part in (named or (last if bare or them else None), last, None):
             made = made or changes_of(part, word.what, word.sign, kind, amount)
+        if (
+            named in (None, "all")
+            and word.what == "length"
+            and _EVERYTHING.search(said)
+            and kind not in _LOWERS
+        ):
+            if not is_so(Claim("sleeves", "none")):
+                made += changes_of("sleeves", "length", word.sign, kind, amount)
         if named == "cuffs" and _GRIP.search(text[word.start : word.end]):
             made = (Step("cuff opening", word.sign, amount),)
         made = made if target is None else to_target(made, target)
@@ -191,15 +209,22 @@ def read_clause(
         ):
             what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
             changes += changes_of(part, what, sign, kind, length)
+            if part in (None, "all") and what == "length" and _EVERYTHING.search(said):
+                changes += changes_of("sleeves", what, sign, kind, length)
     counted = more_of_them(said)
     whole = of_wholes(said, grown, kind, is_so) or ruffled
-    if not (whole or changes or claims):
-        whole = lacking(said, is_so)
+    others = [i for i in claims if i.claim.name not in ("waistband", "sleeves")]
+    if not others and all(isinstance(c, Step) and c.quantity in _LACKED for c in changes):
+        whole = whole or lacking(said, is_so)  # the "narrow" of a band to be added narrows nothing
     if counted or whole:
         # What is said of all of it is said of none of its parts: "drop the waist" of a skirt.
         changes, claims, details = [*counted, *whole], [], []
         used += [(m.start(), m.end()) for m in _WORD.finditer(text, start, end) if whole or counts(m[0])]
-    if any(p.part == "tiers" for p in parts) and _STEPS_DOWN.search(said) and not changes:
+    if (
+        any(p.part == "tiers" and not p.word.endswith("s") for p in parts)
+        and _STEPS_DOWN.search(said)
+        and not changes
+    ):
         changes.append(Step("tiers", -1, 1.0))
     if any(p.part == "slit" for p in parts) and not claims and not changes:
         changes += slit(said, any(m.denied and start <= m.start < end for m in words.marks))
@@ -256,6 +281,17 @@ def _is_plain(text: str, bounds: tuple[int, int], parts: Sequence[PartWord]) -> 
 def _is_around(parts: Sequence[PartWord], said: str) -> bool:
     """Whether a number is of the girth of a part."""
     return any(p.word.startswith(("bicep", "upper arm")) for p in parts) or "flare" in said
+
+
+def is_of_lack(text: str, mark: WordMark, words: WordReading) -> bool:
+    """Whether a word says what something is to be like that cannot be made: the "big" of big pockets."""
+    behind = [lack.mark for lack in words.lacks if lack.said and lack.mark.start >= mark.end]
+    return any(not text[mark.end : other.start].strip() for other in behind)
+
+
+def _is_of_shape(mark: WordMark) -> bool:
+    """Whether several words name a shape together: the "dropped" of a dropped waist drops nothing."""
+    return " " in mark.word and any(e.claims("certain") for e in mark.entries)
 
 
 def _is_it(word: str, kind: str) -> bool:

@@ -30,13 +30,17 @@ def without_what_is_so(found: Sequence[SpokenClause], is_so: Callable[[Claim], b
     def outdone(change: Change) -> bool:
         if hooded and change == Gain(Claim("collar", "none")):
             return True  # where there is a hood there is no collar to be seen
-        return (
-            isinstance(change, Gain)
-            and any(_oppose(change, other) for other in changes)
-            and is_so(change.claim)
-        )
+        if not isinstance(change, Gain) or not is_so(change.claim):
+            return False
+        name = change.claim.name
+        new = [c for c in changes if isinstance(c, Gain) and c.claim.name == name and not is_so(c.claim)]
+        # "Tiers for the circle skirt": a skirt could be both, but one is to take the place of the other.
+        return any(_oppose(change, other) for other in changes) or (name in _ONE_OR_OTHER and bool(new))
 
     return [replace(c, changes=tuple([x for x in c.changes if not outdone(x)])) for c in found]
+
+
+_ONE_OR_OTHER = frozenset({"skirt", "sleeve_shape"})
 
 
 def clashes_of(

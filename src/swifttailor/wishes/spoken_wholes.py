@@ -93,8 +93,16 @@ _OTHER_HALF = (
 """One lower half for another: trousers for the skirt of a dress."""
 _GIVEN = re.compile(
     r"(?<!\w)(?:with|add|adding|give it|gets?|needs?|wants?|put|sew|have|mit|avec|con)(?: on| in)?"
-    r"(?: some| a| an| any| proper)?\s(?:(?P<sleeves>sleeves?|ärmeln?|manches|mangas)"
-    r"|waistband|bund|ceinture|pretina)(?!\w)"
+    r"(?: some| a| an| any| proper| the)?"
+    r"(?: (?:little|small|thin|narrow|slim|wide|deep|broad|thick|high|plain|simple|nice|proper|short))?"
+    r"\s(?:(?P<sleeves>sleeves?|ärmeln?|manches|mangas)"
+    r"|(?:waist ?band|bund|ceinture|pretina"
+    r"|band (?:at|around|round|along|to|for|on) (?:the |my |its )?(?:waist|top))"
+    r")(?!\w)"
+)
+_NARROW, _WIDE = (
+    re.compile(r"(?<!\w)(?:narrow|thin|slim)(?!\w)"),
+    re.compile(r"(?<!\w)(?:wide|deep|broad|high|thick)(?!\w)"),
 )
 
 
@@ -143,7 +151,11 @@ def lacking(said: str, is_so: _IsSo) -> tuple[Change, ...]:
     if found is None:
         return ()
     without, made = ("sleeves", "short") if found["sleeves"] else ("waistband", "waist")
-    return (Gain(Claim(without, made)),) if is_so(Claim(without, "none")) else ()
+    if not is_so(Claim(without, "none")):
+        return ()
+    how = "narrow" if _NARROW.search(found[0]) else "wide" if _WIDE.search(found[0]) else ""
+    more = (Gain(Claim("waistband", how)),) if how and without == "waistband" else ()
+    return (Gain(Claim(without, made)), *more)
 
 
 def _other_half(said: str, kind: str) -> tuple[Change, ...]:

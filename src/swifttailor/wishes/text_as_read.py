@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from swifttailor.describing.differences import Change
 from swifttailor.wishes.lexicon_spelling import is_garment, lexicon_spelling
-from swifttailor.wishes.spelling import put_right
+from swifttailor.wishes.spelling import common_slip, put_right
 from swifttailor.wishes.spoken_measures import SpokenMeasure
 from swifttailor.wishes.unread import unread_numbers
 from swifttailor.wording.lexicon import Lack, WordReading, read_words
@@ -52,11 +52,13 @@ def text_as_read(text: str, kind: str | None = None) -> tuple[str, WordReading]:
     text = _turned(text)
     pieces, end = [], 0
     for mark in read_words(text, language=ENGLISH, kind=kind).marks:
-        better = put_right(mark.word)
+        meant = None if mark.entries else common_slip(mark.word)
+        better = meant or put_right(mark.word)
         if not mark.entries and better == mark.word:
             better = lexicon_spelling(mark.word) or mark.word
         known = any(better.lower() == word.lower() for entry in mark.entries for word in entry.words)
-        if better[:1].lower() == mark.word[:1].lower() and (known or not mark.entries):
+        same = better[:1].lower() == mark.word[:1].lower() or meant is not None
+        if same and (known or not mark.entries):
             pieces += [text[end : mark.start], better]
             end = mark.end
     shown = "".join([*pieces, text[end:]])

@@ -22,6 +22,7 @@ from swifttailor.recutting.levers.sides import SIDE_TRICKS
 from swifttailor.recutting.levers.sleeve_widths import SLEEVE_WIDTH_LEVERS
 from swifttailor.recutting.levers.slits import SLIT_LEVERS, SLIT_TRICKS
 from swifttailor.recutting.levers.tiers import TIER_LEVERS, TIER_TRICKS
+from swifttailor.recutting.levers.waist_girth import WAIST_GIRTH_LEVERS
 from swifttailor.recutting.levers.widths import WIDTH_LEVERS, WIDTH_TRICKS
 
 LEVERS: tuple[Lever, ...] = (
@@ -31,6 +32,7 @@ LEVERS: tuple[Lever, ...] = (
     *HEM_SHAPE_LEVERS,
     *CURVED_LEVERS,
     *WIDTH_LEVERS,
+    *WAIST_GIRTH_LEVERS,
     *LEG_ROOM_LEVERS,
     *SLEEVE_WIDTH_LEVERS,
     *SLIT_LEVERS,

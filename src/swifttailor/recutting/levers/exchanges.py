@@ -124,7 +124,8 @@ def _flared_span(facts: GarmentFacts) -> tuple[float, float]:
     return skirt.upper + _least_fraction(facts) * around, skirt.upper + _MOST_FRACTION * around
 
 
-def _cut_flared(cutter: Cutter, amount: float) -> Pattern | None:
+def cut_flared(cutter: Cutter, amount: float) -> Pattern | None:
+    """A skirt of one row cut anew from a circle, its hem wider by cm; above it fits what holds it."""
     skirt = _flat_skirt(cutter.facts)
     if skirt is None:
         return None
@@ -269,7 +270,7 @@ _ANEW = Lever(
     stage=4,
     of=_hem,
     imagine=_anew(straight=False),
-    cut=_cut_flared,
+    cut=cut_flared,
     span=_flared_span,
     step=5.0,
     words=WIDER,

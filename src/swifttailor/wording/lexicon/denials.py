@@ -82,6 +82,8 @@ def _begin(words: Sequence[Meaning], k: int, near: int) -> int | None:
             return None
         if words[j].category == "negations" or not words[j].entries:
             return None
+        if j > k and words[j - 1].found.gap == "pause" and words[j].found.word in _AND:
+            return None  # "not sad, and with sleeves" goes on to what is wanted
         if not words[j].holds_together:
             return j
     return None

@@ -1,0 +1,33 @@
+"""What people say of a garment that they wish for in other words than the lexicon has, put into plain ones.
+
+Grammar that neighbouring words do not show: "one sleeve puffed, the other shoulder bare", "between the knee
+and the ankle", "high in front and low behind", "10 inches up from the hem" of a slit.
+The table is for anybody to extend.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+
+from swifttailor.wishes.sayings_table import Saying, read_sayings
+
+_TABLE = Path(__file__).with_name("sayings_of_wishes.txt")
+
+
+def plainly_wished(text: str) -> str:
+    """A description with such sayings put plainly; the rest as it is.
+
+    Args:
+        text: In any case.
+    """
+    for saying in _sayings():
+        if saying.pattern.search(text.lower()):
+            text = re.sub(saying.pattern.pattern, saying.plain, text, flags=re.IGNORECASE)
+    return text
+
+
+@cache
+def _sayings() -> tuple[Saying, ...]:
+    return read_sayings(_TABLE).sayings

@@ -1,0 +1,75 @@
+"""Sayings in descriptions, and the garments that they describe."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.reader import WishReader
+from swifttailor.wishes.sayings_of_wishes import plainly_wished
+
+
+@pytest.fixture(scope="module")
+def reader() -> WishReader:
+    return WishReader.load()
+
+
+@pytest.mark.parametrize(
+    ("text", "sure"),
+    [
+        (
+            "mini dress, one sleeve puffed, the other shoulder completely bare",
+            {"shoulders=bare left", "sleeves=right only", "sleeve_shape=puffed"},
+        ),
+        ("a gown with sleeves like angel wings", {"sleeve_shape=bell"}),
+        ("top with sleeves like a bell", {"sleeve_shape=bell"}),
+        ("trousers that stop between the knee and the ankle", {"leg_hem=calf"}),
+        ("a blouse, sleeves between the elbow and the wrist", {"sleeves=three-quarter"}),
+        ("dress with sleeves down to the knuckles", {"sleeves=extra-long"}),
+        (
+            "a column in satin, cut high in front and daringly low behind",
+            {"kind=dress", "skirt=straight", "neck_depth=high", "back_depth=low"},
+        ),
+        ("Dress. One slit, right side only, 10 inches up from the hem.", {"slit=right", "slit_cm=25.4"}),
+        ("a skirt with triangles let in", {"skirt=godets"}),
+        ("ein Kleid mit halblangen Ärmeln", {"sleeves=elbow"}),
+        ("a skrit, strait, to the nee", {"kind=skirt", "skirt=straight", "skirt_hem=knee"}),
+        ("a dress, dark but not sad, and with long sleeves", {"sleeves=long"}),
+    ],
+)
+def test_a_saying_describes_what_it_means(reader, text, sure):
+    heard = hear_description(text, reader)
+    found = {
+        f"{w.change.claim.name}={w.change.claim.value}" for w in heard.sure if isinstance(w.change, Gain)
+    }
+    assert sure <= found
+
+
+def test_one_slit_refuses_others(reader):
+    never = hear_description("a dress with one slit, right side only", reader).never
+    assert Claim("slit", "left") in never and Claim("slit", "right") not in never
+    assert Claim("slit", "left") not in hear_description("a dress with slits", reader).never
+
+
+def test_a_skirt_with_godets_that_swings_is_not_flared_from_the_waist(reader):
+    heard = hear_description("a skirt with lots of godets that swings", reader)
+    assert Gain(Claim("skirt", "flared")) not in [w.change for w in heard.sure]
+
+
+def test_a_french_neckline_that_is_not_to_be_deep(reader):
+    never = hear_description("un haut, encolure en V, mais pas trop profonde", reader).never
+    assert Claim("neck_depth", "plunging") in never
+
+
+@given(st.text(max_size=80))
+def test_any_text_can_be_put_plainly(text):
+    assert isinstance(plainly_wished(text), str)
+
+
+@pytest.mark.parametrize("text", ["a red dress to the knee", "trousers with a high waist", "one sleeve"])
+def test_what_is_plain_stays_as_it_is(text):
+    assert plainly_wished(text) == text
