@@ -12,7 +12,9 @@
 #
 # The package's files: the whole picture 45 minutes without pictures of other looks, 50 with them, and 10 with 110 garments that
 # were draped by physics, 24 times each, among the others; close-ups of all parts 33; necks 13, sleeves 12 and 10, skirts
-# 13; each on a core that others used as well, from the package's own weights of before.
+# 13; each on a core that others used as well, from the package's own weights of before. Then skirts 32 more, from those, on
+# 500 training patterns (two in three with wide skirts) draped by physics at 3 cm, twice each, and 3,700 sewn ones, 900 of
+# them with gores, tiers, godets or flounces.
 source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
 
 minutes=${MINUTES:-170}
