@@ -13,7 +13,7 @@ from swifttailor.errors import SimulationError
 from swifttailor.garment_sewer import relaxing
 from swifttailor.garment_sewer.crumpling import CRUMPLED, SHORT, crumpled_share, folded_like
 from swifttailor.garment_sewer.pixels.rest_shape import flat_gradients, rest_shape
-from swifttailor.garment_sewer.relaxing import is_crumpled, relaxed_where_crumpled
+from swifttailor.garment_sewer.relaxing import VERY_CRUMPLED, is_crumpled, relaxed_where_crumpled
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
@@ -78,7 +78,8 @@ def test_wide_skirts_come_out_crumpled_and_are_relaxed(sewer):
     assert is_crumpled(skirt)
     stages = []
     relaxed = relaxed_where_crumpled(skirt, progress=lambda stage, share: stages.append(stage))
-    assert relaxed.report["relaxed_frames"] == 20 and "relaxing" in relaxed.report["seconds"]
+    frames = 40 if skirt.report["sewing"]["crumpled"] > VERY_CRUMPLED else 20
+    assert relaxed.report["relaxed_frames"] == frames and "relaxing" in relaxed.report["seconds"]
     assert stages[-1] == "relaxing"
     before, after = (crumpled_share(g.mesh, g.vertices[g.mesh.weld]) for g in (skirt, relaxed))
     assert after < 0.5 * before, "the cloth has its length again"

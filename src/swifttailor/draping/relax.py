@@ -1,4 +1,4 @@
-"""Lets crumpled cloth fall for a third of a second: it gets back its length, and folds as cloth does."""
+"""Lets crumpled cloth fall for a moment: it gets back its length, and folds as cloth does."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from swifttailor.garment.garment import Garment
 from swifttailor.progress import StageProgress
 
 FRAMES = 20
-"""Of a sixtieth of a second. Wide skirts get most of their folds in these; twenty more change little."""
+"""Of a sixtieth of a second. Wide skirts get most of their folds in these; most need no more."""
 SUBSTEPS = 12
 DAMPING = 4.0
 """Per second, as in the third second of a drape: what falls slowly does not pass through itself."""

@@ -9,10 +9,17 @@ from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.crumpling import CRUMPLED
 from swifttailor.progress import StageProgress
 
+VERY_CRUMPLED = 0.5
+"""From this share on a garment falls for twice as long: circle skirts of more than a circle."""
+
 
 def is_crumpled(garment: Garment) -> bool:
     """Whether so much of a garment's cloth was predicted too short that it has to be relaxed."""
-    return float(garment.report.get("sewing", {}).get("crumpled", 0.0)) > CRUMPLED
+    return _share(garment) > CRUMPLED
+
+
+def _share(garment: Garment) -> float:
+    return float(garment.report.get("sewing", {}).get("crumpled", 0.0))
 
 
 def relaxed_where_crumpled(
@@ -22,7 +29,7 @@ def relaxed_where_crumpled(
     fabric: Fabric | str = "cotton",
     progress: StageProgress | None = None,
 ) -> Garment:
-    """A garment as GarmentSewer made it, or after a third of a second of physics where it is crumpled.
+    """A garment as GarmentSewer made it, or after a moment of physics where it is crumpled.
 
     Args:
         garment: Of `GarmentSewer.decode`.
@@ -37,12 +44,13 @@ def relaxed_where_crumpled(
     if not is_crumpled(garment):
         return garment
     from swifttailor.draping.compiled_code import COMPILE_NOTE, solver_is_compiled
-    from swifttailor.draping.relax import relax
+    from swifttailor.draping.relax import FRAMES, relax
 
     say = progress or (lambda stage, share: None)
     if not solver_is_compiled():
         say(COMPILE_NOTE, 0.0)
     try:
-        return relax(garment, body=body, fabric=fabric, progress=progress)
+        frames = 2 * FRAMES if _share(garment) > VERY_CRUMPLED else FRAMES
+        return relax(garment, body=body, fabric=fabric, frames=frames, progress=progress)
     except SimulationError as error:
         return Garment(garment.mesh, garment.vertices, garment.report | {"not_relaxed": str(error)})

@@ -46,7 +46,7 @@ class SewingOptions:
     finish: bool = False
     """Whether garments hang to rest by physics in the end."""
     relax: bool = True
-    """Whether those that come out crumpled fall for a third of a second, where they are not finished."""
+    """Whether those that come out crumpled fall for a moment, where they are not finished."""
 
 
 def prepare(sewer: Sewer, answer: Answer, options: SewingOptions) -> Answer:

@@ -57,7 +57,7 @@ def sew_split(
         numbers: Of the samples.
         resolution: Of the images; the model's own when None.
         finish: Whether garments hang to rest by physics in the end.
-        relax: Whether those that come out crumpled fall for a third of a second, where they are not finished.
+        relax: Whether those that come out crumpled fall for a moment, where they are not finished.
         seed: Of the points that surfaces are compared by.
         progress: Called with 1 after each.
 
