@@ -75,7 +75,7 @@ def test_nothing_else_begins_from_a_draft(tailor, text):
 
 
 def test_what_a_draft_cannot_be_cut_to_is_tried_otherwise(tailor):
-    (answer,) = tailor.write([Order("a pleated skirt of five gores")])
+    (answer,) = tailor.write([Order("a pleated skirt of thirty gores")])
     assert answer.verdict.open and len(answer.failures) == 3
 
 

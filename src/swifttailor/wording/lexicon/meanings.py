@@ -37,6 +37,9 @@ _PART_OF = {
 }
 """Kinds that are a part of others: "a dress with a wide skirt"."""
 
+_REACH = 80
+"""No word is said of one that stands further off: long texts take time in proportion to their length."""
+
 
 @dataclass(frozen=True, slots=True)
 class Meaning:
@@ -247,7 +250,7 @@ def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[in
     if own is not None and k + 1 < len(words) and words[k + 1].found.word in _JOINING:
         seen.add(own)
         yield own
-    for j in range(k + 1, len(words)):
+    for j in range(k + 1, min(k + _REACH, len(words))):
         gap = words[j - 1].found.gap
         word = words[j]
         if gap == "stop" or (gap == "pause" and not _goes_on_with(word, known)):
@@ -260,7 +263,7 @@ def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[in
         elif word.category not in _ADJECTIVES and word.category != "degrees":
             if word.found.word not in _JOINING and word.found.word not in _ARTICLES:
                 break
-    for j in range(k - 1, -1, -1):
+    for j in range(k - 1, max(k - _REACH, -1), -1):
         if words[j].found.gap in ("pause", "stop"):
             break
         if words[j].is_noun and j not in seen and words[j].role not in ("second", "theirs"):
@@ -269,7 +272,7 @@ def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[in
             break
     garment = [j for j, word in enumerate(words) if word.role == "garment"]
     yield from garment
-    for j in range(k - 1, -1, -1):
+    for j in range(k - 1, max(k - _REACH, -1), -1):
         if words[j].found.gap == "stop":
             break
         if words[j].is_noun and j not in seen and words[j].role not in ("second", "theirs"):
