@@ -46,7 +46,9 @@ def main() -> None:
             try:
                 made = tailor.generate(prompt.text)
                 sheet.paste(
-                    Image.fromarray(draw_preview(made.garment, swifttailor.Body.default(), size=_SIZE)),
+                    Image.fromarray(
+                        draw_preview(made.garment, made.body or swifttailor.Body.default(), size=_SIZE)
+                    ),
                     (x, y + _TEXT),
                 )
                 said = "; ".join(doubts(made.answer))

@@ -96,6 +96,7 @@ class Sew(GarmentResults, WearerOptions, FabricOption):
             [path for path, _ in outputs],
             options,
             rotation=self.rotation,
+            progress=_say_compiling,
             note=lambda text: print(text, file=sys.stderr, flush=True),  # noqa: T201
         )
         reports = [
@@ -184,3 +185,11 @@ def _is_flawed(report: dict[str, Any]) -> bool:
     """Whether a person should look: something is wrong with the pattern, or the drape is not accepted."""
     wrong = any(f["severity"] != "info" for f in report["findings"])
     return wrong or "mended" in report or not report.get("quality", {"accepted": True})["accepted"]
+
+
+def _say_compiling(stage: str, share: float) -> None:
+    """Says what the first garment that is relaxed waits for; other stages are short."""
+    from swifttailor.draping.compiled_code import COMPILE_NOTE
+
+    if stage == COMPILE_NOTE:
+        print(COMPILE_NOTE, file=sys.stderr, flush=True)  # noqa: T201

@@ -7,14 +7,11 @@ import time
 import numpy as np
 
 from swifttailor.body import Body
-from swifttailor.body.wearer import body_of
-from swifttailor.draping.attachment import find_attachment
-from swifttailor.draping.cloth import build_cloth
 from swifttailor.draping.fabric import Fabric
-from swifttailor.draping.known_fabrics import get_fabric
 from swifttailor.draping.quality import measure_quality
-from swifttailor.draping.simulation import Simulation, SimulationSettings
+from swifttailor.draping.simulation import SimulationSettings
 from swifttailor.draping.untangle import settle_untangled
+from swifttailor.draping.worn_garment import worn_garment
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
 from swifttailor.progress import StageProgress
@@ -44,14 +41,8 @@ def finish(
         SimulationError: The cloth went to infinity.
     """
     started = time.perf_counter()
-    fabric = get_fabric(fabric)
-    body = body_of(garment.pattern.drafted_for) if body is None else body
     mesh = garment.mesh
-    cloth = build_cloth(mesh, fabric)
-    attachment = find_attachment(mesh, body.measurements)
-    simulation = Simulation(
-        mesh, cloth, body, fabric, attachment, garment.vertices, settings or SimulationSettings()
-    )
+    simulation, cloth, body, fabric = worn_garment(garment, body, fabric, settings or SimulationSettings())
     frames, static = settle_untangled(simulation, progress or (lambda stage, share: None))
     if not np.isfinite(simulation.positions).all():
         raise SimulationError(

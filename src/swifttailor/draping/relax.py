@@ -7,12 +7,9 @@ import time
 import numpy as np
 
 from swifttailor.body import Body
-from swifttailor.body.wearer import body_of
-from swifttailor.draping.attachment import find_attachment
-from swifttailor.draping.cloth import build_cloth
 from swifttailor.draping.fabric import Fabric
-from swifttailor.draping.known_fabrics import get_fabric
-from swifttailor.draping.simulation import Simulation, SimulationSettings, fall
+from swifttailor.draping.simulation import SimulationSettings, fall
+from swifttailor.draping.worn_garment import worn_garment
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
 from swifttailor.progress import StageProgress
@@ -49,19 +46,14 @@ def relax(
         SimulationError: The cloth went to infinity.
     """
     started = time.perf_counter()
-    fabric = get_fabric(fabric)
-    body = body_of(garment.pattern.drafted_for) if body is None else body
-    mesh = garment.mesh
-    attachment = find_attachment(mesh, body.measurements)
-    settings = SimulationSettings(substeps=SUBSTEPS)
-    cloth = build_cloth(mesh, fabric)
-    simulation = Simulation(mesh, cloth, body, fabric, attachment, garment.vertices, settings)
+    worn = worn_garment(garment, body, fabric, SimulationSettings(substeps=SUBSTEPS))
+    simulation = worn.simulation
     fall(simulation, frames, DAMPING, progress or (lambda stage, share: None))
     if not np.isfinite(simulation.positions).all():
         raise SimulationError(
             "The cloth moved to infinity while it was relaxed. Drape the pattern instead: swifttailor drape "
-            "PATTERN; or leave it as it was sewn: --relax never"
+            "PATTERN; or leave it as it was sewn: --no-relax"
         )
     seconds = garment.report.get("seconds", {}) | {"relaxing": round(time.perf_counter() - started, 4)}
-    report = garment.report | {"relaxed_frames": frames, "fabric": fabric.name, "seconds": seconds}
-    return Garment(mesh, simulation.positions, report)
+    report = garment.report | {"relaxed_frames": frames, "fabric": worn.fabric.name, "seconds": seconds}
+    return Garment(garment.mesh, simulation.positions, report)

@@ -177,11 +177,10 @@ class GarmentSewer:
             raise InputError("The network's positions are not finite numbers: its weights are damaged.")
         weights = outline_sampler(layout, mesh).weights
         flat = weights @ values
-        crumpled = crumpled_share(mesh, flat)
+        gaps, crumpled = seam_gaps(mesh, flat), crumpled_share(mesh, flat)
         if crumpled > CRUMPLED and self.model.conditioning.prior == "hung":
             flat = folded_like(mesh, flat, weights @ prepared.table.prior.astype(np.float64))
         vertices = close_seams(mesh, flat, self.body, self.closing)
-        gaps = seam_gaps(mesh, flat)
         depth, _ = self.body.sample(vertices, vertices_ignoring_arms(mesh))
         report: dict[str, Any] = {
             "source": "garment sewer",
