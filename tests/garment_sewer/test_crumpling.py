@@ -2,19 +2,29 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
+from swifttailor.body import Body
 from swifttailor.draping.relax import relax
 from swifttailor.errors import SimulationError
 from swifttailor.garment_sewer import relaxing
-from swifttailor.garment_sewer.crumpling import CRUMPLED, SHORT, crumpled_share, folded_like
+from swifttailor.garment_sewer.crumpling import (
+    CRUMPLED,
+    SHORT,
+    CrumpledGarment,
+    crumpled_share,
+    folded_like,
+)
 from swifttailor.garment_sewer.pixels.rest_shape import flat_gradients, rest_shape
-from swifttailor.garment_sewer.relaxing import VERY_CRUMPLED, is_crumpled, relaxed_where_crumpled
+from swifttailor.garment_sewer.relaxing import VERY_CRUMPLED, relaxed_where_crumpled
 from swifttailor.garment_sewer.sewer import GarmentSewer
+from swifttailor.garment_sewer.to_scale import scaled_pattern, sewer_for
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.tailor.reporting import finishing_notes
@@ -75,7 +85,7 @@ def test_folds_are_taken_and_places_kept(mesh, flat):
 
 def test_wide_skirts_come_out_crumpled_and_are_relaxed(sewer):
     skirt = sewer.sew(draft("circle-skirt"), edge_length=4.0)
-    assert is_crumpled(skirt)
+    assert isinstance(skirt, CrumpledGarment) and skirt.report["sewing"]["crumpled"] > CRUMPLED
     stages = []
     relaxed = relaxed_where_crumpled(skirt, progress=lambda stage, share: stages.append(stage))
     frames = 40 if skirt.report["sewing"]["crumpled"] > VERY_CRUMPLED else 20
@@ -103,6 +113,27 @@ def test_cloth_that_goes_to_infinity_is_left_and_said(sewer, monkeypatch):
     left = relaxing.relaxed_where_crumpled(skirt)
     assert np.array_equal(left.vertices, skirt.vertices)
     assert "infinity" in finishing_notes(left)[0]
+
+
+def test_what_would_pass_through_itself_more_is_left_and_said(sewer, monkeypatch):
+    skirt = sewer.sew(draft("circle-skirt"), edge_length=6.0)
+    tangled = skirt.vertices.copy()
+    tangled[::2] *= [-1.0, 1.0, 1.0]
+    monkeypatch.setattr("swifttailor.draping.relax.relax", lambda one, **_: replace(one, vertices=tangled))
+    left = relaxing.relaxed_where_crumpled(skirt)
+    assert np.array_equal(left.vertices, skirt.vertices)
+    assert "passed through itself" in finishing_notes(left)[0]
+
+
+def test_folds_are_of_the_scale_of_the_garment(sewer):
+    pattern, factor = draft("circle-skirt"), 0.7
+    default = Body.default()
+    small = Body.from_mesh(default.vertices * factor, default.faces, name="small")
+    own = sewer_for(sewer, small).sew(scaled_pattern(pattern, factor), edge_length=4.0 * factor)
+    usual = sewer.sew(pattern, edge_length=4.0)
+    assert isinstance(own, CrumpledGarment) and isinstance(usual, CrumpledGarment)
+    for mine, wanted in ((own.vertices, usual.vertices), (own.folded, usual.folded)):
+        assert np.ptp(mine, axis=0) == pytest.approx(factor * np.ptp(wanted, axis=0), rel=0.1)
 
 
 def test_relaxing_for_no_time_moves_nothing(sewer):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 
 import numpy as np
 
@@ -56,4 +57,4 @@ def relax(
         )
     seconds = garment.report.get("seconds", {}) | {"relaxing": round(time.perf_counter() - started, 4)}
     report = garment.report | {"relaxed_frames": frames, "fabric": worn.fabric.name, "seconds": seconds}
-    return Garment(garment.mesh, simulation.positions, report)
+    return replace(garment, vertices=simulation.positions, report=report)

@@ -2,15 +2,19 @@
 
 How the folds of a wide skirt fall is chance, and a network that is to be near all the drapes there might be
 predicts their mean: cloth that is nowhere folded and everywhere shorter than it is. Where that is so, where
-the garment lies is taken from the network and how it folds from the coarse drape that the network began from.
+the garment lies is taken from the network and how it folds from the coarse drape that the network began from:
+that is what it is relaxed from (`relaxing.py`).
 """
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.sparse import csc_array, diags_array
 
 from swifttailor.arrays import Floats
+from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.pixels.rest_shape import flat_gradients, rest_shape
 from swifttailor.garment_sewer.pixels.sewn_prior import factorized
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
@@ -21,6 +25,14 @@ CRUMPLED = 0.35
 """Share of crumpled cloth from which a garment is taken for crumpled (docs/garment-sewer.md)."""
 REACH_CM = 7.0
 """What the network moves is smoothed over so many centimetres; what is finer is the coarse drape's."""
+
+
+@dataclass(frozen=True, eq=False)
+class CrumpledGarment(Garment):
+    """A garment whose cloth came out crumpled."""
+
+    folded: Floats | None = None
+    """(v, 3) the same garment with the folds of the coarse drape, cm: what it is relaxed from."""
 
 
 def crumpled_share(mesh: PatternMesh, flat_positions: Floats) -> float:

@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from swifttailor.arrays import Floats
 from swifttailor.body import Body
 from swifttailor.draping.fabric import Fabric
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer.crumpling import CRUMPLED
+from swifttailor.garment_sewer.crumpling import CrumpledGarment
+from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.progress import StageProgress
 
 VERY_CRUMPLED = 0.5
 """From this share on a garment falls for twice as long: circle skirts of more than a circle."""
-
-
-def is_crumpled(garment: Garment) -> bool:
-    """Whether so much of a garment's cloth was predicted too short that it has to be relaxed."""
-    return _share(garment) > CRUMPLED
-
-
-def _share(garment: Garment) -> float:
-    return float(garment.report.get("sewing", {}).get("crumpled", 0.0))
+_TANGLED = "It would have passed through itself more than as it was predicted."
 
 
 def relaxed_where_crumpled(
@@ -38,10 +34,10 @@ def relaxed_where_crumpled(
         progress: Called with the name of a stage and the share of it that is done.
 
     Returns:
-        The garment. Where the cloth went to infinity it is as it was, and its report says so under
-        ``not_relaxed``.
+        The garment. Where the cloth went to infinity, or passes through itself in more places than before, it
+        is as it was, and its report says so under ``not_relaxed``.
     """
-    if not is_crumpled(garment):
+    if not isinstance(garment, CrumpledGarment) or garment.folded is None:
         return garment
     from swifttailor.draping.compiled_code import COMPILE_NOTE, solver_is_compiled
     from swifttailor.draping.relax import FRAMES, relax
@@ -49,8 +45,21 @@ def relaxed_where_crumpled(
     say = progress or (lambda stage, share: None)
     if not solver_is_compiled():
         say(COMPILE_NOTE, 0.0)
+    frames = 2 * FRAMES if garment.report["sewing"]["crumpled"] > VERY_CRUMPLED else FRAMES
+    folded = replace(garment, vertices=garment.folded, folded=None)
     try:
-        frames = 2 * FRAMES if _share(garment) > VERY_CRUMPLED else FRAMES
-        return relax(garment, body=body, fabric=fabric, frames=frames, progress=progress)
+        relaxed = relax(folded, body=body, fabric=fabric, frames=frames, progress=progress)
     except SimulationError as error:
-        return Garment(garment.mesh, garment.vertices, garment.report | {"not_relaxed": str(error)})
+        return replace(garment, report=garment.report | {"not_relaxed": str(error)})
+    if _crossings(garment.mesh, relaxed.vertices) > _crossings(garment.mesh, garment.vertices):
+        seconds = relaxed.report["seconds"]
+        return replace(garment, report=garment.report | {"not_relaxed": _TANGLED, "seconds": seconds})
+    return relaxed
+
+
+def _crossings(mesh: PatternMesh, vertices: Floats) -> int:
+    """Pairs of an edge and a face that cross."""
+    from swifttailor.draping.intersections import self_intersections
+    from swifttailor.panel_mesh.topology import edge_faces
+
+    return self_intersections(vertices, edge_faces(mesh.faces)[0], mesh.faces)

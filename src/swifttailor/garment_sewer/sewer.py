@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,7 +17,7 @@ from swifttailor.errors import InputError
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.closing import ClosingSettings, close_seams, seam_gaps
 from swifttailor.garment_sewer.conditioning import conditioning_image
-from swifttailor.garment_sewer.crumpling import CRUMPLED, crumpled_share, folded_like
+from swifttailor.garment_sewer.crumpling import CRUMPLED, CrumpledGarment, crumpled_share, folded_like
 from swifttailor.garment_sewer.model_file import SewerModel, load_model
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pixels.pixel_table import PixelTable, tabulate
@@ -127,7 +127,7 @@ class GarmentSewer:
         clock.stop("network")
         garment = self.decode(prepared, values)
         clock.stop("decoding")
-        return Garment(garment.mesh, garment.vertices, garment.report | {"seconds": clock.seconds})
+        return replace(garment, report=garment.report | {"seconds": clock.seconds})
 
     def prepare(
         self, pattern: Pattern, *, edge_length: float = 2.0, resolution: int | None = None
@@ -169,6 +169,9 @@ class GarmentSewer:
     def decode(self, prepared: Prepared, values: Floats) -> Garment:
         """The garment of predicted positions (n, 3) of a layout's occupied pixels.
 
+        Returns:
+            It, as a `CrumpledGarment` where the network predicts cloth that is too short.
+
         Raises:
             InputError: The positions are not finite.
         """
@@ -178,8 +181,6 @@ class GarmentSewer:
         weights = outline_sampler(layout, mesh).weights
         flat = weights @ values
         gaps, crumpled = seam_gaps(mesh, flat), crumpled_share(mesh, flat)
-        if crumpled > CRUMPLED and self.model.conditioning.prior == "hung":
-            flat = folded_like(mesh, flat, weights @ prepared.table.prior.astype(np.float64))
         vertices = close_seams(mesh, flat, self.body, self.closing)
         depth, _ = self.body.sample(vertices, vertices_ignoring_arms(mesh))
         report: dict[str, Any] = {
@@ -199,4 +200,8 @@ class GarmentSewer:
                 "crumpled": crumpled,
             },
         }
-        return Garment(mesh, vertices, report)
+        if crumpled <= CRUMPLED or self.model.conditioning.prior != "hung":
+            return Garment(mesh, vertices, report)
+        folded = folded_like(mesh, flat, weights @ prepared.table.prior.astype(np.float64))
+        folded = close_seams(mesh, folded, self.body, self.closing)
+        return CrumpledGarment(mesh, vertices, report, folded=folded)
