@@ -1,22 +1,20 @@
 """What GarmentSewer's parts are worth: small trainings that differ in one thing, as a table.
 
-``python benchmarks/sewer_ablations.py DATA OUT [--minutes 10] [--rows NAME ...] [--set FIELD=VALUE ...]``
+``python benchmarks/sewer_ablations.py DATA OUT [--minutes 10] [--rows NAME ...] [--seeds 0 1]``
 
-Every row is trained for the same time from the same seed on ``train`` of DATA and measured on all of
-``validation`` at its end. Rows that are done (OUT/NAME/card.json) are not trained again, so it goes on where
-it was stopped, and ``--rows`` may add some later. ``--set`` changes all rows. Needs the extra `train`. On two
-processor cores ``--processes 2`` trains with both.
+Every row is trained for the same time from the same seeds on ``train`` of DATA and measured on all of
+``validation`` at its end; with several seeds, half of the range of what they give stands behind the mean.
+What is done (OUT/NAME-seed-N) is not trained again, so it goes on where it was stopped, and ``--rows`` and
+``--seeds`` may add some later. ``--set FIELD=VALUE ...`` changes all rows. Needs the extra `train`.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
-import os
-import subprocess
-import sys
 from pathlib import Path
 
+from ablation_rows import Row, as_markdown, train_rows, trained_rows
 from machine import describe
 from swifttailor.garment_sewer.conditioning import PLACED
 
@@ -68,44 +66,45 @@ def main() -> None:
     parser.add_argument("out", type=Path)
     parser.add_argument("--minutes", type=float, default=10.0)
     parser.add_argument("--rows", nargs="*", default=list(ROWS), choices=list(ROWS))
-    parser.add_argument("--processes", type=int, default=1)
+    parser.add_argument("--seeds", type=int, nargs="+", default=[0])
     parser.add_argument("--set", nargs="+", default=[], metavar="FIELD=VALUE")
     options = parser.parse_args()
-    for name in options.rows:
-        if not (options.out / name / "card.json").is_file():
-            train(name, options)
-    done = [name for name in ROWS if (options.out / name / "card.json").is_file()]
-    print(describe())
-    print(table([(name, json.loads((options.out / name / "card.json").read_text())) for name in done]))
-
-
-def train(name: str, options: argparse.Namespace) -> None:
-    """Trains a row; what it prints is shown."""
-    command = [sys.executable, "-m", "swifttailor"]
-    if options.processes > 1:
-        torchrun = ["torch.distributed.run", "--nproc_per_node", str(options.processes)]
-        command = [sys.executable, "-m", *torchrun, "-m", "swifttailor"]
-    command += ["train", "garment-sewer", "--data", options.data, "--out", options.out / name]
-    command += ["--max-minutes", str(options.minutes), "--threads", "1"]
+    command = ["train", "garment-sewer", "--data", options.data, "--threads", "1"]
+    command += ["--max-minutes", str(options.minutes)]
     # Measured at the end alone, on everything.
-    command += ["--set", "validate_every=1000000", "validation_garments=100000", "pictures=0"]
-    surroundings = os.environ | {"OMP_NUM_THREADS": "1"}
-    subprocess.run([*command, *options.set, *ROWS[name]], check=True, env=surroundings)
+    command += ["--set", "validate_every=1000000", "validation_garments=100000", "pictures=0", *options.set]
+    train_rows(ROWS, options.rows, options.seeds, options.out, command)
+    print(describe())
+    print(table(trained_rows(ROWS, options.out)))
 
 
-def table(cards: list[tuple[str, dict]]) -> str:
+def table(rows: list[Row]) -> str:
     """The rows as Markdown: cm, and % of the vertices inside the body."""
-    kinds = sorted({kind for _, card in cards for kind in card["validation"]["kinds"]})
-    heads = ["", "mean", "median", *kinds, "seam gap", "in body, %", "garments seen", "commit or version"]
-    lines = [" | ".join(heads), "|".join(["---"] * len(heads))]
-    for name, card in cards:
-        found = card["validation"]
-        cells = [name, f"{found['mean']:.2f}", f"{found['median']:.2f}"]
-        cells += [f"{found['kinds'][kind]['mean']:.2f}" if kind in found["kinds"] else "" for kind in kinds]
-        cells += [f"{found['seam_gap']:.2f}", f"{100 * found['inside']:.1f}"]
-        cells += [str(card["training"]["garments_seen"]), str(card["versions"].get("commit", ""))[:7]]
-        lines.append(" | ".join(cells))
-    return "\n".join(f"| {line} |" for line in lines)
+    kinds = sorted({kind for row in rows for card in row.cards for kind in card["validation"]["kinds"]})
+    heads = [
+        "",
+        "seeds",
+        "mean",
+        "median",
+        *kinds,
+        "seam gap",
+        "in body, %",
+        "garments seen",
+        "commit or version",
+    ]
+    lines = []
+    for row in rows:
+        cells = [row.name, str(len(row.cards))]
+        for name in ("mean", "median"):
+            cells.append(row.mean(lambda card, name=name: card["validation"][name], ".2f"))
+        for kind in kinds:
+            cells.append(row.mean(lambda card, kind=kind: card["validation"]["kinds"][kind]["mean"], ".2f"))
+        cells.append(row.mean(lambda card: card["validation"]["seam_gap"], ".2f"))
+        cells.append(row.mean(lambda card: 100 * card["validation"]["inside"], ".1f"))
+        cells.append(row.mean(lambda card: card["training"]["garments_seen"], ".0f"))
+        cells.append(str(row.cards[0]["versions"].get("commit", ""))[:7])
+        lines.append(cells)
+    return as_markdown(heads, lines)
 
 
 if __name__ == "__main__":
