@@ -45,7 +45,7 @@ class MadeGarment:
     points: PointCloud | None
     """`POINTS` of its surface."""
     chamfer_cm2: float | None
-    """To the drape of the pattern that was asked for."""
+    """To the drape of the pattern that was asked for; None where it has none."""
     emd_cm: float | None
     accepted: bool | None
     """Within the limits of quality of drapes; None where it did not come to rest by physics."""
@@ -59,7 +59,7 @@ class MadeGarment:
 def make_garments(
     constructor: Constructor,
     answers: Sequence[KeptAnswer],
-    references: Sequence[PointCloud],
+    references: Sequence[PointCloud | None],
     folder: Path,
     *,
     seed: int,
@@ -70,7 +70,7 @@ def make_garments(
     Args:
         constructor: Makes them.
         answers: Of one generator.
-        references: Points of the drape of the pattern that each was asked for.
+        references: Points of the drape of the pattern that each was asked for; None where there is none.
         folder: For the garments; nobody else works in it.
         seed: Of the points that surfaces are compared by.
         progress: Called with 1 after each.
@@ -120,7 +120,7 @@ def _asked(answer: KeptAnswer) -> str:
 def _make(
     constructor: Constructor,
     answer: KeptAnswer,
-    reference: PointCloud,
+    reference: PointCloud | None,
     path: Path,
     seed: int,
     memory: PeakMemory,
@@ -138,9 +138,13 @@ def _make(
     cloud = PointCloud(cloud.points.astype(np.float32).astype(np.float64))
     write_atomically(path, lambda file: _save(file, cloud), overwrite=True)
     quality = garment.report.get("quality", {})
+    far, moved = None, None
+    if reference is not None:
+        far = chamfer(cloud, reference)
+        moved = earth_mover(cloud.first(FEW_POINTS), reference.first(FEW_POINTS))
     return {
-        "chamfer_cm2": chamfer(cloud, reference),
-        "emd_cm": earth_mover(cloud.first(FEW_POINTS), reference.first(FEW_POINTS)),
+        "chamfer_cm2": far,
+        "emd_cm": moved,
         "accepted": quality.get("accepted"),
         "reasons": list(quality.get("reasons", ())),
         "sound": topology(garment.faces, len(garment.vertices)).nonmanifold_edges == 0,
@@ -161,8 +165,8 @@ def _read(record: dict[str, Any], path: Path, book: Path) -> MadeGarment:
             id=str(record["id"]),
             error=error,
             points=points,
-            chamfer_cm2=None if error else float(record["chamfer_cm2"]),
-            emd_cm=None if error else float(record["emd_cm"]),
+            chamfer_cm2=None if error else _number(record["chamfer_cm2"]),
+            emd_cm=None if error else _number(record["emd_cm"]),
             accepted=record.get("accepted"),
             reasons=tuple(map(str, record.get("reasons", ()))),
             sound=bool(record.get("sound", False)),
@@ -173,6 +177,10 @@ def _read(record: dict[str, Any], path: Path, book: Path) -> MadeGarment:
             f"'{book}' or '{path.name}' beside it is damaged ({error!r}). Delete the folder to make its "
             "garments again."
         ) from error
+
+
+def _number(value: Any) -> float | None:
+    return None if value is None else float(value)
 
 
 def _points(path: Path) -> np.ndarray:

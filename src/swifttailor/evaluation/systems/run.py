@@ -40,6 +40,8 @@ class Cell:
     sound: int
     accepted: int | None
     """Garments within the limits of quality of drapes; None where they did not come to rest by physics."""
+    compared: int
+    """Patterns asked for that have a drape: what follows is of their answers."""
     chamfer: Mean | None
     """cm^2, over the garments that were made: to the drape of the pattern that was asked for."""
     emd: Mean | None
@@ -101,7 +103,7 @@ def run_systems(
     patterns, pictures = PatternSet.read(plan.patterns), pictures_of(plan)
     references = _References(pictures, plan.asking.seed) if constructors and pictures is not None else None
     if pictures is not None and references is not None:
-        _leave_out_undraped(patterns, pictures)
+        _require_drapes(patterns, pictures)
     questions = questions_of(plan, tasks, patterns, pictures, None, show)
     asked = [task for task in tasks if any(q.task == task for q in questions)]
     results: dict[str, list[TaskResult]] = {}
@@ -119,7 +121,8 @@ def run_systems(
     if references is not None:
         for task in asked:
             ids = [q.id for q in questions if q.task == task]
-            floors[task] = set_distances([references.again(id) for id in ids], [references[id] for id in ids])
+            drapes = [drape for id in ids if (drape := references[id]) is not None]
+            floors[task] = set_distances([references.again(id) for id in ids if id in references], drapes)
     about = {
         "patterns": [p.name for p in plan.patterns],
         "patterns_sha256": patterns.digest,
@@ -151,12 +154,13 @@ def _require_names(names: Sequence[str]) -> None:
             raise InputError(f"There are two systems of the name '{name}'. Give each a name of its own.")
 
 
-def _leave_out_undraped(patterns: PatternSet, pictures: GarmentPictures) -> None:
-    """Garments are compared with drapes."""
-    for id in [id for id in patterns.patterns if id not in pictures]:
-        del patterns.patterns[id]
-        patterns.skipped[id] = "There is no drape of it in the data set."
-    if not patterns.patterns:
+def _require_drapes(patterns: PatternSet, pictures: GarmentPictures) -> None:
+    """Garments are compared with drapes; those of patterns without one are made and judged, and not compared.
+
+    Raises:
+        InputError: There is none at all.
+    """
+    if not any(id in pictures for id in patterns.patterns):
         raise InputError("None of the patterns has a drape in the data set, so there is nothing to compare.")
 
 
@@ -206,10 +210,12 @@ def _cell(
     generator: str,
     constructor: str,
     garments: Sequence[MadeGarment],
-    references: Sequence[PointCloud],
+    references: Sequence[PointCloud | None],
     memory: int | None,
 ) -> Cell:
     made = [g for g in garments if g.points is not None]
+    compared = [(g.points, r) for g, r in zip(garments, references, strict=True) if r is not None]
+    some_made = any(points is not None for points, _ in compared)
     judged = [g.accepted for g in made if g.accepted is not None]
     stages = dict.fromkeys(stage for g in made for stage in g.seconds)
     return Cell(
@@ -220,9 +226,10 @@ def _cell(
         made=len(made),
         sound=sum(g.sound for g in made),
         accepted=sum(judged) if judged else None,
+        compared=len(compared),
         chamfer=mean_of(g.chamfer_cm2 for g in made),
         emd=mean_of(g.emd_cm for g in made),
-        sets=set_distances([g.points for g in garments], references) if made else None,
+        sets=set_distances([p for p, _ in compared], [r for _, r in compared]) if some_made else None,
         seconds={s: sum(g.seconds.get(s, 0.0) for g in made) / len(made) for s in stages},
         mebibytes=memory,
         failures={g.id: g.error for g in garments if g.points is None},
@@ -234,11 +241,15 @@ class _References:
 
     def __init__(self, pictures: GarmentPictures, seed: int) -> None:
         self._find, self._seed = pictures.sample, seed
-        self._known: dict[str, PointCloud] = {}
+        self._known: dict[str, PointCloud | None] = {}
 
-    def __getitem__(self, id: str) -> PointCloud:
+    def __contains__(self, id: str) -> bool:
+        return self[id] is not None
+
+    def __getitem__(self, id: str) -> PointCloud | None:
+        """None where the pattern has no drape."""
         if id not in self._known:
-            self._known[id] = self._draw(id, 1)
+            self._known[id] = None if self._find(id) is None else self._draw(id, 1)
         return self._known[id]
 
     def again(self, id: str) -> PointCloud:
@@ -246,6 +257,6 @@ class _References:
 
     def _draw(self, id: str, draw: int) -> PointCloud:
         sample = self._find(id)
-        assert sample is not None, "what has no drape is not asked for"
+        assert sample is not None, "only what has a drape is drawn"
         garment, seed = sample.garment, seed_of(self._seed, id, f"drape {draw}")
         return sample_surface(garment.vertices, garment.faces, POINTS, seed)

@@ -124,7 +124,8 @@ def _garment_table(
     return Table(
         f"Garments {_FROM[task]}",
         "CD (to the drape of the pattern asked for) and MMD in cm2, EMD in cm, COV: share; 10,000 points,\n"
-        "2,048 for EMD. CD and EMD are means over the garments that were made; what was not made lowers\n"
+        f"2,048 for EMD; of the {cells[0].compared} that have such a drape. CD and EMD are means over the\n"
+        "garments that were made; what was not made lowers\n"
         "COV, and counts as not sound and not within the limits. #Sampling: patterns made for an answer,\n"
         "where that is known. The paper states neither unit nor number of points, and has other data:\n"
         "see docs/evaluation.md.",
@@ -155,7 +156,7 @@ def provenance_text(about: Mapping[str, Any]) -> str:
     asked = ", ".join(f"{count} {task}" for task, count in about["questions"].items())
     look = f"; pictures: {about['look']}, {about['view']}" if about["look"] else ""
     return (
-        f"patterns {', '.join(about['patterns'])}: {about['of']} with a drape{some} "
+        f"patterns {', '.join(about['patterns'])}: {about['of']}{some} "
         f"(sha256 of all {about['patterns_sha256'][:16]})\n"
         f"questions: {asked}; seed {about['seed']}{look}\n"
         f"swifttailor {about['version']}, commit {about['commit'] or 'unknown'}\n{about['machine']}\n"
