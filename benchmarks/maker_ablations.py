@@ -5,7 +5,7 @@
 Every row is trained for the same time from the same seeds; with several, half of the range of what they give
 stands behind the mean. Then each network alone, one pattern at temperature 0, answers the texts (and pictures
 of --data/validation) of --limit validation patterns, as `swifttailor evaluate systems` asks. What is done
-(OUT/NAME-seed-N) is not done again: it goes on where it was stopped, and --rows and --seeds may add some later.
+(OUT/NAME-seed-N) is not done again: it goes on where it was stopped; --rows and --seeds may add some later.
 ``--set FIELD=VALUE ...`` changes all rows. Needs the extra `train`.
 """
 
