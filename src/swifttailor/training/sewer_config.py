@@ -64,7 +64,6 @@ class SewerConfig(LoopConfig):
 CONFIGS: dict[str, SewerConfig] = {
     "small": SewerConfig(),
     "small-dpt": SewerConfig(network=SMALL_DPT),
-    "per-panel": SewerConfig(conditioning=Conditioning(channels=PER_PANEL, layout="per_panel")),
     "paper": SewerConfig(
         network=PAPER_NETWORK,
         conditioning=Conditioning("none", SEMANTIC),
@@ -77,6 +76,7 @@ CONFIGS: dict[str, SewerConfig] = {
         mirror=0.0,
         repack=0.0,
     ),
+    "per-panel": SewerConfig(conditioning=Conditioning(channels=PER_PANEL, layout="per_panel")),
 }
 """Named configurations. What the paper does not give (steps, batch, rate) is ours in `paper`."""
 
