@@ -16,7 +16,7 @@ from pathlib import Path
 
 from ablation_rows import Row, as_markdown, train_rows, trained_rows
 from machine import describe
-from swifttailor.garment_sewer.conditioning import PLACED
+from swifttailor.garment_sewer.conditioning import PER_PANEL, PLACED
 
 _PAPER = ("conditioning.prior=none", 'conditioning.channels=["color"]', "network.output=absolute")
 _REGRESSION = ("losses.edge=100", "losses.edge_band=10", "losses.seam_pairs=0")
@@ -52,6 +52,7 @@ ROWS: dict[str, tuple[str, ...]] = {
     "dpt-no-masks": (*_DPT, "network.masked=false"),
     "no-augmentation": ("mirror=0", "repack=0"),
     "pixels-256": ("network.resolution=256", "losses.edge_band=10"),
+    "per-panel": ("conditioning.layout=per_panel", f"conditioning.channels={json.dumps(PER_PANEL)}"),
     "garments-250": ("training_garments=250",),
     "garments-500": ("training_garments=500",),
     "garments-1000": ("training_garments=1000",),

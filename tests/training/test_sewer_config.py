@@ -82,6 +82,9 @@ def test_paper_has_the_papers_losses_and_conditioning():
         ("small", ["precision=half"], "float32 or bfloat16"),
         ("small", ['conditioning.prior="none"'], "needs a prior"),
         ("paper", ["network.output=displacement"], "no prior to displace"),
+        ("small", ["conditioning.layout=stacked"], "no layout 'stacked'"),
+        ("small", ["conditioning.layout=3"], "layout is 3"),
+        ("per-panel", ["layouts=2"], "per_panel only 1"),
     ],
 )
 def test_what_cannot_be_is_refused(name, changes, said):

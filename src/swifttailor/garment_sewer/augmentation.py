@@ -10,9 +10,11 @@ from typing import Any
 
 import numpy as np
 
+from swifttailor.arrays import Longs
 from swifttailor.garment_sewer.pixels.pixel_table import Array, PixelTable
 from swifttailor.ggi.layout import BORDER
 from swifttailor.ggi.packing import pack_skyline
+from swifttailor.ggi.panel_cells import cell_grid, panel_cells
 
 
 def mirror_points(points: Array) -> Array:
@@ -65,6 +67,20 @@ def move_panels(table: PixelTable, steps: Array) -> PixelTable:
         panel_origin=table.panel_origin + steps,
         panel_box=box,
     )
+
+
+def random_cells(panel_count: int, resolution: int, chance: np.random.Generator) -> Longs:
+    """By how many pixels (p, 2) to move panels of one cell each so that they lie in other cells.
+
+    Args:
+        panel_count: Of the garment.
+        resolution: Of the image.
+        chance: Decides the cells.
+    """
+    columns, rows = cell_grid(panel_count)
+    places = chance.permutation(columns * rows)[:panel_count]
+    before, after = (panel_cells(panel_count, resolution, p)[:, :2] for p in (None, places))
+    return after - before
 
 
 def random_steps(

@@ -7,8 +7,7 @@ what it is sewn to, and where the body is.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -17,6 +16,7 @@ from numpy.typing import NDArray
 
 from swifttailor.errors import InputError
 from swifttailor.garment_sewer.pixels.pixel_table import PixelTable
+from swifttailor.ggi.panel_cells import LAYOUT_KINDS, LayoutKind
 
 PriorKind = Literal["none", "placed", "sewn", "hung"]
 PRIORS: tuple[PriorKind, ...] = ("none", "placed", "sewn", "hung")
@@ -57,7 +57,13 @@ def _normal(t: PixelTable) -> Columns:
 
 
 def _scale(t: PixelTable) -> Columns:
-    return (_ones(t) * math.log(t.cm_per_pixel),)
+    logs = t.panel_log_cm[t.panel]
+    return ((logs[:, 0] + logs[:, 1]) / 2,)
+
+
+def _aspect(t: PixelTable) -> Columns:
+    logs = t.panel_log_cm[t.panel]
+    return ((logs[:, 0] - logs[:, 1]) / 2,)
 
 
 def _stitched(t: PixelTable) -> Columns:
@@ -136,7 +142,7 @@ CHANNELS: dict[str, Channel] = {
     "placed": Channel(3, lambda t: _position(t.placed())),
     "local": Channel(2, _local),  # panel-local position
     "normal": Channel(3, _normal),  # of the placed panel, outward
-    "scale": Channel(1, _scale),  # log of cm per pixel
+    "scale": Channel(1, _scale),  # log of cm per pixel; of the mean of columns and rows
     "stitched": Channel(1, _stitched),
     "contour": Channel(1, _contour),  # whether the pixel stands for a point of the outline
     "partner": Channel(3, _partner),  # from the placed pixel to the one it is sewn to
@@ -144,22 +150,28 @@ CHANNELS: dict[str, Channel] = {
     "body_distance": Channel(1, _body_distance),  # at the prior
     "body_direction": Channel(3, _body_direction),
     "slope": Channel(6, _slope),  # of the prior, along rows and columns
+    "aspect": Channel(1, _aspect),  # half the log of a pixel's width over its height; 0 in packed images
 }
 """All there is, by name. Everything is 0 where there is no panel."""
 
 SEMANTIC = ("color",)
-PLACED = tuple(CHANNELS)
+PLACED = tuple(name for name in CHANNELS if name != "aspect")
+PER_PANEL = tuple(CHANNELS)
+"""What the network of images per panel is shown: to what its panel was stretched is not seen in the image."""
 
 
 @dataclass(frozen=True)
 class Conditioning:
-    """Which channels, and which prior they come from."""
+    """Which channels, which prior they come from, and how the panels lie in the image."""
 
     prior: PriorKind = "hung"
     """``placed``: the flat panels where the pattern places them; ``sewn``: these sewn together around the
     body (`sewn_prior`); ``hung``: sewn and hung for a second on a coarse mesh (`drape_coarsely`); ``none``:
     no prior, for the paper's conditioning."""
     channels: tuple[str, ...] = PLACED
+    layout: LayoutKind = "packed"
+    """``packed``: all panels in one square at one scale; ``per_panel``: each panel's box stretched to a cell
+    of its own, the cells in a grid (`lay_out_in_cells`)."""
 
     def __post_init__(self) -> None:
         unknown = [c for c in self.channels if c not in CHANNELS]
@@ -170,11 +182,24 @@ class Conditioning:
             )
         if self.prior not in PRIORS:
             raise InputError(f"There is no prior '{self.prior}'. Known ones: {', '.join(PRIORS)}.")
+        if self.layout not in LAYOUT_KINDS:
+            raise InputError(f"There is no layout '{self.layout}'. Known ones: {', '.join(LAYOUT_KINDS)}.")
         needing = {"prior", "body_distance", "body_direction", "slope"} & set(self.channels)
         if self.prior == "none" and needing:
             raise InputError(
                 f"The channel '{min(needing)}' needs a prior: choose placed or sewn, or leave it out."
             )
+
+    @staticmethod
+    def of_card(card: Mapping[str, Any]) -> Conditioning:
+        """That of a trained network, from its card; cards without a layout are of packed images.
+
+        Raises:
+            InputError: The card names what is not known here.
+            KeyError: It lacks what it must say.
+        """
+        shown = card["config"]["conditioning"]
+        return Conditioning(shown["prior"], tuple(shown["channels"]), shown.get("layout", "packed"))
 
     @property
     def count(self) -> int:

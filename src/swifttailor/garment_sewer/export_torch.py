@@ -115,8 +115,7 @@ def _shape(card: dict[str, Any]) -> tuple[Conditioning, NetworkConfig]:
     for name in ("decoder_sizes", "convolutions"):
         network[name] = tuple(network.get(name, ()))
     network["pretrained"] = ""
-    given = config["conditioning"]
-    return Conditioning(given["prior"], tuple(given["channels"])), NetworkConfig(**network)
+    return Conditioning.of_card(card), NetworkConfig(**network)
 
 
 @dataclass(frozen=True)

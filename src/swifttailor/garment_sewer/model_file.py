@@ -54,8 +54,7 @@ def load_model(path: Path | str, *, threads: int = 1) -> SewerModel:
     model = open_model(path, KIND, threads=threads)
     with model.says("what it must be shown"):
         card = model.about["card"]
-        shown, shape = card["config"]["conditioning"], card["config"]["network"]
-        conditioning = Conditioning(shown["prior"], tuple(shown["channels"]))
+        conditioning, shape = Conditioning.of_card(card), card["config"]["network"]
         resolution, patch = int(shape["resolution"]), int(shape["patch_size"])
     model.require({"the channels": (model.shape_given(GRAPH, INPUTS[0])[1], conditioning.count)})
     session = model.sessions[GRAPH]

@@ -22,8 +22,9 @@ from swifttailor.garment_sewer.model_file import SewerModel, load_model
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pixels.pixel_table import PixelTable, tabulate
 from swifttailor.garment_sewer.pixels.sewn_prior import vertices_ignoring_arms
-from swifttailor.ggi import Layout, lay_out
+from swifttailor.ggi import Layout
 from swifttailor.ggi.outline_decode import outline_sampler
+from swifttailor.ggi.panel_cells import lay_out_as
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern
@@ -143,7 +144,7 @@ class GarmentSewer:
                 f"The resolution is {resolution}; a multiple of {self.model.patch_size} is accepted by this "
                 f"network, which was trained at {self.model.resolution}."
             )
-        layout = lay_out(pattern, resolution)
+        layout = lay_out_as(self.model.conditioning.layout, pattern, resolution)
         mesh = mesh_pattern(layout.pattern, edge_length)
         if loading := self.__dict__.get("_drape_loading"):  # only where somebody has begun to
             loading.wait()

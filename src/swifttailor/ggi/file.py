@@ -73,7 +73,7 @@ def write_ggi(images: GarmentGeometryImage, path: Path | str, *, overwrite: bool
 
     Raises:
         InputError: The file cannot be written, there is another and not `overwrite`, the geometry is not
-            finite, or the pattern's placements are not all read the same way.
+            finite, the panels are stretched, or the pattern's placements are not all read the same way.
     """
     about: dict[str, Any] = {
         "format": FORMAT,
@@ -92,6 +92,11 @@ def write_ggi(images: GarmentGeometryImage, path: Path | str, *, overwrite: bool
     }
     if images.layout is not None:
         layout = images.layout
+        if layout.stretch is not None:
+            raise InputError(
+                "ggi.npz holds panels at one scale, and in this layout each is stretched to a cell of its "
+                "own. Use one made with lay_out(), or encode()."
+            )
         about["cm_per_pixel"] = layout.cm_per_pixel
         about["name"] = layout.pattern.name
         about["rotation"] = _one_reading(layout)

@@ -34,7 +34,7 @@ PACKINGS: dict[str, tuple[Packing, ...]] = {"skyline": (pack_rows, pack_skyline)
 
 @dataclass(frozen=True, eq=False)
 class Layout:
-    """A place for every panel in a square image, all at one scale.
+    """A place for every panel in a square image, all at one scale or each stretched by itself.
 
     Pixel coordinates: x is the column, y the row, row 0 at the bottom; the centre of the pixel in row r and
     column c is (c + 0.5, r + 0.5). Panels whose loop runs clockwise are mirrored in x, so that every panel is
@@ -50,6 +50,9 @@ class Layout:
     """(p, 2) pixel coordinates of each panel's local origin."""
     mirrored: NDArray[np.bool_]
     """(p,) whether local x runs from right to left."""
+    stretch: Floats | None = None
+    """(p, 2) how many times finer than `cm_per_pixel` each panel is drawn along its x and y; None where all
+    are drawn at that scale."""
 
     def __post_init__(self) -> None:
         origins = np.array(self.origins, np.float64)
@@ -63,6 +66,15 @@ class Layout:
         if not (np.abs(origins) <= _MAX_ORIGIN).all():
             raise InputError("A layout's origins must be finite numbers, at most 1e15 pixels.")
         _require_scale(self.cm_per_pixel)
+        if self.stretch is not None:
+            stretch = np.array(self.stretch, np.float64)
+            if stretch.shape != (count, 2) or not ((stretch > 0) & (stretch < np.inf)).all():
+                raise InputError(
+                    f"A layout of {count} panels has a stretch of shape ({count}, 2) of numbers above 0, got "
+                    f"shape {stretch.shape}. Make one with lay_out_in_cells()."
+                )
+            stretch.flags.writeable = False
+            object.__setattr__(self, "stretch", stretch)
         origins.flags.writeable = mirrored.flags.writeable = False
         object.__setattr__(self, "origins", origins)
         object.__setattr__(self, "mirrored", mirrored)
@@ -70,16 +82,22 @@ class Layout:
     def to_pixels(self, panel_index: int | Longs, local_points: ArrayLike) -> Floats:
         """Pixel coordinates (n, 2) of points (n, 2) in panel-local cm; one panel index, or one per point."""
         points = np.asarray(local_points, np.float64)
-        return self.origins[panel_index] + points * self._signs[panel_index] / self.cm_per_pixel
+        return self.origins[panel_index] + points * self._factors[panel_index] / self.cm_per_pixel
 
     def to_local(self, panel_index: int | Longs, pixels: ArrayLike) -> Floats:
         """Panel-local cm (n, 2) of pixel coordinates (n, 2): the inverse of `to_pixels`."""
         points = np.asarray(pixels, np.float64)
-        return (points - self.origins[panel_index]) * self._signs[panel_index] * self.cm_per_pixel
+        return (points - self.origins[panel_index]) / self._factors[panel_index] * self.cm_per_pixel
 
     @cached_property
-    def _signs(self) -> Floats:
-        return np.stack([np.where(self.mirrored, -1.0, 1.0), np.ones(len(self.mirrored))], axis=1)
+    def _factors(self) -> Floats:
+        signs = np.stack([np.where(self.mirrored, -1.0, 1.0), np.ones(len(self.mirrored))], axis=1)
+        return signs if self.stretch is None else signs * self.stretch
+
+    @property
+    def panel_cm_per_pixel(self) -> Floats:
+        """(p, 2) cm from column to column and from row to row of each panel."""
+        return self.cm_per_pixel / np.abs(self._factors)
 
     @cached_property
     def outlines(self) -> Outlines:

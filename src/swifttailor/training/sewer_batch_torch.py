@@ -10,7 +10,13 @@ import torch
 from torch import Tensor
 
 from swifttailor.data.reader import SplitReader
-from swifttailor.garment_sewer.augmentation import mirror, mirror_points, move_panels, random_steps
+from swifttailor.garment_sewer.augmentation import (
+    mirror,
+    mirror_points,
+    move_panels,
+    random_cells,
+    random_steps,
+)
 from swifttailor.garment_sewer.conditioning import Conditioning, channel_columns
 from swifttailor.garment_sewer.losses_torch import Truth
 from swifttailor.training.sewer_config import SewerConfig
@@ -75,7 +81,10 @@ class TrainingBatches:
             sample = replace(sample, table=mirror(sample.table), target=mirror_points(sample.target))
         if chance.random() < config.repack:
             boxes = sample.table.panel_box.cpu().numpy()
-            steps = random_steps(boxes, sample.table.resolution, chance)
+            if config.conditioning.layout == "per_panel":
+                steps = random_cells(len(boxes), sample.table.resolution, chance)
+            else:
+                steps = random_steps(boxes, sample.table.resolution, chance)
             table = move_panels(sample.table, torch.as_tensor(steps, device=self.device))
             sample = replace(sample, table=table)
         return sample

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from swifttailor.errors import InputError
-from swifttailor.garment_sewer.conditioning import SEMANTIC, Conditioning
+from swifttailor.garment_sewer.conditioning import PER_PANEL, SEMANTIC, Conditioning
 from swifttailor.garment_sewer.losses import PAPER_LOSSES, LossWeights
 from swifttailor.garment_sewer.network_config import PAPER_NETWORK, SMALL_DPT, SMALL_NETWORK, NetworkConfig
 from swifttailor.training.config_file import read_config_of, require
@@ -30,10 +30,11 @@ class SewerConfig(LoopConfig):
     mirror: float = 0.5
     """Share of the garments that are shown mirrored left to right."""
     repack: float = 0.5
-    """Share of the garments whose panels are packed in another order, where that fits."""
+    """Share of the garments whose panels are packed in another order, where that fits; of those with a cell
+    for each panel, the share whose panels change cells."""
     layouts: int = 1
     """Images drawn of each garment: the first as at use, others up to a quarter coarser, which leaves room to
-    repack."""
+    repack. Panels in cells of their own have one."""
 
     training_garments: int = 0
     """How many of the training split are learnt from, drawn by the seed; 0 for all. For curves over the size
@@ -51,6 +52,8 @@ class SewerConfig(LoopConfig):
         require(self, "encoder_rate", self.encoder_rate > 0, "above 0")
         for name in ("mirror", "repack"):
             require(self, name, 0 <= getattr(self, name) <= 1, "0 to 1")
+        one = self.conditioning.layout == "packed" or self.layouts == 1
+        require(self, "layouts", one, "with conditioning.layout per_panel only 1")
         if self.network.output == "displacement" and self.conditioning.prior == "none":
             raise InputError(
                 "network.output is 'displacement' and there is no prior to displace. Choose "
@@ -73,6 +76,7 @@ CONFIGS: dict[str, SewerConfig] = {
         mirror=0.0,
         repack=0.0,
     ),
+    "per-panel": SewerConfig(conditioning=Conditioning(channels=PER_PANEL, layout="per_panel")),
 }
 """Named configurations. What the paper does not give (steps, batch, rate) is ours in `paper`."""
 

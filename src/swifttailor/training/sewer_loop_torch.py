@@ -69,6 +69,7 @@ def train(
             config.network.resolution,
             config.conditioning.prior,
             config.layouts if name == "train" else 1,
+            kind=config.conditioning.layout,
         )
         for name, reader in readers.items()
     }

@@ -23,17 +23,21 @@ from swifttailor.garment_sewer.pixels.pixel_table import Array, PixelTable, mirr
 from swifttailor.ggi import Layout, lay_out
 from swifttailor.ggi.file import STEPS
 from swifttailor.ggi.geometry import geometry_raster
+from swifttailor.ggi.panel_cells import LayoutKind, lay_out_as
 from swifttailor.ggi.panel_colors import PANEL_COLORS
 from swifttailor.ggi.semantic import panel_type
 from swifttailor.ggi.stitching import stitching_image
 
-FORMAT = 1
+FORMAT = 2
 COARSEST = 1.25
 """Further layouts of a garment are up to this much coarser than the finest possible."""
 SIDE_POINTS = 64
 """Pixels that are kept of each side of a stitch for the stitching loss, evenly spread."""
 _DISTANCE_STEP = 0.01
-_PANEL_ARRAYS = ("panel_origin", "panel_sign", "panel_axes", "panel_offset", "panel_normal", "panel_box")
+_PANEL_ARRAYS = (
+    *("panel_origin", "panel_sign", "panel_cm", "panel_log_cm"),
+    *("panel_axes", "panel_offset", "panel_normal", "panel_box"),
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +65,14 @@ class SewerSamples:
     """The garments of a split, `layouts` images of each."""
 
     def __init__(
-        self, reader: SplitReader, folder: Path | str, resolution: int, prior: PriorKind, layouts: int = 1
+        self,
+        reader: SplitReader,
+        folder: Path | str,
+        resolution: int,
+        prior: PriorKind,
+        layouts: int = 1,
+        *,
+        kind: LayoutKind = "packed",
     ) -> None:
         """Opens them; nothing is drawn yet.
 
@@ -71,15 +82,18 @@ class SewerSamples:
             resolution: Pixels along each side.
             prior: Of the conditioning.
             layouts: Images of each garment; see `SewerConfig.layouts`.
+            kind: How panels lie in them.
         """
         self.reader = reader
         self.resolution = resolution
+        self.kind: LayoutKind = kind
         self.caches = []
         for layout in range(layouts):
-            stem = f"sewer{FORMAT}-{resolution}-{prior}-{layout}"
+            of_kind = "" if kind == "packed" else f"-{kind}"
+            stem = f"sewer{FORMAT}-{resolution}-{prior}{of_kind}-{layout}"
             rooms = ("garment_sewer/pixels", "ggi", "panel_mesh", "pattern", "body", "draping")
             name = name_with_code(stem, *rooms)
-            compute = partial(draw, resolution=resolution, prior=prior, layout_number=layout)
+            compute = partial(draw, resolution=resolution, prior=prior, layout_number=layout, kind=kind)
             self.caches.append(ArrayCache(reader, folder, name, compute))
 
     def prepare(self, *, workers: int = 1) -> Iterator[tuple[int, int]]:
@@ -96,9 +110,11 @@ class SewerSamples:
         return sample_from(self.caches[layout][k], self.resolution)
 
 
-def draw(sample: Sample, resolution: int, prior: PriorKind, layout_number: int) -> Arrays:
+def draw(
+    sample: Sample, resolution: int, prior: PriorKind, layout_number: int, kind: LayoutKind = "packed"
+) -> Arrays:
     """A garment's arrays in few bytes: positions in 16 bits over their range, distances in 0.1 mm."""
-    layout = choose_layout(sample, resolution, layout_number)
+    layout = choose_layout(sample, resolution, layout_number, kind)
     if len(layout.pattern.panels) > 256:
         raise InputError(
             f"Sample '{sample.id}' has {len(layout.pattern.panels)} panels; at most 256 are kept."
@@ -135,10 +151,13 @@ def draw(sample: Sample, resolution: int, prior: PriorKind, layout_number: int) 
     return arrays
 
 
-def choose_layout(sample: Sample, resolution: int, number: int) -> Layout:
-    """The layout of a garment as at use (number 0), or one with a scale by chance, the same every time."""
-    layout = lay_out(sample.pattern, resolution)
-    if number == 0:
+def choose_layout(sample: Sample, resolution: int, number: int, kind: LayoutKind = "packed") -> Layout:
+    """The layout of a garment as at use (number 0), or one with a scale by chance, the same every time.
+
+    Panels in cells of their own have no scale to choose: only number 0 is theirs.
+    """
+    layout = lay_out_as(kind, sample.pattern, resolution)
+    if number == 0 or kind != "packed":
         return layout
     chance = np.random.default_rng([zlib.crc32(sample.id.encode()), number])
     scale = layout.cm_per_pixel * chance.uniform(1.0, COARSEST)

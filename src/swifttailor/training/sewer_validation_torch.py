@@ -80,7 +80,7 @@ class Validation:
     def _of(self, k: int) -> _Known:
         if k not in self._known:
             sample = self.reader[k]
-            layout = choose_layout(sample, self.samples.resolution, 0)
+            layout = choose_layout(sample, self.samples.resolution, 0, self.samples.kind)
             self._known[k] = _Known(outline_sampler(layout, sample.mesh), sample.vertices)
         return self._known[k]
 

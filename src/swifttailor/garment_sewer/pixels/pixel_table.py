@@ -33,6 +33,7 @@ class PixelTable:
 
     resolution: int
     cm_per_pixel: float
+    """Of all panels, or the mean where each is stretched by itself."""
     pixels: Array
     """(n,) row * resolution + column."""
     panel: Array
@@ -57,6 +58,10 @@ class PixelTable:
     """(p, 2) pixel coordinates of the panel's local origin."""
     panel_sign: Array
     """(p,) -1 where local x runs from right to left."""
+    panel_cm: Array
+    """(p, 2) cm from column to column and from row to row."""
+    panel_log_cm: Array
+    """(p, 2) their logarithms."""
     panel_axes: Array
     """(p, 2, 3) directions of local x and y in the world."""
     panel_offset: Array
@@ -68,7 +73,7 @@ class PixelTable:
 
     def local(self) -> Array:
         """(n, 2) panel-local position."""
-        local = (self.point - self.panel_origin[self.panel]) * self.cm_per_pixel
+        local = (self.point - self.panel_origin[self.panel]) * self.panel_cm[self.panel]
         local[:, 0] *= self.panel_sign[self.panel]
         return local
 
@@ -127,6 +132,8 @@ def tabulate(
         mirror_color=color[mirror].astype(np.float32),
         panel_origin=layout.origins.astype(np.float32),
         panel_sign=np.where(layout.mirrored, -1.0, 1.0).astype(np.float32),
+        panel_cm=layout.panel_cm_per_pixel.astype(np.float32),
+        panel_log_cm=np.log(layout.panel_cm_per_pixel).astype(np.float32),
         panel_axes=axes.astype(np.float32),
         panel_offset=np.concatenate([p.to_world([[0.0, 0.0]]) for p in panels]).astype(np.float32),
         panel_normal=np.array([p.normal() for p in panels], np.float32),
