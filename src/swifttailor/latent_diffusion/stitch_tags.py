@@ -42,7 +42,9 @@ def tags_of(pattern: Pattern) -> dict[EdgeRef, Floats]:
     return tags
 
 
-def nearest_pairs(tags: Mapping[EdgeRef, Floats], lengths: Mapping[EdgeRef, float]) -> list[Sequence[EdgeRef]]:
+def nearest_pairs(
+    tags: Mapping[EdgeRef, Floats], lengths: Mapping[EdgeRef, float]
+) -> list[Sequence[EdgeRef]]:
     """Pairs of edges, those first whose tags are nearest; what is left over is in none.
 
     Args:

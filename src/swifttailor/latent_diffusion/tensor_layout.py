@@ -6,8 +6,8 @@ from swifttailor.pattern.curve import Arc, Cubic, Line, Quadratic
 from swifttailor.pattern.names import EDGE_LABELS, PANEL_NAMES
 
 SLOTS = PANEL_NAMES
-"""One slot for each name of GarmentCode. No two panels of a pattern share a name, so names are kept; SewingLDM
-has 39 slots, of which skirts and trousers share some, and their names are lost."""
+"""One slot for each name of GarmentCode. No two panels of a pattern share a name, so names are kept.
+SewingLDM has 39 slots, of which skirts and trousers share some, and their names are lost."""
 EDGES = 37
 """Edge slots of a panel, taken from its first edge on."""
 STEP = slice(0, 2)
