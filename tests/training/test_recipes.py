@@ -16,6 +16,7 @@ ROOT = Path(__file__).parents[2]
 RECIPES = (
     *("wish_reader", "garment_sewer", "pattern_maker", "picture_reader", "pattern_library"),
     *("close_up_reader", "plain_reader", "picture_reader_on_gpu", "parameter_reader"),
+    "latent_diffusion",
 )
 
 
@@ -41,6 +42,7 @@ def run(name: str, work: Path, *arguments: str, **more: str) -> subprocess.Compl
 @pytest.mark.timeout(1800)  # some minutes on two idle cores
 def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     from swifttailor.garment_sewer.sewer import GarmentSewer
+    from swifttailor.latent_diffusion.designer import LatentDesigner
     from swifttailor.parameter_reader import ParameterReader
     from swifttailor.pattern.drafts import draft
     from swifttailor.pattern_library.known import PatternLibrary
@@ -77,6 +79,9 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     assert PictureReader.load(work / "gpu/picture_reader.onnx").size == 64
     parameters = ParameterReader.load(work / "parameter-reader/parameter_reader.onnx")
     assert parameters.card["data"]["patterns"] == 40 and len(parameters.parameters) > 40
+    designer = LatentDesigner.load(work / "latent-diffusion/latent_diffusion.zip")
+    assert designer.shape == (64, 6) and designer.card["data"]["patterns"] == 6
+    assert designer.card["trained"]["denoiser"]["steps"] == 3
     close_ups = [work / f"close-up-reader/{name}.onnx" for name in ("close_up_reader", "people_neck")]
     near, neck = PictureReader.load(files["PictureReader"], close_ups=close_ups).near
     assert {name.split()[-1] for name in near.close_ups} == {"neck", "waist", "sleeve"}

@@ -49,7 +49,8 @@ class EvaluateSystems:
       chance         a known pattern drawn by lot
       truth          the patterns that are asked for
     and NAME=SOURCE for another system: the folder that it wrote (docs/released-outputs.md) or a .jsonl file,
-    each pattern under the id of the one that was asked for.
+    each pattern under the id of the one that was asked for; or the .zip file of a latent diffusion, which is
+    asked itself (runs/latent_diffusion.sh).
 
     Prints tables beside the paper's rows and writes into --out: tables.txt, tables.csv, tables.tex,
     summary.json, failures.jsonl, and a folder for each generator with its answers and its garments. What is
@@ -124,7 +125,7 @@ class EvaluateSystems:
             if name not in OWN and "=" not in name:
                 raise InputError(
                     f"There is no generator {name!r}. Accepted: {', '.join(OWN)}, or NAME=SOURCE for the "
-                    "recorded patterns of another system."
+                    "recorded patterns of another system, or the model file of a latent diffusion."
                 )
         require_limit(self.limit)
         in_range("--seed", self.seed, 0, 2**31)
@@ -201,6 +202,8 @@ class EvaluateSystems:
         from swifttailor.pattern_library.known import PatternLibrary
 
         given, is_recorded, source = name.partition("=")
+        if is_recorded and Path(source).suffix == ".zip":
+            return self._latent(given, Path(source))
         if is_recorded:
             return Recorded(given, _recorded(Path(source)))
         weights = self._weights
@@ -218,6 +221,15 @@ class EvaluateSystems:
             "library": {"source": "library"},
         }
         return TailorGenerator(name, self._tailor, self._asking(**askings[name]), weights)
+
+    def _latent(self, name: str, source: Path) -> Generator:
+        from swifttailor.evaluation.provenance import file_identity
+        from swifttailor.evaluation.systems.latent import LatentGenerator
+        from swifttailor.latent_diffusion.designer import LatentDesigner
+
+        designer = LatentDesigner.load(source, threads=self.threads)
+        weights = self._weights | {"diffusion": file_identity(source)}
+        return LatentGenerator(name, self._tailor, designer, self._asking(), weights)
 
     def _constructors(self) -> list[Constructor]:
         from swifttailor.evaluation.systems.constructor import NetworkConstructor, PhysicsConstructor

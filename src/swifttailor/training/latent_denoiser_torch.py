@@ -1,4 +1,4 @@
-"""The second stage of a latent diffusion: a denoiser of latents, told what readers may say. It loads torch."""
+"""The second stage of a latent diffusion: a denoiser, told what readers may say. It loads torch."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One stage of the training of a latent diffusion: a loop that ends with its time, and goes on where it was."""
+"""One stage of the training of a latent diffusion: it ends with its time, and goes on where it was."""
 
 from __future__ import annotations
 
@@ -80,19 +80,7 @@ class Stage:
         saved, total, count = self.seconds, 0.0, 0
         self.network.train()
         while not self.is_over:
-            began = time.process_time()
-            rate = self.config.learning_rate * self.schedule.rate(self.step, self.seconds)
-            for group in self.optimizer.param_groups:
-                group["lr"] = rate
-            loss = loss_of(self.chance)
-            self.optimizer.zero_grad()
-            loss.backward()
-            nn.utils.clip_grad_norm_(self.network.parameters(), self.config.clip)
-            self.optimizer.step()
-            self.average.update(self.network.state_dict(), self.step)
-            self.step += 1
-            self.seconds += time.process_time() - began
-            total, count = total + loss.item(), count + 1
+            total, count = total + self.take(loss_of), count + 1
             if self.step % self.config.log_every == 0 or self.is_over:
                 sys.stderr.write(
                     f"{self.name}: step {self.step}, {self.seconds / 60:.1f} of {self.config.minutes:g} "
@@ -104,6 +92,26 @@ class Stage:
                 saved = self.seconds
         self.network.load_state_dict(self.average.values)
         self.network.eval()
+
+    def take(self, loss_of: Callable[[torch.Generator], Tensor]) -> float:
+        """Takes one step, and says the loss before it.
+
+        Args:
+            loss_of: See `run`.
+        """
+        began = time.process_time()
+        rate = self.config.learning_rate * self.schedule.rate(self.step, self.seconds)
+        for group in self.optimizer.param_groups:
+            group["lr"] = rate
+        loss = loss_of(self.chance)
+        self.optimizer.zero_grad()
+        loss.backward()
+        nn.utils.clip_grad_norm_(self.network.parameters(), self.config.clip)
+        self.optimizer.step()
+        self.average.update(self.network.state_dict(), self.step)
+        self.step += 1
+        self.seconds += time.process_time() - began
+        return float(loss.detach())
 
     def save(self) -> None:
         """Writes the checkpoint."""
