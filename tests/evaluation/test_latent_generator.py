@@ -7,7 +7,6 @@ from dataclasses import dataclass, field, replace
 from types import SimpleNamespace
 
 import numpy as np
-import pytest
 from maker_standins import write_patterns
 
 from swifttailor.cli.item_progress import ItemProgress

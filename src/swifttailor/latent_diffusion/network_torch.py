@@ -154,6 +154,12 @@ class PatternDecoder(nn.Module):
 class WholeDecoder(nn.Module):
     """The decoder as it is used: latents in, panel tensors out, in cm and probabilities."""
 
+    middle: Tensor
+    unit: Tensor
+    every: Tensor
+    latent_middle: Tensor
+    latent_unit: Tensor
+
     def __init__(self, decoder: PatternDecoder, middle: Tensor, unit: Tensor) -> None:
         """Of a trained decoder, for latents as the encoder makes them.
 

@@ -112,6 +112,8 @@ def told_bits(rows: Tensor) -> Tensor:
 class AutoEncoder(nn.Module):
     """Encoder and decoder together."""
 
+    counts: Tensor
+
     def __init__(self) -> None:
         """With random weights."""
         super().__init__()

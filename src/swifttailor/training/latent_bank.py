@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -99,8 +100,10 @@ def bank_of(path: Path, cache: Path | None = None) -> TensorBank:
         ids.append(id)
     if not ids:
         raise InputError(f"'{path}' holds no pattern that fits a panel tensor.")
-    bank = TensorBank(np.array(ids), np.array(owner, np.int32), np.array(slots, np.int32), np.stack(rows))
+    panels = np.stack(rows).astype(np.float32)
+    bank = TensorBank(np.array(ids), np.array(owner, np.int32), np.array(slots, np.int32), panels)
     if kept is not None:
         kept.parent.mkdir(parents=True, exist_ok=True)
-        np.savez_compressed(kept, **{name: getattr(bank, name) for name in _KEPT})
+        arrays: dict[str, Any] = {name: getattr(bank, name) for name in _KEPT}
+        np.savez_compressed(kept, **arrays)
     return bank

@@ -22,6 +22,9 @@ UNTOLD = 0.1
 class LatentDiffusion(nn.Module):
     """A denoiser and the latents that it learns to draw."""
 
+    middle: Tensor
+    unit: Tensor
+
     def __init__(self, latents: Tensor, told: Told, read: Sequence[tuple[int, np.ndarray]]) -> None:
         """With random weights.
 

@@ -83,7 +83,9 @@ def measured(path: Path, apart: Collection[str], cache: Path | None) -> list[Tol
         kept.parent.mkdir(parents=True, exist_ok=True)
         truths = [row.truth for row in rows]
         names = ("part", "statements", "measures", "panels", "boxes")
-        arrays = {name: np.array([getattr(truth, name) for truth in truths]) for name in names}
+        arrays: dict[str, Any] = {
+            name: np.array([getattr(truth, name) for truth in truths]) for name in names
+        }
         np.savez_compressed(kept, about=json.dumps([[row.id, row.design] for row in rows]), **arrays)
     return rows
 
