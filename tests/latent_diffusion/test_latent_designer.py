@@ -52,7 +52,7 @@ def test_the_same_seed_draws_the_same():
 
 
 @pytest.mark.needs_torch
-def test_the_file_of_trained_networks_draws_what_torch_draws(tmp_path):
+def test_the_file_of_trained_networks_draws_what_torch_draws(tmp_path, monkeypatch):
     import torch
 
     from swifttailor.latent_diffusion.export_torch import export
@@ -60,6 +60,9 @@ def test_the_file_of_trained_networks_draws_what_torch_draws(tmp_path):
     from swifttailor.training import latent_autoencoder_torch as coding
     from swifttailor.training.latent_bank import TensorBank
 
+    sizes = {"WIDTH": 64, "HIDDEN": 128, "ENCODER_BLOCKS": 1, "DECODER_BLOCKS": 1}
+    for name, size in sizes.items():
+        monkeypatch.setattr(coding, name, size)
     torch.manual_seed(0)
     torch.set_num_threads(1)
     patterns = [draft(name).canonical() for name in ("t-shirt", "fitted-skirt")]
