@@ -39,6 +39,8 @@ class LatentDesigner:
     """Of onnxruntime."""
     shape: tuple[int, int]
     """Of the latents."""
+    guidance: float
+    """Of what is drawn (`drawn_latents`)."""
     card: dict[str, Any]
     """What it was trained on, and how good it is."""
 
@@ -55,7 +57,8 @@ class LatentDesigner:
         """
         model = open_model(weights, KIND, threads=threads)
         with model.says("what it was told of garments"):
-            told = str(model.about["card"]["labels_sha256"])
+            card = model.about["card"]
+            told, guidance = str(card["labels_sha256"]), float(card["config"]["sampler"]["guidance"])
         _, count, wide = model.shape_given(DECODER, "latents")
         model.require(
             {
@@ -68,7 +71,7 @@ class LatentDesigner:
                 "the shape of panel tensors": (model.shape_made(DECODER, "tensor")[1:], list(SHAPE)),
             }
         )
-        return LatentDesigner(model.sessions, (count, wide), model.about["card"])
+        return LatentDesigner(model.sessions, (count, wide), guidance, card)
 
     def draw(self, sought: Sought, *, seed: int, name: str = "pattern") -> Pattern:
         """Draws a pattern; what is wrong with it stays.
@@ -82,7 +85,8 @@ class LatentDesigner:
             InputError: The networks' numbers are not finite: the weights are damaged.
             PatternError: What was drawn is no pattern.
         """
-        latents = drawn_latents(self._velocity, features_of(sought), self.shape, seed=seed)
+        features = features_of(sought)
+        latents = drawn_latents(self._velocity, features, self.shape, seed=seed, guidance=self.guidance)
         if not np.isfinite(latents).all():
             raise InputError("What the latent diffusion drew are no finite numbers: its weights are damaged.")
         fed = {"latents": latents[None].astype(np.float32)}

@@ -11,7 +11,7 @@ from swifttailor.arrays import Floats
 
 Velocity = Callable[[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]], NDArray[np.float32]]
 """Of (2, LATENTS, WIDE) noisy latents at (2,) times for (2, features)."""
-STEPS, GUIDANCE = 20, 2.0
+STEPS = 20
 _FARTHEST = 4.0
 """Latents are no farther than this from their mean, in their spread."""
 
@@ -22,8 +22,8 @@ def drawn_latents(
     shape: tuple[int, int],
     *,
     seed: int,
+    guidance: float,
     steps: int = STEPS,
-    guidance: float = GUIDANCE,
 ) -> Floats:
     """Latents (LATENTS, WIDE) in units of their spread, drawn for what is known of a garment.
 
@@ -32,9 +32,9 @@ def drawn_latents(
         features: (features,) of `parameter_reader.features`.
         shape: Of the latents.
         seed: Of the noise that it begins with; nothing else is drawn.
-        steps: Of the sampler.
         guidance: How far the answer goes from that to nothing towards that to what is known, and beyond: 1 is
             the answer as it is.
+        steps: Of the sampler.
     """
     both = np.stack([features, np.zeros_like(features)])
     now = np.random.default_rng(seed).standard_normal(shape)
