@@ -60,7 +60,8 @@ def measured(path: Path, apart: Collection[str], cache: Path | None) -> list[Tol
         apart: Digests of patterns that are left out.
         cache: Folder that keeps what was measured.
     """
-    kept = None if cache is None else cache / f"truths-{sha256(path)[:16]}.npz"
+    without = hashlib.sha256(" ".join(sorted(apart)).encode()).hexdigest()
+    kept = None if cache is None else cache / f"truths-{sha256(path)[:16]}-{without[:8]}.npz"
     if kept is not None and kept.is_file():
         with np.load(kept) as found:
             about = json.loads(str(found["about"]))
