@@ -5,7 +5,7 @@
 #   GARMENTCODE=FOLDER runs/latent_diffusion.sh
 #
 # steps.sh lists the environment, data.sh says how long the patterns take. SEWN is a list of splits of sewn garments, such as
-# those of picture_reader.sh, whose pictures are read. Patterns are measured, 0.05 s of a core each, pictures read, 0.1 s
+# those of picture_reader.sh, whose pictures are read. Patterns are measured, 0.1 s of a core each, pictures read, 0.1 s
 # each. MINUTES are those of a core for the auto-encoder and for the denoiser, in quotation marks ("20 25" without it).
 # Ends with $WORK/latent-diffusion/latent_diffusion.zip and its card beside it; then
 #
