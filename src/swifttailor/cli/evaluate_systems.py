@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 FILES = "summary.json", "tables.txt", "tables.csv", "tables.tex", "failures.jsonl"
 Own = Literal["ours", "uncut", "network-alone", "designs", "library", "nearest", "chance", "truth"]
 OWN: tuple[Own, ...] = get_args(Own)
+MODEL_FILE = ".zip"
+"""The ending of the file of a PatternMaker."""
+_ALONE = {"network_alone": True, "temperature": 0.0}
 Sewing = Literal["network", "network+finish", "physics"]
 
 
@@ -49,7 +52,8 @@ class EvaluateSystems:
       chance         a known pattern drawn by lot
       truth          the patterns that are asked for
     and NAME=SOURCE for another system: the folder that it wrote (docs/released-outputs.md) or a .jsonl file,
-    each pattern under the id of the one that was asked for.
+    each pattern under the id of the one that was asked for; or the model file (.zip) of a PatternMaker, whose
+    network alone answers at temperature 0, decoded as its own method does.
 
     Prints tables beside the paper's rows and writes into --out: tables.txt, tables.csv, tables.tex,
     summary.json, failures.jsonl, and a folder for each generator with its answers and its garments. What is
@@ -201,6 +205,8 @@ class EvaluateSystems:
         from swifttailor.pattern_library.known import PatternLibrary
 
         given, is_recorded, source = name.partition("=")
+        if is_recorded and Path(source).suffix == MODEL_FILE:
+            return self._network(given, Path(source))
         if is_recorded:
             return Recorded(given, _recorded(Path(source)))
         weights = self._weights
@@ -213,11 +219,21 @@ class EvaluateSystems:
         askings = {
             "ours": {},
             "uncut": {"alter": False},
-            "network-alone": {"network_alone": True, "temperature": 0.0},
+            "network-alone": _ALONE,
             "designs": {"source": "designs"},
             "library": {"source": "library"},
         }
         return TailorGenerator(name, self._tailor, self._asking(**askings[name]), weights)
+
+    def _network(self, name: str, weights: Path) -> Generator:
+        """The network of a model file, alone."""
+        from swifttailor.evaluation.provenance import file_identity
+        from swifttailor.evaluation.systems.generator import TailorGenerator
+        from swifttailor.tailor import Tailor
+
+        tailor = Tailor(weights, threads=self.threads)
+        _ = tailor.pattern_maker  # refused before anything is asked
+        return TailorGenerator(name, tailor, self._asking(**_ALONE), {"writer": file_identity(weights)})
 
     def _constructors(self) -> list[Constructor]:
         from swifttailor.evaluation.systems.constructor import NetworkConstructor, PhysicsConstructor
