@@ -178,6 +178,6 @@ def test_from_a_training_to_a_row_of_the_table(files, tmp_path, capsys):
     summary = json.loads((out / "summary.json").read_text())
     rows = {name: results[0]["patterns"] for name, results in summary["answers"].items()}
     assert rows["manner"]["PatternMaker"]["missing"] == 1 and rows["truth"]["PatternMaker"]["missing"] == 0
-    assert summary["about"]["generators"]["manner"]["weights"]["writer"]["name"] == "model.zip"
+    assert summary["about"]["generators"]["manner"]["weights"]["writer"]["file"] == "model.zip"
     record = json.loads((out / "manner" / "answers.jsonl").read_text().splitlines()[0])
     assert "What was written is no pattern" in record["error"] and "pattern" not in record
