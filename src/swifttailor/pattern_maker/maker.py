@@ -202,7 +202,7 @@ class PatternMaker:
             notes.append(about)
         clock.stop("reading")
         model = self.model
-        free = (model.decoding if decoding == "own" else decoding) == "free"
+        free = self.decodes_freely(decoding)
         written = write_answers(
             model.runtime, asked, model.grammar, model.text.size, names=model.names, free=free
         )
@@ -232,6 +232,10 @@ class PatternMaker:
             )
             for (answer, _), repair, about in zip(read, mended, notes, strict=True)
         ]
+
+    def decodes_freely(self, decoding: ChosenDecoding) -> bool:
+        """Whether what is written may be no pattern."""
+        return (self.model.decoding if decoding == "own" else decoding) == "free"
 
     def _ask(self, request: Request) -> tuple[Asked, tuple[str, ...]]:
         model = self.model

@@ -193,8 +193,9 @@ def ask_network(
         for question, picture in zip(questions, shown, strict=True)
     ]
     if isinstance(writer, PatternMaker):
-        return writer.write_all(requests, seed=seeds, temperature=temperature, decoding=decoding)
-    if decoding != "own":
+        if writer.decodes_freely(decoding):
+            return writer.write_all(requests, seed=seeds, temperature=temperature, decoding="free")
+    elif decoding != "own":
         raise InputError(
             f"How a {type(writer).__name__} decodes cannot be chosen. Give a PatternMaker, or no --decoding."
         )
