@@ -144,6 +144,17 @@ def test_interrupted_it_says_how_to_go_on(files, tmp_path, capsys, monkeypatch):
     assert f"kept in {tmp_path}; the same command goes on" in capsys.readouterr().err
 
 
+def test_without_the_grammar_answers_that_are_no_patterns_have_a_reason(files, tmp_path, capsys):
+    """The network is untrained: it writes none."""
+    out = tmp_path / "free"
+    asked = arguments(files, out, "--network-alone", "--decoding", "free", "--samples", "0")
+    assert run(asked) == 2
+    assert "Of 4 questions none was answered" in capsys.readouterr().err
+    records = [json.loads(line) for line in (out / "answers.jsonl").read_text().splitlines()]
+    assert len(records) == 4 and all("no pattern. Token" in record["error"] for record in records)
+    assert json.loads((out / "settings.json").read_text())["decoding"] == "free"
+
+
 def test_patterns_that_cannot_be_used_are_named(files, tmp_path, capsys, calls):
     bad = tmp_path / "bad.jsonl"
     bad.write_text('{"id": "broken", "pattern": {}}\n' + files[0].read_text().splitlines()[1] + "\n")
@@ -167,6 +178,7 @@ def test_patterns_that_cannot_be_used_are_named(files, tmp_path, capsys, calls):
         (["--network-alone", "--no-alter"], "--no-alter is of no use with --network-alone"),
         (["--network-alone", "--no-crop"], "--no-crop is of no use with --network-alone"),
         (["--network-alone", "--sewer-weights", "x"], "--sewer-weights is of no use with --network-alone"),
+        (["--decoding", "free"], "--decoding free is about the network alone"),
         (["--attempts", "0"], "--attempts is 0; from 1 to 64"),
         (["--samples", "-1"], "--samples is -1; from 0"),
         (["--garments"], "--garments compares with drapes: give the data set"),

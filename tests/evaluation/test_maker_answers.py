@@ -102,6 +102,13 @@ def test_answers_are_kept_and_not_asked_for_again(texts, pairs, book, tmp_path):
     again.close()
 
 
+def test_how_a_network_of_others_decodes_cannot_be_chosen(texts, book):
+    asking = replace(HOW, decoding="free")
+    answers = ask_all(Tailor(StandIn(texts, truth)), texts, book, asking)
+    assert {a.pattern for a in answers} == {None}
+    assert all("How a StandIn decodes cannot be chosen" in a.record["error"] for a in answers)
+
+
 def test_interrupted_it_goes_on_as_if_it_had_not_been(texts, pairs, book, tmp_path):
     """However it ended: two lines were written of the first two questions, half a one of the third."""
 

@@ -1,10 +1,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 
 from swifttailor.pattern import Pattern, read_specification
+from swifttailor.pattern_maker.maker import PatternMaker
 
 
 @pytest.fixture(scope="session")
@@ -16,3 +18,9 @@ def real_patterns(real_samples) -> Callable[..., Iterator[Pattern]]:
             yield read_specification(sample["pattern"], name=sample["id"]).pattern
 
     return read
+
+
+@pytest.fixture(scope="session")
+def tiny_maker() -> PatternMaker:
+    """An untrained network that repeats and plans."""
+    return PatternMaker.load(Path(__file__).with_name("tiny_maker.zip"))

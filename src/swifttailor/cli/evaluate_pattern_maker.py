@@ -65,6 +65,9 @@ class EvaluatePatternMaker:
     network_alone: tyro.conf.FlagCreatePairsOff[bool] = False
     """Measure the network alone: one pattern for each question, at temperature 0, as it is written, and
     pictures as they are."""
+    decoding: Literal["own", "grammar", "free"] = "own"
+    """Of the network alone: grammar lets patterns alone be written; free takes the likeliest token, whatever
+    it is, so that an answer may be no pattern; own is what the card of the network says, or else grammar."""
     temperature: Annotated[float | None, tyro.conf.arg(metavar="T")] = None
     """Of the answers that are measured; as swifttailor generate has it (0.2) without it, or 0 with
     --network-alone."""
@@ -162,6 +165,7 @@ class EvaluatePatternMaker:
             source=self.source,
             refine=self.refine,
             network_alone=self.network_alone,
+            decoding=self.decoding,
             seed=self.seed,
         )
         return Plan(
@@ -240,6 +244,11 @@ class EvaluatePatternMaker:
             raise InputError(f"{what} are there to be altered: leave --source or --no-alter out.")
         if self.garments and self.data is None:
             raise InputError("--garments compares with drapes: give the data set that has them, --data DIR.")
+        if self.decoding != "own" and not self.network_alone:
+            raise InputError(
+                f"--decoding {self.decoding} is about the network alone, for generate always decodes under "
+                "the grammar. Add --network-alone, or leave it out."
+            )
         if self.network_alone:
             for name, given in (
                 ("--attempts", self.attempts is not None),

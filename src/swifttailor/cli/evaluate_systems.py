@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 FILES = "summary.json", "tables.txt", "tables.csv", "tables.tex", "failures.jsonl"
 Own = Literal["ours", "uncut", "network-alone", "designs", "library", "nearest", "chance", "truth"]
 OWN: tuple[Own, ...] = get_args(Own)
+MODEL_FILE = ".zip"
+"""The ending of the files of networks that generate."""
+_ALONE = {"network_alone": True, "temperature": 0.0}
 Sewing = Literal["network", "network+finish", "physics"]
 
 
@@ -49,8 +52,9 @@ class EvaluateSystems:
       chance         a known pattern drawn by lot
       truth          the patterns that are asked for
     and NAME=SOURCE for another system: the folder that it wrote (docs/released-outputs.md) or a .jsonl file,
-    each pattern under the id of the one that was asked for; or the .zip file of a latent diffusion, which is
-    asked itself (runs/latent_diffusion.sh).
+    each pattern under the id of the one that was asked for; or the model file (.zip) of a PatternMaker, whose
+    network alone answers at temperature 0, decoded as its own method does, or of a latent diffusion
+    (runs/latent_diffusion.sh).
 
     Prints tables beside the paper's rows and writes into --out: tables.txt, tables.csv, tables.tex,
     summary.json, failures.jsonl, and a folder for each generator with its answers and its garments. What is
@@ -202,8 +206,8 @@ class EvaluateSystems:
         from swifttailor.pattern_library.known import PatternLibrary
 
         given, is_recorded, source = name.partition("=")
-        if is_recorded and Path(source).suffix == ".zip":
-            return self._latent(given, Path(source))
+        if is_recorded and Path(source).suffix == MODEL_FILE:
+            return self._model(given, Path(source))
         if is_recorded:
             return Recorded(given, _recorded(Path(source)))
         weights = self._weights
@@ -216,20 +220,28 @@ class EvaluateSystems:
         askings = {
             "ours": {},
             "uncut": {"alter": False},
-            "network-alone": {"network_alone": True, "temperature": 0.0},
+            "network-alone": _ALONE,
             "designs": {"source": "designs"},
             "library": {"source": "library"},
         }
         return TailorGenerator(name, self._tailor, self._asking(**askings[name]), weights)
 
-    def _latent(self, name: str, source: Path) -> Generator:
+    def _model(self, name: str, weights: Path) -> Generator:
+        """What a model file answers by itself."""
         from swifttailor.evaluation.provenance import file_identity
+        from swifttailor.evaluation.systems.generator import TailorGenerator
         from swifttailor.evaluation.systems.latent import LatentGenerator
-        from swifttailor.latent_diffusion.designer import LatentDesigner
+        from swifttailor.latent_diffusion.designer import KIND, LatentDesigner
+        from swifttailor.networks.model_file import holds_graphs_of
+        from swifttailor.tailor import Tailor
 
-        designer = LatentDesigner.load(source, threads=self.threads)
-        weights = self._weights | {"diffusion": file_identity(source)}
-        return LatentGenerator(name, self._tailor, designer, self._asking(), weights)
+        if holds_graphs_of(weights, KIND):
+            designer = LatentDesigner.load(weights, threads=self.threads)
+            identity = self._weights | {"diffusion": file_identity(weights)}
+            return LatentGenerator(name, self._tailor, designer, self._asking(), identity)
+        tailor = Tailor(weights, threads=self.threads)
+        _ = tailor.pattern_maker  # refused before anything is asked
+        return TailorGenerator(name, tailor, self._asking(**_ALONE), {"writer": file_identity(weights)})
 
     def _constructors(self) -> list[Constructor]:
         from swifttailor.evaluation.systems.constructor import NetworkConstructor, PhysicsConstructor

@@ -190,6 +190,16 @@ def read_archive(
     return about, members
 
 
+def holds_graphs_of(path: Path, kind: ModelKind) -> bool:
+    """Whether a file is an archive with the graphs of a kind; opening it tells whether they are sound."""
+    try:
+        with zipfile.ZipFile(path) as archive:
+            names = set(archive.namelist())
+    except (OSError, zipfile.BadZipFile, ValueError, RuntimeError, NotImplementedError, EOFError):
+        return False
+    return any({f"{graph}.onnx" for graph in graphs} <= names for graphs in kind.graphs)
+
+
 def write_archive(
     path: Path,
     kind: ModelKind,

@@ -6,14 +6,14 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.arrays import Singles
 from swifttailor.clock import Clock
-from swifttailor.errors import InputError
+from swifttailor.errors import InputError, PatternError, SwiftTailorError
 from swifttailor.pattern import Finding, Pattern
 from swifttailor.pattern.check.repair import Change
 from swifttailor.pattern.tidying.mending import mend
@@ -28,6 +28,9 @@ from swifttailor.pattern_maker.tokens.decode import decode
 from swifttailor.pattern_maker.tokens.encode import encode
 from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
 from swifttailor.render.picture_file import read_picture
+
+ChosenDecoding = Literal["own", "grammar", "free"]
+"""Under the grammar, freely, or as the network's own method does."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +63,8 @@ class WrittenPattern:
     """What was written, before anything was mended."""
     unsewn: int = 0
     """Edges that were to be sewn to others which were never written (`Grammar.may_break_off`)."""
+    dropped: int = 0
+    """Stitch tags that were not on two edges, and join nothing; without the grammar alone."""
     changes: tuple[Change, ...] = ()
     """What was mended."""
     findings: tuple[Finding, ...] | None = None
@@ -152,6 +157,36 @@ class PatternMaker:
         Raises:
             SwiftTailorError: See `generate`.
         """
+        made = self.write_all(requests, seed=seed, temperature=temperature, draw=draw)
+        for one in made:
+            if isinstance(one, SwiftTailorError):
+                raise one
+        return [one for one in made if isinstance(one, WrittenPattern)]
+
+    def write_all(
+        self,
+        requests: Sequence[Request],
+        *,
+        seed: int | Sequence[int] = 0,
+        temperature: float = 0.0,
+        draw: int = 0,
+        decoding: ChosenDecoding = "grammar",
+    ) -> list[WrittenPattern | PatternError]:
+        """The same in any way of decoding; without the grammar what is written may be no pattern.
+
+        Args:
+            requests: What is wanted.
+            seed: See `generate_all`.
+            temperature: See `generate`.
+            draw: See `generate_all`.
+            decoding: Under the grammar, freely, or as the method of the network does (``own``).
+
+        Returns:
+            For each request a pattern, or why what was written is none.
+
+        Raises:
+            SwiftTailorError: See `generate`.
+        """
         seeds = [seed] * len(requests) if isinstance(seed, int) else list(seed)
         if len(seeds) != len(requests):
             raise InputError(f"There are {len(seeds)} seeds for {len(requests)} requests; give one for each.")
@@ -167,30 +202,40 @@ class PatternMaker:
             notes.append(about)
         clock.stop("reading")
         model = self.model
-        written = write_answers(model.runtime, asked, model.grammar, model.text.size)
+        free = self.decodes_freely(decoding)
+        written = write_answers(
+            model.runtime, asked, model.grammar, model.text.size, names=model.names, free=free
+        )
         clock.stop("writing")
-        answers = [answer for (answer,) in written]
+        read = [(answer, _pattern_of(answer, free=free)) for (answer,) in written]
         mended = [
-            mend(decode(answer.sequence), alike=request.edit is None)
-            for answer, request in zip(answers, requests, strict=True)
+            pattern if isinstance(pattern, PatternError) else mend(pattern, alike=request.edit is None)
+            for (_, pattern), request in zip(read, requests, strict=True)
         ]
         clock.stop("checking")
         return [
-            WrittenPattern(
+            repair
+            if isinstance(repair, PatternError)
+            else WrittenPattern(
                 pattern=repair.pattern,
                 log_likelihood=answer.log_likelihood,
                 certainty=answer.certainty,
                 look=answer.look,
                 sequence=answer.sequence,
                 unsewn=answer.unsewn,
+                dropped=answer.dropped,
                 changes=repair.changes,
                 findings=repair.remaining,
                 notes=about,
                 confidence=self._confidence(answer),
                 seconds=clock.seconds,
             )
-            for answer, repair, about in zip(answers, mended, notes, strict=True)
+            for (answer, _), repair, about in zip(read, mended, notes, strict=True)
         ]
+
+    def decodes_freely(self, decoding: ChosenDecoding) -> bool:
+        """Whether what is written may be no pattern."""
+        return (self.model.decoding if decoding == "own" else decoding) == "free"
 
     def _ask(self, request: Request) -> tuple[Asked, tuple[str, ...]]:
         model = self.model
@@ -212,10 +257,27 @@ class PatternMaker:
         edit = None if request.edit is None else encode(request.edit, limits=model.grammar.limits)
         places = 0 if picture is None else model.image_tokens
         prompt = make_prompt(
-            encoded.tokens, model.text.size, image_tokens=places, edit=edit, brief=model.brief_edits
+            encoded.tokens,
+            model.text.size,
+            image_tokens=places,
+            edit=edit,
+            brief=model.brief_edits,
+            names=model.names,
         )
         return Asked(prompt, picture, edit=edit, brief=model.brief_edits), tuple(notes)
 
     def _confidence(self, answer: Written) -> Confidence | None:
         usual = self.model.calibration
         return usual.confidence(answer.look, answer.certainty) if usual and answer.look is not None else None
+
+
+def _pattern_of(answer: Written, *, free: bool) -> Pattern | PatternError:
+    """What was written, or why it is no pattern."""
+    if answer.fault:
+        return PatternError(answer.fault)
+    try:
+        return decode(answer.sequence)
+    except SwiftTailorError as error:
+        if not free:
+            raise  # the grammar lets patterns alone through
+        return PatternError(f"What was written is no pattern. {error}")

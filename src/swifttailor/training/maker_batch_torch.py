@@ -52,7 +52,7 @@ class Batch:
     answers: Tensor
     """(n,) places in (B * L) before a token of an answer."""
     next_tokens: Tensor
-    """(n,) that token, of a pattern."""
+    """(n,) that token, as the outputs of the network are numbered."""
     next_numbers: Tensor
     """(n, 8) its numbers."""
     firsts: Tensor
@@ -184,7 +184,7 @@ def assemble(
     """
     length = max(len(s.tokens) for s in samples)
     some: Any = samples[0]
-    pad = int(some.tokens[-1]) - int(some.answer.tokens[-1]) + PAD  # text tokens come before
+    pad = int(some.tokens[-1]) - int(some.outputs[-1]) + PAD  # the last is no text: text tokens come before
     tokens = np.full((len(samples), length), pad, np.int64)
     numbers = np.zeros((len(samples), length, NUMBERS), np.float32)
     told = _Told.like(tokens.shape)
@@ -196,8 +196,10 @@ def assemble(
         size = len(sample.tokens)
         tokens[row, :size], numbers[row, :size] = sample.tokens, sample.numbers
         # Each token is predicted from the state before it.
-        places = np.arange(size - len(sample.answer), size) - 1
+        places = np.arange(size - len(sample.outputs), size) - 1
         answers.append(row * length + places)
+        if sample.spelled is not None:
+            continue  # counterparts and plans are told in tokens of names
         one = Unplanned(row, size - len(sample.answer), sample.answer, sample.before)
         if planning and (changes or sample.before is None):
             unplanned.append(one)
@@ -210,8 +212,8 @@ def assemble(
         numbers=torch.from_numpy(numbers),
         pictures=_pictures(samples, image_size),
         answers=torch.from_numpy(np.concatenate(answers)),
-        next_tokens=torch.from_numpy(np.concatenate([s.answer.tokens for s in samples]).astype(np.int64)),
-        next_numbers=torch.from_numpy(np.concatenate([s.answer.numbers for s in samples])),
+        next_tokens=torch.from_numpy(np.concatenate([s.outputs for s in samples]).astype(np.int64)),
+        next_numbers=torch.from_numpy(np.concatenate([s.output_numbers for s in samples])),
         firsts=torch.from_numpy(np.array([places[0] for places in answers])),
         read=torch.from_numpy(read.tokens),
         read_numbers=torch.from_numpy(read.numbers),

@@ -80,6 +80,9 @@ class MakerConfig(LoopConfig):
     """Prompts beside each sample that are only read, for the losses of foresight: they are short, and what
     they say is what is learnt last. Their tasks are as often as in `tasks`; edits whose prompts tell the
     whole pattern are left out."""
+    decoding: Literal["grammar", "free"] = "grammar"
+    """How answers are decoded where the network alone is measured: under the grammar, or whatever is
+    likeliest (AIpparel). Nothing about the training; `generate` always decodes under the grammar."""
     recuts: int = 1
     """Edits made of each pattern by recutting it, beside those of the file of edits."""
     typos: float = 0.03
@@ -113,17 +116,32 @@ class MakerConfig(LoopConfig):
                 "network.planning is true, and losses.foresight 0: nothing would be foreseen. Set "
                 "losses.foresight above 0, or network.planning to false."
             )
+        require(self, "decoding", self.decoding in ("grammar", "free"), "grammar or free")
+        if self.network.names == "text" and self.losses.changed != 1:
+            raise InputError(
+                f"losses.changed is {self.losses.changed:g} with network.names=text, where nothing is told "
+                "of what is likely to be repeated; 1 is accepted."
+            )
         require(self, "tags", self.tags in ("ascending", "random"), "ascending or random")
 
 
+_AIPPAREL_LOSSES = MakerLosses(
+    numbers=0.1, foresight=0.0, foreseen_numbers=0.0, penalty="squared", changed=1.0, by_kind=True
+)
+
 CONFIGS: dict[str, MakerConfig] = {
     "small": MakerConfig(network=NetworkConfig(edits="outlines")),
+    "aipparel": MakerConfig(
+        network=NetworkConfig(command_seen=False, copying=False, planning=False, names="text"),
+        losses=_AIPPAREL_LOSSES,
+        tags="random",
+        decoding="free",
+        reads=0,
+    ),
     "paper": MakerConfig(
         network=PAPER_NETWORK,
         tasks=TaskMix(text=0.2, image=0.3, text_image=0.4, edit=0.1),
-        losses=MakerLosses(
-            numbers=0.1, foresight=0.0, foreseen_numbers=0.0, penalty="squared", changed=1.0, by_kind=True
-        ),
+        losses=_AIPPAREL_LOSSES,
         steps=12_750,
         batch_size=80,
         optimizer="adamw",
@@ -131,6 +149,7 @@ CONFIGS: dict[str, MakerConfig] = {
         warmup_steps=100,
         weight_decay=0.0,
         tags="random",
+        decoding="free",
         reads=0,
         typos=0.0,
         picture_variation=0.0,
@@ -138,8 +157,10 @@ CONFIGS: dict[str, MakerConfig] = {
         validate_every=1000,
     ),
 }
-"""Named configurations. In `paper`, what the paper does not give is AIpparel's (tasks, losses, steps, batch),
-and the learning rate ours: AIpparel's is for another language model."""
+"""Named configurations. In `aipparel`, tokens, losses and decoding are AIpparel's; the network's size, the
+tasks, the optimiser, and how texts and pictures are varied are those of `small`. In `paper`, what the paper
+does not give is AIpparel's (tasks, losses, steps, batch), and the learning rate ours: AIpparel's is for
+another language model."""
 
 
 def read_config(name: str, overrides: Sequence[str] = ()) -> MakerConfig:

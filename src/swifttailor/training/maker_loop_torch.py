@@ -121,7 +121,7 @@ def train(
             report(f"'{config.start}' is of another network in '{name}', which begins anew.")
 
     def samples_of(name: str) -> MakerSamples:
-        return MakerSamples(banks[name], renders[name], config, text.encode, text.size)
+        return MakerSamples(banks[name], renders[name], config, text.encode, text.size, text.names)
 
     about: dict[str, Any] = {name: bank.numbers() for name, bank in banks.items()}
     about["files"] = file_checksums([*patterns, *validation, *apart, *([edits] if edits else [])])

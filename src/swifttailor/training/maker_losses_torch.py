@@ -7,7 +7,7 @@ import torch.nn.functional as F
 from torch import Tensor
 
 from swifttailor.pattern_maker.asking.copying import UNCHANGED
-from swifttailor.pattern_maker.tokens.token_sequence import NUMBER_MASK
+from swifttailor.pattern_maker.tokens.token_sequence import padded_mask
 from swifttailor.pattern_maker.tokens.vocabulary import MOVE, SIZE
 from swifttailor.training.maker_batch_torch import Batch
 from swifttailor.training.maker_config import MakerLosses
@@ -22,7 +22,7 @@ def compute_losses(
     """Cross entropy of the tokens and error of their numbers (AIpparel), and what of the answer is foreseen.
 
     Args:
-        logits: (n, tokens of patterns).
+        logits: (n, outputs).
         numbers: (n, 8) predicted.
         foreseen: (B + R, `FORESEEN`) of the answers to all prompts, those that are only read included.
         batch: With the truth.
@@ -32,14 +32,15 @@ def compute_losses(
         ``tokens``, ``numbers``, ``foresight``, ``foreseen_numbers`` and ``total``.
     """
     tokens = batch.next_tokens
-    mask = torch.tensor(NUMBER_MASK, device=tokens.device)[tokens]
+    outputs = logits.shape[-1]
+    mask = torch.tensor(padded_mask(outputs), device=tokens.device)[tokens]
     penalty = number_penalty(numbers, batch.next_numbers, tokens, weights.penalty)
     other, elsewhere = _unlike_counterparts(batch, mask)
     extra = weights.changed - 1
     of_tokens = (F.cross_entropy(logits, tokens, reduction="none") * (1 + extra * other)).mean()
     each = (penalty * mask).sum(-1) * (1 + extra * elsewhere)
     if weights.by_kind:
-        kinds = tokens.new_zeros(len(NUMBER_MASK), dtype=torch.float32)
+        kinds = tokens.new_zeros(outputs, dtype=torch.float32)
         sums = kinds.index_add(0, tokens, each)
         counts = kinds.index_add(0, tokens, torch.ones_like(each))
         of_numbers = (sums / counts.clamp(min=1)).sum()

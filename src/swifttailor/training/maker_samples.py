@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from swifttailor.data.renders.files import SplitRenders
 from swifttailor.pattern_maker.asking.pictures import picture_for_network
 from swifttailor.pattern_maker.asking.prompt import make_prompt, pattern_part
-from swifttailor.pattern_maker.tokens.token_sequence import NUMBER_MASK, TokenSequence
+from swifttailor.pattern_maker.tokens.name_text import NameText, SpelledPattern
+from swifttailor.pattern_maker.tokens.token_sequence import NUMBER_MASK, TokenSequence, padded_mask
 from swifttailor.pattern_maker.tokens.vocabulary import STITCH_TAGS, STITCH_TOKENS
 from swifttailor.training.maker_bank import PatternBank, Version
 from swifttailor.training.maker_config import MakerConfig
@@ -61,11 +62,23 @@ class MakerSample:
     """(3, size, size)."""
     before: TokenSequence | None = None
     """What is edited."""
+    spelled: SpelledPattern | None = None
+    """The answer, where its names are written as text."""
+
+    @property
+    def outputs(self) -> NDArray[np.integer]:
+        """(m,) what the network should choose."""
+        return self.answer.tokens if self.spelled is None else self.spelled.outputs
+
+    @property
+    def output_numbers(self) -> NDArray[np.float32]:
+        """(m, 8) and the numbers that it should write."""
+        return self.answer.numbers if self.spelled is None else self.spelled.numbers
 
     @property
     def prompt(self) -> NDArray[np.int64]:
         """The tokens before the answer."""
-        return self.tokens[: len(self.tokens) - len(self.answer)]
+        return self.tokens[: len(self.tokens) - len(self.outputs)]
 
 
 class MakerSamples:
@@ -78,6 +91,7 @@ class MakerSamples:
         config: MakerConfig,
         text_tokens: TextTokens,
         text_size: int,
+        names: NameText | None = None,
     ) -> None:
         """Prepares to make samples.
 
@@ -87,9 +101,10 @@ class MakerSamples:
             config: Of the training.
             text_tokens: The tokens of a text, as many as are read.
             text_size: Tokens of text that there are.
+            names: Of a network that writes names as text.
         """
         self.bank, self.renders, self.config = bank, renders, config
-        self.text_tokens, self.text_size = text_tokens, text_size
+        self.text_tokens, self.text_size, self.names = text_tokens, text_size, names
 
     @cached_property
     def _pictured(self) -> dict[str, list[tuple[SplitRenders, int]]]:
@@ -192,14 +207,20 @@ class MakerSamples:
             image_tokens=0 if picture is None else self.config.network.image_tokens,
             edit=edit,
             brief=self.config.network.edits == "outlines",
+            names=self.names,
         )
-        written = pattern_part(answer, self.text_size)
+        written = pattern_part(answer, self.text_size, self.names)
+        spelled = None if self.names is None else self.names.spell(answer)
         numbers = written.numbers
         if self.config.number_noise and not clean:
             noise = chance.normal(scale=self.config.number_noise, size=numbers.shape)
-            numbers = numbers + noise.astype(np.float32) * NUMBER_MASK[answer.tokens]
+            mask = NUMBER_MASK[answer.tokens]
+            if self.names is not None and spelled is not None:
+                mask = padded_mask(self.names.outputs)[spelled.outputs]
+            numbers = numbers + noise.astype(np.float32) * mask
         tokens = np.concatenate([prompt.tokens, written.tokens])
-        return MakerSample(task, tokens, np.concatenate([prompt.numbers, numbers]), answer, picture, edit)
+        numbers = np.concatenate([prompt.numbers, numbers])
+        return MakerSample(task, tokens, numbers, answer, picture, edit, spelled)
 
     def _order(self, epoch: int) -> NDArray[Any]:
         if getattr(self, "_epoch", None) != epoch:

@@ -13,7 +13,7 @@ from swifttailor.evaluation.maker.book import Book
 from swifttailor.evaluation.maker.pictures import GarmentPictures
 from swifttailor.evaluation.maker.questions import PICTURED, Question, seed_of
 from swifttailor.pattern import Pattern, Severity, check_pattern, read_specification, to_specification
-from swifttailor.pattern_maker.maker import Request, WrittenPattern
+from swifttailor.pattern_maker.maker import ChosenDecoding, PatternMaker, Request, WrittenPattern
 from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.progress import CountProgress, unwatched
 from swifttailor.tailor import Order, Tailor
@@ -50,6 +50,8 @@ class Asking:
     network_alone: bool = False
     """Whether the first pattern that the network writes is the answer, whatever is wrong with it: nothing is
     altered, cropped, tried to be sewn, or written again."""
+    decoding: ChosenDecoding = "own"
+    """Of the network alone: under the grammar, freely, or as its own method does."""
     seed: int = 0
 
     def order(self, question: Question, pictures: GarmentPictures | None) -> Order:
@@ -71,6 +73,8 @@ class Asking:
     def to_json(self) -> dict[str, Any]:
         """What decides the answers; of the network alone only what it is asked with."""
         decides: dict[str, Any] = {"network_alone": self.network_alone, "temperature": self.temperature}
+        if self.network_alone and self.decoding != "own":
+            decides["decoding"] = self.decoding
         if not self.network_alone:
             order = Order(temperature=self.temperature, attempts=self.attempts)
             decides |= {"attempts": order.most_attempts, "alter": self.alter, "crop": self.crop}
@@ -168,8 +172,9 @@ def ask_network(
     *,
     temperature: float,
     seeds: Sequence[int],
-) -> Sequence[WrittenPattern]:
-    """What the network alone writes: one pattern for each question.
+    decoding: ChosenDecoding = "own",
+) -> Sequence[WrittenPattern | SwiftTailorError]:
+    """What the network alone writes: one pattern for each question, or why what was written is none.
 
     Args:
         writer: Is asked.
@@ -177,6 +182,7 @@ def ask_network(
         pictures: For questions with one; shown as they are, and of two the first.
         temperature: Of the draws.
         seeds: One for each question.
+        decoding: See `Asking`; of a writer that is no `PatternMaker`, its own.
 
     Raises:
         SwiftTailorError: One of the questions cannot be answered.
@@ -186,6 +192,13 @@ def ask_network(
         Request(question.text, None if picture is None else picture[1][0], question.before)
         for question, picture in zip(questions, shown, strict=True)
     ]
+    if isinstance(writer, PatternMaker):
+        if writer.decodes_freely(decoding):
+            return writer.write_all(requests, seed=seeds, temperature=temperature, decoding="free")
+    elif decoding != "own":
+        raise InputError(
+            f"How a {type(writer).__name__} decodes cannot be chosen. Give a PatternMaker, or no --decoding."
+        )
     return writer.generate_all(requests, seed=seeds, temperature=temperature, draw=0)
 
 
@@ -214,10 +227,20 @@ def tailor_answers(
     if asking.network_alone:
         seeds = [seed_of(asking.seed, q.key, "answer") for q in questions]
         written = ask_network(
-            tailor.pattern_maker, questions, pictures, temperature=asking.temperature, seeds=seeds
+            tailor.pattern_maker,
+            questions,
+            pictures,
+            temperature=asking.temperature,
+            seeds=seeds,
+            decoding=asking.decoding,
         )
-        clock.add(written[0].seconds)
-        answers = [Answer(one.pattern, _verdict(one), tuple(one.changes), written=one) for one in written]
+        clock.add(next((one.seconds for one in written if isinstance(one, WrittenPattern)), {}))
+        answers = [
+            Answer(one.pattern, _verdict(one), tuple(one.changes), written=one)
+            if isinstance(one, WrittenPattern)
+            else one
+            for one in written
+        ]
     else:
         answers = tailor.write([asking.order(question, pictures) for question in questions], clock)
     about = {"seconds": clock.seconds, "together": len(questions)}  # of all that were answered together
@@ -265,6 +288,7 @@ def _content(answer: Answer) -> Content:
         "log_likelihood": 0.0 if written is None else written.log_likelihood,
         "attempts": len(answer.failures) + 1,
         **({"known": answer.known} if answer.known else {}),
+        **({"dropped": written.dropped} if written is not None and written.dropped else {}),
         "mended": [change.code for change in answer.changes],
         "altered": list(answer.cuts),
         "not_so": [wish_line(wish) for wish in answer.verdict.open],

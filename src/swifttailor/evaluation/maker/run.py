@@ -276,7 +276,16 @@ def _sample(
     if not plan.samples:
         return {}
     with show(len(questions), "questions sampled until a pattern is sound") as progress:
-        sampled = sample_all(writer, questions, book, plan.samples, plan.asking.seed, pictures, progress.add)
+        sampled = sample_all(
+            writer,
+            questions,
+            book,
+            plan.samples,
+            plan.asking.seed,
+            pictures,
+            progress.add,
+            plan.asking.decoding,
+        )
     return {
         task: summarize_samples([s for s in sampled if s.question.task == task])
         for task in dict.fromkeys(q.task for q in questions)

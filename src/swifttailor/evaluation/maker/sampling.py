@@ -21,7 +21,7 @@ from swifttailor.evaluation.patterns.attempts import (
 )
 from swifttailor.evaluation.patterns.validity import validity
 from swifttailor.pattern import to_specification
-from swifttailor.pattern_maker.maker import WrittenPattern
+from swifttailor.pattern_maker.maker import ChosenDecoding, WrittenPattern
 from swifttailor.pattern_maker.tokens.decode import decode
 from swifttailor.progress import CountProgress, unwatched
 from swifttailor.tailor.protocols import PatternWriter
@@ -70,6 +70,7 @@ def sample_all(
     seed: int,
     pictures: GarmentPictures | None = None,
     progress: CountProgress = unwatched,
+    decoding: ChosenDecoding = "own",
 ) -> list[Sampled]:
     """Draws what was not drawn yet, of each question until a pattern is sound, as written and mended.
 
@@ -81,6 +82,7 @@ def sample_all(
         seed: Of the draws.
         pictures: For questions with one.
         progress: Called with the number of questions that are done.
+        decoding: See `Asking`.
 
     Raises:
         InputError: A sample cannot be written, or a picture not be read.
@@ -92,7 +94,7 @@ def sample_all(
             # Those that have a sound pattern are not asked again; so a batch is the same whenever it is made.
             left = [q for q in part if q.key not in counted]
             if any(book.get(q, attempt) is None for q in left):
-                given = together_or_alone(left, partial(_drawn, writer, pictures, seed, attempt))
+                given = together_or_alone(left, partial(_drawn, writer, pictures, seed, attempt, decoding))
                 for question, one in zip(left, given, strict=True):
                     book.add(question, attempt, _content(one))
             for question in left:
@@ -130,10 +132,11 @@ def _drawn(
     pictures: GarmentPictures | None,
     seed: int,
     attempt: int,
+    decoding: ChosenDecoding,
     questions: Sequence[Question],
-) -> Sequence[WrittenPattern]:
+) -> Sequence[WrittenPattern | SwiftTailorError]:
     seeds = [seed_of(seed, question.key, "sample", attempt) for question in questions]
-    return ask_network(writer, questions, pictures, temperature=TEMPERATURE, seeds=seeds)
+    return ask_network(writer, questions, pictures, temperature=TEMPERATURE, seeds=seeds, decoding=decoding)
 
 
 def _content(given: WrittenPattern | SwiftTailorError) -> dict[str, Any]:

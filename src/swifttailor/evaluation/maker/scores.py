@@ -60,7 +60,7 @@ class Scored:
         question, record = self.answer.question, self.answer.record
         kept = (
             *("tokens", "log_likelihood", "attempts", "known", "mended", "altered", "not_so"),
-            *("errors", "warnings", "error"),
+            *("dropped", "errors", "warnings", "error"),
         )
         return {
             "question": question.key,
@@ -90,6 +90,8 @@ class TaskResult:
     """Answers in which a check still finds an error."""
     seconds: dict[str, float]
     """Mean of an answer, by stage; answered together with others."""
+    dropped: int = 0
+    """Stitch tags in all answers that were not on two edges, and join nothing; without the grammar alone."""
 
     def to_json(self) -> dict[str, Any]:
         """Plain JSON values."""
@@ -101,6 +103,7 @@ class TaskResult:
             "mended": self.mended,
             "faulty": self.faulty,
             "seconds": self.seconds,
+            **({"dropped": self.dropped} if self.dropped else {}),
         }
 
 
@@ -144,6 +147,7 @@ def summarize_task(task: Task, scored: Sequence[Scored]) -> TaskResult:
         mended=sum(bool(r.get("mended")) for r in records),
         faulty=sum(r.get("errors", 0) > 0 for r in records),
         seconds=_seconds(records),
+        dropped=sum(r.get("dropped", 0) for r in records),
     )
 
 

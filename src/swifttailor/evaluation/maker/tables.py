@@ -62,6 +62,7 @@ def task_text(result: TaskResult) -> str:
         "image": "Statements that a caption would have made, and that hold",
     }.get(result.task, "Statements of the captions that hold")
     count = result.patterns[0][1].patterns
+    dropped = f"{result.dropped} stitch tags stood on one edge or on three and more, and join nothing\n"
     seconds = ", ".join(f"{name} {value:.3f}" for name, value in result.seconds.items())
     return (
         f"== {_TITLES[result.task]}: {count} questions ==\n\n"
@@ -70,6 +71,7 @@ def task_text(result: TaskResult) -> str:
         f"{result.attempts:.2f} patterns were tried for an answer; {result.known} of {count} were cut from "
         "known patterns\n"
         f"{result.mended} of {count} answers were mended; in {result.faulty} a check still finds errors\n"
+        f"{dropped if result.dropped else ''}"
         f"seconds of an answer, among others answered together: {seconds or 'none'}\n"
     )
 
@@ -128,7 +130,9 @@ def _manner(about: Mapping[str, Any]) -> str:
     """How the questions were asked."""
     temperature = f"temperature {about['temperature']:g}"
     if about["network_alone"]:
-        return f"answers of the network alone, {temperature}, one pattern each"
+        decoded = {"grammar": ", under the grammar", "free": ", decoded without the grammar"}
+        how = decoded.get(about.get("decoding", "own"), "")
+        return f"answers of the network alone{how}, {temperature}, one pattern each"
     usual = "answers as swifttailor generate and edit give them"
     without = [name for name in ("alter", "crop") if not about[name]]
     if about["source"] != "both":

@@ -1,4 +1,4 @@
-"""Writing patterns token by token, under the grammar: whatever the network thinks, a pattern comes out."""
+"""Writing patterns token by token: under the grammar, where a pattern always comes out, or freely."""
 
 from __future__ import annotations
 
@@ -10,16 +10,19 @@ from numpy.typing import NDArray
 
 from swifttailor.arrays import Singles
 from swifttailor.errors import InputError
+from swifttailor.pattern_maker.asking.answer_paths import AnswerPath, FreePath, GrammarPath, SpelledPath
 from swifttailor.pattern_maker.asking.copying import mix
 from swifttailor.pattern_maker.asking.counterpart import Counterpart, Counterparts
 from swifttailor.pattern_maker.asking.plan import PatternPlan, approach, normalized
 from swifttailor.pattern_maker.asking.prompt import Sequence
 from swifttailor.pattern_maker.network.runtime import Cache, Runtime
-from swifttailor.pattern_maker.tokens.grammar import Grammar, Stage, State
-from swifttailor.pattern_maker.tokens.token_sequence import LARGEST_NUMBER, NUMBER_MASK, TokenSequence
-from swifttailor.pattern_maker.tokens.vocabulary import NUMBERS, PATTERN_END
+from swifttailor.pattern_maker.tokens.free_reading import settled
+from swifttailor.pattern_maker.tokens.grammar import Grammar, Stage
+from swifttailor.pattern_maker.tokens.name_text import NameText
+from swifttailor.pattern_maker.tokens.token_sequence import LARGEST_NUMBER, TokenSequence, padded_mask
+from swifttailor.pattern_maker.tokens.vocabulary import NUMBERS, SIZE
 
-_CARRIES: NDArray[np.bool_] = np.any(NUMBER_MASK, axis=1)
+_NO_NUMBERS = np.zeros(NUMBERS, np.float32)
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +47,7 @@ class Written:
     """An answer."""
 
     sequence: TokenSequence
+    """Names as tokens; where there is a `fault`, what was read until then."""
     log_likelihood: float
     """Natural logarithm of the probability of its tokens among those that the grammar allows, the plan
     included, at temperature 1."""
@@ -53,6 +57,10 @@ class Written:
     """(hidden,) what the network made of the picture, its places averaged; None without one."""
     unsewn: int = 0
     """Edges that were to be sewn to others which were never written (`Grammar.broken_off`)."""
+    fault: str = ""
+    """Why it is no pattern; without the grammar alone."""
+    dropped: int = 0
+    """Stitch tags without the grammar that were not on two edges, and join nothing."""
 
 
 @dataclass(eq=False)
@@ -61,20 +69,20 @@ class _Answer:
 
     temperature: float
     chance: np.random.Generator
-    state: State = field(default_factory=State)
-    tokens: list[int] = field(default_factory=list)
+    path: AnswerPath
     numbers: list[Singles] = field(default_factory=list)
     log_likelihood: float = 0.0
     likeliest: float = 0.0
     """What it would be, had the likeliest token been taken everywhere."""
+    places: int = 0
     likely: Counterparts | None = None
     """For a network that is told what it is likely to repeat."""
     plan: PatternPlan | None = None
     """For one that plans."""
     panels: Singles | None = None
     """(75 panels, hidden) to add at all places of each, for one that plans."""
-    unsewn: int = 0
-    """Edges whose stitches were open at the end."""
+    _done: int = 0
+    """Tokens of the pattern that the latest choice has completed."""
 
     def counterpart(self) -> Counterpart:
         """Of the token that is to come."""
@@ -82,37 +90,50 @@ class _Answer:
 
     def take_numbers(self, numbers: Singles) -> None:
         """Adds the numbers (8,) of the token that was chosen."""
-        self.numbers.append(numbers)
-        if self.likely is not None:
-            self.likely.follow(self.tokens[-1], numbers)
+        for token in self.path.tokens[len(self.path.tokens) - self._done :]:
+            own = numbers if len(self.numbers) == len(self.path.tokens) - 1 else _NO_NUMBERS
+            self.numbers.append(own)
+            if self.likely is not None:
+                self.likely.follow(token, own)
 
-    def choose(self, logits: NDArray[np.floating], grammar: Grammar) -> int:
-        """Takes the next token; its numbers are added by `_answer_all`."""
-        mask = grammar.allowed(self.state)
-        mask[PATTERN_END] |= grammar.may_break_off(self.state)
-        allowed = np.flatnonzero(mask)
+    def choose(self, logits: NDArray[np.floating]) -> int:
+        """Takes the next output; its numbers are added by `_answer_all`."""
+        state = self.path.state
+        allowed = np.flatnonzero(self.path.allowed())
         scores = logits[allowed].astype(np.float64)
         logs = normalized(scores)
-        if self.plan is not None and self.state.stage is Stage.BETWEEN_PANELS:
-            logs = self.plan.weighed(logs, self.state.name, allowed)
+        if self.plan is not None and state.stage is Stage.BETWEEN_PANELS:
+            logs = self.plan.weighed(logs, state.name, allowed)
         best = int(np.argmax(logs))
         if self.temperature > 0 and len(allowed) > 1:
             # The largest of scores with Gumbel noise is a draw by probability.
             noise = self.chance.gumbel(size=len(allowed))
             best = int(np.argmax(logs / self.temperature + noise))
-        token = int(allowed[best])
         self.log_likelihood += float(logs[best])
         self.likeliest += float(logs.max())
-        if token == PATTERN_END and self.state.open:
-            self.unsewn = len(self.state.open)
-            self.state, self.tokens = grammar.broken_off(self.state, self.tokens)
-        self.state = grammar.advance(self.state, token)
-        self.tokens.append(token)
-        return token
+        self.places += 1
+        output = int(allowed[best])
+        self._done = self.path.take(output)
+        return output
+
+    def written(self, look: Singles | None, *, free: bool) -> Written:
+        """What came of it."""
+        path, certainty = self.path, self.likeliest / self.places
+        if free and not path.fault:
+            read = settled(path.tokens, self.numbers)
+            return Written(read.sequence, self.log_likelihood, certainty, look, dropped=read.dropped)
+        sequence = TokenSequence(np.array(path.tokens), np.array(self.numbers).reshape(-1, NUMBERS))
+        return Written(sequence, self.log_likelihood, certainty, look, path.unsewn, path.fault)
 
 
 def write_answers(
-    runtime: Runtime, asked: Several[Asked], grammar: Grammar, text_size: int
+    runtime: Runtime,
+    asked: Several[Asked],
+    grammar: Grammar,
+    text_size: int,
+    *,
+    names: NameText | None = None,
+    free: bool = False,
 ) -> list[list[Written]]:
     """Answers prompts, all at once.
 
@@ -121,6 +142,8 @@ def write_answers(
         asked: Prompts; each is read once however many answers it gets.
         grammar: What may be written.
         text_size: Tokens of text of the network.
+        names: Of a network that writes names as text.
+        free: Whether anything may be written, up to the longest sequence of the grammar.
 
     Returns:
         Of each prompt an answer for each of its seeds.
@@ -138,18 +161,22 @@ def write_answers(
             chance = np.random.default_rng(list(seed))
             likely = Counterparts(one.edit, plans.get(row)) if runtime.copies else None
             plan = plans.get(row)
-            answers.append(_Answer(one.temperature, chance, likely=likely, plan=plan, panels=panels.get(row)))
+            path: AnswerPath
+            if free:
+                path = FreePath(grammar.limits.tokens, names)
+            else:
+                path = GrammarPath(grammar) if names is None else SpelledPath(grammar, names)
+            told = panels.get(row)
+            answers.append(_Answer(one.temperature, chance, path, likely=likely, plan=plan, panels=told))
             rows.append(row)
     chosen = np.array(rows, np.int64)
     if len(rows) != len(asked):
         states, logits, cache = states[chosen], logits[chosen], cache.rows(chosen)
-    _answer_all(runtime, list(answers), states, logits, cache, grammar, text_size)
+    whole = np.arange(SIZE, dtype=np.int64) + text_size if names is None else names.whole(text_size)
+    _answer_all(runtime, list(answers), states, logits, cache, whole)
     written: list[list[Written]] = [[] for _ in asked]
     for answer, row in zip(answers, rows, strict=True):
-        sequence = TokenSequence(np.array(answer.tokens), np.array(answer.numbers))
-        certainty = answer.likeliest / len(answer.tokens)
-        look = looks.get(row)
-        written[row].append(Written(sequence, answer.log_likelihood, certainty, look, answer.unsewn))
+        written[row].append(answer.written(looks.get(row), free=free))
     return written
 
 
@@ -203,9 +230,11 @@ def _answer_all(
     states: Singles,
     logits: Singles,
     cache: Cache,
-    grammar: Grammar,
-    text_size: int,
+    whole: NDArray[np.int64],
 ) -> None:
+    """Writes answers to their ends; `whole` are the outputs (outputs,) as tokens of the whole vocabulary."""
+    mask = padded_mask(len(whole))
+    carries = np.any(mask, axis=1)
     own = [answer.counterpart() for answer in active]
     while True:
         others = np.array([c.token for c in own], np.int64)
@@ -216,9 +245,9 @@ def _answer_all(
             logits[there, others[there]] += leanings[there, 0]
         if not np.isfinite(logits).all():
             raise InputError("The network's logits are not finite numbers: its weights are damaged.")
-        tokens = np.array([a.choose(x, grammar) for a, x in zip(active, logits, strict=True)], np.int64)
+        tokens = np.array([a.choose(x) for a, x in zip(active, logits, strict=True)], np.int64)
         written = np.zeros((len(active), NUMBERS), np.float32)
-        if _CARRIES[tokens].any():
+        if carries[tokens].any():
             given = runtime.regress(states, tokens)
             foretold = np.array([c.planned for c in own], np.int64)
             if (foretold >= 0).any():
@@ -228,17 +257,17 @@ def _answer_all(
                 given = mix(given, np.stack([c.numbers for c in own]), leanings, tokens, others)
             if not np.isfinite(given).all():
                 raise InputError("The network's numbers are not finite: its weights are damaged.")
-            written = (given.clip(-LARGEST_NUMBER, LARGEST_NUMBER) * NUMBER_MASK[tokens]).astype(np.float32)
+            written = (given.clip(-LARGEST_NUMBER, LARGEST_NUMBER) * mask[tokens]).astype(np.float32)
         for answer, row in zip(active, written, strict=True):
             answer.take_numbers(row)
-        going = np.array([k for k, a in enumerate(active) if a.state.stage is not Stage.FINISHED], np.int64)
+        going = np.array([k for k, a in enumerate(active) if not a.path.finished], np.int64)
         if not len(going):
             return
         if len(going) < len(active):
             active = [active[k] for k in going]
             tokens, written, cache = tokens[going], written[going], cache.rows(going)
         own = [answer.counterpart() for answer in active]
-        embedded = runtime.embed(tokens[:, None] + text_size, written[:, None])
+        embedded = runtime.embed(whole[tokens][:, None], written[:, None])
         embedded = embedded + _added(runtime, own, embedded.shape[-1], active)[:, None]
         known = np.ones((len(active), 1), np.float32)
         after, next_logits, cache = runtime.decode(embedded, known, cache)

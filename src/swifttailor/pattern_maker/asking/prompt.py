@@ -7,7 +7,8 @@
     outlines := (panel | <panel:NAME>)+, without stitches and labels
 
 One vocabulary numbers them all: the tokens of text first, then those of patterns (`vocabulary.TOKENS`), then
-the four marks below. How many ``<image>`` there are, the network's shape says.
+the four marks below, and those around panels where names are text (`name_text`). How many ``<image>`` there
+are, the network's shape says.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.pattern.names import TWINS
+from swifttailor.pattern_maker.tokens.name_text import FIRST_PIECE, PROMPT_MARKS, NameText
 from swifttailor.pattern_maker.tokens.panel_tokens import SAME, are_alike, mirrored, panels_of
 from swifttailor.pattern_maker.tokens.token_sequence import TokenSequence
 from swifttailor.pattern_maker.tokens.vocabulary import (
@@ -31,8 +33,10 @@ from swifttailor.pattern_maker.tokens.vocabulary import (
 
 IMAGE, EDIT, MAKE, PAD = SIZE, SIZE + 1, SIZE + 2, SIZE + 3
 """Marks, counted like tokens of patterns."""
-OWN_TOKENS = SIZE + 4
+OWN_TOKENS = SIZE + PROMPT_MARKS
 """Tokens beyond those of text."""
+OWN_TOKENS_WITH_NAME_TEXT = FIRST_PIECE
+"""The same where names are written as text."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,8 +57,11 @@ class Sequence:
         )
 
 
-def pattern_part(sequence: TokenSequence, text_size: int) -> Sequence:
-    """A pattern in the whole vocabulary."""
+def pattern_part(sequence: TokenSequence, text_size: int, names: NameText | None = None) -> Sequence:
+    """A pattern in the whole vocabulary; with `names`, its names as text."""
+    if names is not None:
+        spelled = names.spell(sequence)
+        return Sequence(names.whole(text_size)[spelled.outputs], spelled.numbers)
     return Sequence(sequence.tokens.astype(np.int64) + text_size, np.asarray(sequence.numbers))
 
 
@@ -65,6 +72,7 @@ def make_prompt(
     image_tokens: int = 0,
     edit: TokenSequence | None = None,
     brief: bool = False,
+    names: NameText | None = None,
 ) -> Sequence:
     """The prompt, up to where the answer begins.
 
@@ -74,11 +82,12 @@ def make_prompt(
         image_tokens: Places for the picture; 0 without one.
         edit: Pattern to edit.
         brief: Whether only the outlines of that are told, which takes a third of the tokens.
+        names: Of a network that writes names as text.
     """
     prompt = _plain([*[IMAGE + text_size] * image_tokens, *text])
     if edit is not None:
         told = outlines_of(edit) if brief else edit
-        prompt = prompt + _plain([EDIT + text_size]) + pattern_part(told, text_size)
+        prompt = prompt + _plain([EDIT + text_size]) + pattern_part(told, text_size, names)
     return prompt + _plain([MAKE + text_size])
 
 

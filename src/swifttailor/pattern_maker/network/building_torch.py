@@ -7,10 +7,12 @@ from typing import Any
 from torch import nn
 from transformers import InternVLConfig, InternVLModel, InternVLVisionConfig, Qwen2Config
 
+from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.pattern_maker.network.initial_weights_torch import EMBEDDING, initialize
 from swifttailor.pattern_maker.network.network_config import NetworkConfig
 from swifttailor.pattern_maker.network.network_torch import PatternMakerNetwork
 from swifttailor.pattern_maker.network.stem_torch import ConvolutionalStem
+from swifttailor.pattern_maker.tokens.name_text import NameText
 
 POSITIONS = 4096
 """Longest sequence of the small model."""
@@ -46,12 +48,28 @@ def build_network(config: NetworkConfig, text_size: int) -> PatternMakerNetwork:
         command_seen=config.command_seen,
         copying=config.copying,
         planning=config.planning,
+        names=name_text(config),
         embedding_std=embedding_std,
     )
     if not config.vision_trained:
         for part in (vlm.vision_tower, vlm.multi_modal_projector):
             part.requires_grad_(False)
     return network
+
+
+def name_text(config: NetworkConfig) -> NameText | None:
+    """The names of panels in the text tokens of a network; None where they are tokens of their own.
+
+    Raises:
+        InputError: The pretrained tokenizer cannot be had.
+    """
+    if config.names == "tokens":
+        return None
+    if config.pretrained:
+        from swifttailor.pattern_maker.network.pretrained_torch import load_name_text
+
+        return load_name_text(config)
+    return NameText.of(TextTokenizer.shipped())
 
 
 def vlm_config(config: NetworkConfig, text_size: int) -> InternVLConfig:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
+from swifttailor.errors import InputError
 from swifttailor.networks.model_file import ModelKind, open_model, read_archive, write_archive
 from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.pattern_maker.asking.confidence import Calibration
@@ -22,7 +23,11 @@ from swifttailor.pattern_maker.network.runtime import (
     signature,
 )
 from swifttailor.pattern_maker.tokens.grammar import Grammar
+from swifttailor.pattern_maker.tokens.name_text import NameText
 from swifttailor.pattern_maker.tokens.vocabulary import NUMBERS, SIZE
+
+Decoding = Literal["grammar", "free"]
+"""Whether only patterns can be written, or anything."""
 
 SHIPPED = Path(__file__).parents[1] / "pattern_maker.zip"
 TEXT, CONFIDENCE = "text_tokens.json", "confidence.json"
@@ -60,6 +65,10 @@ class MakerModel:
     """Whether it is told the outlines of a pattern to edit, and not all of it."""
     calibration: Calibration | None = None
     """What is usual for it; None where that was not measured."""
+    names: NameText | None = None
+    """Of a network that writes names of panels as text."""
+    decoding: Decoding = "grammar"
+    """How its method decodes, where the network alone is measured."""
 
 
 def write_model(path: Path, graphs: Mapping[str, bytes], text: TextTokenizer, card: dict[str, Any]) -> Path:
@@ -105,6 +114,8 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
         card = model.about["card"]
         network, tags = network_of(card), card["config"]["tags"]
         grammar = Grammar(tags={"ascending": "ascending", "random": "any"}[tags])
+        names = NameText.of(text) if network.names == "text" else None
+        decoding = decoding_of(card)
     calibration = None
     if CONFIDENCE in model.members:
         calibration = Calibration.from_json(model.members[CONFIDENCE], f"{path}, {CONFIDENCE}")
@@ -114,7 +125,7 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
         "the pictures' size": (given("vision", "pictures")[2:], [network.image_size] * 2),
         "the places of a picture": (made("vision", "looks")[1:], [network.image_tokens, hidden]),
         "the decoder's width": (given("decoder", "embedded")[2], hidden),
-        "the tokens of patterns": (made("decoder", "logits")[2], SIZE),
+        "the tokens of patterns": (made("decoder", "logits")[2], SIZE if names is None else names.outputs),
         "the numbers of a token": (given("embed", "numbers")[2], NUMBERS),
         "the numbers predicted": (made("regress", "numbers")[1], NUMBERS),
     }
@@ -138,7 +149,21 @@ def load_model(path: Path | str, *, threads: int = 1) -> MakerModel:
         card=card,
         brief_edits=network.edits == "outlines",
         calibration=calibration,
+        names=names,
+        decoding=decoding,
     )
+
+
+def decoding_of(card: dict[str, Any]) -> Decoding:
+    """How the method of a card decodes; under the grammar where it does not say.
+
+    Raises:
+        KeyError, TypeError, InputError: The card says something else.
+    """
+    found = card["config"].get("decoding", "grammar")
+    if found not in ("grammar", "free"):
+        raise InputError(f"decoding is {found!r}; grammar or free is accepted.")
+    return found
 
 
 def network_of(card: dict[str, Any]) -> NetworkConfig:

@@ -43,6 +43,9 @@ class NetworkConfig:
     edits: Literal["whole", "outlines"] = "whole"
     """What a prompt tells of the pattern to edit: all of it, as AIpparel's, or the outlines of its panels
     (`prompt.outlines_of`); of outlines the network foresees what becomes different."""
+    names: Literal["tokens", "text"] = "tokens"
+    """Whether each of GarmentCode's names of panels is a token of its own, or is written in tokens of text,
+    as in AIpparel (`name_text`)."""
     pretrained: str = ""
     """Folder or name of an InternVL for transformers to begin with; empty to begin with random weights."""
     lora_rank: int = 0
@@ -90,6 +93,13 @@ class NetworkConfig:
             )
         if self.edits not in ("whole", "outlines"):
             raise InputError(f"network.edits is {self.edits!r}; whole or outlines is accepted.")
+        if self.names not in ("tokens", "text"):
+            raise InputError(f"network.names is {self.names!r}; tokens or text is accepted.")
+        if self.names == "text" and self.copying:
+            raise InputError(
+                "network.names is text, and network.copying true: what is likely to be repeated is told in "
+                "tokens of names. Set network.copying and network.planning to false."
+            )
         if self.planning and not self.copying:
             raise InputError("network.planning is true without network.copying; set both or neither.")
         if self.lora_rank < 0 or (self.lora_rank and not self.pretrained):
@@ -111,6 +121,7 @@ PAPER_NETWORK = NetworkConfig(
     command_seen=False,
     copying=False,
     planning=False,
+    names="text",
     pretrained="OpenGVLab/InternVL3-2B-hf",
 )
-"""The paper's: InternVL3-2B with AIpparel's heads."""
+"""The paper's: InternVL3-2B with AIpparel's tokens and heads."""

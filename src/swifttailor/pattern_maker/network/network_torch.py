@@ -15,9 +15,10 @@ from transformers import InternVLModel
 from swifttailor.pattern_maker.asking.copying import LEANINGS
 from swifttailor.pattern_maker.asking.foresight import FORESEEN, PANEL_NUMBERS
 from swifttailor.pattern_maker.asking.plan import FORESEEN_NUMBERS
-from swifttailor.pattern_maker.asking.prompt import IMAGE, OWN_TOKENS
+from swifttailor.pattern_maker.asking.prompt import IMAGE, OWN_TOKENS, OWN_TOKENS_WITH_NAME_TEXT
 from swifttailor.pattern_maker.network.initial_weights_torch import EMBEDDING
-from swifttailor.pattern_maker.tokens.token_sequence import NUMBER_MASK
+from swifttailor.pattern_maker.tokens.name_text import NameText
+from swifttailor.pattern_maker.tokens.token_sequence import padded_mask
 from swifttailor.pattern_maker.tokens.vocabulary import MOVE, NUMBERS, SIZE
 
 LONGEST_WAVE, WAVES = 16.0, 7
@@ -57,9 +58,11 @@ class PatternMakerNetwork(nn.Module):
         command_seen: bool,
         copying: bool,
         planning: bool,
+        names: NameText | None = None,
         embedding_std: float = EMBEDDING,
     ) -> None:
         super().__init__()
+        outputs = SIZE if names is None else names.outputs
         self.vlm = vlm
         self.text_size = text_size
         self.command_seen = command_seen
@@ -67,15 +70,15 @@ class PatternMakerNetwork(nn.Module):
         text: Any = vlm.config.text_config
         hidden: int = text.hidden_size
         self.hidden_size = hidden
-        self.own_embedding = nn.Embedding(OWN_TOKENS, hidden)
+        self.own_embedding = nn.Embedding(OWN_TOKENS if names is None else OWN_TOKENS_WITH_NAME_TEXT, hidden)
         self.placement_embedding = _mlp(NUMBERS * _FEATURES, hidden, hidden, nn.GELU)
         self.edge_embedding = _mlp(NUMBERS * _FEATURES, hidden, hidden, nn.GELU)
-        self.token_head = nn.Linear(hidden, SIZE, bias=False)
+        self.token_head = nn.Linear(hidden, outputs, bias=False)
         self.placement_head = _mlp(hidden, hidden, NUMBERS, nn.ReLU)
         self.edge_head = _mlp(hidden, hidden, NUMBERS, nn.ReLU)
         self.foresight_head = nn.Sequential(nn.LayerNorm(hidden), nn.Linear(hidden, FORESEEN))
         self.foresight_layer = math.ceil(FORESIGHT_DEPTH * text.num_hidden_layers)
-        self.register_buffer("number_mask", torch.tensor(NUMBER_MASK), persistent=False)
+        self.register_buffer("number_mask", torch.tensor(padded_mask(outputs)), persistent=False)
         nn.init.normal_(self.own_embedding.weight, std=embedding_std)
         nn.init.normal_(self.token_head.weight, std=text.initializer_range)
         if copying:
@@ -125,7 +128,8 @@ class PatternMakerNetwork(nn.Module):
             numbers: (B, L, 8) that go with them.
             pictures: (P, 3, S, S) in -1 to 1, those of the prompts that have one, in order.
             answers: (n,) places in the flattened (B * L) from which the next token is predicted.
-            next_tokens: (n,) that token, of a pattern.
+            next_tokens: (n,) that token, as outputs are numbered: tokens of patterns, and where names are
+                text what `name_text` adds.
             firsts: (B,) places in the flattened (B * L) of the last token of each prompt.
             read: (M, T) ids of R prompts that are only read, several in a row.
             read_numbers: (M, T, 8) that go with them.
@@ -140,7 +144,7 @@ class PatternMakerNetwork(nn.Module):
             plans: (B, 75, `PANEL_NUMBERS`) all that is foreseen of the panels.
 
         Returns:
-            (n, tokens of patterns) logits, (n, 8) its numbers, and (B + R, `FORESEEN`) what is foreseen of
+            (n, outputs) logits, (n, 8) its numbers, and (B + R, `FORESEEN`) what is foreseen of
             each whole answer from its prompt alone.
         """
         looks = self.look(torch.cat([pictures, read_pictures]))
@@ -286,14 +290,14 @@ class PatternMakerNetwork(nn.Module):
         return same & self.number_mask[tokens].any(-1) & ((tokens == MOVE) == (others == MOVE))
 
     def logits(self, states: Tensor) -> Tensor:
-        """(..., tokens of patterns) float32 of states (..., hidden)."""
+        """(..., outputs) float32 of states (..., hidden)."""
         return self.token_head(states.float())
 
     def regress(self, states: Tensor, tokens: Tensor) -> Tensor:
         """(..., 8) numbers of tokens (...) of patterns, from the states (..., hidden) before them."""
         states = states.float()
         if self.command_seen:
-            states = states + self.own_embedding(tokens)
+            states = states + self.own_embedding(tokens.clamp(max=SIZE - 1))  # others have no numbers
         placed = (tokens == MOVE)[..., None]
         numbers = torch.where(placed, self.placement_head(states), self.edge_head(states))
         return numbers * self.number_mask[tokens]

@@ -9,8 +9,10 @@ import torch
 from transformers import AutoTokenizer, InternVLForConditionalGeneration, InternVLModel
 
 from swifttailor.errors import InputError
+from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.pattern_maker.network.lora_torch import add_lora
 from swifttailor.pattern_maker.network.network_config import NetworkConfig
+from swifttailor.pattern_maker.tokens.name_text import NameText
 
 TextTokens = Callable[[str], tuple[int, ...]]
 
@@ -61,15 +63,30 @@ def load_text_tokens(config: NetworkConfig) -> tuple[int, TextTokens]:
     Raises:
         InputError: There is no such tokenizer.
     """
-    try:
-        tokenizer: Any = AutoTokenizer.from_pretrained(config.pretrained)
-    except (OSError, ValueError) as error:
-        raise InputError(
-            f"The tokenizer of '{config.pretrained}' cannot be loaded: {error} Give the model's whole folder."
-        ) from error
+    tokenizer = _load_tokenizer(config)
 
     def encode(text: str) -> tuple[int, ...]:
         given = tokenizer(text, add_special_tokens=False, truncation=True, max_length=config.longest_text)
         return tuple(given["input_ids"])
 
     return len(tokenizer), encode
+
+
+def load_name_text(config: NetworkConfig) -> NameText:
+    """The names of panels in the text tokens of the model of `config.pretrained`.
+
+    Raises:
+        InputError: There is no such tokenizer, or names do not come back from it as they were.
+    """
+    tokenizer = _load_tokenizer(config)
+    spelled = tuple(tuple(tokenizer(name, add_special_tokens=False)["input_ids"]) for name in PANEL_NAMES)
+    return NameText(spelled, lambda tokens: tokenizer.decode(list(tokens)))
+
+
+def _load_tokenizer(config: NetworkConfig) -> Any:
+    try:
+        return AutoTokenizer.from_pretrained(config.pretrained)
+    except (OSError, ValueError) as error:
+        raise InputError(
+            f"The tokenizer of '{config.pretrained}' cannot be loaded: {error} Give the model's whole folder."
+        ) from error

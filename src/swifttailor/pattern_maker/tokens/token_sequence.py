@@ -67,3 +67,8 @@ def _number_mask() -> NDArray[np.bool_]:
 
 NUMBER_MASK = _number_mask()
 """(tokens, 8) which numbers each token has."""
+
+
+def padded_mask(count: int) -> NDArray[np.bool_]:
+    """(count, 8) the same for so many outputs: those after the tokens of patterns have no numbers."""
+    return np.concatenate([NUMBER_MASK, np.zeros((count - SIZE, NUMBERS), bool)])
