@@ -18,6 +18,7 @@ from swifttailor.training.maker_bank import PatternBank, open_bank, sequences_of
 from swifttailor.training.master_weights_torch import MasterWeights
 from swifttailor.training.processes_torch import Processes
 from swifttailor.training.run_record import file_checksums
+from swifttailor.training.spoken_texts import read_spoken_texts
 from swifttailor.training.start_torch import load_start
 from swifttailor.training.wish_config import WishConfig
 from swifttailor.training.wish_samples import UNKNOWN, WishSample, WishSamples
@@ -36,6 +37,7 @@ def train(
     validation: Sequence[Path],
     apart: Sequence[Path] = (),
     edits: Path | None = None,
+    spoken: Sequence[Path] = (),
     cache: Path | None = None,
     workers: int = 1,
     **options: Unpack[RunOptions],
@@ -50,6 +52,8 @@ def train(
         apart: Files or folders of patterns that must not be learnt from. Patterns and edits equal to these,
             or to one of `validation`, are left out.
         edits: File with edited versions of some of the patterns.
+        spoken: Files of instructions in people's own words (`read_spoken_texts`). One of ten is validated
+            with and not learnt from.
         cache: Where to keep what is measured of the patterns; ``cache`` in `out` when None. PatternMaker's
             training reads and writes the same.
         workers: Processes that measure.
@@ -73,12 +77,17 @@ def train(
         banks = {"train": open_part(patterns), "validation": open_part(validation)}
     banks["train"] = banks["train"].without([*banks["validation"].sequences(), *sequences_of(apart)])
     tokenizer = TextTokenizer.shipped()
-    samples = WishSamples(banks["train"], tokenizer, seed=config.seed, typos=config.typos)
+    said = read_spoken_texts(spoken)
+    learnt = [one for one in said if not one.held_out]
+    samples = WishSamples(banks["train"], tokenizer, seed=config.seed, typos=config.typos, spoken=learnt)
     judged = WishSamples(banks["validation"], tokenizer, seed=config.seed + 1, typos=0.0)
     data = {name: bank.numbers() for name, bank in banks.items()}
-    data["files"] = file_checksums([*patterns, *validation, *apart, *([edits] if edits else [])])
+    data["files"] = file_checksums([*patterns, *validation, *apart, *([edits] if edits else []), *spoken])
     held = [judged.make(k) for k in range(config.validation_texts)]
-    task = WishTask(config, samples, held, data, processes)
+    own = [judged.sample(s.text, s.changes, instruction=True) for s in said if s.held_out]
+    if said:
+        data["spoken"] = {"train": len(learnt), "validation": len(own)}
+    task = WishTask(config, samples, held, data, processes, spoken=own)
     report(
         f"{sum(p.numel() for p in task.network.parameters()) / 1e6:.2f} M parameters; "
         f"{len(banks['train'])} patterns with {data['train']['edits']} edits to write texts of, "
@@ -99,6 +108,8 @@ class WishTask(Task):
         validation: Sequence[WishSample],
         data: dict[str, Any],
         processes: Processes,
+        *,
+        spoken: Sequence[WishSample] = (),
     ) -> None:
         """Begins with random weights, or those of ``config.start``.
 
@@ -108,7 +119,9 @@ class WishTask(Task):
             validation: To judge by.
             data: What both are of, for the card.
             processes: That train.
+            spoken: In people's own words, to judge by, too.
         """
+        self.spoken = spoken
         torch.manual_seed(config.seed)
         self.network = build_network(asdict(config.network)).to(processes.device)
         if config.start:
@@ -137,19 +150,30 @@ class WishTask(Task):
 
     def validate(self) -> dict[str, Any]:
         """How well the texts to validate with are read."""
-        score = judge(self.network, self.validation)
-        return {"texts": len(self.validation)} | {k: round(v, 4) for k, v in asdict(score).items()}
+        found = _judged(self.network, self.validation)
+        return found | ({"spoken": _judged(self.network, self.spoken)} if self.spoken else {})
 
     def result_text(self, result: dict[str, Any]) -> str:
         """In one line."""
-        return (
+        shown = (
             f"validation precision {result['precision']:.1%}, recall {result['recall']:.1%}, whole texts "
             f"{result['whole']:.1%}, numbers {result['numbers']:.1%}"
+        )
+        own = result.get("spoken")
+        if own is None:
+            return shown
+        return (
+            f"{shown}; own words: precision {own['precision']:.1%}, recall {own['recall']:.1%}, whole texts "
+            f"{own['whole']:.1%}"
         )
 
     def card(self) -> dict[str, Any]:
         """Model, labels and data."""
         return {"model": "WishReader", "labels_sha256": labels_checksum(), "data": self.data}
+
+
+def _judged(network: WishNetwork, samples: Sequence[WishSample]) -> dict[str, Any]:
+    return {"texts": len(samples)} | {k: round(v, 4) for k, v in asdict(judge(network, samples)).items()}
 
 
 class WishBatches:

@@ -13,6 +13,7 @@ from swifttailor.describing.differences import Change, Gain, Step
 from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.training.maker_bank import PatternBank, Version
 from swifttailor.training.misspelling import misspell
+from swifttailor.training.spoken_texts import SpokenText
 from swifttailor.training.wish_words import FILLERS, say_nothing, say_otherwise
 from swifttailor.wishes.labels import label_of, number_labels, statement_labels
 from swifttailor.wishes.mentions import Mention
@@ -26,6 +27,9 @@ _SAME_CM = 0.03
 _NOTHING, _INSTRUCTIONS, _OF_STRANGERS, _BARE, _WITH_FILLERS, _OTHERWISE = 0.05, 0.5, 0.4, 0.2, 0.25, 0.4
 _STRANGERS = 8
 _LARGEST_SEED = 2**31
+_SPOKEN, _TWO_SPOKEN = 0.6, 0.25
+"""Shares: of the instructions those in people's own words, and of these two that are said in one breath."""
+_BETWEEN = (". ", ", ", " and ", ", and ", "; ", " also ", ". oh and ", " plus ", "\n")
 _GAP = re.compile(r"(?<=[a-z,]) (?=[a-z])")
 
 
@@ -46,7 +50,15 @@ class WishSample:
 class WishSamples:
     """Samples of the patterns of a bank, each determined by its number."""
 
-    def __init__(self, bank: PatternBank, tokenizer: TextTokenizer, *, seed: int, typos: float) -> None:
+    def __init__(
+        self,
+        bank: PatternBank,
+        tokenizer: TextTokenizer,
+        *,
+        seed: int,
+        typos: float,
+        spoken: Sequence[SpokenText] = (),
+    ) -> None:
         """Prepares to write.
 
         Args:
@@ -54,8 +66,13 @@ class WishSamples:
             tokenizer: Of the texts.
             seed: Of all samples.
             typos: Share of the words with a typing error.
+            spoken: Instructions in people's own words, to write among those of the patterns.
         """
         self.bank, self.tokenizer, self.seed, self.typos = bank, tokenizer, seed, typos
+        self.spoken = tuple(spoken)
+        self._of_kind: dict[str, list[SpokenText]] = {}
+        for one in self.spoken:
+            self._of_kind.setdefault(one.kind, []).append(one)
         self._said = {label: k for k, label in enumerate(statement_labels())}
         self._counts = {label: k for k, label in enumerate(number_labels())}
 
@@ -106,7 +123,19 @@ class WishSamples:
         caption = write_caption(self._version(chance).facts, int(chance.integers(_LARGEST_SEED)))
         return caption.text, tuple(Gain(c) for c in caption.claims)
 
+    def _spoken(self, chance: np.random.Generator) -> tuple[str, tuple[Change, ...]]:
+        first = self.spoken[int(chance.integers(len(self.spoken)))]
+        if chance.random() >= _TWO_SPOKEN:
+            return first.text, first.changes
+        others = self._of_kind[first.kind]
+        second = others[int(chance.integers(len(others)))]
+        between = _BETWEEN[int(chance.integers(len(_BETWEEN)))]
+        changes = tuple(dict.fromkeys([*first.changes, *second.changes]))
+        return f"{first.text.rstrip('.!? ')}{between}{second.text}", changes
+
     def _instruction(self, chance: np.random.Generator) -> tuple[str, tuple[Change, ...]] | None:
+        if self.spoken and chance.random() < _SPOKEN:
+            return self._spoken(chance)
         garment = self.bank.garments[int(chance.integers(len(self.bank)))]
         versions = [garment.pattern, *garment.edits]
         if len(versions) < 2 or chance.random() < _OF_STRANGERS:
