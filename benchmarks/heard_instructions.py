@@ -2,8 +2,8 @@
 
 ``python benchmarks/heard_instructions.py FILE... [--held-out] [--weights FILE] [--misses N]``
 
-FILES hold instructions with what they ask for (`runs/spoken`). Each is heard as `edit` hears it, about a draft
-of its kind. What is heard for sure is compared with what is asked for, amounts left out.
+FILES hold instructions with what they ask for (`runs/spoken`). Each is heard as `edit` hears it, about a
+draft of its kind. What is heard for sure is compared with what is asked for, amounts left out.
 
 in all
     everything that is asked for is heard, and nothing else
@@ -70,7 +70,9 @@ def hear(spoken: SpokenText, reader: WishReader, counts: Counter[str]) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("files", type=Path, nargs="+")
-    parser.add_argument("--held-out", action="store_true", help="only what the wish reader does not learn from")
+    parser.add_argument(
+        "--held-out", action="store_true", help="only what the wish reader does not learn from"
+    )
     parser.add_argument("--weights", type=Path)
     parser.add_argument("--misses", type=int, default=0)
     options = parser.parse_args()
@@ -79,11 +81,11 @@ def main() -> None:
     texts = [t for t in read_spoken_texts(options.files) if t.held_out or not options.held_out]
     wrong = [miss for t in texts if (miss := hear(t, reader, counts))]
     print(describe())
-    total = counts["texts"]
+    total, right = counts["texts"], counts["right"]
     print(
         f"{total} instructions: {counts['in all']} in all ({counts['in all'] / total:.1%}), "
-        f"{counts['all and more']} with something more; asked and heard {counts['right'] / counts['meant']:.1%}, "
-        f"heard and asked {counts['right'] / max(counts['heard'], 1):.1%}; silent {counts['silent']}"
+        f"{counts['all and more']} with something more; asked and heard {right / counts['meant']:.1%}, "
+        f"heard and asked {right / max(counts['heard'], 1):.1%}; silent {counts['silent']}"
     )
     print("\n".join(wrong[: options.misses]))
 

@@ -73,7 +73,9 @@ def _spoken(line: str, where: str) -> SpokenText:
             '{"text": "an inch off", "kind": "skirt", "asks": ["step:length:down"], '
             '"amounts": {"step:length:down": 2.54}, "voice": "tailor"}.'
         ) from error
-    strange = [a for a in asks if a not in statement_labels()] + [a for a in amounts if a not in number_labels()]
+    strange = [a for a in asks if a not in statement_labels()] + [
+        a for a in amounts if a not in number_labels()
+    ]
     if strange:
         raise InputError(
             f"{where}: {strange[0]!r} names nothing that can be asked for. See "

@@ -24,6 +24,7 @@ from swifttailor.training.wish_config import WishConfig
 from swifttailor.training.wish_samples import UNKNOWN, WishSample, WishSamples
 from swifttailor.wishes.export_torch import build_network, labels_checksum
 from swifttailor.wishes.network_torch import WishNetwork
+from swifttailor.wishes.word_vectors import SIZE, WordVectors
 
 _POOL = 8
 """Batches whose samples are sorted by length together."""
@@ -125,7 +126,7 @@ class WishTask(Task):
         torch.manual_seed(config.seed)
         self.network = build_network(asdict(config.network)).to(processes.device)
         if config.start:
-            load_start(self.network, Path(config.start))
+            load_start(self.network, Path(config.start), (("meaning.",),))
         self.weights = MasterWeights(self.network)
         self.validation, self.data, self.device = validation, data, processes.device
         self.batches = WishBatches(samples, config, part=processes.rank, parts=processes.count)
@@ -133,7 +134,7 @@ class WishTask(Task):
     def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
         """Of the statements and numbers of a batch, a text."""
         batch = self.batches[step]
-        logits, counts = trained(tokens_of(batch, self.network).to(self.device))
+        logits, counts = trained(*(given.to(self.device) for given in given_of(batch, self.network)))
         meant = torch.zeros_like(logits)
         for k, sample in enumerate(batch):
             meant[k, torch.from_numpy(sample.said)] = 1.0
@@ -216,7 +217,7 @@ def judge(network: WishNetwork, samples: Sequence[WishSample], batch_size: int =
     right = read = said = whole = numbers = known = 0
     for start in range(0, len(samples), batch_size):
         part = samples[start : start + batch_size]
-        logits, counts = network(tokens_of(part, network).to(device))
+        logits, counts = network(*(given.to(device) for given in given_of(part, network)))
         for k, sample in enumerate(part):
             found = set(torch.nonzero(logits[k] > 0)[:, 0].tolist())
             meant = set(sample.said.tolist())
@@ -231,10 +232,13 @@ def judge(network: WishNetwork, samples: Sequence[WishSample], batch_size: int =
     )
 
 
-def tokens_of(samples: Sequence[WishSample], network: WishNetwork) -> Tensor:
-    """(B, N) tokens of some texts, padded at the end."""
+def given_of(samples: Sequence[WishSample], network: WishNetwork) -> tuple[Tensor, Tensor]:
+    """(B, N) tokens of some texts, padded at the end, and (B, N, size) vectors of their words."""
     longest = max(len(s.ready.tokens) for s in samples)
     tokens = np.full((len(samples), longest), network.config.tokens - 1, np.int64)
+    meanings = np.zeros((len(samples), longest, SIZE), np.float32)
+    vectors = WordVectors.shipped()
     for k, sample in enumerate(samples):
-        tokens[k, : len(sample.ready.tokens)] = sample.ready.tokens
-    return torch.from_numpy(tokens)
+        count = len(sample.ready.tokens)
+        tokens[k, :count], meanings[k, :count] = sample.ready.tokens, vectors.of(sample.ready.words)
+    return torch.from_numpy(tokens), torch.from_numpy(meanings)

@@ -9,6 +9,7 @@ from torch import nn
 from torch.nn import functional as F
 
 from swifttailor.wishes.text_tokens import LONGEST
+from swifttailor.wishes.word_vectors import SIZE
 
 
 @dataclass(frozen=True)
@@ -42,20 +43,25 @@ class WishNetwork(nn.Module):
         self.config = config
         self.embedding = nn.Embedding(config.tokens, config.width)
         self.places = nn.Embedding(LONGEST, config.width)
+        self.meaning = nn.Linear(SIZE, config.width)
         self.layers = nn.ModuleList(_Layer(config.width, config.heads) for _ in range(config.layers))
         self.norm = nn.LayerNorm(config.width)
         self.says = nn.Linear(config.width, config.statements)
         self.counts = nn.Linear(config.width, config.numbers + 1)
         for table in (self.embedding, self.places):
             nn.init.normal_(table.weight, std=0.1)
+        # What words are like is learnt from nothing on, so that weights of before may go on.
+        nn.init.zeros_(self.meaning.weight)
+        nn.init.zeros_(self.meaning.bias)
         # Few of the statements are made in any one text, and none by most tokens.
         nn.init.constant_(self.says.bias, -8.0)
 
-    def forward(self, tokens: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+    def forward(self, tokens: torch.Tensor, meanings: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
         """Reads texts.
 
         Args:
             tokens: (B, N), padded at the end.
+            meanings: (B, N, `word_vectors.SIZE`) of the words that they are of.
 
         Returns:
             Logits (B, statements) of what each text says, and (B, N, 1 + numbers) of what each token is if it
@@ -63,7 +69,7 @@ class WishNetwork(nn.Module):
         """
         real = tokens != self.config.tokens - 1
         places = torch.arange(tokens.shape[1], device=tokens.device)
-        x = self.embedding(tokens) + self.places(places)
+        x = self.embedding(tokens) + self.places(places) + self.meaning(meanings)
         for layer in self.layers:
             x = layer(x, real)
         x = self.norm(x)

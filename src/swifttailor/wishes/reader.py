@@ -16,10 +16,17 @@ from swifttailor.wishes.labels import change_of, label_of
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.phrase_book import find_phrases
 from swifttailor.wishes.text_tokens import EXTRA_TOKENS, LONGEST_TEXT, ReadyText, text_tokens
+from swifttailor.wishes.word_vectors import WordVectors
 
 SHIPPED = Path(__file__).with_name("wish_reader.onnx")
-INPUTS, OUTPUTS = ("tokens",), ("statements", "numbers")
-KIND = ModelKind("wish reader", "swifttailor wish-reader 1", 2**28, ({GRAPH: (INPUTS, OUTPUTS)},))
+INPUTS, OUTPUTS = ("tokens", "meanings"), ("statements", "numbers")
+KIND = ModelKind(
+    "wish reader",
+    "swifttailor wish-reader 1",
+    2**28,
+    # Those of before word vectors go on working.
+    ({GRAPH: (INPUTS, OUTPUTS)}, {GRAPH: (INPUTS[:1], OUTPUTS)}),
+)
 LEAST_CERTAINTY = 0.5
 SURE = 0.9
 """What is read with less certainty is as likely a misunderstanding."""
@@ -52,6 +59,8 @@ class WishReader:
     tokenizer: TextTokenizer
     card: dict[str, Any]
     """What it was trained on and how good it is."""
+    vectors: WordVectors | None = None
+    """Of words; None where the network reads none."""
 
     @staticmethod
     def load(weights: Path | str | None = None, *, threads: int = 1) -> WishReader:
@@ -75,7 +84,10 @@ class WishReader:
         model.require(
             {"the tokens that it reads": (model.about.get("tokens"), tokenizer.size + EXTRA_TOKENS)}
         )
-        return WishReader(model.sessions[GRAPH], statements, numbers, tokenizer, model.about.get("card", {}))
+        session, card = model.sessions[GRAPH], model.about.get("card", {})
+        told = any(given.name == "meanings" for given in session.get_inputs())
+        vectors = WordVectors.shipped() if told else None
+        return WishReader(session, statements, numbers, tokenizer, card, vectors)
 
     def read(self, text: str, *, instruction: bool = False) -> tuple[Wish, ...]:
         """What a text asks for, surest first.
@@ -108,7 +120,10 @@ class WishReader:
         ready = text_tokens(text, self.tokenizer, instruction=instruction)
         if len(ready.tokens) < 2:
             return ()
-        said, numbers = self.session.run(None, {"tokens": ready.tokens[None]})
+        given = {"tokens": ready.tokens[None]}
+        if self.vectors is not None:
+            given["meanings"] = self.vectors.of(ready.words)[None]
+        said, numbers = self.session.run(None, given)
         phrases = find_phrases(text[:LONGEST_TEXT], find_mentions(text[:LONGEST_TEXT])) if instruction else []
         found = dict(_stated(said[0], self.statements))
         for mention, change, certainty in _measured(ready, numbers[0], self.numbers):
