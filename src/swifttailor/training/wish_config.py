@@ -17,10 +17,13 @@ class ReaderSize:
     width: int = 128
     layers: int = 4
     heads: int = 4
+    dropout: float = 0.1
+    """Share of what is between the layers that is left out in training."""
 
     def __post_init__(self) -> None:
         for name in ("width", "layers", "heads"):
             require(self, name, getattr(self, name) >= 1, "at least 1")
+        require(self, "dropout", 0 <= self.dropout < 1, "0 or more and below 1")
         require(self, "width", self.width % self.heads == 0, f"a multiple of heads ({self.heads})")
 
 

@@ -27,8 +27,11 @@ _SAME_CM = 0.03
 _NOTHING, _INSTRUCTIONS, _OF_STRANGERS, _BARE, _WITH_FILLERS, _OTHERWISE = 0.05, 0.5, 0.4, 0.2, 0.25, 0.4
 _STRANGERS = 8
 _LARGEST_SEED = 2**31
-_SPOKEN, _TWO_SPOKEN = 0.6, 0.25
-"""Shares: of the instructions those in people's own words, and of these two that are said in one breath."""
+_SPOKEN, _TWO_SPOKEN, _SHORTENED, _LEFT_OUT = 0.6, 0.25, 0.3, 0.1
+"""Shares: of the instructions those in people's own words; of these two said in one breath, and those
+in which words are missing; and of their words those that are."""
+_FEW_WORDS = 4
+"""Of which none can be missing."""
 _BETWEEN = (". ", ", ", " and ", ", and ", "; ", " also ", ". oh and ", " plus ", "\n")
 _GAP = re.compile(r"(?<=[a-z,]) (?=[a-z])")
 
@@ -126,7 +129,10 @@ class WishSamples:
     def _spoken(self, chance: np.random.Generator) -> tuple[str, tuple[Change, ...]]:
         first = self.spoken[int(chance.integers(len(self.spoken)))]
         if chance.random() >= _TWO_SPOKEN:
-            return first.text, first.changes
+            words = first.text.split(" ")
+            if chance.random() < _SHORTENED and len(words) > _FEW_WORDS:
+                words = [word for word in words if chance.random() >= _LEFT_OUT]
+            return " ".join(words), first.changes
         others = self._of_kind[first.kind]
         second = others[int(chance.integers(len(others)))]
         between = _BETWEEN[int(chance.integers(len(_BETWEEN)))]

@@ -25,11 +25,11 @@ _EXAMPLE_TOKENS = 7
 assert PADDING == EXTRA_TOKENS - 1, "padding is the last token"
 
 
-def build_network(size: dict[str, int]) -> WishNetwork:
+def build_network(size: dict[str, Any]) -> WishNetwork:
     """A network with random weights for the tokens and labels of this version.
 
     Args:
-        size: Width, layers and heads.
+        size: Width, layers, heads and dropout.
     """
     tokens = TextTokenizer.shipped().size + EXTRA_TOKENS
     return WishNetwork(ReaderConfig(tokens, len(statement_labels()), len(number_labels()), **size))

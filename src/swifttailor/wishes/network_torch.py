@@ -25,6 +25,8 @@ class ReaderConfig:
     width: int = 128
     layers: int = 4
     heads: int = 4
+    dropout: float = 0.0
+    """Share of what is between the layers that is left out in training."""
 
 
 class WishNetwork(nn.Module):
@@ -44,7 +46,10 @@ class WishNetwork(nn.Module):
         self.embedding = nn.Embedding(config.tokens, config.width)
         self.places = nn.Embedding(LONGEST, config.width)
         self.meaning = nn.Linear(SIZE, config.width)
-        self.layers = nn.ModuleList(_Layer(config.width, config.heads) for _ in range(config.layers))
+        self.layers = nn.ModuleList(
+            _Layer(config.width, config.heads, config.dropout) for _ in range(config.layers)
+        )
+        self.dropout = nn.Dropout(config.dropout)
         self.norm = nn.LayerNorm(config.width)
         self.says = nn.Linear(config.width, config.statements)
         self.counts = nn.Linear(config.width, config.numbers + 1)
@@ -69,17 +74,18 @@ class WishNetwork(nn.Module):
         """
         real = tokens != self.config.tokens - 1
         places = torch.arange(tokens.shape[1], device=tokens.device)
-        x = self.embedding(tokens) + self.places(places) + self.meaning(meanings)
+        x = self.dropout(self.embedding(tokens) + self.places(places) + self.meaning(meanings))
         for layer in self.layers:
             x = layer(x, real)
-        x = self.norm(x)
+        x = self.dropout(self.norm(x))
         said = self.says(x).masked_fill(~real[:, :, None], -30.0)
         return said.logsumexp(1), self.counts(x)
 
 
 class _Layer(nn.Module):
-    def __init__(self, width: int, heads: int) -> None:
+    def __init__(self, width: int, heads: int, dropout: float) -> None:
         super().__init__()
+        self.dropout = nn.Dropout(dropout)
         self.heads = heads
         self.first, self.second = nn.LayerNorm(width), nn.LayerNorm(width)
         self.given, self.made = nn.Linear(width, 3 * width), nn.Linear(width, width)
@@ -92,5 +98,5 @@ class _Layer(nn.Module):
         scores = query @ key.transpose(-1, -2) * (width // self.heads) ** -0.5
         scores = scores.masked_fill(~real[:, None, None, :], -1e9)
         heard = (scores.softmax(-1) @ value).transpose(1, 2).reshape(batch, length, width)
-        x = x + self.made(heard)
-        return x + self.down(F.gelu(self.up(self.second(x))))
+        x = x + self.dropout(self.made(heard))
+        return x + self.dropout(self.down(F.gelu(self.up(self.second(x)))))

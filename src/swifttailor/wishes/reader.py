@@ -20,13 +20,7 @@ from swifttailor.wishes.word_vectors import WordVectors
 
 SHIPPED = Path(__file__).with_name("wish_reader.onnx")
 INPUTS, OUTPUTS = ("tokens", "meanings"), ("statements", "numbers")
-KIND = ModelKind(
-    "wish reader",
-    "swifttailor wish-reader 1",
-    2**28,
-    # Those of before word vectors go on working.
-    ({GRAPH: (INPUTS, OUTPUTS)}, {GRAPH: (INPUTS[:1], OUTPUTS)}),
-)
+KIND = ModelKind("wish reader", "swifttailor wish-reader 2", 2**28, ({GRAPH: (INPUTS, OUTPUTS)},))
 LEAST_CERTAINTY = 0.5
 SURE = 0.9
 """What is read with less certainty is as likely a misunderstanding."""
@@ -59,8 +53,8 @@ class WishReader:
     tokenizer: TextTokenizer
     card: dict[str, Any]
     """What it was trained on and how good it is."""
-    vectors: WordVectors | None = None
-    """Of words; None where the network reads none."""
+    vectors: WordVectors
+    """Of words, as it was told in training."""
 
     @staticmethod
     def load(weights: Path | str | None = None, *, threads: int = 1) -> WishReader:
@@ -85,9 +79,7 @@ class WishReader:
             {"the tokens that it reads": (model.about.get("tokens"), tokenizer.size + EXTRA_TOKENS)}
         )
         session, card = model.sessions[GRAPH], model.about.get("card", {})
-        told = any(given.name == "meanings" for given in session.get_inputs())
-        vectors = WordVectors.shipped() if told else None
-        return WishReader(session, statements, numbers, tokenizer, card, vectors)
+        return WishReader(session, statements, numbers, tokenizer, card, WordVectors.shipped())
 
     def read(self, text: str, *, instruction: bool = False) -> tuple[Wish, ...]:
         """What a text asks for, surest first.
@@ -120,9 +112,7 @@ class WishReader:
         ready = text_tokens(text, self.tokenizer, instruction=instruction)
         if len(ready.tokens) < 2:
             return ()
-        given = {"tokens": ready.tokens[None]}
-        if self.vectors is not None:
-            given["meanings"] = self.vectors.of(ready.words)[None]
+        given = {"tokens": ready.tokens[None], "meanings": self.vectors.of(ready.words)[None]}
         said, numbers = self.session.run(None, given)
         phrases = find_phrases(text[:LONGEST_TEXT], find_mentions(text[:LONGEST_TEXT])) if instruction else []
         found = dict(_stated(said[0], self.statements))
