@@ -108,12 +108,33 @@ class WishReader:
             found.pop(change_of(label_of(change)), None)
         return tuple(sorted(found.values(), key=lambda wish: -wish.certainty))
 
+    def whole(self, text: str) -> dict[Change, float]:
+        """How likely it is of every wish that an instruction, read as one, asks for it; with its amount.
+
+        Args:
+            text: In English.
+        """
+        ready = text_tokens(text, self.tokenizer, instruction=True)
+        if len(ready.tokens) < 2:
+            return {}
+        said, numbers = self._run(ready)
+        certain = 1 / (1 + np.exp(-said[0].astype(float)))
+        found = {change_of(label): float(p) for label, p in zip(self.statements, certain, strict=True)}
+        for _, change, certainty in _measured(ready, numbers[0], self.numbers):
+            bare = change_of(label_of(change)) if isinstance(change, Step) else None
+            if bare in found:  # once: another number for the same measure is another matter
+                found[change] = max(found.pop(bare), certainty)
+        return found
+
+    def _run(self, ready: ReadyText) -> Any:
+        given = {"tokens": ready.tokens[None], "meanings": self.vectors.of(ready.words)[None]}
+        return self.session.run(None, given)
+
     def _read(self, text: str, instruction: bool) -> tuple[Wish, ...]:
         ready = text_tokens(text, self.tokenizer, instruction=instruction)
         if len(ready.tokens) < 2:
             return ()
-        given = {"tokens": ready.tokens[None], "meanings": self.vectors.of(ready.words)[None]}
-        said, numbers = self.session.run(None, given)
+        said, numbers = self._run(ready)
         phrases = find_phrases(text[:LONGEST_TEXT], find_mentions(text[:LONGEST_TEXT])) if instruction else []
         found = dict(_stated(said[0], self.statements))
         for mention, change, certainty in _measured(ready, numbers[0], self.numbers):
