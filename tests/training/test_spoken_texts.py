@@ -47,6 +47,7 @@ def test_what_is_asked_for_is_read_with_its_amounts(tmp_path):
         json.dumps({"text": "longer", "kind": "top"}),
         json.dumps(GOOD | {"more": 1}),
         json.dumps(GOOD | {"text": None}),
+        json.dumps(GOOD | {"kind": 3}),
         json.dumps(GOOD | {"amounts": {"step:length:down": "much"}}),
         json.dumps(GOOD | {"amounts": []}),
         json.dumps(GOOD | {"asks": ["gain:hood:purple"]}),
@@ -81,10 +82,20 @@ def test_samples_say_what_the_texts_say_alone_or_two_of_one_kind():
     labels |= {"shorten": {"step:sleeve length:down"}}
     both = 0
     for k in range(200):
-        text, changes = samples._spoken(np.random.default_rng(k))
+        text, changes = samples._spoken(np.random.default_rng(k), instruction=True)
         names = [word for word in labels if word in text]
         made = samples.sample(text, changes, instruction=True)
         assert {statement_labels()[n] for n in made.said} == set().union(*(labels[n] for n in names))
         assert not ("shorten" in names and len(names) > 1), "they are about different garments"
         both += len(names) > 1
     assert 0 < both < 100
+
+
+def test_descriptions_are_shown_as_such():
+    spoken = [SpokenText("a thing for the ball", None, (Gain(Claim("kind", "dress")),))]
+    samples = WishSamples(None, TextTokenizer.shipped(), seed=0, typos=0.0, spoken=spoken)
+    samples._instruction = samples._caption = lambda chance: ("written", ())
+    made = [samples.make(k) for k in range(60)]
+    shown = [one for one in made if "ball" in one.text]
+    assert len(shown) > 5 and not any(one.instruction for one in shown)
+    assert {one.changes for one in shown} == {spoken[0].changes}

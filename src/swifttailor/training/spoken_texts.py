@@ -1,4 +1,4 @@
-"""Instructions in people's own words with what they ask for, for the wish reader to learn from."""
+"""Wishes and instructions in people's own words with what they ask for, for the wish reader to learn from."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ class SpokenText:
     """What somebody said, and meant."""
 
     text: str
-    kind: str
-    """Of the garment that it is about."""
+    kind: str | None
+    """Of the garment that an instruction is about; None of a text that describes a garment."""
     changes: tuple[Change, ...]
     """What it asks for; empty where that is nothing that a pattern can have."""
 
@@ -35,11 +35,11 @@ class SpokenText:
 
 
 def read_spoken_texts(files: Sequence[Path]) -> list[SpokenText]:
-    """Reads files of instructions.
+    """Reads files of such texts.
 
     Args:
-        files: Of JSON lines: ``text``, ``kind``, ``asks``, labels of what it asks for (`statement_labels`),
-            ``amounts``, cm or pieces by label (`number_labels`) where figures are said, and ``voice``, whose
+        files: Of JSON lines: ``text``, ``kind``, null of a description, ``asks``, labels of what it asks for
+            (`statement_labels`), ``amounts``, cm or pieces by label (`number_labels`) where figures are said, and ``voice``, whose
             words they are.
 
     Raises:
@@ -64,12 +64,12 @@ def _spoken(line: str, where: str) -> SpokenText:
             raise TypeError(f"its keys are {', '.join(sorted(_KEYS))}")
         text, kind = given["text"], given["kind"]
         asks, amounts = given["asks"], given.get("amounts", {})
-        if not isinstance(text, str) or not isinstance(kind, str) or not isinstance(asks, list):
+        if not isinstance(text, str) or not isinstance(kind, str | None) or not isinstance(asks, list):
             raise TypeError("text and kind are texts, asks a list")
         amounts = {str(label): float(amount) for label, amount in amounts.items()}
     except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise InputError(
-            f"{where}: this is no instruction with what it asks for ({error!r}). Accepted is "
+            f"{where}: this is no text with what it asks for ({error!r}). Accepted is "
             '{"text": "an inch off", "kind": "skirt", "asks": ["step:length:down"], '
             '"amounts": {"step:length:down": 2.54}, "voice": "tailor"}.'
         ) from error

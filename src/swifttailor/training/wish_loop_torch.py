@@ -53,7 +53,7 @@ def train(
         apart: Files or folders of patterns that must not be learnt from. Patterns and edits equal to these,
             or to one of `validation`, are left out.
         edits: File with edited versions of some of the patterns.
-        spoken: Files of instructions in people's own words (`read_spoken_texts`). One of ten is validated
+        spoken: Files of texts in people's own words (`read_spoken_texts`). One of ten is validated
             with and not learnt from.
         cache: Where to keep what is measured of the patterns; ``cache`` in `out` when None. PatternMaker's
             training reads and writes the same.
@@ -85,7 +85,7 @@ def train(
     data = {name: bank.numbers() for name, bank in banks.items()}
     data["files"] = file_checksums([*patterns, *validation, *apart, *([edits] if edits else []), *spoken])
     held = [judged.make(k) for k in range(config.validation_texts)]
-    own = [judged.sample(s.text, s.changes, instruction=True) for s in said if s.held_out]
+    own = [judged.sample(s.text, s.changes, instruction=s.kind is not None) for s in said if s.held_out]
     if said:
         data["spoken"] = {"train": len(learnt), "validation": len(own)}
     task = WishTask(config, samples, held, data, processes, spoken=own)

@@ -28,8 +28,8 @@ _NOTHING, _INSTRUCTIONS, _OF_STRANGERS, _BARE, _WITH_FILLERS, _OTHERWISE = 0.05,
 _STRANGERS = 8
 _LARGEST_SEED = 2**31
 _SPOKEN, _TWO_SPOKEN, _SHORTENED, _LEFT_OUT = 0.6, 0.25, 0.3, 0.1
-"""Shares: of the instructions those in people's own words; of these two said in one breath, and those
-in which words are missing; and of their words those that are."""
+"""Shares: of the texts those in people's own words; of these two instructions said in one breath,
+and those in which words are missing; and of their words those that are."""
 _FEW_WORDS = 4
 """Of which none can be missing."""
 _BETWEEN = (". ", ", ", " and ", ", and ", "; ", " also ", ". oh and ", " plus ", "\n")
@@ -69,13 +69,15 @@ class WishSamples:
             tokenizer: Of the texts.
             seed: Of all samples.
             typos: Share of the words with a typing error.
-            spoken: Instructions in people's own words, to write among those of the patterns.
+            spoken: Texts in people's own words, to show among those that are written of the patterns.
         """
         self.bank, self.tokenizer, self.seed, self.typos = bank, tokenizer, seed, typos
         self.spoken = tuple(spoken)
-        self._of_kind: dict[str, list[SpokenText]] = {}
+        self._of_kind: dict[str | None, list[SpokenText]] = {}
         for one in self.spoken:
             self._of_kind.setdefault(one.kind, []).append(one)
+        described = self._of_kind.get(None, [])
+        self._spoken_of = {False: described, True: [one for one in self.spoken if one.kind is not None]}
         self._said = {label: k for k, label in enumerate(statement_labels())}
         self._counts = {label: k for k, label in enumerate(number_labels())}
 
@@ -86,7 +88,10 @@ class WishSamples:
             instruction = bool(chance.random() < _INSTRUCTIONS)
             if chance.random() < _NOTHING:
                 return self.sample(say_nothing(chance), (), instruction=instruction)
-            written = self._instruction(chance) if instruction else self._caption(chance)
+            if self._spoken_of[instruction] and chance.random() < _SPOKEN:
+                written = self._spoken(chance, instruction=instruction)
+            else:
+                written = self._instruction(chance) if instruction else self._caption(chance)
             if written is not None:
                 return self.sample(*written, instruction=instruction, chance=chance)
 
@@ -126,9 +131,10 @@ class WishSamples:
         caption = write_caption(self._version(chance).facts, int(chance.integers(_LARGEST_SEED)))
         return caption.text, tuple(Gain(c) for c in caption.claims)
 
-    def _spoken(self, chance: np.random.Generator) -> tuple[str, tuple[Change, ...]]:
-        first = self.spoken[int(chance.integers(len(self.spoken)))]
-        if chance.random() >= _TWO_SPOKEN:
+    def _spoken(self, chance: np.random.Generator, *, instruction: bool) -> tuple[str, tuple[Change, ...]]:
+        some = self._spoken_of[instruction]
+        first = some[int(chance.integers(len(some)))]
+        if not instruction or chance.random() >= _TWO_SPOKEN:
             words = first.text.split(" ")
             if chance.random() < _SHORTENED and len(words) > _FEW_WORDS:
                 words = [word for word in words if chance.random() >= _LEFT_OUT]
@@ -140,8 +146,6 @@ class WishSamples:
         return f"{first.text.rstrip('.!? ')}{between}{second.text}", changes
 
     def _instruction(self, chance: np.random.Generator) -> tuple[str, tuple[Change, ...]] | None:
-        if self.spoken and chance.random() < _SPOKEN:
-            return self._spoken(chance)
         garment = self.bank.garments[int(chance.integers(len(self.bank)))]
         versions = [garment.pattern, *garment.edits]
         if len(versions) < 2 or chance.random() < _OF_STRANGERS:

@@ -1,8 +1,8 @@
 """What an instruction asks for as a whole, by the network, beside what words are heard to say one by one.
 
-Tables know the phrases that somebody has thought of. The network has learnt from thousands of instructions in
-people's own words ("she wants leg, leg, leg") and says how likely each wish is meant. Where tables leave words
-over it is believed sooner; what it all but excludes is let go, if it reads something else instead.
+Tables know the phrases that somebody has thought of. The network has learnt from thousands of instructions
+in people's own words ("she wants leg, leg, leg") and says how likely each wish is meant. Where tables leave
+words over it is believed sooner; what it all but excludes is let go, if it reads something else instead.
 """
 
 from __future__ import annotations
