@@ -39,7 +39,8 @@ def read_spoken_texts(files: Sequence[Path]) -> list[SpokenText]:
 
     Args:
         files: Of JSON lines: ``text``, ``kind``, null of a description, ``asks``, labels of what it asks for
-            (`statement_labels`), ``amounts``, cm or pieces by label (`number_labels`) where figures are said, and ``voice``, whose
+            (`statement_labels`), ``amounts``, cm or pieces by label (`number_labels`) where figures are said,
+            and ``voice``, whose
             words they are.
 
     Raises:
