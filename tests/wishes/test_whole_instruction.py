@@ -11,7 +11,7 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.wishes.hearing_changes import hear_instruction
 from swifttailor.wishes.labels import change_of, statement_labels
 from swifttailor.wishes.reader import Wish, WishReader
-from swifttailor.wishes.whole_instruction import DOUBTED, MEANT, MEANT_BESIDE, with_the_whole
+from swifttailor.wishes.whole_instruction import DOUBTED, GUESS, MEANT, MEANT_BESIDE, with_the_whole
 
 SHORTER, HOOD, NO_HOOD = Step("length", -1), Gain(Claim("hood", "hood")), Gain(Claim("hood", "none"))
 V_NECK, SQUARE = Gain(Claim("neckline", "v")), Gain(Claim("neckline", "square"))
@@ -39,6 +39,13 @@ def test_what_is_all_but_excluded_gives_way_to_what_is_read():
     amount = Step("length", -1, 2.54)
     assert together([amount], {V_NECK: 0.8, SHORTER: 0.0})[0] == [V_NECK]
     assert together([amount], {V_NECK: 0.8, SHORTER: 0.9})[0] == [amount, V_NECK]
+
+
+def test_where_nothing_is_heard_the_likeliest_is_a_guess():
+    assert together([], {SHORTER: GUESS, V_NECK: GUESS - 0.01}) == ([SHORTER], [SHORTER])
+    assert together([], {SHORTER: GUESS - 0.01, V_NECK: 0.1}) == ([], [])
+    assert together([HOOD], {SHORTER: GUESS, HOOD: 0.0}) == ([HOOD], []), "something was heard"
+    assert together([], {}) == ([], [])
 
 
 def test_of_what_excludes_each_other_the_first_and_likeliest_stays():

@@ -18,8 +18,10 @@ MEANT = 0.5
 """Certainty that is enough where words are left over."""
 MEANT_BESIDE = 0.9
 """Enough beside what accounts for all words."""
-DOUBTED = 0.03
-"""Less than this speaks against what was heard."""
+DOUBTED = 0.05
+"""Less than this speaks against what was heard, where something else is read."""
+GUESS = 0.25
+"""Enough where nothing else is heard or read: the likeliest wish, said to be what is taken to be meant."""
 
 
 def with_the_whole(
@@ -43,8 +45,11 @@ def with_the_whole(
     enough = MEANT if left_over else MEANT_BESIDE
     likely = {_name(change): chance for change, chance in whole.items()}
     read = [change for change, chance in whole.items() if chance >= enough]
-    instead = bool(read) and left_over
-    kept = [w for w in heard if not (instead and likely.get(_name(w.change), 1.0) < DOUBTED)]
+    doubted = bool(read) and left_over
+    kept = [w for w in heard if not (doubted and likely.get(_name(w.change), 1.0) < DOUBTED)]
+    if not kept and not read and whole:
+        best = max(whole, key=lambda change: whole[change])
+        read = [best] if whole[best] >= GUESS else []
     found: list[Wish] = []
     for change in sorted(read, key=lambda one: -whole[one]):
         told = [wish.change for wish in (*kept, *found)]
