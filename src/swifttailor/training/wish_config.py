@@ -17,8 +17,10 @@ class ReaderSize:
     width: int = 128
     layers: int = 4
     heads: int = 4
-    dropout: float = 0.1
+    dropout: float = 0.0
     """Share of what is between the layers that is left out in training."""
+    meanings: bool = False
+    """Whether it is told what words are like (`word_vectors`)."""
 
     def __post_init__(self) -> None:
         for name in ("width", "layers", "heads"):
@@ -57,7 +59,11 @@ class WishConfig(LoopConfig):
         require(self, "precision", self.precision == "float32", "float32")
 
 
-CONFIGS: dict[str, WishConfig] = {"small": WishConfig()}
+CONFIGS: dict[str, WishConfig] = {
+    "small": WishConfig(),
+    "spoken": WishConfig(network=ReaderSize(dropout=0.15, meanings=True), weight_decay=0.05),
+}
+"""Named configurations. `spoken` learns from people's own words, too."""
 
 
 def read_config(name: str, overrides: Sequence[str] = ()) -> WishConfig:

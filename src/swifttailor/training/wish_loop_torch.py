@@ -170,7 +170,8 @@ class WishTask(Task):
 
     def card(self) -> dict[str, Any]:
         """Model, labels and data."""
-        return {"model": "WishReader", "labels_sha256": labels_checksum(), "data": self.data}
+        model = "SpokenReader" if self.network.config.meanings else "WishReader"
+        return {"model": model, "labels_sha256": labels_checksum(), "data": self.data}
 
 
 def _judged(network: WishNetwork, samples: Sequence[WishSample]) -> dict[str, Any]:
@@ -232,13 +233,16 @@ def judge(network: WishNetwork, samples: Sequence[WishSample], batch_size: int =
     )
 
 
-def given_of(samples: Sequence[WishSample], network: WishNetwork) -> tuple[Tensor, Tensor]:
-    """(B, N) tokens of some texts, padded at the end, and (B, N, size) vectors of their words."""
+def given_of(samples: Sequence[WishSample], network: WishNetwork) -> tuple[Tensor, ...]:
+    """(B, N) tokens of some texts, padded at the end; where it is told, (B, N, size) vectors of their words."""
     longest = max(len(s.ready.tokens) for s in samples)
     tokens = np.full((len(samples), longest), network.config.tokens - 1, np.int64)
+    for k, sample in enumerate(samples):
+        tokens[k, : len(sample.ready.tokens)] = sample.ready.tokens
+    if not network.config.meanings:
+        return (torch.from_numpy(tokens),)
     meanings = np.zeros((len(samples), longest, SIZE), np.float32)
     vectors = WordVectors.shipped()
     for k, sample in enumerate(samples):
-        count = len(sample.ready.tokens)
-        tokens[k, :count], meanings[k, :count] = sample.ready.tokens, vectors.of(sample.ready.words)
+        meanings[k, : len(sample.ready.words)] = vectors.of(sample.ready.words)
     return torch.from_numpy(tokens), torch.from_numpy(meanings)
