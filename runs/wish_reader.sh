@@ -20,5 +20,6 @@ runs/data.sh patterns
 mapfile -t files < <(training_files)
 step reader-trained train wish-reader --patterns "${files[@]}" --validation "$work/patterns/validation.jsonl.gz" \
     --apart "$work/patterns/test.jsonl.gz" --edits "$work/patterns/all-edits.jsonl.gz" --cache "$work/measured" \
+    --spoken "$(dirname "${BASH_SOURCE[0]}")"/spoken/*.jsonl \
     --config small --threads 1 "${more[@]}" --set "${settings[@]}"
 step reader-exported swifttailor train export "$work/wish-reader/run" --out "$work/wish-reader/wish_reader.onnx" --overwrite --half

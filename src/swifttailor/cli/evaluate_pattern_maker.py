@@ -197,10 +197,12 @@ class EvaluatePatternMaker:
         from swifttailor.picture_reader.reader import SHIPPED as EYES
         from swifttailor.picture_reader.reader import SHIPPED_CLOSE, SHIPPED_PLAIN
         from swifttailor.wishes.reader import SHIPPED as READER
+        from swifttailor.wishes.reader import SHIPPED_SPOKEN as SPOKEN
 
         found: dict[str, Any] = dict(file_identity(SHIPPED if self.weights is None else self.weights))
         if self.alter and not self.network_alone:
             found["altered_by"] = file_identity(READER)
+            found["own_words_by"] = file_identity(SPOKEN)
             eyes = self.picture_reader_weights or (EYES if EYES.is_file() else None)
             if eyes is not None and self.data is not None:
                 found["read_by"] = file_identity(eyes)

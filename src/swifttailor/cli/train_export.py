@@ -25,6 +25,7 @@ _MODELS = {
     "GarmentSewer": ".onnx",
     "PatternMaker": ".zip",
     "WishReader": ".onnx",
+    "SpokenReader": ".onnx",
     "PictureReader": ".onnx",
 }
 
@@ -97,7 +98,7 @@ class TrainExport:
         """Writes the model file and says how far it is from the network."""
         if model == "GarmentSewer":
             return _export_sewer(self.source, out, self.half, self.int8)
-        if model == "WishReader":
+        if model in ("WishReader", "SpokenReader"):
             return _export_reader(self.source, out, self.half)
         if model == "PictureReader":
             return _export_eyes(
@@ -162,7 +163,8 @@ def _export_reader(run: Path, out: Path, half: bool) -> str:
 
     card = json.loads((run / CARD).read_text(encoding="utf-8"))
     network = load_weights(run / WEIGHTS, card, half=half)
-    return _near_logits(compare(WishReader.load(export(network, card, out)), network), out)
+    load = WishReader.load_spoken if network.config.meanings else WishReader.load
+    return _near_logits(compare(load(export(network, card, out)), network), out)
 
 
 def _export_eyes(

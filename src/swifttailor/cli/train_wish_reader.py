@@ -20,8 +20,10 @@ class TrainWishReader(TrainingOnPatterns):
 
     validation: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")]
     """Patterns to validate with."""
+    spoken: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="FILE...")] = ()
+    """Texts in people's own words with what they ask for, such as runs/spoken/*.jsonl."""
     config: Annotated[str, tyro.conf.arg(metavar="NAME")] = "small"
-    """small, or a JSON file like the config.json of a run."""
+    """small, spoken, or a JSON file like the config.json of a run."""
     set: Annotated[tuple[str, ...], tyro.conf.arg(metavar="FIELD=VALUE")] = ()
     """Values to change in the configuration, for instance: --set steps=2000 typos=0.1"""
 

@@ -17,10 +17,15 @@ class ReaderSize:
     width: int = 128
     layers: int = 4
     heads: int = 4
+    dropout: float = 0.0
+    """Share of what is between the layers that is left out in training."""
+    meanings: bool = False
+    """Whether it is told what words are like (`word_vectors`)."""
 
     def __post_init__(self) -> None:
         for name in ("width", "layers", "heads"):
             require(self, name, getattr(self, name) >= 1, "at least 1")
+        require(self, "dropout", 0 <= self.dropout < 1, "0 or more and below 1")
         require(self, "width", self.width % self.heads == 0, f"a multiple of heads ({self.heads})")
 
 
@@ -54,7 +59,11 @@ class WishConfig(LoopConfig):
         require(self, "precision", self.precision == "float32", "float32")
 
 
-CONFIGS: dict[str, WishConfig] = {"small": WishConfig()}
+CONFIGS: dict[str, WishConfig] = {
+    "small": WishConfig(),
+    "spoken": WishConfig(network=ReaderSize(dropout=0.15, meanings=True), weight_decay=0.05),
+}
+"""Named configurations. `spoken` learns from people's own words, too."""
 
 
 def read_config(name: str, overrides: Sequence[str] = ()) -> WishConfig:

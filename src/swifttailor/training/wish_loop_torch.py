@@ -18,11 +18,13 @@ from swifttailor.training.maker_bank import PatternBank, open_bank, sequences_of
 from swifttailor.training.master_weights_torch import MasterWeights
 from swifttailor.training.processes_torch import Processes
 from swifttailor.training.run_record import file_checksums
+from swifttailor.training.spoken_texts import read_spoken_texts
 from swifttailor.training.start_torch import load_start
 from swifttailor.training.wish_config import WishConfig
 from swifttailor.training.wish_samples import UNKNOWN, WishSample, WishSamples
 from swifttailor.wishes.export_torch import build_network, labels_checksum
 from swifttailor.wishes.network_torch import WishNetwork
+from swifttailor.wishes.word_vectors import SIZE, WordVectors
 
 _POOL = 8
 """Batches whose samples are sorted by length together."""
@@ -36,6 +38,7 @@ def train(
     validation: Sequence[Path],
     apart: Sequence[Path] = (),
     edits: Path | None = None,
+    spoken: Sequence[Path] = (),
     cache: Path | None = None,
     workers: int = 1,
     **options: Unpack[RunOptions],
@@ -50,6 +53,8 @@ def train(
         apart: Files or folders of patterns that must not be learnt from. Patterns and edits equal to these,
             or to one of `validation`, are left out.
         edits: File with edited versions of some of the patterns.
+        spoken: Files of texts in people's own words (`read_spoken_texts`). One of ten is validated
+            with and not learnt from.
         cache: Where to keep what is measured of the patterns; ``cache`` in `out` when None. PatternMaker's
             training reads and writes the same.
         workers: Processes that measure.
@@ -73,12 +78,17 @@ def train(
         banks = {"train": open_part(patterns), "validation": open_part(validation)}
     banks["train"] = banks["train"].without([*banks["validation"].sequences(), *sequences_of(apart)])
     tokenizer = TextTokenizer.shipped()
-    samples = WishSamples(banks["train"], tokenizer, seed=config.seed, typos=config.typos)
+    said = read_spoken_texts(spoken)
+    learnt = [one for one in said if not one.held_out]
+    samples = WishSamples(banks["train"], tokenizer, seed=config.seed, typos=config.typos, spoken=learnt)
     judged = WishSamples(banks["validation"], tokenizer, seed=config.seed + 1, typos=0.0)
     data = {name: bank.numbers() for name, bank in banks.items()}
-    data["files"] = file_checksums([*patterns, *validation, *apart, *([edits] if edits else [])])
+    data["files"] = file_checksums([*patterns, *validation, *apart, *([edits] if edits else []), *spoken])
     held = [judged.make(k) for k in range(config.validation_texts)]
-    task = WishTask(config, samples, held, data, processes)
+    own = [judged.sample(s.text, s.changes, instruction=s.kind is not None) for s in said if s.held_out]
+    if said:
+        data["spoken"] = {"train": len(learnt), "validation": len(own)}
+    task = WishTask(config, samples, held, data, processes, spoken=own)
     report(
         f"{sum(p.numel() for p in task.network.parameters()) / 1e6:.2f} M parameters; "
         f"{len(banks['train'])} patterns with {data['train']['edits']} edits to write texts of, "
@@ -99,6 +109,8 @@ class WishTask(Task):
         validation: Sequence[WishSample],
         data: dict[str, Any],
         processes: Processes,
+        *,
+        spoken: Sequence[WishSample] = (),
     ) -> None:
         """Begins with random weights, or those of ``config.start``.
 
@@ -108,11 +120,13 @@ class WishTask(Task):
             validation: To judge by.
             data: What both are of, for the card.
             processes: That train.
+            spoken: In people's own words, to judge by, too.
         """
+        self.spoken = spoken
         torch.manual_seed(config.seed)
         self.network = build_network(asdict(config.network)).to(processes.device)
         if config.start:
-            load_start(self.network, Path(config.start))
+            load_start(self.network, Path(config.start), (("meaning.",),))
         self.weights = MasterWeights(self.network)
         self.validation, self.data, self.device = validation, data, processes.device
         self.batches = WishBatches(samples, config, part=processes.rank, parts=processes.count)
@@ -120,7 +134,7 @@ class WishTask(Task):
     def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
         """Of the statements and numbers of a batch, a text."""
         batch = self.batches[step]
-        logits, counts = trained(tokens_of(batch, self.network).to(self.device))
+        logits, counts = trained(*(given.to(self.device) for given in given_of(batch, self.network)))
         meant = torch.zeros_like(logits)
         for k, sample in enumerate(batch):
             meant[k, torch.from_numpy(sample.said)] = 1.0
@@ -137,19 +151,31 @@ class WishTask(Task):
 
     def validate(self) -> dict[str, Any]:
         """How well the texts to validate with are read."""
-        score = judge(self.network, self.validation)
-        return {"texts": len(self.validation)} | {k: round(v, 4) for k, v in asdict(score).items()}
+        found = _judged(self.network, self.validation)
+        return found | ({"spoken": _judged(self.network, self.spoken)} if self.spoken else {})
 
     def result_text(self, result: dict[str, Any]) -> str:
         """In one line."""
-        return (
+        shown = (
             f"validation precision {result['precision']:.1%}, recall {result['recall']:.1%}, whole texts "
             f"{result['whole']:.1%}, numbers {result['numbers']:.1%}"
+        )
+        own = result.get("spoken")
+        if own is None:
+            return shown
+        return (
+            f"{shown}; own words: precision {own['precision']:.1%}, recall {own['recall']:.1%}, whole texts "
+            f"{own['whole']:.1%}"
         )
 
     def card(self) -> dict[str, Any]:
         """Model, labels and data."""
-        return {"model": "WishReader", "labels_sha256": labels_checksum(), "data": self.data}
+        model = "SpokenReader" if self.network.config.meanings else "WishReader"
+        return {"model": model, "labels_sha256": labels_checksum(), "data": self.data}
+
+
+def _judged(network: WishNetwork, samples: Sequence[WishSample]) -> dict[str, Any]:
+    return {"texts": len(samples)} | {k: round(v, 4) for k, v in asdict(judge(network, samples)).items()}
 
 
 class WishBatches:
@@ -192,7 +218,7 @@ def judge(network: WishNetwork, samples: Sequence[WishSample], batch_size: int =
     right = read = said = whole = numbers = known = 0
     for start in range(0, len(samples), batch_size):
         part = samples[start : start + batch_size]
-        logits, counts = network(tokens_of(part, network).to(device))
+        logits, counts = network(*(given.to(device) for given in given_of(part, network)))
         for k, sample in enumerate(part):
             found = set(torch.nonzero(logits[k] > 0)[:, 0].tolist())
             meant = set(sample.said.tolist())
@@ -207,10 +233,16 @@ def judge(network: WishNetwork, samples: Sequence[WishSample], batch_size: int =
     )
 
 
-def tokens_of(samples: Sequence[WishSample], network: WishNetwork) -> Tensor:
-    """(B, N) tokens of some texts, padded at the end."""
+def given_of(samples: Sequence[WishSample], network: WishNetwork) -> tuple[Tensor, ...]:
+    """(B, N) tokens of some texts, padded at the end; where it is told, (B, N, size) vectors of their words."""
     longest = max(len(s.ready.tokens) for s in samples)
     tokens = np.full((len(samples), longest), network.config.tokens - 1, np.int64)
     for k, sample in enumerate(samples):
         tokens[k, : len(sample.ready.tokens)] = sample.ready.tokens
-    return torch.from_numpy(tokens)
+    if not network.config.meanings:
+        return (torch.from_numpy(tokens),)
+    meanings = np.zeros((len(samples), longest, SIZE), np.float32)
+    vectors = WordVectors.shipped()
+    for k, sample in enumerate(samples):
+        meanings[k, : len(sample.ready.words)] = vectors.of(sample.ready.words)
+    return torch.from_numpy(tokens), torch.from_numpy(meanings)

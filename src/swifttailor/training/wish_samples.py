@@ -13,6 +13,7 @@ from swifttailor.describing.differences import Change, Gain, Step
 from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.training.maker_bank import PatternBank, Version
 from swifttailor.training.misspelling import misspell
+from swifttailor.training.spoken_texts import SpokenText
 from swifttailor.training.wish_words import FILLERS, say_nothing, say_otherwise
 from swifttailor.wishes.labels import label_of, number_labels, statement_labels
 from swifttailor.wishes.mentions import Mention
@@ -26,6 +27,12 @@ _SAME_CM = 0.03
 _NOTHING, _INSTRUCTIONS, _OF_STRANGERS, _BARE, _WITH_FILLERS, _OTHERWISE = 0.05, 0.5, 0.4, 0.2, 0.25, 0.4
 _STRANGERS = 8
 _LARGEST_SEED = 2**31
+_SPOKEN, _TWO_SPOKEN, _SHORTENED, _LEFT_OUT = 0.6, 0.25, 0.3, 0.1
+"""Shares: of the texts those in people's own words; of these two instructions said in one breath,
+and those in which words are missing; and of their words those that are."""
+_FEW_WORDS = 4
+"""Of which none can be missing."""
+_BETWEEN = (". ", ", ", " and ", ", and ", "; ", " also ", ". oh and ", " plus ", "\n")
 _GAP = re.compile(r"(?<=[a-z,]) (?=[a-z])")
 
 
@@ -46,7 +53,15 @@ class WishSample:
 class WishSamples:
     """Samples of the patterns of a bank, each determined by its number."""
 
-    def __init__(self, bank: PatternBank, tokenizer: TextTokenizer, *, seed: int, typos: float) -> None:
+    def __init__(
+        self,
+        bank: PatternBank,
+        tokenizer: TextTokenizer,
+        *,
+        seed: int,
+        typos: float,
+        spoken: Sequence[SpokenText] = (),
+    ) -> None:
         """Prepares to write.
 
         Args:
@@ -54,8 +69,15 @@ class WishSamples:
             tokenizer: Of the texts.
             seed: Of all samples.
             typos: Share of the words with a typing error.
+            spoken: Texts in people's own words, to show among those that are written of the patterns.
         """
         self.bank, self.tokenizer, self.seed, self.typos = bank, tokenizer, seed, typos
+        self.spoken = tuple(spoken)
+        self._of_kind: dict[str | None, list[SpokenText]] = {}
+        for one in self.spoken:
+            self._of_kind.setdefault(one.kind, []).append(one)
+        described = self._of_kind.get(None, [])
+        self._spoken_of = {False: described, True: [one for one in self.spoken if one.kind is not None]}
         self._said = {label: k for k, label in enumerate(statement_labels())}
         self._counts = {label: k for k, label in enumerate(number_labels())}
 
@@ -66,7 +88,10 @@ class WishSamples:
             instruction = bool(chance.random() < _INSTRUCTIONS)
             if chance.random() < _NOTHING:
                 return self.sample(say_nothing(chance), (), instruction=instruction)
-            written = self._instruction(chance) if instruction else self._caption(chance)
+            if self._spoken_of[instruction] and chance.random() < _SPOKEN:
+                written = self._spoken(chance, instruction=instruction)
+            else:
+                written = self._instruction(chance) if instruction else self._caption(chance)
             if written is not None:
                 return self.sample(*written, instruction=instruction, chance=chance)
 
@@ -105,6 +130,20 @@ class WishSamples:
     def _caption(self, chance: np.random.Generator) -> tuple[str, tuple[Change, ...]]:
         caption = write_caption(self._version(chance).facts, int(chance.integers(_LARGEST_SEED)))
         return caption.text, tuple(Gain(c) for c in caption.claims)
+
+    def _spoken(self, chance: np.random.Generator, *, instruction: bool) -> tuple[str, tuple[Change, ...]]:
+        some = self._spoken_of[instruction]
+        first = some[int(chance.integers(len(some)))]
+        if not instruction or chance.random() >= _TWO_SPOKEN:
+            words = first.text.split(" ")
+            if chance.random() < _SHORTENED and len(words) > _FEW_WORDS:
+                words = [word for word in words if chance.random() >= _LEFT_OUT]
+            return " ".join(words), first.changes
+        others = self._of_kind[first.kind]
+        second = others[int(chance.integers(len(others)))]
+        between = _BETWEEN[int(chance.integers(len(_BETWEEN)))]
+        changes = tuple(dict.fromkeys([*first.changes, *second.changes]))
+        return f"{first.text.rstrip('.!? ')}{between}{second.text}", changes
 
     def _instruction(self, chance: np.random.Generator) -> tuple[str, tuple[Change, ...]] | None:
         garment = self.bank.garments[int(chance.integers(len(self.bank)))]

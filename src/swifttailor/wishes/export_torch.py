@@ -17,18 +17,19 @@ from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.networks.trained_weights_torch import trained_network
 from swifttailor.wishes.labels import number_labels, statement_labels
 from swifttailor.wishes.network_torch import ReaderConfig, WishNetwork
-from swifttailor.wishes.reader import INPUTS, KIND, OUTPUTS, WishReader
+from swifttailor.wishes.reader import INPUTS, KIND, OUTPUTS, SPOKEN_INPUTS, SPOKEN_KIND, WishReader
 from swifttailor.wishes.text_tokens import EXTRA_TOKENS, PADDING
+from swifttailor.wishes.word_vectors import SIZE
 
 _EXAMPLE_TOKENS = 7
 assert PADDING == EXTRA_TOKENS - 1, "padding is the last token"
 
 
-def build_network(size: dict[str, int]) -> WishNetwork:
+def build_network(size: dict[str, Any]) -> WishNetwork:
     """A network with random weights for the tokens and labels of this version.
 
     Args:
-        size: Width, layers and heads.
+        size: Width, layers, heads, dropout, and whether it is told what words are like.
     """
     tokens = TextTokenizer.shipped().size + EXTRA_TOKENS
     return WishNetwork(ReaderConfig(tokens, len(statement_labels()), len(number_labels()), **size))
@@ -71,20 +72,28 @@ def export(network: WishNetwork, card: dict[str, Any], path: Path) -> Path:
         MissingExtraError: onnx or onnxscript is not installed.
     """
     length = torch.export.Dim("length", min=2, max=network.places.num_embeddings)
-    example = torch.zeros(1, _EXAMPLE_TOKENS, dtype=torch.long)
-    graph = export_graph(network.eval(), (example,), ({1: length},), INPUTS, OUTPUTS)
+    tokens, meanings = (
+        torch.zeros(1, _EXAMPLE_TOKENS, dtype=torch.long),
+        torch.zeros(1, _EXAMPLE_TOKENS, SIZE),
+    )
+    kind, inputs = (SPOKEN_KIND, SPOKEN_INPUTS) if network.config.meanings else (KIND, INPUTS)
+    example = (tokens, meanings)[: len(inputs)]
+    graph = export_graph(network.eval(), example, ({1: length},) * len(inputs), inputs, OUTPUTS)
     says = {"tokens": network.config.tokens, "statements": statement_labels(), "numbers": number_labels()}
-    return write_graph(path, KIND, graph, card, **says)
+    return write_graph(path, kind, graph, card, **says)
 
 
 def compare(reader: WishReader, network: WishNetwork, *, seed: int = 0) -> float:
-    """Largest difference between what a reader and a network make of the same random tokens."""
+    """Largest difference between what a reader and a network make of the same random tokens and vectors."""
     chance, apart = np.random.default_rng(seed), 0.0
     for length in (2, _EXAMPLE_TOKENS, network.places.num_embeddings):
         tokens = chance.integers(network.config.tokens - 1, size=(1, length))
-        found = reader.session.run(None, {"tokens": tokens})
+        given = {"tokens": tokens}
+        if network.config.meanings:
+            given["meanings"] = chance.standard_normal((1, length, SIZE), dtype=np.float32)
+        found = reader.session.run(None, given)
         with torch.no_grad():
-            made = network(torch.from_numpy(tokens))
+            made = network(*map(torch.from_numpy, given.values()))
         differences = (np.abs(f - m.numpy()).max() for f, m in zip(found, made, strict=True))
         apart = max(apart, *map(float, differences))
     return apart

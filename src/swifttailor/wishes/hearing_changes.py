@@ -23,6 +23,7 @@ from swifttailor.wishes.spoken_measures import spoken_measures
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
+from swifttailor.wishes.whole_instruction import with_the_whole
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, Entry, WordReading, exclude, read_words
 
@@ -118,6 +119,16 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         for gain in other_than(never, held, [subject_of(change) for change in told])
         if not _is_moved_away(gain, told)
     ]
+    taken = spoken.taken
+    if words.language == ENGLISH:
+        sure, read = with_the_whole(
+            sure,
+            reader.whole(text),
+            left_over=bool(unread),
+            accepts=lambda change, told: _adds(change, told, spoken, words)
+            and (facts is None or _can_become(change, facts)),
+        )
+        taken = (*taken, (text.strip(), tuple(wish.change for wish in read))) if read else taken
     changes = [wish.change for wish in sure]
     unread += _other_garments(text, words, kind, changes)
     unread += [n for n in unread_numbers(text, changes) if not _counts_elsewhere(n, text, changes)]
@@ -133,7 +144,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         words,
         clashes=spoken.clashes,
         kept=spoken.kept,
-        taken=spoken.taken,
+        taken=taken,
     )
 
 
@@ -186,6 +197,13 @@ def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: 
             return change.claim.name == "kind" and not told and change.claim not in words.never
         return not any(isinstance(o, Gain) and exclude(change.claim, o.claim) for o in told)
     return True
+
+
+def _can_become(change: Change, facts: GarmentFacts) -> bool:
+    """Whether a garment is not so already, and has what is to grow or shrink."""
+    if isinstance(change, Gain):
+        return not change.holds(facts, facts)
+    return QUANTITIES[change.quantity].of(facts) is not None
 
 
 def _without_steps_to(told: Sequence[Change]) -> list[Change]:

@@ -9,6 +9,7 @@ from torch import nn
 from torch.nn import functional as F
 
 from swifttailor.wishes.text_tokens import LONGEST
+from swifttailor.wishes.word_vectors import SIZE
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,10 @@ class ReaderConfig:
     width: int = 128
     layers: int = 4
     heads: int = 4
+    dropout: float = 0.0
+    """Share of what is between the layers that is left out in training."""
+    meanings: bool = False
+    """Whether it is told what words are like (`word_vectors`)."""
 
 
 class WishNetwork(nn.Module):
@@ -42,7 +47,15 @@ class WishNetwork(nn.Module):
         self.config = config
         self.embedding = nn.Embedding(config.tokens, config.width)
         self.places = nn.Embedding(LONGEST, config.width)
-        self.layers = nn.ModuleList(_Layer(config.width, config.heads) for _ in range(config.layers))
+        if config.meanings:
+            self.meaning = nn.Linear(SIZE, config.width)
+            # Learnt from nothing on, so that weights without it may go on.
+            nn.init.zeros_(self.meaning.weight)
+            nn.init.zeros_(self.meaning.bias)
+        self.layers = nn.ModuleList(
+            _Layer(config.width, config.heads, config.dropout) for _ in range(config.layers)
+        )
+        self.dropout = nn.Dropout(config.dropout)
         self.norm = nn.LayerNorm(config.width)
         self.says = nn.Linear(config.width, config.statements)
         self.counts = nn.Linear(config.width, config.numbers + 1)
@@ -51,11 +64,14 @@ class WishNetwork(nn.Module):
         # Few of the statements are made in any one text, and none by most tokens.
         nn.init.constant_(self.says.bias, -8.0)
 
-    def forward(self, tokens: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+    def forward(
+        self, tokens: torch.Tensor, meanings: torch.Tensor | None = None
+    ) -> tuple[torch.Tensor, torch.Tensor]:
         """Reads texts.
 
         Args:
             tokens: (B, N), padded at the end.
+            meanings: (B, N, `word_vectors.SIZE`) of the words that they are of, where it is told of them.
 
         Returns:
             Logits (B, statements) of what each text says, and (B, N, 1 + numbers) of what each token is if it
@@ -64,16 +80,20 @@ class WishNetwork(nn.Module):
         real = tokens != self.config.tokens - 1
         places = torch.arange(tokens.shape[1], device=tokens.device)
         x = self.embedding(tokens) + self.places(places)
+        if meanings is not None:
+            x = x + self.meaning(meanings)
+        x = self.dropout(x)
         for layer in self.layers:
             x = layer(x, real)
-        x = self.norm(x)
+        x = self.dropout(self.norm(x))
         said = self.says(x).masked_fill(~real[:, :, None], -30.0)
         return said.logsumexp(1), self.counts(x)
 
 
 class _Layer(nn.Module):
-    def __init__(self, width: int, heads: int) -> None:
+    def __init__(self, width: int, heads: int, dropout: float) -> None:
         super().__init__()
+        self.dropout = nn.Dropout(dropout)
         self.heads = heads
         self.first, self.second = nn.LayerNorm(width), nn.LayerNorm(width)
         self.given, self.made = nn.Linear(width, 3 * width), nn.Linear(width, width)
@@ -86,5 +106,5 @@ class _Layer(nn.Module):
         scores = query @ key.transpose(-1, -2) * (width // self.heads) ** -0.5
         scores = scores.masked_fill(~real[:, None, None, :], -1e9)
         heard = (scores.softmax(-1) @ value).transpose(1, 2).reshape(batch, length, width)
-        x = x + self.made(heard)
-        return x + self.down(F.gelu(self.up(self.second(x))))
+        x = x + self.dropout(self.made(heard))
+        return x + self.dropout(self.down(F.gelu(self.up(self.second(x)))))

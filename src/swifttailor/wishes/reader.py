@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -16,10 +17,20 @@ from swifttailor.wishes.labels import change_of, label_of
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.phrase_book import find_phrases
 from swifttailor.wishes.text_tokens import EXTRA_TOKENS, LONGEST_TEXT, ReadyText, text_tokens
+from swifttailor.wishes.word_vectors import WordVectors
 
-SHIPPED = Path(__file__).with_name("wish_reader.onnx")
-INPUTS, OUTPUTS = ("tokens",), ("statements", "numbers")
-KIND = ModelKind("wish reader", "swifttailor wish-reader 1", 2**28, ({GRAPH: (INPUTS, OUTPUTS)},))
+SHIPPED, SHIPPED_SPOKEN = (
+    Path(__file__).with_name(name) for name in ("wish_reader.onnx", "spoken_reader.onnx")
+)
+INPUTS, SPOKEN_INPUTS, OUTPUTS = ("tokens",), ("tokens", "meanings"), ("statements", "numbers")
+_MAX_BYTES = 2**28
+KIND = ModelKind("wish reader", "swifttailor wish-reader 1", _MAX_BYTES, ({GRAPH: (INPUTS, OUTPUTS)},))
+SPOKEN_KIND = ModelKind(
+    "reader of people's own words",
+    "swifttailor spoken-reader 1",
+    _MAX_BYTES,
+    ({GRAPH: (SPOKEN_INPUTS, OUTPUTS)},),
+)
 LEAST_CERTAINTY = 0.5
 SURE = 0.9
 """What is read with less certainty is as likely a misunderstanding."""
@@ -52,10 +63,14 @@ class WishReader:
     tokenizer: TextTokenizer
     card: dict[str, Any]
     """What it was trained on and how good it is."""
+    vectors: WordVectors | None = None
+    """Of words, where it was told of them in training."""
+    own_words: Path | None = None
+    """The file of the network that has learnt from people's own words (`whole`); None for none."""
 
     @staticmethod
     def load(weights: Path | str | None = None, *, threads: int = 1) -> WishReader:
-        """Opens a model file.
+        """Opens a model file; what is said in people's own words is read by the package's network for them.
 
         Args:
             weights: File; the one that comes with the package when None.
@@ -64,18 +79,25 @@ class WishReader:
         Raises:
             InputError: There is no such file, or it is damaged or another.
         """
-        model = open_model(SHIPPED if weights is None else weights, KIND, threads=threads)
-        tokenizer = TextTokenizer.shipped()
-        with model.says("what it reads"):
-            statements, numbers = tuple(model.about["statements"]), tuple(model.about["numbers"])
-            for label in statements:
-                change_of(label)
-            for label in numbers:
-                change_of(label, 1.0)
-        model.require(
-            {"the tokens that it reads": (model.about.get("tokens"), tokenizer.size + EXTRA_TOKENS)}
-        )
-        return WishReader(model.sessions[GRAPH], statements, numbers, tokenizer, model.about.get("card", {}))
+        return _opened(SHIPPED if weights is None else weights, KIND, threads, SHIPPED_SPOKEN)
+
+    @staticmethod
+    def load_spoken(weights: Path | str = SHIPPED_SPOKEN, *, threads: int = 1) -> WishReader:
+        """Opens the model file of a network that has learnt from people's own words.
+
+        Raises:
+            InputError: There is no such file, or it is damaged or another.
+        """
+        return _opened(weights, SPOKEN_KIND, threads, None)
+
+    @cached_property
+    def spoken(self) -> WishReader | None:
+        """The network that has learnt from people's own words, opened when it is first needed.
+
+        Raises:
+            InputError: Its file is damaged.
+        """
+        return None if self.own_words is None else WishReader.load_spoken(self.own_words)
 
     def read(self, text: str, *, instruction: bool = False) -> tuple[Wish, ...]:
         """What a text asks for, surest first.
@@ -104,11 +126,39 @@ class WishReader:
             found.pop(change_of(label_of(change)), None)
         return tuple(sorted(found.values(), key=lambda wish: -wish.certainty))
 
+    def whole(self, text: str) -> dict[Change, float]:
+        """How likely it is of every wish that an instruction, read as one, asks for it; with its amount.
+
+        Args:
+            text: In English.
+
+        Returns:
+            By wish; nothing where there is no network for people's own words.
+        """
+        reader = self.spoken
+        ready = text_tokens(text, self.tokenizer, instruction=True)
+        if reader is None or len(ready.tokens) < 2:
+            return {}
+        said, numbers = reader._run(ready)
+        certain = 1 / (1 + np.exp(-said[0].astype(float)))
+        found = {change_of(label): float(p) for label, p in zip(reader.statements, certain, strict=True)}
+        for _, change, certainty in _measured(ready, numbers[0], reader.numbers):
+            bare = change_of(label_of(change)) if isinstance(change, Step) else None
+            if bare in found:  # once: another number for the same measure is another matter
+                found[change] = max(found.pop(bare), certainty)
+        return found
+
+    def _run(self, ready: ReadyText) -> Any:
+        given = {"tokens": ready.tokens[None]}
+        if self.vectors is not None:
+            given["meanings"] = self.vectors.of(ready.words)[None]
+        return self.session.run(None, given)
+
     def _read(self, text: str, instruction: bool) -> tuple[Wish, ...]:
         ready = text_tokens(text, self.tokenizer, instruction=instruction)
         if len(ready.tokens) < 2:
             return ()
-        said, numbers = self.session.run(None, {"tokens": ready.tokens[None]})
+        said, numbers = self._run(ready)
         phrases = find_phrases(text[:LONGEST_TEXT], find_mentions(text[:LONGEST_TEXT])) if instruction else []
         found = dict(_stated(said[0], self.statements))
         for mention, change, certainty in _measured(ready, numbers[0], self.numbers):
@@ -123,6 +173,22 @@ class WishReader:
             found[change] = KNOWN_CERTAINTY
         kept = [Wish(c, p) for c, p in found.items() if instruction or not isinstance(c, Step)]
         return tuple(sorted(kept, key=lambda wish: -wish.certainty))
+
+
+def _opened(path: Path | str, kind: ModelKind, threads: int, own_words: Path | None) -> WishReader:
+    model = open_model(path, kind, threads=threads)
+    tokenizer = TextTokenizer.shipped()
+    with model.says("what it reads"):
+        statements, numbers = tuple(model.about["statements"]), tuple(model.about["numbers"])
+        for label in statements:
+            change_of(label)
+        for label in numbers:
+            change_of(label, 1.0)
+    model.require({"the tokens that it reads": (model.about.get("tokens"), tokenizer.size + EXTRA_TOKENS)})
+    vectors = WordVectors.shipped() if kind is SPOKEN_KIND else None
+    return WishReader(
+        model.sessions[GRAPH], statements, numbers, tokenizer, model.about.get("card", {}), vectors, own_words
+    )
 
 
 def _lacks_amount(change: Change) -> bool:

@@ -27,6 +27,8 @@ class ReadyText:
     mentions: tuple[Mention, ...]
     places: tuple[int, ...]
     """Where the mentions stand among the tokens."""
+    words: tuple[str, ...]
+    """(n,) the word that each token is of; empty for those behind the text's."""
 
 
 def text_tokens(text: str, tokenizer: TextTokenizer, *, instruction: bool) -> ReadyText:
@@ -39,15 +41,25 @@ def text_tokens(text: str, tokenizer: TextTokenizer, *, instruction: bool) -> Re
     """
     first = tokenizer.size
     tokens = [first + (INSTRUCTION if instruction else DESCRIPTION)]
+    words = [""]
     mentions, places, last = [], [], 0
+
+    def read(part: str) -> None:
+        encoded = tokenizer.encode(part, LONGEST)
+        tokens.extend(encoded.tokens)
+        words.extend(encoded.words)
+
     text = text[:LONGEST_TEXT]
     for mention in find_mentions(text):
-        tokens += tokenizer.encode(text[last : mention.start], LONGEST).tokens
+        read(text[last : mention.start])
         last = mention.end
         if len(tokens) >= LONGEST:
             break
         mentions.append(mention)
         places.append(len(tokens))
         tokens.append(first + (LENGTH if mention.is_length else COUNT))
-    tokens += tokenizer.encode(text[last:], LONGEST).tokens
-    return ReadyText(np.array(tokens[:LONGEST], np.int64), tuple(mentions), tuple(places))
+        words.append("")
+    read(text[last:])
+    return ReadyText(
+        np.array(tokens[:LONGEST], np.int64), tuple(mentions), tuple(places), tuple(words[:LONGEST])
+    )

@@ -1,0 +1,70 @@
+"""What an instruction asks for as a whole, by the network, beside what words are heard to say one by one.
+
+Tables know the phrases that somebody has thought of. The network has learnt from thousands of instructions
+in people's own words ("she wants leg, leg, leg") and says how likely each wish is meant. Where tables leave
+words over it is believed sooner; what it all but excludes is let go, if it reads something else instead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from swifttailor.describing.differences import Change, Gain, Step, subject_of
+from swifttailor.wishes.labels import label_of
+from swifttailor.wishes.reader import Wish
+from swifttailor.wording.lexicon import exclude
+
+MEANT = 0.5
+"""Certainty that is enough where words are left over."""
+MEANT_BESIDE = 0.9
+"""Enough beside what accounts for all words."""
+DOUBTED = 0.05
+"""Less than this speaks against what was heard, where something else is read."""
+GUESS = 0.25
+"""Enough where nothing else is heard or read: the likeliest wish, said to be what is taken to be meant."""
+
+
+def with_the_whole(
+    heard: Sequence[Wish],
+    whole: Mapping[Change, float],
+    *,
+    left_over: bool,
+    accepts: Callable[[Change, Sequence[Change]], bool],
+) -> tuple[list[Wish], list[Wish]]:
+    """What is heard word by word and what is meant as a whole, together.
+
+    Args:
+        heard: Word by word.
+        whole: How likely each wish is meant, by the network.
+        left_over: Whether words are left that nothing accounts for.
+        accepts: Whether a change may stand beside others that are asked for.
+
+    Returns:
+        What is asked for, and what of it the network alone has read.
+    """
+    enough = MEANT if left_over else MEANT_BESIDE
+    likely = {_name(change): chance for change, chance in whole.items()}
+    read = [change for change, chance in whole.items() if chance >= enough]
+    doubted = bool(read) and left_over
+    kept = [w for w in heard if not (doubted and likely.get(_name(w.change), 1.0) < DOUBTED)]
+    if not kept and not read and whole:
+        best = max(whole, key=lambda change: whole[change])
+        read = [best] if whole[best] >= GUESS else []
+    found: list[Wish] = []
+    for change in sorted(read, key=lambda one: -whole[one]):
+        told = [wish.change for wish in (*kept, *found)]
+        if not any(_same(change, other) for other in told) and accepts(change, told):
+            found.append(Wish(change, whole[change]))
+    return [*kept, *found], found
+
+
+def _same(one: Change, other: Change) -> bool:
+    """Whether both are about the same thing and one of them is enough."""
+    if subject_of(one) == subject_of(other):
+        return True
+    return isinstance(one, Gain) and isinstance(other, Gain) and exclude(one.claim, other.claim)
+
+
+def _name(change: Change) -> str:
+    """Its label; a stated amount makes no difference."""
+    return label_of(Step(change.quantity, change.direction) if isinstance(change, Step) else change)
