@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import argparse
 from collections import Counter
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -50,6 +51,7 @@ def facts_of(kind: str) -> GarmentFacts:
 
 def hear(spoken: SpokenText, reader: WishReader, counts: Counter[str]) -> str:
     """Hears one instruction; returns what went wrong with it, or nothing."""
+    assert spoken.kind is not None, "it is an instruction"
     heard = hear_instruction(spoken.text, reader, facts_of(spoken.kind))
     found = {label_of(wish.change) for wish in heard.sure}
     meant = {label_of(change) for change in spoken.changes}
@@ -70,15 +72,16 @@ def hear(spoken: SpokenText, reader: WishReader, counts: Counter[str]) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("files", type=Path, nargs="+")
-    parser.add_argument(
-        "--held-out", action="store_true", help="only what the wish reader does not learn from"
-    )
-    parser.add_argument("--weights", type=Path)
+    parser.add_argument("--held-out", action="store_true", help="only what the network does not learn from")
+    parser.add_argument("--weights", type=Path, help="of the reader of people's own words")
     parser.add_argument("--misses", type=int, default=0)
     options = parser.parse_args()
-    reader = WishReader.load(options.weights)
+    reader = WishReader.load()
+    if options.weights is not None:
+        reader = replace(reader, own_words=options.weights)
     counts: Counter[str] = Counter()
     texts = [t for t in read_spoken_texts(options.files) if t.held_out or not options.held_out]
+    texts = [text for text in texts if text.kind is not None]
     wrong = [miss for t in texts if (miss := hear(t, reader, counts))]
     print(describe())
     total, right = counts["texts"], counts["right"]

@@ -41,10 +41,13 @@ step() {
 training_files() { ls "$work"/patterns/train*.jsonl.gz "$work/patterns/drafts.jsonl.gz"; }
 
 # train NETWORK OPTIONS...: a training, or the rest of one, into $work/NETWORK/run.
-train() {
+train() { train_into "$1" "$@"; }
+
+# train_into FOLDER NETWORK OPTIONS...: the same into $work/FOLDER/run.
+train_into() {
     local out=$work/$1/run more=()
     [ -f "$out/checkpoint.pt" ] && more+=(--resume)
-    "${launch[@]}" train "$1" --out "$out" --workers "$cores" "${@:2}" "${more[@]}"
+    "${launch[@]}" train "$2" --out "$out" --workers "$cores" "${@:3}" "${more[@]}"
 }
 launch=("$python" -m swifttailor)
 

@@ -73,6 +73,8 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     maker = PatternMaker.load(files["PatternMaker"])
     assert maker.model.runtime.plans and maker.model.card["model"] == "PatternMaker"
     WishReader.load(files["WishReader"]).read("a knee-length dress")
+    spoken = WishReader.load_spoken(work / "spoken-reader/spoken_reader.onnx")
+    assert spoken.card["model"] == "SpokenReader" and spoken.card["data"]["spoken"]["train"] > 5000
     reader = PictureReader.load(files["PictureReader"])
     assert reader.size == 64 and reader.card["config"]["start"].endswith("full/weights.safetensors")
     assert len(PatternLibrary.load(work / "pattern-library/known_patterns.zip")) == 6

@@ -234,7 +234,7 @@ def judge(network: WishNetwork, samples: Sequence[WishSample], batch_size: int =
 
 
 def given_of(samples: Sequence[WishSample], network: WishNetwork) -> tuple[Tensor, ...]:
-    """(B, N) tokens of some texts, padded at the end; where it is told, (B, N, size) vectors of their words."""
+    """(B, N) tokens of texts, padded at the end; where it is told, (B, N, size) vectors of their words."""
     longest = max(len(s.ready.tokens) for s in samples)
     tokens = np.full((len(samples), longest), network.config.tokens - 1, np.int64)
     for k, sample in enumerate(samples):
