@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, field, replace
 from types import SimpleNamespace
+from zipfile import ZipFile
 
 import numpy as np
 from maker_standins import write_patterns
@@ -78,12 +79,17 @@ def test_one_drawing_is_asked_for_mended_and_kept_or_failed_with_the_reason(tmp_
     assert system.identity() == {"weights": {"diffusion": "x"}, "seed": 3}
 
 
-def test_the_command_takes_a_zip_for_a_latent_diffusion(tmp_path, capsys):
-    broken = tmp_path / "diffusion.zip"
-    broken.write_bytes(b"PK nothing")
+def test_the_command_tells_a_latent_diffusion_from_other_model_files(tmp_path, capsys):
+    broken, other = tmp_path / "diffusion.zip", tmp_path / "other.zip"
+    with ZipFile(broken, "w") as archive:
+        for name in ("card.json", "denoiser.onnx", "decoder.onnx"):
+            archive.writestr(name, b"{}")
+    other.write_bytes(b"PK nothing")
     asked = ["evaluate", "systems", "--patterns", str(write_patterns(tmp_path)), "--tasks", "text"]
     asked += ["--sewers", "--out", str(tmp_path / "out"), "--generators"]
     assert run([*asked, f"theirs={broken}"]) == 2
     assert "not a latent diffusion of patterns" in capsys.readouterr().err
+    assert run([*asked, f"theirs={other}"]) == 2
+    assert "not a PatternMaker" in capsys.readouterr().err
     assert run([*asked, f"theirs={tmp_path / 'none.zip'}"]) == 2
     assert "none.zip" in capsys.readouterr().err
