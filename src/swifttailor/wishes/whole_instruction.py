@@ -20,7 +20,7 @@ MEANT_BESIDE = 0.9
 """Enough beside what accounts for all words."""
 DOUBTED = 0.05
 """Less than this speaks against what was heard, where something else is read."""
-GUESS = 0.25
+GUESS = 0.4
 """Enough where nothing else is heard or read: the likeliest wish, said to be what is taken to be meant."""
 
 
