@@ -103,7 +103,9 @@ def answered(rows: list[Row], options: argparse.Namespace) -> dict[str, Any]:
     asked += [f"{folder.name}={folder / 'maker.zip'}" for folder in folders]
     asked += [] if options.data is None else ["--data", options.data / "validation"]
     asked += ["--tasks", "text"] if options.data is None else ["--tasks", "text", "image"]
-    subprocess.run([sys.executable, "-m", "swifttailor", *asked, "--overwrite"], check=False)
+    done = subprocess.run([sys.executable, "-m", "swifttailor", *asked, "--overwrite"], check=False)
+    if done.returncode not in (0, 1):  # 1: some patterns could not be asked for
+        sys.exit(done.returncode)
     summary = json.loads((options.out / "answers" / "summary.json").read_text())
     return summary["answers"] | {"tasks": list(summary["about"]["questions"])}
 

@@ -61,7 +61,7 @@ def test_one_drawing_is_asked_for_mended_and_kept_or_failed_with_the_reason(tmp_
     turned = Pattern((inside_out[0].reversed(), *inside_out[1:]), ())
     draws = Draws({"shirt": draft("t-shirt"), "short": turned, "long": crossed()})
     tailor = Reads()
-    system = LatentGenerator("theirs", tailor, draws, Asking(seed=3), {"diffusion": "x"})
+    system = LatentGenerator("theirs", tailor, Asking(seed=3), {"diffusion": "x"}, draws)
     plan = Plan((write_patterns(tmp_path),), None, tasks=("text",), asking=Asking(seed=3), samples=0)
     run_systems([system], [], plan, tmp_path / "out", ItemProgress)
     lines = (tmp_path / "out" / "theirs" / "answers.jsonl").read_text().splitlines()

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import hashlib
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain, Step
+from swifttailor.errors import InputError
 from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.training.wish_samples import UNKNOWN, WishSamples
-from swifttailor.wishes.labels import number_labels, statement_labels
+from swifttailor.wishes.labels import change_of, number_labels, statement_labels
 
 TEXTS = [
     (
@@ -52,15 +54,15 @@ def lesson(samples):
     return [samples.sample(text, changes, instruction=asked) for text, changes, asked in TEXTS]
 
 
-def run_of(samples, lesson, out, **options):
-    """A training that sees nothing but the lesson."""
+def run_of(samples, lesson, out, *, meanings=False, **options):
+    """A training that sees nothing but the lesson, told what words are like or not."""
     from swifttailor.training.loop_torch import Loop
     from swifttailor.training.wish_config import ReaderSize, WishConfig
     from swifttailor.training.wish_loop_torch import WishTask
 
     samples.make = lambda number: lesson[number % len(lesson)]
     config = WishConfig(
-        network=ReaderSize(width=64, layers=2),
+        network=ReaderSize(width=64, layers=2, meanings=meanings),
         steps=120,
         batch_size=10,
         learning_rate=4e-3,
@@ -78,7 +80,6 @@ def test_it_learns_is_written_and_is_read_again(samples, lesson, tmp_path):
     from safetensors.numpy import load_file
 
     from swifttailor.cli.train_export import TrainExport
-    from swifttailor.errors import InputError
     from swifttailor.wishes.reader import WishReader
 
     card = run_of(samples, lesson, tmp_path / "run")
@@ -103,6 +104,27 @@ def test_it_learns_is_written_and_is_read_again(samples, lesson, tmp_path):
     written.write_text(json.dumps(card | {"labels_sha256": "0"}))
     with pytest.raises(InputError, match="other statements"):
         TrainExport(source=tmp_path / "run", out=path, overwrite=True).run()
+
+
+@pytest.mark.needs_torch
+def test_one_that_is_told_what_words_are_like_reads_words_that_it_has_not_learnt(samples, tmp_path):
+    from swifttailor.cli.train_export import TrainExport
+    from swifttailor.wishes.reader import WishReader
+
+    # What words have in common is all that there is to go by: the text of the test has none of these.
+    texts = [("thinner ankles", -1), ("slimmer wrists", -1), ("wider shoulders", 1), ("bigger hips", 1)]
+    lesson = [samples.sample(text, [Step("length", sign)], instruction=True) for text, sign in texts]
+    card = run_of(samples, lesson, tmp_path / "run", meanings=True)
+    assert card["model"] == "SpokenReader" and card["validation"]["whole"] == 1.0
+    path = tmp_path / "spoken.onnx"
+    assert TrainExport(source=tmp_path / "run", out=path, half=True).run() == 0
+    with pytest.raises(InputError, match="wish reader"):
+        WishReader.load(path)
+    reader = WishReader.load_spoken(path)
+    assert reader.whole("thinner ankles") == {}, "it has no other network for people's own words"
+    whole = replace(reader, own_words=path).whole("larger chest")
+    assert whole.keys() == {change_of(label) for label in statement_labels()}
+    assert whole[Step("length", 1)] > 0.5 > whole[Step("length", -1)]
 
 
 @pytest.mark.needs_torch

@@ -129,7 +129,8 @@ class EvaluateSystems:
             if name not in OWN and "=" not in name:
                 raise InputError(
                     f"There is no generator {name!r}. Accepted: {', '.join(OWN)}, or NAME=SOURCE for the "
-                    "recorded patterns of another system, or the model file of a latent diffusion."
+                    "recorded patterns of another system or the model file of a PatternMaker or a latent "
+                    "diffusion."
                 )
         require_limit(self.limit)
         in_range("--seed", self.seed, 0, 2**31)
@@ -216,7 +217,7 @@ class EvaluateSystems:
         if name == "chance":
             return Chance(PatternLibrary.load(), weights["library"], self.seed)
         if name == "nearest":
-            return NearestKnown(self._tailor, PatternLibrary.load(), self._asking(), weights)
+            return NearestKnown(name, self._tailor, self._asking(), weights, PatternLibrary.load())
         askings = {
             "ours": {},
             "uncut": {"alter": False},
@@ -238,7 +239,7 @@ class EvaluateSystems:
         if holds_graphs_of(weights, KIND):
             designer = LatentDesigner.load(weights, threads=self.threads)
             identity = self._weights | {"diffusion": file_identity(weights)}
-            return LatentGenerator(name, self._tailor, designer, self._asking(), identity)
+            return LatentGenerator(name, self._tailor, self._asking(), identity, designer)
         tailor = Tailor(weights, threads=self.threads)
         _ = tailor.pattern_maker  # refused before anything is asked
         return TailorGenerator(name, tailor, self._asking(**_ALONE), {"writer": file_identity(weights)})

@@ -8,10 +8,12 @@ of the package.
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from zipfile import BadZipFile
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,7 +70,7 @@ class WordVectors:
                 rows, scale = arrays["rows"], float(arrays["scale"])
             if rows.dtype != np.int8 or rows.shape != (len(words), SIZE) or not 0 < scale < 1:
                 raise ValueError(f"{len(words)} words, rows of shape {rows.shape}")
-        except (OSError, ValueError, KeyError, EOFError) as error:
+        except (OSError, ValueError, KeyError, EOFError, BadZipFile, zlib.error) as error:
             raise InputError(
                 f"'{path}' holds no word vectors: {error}. Install swifttailor again, or make the file anew "
                 "with scripts/make_word_vectors.py."

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol
@@ -16,7 +17,8 @@ from swifttailor.pattern import Pattern, to_specification
 from swifttailor.pattern.digest import pattern_digest
 from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_library.nearest import nearest
-from swifttailor.tailor import Tailor
+from swifttailor.pattern_library.sought import Sought
+from swifttailor.tailor import Order, Tailor
 
 GENERATIVE: tuple[Task, ...] = ("text", "image", "text+image")
 
@@ -72,14 +74,15 @@ class TailorGenerator:
 
 
 @dataclass(frozen=True, eq=False)
-class NearestKnown:
-    """The known pattern that fits best what is read of text and picture, as it is: nothing is cut."""
+class OfWhatIsRead(ABC):
+    """Answers each question by itself, from what a tailor reads of text and picture."""
 
+    name: str
     tailor: Tailor
-    library: PatternLibrary
+    """Reads the questions."""
     asking: Asking
     weights: Mapping[str, Any]
-    name: str = "nearest"
+    """The files of all networks, with their checksums."""
 
     def identity(self) -> dict[str, Any]:
         """See `Generator`."""
@@ -97,13 +100,31 @@ class NearestKnown:
         try:
             sought = self.tailor.read(order).sought
             clock.stop("reading")
-            if sought.is_empty:
-                return InputError("Nothing that was asked for was understood, so no pattern is the nearest.")
-            found = nearest(self.library, sought)[0]
+            return self._made(sought, order, question, clock)
         except SwiftTailorError as error:
             return error
+
+    @abstractmethod
+    def _made(self, sought: Sought, order: Order, question: Question, clock: Clock) -> Content:
+        """The answer to what is sought.
+
+        Raises:
+            SwiftTailorError: There is none.
+        """
+
+
+@dataclass(frozen=True, eq=False)
+class NearestKnown(OfWhatIsRead):
+    """The known pattern that fits best what is read of text and picture, as it is: nothing is cut."""
+
+    library: PatternLibrary
+
+    def _made(self, sought: Sought, order: Order, question: Question, clock: Clock) -> Content:
+        if sought.is_empty:
+            raise InputError("Nothing that was asked for was understood, so no pattern is the nearest.")
+        found = nearest(self.library, sought)[0]
         clock.stop("searching")
-        return _kept(found.pattern, clock, known=found.id)
+        return kept(found.pattern, clock, known=found.id)
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,7 +145,7 @@ class Chance:
     ) -> Sequence[Content | SwiftTailorError]:
         """See `Generator`."""
         drawn = [seed_of(self.seed, question.id, "chance") % len(self.library) for question in questions]
-        return [_kept(self.library.pattern(k), known=self.library.ids[k]) for k in drawn]
+        return [kept(self.library.pattern(k), known=self.library.ids[k]) for k in drawn]
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,7 +162,7 @@ class Truth:
         self, questions: Sequence[Question], pictures: GarmentPictures | None
     ) -> Sequence[Content | SwiftTailorError]:
         """See `Generator`."""
-        return [_kept(question.truth) for question in questions]
+        return [kept(question.truth) for question in questions]
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,9 +196,10 @@ class Recorded:
         found = self.patterns.get(id)
         if found is None:
             return InputError(f"{self.name} has no output for '{id}'.")
-        return found if isinstance(found, SwiftTailorError) else _kept(found.canonical())
+        return found if isinstance(found, SwiftTailorError) else kept(found.canonical())
 
 
-def _kept(pattern: Pattern, clock: Clock | None = None, **more: Any) -> Content:
+def kept(pattern: Pattern, clock: Clock | None = None, **more: Any) -> Content:
+    """What is kept of an answer: its pattern, the seconds that it took, and more that is known of it."""
     seconds = {} if clock is None else {"seconds": clock.seconds, "together": 1}
     return {"pattern": to_specification(pattern)} | seconds | more
