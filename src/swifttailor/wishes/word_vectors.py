@@ -2,8 +2,8 @@
 
 A network that has read thousands of instructions has not read most of the words that people use. Their
 vectors tell it that a bosom is like a bust, and a meringue like nothing that is sewn. The vectors are GloVe's
-(Pennington et al. 2014), those of the commonest English words; ``scripts/make_word_vectors.py`` made the file
-of the package.
+(Pennington et al. 2014), those of the commonest English words and of words for clothes;
+``scripts/make_word_vectors.py`` made the file of the package.
 """
 
 from __future__ import annotations
