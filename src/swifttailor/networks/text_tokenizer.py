@@ -39,8 +39,6 @@ class EncodedText:
     tokens: tuple[int, ...]
     truncated: bool
     """Whether its end was left out."""
-    words: tuple[str, ...] = ()
-    """The word that each token is of, in lower case; of a very long one a part."""
 
 
 @dataclass(frozen=True)
@@ -72,14 +70,11 @@ class TextTokenizer:
         # A token is 24 bytes at most; compatibility forms and spaces may shrink a text further.
         shown = text[: 4 * LONGEST_TOKEN * (limit + 1)]
         tokens: list[int] = []
-        words: list[str] = []
         for word in _words(normalize(shown)):
-            made = self._word(word)
-            tokens += made
-            words += [word.decode("utf-8", "replace").strip()] * len(made)
+            tokens += self._word(word)
             if len(tokens) > limit:
-                return EncodedText(tuple(tokens[:limit]), True, tuple(words[:limit]))
-        return EncodedText(tuple(tokens), len(shown) < len(text), tuple(words))
+                return EncodedText(tuple(tokens[:limit]), True)
+        return EncodedText(tuple(tokens), len(shown) < len(text))
 
     def decode(self, tokens: Iterable[int]) -> str:
         """The normalised text of tokens; bytes that are no text become replacement characters."""

@@ -19,8 +19,8 @@ class ReaderSize:
     heads: int = 4
     dropout: float = 0.0
     """Share of what is between the layers that is left out in training."""
-    meanings: bool = False
-    """Whether it is told what words are like (`word_vectors`)."""
+    encoder: Literal["own", "minilm"] = "own"
+    """`minilm`: the one that MiniLM is, which reads word pieces; its weights are `start`'s."""
 
     def __post_init__(self) -> None:
         for name in ("width", "layers", "heads"):
@@ -61,7 +61,12 @@ class WishConfig(LoopConfig):
 
 CONFIGS: dict[str, WishConfig] = {
     "small": WishConfig(),
-    "spoken": WishConfig(network=ReaderSize(dropout=0.15, meanings=True), weight_decay=0.05),
+    "spoken": WishConfig(
+        network=ReaderSize(width=384, layers=6, heads=12, dropout=0.1, encoder="minilm"),
+        steps=2000,
+        learning_rate=2e-4,
+        weight_decay=0.05,
+    ),
 }
 """Named configurations. `spoken` learns from people's own words, too."""
 

@@ -12,7 +12,6 @@ import torch
 from torch import Tensor, nn
 from torch.nn import functional as F
 
-from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.training.loop_torch import Loop, RunOptions, Task
 from swifttailor.training.maker_bank import PatternBank, open_bank, sequences_of
 from swifttailor.training.master_weights_torch import MasterWeights
@@ -22,9 +21,9 @@ from swifttailor.training.spoken_texts import read_spoken_texts
 from swifttailor.training.start_torch import load_start
 from swifttailor.training.wish_config import WishConfig
 from swifttailor.training.wish_samples import UNKNOWN, WishSample, WishSamples
-from swifttailor.wishes.export_torch import build_network, labels_checksum
+from swifttailor.wishes.export_torch import build_network, labels_checksum, tokenizer_of
 from swifttailor.wishes.network_torch import WishNetwork
-from swifttailor.wishes.word_vectors import SIZE, WordVectors
+from swifttailor.wishes.spoken_network_torch import SpokenNetwork
 
 _POOL = 8
 """Batches whose samples are sorted by length together."""
@@ -77,7 +76,7 @@ def train(
     with processes.first_goes_ahead():  # it measures, the others read
         banks = {"train": open_part(patterns), "validation": open_part(validation)}
     banks["train"] = banks["train"].without([*banks["validation"].sequences(), *sequences_of(apart)])
-    tokenizer = TextTokenizer.shipped()
+    tokenizer = tokenizer_of(config.network.encoder)
     said = read_spoken_texts(spoken)
     learnt = [one for one in said if not one.held_out]
     samples = WishSamples(banks["train"], tokenizer, seed=config.seed, typos=config.typos, spoken=learnt)
@@ -126,7 +125,7 @@ class WishTask(Task):
         torch.manual_seed(config.seed)
         self.network = build_network(asdict(config.network)).to(processes.device)
         if config.start:
-            load_start(self.network, Path(config.start), (("meaning.",),))
+            load_start(self.network, Path(config.start))
         self.weights = MasterWeights(self.network)
         self.validation, self.data, self.device = validation, data, processes.device
         self.batches = WishBatches(samples, config, part=processes.rank, parts=processes.count)
@@ -134,7 +133,7 @@ class WishTask(Task):
     def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
         """Of the statements and numbers of a batch, a text."""
         batch = self.batches[step]
-        logits, counts = trained(*(given.to(self.device) for given in given_of(batch, self.network)))
+        logits, counts = trained(tokens_of(batch, self.network.config.tokens - 1).to(self.device))
         meant = torch.zeros_like(logits)
         for k, sample in enumerate(batch):
             meant[k, torch.from_numpy(sample.said)] = 1.0
@@ -170,11 +169,11 @@ class WishTask(Task):
 
     def card(self) -> dict[str, Any]:
         """Model, labels and data."""
-        model = "SpokenReader" if self.network.config.meanings else "WishReader"
+        model = "SpokenReader" if isinstance(self.network, SpokenNetwork) else "WishReader"
         return {"model": model, "labels_sha256": labels_checksum(), "data": self.data}
 
 
-def _judged(network: WishNetwork, samples: Sequence[WishSample]) -> dict[str, Any]:
+def _judged(network: WishNetwork | SpokenNetwork, samples: Sequence[WishSample]) -> dict[str, Any]:
     return {"texts": len(samples)} | {k: round(v, 4) for k, v in asdict(judge(network, samples)).items()}
 
 
@@ -212,13 +211,15 @@ class WishScore:
 
 
 @torch.no_grad()
-def judge(network: WishNetwork, samples: Sequence[WishSample], batch_size: int = 128) -> WishScore:
+def judge(
+    network: WishNetwork | SpokenNetwork, samples: Sequence[WishSample], batch_size: int = 128
+) -> WishScore:
     """How well a network reads some texts."""
     device = network.embedding.weight.device
     right = read = said = whole = numbers = known = 0
     for start in range(0, len(samples), batch_size):
         part = samples[start : start + batch_size]
-        logits, counts = network(*(given.to(device) for given in given_of(part, network)))
+        logits, counts = network(tokens_of(part, network.config.tokens - 1).to(device))
         for k, sample in enumerate(part):
             found = set(torch.nonzero(logits[k] > 0)[:, 0].tolist())
             meant = set(sample.said.tolist())
@@ -233,16 +234,10 @@ def judge(network: WishNetwork, samples: Sequence[WishSample], batch_size: int =
     )
 
 
-def given_of(samples: Sequence[WishSample], network: WishNetwork) -> tuple[Tensor, ...]:
-    """(B, N) tokens of texts, padded at the end; where it is told, (B, N, size) vectors of their words."""
+def tokens_of(samples: Sequence[WishSample], padding: int) -> Tensor:
+    """(B, N) tokens of texts, padded at the end."""
     longest = max(len(s.ready.tokens) for s in samples)
-    tokens = np.full((len(samples), longest), network.config.tokens - 1, np.int64)
+    tokens = np.full((len(samples), longest), padding, np.int64)
     for k, sample in enumerate(samples):
         tokens[k, : len(sample.ready.tokens)] = sample.ready.tokens
-    if not network.config.meanings:
-        return (torch.from_numpy(tokens),)
-    meanings = np.zeros((len(samples), longest, SIZE), np.float32)
-    vectors = WordVectors.shipped()
-    for k, sample in enumerate(samples):
-        meanings[k, : len(sample.ready.words)] = vectors.of(sample.ready.words)
-    return torch.from_numpy(tokens), torch.from_numpy(meanings)
+    return torch.from_numpy(tokens)

@@ -10,14 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.describing.differences import Change, Gain, Step
-from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.training.maker_bank import PatternBank, Version
 from swifttailor.training.misspelling import misspell
 from swifttailor.training.spoken_texts import SpokenText
 from swifttailor.training.wish_words import FILLERS, say_nothing, say_otherwise
 from swifttailor.wishes.labels import label_of, number_labels, statement_labels
 from swifttailor.wishes.mentions import Mention
-from swifttailor.wishes.text_tokens import ReadyText, text_tokens
+from swifttailor.wishes.text_tokens import ReadyText, Tokenizer, text_tokens
 from swifttailor.wording.captions import write_caption
 from swifttailor.wording.instructions.writer import write_instruction
 
@@ -56,7 +55,7 @@ class WishSamples:
     def __init__(
         self,
         bank: PatternBank,
-        tokenizer: TextTokenizer,
+        tokenizer: Tokenizer,
         *,
         seed: int,
         typos: float,

@@ -15,24 +15,36 @@ from swifttailor.networks.model_file import write_graph
 from swifttailor.networks.onnx_export_torch import export_graph
 from swifttailor.networks.text_tokenizer import TextTokenizer
 from swifttailor.networks.trained_weights_torch import trained_network
+from swifttailor.networks.word_pieces import WordPieces
 from swifttailor.wishes.labels import number_labels, statement_labels
 from swifttailor.wishes.network_torch import ReaderConfig, WishNetwork
-from swifttailor.wishes.reader import INPUTS, KIND, OUTPUTS, SPOKEN_INPUTS, SPOKEN_KIND, WishReader
-from swifttailor.wishes.text_tokens import EXTRA_TOKENS, PADDING
-from swifttailor.wishes.word_vectors import SIZE
+from swifttailor.wishes.reader import INPUTS, KIND, OUTPUTS, SPOKEN_KIND, WishReader
+from swifttailor.wishes.spoken_network_torch import SpokenConfig, SpokenNetwork
+from swifttailor.wishes.text_tokens import EXTRA_TOKENS, PADDING, Tokenizer
 
 _EXAMPLE_TOKENS = 7
 assert PADDING == EXTRA_TOKENS - 1, "padding is the last token"
+_OWN, _MINILM = "own", "minilm"
 
 
-def build_network(size: dict[str, Any]) -> WishNetwork:
+def build_network(size: dict[str, Any]) -> WishNetwork | SpokenNetwork:
     """A network with random weights for the tokens and labels of this version.
 
     Args:
-        size: Width, layers, heads, dropout, and whether it is told what words are like.
+        size: Width, layers, heads and dropout, and which encoder: ``own`` or ``minilm``.
     """
-    tokens = TextTokenizer.shipped().size + EXTRA_TOKENS
-    return WishNetwork(ReaderConfig(tokens, len(statement_labels()), len(number_labels()), **size))
+    size = dict(size)
+    encoder = size.pop("encoder", _OWN)
+    tokens = tokenizer_of(encoder).size + EXTRA_TOKENS
+    labels = len(statement_labels()), len(number_labels())
+    if encoder == _MINILM:
+        return SpokenNetwork(SpokenConfig(tokens, *labels, **size))
+    return WishNetwork(ReaderConfig(tokens, *labels, **size))
+
+
+def tokenizer_of(encoder: str) -> Tokenizer:
+    """What makes the tokens that an encoder reads."""
+    return WordPieces.shipped() if encoder == _MINILM else TextTokenizer.shipped()
 
 
 def labels_checksum() -> str:
@@ -40,13 +52,16 @@ def labels_checksum() -> str:
     return hashlib.sha256(json.dumps([statement_labels(), number_labels()]).encode()).hexdigest()
 
 
-def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> WishNetwork:
+def load_weights(
+    weights: Path, card: dict[str, Any], *, half: bool = False, int8: bool = False
+) -> WishNetwork | SpokenNetwork:
     """A trained network.
 
     Args:
         weights: weights.safetensors of a run.
         card: Its card.
         half: Whether its weights are rounded to what float16 holds.
+        int8: Whether its matrices are rounded to what bytes hold.
 
     Raises:
         InputError: The file is missing, damaged, or of another network.
@@ -56,10 +71,11 @@ def load_weights(weights: Path, card: dict[str, Any], *, half: bool = False) -> 
             f"The weights '{weights}' were trained for other statements than this version's. Export them "
             "with the version that trained them, or train again."
         )
-    return trained_network(lambda: build_network(card["config"]["network"]), weights, half=half)
+    build = lambda: build_network(card["config"]["network"])  # noqa: E731
+    return trained_network(build, weights, half=half, eight_bits=int8)
 
 
-def export(network: WishNetwork, card: dict[str, Any], path: Path) -> Path:
+def export(network: WishNetwork | SpokenNetwork, card: dict[str, Any], path: Path) -> Path:
     """Writes the model file, which `WishReader.load` opens.
 
     Args:
@@ -72,28 +88,21 @@ def export(network: WishNetwork, card: dict[str, Any], path: Path) -> Path:
         MissingExtraError: onnx or onnxscript is not installed.
     """
     length = torch.export.Dim("length", min=2, max=network.places.num_embeddings)
-    tokens, meanings = (
-        torch.zeros(1, _EXAMPLE_TOKENS, dtype=torch.long),
-        torch.zeros(1, _EXAMPLE_TOKENS, SIZE),
-    )
-    kind, inputs = (SPOKEN_KIND, SPOKEN_INPUTS) if network.config.meanings else (KIND, INPUTS)
-    example = (tokens, meanings)[: len(inputs)]
-    graph = export_graph(network.eval(), example, ({1: length},) * len(inputs), inputs, OUTPUTS)
+    example = (torch.zeros(1, _EXAMPLE_TOKENS, dtype=torch.long),)
+    kind = SPOKEN_KIND if isinstance(network, SpokenNetwork) else KIND
+    graph = export_graph(network.eval(), example, ({1: length},), INPUTS, OUTPUTS)
     says = {"tokens": network.config.tokens, "statements": statement_labels(), "numbers": number_labels()}
     return write_graph(path, kind, graph, card, **says)
 
 
-def compare(reader: WishReader, network: WishNetwork, *, seed: int = 0) -> float:
-    """Largest difference between what a reader and a network make of the same random tokens and vectors."""
+def compare(reader: WishReader, network: WishNetwork | SpokenNetwork, *, seed: int = 0) -> float:
+    """Largest difference between what a reader and a network make of the same random tokens."""
     chance, apart = np.random.default_rng(seed), 0.0
     for length in (2, _EXAMPLE_TOKENS, network.places.num_embeddings):
         tokens = chance.integers(network.config.tokens - 1, size=(1, length))
-        given = {"tokens": tokens}
-        if network.config.meanings:
-            given["meanings"] = chance.standard_normal((1, length, SIZE), dtype=np.float32)
-        found = reader.session.run(None, given)
+        found = reader.session.run(None, {"tokens": tokens})
         with torch.no_grad():
-            made = network(*map(torch.from_numpy, given.values()))
+            made = network(torch.from_numpy(tokens))
         differences = (np.abs(f - m.numpy()).max() for f, m in zip(found, made, strict=True))
         apart = max(apart, *map(float, differences))
     return apart

@@ -9,7 +9,6 @@ from torch import nn
 from torch.nn import functional as F
 
 from swifttailor.wishes.text_tokens import LONGEST
-from swifttailor.wishes.word_vectors import SIZE
 
 
 @dataclass(frozen=True)
@@ -27,8 +26,6 @@ class ReaderConfig:
     heads: int = 4
     dropout: float = 0.0
     """Share of what is between the layers that is left out in training."""
-    meanings: bool = False
-    """Whether it is told what words are like (`word_vectors`)."""
 
 
 class WishNetwork(nn.Module):
@@ -47,11 +44,6 @@ class WishNetwork(nn.Module):
         self.config = config
         self.embedding = nn.Embedding(config.tokens, config.width)
         self.places = nn.Embedding(LONGEST, config.width)
-        if config.meanings:
-            self.meaning = nn.Linear(SIZE, config.width)
-            # Learnt from nothing on, so that weights without it may go on.
-            nn.init.zeros_(self.meaning.weight)
-            nn.init.zeros_(self.meaning.bias)
         self.layers = nn.ModuleList(
             _Layer(config.width, config.heads, config.dropout) for _ in range(config.layers)
         )
@@ -64,14 +56,11 @@ class WishNetwork(nn.Module):
         # Few of the statements are made in any one text, and none by most tokens.
         nn.init.constant_(self.says.bias, -8.0)
 
-    def forward(
-        self, tokens: torch.Tensor, meanings: torch.Tensor | None = None
-    ) -> tuple[torch.Tensor, torch.Tensor]:
+    def forward(self, tokens: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
         """Reads texts.
 
         Args:
             tokens: (B, N), padded at the end.
-            meanings: (B, N, `word_vectors.SIZE`) of the words that they are of, where it is told of them.
 
         Returns:
             Logits (B, statements) of what each text says, and (B, N, 1 + numbers) of what each token is if it
@@ -79,10 +68,7 @@ class WishNetwork(nn.Module):
         """
         real = tokens != self.config.tokens - 1
         places = torch.arange(tokens.shape[1], device=tokens.device)
-        x = self.embedding(tokens) + self.places(places)
-        if meanings is not None:
-            x = x + self.meaning(meanings)
-        x = self.dropout(x)
+        x = self.dropout(self.embedding(tokens) + self.places(places))
         for layer in self.layers:
             x = layer(x, real)
         x = self.dropout(self.norm(x))

@@ -12,24 +12,24 @@ import numpy as np
 from swifttailor.describing.differences import Change, Step, subject_of
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
 from swifttailor.networks.text_tokenizer import TextTokenizer
+from swifttailor.networks.word_pieces import WordPieces
 from swifttailor.wishes.clauses import clauses
 from swifttailor.wishes.labels import change_of, label_of
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.phrase_book import find_phrases
-from swifttailor.wishes.text_tokens import EXTRA_TOKENS, LONGEST_TEXT, ReadyText, text_tokens
-from swifttailor.wishes.word_vectors import WordVectors
+from swifttailor.wishes.text_tokens import EXTRA_TOKENS, LONGEST_TEXT, ReadyText, Tokenizer, text_tokens
 
 SHIPPED, SHIPPED_SPOKEN = (
     Path(__file__).with_name(name) for name in ("wish_reader.onnx", "spoken_reader.onnx")
 )
-INPUTS, SPOKEN_INPUTS, OUTPUTS = ("tokens",), ("tokens", "meanings"), ("statements", "numbers")
+INPUTS, OUTPUTS = ("tokens",), ("statements", "numbers")
 _MAX_BYTES = 2**28
 KIND = ModelKind("wish reader", "swifttailor wish-reader 1", _MAX_BYTES, ({GRAPH: (INPUTS, OUTPUTS)},))
 SPOKEN_KIND = ModelKind(
     "reader of people's own words",
-    "swifttailor spoken-reader 1",
+    "swifttailor spoken-reader 2",
     _MAX_BYTES,
-    ({GRAPH: (SPOKEN_INPUTS, OUTPUTS)},),
+    ({GRAPH: (INPUTS, OUTPUTS)},),
 )
 LEAST_CERTAINTY = 0.5
 SURE = 0.9
@@ -60,11 +60,9 @@ class WishReader:
     """Labels of what a text says."""
     numbers: tuple[str, ...]
     """Labels of what a number is."""
-    tokenizer: TextTokenizer
+    tokenizer: Tokenizer
     card: dict[str, Any]
     """What it was trained on and how good it is."""
-    vectors: WordVectors | None = None
-    """Of words, where it was told of them in training."""
     own_words: Path | None = None
     """The file of the network that has learnt from people's own words (`whole`); None for none."""
 
@@ -136,8 +134,10 @@ class WishReader:
             By wish; nothing where there is no network for people's own words.
         """
         reader = self.spoken
-        ready = text_tokens(text, self.tokenizer, instruction=True)
-        if reader is None or len(ready.tokens) < 2:
+        if reader is None:
+            return {}
+        ready = text_tokens(text, reader.tokenizer, instruction=True)
+        if len(ready.tokens) < 2:
             return {}
         said, numbers = reader._run(ready)
         certain = 1 / (1 + np.exp(-said[0].astype(float)))
@@ -149,10 +149,7 @@ class WishReader:
         return found
 
     def _run(self, ready: ReadyText) -> Any:
-        given = {"tokens": ready.tokens[None]}
-        if self.vectors is not None:
-            given["meanings"] = self.vectors.of(ready.words)[None]
-        return self.session.run(None, given)
+        return self.session.run(None, {"tokens": ready.tokens[None]})
 
     def _read(self, text: str, instruction: bool) -> tuple[Wish, ...]:
         ready = text_tokens(text, self.tokenizer, instruction=instruction)
@@ -177,7 +174,7 @@ class WishReader:
 
 def _opened(path: Path | str, kind: ModelKind, threads: int, own_words: Path | None) -> WishReader:
     model = open_model(path, kind, threads=threads)
-    tokenizer = TextTokenizer.shipped()
+    tokenizer = WordPieces.shipped() if kind is SPOKEN_KIND else TextTokenizer.shipped()
     with model.says("what it reads"):
         statements, numbers = tuple(model.about["statements"]), tuple(model.about["numbers"])
         for label in statements:
@@ -185,9 +182,8 @@ def _opened(path: Path | str, kind: ModelKind, threads: int, own_words: Path | N
         for label in numbers:
             change_of(label, 1.0)
     model.require({"the tokens that it reads": (model.about.get("tokens"), tokenizer.size + EXTRA_TOKENS)})
-    vectors = WordVectors.shipped() if kind is SPOKEN_KIND else None
     return WishReader(
-        model.sessions[GRAPH], statements, numbers, tokenizer, model.about.get("card", {}), vectors, own_words
+        model.sessions[GRAPH], statements, numbers, tokenizer, model.about.get("card", {}), own_words
     )
 
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from swifttailor.networks.text_tokenizer import TextTokenizer
+from swifttailor.networks.text_tokenizer import EncodedText
 from swifttailor.wishes.mentions import Mention, find_mentions
 
 LONGEST = 192
@@ -16,6 +17,19 @@ LONGEST_TEXT = 20_000
 DESCRIPTION, INSTRUCTION, LENGTH, COUNT, PADDING = range(5)
 """Tokens behind those of the text: what kind of text it is, numbers with a unit and without, and nothing."""
 EXTRA_TOKENS = 5
+
+
+class Tokenizer(Protocol):
+    """What makes tokens of words."""
+
+    @property
+    def size(self) -> int:
+        """Number of tokens."""
+        ...
+
+    def encode(self, text: str, limit: int) -> EncodedText:
+        """At most `limit` tokens, of the beginning of a text."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,11 +41,8 @@ class ReadyText:
     mentions: tuple[Mention, ...]
     places: tuple[int, ...]
     """Where the mentions stand among the tokens."""
-    words: tuple[str, ...]
-    """(n,) the word that each token is of; empty for those behind the text's."""
 
-
-def text_tokens(text: str, tokenizer: TextTokenizer, *, instruction: bool) -> ReadyText:
+def text_tokens(text: str, tokenizer: Tokenizer, *, instruction: bool) -> ReadyText:
     """Prepares a text to be read.
 
     Args:
@@ -41,13 +52,10 @@ def text_tokens(text: str, tokenizer: TextTokenizer, *, instruction: bool) -> Re
     """
     first = tokenizer.size
     tokens = [first + (INSTRUCTION if instruction else DESCRIPTION)]
-    words = [""]
     mentions, places, last = [], [], 0
 
     def read(part: str) -> None:
-        encoded = tokenizer.encode(part, LONGEST)
-        tokens.extend(encoded.tokens)
-        words.extend(encoded.words)
+        tokens.extend(tokenizer.encode(part, LONGEST).tokens)
 
     text = text[:LONGEST_TEXT]
     for mention in find_mentions(text):
@@ -58,8 +66,5 @@ def text_tokens(text: str, tokenizer: TextTokenizer, *, instruction: bool) -> Re
         mentions.append(mention)
         places.append(len(tokens))
         tokens.append(first + (LENGTH if mention.is_length else COUNT))
-        words.append("")
     read(text[last:])
-    return ReadyText(
-        np.array(tokens[:LONGEST], np.int64), tuple(mentions), tuple(places), tuple(words[:LONGEST])
-    )
+    return ReadyText(np.array(tokens[:LONGEST], np.int64), tuple(mentions), tuple(places))
