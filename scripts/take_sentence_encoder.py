@@ -72,7 +72,9 @@ def chosen(known: list[str], texts: list[Path], most: int) -> list[str]:
     return [UNKNOWN, *(piece for piece in known if piece in kept and piece != UNKNOWN)]
 
 
-def weights_of(given: dict[str, torch.Tensor], rows: list[int], place: dict[str, int]) -> dict[str, torch.Tensor]:
+def weights_of(
+    given: dict[str, torch.Tensor], rows: list[int], place: dict[str, int]
+) -> dict[str, torch.Tensor]:
     """The weights of the encoder, and random ones for what it is to say."""
     torch.manual_seed(0)
     network = build_network(asdict(CONFIGS["spoken"].network))
@@ -82,7 +84,9 @@ def weights_of(given: dict[str, torch.Tensor], rows: list[int], place: dict[str,
     table[: len(rows)] = embedding[rows]
     for token, like in _LIKE.items():
         table[len(rows) + token] = embedding[[place[piece] for piece in like]].mean(0)
-    places = given["embeddings.position_embeddings.weight"] + given["embeddings.token_type_embeddings.weight"][0]
+    places = (
+        given["embeddings.position_embeddings.weight"] + given["embeddings.token_type_embeddings.weight"][0]
+    )
     made = {
         "embedding.weight": table,
         "places.weight": places[: len(own["places.weight"])],
@@ -91,9 +95,14 @@ def weights_of(given: dict[str, torch.Tensor], rows: list[int], place: dict[str,
     }
     for k in range(network.config.layers):
         for kind in ("weight", "bias"):
-            parts = [given[f"encoder.layer.{k}.attention.self.{name}.{kind}"] for name in ("query", "key", "value")]
+            parts = [
+                given[f"encoder.layer.{k}.attention.self.{name}.{kind}"] for name in ("query", "key", "value")
+            ]
             made[f"layers.{k}.given.{kind}"] = torch.cat(parts)
-            made |= {f"layers.{k}.{own}.{kind}": given[f"encoder.layer.{k}.{name}.{kind}"] for name, own in _PARTS.items()}
+            made |= {
+                f"layers.{k}.{own}.{kind}": given[f"encoder.layer.{k}.{name}.{kind}"]
+                for name, own in _PARTS.items()
+            }
     return {name: made.get(name, value).contiguous() for name, value in own.items()}
 
 

@@ -147,7 +147,7 @@ class Reading:
         self.texts.append(text)
         return self.wishes
 
-    def whole(self, text):
+    def whole(self, text, *, instruction=True):
         return {}
 
 

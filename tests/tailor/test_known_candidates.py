@@ -41,7 +41,7 @@ class Darts:
     def read(self, text, *, instruction):
         return (Wish(Gain(Claim("bodice", "darted")), 0.97),)
 
-    def whole(self, text):
+    def whole(self, text, *, instruction=True):
         return {}
 
 

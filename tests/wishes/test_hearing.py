@@ -32,7 +32,7 @@ class Saying:
         self.texts.append(text)
         return self.wishes
 
-    def whole(self, text):
+    def whole(self, text, *, instruction=True):
         return {}
 
 

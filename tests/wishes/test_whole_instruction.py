@@ -11,7 +11,14 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.wishes.hearing_changes import hear_instruction
 from swifttailor.wishes.labels import change_of, statement_labels
 from swifttailor.wishes.reader import Wish, WishReader
-from swifttailor.wishes.whole_instruction import DOUBTED, GUESS, MEANT, MEANT_BESIDE, with_the_whole
+from swifttailor.wishes.whole_instruction import (
+    DOUBTED,
+    DOUBTED_BESIDE,
+    GUESS,
+    MEANT,
+    MEANT_BESIDE,
+    with_the_whole,
+)
 
 SHORTER, HOOD, NO_HOOD = Step("length", -1), Gain(Claim("hood", "hood")), Gain(Claim("hood", "none"))
 V_NECK, SQUARE = Gain(Claim("neckline", "v")), Gain(Claim("neckline", "square"))
@@ -30,7 +37,9 @@ def test_what_words_miss_the_whole_says():
 def test_where_all_words_are_accounted_for_more_is_needed():
     assert together([HOOD], {SHORTER: MEANT_BESIDE - 0.01, HOOD: 1.0}, left_over=False) == ([HOOD], [])
     assert together([HOOD], {SHORTER: MEANT_BESIDE, HOOD: 1.0}, left_over=False)[1] == [SHORTER]
-    assert together([HOOD], {SHORTER: 1.0, HOOD: 0.0}, left_over=False)[0] == [HOOD, SHORTER], "words stand"
+    sure = {SHORTER: 1.0, HOOD: DOUBTED_BESIDE}
+    assert together([HOOD], sure, left_over=False)[0] == [HOOD, SHORTER], "words stand"
+    assert together([HOOD], sure)[0] == [SHORTER], "where words are left over they do not"
 
 
 def test_what_is_all_but_excluded_gives_way_to_what_is_read():
@@ -54,7 +63,9 @@ def test_of_what_excludes_each_other_the_first_and_likeliest_stays():
 
 
 def test_what_may_not_be_is_not_read():
-    assert together([HOOD], {SHORTER: 1.0}, accepts=lambda change, told: False)[0] == [HOOD]
+    refuses = {"accepts": lambda change, told: False}
+    assert together([HOOD], {SHORTER: 1.0}, **refuses)[0] == [HOOD]
+    assert together([HOOD], {SHORTER: 1.0, HOOD: 0.0}, **refuses)[0] == [HOOD], "nothing is read in its place"
     seen = []
     together([HOOD], {SHORTER: 1.0}, accepts=lambda change, told: bool(seen.append((change, list(told)))))
     assert seen == [(SHORTER, [HOOD])]
@@ -69,7 +80,7 @@ class Reads:
     def __getattr__(self, name):
         return getattr(self.reader, name)
 
-    def whole(self, text):
+    def whole(self, text, *, instruction=True):
         return dict.fromkeys(map(change_of, statement_labels()), 0.01) | self.told
 
 

@@ -48,8 +48,8 @@ class TrainExport:
     """Round the weights to 16 bits, which halves the file; it computes with 32 all the same."""
     int8: tyro.conf.FlagCreatePairsOff[bool] = False
     """Compute a GarmentSewer's matrix products with 8-bit integers, which takes half the time on a CPU, and
-    round the other weights to 16 bits; of a picture reader, store the matrices in 8 bits, a quarter of the
-    file, and compute with 32. Evaluate it beside --half before use."""
+    round the other weights to 16 bits; of a picture reader or a reader of people's own words, store the
+    matrices in 8 bits, a quarter of the file, and compute with 32. Evaluate it beside --half before use."""
     data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
     """What to measure certainties with, part of the file: the data set with renders that a PatternMaker was
     trained on, or a split of garments that a picture reader was not trained on."""
@@ -76,8 +76,10 @@ class TrainExport:
             raise InputError(
                 f"--data is for a PatternMaker or a PictureReader; a {model} is shown no pictures."
             )
-        if self.int8 and model not in ("GarmentSewer", "PictureReader"):
-            raise InputError(f"--int8 is for a GarmentSewer or a PictureReader; choose --half for a {model}.")
+        if self.int8 and model not in ("GarmentSewer", "PictureReader", "SpokenReader"):
+            raise InputError(
+                f"--int8 is for a GarmentSewer, a PictureReader or a SpokenReader; choose --half for a {model}."
+            )
         if self.close_ups and model != "PictureReader":
             raise InputError(f"--close-ups is for a PictureReader; a {model} looks at nothing from near.")
         beside = out.with_suffix(".json")
@@ -99,7 +101,7 @@ class TrainExport:
         if model == "GarmentSewer":
             return _export_sewer(self.source, out, self.half, self.int8)
         if model in ("WishReader", "SpokenReader"):
-            return _export_reader(self.source, out, self.half)
+            return _export_reader(self.source, out, self.half, self.int8)
         if model == "PictureReader":
             return _export_eyes(
                 self.source, out, half=self.half, int8=self.int8, data=self.data, close_ups=self.close_ups
@@ -156,14 +158,14 @@ def _export_maker(run: Path, out: Path, half: bool) -> str:
     return f"at most {apart:.2g} of a value from torch"
 
 
-def _export_reader(run: Path, out: Path, half: bool) -> str:
+def _export_reader(run: Path, out: Path, half: bool, int8: bool) -> str:
     from swifttailor.training.run_record import CARD, WEIGHTS
     from swifttailor.wishes.export_torch import compare, export, load_weights
     from swifttailor.wishes.reader import WishReader
 
     card = json.loads((run / CARD).read_text(encoding="utf-8"))
-    network = load_weights(run / WEIGHTS, card, half=half)
-    load = WishReader.load_spoken if network.config.meanings else WishReader.load
+    network = load_weights(run / WEIGHTS, card, half=half or int8, int8=int8)
+    load = WishReader.load_spoken if card["model"] == "SpokenReader" else WishReader.load
     return _near_logits(compare(load(export(network, card, out)), network), out)
 
 

@@ -45,6 +45,8 @@ class WishConfig(LoopConfig):
     precision: Literal["auto", "float32", "bfloat16"] = "float32"
     recuts: int = 1
     """Edits made of each pattern by recutting it, beside those of the file of edits."""
+    own_words: float = 0.6
+    """Share of the texts in people's own words, where there are any."""
     typos: float = 0.04
     """Share of the words that are misspelt."""
     validation_texts: int = 2000
@@ -53,6 +55,7 @@ class WishConfig(LoopConfig):
     def __post_init__(self) -> None:
         super().__post_init__()
         require(self, "recuts", self.recuts >= 0, "0 or more")
+        require(self, "own_words", 0 <= self.own_words <= 1, "0 to 1")
         require(self, "typos", 0 <= self.typos <= 1, "0 to 1")
         require(self, "validation_texts", self.validation_texts >= 1, "at least 1")
         require(self, "compiled", not self.compiled, "false")
@@ -66,6 +69,7 @@ CONFIGS: dict[str, WishConfig] = {
         steps=2000,
         learning_rate=2e-4,
         weight_decay=0.05,
+        own_words=0.85,
     ),
 }
 """Named configurations. `spoken` learns from people's own words, too."""

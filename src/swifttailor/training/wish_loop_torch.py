@@ -79,7 +79,14 @@ def train(
     tokenizer = tokenizer_of(config.network.encoder)
     said = read_spoken_texts(spoken)
     learnt = [one for one in said if not one.held_out]
-    samples = WishSamples(banks["train"], tokenizer, seed=config.seed, typos=config.typos, spoken=learnt)
+    samples = WishSamples(
+        banks["train"],
+        tokenizer,
+        seed=config.seed,
+        typos=config.typos,
+        spoken=learnt,
+        own_words=config.own_words,
+    )
     judged = WishSamples(banks["validation"], tokenizer, seed=config.seed + 1, typos=0.0)
     data = {name: bank.numbers() for name, bank in banks.items()}
     data["files"] = file_checksums([*patterns, *validation, *apart, *([edits] if edits else []), *spoken])

@@ -26,9 +26,9 @@ _SAME_CM = 0.03
 _NOTHING, _INSTRUCTIONS, _OF_STRANGERS, _BARE, _WITH_FILLERS, _OTHERWISE = 0.05, 0.5, 0.4, 0.2, 0.25, 0.4
 _STRANGERS = 8
 _LARGEST_SEED = 2**31
-_SPOKEN, _TWO_SPOKEN, _SHORTENED, _LEFT_OUT = 0.6, 0.25, 0.3, 0.1
-"""Shares: of the texts those in people's own words; of these two instructions said in one breath,
-and those in which words are missing; and of their words those that are."""
+_TWO_SPOKEN, _SHORTENED, _LEFT_OUT = 0.25, 0.3, 0.1
+"""Shares of the texts in people's own words: two instructions said in one breath, and those in which words
+are missing; and of their words those that are."""
 _FEW_WORDS = 4
 """Of which none can be missing."""
 _BETWEEN = (". ", ", ", " and ", ", and ", "; ", " also ", ". oh and ", " plus ", "\n")
@@ -60,6 +60,7 @@ class WishSamples:
         seed: int,
         typos: float,
         spoken: Sequence[SpokenText] = (),
+        own_words: float = 0.6,
     ) -> None:
         """Prepares to write.
 
@@ -69,9 +70,10 @@ class WishSamples:
             seed: Of all samples.
             typos: Share of the words with a typing error.
             spoken: Texts in people's own words, to show among those that are written of the patterns.
+            own_words: Their share.
         """
         self.bank, self.tokenizer, self.seed, self.typos = bank, tokenizer, seed, typos
-        self.spoken = tuple(spoken)
+        self.spoken, self.own_words = tuple(spoken), own_words
         self._of_kind: dict[str | None, list[SpokenText]] = {}
         for one in self.spoken:
             self._of_kind.setdefault(one.kind, []).append(one)
@@ -87,7 +89,7 @@ class WishSamples:
             instruction = bool(chance.random() < _INSTRUCTIONS)
             if chance.random() < _NOTHING:
                 return self.sample(say_nothing(chance), (), instruction=instruction)
-            if self._spoken_of[instruction] and chance.random() < _SPOKEN:
+            if self._spoken_of[instruction] and chance.random() < self.own_words:
                 written = self._spoken(chance, instruction=instruction)
             else:
                 written = self._instruction(chance) if instruction else self._caption(chance)

@@ -25,6 +25,7 @@ from swifttailor.wishes.spoken_sides import spoken_sides, without_spans
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import says_nothing_else, unread_numbers
+from swifttailor.wishes.whole_wish import described_as_a_whole
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, WordReading, exclude, read_words
 from swifttailor.wording.lexicon.conflicts import SCALES
@@ -74,7 +75,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     said = [m.claim for m in measures if m.claim is not None] + ([] if hem is None else [hem])
     said += sides.claims
     said += (bounds := spoken_bounds(text, words, named))
-    if (slit := spoken_slit(text, words)) is not None:
+    slit = spoken_slit(text, words)
+    if slit is not None and (named is None or fits_kind(slit.name, named)):
         said.append(slit)
     network = [w for w in network if not _is_against_phrase(w, words)]
     never = tuple([claim for claim in (*words.never, *_with_parts(words)) if claim not in said])
@@ -87,6 +89,15 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         *stated,
         *[w for w in found if not _is_outdone(w, said, never) and w.change not in _changes(stated)],
     )
+    if words.language == ENGLISH:
+        found = described_as_a_whole(
+            found,
+            reader.whole(text, instruction=False),
+            stated=_changes(stated),
+            named=[Gain(i.claim) for i in words.implications if not i.said],
+            said=[Gain(i.claim) for i in words.implications if i.said],
+            never=never,
+        )
     found = (*_without_flare(found), *_of_both_faces(text, found))
     if any(claim == _BARE_ARMS for claim in never) and not any(
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve") for w in found

@@ -124,11 +124,12 @@ class WishReader:
             found.pop(change_of(label_of(change)), None)
         return tuple(sorted(found.values(), key=lambda wish: -wish.certainty))
 
-    def whole(self, text: str) -> dict[Change, float]:
-        """How likely it is of every wish that an instruction, read as one, asks for it; with its amount.
+    def whole(self, text: str, *, instruction: bool = True) -> dict[Change, float]:
+        """How likely it is of every wish that a text, read as one, asks for it; with its amount.
 
         Args:
             text: In English.
+            instruction: Whether it says how to change a garment, and not what garment it is.
 
         Returns:
             By wish; nothing where there is no network for people's own words.
@@ -136,7 +137,7 @@ class WishReader:
         reader = self.spoken
         if reader is None:
             return {}
-        ready = text_tokens(text, reader.tokenizer, instruction=True)
+        ready = text_tokens(text, reader.tokenizer, instruction=instruction)
         if len(ready.tokens) < 2:
             return {}
         said, numbers = reader._run(ready)

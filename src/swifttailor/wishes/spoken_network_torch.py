@@ -15,6 +15,8 @@ from torch.nn import functional as F
 from swifttailor.wishes.text_tokens import LONGEST
 
 _EPSILON = 1e-12
+_FASTER = 8.0
+"""Steps of what is learnt from nothing, in those of the encoder, which has only to be adapted."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +59,7 @@ class SpokenNetwork(nn.Module):
         for table in (self.embedding, self.places):
             nn.init.normal_(table.weight, std=0.02)
         # Few of the statements are made in any one text, and none by most tokens.
-        nn.init.constant_(self.says.bias, -8.0)
+        nn.init.constant_(self.says.bias, -8.0 / _FASTER)
 
     def forward(self, tokens: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
         """Reads texts.
@@ -74,8 +76,8 @@ class SpokenNetwork(nn.Module):
         x = self.dropout(self.embedded(self.embedding(tokens) + self.places(places)))
         for layer in self.layers:
             x = layer(x, real)
-        said = self.says(x).masked_fill(~real[:, :, None], -30.0)
-        return said.logsumexp(1), self.counts(x)
+        said = (_FASTER * self.says(x)).masked_fill(~real[:, :, None], -30.0)
+        return said.logsumexp(1), _FASTER * self.counts(x)
 
 
 class _Layer(nn.Module):

@@ -42,6 +42,7 @@ class ReadyText:
     places: tuple[int, ...]
     """Where the mentions stand among the tokens."""
 
+
 def text_tokens(text: str, tokenizer: Tokenizer, *, instruction: bool) -> ReadyText:
     """Prepares a text to be read.
 

@@ -16,10 +16,10 @@ from swifttailor.wording.lexicon import exclude
 
 MEANT = 0.5
 """Certainty that is enough where words are left over."""
-MEANT_BESIDE = 0.9
+MEANT_BESIDE = 0.6
 """Enough beside what accounts for all words."""
-DOUBTED = 0.05
-"""Less than this speaks against what was heard, where something else is read."""
+DOUBTED, DOUBTED_BESIDE = 0.3, 0.2
+"""Less than this speaks against what was heard, where something else is read, and words are left over or not."""
 GUESS = 0.4
 """Enough where nothing else is heard or read: the likeliest wish, said to be what is taken to be meant."""
 
@@ -42,19 +42,21 @@ def with_the_whole(
     Returns:
         What is asked for, and what of it the network alone has read.
     """
-    enough = MEANT if left_over else MEANT_BESIDE
+    enough, doubted = (MEANT, DOUBTED) if left_over else (MEANT_BESIDE, DOUBTED_BESIDE)
     likely = {_name(change): chance for change, chance in whole.items()}
     read = [change for change, chance in whole.items() if chance >= enough]
-    doubted = bool(read) and left_over
-    kept = [w for w in heard if not (doubted and likely.get(_name(w.change), 1.0) < DOUBTED)]
-    if not kept and not read and whole:
+    believed = [w for w in heard if likely.get(_name(w.change), 1.0) >= doubted]
+    if not heard and not read and whole:
         best = max(whole, key=lambda change: whole[change])
         read = [best] if whole[best] >= GUESS else []
-    found: list[Wish] = []
-    for change in sorted(read, key=lambda one: -whole[one]):
-        told = [wish.change for wish in (*kept, *found)]
-        if not any(_same(change, other) for other in told) and accepts(change, told):
-            found.append(Wish(change, whole[change]))
+    for kept in (believed, list(heard)):
+        found: list[Wish] = []
+        for change in sorted(read, key=lambda one: -whole[one]):
+            told = [wish.change for wish in (*kept, *found)]
+            if not any(_same(change, other) for other in told) and accepts(change, told):
+                found.append(Wish(change, whole[change]))
+        if kept or found:
+            break
     return [*kept, *found], found
 
 

@@ -1,9 +1,10 @@
-"""How much of people's instructions is heard, before anything is cut: words and network together.
+"""How much of what people say is heard, before anything is cut: words and networks together.
 
-``python benchmarks/heard_instructions.py FILE... [--held-out] [--weights FILE] [--misses N]``
+``python benchmarks/heard_words.py FILE... [--wishes] [--held-out] [--weights FILE] [--misses N]``
 
-FILES hold instructions with what they ask for (`runs/spoken`). Each is heard as `edit` hears it, about a
-draft of its kind. What is heard for sure is compared with what is asked for, amounts left out.
+FILES hold texts with what they ask for (`runs/spoken`). An instruction is heard as `edit` hears it, about a
+draft of its kind, and with --wishes a wish as `generate` hears it. What is heard for sure is compared with
+what is asked for, amounts left out.
 
 in all
     everything that is asked for is heard, and nothing else
@@ -26,6 +27,8 @@ from machine import describe
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.training.spoken_texts import SpokenText, read_spoken_texts
+from swifttailor.wishes.heard import Heard
+from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.hearing_changes import hear_instruction
 from swifttailor.wishes.labels import label_of
 from swifttailor.wishes.reader import WishReader
@@ -49,10 +52,16 @@ def facts_of(kind: str) -> GarmentFacts:
     return measure_facts(swifttailor.draft(name, **options))
 
 
+def heard_of(spoken: SpokenText, reader: WishReader) -> Heard:
+    """What is heard of an instruction or a wish."""
+    if spoken.kind is None:
+        return hear_description(spoken.text, reader)
+    return hear_instruction(spoken.text, reader, facts_of(spoken.kind))
+
+
 def hear(spoken: SpokenText, reader: WishReader, counts: Counter[str]) -> str:
-    """Hears one instruction; returns what went wrong with it, or nothing."""
-    assert spoken.kind is not None, "it is an instruction"
-    heard = hear_instruction(spoken.text, reader, facts_of(spoken.kind))
+    """Hears one text; returns what went wrong with it, or nothing."""
+    heard = heard_of(spoken, reader)
     found = {label_of(wish.change) for wish in heard.sure}
     meant = {label_of(change) for change in spoken.changes}
     counts["texts"] += 1
@@ -72,6 +81,7 @@ def hear(spoken: SpokenText, reader: WishReader, counts: Counter[str]) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("files", type=Path, nargs="+")
+    parser.add_argument("--wishes", action="store_true", help="these instead of instructions")
     parser.add_argument("--held-out", action="store_true", help="only what the network does not learn from")
     parser.add_argument("--weights", type=Path, help="of the reader of people's own words")
     parser.add_argument("--misses", type=int, default=0)
@@ -81,12 +91,12 @@ def main() -> None:
         reader = replace(reader, own_words=options.weights)
     counts: Counter[str] = Counter()
     texts = [t for t in read_spoken_texts(options.files) if t.held_out or not options.held_out]
-    texts = [text for text in texts if text.kind is not None]
+    texts = [text for text in texts if (text.kind is None) == options.wishes]
     wrong = [miss for t in texts if (miss := hear(t, reader, counts))]
     print(describe())
     total, right = counts["texts"], counts["right"]
     print(
-        f"{total} instructions: {counts['in all']} in all ({counts['in all'] / total:.1%}), "
+        f"{total} {'wishes' if options.wishes else 'instructions'}: {counts['in all']} in all ({counts['in all'] / total:.1%}), "
         f"{counts['all and more']} with something more; asked and heard {right / counts['meant']:.1%}, "
         f"heard and asked {right / max(counts['heard'], 1):.1%}; silent {counts['silent']}"
     )

@@ -1,0 +1,81 @@
+"""What a description asks for as a whole, by the network for people's own words, beside what words say.
+
+The lexicon knows what garments are called; of a story it knows the words that happen to be in it. The network
+has learnt from thousands of wishes in people's own words ("just shows her boots, nothing of the leg") and says
+how likely each statement is meant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain
+from swifttailor.wishes.reader import Wish
+from swifttailor.wording.claim_kinds import fits_kind
+from swifttailor.wording.lexicon import SURENESS, exclude
+
+MEANT = 0.6
+"""Certainty that is enough to ask for what words do not say."""
+LIKELY = 0.5
+"""Enough for what is made where it costs nothing."""
+DOUBTED, DOUBTED_WORD = 0.1, 0.02
+"""Less than this speaks against what was read elsewhere, and against what a word of a detail means."""
+
+
+def described_as_a_whole(
+    found: Sequence[Wish],
+    whole: Mapping[Change, float],
+    *,
+    stated: Collection[Change] = (),
+    named: Collection[Change] = (),
+    said: Collection[Change] = (),
+    never: Collection[Claim] = (),
+) -> tuple[Wish, ...]:
+    """What is heard word by word and what is meant as a whole, together, surest first.
+
+    Args:
+        found: Word by word.
+        whole: How likely each wish is meant, by the network; empty where there is none.
+        stated: Wishes that are said in figures and the like, which stand.
+        named: Wishes that names of garments stand for. They stay where the network reads nothing else
+            instead; a name that it does not know, as its reading of the kind shows, is left to them.
+        said: Wishes that words of details stand for.
+        never: What the text refuses.
+    """
+    kinds = [w.change for w in found if isinstance(w.change, Gain) and w.change.claim.name == "kind"]
+    known = not kinds or whole.get(kinds[0], 0.0) >= LIKELY
+
+    def stands(wish: Wish) -> bool:
+        if not known or wish.change in stated or wish.change in named:
+            return True
+        return whole.get(wish.change, 1.0) >= (DOUBTED_WORD if wish.change in said else DOUBTED)
+
+    kept = [wish for wish in found if stands(wish)]
+    for change in sorted(whole, key=lambda one: -whole[one]):
+        chance = whole[change]
+        if chance < LIKELY:
+            break
+        if not isinstance(change, Gain) or change.claim in never or not _fits(change.claim, kept):
+            continue
+        against = [w for w in kept if isinstance(w.change, Gain) and exclude(change.claim, w.change.claim)]
+        if any(
+            not known or w.change in stated or whole.get(w.change, w.certainty) >= chance for w in against
+        ):
+            continue
+        certainty = SURENESS["certain"] if chance >= MEANT else SURENESS["likely"]
+        kept = [w for w in kept if w not in against]
+        places = [k for k, w in enumerate(kept) if w.change == change]
+        for k in places:
+            kept[k] = Wish(change, max(certainty, kept[k].certainty))
+        if not places:
+            kept.append(Wish(change, certainty))
+    return tuple(sorted(kept, key=lambda wish: -wish.certainty))
+
+
+def _fits(claim: Claim, kept: Sequence[Wish]) -> bool:
+    """Whether the kind of garment that is asked for, where one is, can have what a claim is about."""
+    kinds = [
+        w.change.claim.value for w in kept if isinstance(w.change, Gain) and w.change.claim.name == "kind"
+    ]
+    return claim.name == "kind" or not kinds or fits_kind(claim.name, str(kinds[0]))

@@ -1,0 +1,91 @@
+"""What is heard of a wish word by word and as a whole, together."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from swifttailor.describing import Claim
+from swifttailor.describing.differences import Gain, Step
+from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.labels import change_of, statement_labels
+from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.whole_wish import DOUBTED, DOUBTED_WORD, LIKELY, MEANT, described_as_a_whole
+from swifttailor.wording.lexicon import SURENESS, exclude
+
+DRESS, SHORTS = Gain(Claim("kind", "dress")), Gain(Claim("kind", "shorts"))
+LONG, SHORT = Gain(Claim("sleeves", "long")), Gain(Claim("sleeves", "short"))
+V_NECK, SLIT = Gain(Claim("neckline", "v")), Gain(Claim("slit", "left"))
+
+
+def together(heard, whole, **more):
+    return [w.change for w in described_as_a_whole([Wish(c, 0.97) for c in heard], whole, **more)]
+
+
+def test_what_words_do_not_say_the_whole_does():
+    found = described_as_a_whole([Wish(DRESS, 0.97)], {DRESS: 1.0, LONG: MEANT, V_NECK: LIKELY})
+    assert {w.change: w.certainty for w in found} == {
+        DRESS: 0.97, LONG: SURENESS["certain"], V_NECK: SURENESS["likely"]
+    }  # fmt: skip
+    assert together([DRESS], {DRESS: 1.0, LONG: LIKELY - 0.01}) == [DRESS]
+    assert together([DRESS], {}) == [DRESS], "there is no such network"
+
+
+def test_what_the_network_all_but_excludes_was_misheard():
+    assert together([DRESS, LONG], {DRESS: 1.0, LONG: DOUBTED - 0.01}) == [DRESS]
+    assert together([DRESS, LONG], {DRESS: 1.0, LONG: DOUBTED}) == [DRESS, LONG]
+    doubted = {DRESS: 1.0, LONG: DOUBTED_WORD}
+    assert together([DRESS, LONG], doubted, said=[LONG]) == [DRESS, LONG], "a word says it"
+    assert together([DRESS, LONG], {DRESS: 1.0, LONG: 0.0}, said=[LONG]) == [DRESS]
+    for how in ("stated", "named"):
+        assert together([DRESS, LONG], {DRESS: 1.0, LONG: 0.0}, **{how: [LONG]}) == [DRESS, LONG]
+
+
+def test_of_what_excludes_each_other_the_likelier_counts():
+    assert together([DRESS, LONG], {DRESS: 1.0, LONG: 0.3, SHORT: 0.8}, named=[LONG]) == [DRESS, SHORT]
+    assert together([DRESS, LONG], {DRESS: 1.0, LONG: 0.9, SHORT: 0.8}) == [DRESS, LONG]
+    assert together([DRESS, LONG], {DRESS: 1.0, SHORT: 1.0}, stated=[LONG]) == [DRESS, LONG]
+
+
+def test_a_name_that_the_network_does_not_know_is_left_to_the_lexicon():
+    found = together([SHORTS, LONG], {SHORTS: 0.01, DRESS: 0.9, LONG: 0.0, SHORT: 0.9, V_NECK: 0.9})
+    assert set(found) == {SHORTS, LONG}, "nothing is taken away, and shorts have no neckline"
+
+
+def test_what_is_refused_or_cannot_be_had_is_not_taken_from_it():
+    assert together([DRESS], {DRESS: 1.0, V_NECK: 1.0}, never=[V_NECK.claim]) == [DRESS]
+    assert together([SHORTS], {SHORTS: 1.0, SLIT: 1.0, V_NECK: 1.0}) == [SHORTS]
+    assert together([DRESS], {DRESS: 1.0, Step("length", 1): 1.0}) == [DRESS], "a wish changes nothing"
+
+
+CHANGES = st.sampled_from([change_of(label) for label in statement_labels()])
+
+
+@given(st.lists(CHANGES, max_size=3, unique=True), st.dictionaries(CHANGES, st.floats(0, 1), max_size=12))
+def test_nothing_that_is_added_contradicts_anything_and_the_surest_come_first(heard, whole):
+    found = described_as_a_whole([Wish(c, 0.97) for c in heard], whole)
+    added = [w.change for w in found if w.change not in heard]
+    gains = [w.change for w in found if isinstance(w.change, Gain)]
+    assert all(isinstance(c, Gain) and whole[c] >= LIKELY for c in added)
+    assert not any(exclude(a.claim, b.claim) for a in added for b in gains if a != b)
+    certainties = [w.certainty for w in found]
+    assert certainties == sorted(certainties, reverse=True)
+    assert len({w.change for w in found}) == len(found)
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("knickerbockers that blouse out over the sock", {"kind": "trousers"}),
+        (
+            "I want to stride, so nothing tight round my legs, and the hem at mid-calf: a skirt",
+            {"kind": "skirt"},
+        ),
+        ("a gown whose neck goes straight across from shoulder to shoulder", {"neckline": "boat"}),
+    ],
+)
+def test_the_package_hears_what_no_table_has(text, meant):
+    heard = hear_description(text, WishReader.load())
+    said = {w.change.claim.name: w.change.claim.value for w in heard.sure}
+    assert meant.items() <= said.items()
