@@ -96,7 +96,8 @@ def main() -> None:
     print(describe())
     total, right = counts["texts"], counts["right"]
     print(
-        f"{total} {'wishes' if options.wishes else 'instructions'}: {counts['in all']} in all ({counts['in all'] / total:.1%}), "
+        f"{total} {'wishes' if options.wishes else 'instructions'}: {counts['in all']} in all "
+        f"({counts['in all'] / total:.1%}), "
         f"{counts['all and more']} with something more; asked and heard {right / counts['meant']:.1%}, "
         f"heard and asked {right / max(counts['heard'], 1):.1%}; silent {counts['silent']}"
     )

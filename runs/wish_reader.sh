@@ -6,7 +6,7 @@
 # steps.sh lists the environment, data.sh says how long the patterns take. Then they are measured, 0.15 s of a core
 # each, once for these networks and PatternMaker. The first training is 5,000 steps from random weights, half an hour of
 # one core of a server (MINUTES ends it earlier). The second goes on from a sentence encoder, all-MiniLM-L6-v2, of which
-# scripts/take_sentence_encoder.py says where it is to be had: MINILM is the folder with its vocab.txt and
+# scripts/take_sentence_encoder_torch.py says where it is to be had: MINILM is the folder with its vocab.txt and
 # model.safetensors; without it, it goes on from the package's weights. Texts in people's own words (runs/spoken) are among
 # those that are composed: 1,600 steps, an hour. Both go on where they were interrupted. Ends with
 # $WORK/wish-reader/wish_reader.onnx, $WORK/spoken-reader/spoken_reader.onnx and their cards.
@@ -29,7 +29,7 @@ given=(--patterns "${files[@]}" --validation "$work/patterns/validation.jsonl.gz
 step reader-trained train wish-reader "${given[@]}" --config small --set "${settings[@]}"
 step reader-exported swifttailor train export "$work/wish-reader/run" --out "$work/wish-reader/wish_reader.onnx" --overwrite --half
 if [ -n "${MINILM:-}" ]; then
-    step encoder-taken "$python" scripts/take_sentence_encoder.py "$MINILM" runs/spoken/*.jsonl \
+    step encoder-taken "$python" scripts/take_sentence_encoder_torch.py "$MINILM" runs/spoken/*.jsonl \
         --out "$work/word_pieces.txt" --start "$work/minilm.safetensors"
     cmp "$work/word_pieces.txt" src/swifttailor/networks/word_pieces.txt
     spoken+=("start=$work/minilm.safetensors")

@@ -78,7 +78,8 @@ class TrainExport:
             )
         if self.int8 and model not in ("GarmentSewer", "PictureReader", "SpokenReader"):
             raise InputError(
-                f"--int8 is for a GarmentSewer, a PictureReader or a SpokenReader; choose --half for a {model}."
+                "--int8 is for a GarmentSewer, a PictureReader or a SpokenReader; "
+                f"choose --half for a {model}."
             )
         if self.close_ups and model != "PictureReader":
             raise InputError(f"--close-ups is for a PictureReader; a {model} looks at nothing from near.")

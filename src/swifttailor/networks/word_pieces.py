@@ -1,4 +1,4 @@
-"""Text as word pieces, as BERT has them (Wu et al. 2016; Devlin et al. 2019): what a pretrained encoder reads.
+"""Text as word pieces, as BERT has them (Wu et al. 2016; Devlin et al. 2019): what its encoders read.
 
 Words are lower case without accents. One that is no piece itself is the longest piece that it begins with,
 then the longest that goes on (written ``##ing``), and so on.
@@ -16,7 +16,7 @@ from swifttailor.errors import InputError
 from swifttailor.networks.text_tokenizer import EncodedText
 
 SHIPPED = Path(__file__).with_name("word_pieces.txt")
-"""The commonest English pieces of BERT's 30,522; ``scripts/take_sentence_encoder.py`` chose them."""
+"""The commonest English pieces of BERT's 30,522; ``scripts/take_sentence_encoder_torch.py`` chose them."""
 UNKNOWN = "[UNK]"
 """What has no pieces; the first of the list."""
 LONGEST_WORD = 60

@@ -1,4 +1,4 @@
-"""The network that reads people's own words: an encoder of sentences, and what it says of a text. It loads torch.
+"""The network for people's own words: an encoder of sentences, and what it says of a text. It loads torch.
 
 The encoder is BERT's (Devlin et al. 2019) as MiniLM has it (Wang et al. 2020), so that training goes on from
 what it knows of English.
@@ -37,7 +37,7 @@ class SpokenConfig:
 
 
 class SpokenNetwork(nn.Module):
-    """Says of every token what it is evidence for; a text says what any of its tokens does (`WishNetwork`)."""
+    """Says of every token what it is evidence for; a text says what any of its tokens does."""
 
     def __init__(self, config: SpokenConfig) -> None:
         """With random weights.

