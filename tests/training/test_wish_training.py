@@ -55,7 +55,7 @@ def lesson(samples):
     return [samples.sample(text, changes, instruction=asked) for text, changes, asked in TEXTS]
 
 
-def run_of(samples, lesson, out, *, network=None, start=None, **options):
+def run_of(samples, lesson, out, *, settings=None, **options):
     """A training that sees nothing but the lesson."""
     from swifttailor.training.loop_torch import Loop
     from swifttailor.training.wish_config import ReaderSize, WishConfig
@@ -63,15 +63,15 @@ def run_of(samples, lesson, out, *, network=None, start=None, **options):
 
     samples.make = lambda number: lesson[number % len(lesson)]
     config = WishConfig(
-        network=network or ReaderSize(width=64, layers=2),
+        network=ReaderSize(width=64, layers=2),
         steps=120,
         batch_size=10,
         learning_rate=4e-3,
         warmup_steps=10,
         ema=0.9,
         validate_every=1000,
-        start=start,
     )
+    config = replace(config, **(settings or {}))
     # Two threads that wait for each other on a busy machine are many times slower.
     loop = Loop.start(config, out, threads=1, **options)
     return loop.run(WishTask(config, samples, lesson, {"of": "a lesson"}, loop.processes))
@@ -119,7 +119,8 @@ def test_one_that_knows_english_reads_words_that_it_has_not_learnt(tmp_path):
     texts = [("thinner ankles", -1), ("slimmer wrists", -1), ("wider shoulders", 1), ("bigger hips", 1)]
     lesson = [samples.sample(text, [Step("length", sign)], instruction=True) for text, sign in texts]
     size = ReaderSize(**WishReader.load_spoken().card["config"]["network"])
-    card = run_of(samples, lesson, tmp_path / "run", network=size, start=str(SHIPPED_SPOKEN), steps=12)
+    settings = {"network": size, "start": str(SHIPPED_SPOKEN), "steps": 40, "learning_rate": 2e-4}
+    card = run_of(samples, lesson, tmp_path / "run", settings=settings)
     assert card["model"] == "SpokenReader" and card["validation"]["whole"] == 1.0
     path = tmp_path / "spoken.onnx"
     assert TrainExport(source=tmp_path / "run", out=path, int8=True).run() == 0
