@@ -1,6 +1,7 @@
 """How much of what people say is heard, before anything is cut: words and networks together.
 
-``python benchmarks/heard_words.py FILE... [--wishes] [--held-out] [--weights FILE] [--misses N]``
+``python benchmarks/heard_words.py FILE... [--wishes] [--held-out] [--weights FILE | --tables]
+    [--misses N]``
 
 FILES hold texts with what they ask for (`runs/spoken`). An instruction is heard as `edit` hears it, about a
 draft of its kind, and with --wishes a wish as `generate` hears it. What is heard for sure is compared with
@@ -84,10 +85,11 @@ def main() -> None:
     parser.add_argument("--wishes", action="store_true", help="these instead of instructions")
     parser.add_argument("--held-out", action="store_true", help="only what the network does not learn from")
     parser.add_argument("--weights", type=Path, help="of the reader of people's own words")
+    parser.add_argument("--tables", action="store_true", help="without that reader")
     parser.add_argument("--misses", type=int, default=0)
     options = parser.parse_args()
     reader = WishReader.load()
-    if options.weights is not None:
+    if options.weights is not None or options.tables:
         reader = replace(reader, own_words=options.weights)
     counts: Counter[str] = Counter()
     texts = [t for t in read_spoken_texts(options.files) if t.held_out or not options.held_out]

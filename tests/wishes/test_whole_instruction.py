@@ -24,8 +24,9 @@ SHORTER, HOOD, NO_HOOD = Step("length", -1), Gain(Claim("hood", "hood")), Gain(C
 V_NECK, SQUARE = Gain(Claim("neckline", "v")), Gain(Claim("neckline", "square"))
 
 
-def together(heard, whole, *, left_over=True, accepts=lambda change, told: True):
-    kept, found = with_the_whole([Wish(c, 0.99) for c in heard], whole, left_over=left_over, accepts=accepts)
+def together(heard, whole, *, left_over=True, accepts=lambda change, told: True, **more):
+    sure = [Wish(change, 0.99) for change in heard]
+    kept, found = with_the_whole(sure, whole, left_over=left_over, accepts=accepts, **more)
     return [w.change for w in kept], [w.change for w in found]
 
 
@@ -66,6 +67,8 @@ def test_what_may_not_be_is_not_read():
     refuses = {"accepts": lambda change, told: False}
     assert together([HOOD], {SHORTER: 1.0}, **refuses)[0] == [HOOD]
     assert together([HOOD], {SHORTER: 1.0, HOOD: 0.0}, **refuses)[0] == [HOOD], "nothing is read in its place"
+    refuses["holds"] = lambda change: change == SHORTER
+    assert together([HOOD], {SHORTER: 1.0, HOOD: 0.0}, **refuses)[0] == [], "it is short already"
     seen = []
     together([HOOD], {SHORTER: 1.0}, accepts=lambda change, told: bool(seen.append((change, list(told)))))
     assert seen == [(SHORTER, [HOOD])]

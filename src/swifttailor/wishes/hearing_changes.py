@@ -127,6 +127,9 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
             left_over=bool(unread),
             accepts=lambda change, told: _adds(change, told, spoken, words)
             and (facts is None or _can_become(change, facts)),
+            holds=lambda change: (
+                facts is not None and isinstance(change, Gain) and change.holds(facts, facts)
+            ),
         )
         taken = (*taken, (text.strip(), tuple(wish.change for wish in read))) if read else taken
     changes = [wish.change for wish in sure]

@@ -30,6 +30,7 @@ def with_the_whole(
     *,
     left_over: bool,
     accepts: Callable[[Change, Sequence[Change]], bool],
+    holds: Callable[[Change], bool] = lambda change: False,
 ) -> tuple[list[Wish], list[Wish]]:
     """What is heard word by word and what is meant as a whole, together.
 
@@ -38,6 +39,7 @@ def with_the_whole(
         whole: How likely each wish is meant, by the network.
         left_over: Whether words are left that nothing accounts for.
         accepts: Whether a change may stand beside others that are asked for.
+        holds: Whether a change is so already. Who asks for that is answered with nothing.
 
     Returns:
         What is asked for, and what of it the network alone has read.
@@ -55,7 +57,7 @@ def with_the_whole(
             told = [wish.change for wish in (*kept, *found)]
             if not any(_same(change, other) for other in told) and accepts(change, told):
                 found.append(Wish(change, whole[change]))
-        if kept or found:
+        if kept or found or any(holds(change) for change in read):
             break
     return [*kept, *found], found
 

@@ -19,6 +19,8 @@ MEANT = 0.6
 """Certainty that is enough to ask for what words do not say."""
 LIKELY = 0.5
 """Enough for what is made where it costs nothing."""
+SURE_OF_KIND = 0.95
+"""Enough against the name of a garment, which may be said in passing: "loose cotton top, kimono arms"."""
 DOUBTED, DOUBTED_WORD = 0.1, 0.02
 """Less than this speaks against what was read elsewhere, and against what a word of a detail means."""
 
@@ -43,7 +45,8 @@ def described_as_a_whole(
         said: Wishes that words of details stand for.
         never: What the text refuses.
     """
-    kinds = [w.change for w in found if isinstance(w.change, Gain) and w.change.claim.name == "kind"]
+    found = _of_its_kind(found, whole)
+    kinds = [w.change for w in found if _is_kind(w.change)]
     known = not kinds or whole.get(kinds[0], 0.0) >= LIKELY
 
     def stands(wish: Wish) -> bool:
@@ -75,7 +78,19 @@ def described_as_a_whole(
 
 def _fits(claim: Claim, kept: Sequence[Wish]) -> bool:
     """Whether the kind of garment that is asked for, where one is, can have what a claim is about."""
-    kinds = [
-        w.change.claim.value for w in kept if isinstance(w.change, Gain) and w.change.claim.name == "kind"
-    ]
+    kinds = [w.change.claim.value for w in kept if isinstance(w.change, Gain) and _is_kind(w.change)]
     return claim.name == "kind" or not kinds or fits_kind(claim.name, str(kinds[0]))
+
+
+def _of_its_kind(found: Sequence[Wish], whole: Mapping[Change, float]) -> list[Wish]:
+    """Wishes with the kind of garment that the network is all but certain of in place of another."""
+    kind = max((change for change in whole if _is_kind(change)), key=lambda c: whole[c], default=None)
+    if kind is None or whole[kind] < SURE_OF_KIND:
+        return list(found)
+    others = [w for w in found if not _is_kind(w.change)]
+    certainty = max((w.certainty for w in found if _is_kind(w.change)), default=0.0)
+    return others if certainty == 0.0 else [Wish(kind, certainty), *others]
+
+
+def _is_kind(change: Change) -> bool:
+    return isinstance(change, Gain) and change.claim.name == "kind"
