@@ -16,9 +16,9 @@ from swifttailor.wording.lexicon import exclude
 
 MEANT = 0.5
 """Certainty that is enough where words are left over."""
-MEANT_BESIDE = 0.6
+MEANT_BESIDE = 0.9
 """Enough beside what accounts for all words."""
-DOUBTED, DOUBTED_BESIDE = 0.3, 0.2
+DOUBTED, DOUBTED_BESIDE = 0.15, 0.02
 """Less than this speaks against what was heard, where something else is read: words left over or not."""
 GUESS = 0.4
 """Enough where nothing else is heard or read: the likeliest wish, said to be what is taken to be meant."""
