@@ -57,7 +57,7 @@ def browser() -> Iterator[playwright.Browser]:
 
 @pytest.fixture(scope="session")
 def window(browser, studio) -> Iterator[playwright.Page]:
-    """One window for all tests: opening another and reading the program anew takes longer than most of them."""
+    """One window for all tests: to open another and read the program anew takes longer than most of them."""
     context = browser.new_context(
         viewport=SIZE,
         device_scale_factor=SCALE,
