@@ -255,7 +255,7 @@ def test_real_model_files_end_to_end(tmp_path, capsys, monkeypatch):
 
     They are held short, for it takes long to try what might mend them.
     """
-    monkeypatch.setattr(model_file, "Grammar", partial(Grammar, Limits(tokens=40)))
+    monkeypatch.setattr(model_file, "Grammar", partial(Grammar, Limits(tokens=100)))
     arguments = [
         "generate",
         "a skirt",

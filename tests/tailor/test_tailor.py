@@ -441,7 +441,7 @@ def test_networks_are_opened_when_they_are_needed(monkeypatch):
 
 def test_an_untrained_network_is_refused_with_a_reason(sewer):
     """Nothing scripted: a real model, whose patterns cross themselves even where they are short."""
-    maker = PatternMaker(replace(load_model(TINY_MAKER), grammar=Grammar(Limits(tokens=40))))
+    maker = PatternMaker(replace(load_model(TINY_MAKER), grammar=Grammar(Limits(tokens=100))))
     with pytest.raises(PatternError, match=r"None of the 2 patterns .* can be sewn; the best has"):
         Tailor.load(maker, sewer).generate("a skirt", seed=1, attempts=2)
 
