@@ -40,14 +40,15 @@ def test_kill_9_loses_no_saved_project(tmp_path):
             dress = client.get("/api/examples/pencil-skirt").json()
             project = client.post("/api/projects", json={"content": content_of(dress)}).json()
         for seconds in (0.4, 1.1, 2.3):
-            kill_while_it_saves(running, project, dress, seconds)
+            names = kill_while_it_saves(running, project, dress, seconds)
             running = start_studio(projects)
-            project |= {"revision": saved_after(running, project, dress)}
+            project |= {"revision": save_what_is_left(running, project, dress, names)}
     finally:
         running.end(signal.SIGKILL)
 
 
-def kill_while_it_saves(running, project, dress, seconds):
+def kill_while_it_saves(running, project, dress, seconds) -> tuple[str, str]:
+    """Names of which the project must have one afterwards: it was saved, or was being saved, under it."""
     content = content_of(dress)
     with running.client() as client:
         draft = {"revision": project["revision"], "content": content | {"name": "draft"}}
@@ -66,14 +67,14 @@ def kill_while_it_saves(running, project, dress, seconds):
     _, alive = psutil.wait_procs(workers, timeout=20)
     assert not alive, "workers outlive a server that was killed"
     read_pattern_file(running.projects / project["folder"] / "pattern.json")
-    project["name"] = (f"save {saved[-1]}", f"save {saved[-1] + 1}")
+    return f"save {saved[-1]}", f"save {saved[-1] + 1}"
 
 
-def saved_after(running, project, dress):
-    """Saves with another server what one that was killed has left; the revision that this makes."""
+def save_what_is_left(running, project, dress, names) -> int:
+    """Opens with another server what one that was killed has left, and saves again; its revision then."""
     with running.client() as client:
         found = client.get(f"/api/projects/{project['id']}").json()
-        assert found["name"] in project["name"]
+        assert found["name"] in names
         assert found["document"]["pattern"] == dress["pattern"]
         body = {"revision": found["revision"], "content": content_of(dress)}
         after = client.put(f"/api/projects/{project['id']}", json=body)
