@@ -47,6 +47,24 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
                 item.add_marker(skip)
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log):
+    """Of several processes each takes whole rooms (or files of no room), if not told otherwise.
+
+    So what a room's tests share is made once: patterns read, networks, a server with its browser, compiled
+    loops. The rooms with most tests come first.
+    """
+    if config.getoption("dist") != "load":
+        return None
+    from xdist.scheduler import LoadScopeScheduling
+
+    class ByRoom(LoadScopeScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return "/".join(nodeid.partition("::")[0].split("/")[:2])
+
+    return ByRoom(config, log)
+
+
 @pytest.fixture(scope="session")
 def garmentcode_folder() -> Path:
     """Folder of GarmentCode samples (``*.jsonl.gz``): $SWIFTTAILOR_GARMENTCODE or ../shared/garmentcode."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +18,8 @@ from swifttailor.pattern import load_pattern, write_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker import maker as maker_module
 from swifttailor.pattern_maker.maker import PatternMaker
+from swifttailor.pattern_maker.network import model_file
+from swifttailor.pattern_maker.tokens.grammar import Grammar, Limits
 
 TESTS = Path(__file__).parents[1]
 from scripted_maker import crossed, scripted_maker  # noqa: E402
@@ -247,8 +250,12 @@ def test_without_weights_it_says_how_to_get_them(tmp_path, capsys, monkeypatch):
     assert not (tmp_path / "out").exists()
 
 
-def test_real_model_files_end_to_end(tmp_path, capsys):
-    """Untrained, so its patterns cross themselves: the way is walked to the end and ends in a sentence."""
+def test_real_model_files_end_to_end(tmp_path, capsys, monkeypatch):
+    """Untrained, so its patterns cross themselves: the way is walked to the end and ends in a sentence.
+
+    They are held short, for it takes long to try what might mend them.
+    """
+    monkeypatch.setattr(model_file, "Grammar", partial(Grammar, Limits(tokens=100)))
     arguments = [
         "generate",
         "a skirt",

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -15,16 +16,22 @@ def specification() -> dict:
     return to_specification(draft("fitted-skirt"))
 
 
-@pytest.fixture
-def patterns_file(tmp_path, specification):
-    """Writes a file of patterns with the given ids; each pattern is a little different."""
+@pytest.fixture(scope="session")
+def patterns_into(specification):
+    """Writes a file of patterns with the given ids into a folder; each pattern is a little different."""
 
-    def write(*ids: str, name: str = "patterns.jsonl") -> Path:
+    def write(folder: Path, *ids: str, name: str = "patterns.jsonl") -> Path:
         lines = []
         for id in ids:
             lines.append(json.dumps({"id": id, "pattern": specification, "note": f"of {id}"}))
-        path = tmp_path / name
+        path = folder / name
         path.write_text("".join(line + "\n" for line in lines))
         return path
 
     return write
+
+
+@pytest.fixture
+def patterns_file(tmp_path, patterns_into):
+    """The same into the folder of the test."""
+    return partial(patterns_into, tmp_path)

@@ -49,10 +49,12 @@ def build(
     return build_split(read_patterns(*sources), out, split, settings, **options)
 
 
-@pytest.fixture
-def reference(patterns_file, tmp_path) -> dict[str, Any]:
-    build(patterns_file(*IDS), tmp_path / "reference")
-    return split_content(tmp_path / "reference")
+@pytest.fixture(scope="module")
+def reference(patterns_into, tmp_path_factory) -> dict[str, Any]:
+    """What comes of `IDS` when nothing goes wrong."""
+    folder = tmp_path_factory.mktemp("reference")
+    build(patterns_into(folder, *IDS), folder / "reference")
+    return split_content(folder / "reference")
 
 
 # What a build leaves
@@ -120,7 +122,7 @@ def test_the_order_of_completion_does_not_matter(order, patterns_file, tmp_path,
 
 
 @given(st.lists(st.tuples(st.integers(0, 4), st.integers(1, 10)), max_size=5))
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=25, deadline=None)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=15, deadline=None)
 def test_interruptions_and_growing_limits_change_nothing(tmp_path_factory, patterns_file, reference, runs):
     """Runs that are stopped after some samples, with limits, and at last one to the end."""
     out = tmp_path_factory.mktemp("runs")
@@ -178,11 +180,11 @@ def test_a_sudden_end_at_any_file(file_number, patterns_file, tmp_path, referenc
 
 def test_workers_do_not_change_the_shards(tmp_path):
     """Real drapes; at this edge length some may be beyond the limits."""
-    names = ("fitted-skirt", "tank-top", "t-shirt", "gathered-skirt")
+    names = ("fitted-skirt", "tank-top", "t-shirt")
     source = tmp_path / "p.jsonl"
     lines = [json.dumps({"id": n, "pattern": to_specification(draft(n))}) for n in names]
     source.write_text("\n".join(lines))
-    coarse = BuildSettings(BatchSettings(edge_length=5.0, preview=False), shard_size=3)
+    coarse = BuildSettings(BatchSettings(edge_length=5.0, preview=False), shard_size=2)
     for workers in (1, 2):
         build_split(
             read_patterns(source),

@@ -9,7 +9,7 @@ from fuzzing.corpus import CORPUS, corpus_of
 from fuzzing.registry import all_targets, module_of
 
 TARGETS = all_targets()
-SHARE = 20
+SHARE = 40
 """One in so many of the fresh inputs of `make fuzz`."""
 
 

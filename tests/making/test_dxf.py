@@ -24,7 +24,7 @@ LAYERS = {1, 2, 3, 4, 7, 8, 13, 14, 15, 84, 85, 87}
 
 
 def test_all_pieces_are_read_back_by_both_readers(plans):
-    for name, plan in list(plans.items())[::3]:
+    for name, plan in list(plans.items())[::6]:
         assert dxf_error(plan) < 0.05, name
 
 

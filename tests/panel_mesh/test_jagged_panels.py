@@ -35,7 +35,8 @@ def star(rng, count, size=60.0):
     return radii[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1)
 
 
-@given(SEEDS, st.integers(8, 240), st.sampled_from([0.5, 2.0, 8.0]), st.sampled_from([saw, star]))
+@example(5, 240, 0.5, saw)  # far finer than its teeth; others are not, for it takes a second
+@given(SEEDS, st.integers(8, 240), st.sampled_from([1.5, 3.0, 8.0]), st.sampled_from([saw, star]))
 @settings(max_examples=40, deadline=None)
 def test_jagged_outlines_are_filled_to_the_last_tooth(seed, count, edge_length, shape):
     boundary = shape(np.random.default_rng(seed), count)

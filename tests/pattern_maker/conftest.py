@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from swifttailor.pattern import Pattern, read_specification
+from swifttailor.pattern.check.repair import Repair
 from swifttailor.pattern_maker.maker import PatternMaker
 
 
@@ -24,3 +25,11 @@ def real_patterns(real_samples) -> Callable[..., Iterator[Pattern]]:
 def tiny_maker() -> PatternMaker:
     """An untrained network that repeats and plans."""
     return PatternMaker.load(Path(__file__).with_name("tiny_maker.zip"))
+
+
+@pytest.fixture
+def unmended(monkeypatch) -> None:
+    """For tests of the writing: to mend what an untrained network scribbles takes seconds a pattern."""
+    monkeypatch.setattr(
+        "swifttailor.pattern_maker.maker.mend", lambda pattern, *, alike: Repair(pattern, (), ())
+    )

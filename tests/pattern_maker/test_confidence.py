@@ -103,7 +103,7 @@ def test_ranks_lie_between_0_and_1_and_rise(values, asked):
     assert rank(usual[0] - 1, usual) == 0 and rank(usual[-1] + 1, usual) == 1
 
 
-def test_a_picture_like_the_known_ones_is_trusted_and_noise_is_not(calibration, maker):
+def test_a_picture_like_the_known_ones_is_trusted_and_noise_is_not(calibration, maker, unmended):
     assert calibration.pictures == 12
     assert calibration.told["noise"][calibration.measure] == max(calibration.told["noise"].values())
     assert calibration.told["noise"]["familiarity"] > 0.95
@@ -119,13 +119,13 @@ def test_a_picture_like_the_known_ones_is_trusted_and_noise_is_not(calibration, 
     assert max(space_only.confidence(one.look, 0.0).value for one in made[:3]) > 0.1
 
 
-def test_of_the_validation_pictures_as_many_are_doubted_as_should_be(calibration, maker):
+def test_of_the_validation_pictures_as_many_are_doubted_as_should_be(calibration, maker, unmended):
     made = maker.generate_all([Request(image=p) for p in cloths(12, 1)], temperature=0.5)
     values = [calibration.confidence(one.look, one.certainty).value for one in made]
     assert np.sort(values) == pytest.approx(np.linspace(0, 1, 12), abs=0.02)
 
 
-def test_certainty_is_what_the_likeliest_tokens_have(maker):
+def test_certainty_is_what_the_likeliest_tokens_have(maker, unmended):
     likeliest = maker.generate("a skirt", temperature=0.0)
     assert likeliest.certainty * likeliest.tokens == pytest.approx(likeliest.log_likelihood, rel=1e-9)
     drawn = maker.generate("a skirt", temperature=2.0, seed=4)
@@ -133,7 +133,7 @@ def test_certainty_is_what_the_likeliest_tokens_have(maker):
     assert likeliest.look is None and likeliest.confidence is None
 
 
-def test_the_model_file_keeps_it(calibration, tmp_path):
+def test_the_model_file_keeps_it(calibration, tmp_path, unmended):
     path = tmp_path / "model.zip"
     path.write_bytes(TINY.read_bytes())
     add_calibration(path, calibration)

@@ -151,7 +151,7 @@ def test_two_networks_remember_apart(sessions):
     assert np.array_equal(2 * first.embed(*given), other.embed(*given))
 
 
-def test_a_pattern_is_written_the_same_by_a_network_that_has_written_before():
+def test_a_pattern_is_written_the_same_by_a_network_that_has_written_before(unmended):
     used, expected = PatternMaker.load(TINY), PatternMaker.load(TINY).generate("a dress", seed=4)
     for text in ("trousers", "a hood", "a dress"):
         used.generate(text, seed=1, temperature=1.0)

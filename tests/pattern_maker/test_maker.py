@@ -54,7 +54,7 @@ def test_text_image_and_edit_give_patterns(maker):
     assert len({one.log_likelihood for one in made}) == 4, "all parts of a request are looked at"
 
 
-def test_together_is_as_alone(maker):
+def test_together_is_as_alone(maker, unmended):
     requests = [Request("a dress"), Request("trousers with pockets and a waistband"), Request("a hood")]
     together = maker.generate_all(requests)
     for request, one in zip(requests, together, strict=True):
@@ -69,7 +69,7 @@ def test_the_same_seed_gives_the_same(maker):
     assert content(first) != content(other)
 
 
-def test_each_request_can_have_its_own_seed(maker):
+def test_each_request_can_have_its_own_seed(maker, unmended):
     requests = [Request("a skirt"), Request("a dress"), Request("a skirt")]
     made = maker.generate_all(requests, seed=[1, 7, 2], temperature=1.0)
     for request, seed, one in zip(requests, (1, 7, 2), made, strict=True):
@@ -90,7 +90,7 @@ def test_what_was_written_comes_along(maker):
     assert (repaired.pattern, repaired.changes) == (made.pattern, made.changes)
 
 
-def test_every_draw_of_a_seed_is_another_pattern(maker):
+def test_every_draw_of_a_seed_is_another_pattern(maker, unmended):
     request = Request("a skirt")
     drawn = [maker.generate_all([request], seed=5, temperature=1.0, draw=k)[0] for k in range(4)]
     assert len({one.log_likelihood for one in drawn}) == 4
@@ -99,7 +99,7 @@ def test_every_draw_of_a_seed_is_another_pattern(maker):
     assert content(cold[0]) == content(cold[1])
 
 
-def test_a_long_text_is_cut_and_that_is_said(maker):
+def test_a_long_text_is_cut_and_that_is_said(maker, unmended):
     made = maker.generate("flared " * 15_000)
     (note,) = made.notes
     assert "32 tokens" in note

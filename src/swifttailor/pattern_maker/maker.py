@@ -187,27 +187,9 @@ class PatternMaker:
         Raises:
             SwiftTailorError: See `generate`.
         """
-        seeds = [seed] * len(requests) if isinstance(seed, int) else list(seed)
-        if len(seeds) != len(requests):
-            raise InputError(f"There are {len(seeds)} seeds for {len(requests)} requests; give one for each.")
-        if not (math.isfinite(temperature) and 0 <= temperature <= HIGHEST_TEMPERATURE):
-            raise InputError(f"The temperature is {temperature}; 0 to 10 is accepted.")
-        if min(seeds, default=0) < 0:
-            raise InputError(f"The seed is {min(seeds)}; 0 or more is accepted.")
-        clock = Clock()
-        asked, notes = [], []
-        for request, own in zip(requests, seeds, strict=True):
-            one, about = self._ask(request)
-            asked.append(replace(one, seeds=((own, draw),), temperature=temperature))
-            notes.append(about)
-        clock.stop("reading")
-        model = self.model
-        free = self.decodes_freely(decoding)
-        written = write_answers(
-            model.runtime, asked, model.grammar, model.text.size, names=model.names, free=free
-        )
-        clock.stop("writing")
-        read = [(answer, _pattern_of(answer, free=free)) for (answer,) in written]
+        clock, free = Clock(), self.decodes_freely(decoding)
+        written, notes = self._write(requests, seed, temperature, draw, free=free, clock=clock)
+        read = [(answer, _pattern_of(answer, free=free)) for answer in written]
         mended = [
             pattern if isinstance(pattern, PatternError) else mend(pattern, alike=request.edit is None)
             for (_, pattern), request in zip(read, requests, strict=True)
@@ -233,9 +215,55 @@ class PatternMaker:
             for (answer, _), repair, about in zip(read, mended, notes, strict=True)
         ]
 
+    def answer_all(
+        self, requests: Sequence[Request], *, seed: int | Sequence[int] = 0, temperature: float = 0.0
+    ) -> list[Written]:
+        """What the network itself says to each request, all together: neither read as a pattern nor mended.
+
+        Args:
+            requests: What is wanted.
+            seed: One for all, or one for each.
+            temperature: See `generate`.
+
+        Raises:
+            SwiftTailorError: See `generate`.
+        """
+        return self._write(requests, seed, temperature, 0, free=False, clock=Clock())[0]
+
     def decodes_freely(self, decoding: ChosenDecoding) -> bool:
         """Whether what is written may be no pattern."""
         return (self.model.decoding if decoding == "own" else decoding) == "free"
+
+    def _write(
+        self,
+        requests: Sequence[Request],
+        seed: int | Sequence[int],
+        temperature: float,
+        draw: int,
+        *,
+        free: bool,
+        clock: Clock,
+    ) -> tuple[list[Written], list[tuple[str, ...]]]:
+        """Answers to requests, and what there is to say about each of them."""
+        seeds = [seed] * len(requests) if isinstance(seed, int) else list(seed)
+        if len(seeds) != len(requests):
+            raise InputError(f"There are {len(seeds)} seeds for {len(requests)} requests; give one for each.")
+        if not (math.isfinite(temperature) and 0 <= temperature <= HIGHEST_TEMPERATURE):
+            raise InputError(f"The temperature is {temperature}; 0 to 10 is accepted.")
+        if min(seeds, default=0) < 0:
+            raise InputError(f"The seed is {min(seeds)}; 0 or more is accepted.")
+        asked, notes = [], []
+        for request, own in zip(requests, seeds, strict=True):
+            one, about = self._ask(request)
+            asked.append(replace(one, seeds=((own, draw),), temperature=temperature))
+            notes.append(about)
+        clock.stop("reading")
+        model = self.model
+        written = write_answers(
+            model.runtime, asked, model.grammar, model.text.size, names=model.names, free=free
+        )
+        clock.stop("writing")
+        return [answer for (answer,) in written], notes
 
     def _ask(self, request: Request) -> tuple[Asked, tuple[str, ...]]:
         model = self.model

@@ -86,7 +86,7 @@ def _measure(
 ) -> Values:
     certainty, familiarity = [], []
     for batch in _batches(pictures):
-        made = maker.generate_all([Request(image=p) for p in batch], temperature=USUAL_TEMPERATURE)
+        made = maker.answer_all([Request(image=p) for p in batch], temperature=USUAL_TEMPERATURE)
         certainty += [one.certainty for one in made]
         familiarity += space.familiarity(
             np.stack([one.look for one in made if one.look is not None])
