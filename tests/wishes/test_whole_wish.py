@@ -19,12 +19,12 @@ LONG, SHORT = Gain(Claim("sleeves", "long")), Gain(Claim("sleeves", "short"))
 V_NECK, SLIT = Gain(Claim("neckline", "v")), Gain(Claim("slit", "left"))
 
 
-def together(heard, whole, **more):
-    return [w.change for w in described_as_a_whole([Wish(c, 0.97) for c in heard], whole, **more)]
+def together(heard, whole, text="", **more):
+    return [w.change for w in described_as_a_whole([Wish(c, 0.97) for c in heard], whole, text, **more)]
 
 
 def test_what_words_do_not_say_the_whole_does():
-    found = described_as_a_whole([Wish(DRESS, 0.97)], {DRESS: 1.0, LONG: MEANT, V_NECK: LIKELY})
+    found = described_as_a_whole([Wish(DRESS, 0.97)], {DRESS: 1.0, LONG: MEANT, V_NECK: LIKELY}, "")
     assert {w.change: w.certainty for w in found} == {
         DRESS: 0.97, LONG: SURENESS["certain"], V_NECK: SURENESS["likely"]
     }  # fmt: skip
@@ -40,6 +40,16 @@ def test_what_the_network_all_but_excludes_was_misheard():
     assert together([DRESS, LONG], {DRESS: 1.0, LONG: 0.0}, said=[LONG]) == [DRESS]
     for how in ("stated", "named"):
         assert together([DRESS, LONG], {DRESS: 1.0, LONG: 0.0}, **{how: [LONG]}) == [DRESS, LONG]
+
+
+@pytest.mark.parametrize(
+    "change", [Gain(Claim("sleeves", "left only")), Gain(Claim("sides", "different")),
+               Gain(Claim("left_sleeve", "short")), Gain(Claim("shoulders", "bare right"))]
+)  # fmt: skip
+def test_sides_differ_where_they_are_spoken_of(change):
+    whole = {DRESS: 1.0, change: 0.9}
+    assert together([DRESS], whole, "a short-sleeved wrap dress") == [DRESS]
+    assert together([DRESS], whole, "a dress with one bare arm") == [DRESS, change]
 
 
 def test_of_what_excludes_each_other_the_likelier_counts():
@@ -64,7 +74,7 @@ CHANGES = st.sampled_from([change_of(label) for label in statement_labels()])
 
 @given(st.lists(CHANGES, max_size=3, unique=True), st.dictionaries(CHANGES, st.floats(0, 1), max_size=12))
 def test_nothing_that_is_added_contradicts_anything_and_the_surest_come_first(heard, whole):
-    found = described_as_a_whole([Wish(c, 0.97) for c in heard], whole)
+    found = described_as_a_whole([Wish(c, 0.97) for c in heard], whole, "one")
     added = [w.change for w in found if w.change not in heard]
     gains = [w.change for w in found if isinstance(w.change, Gain)]
     assert all(isinstance(c, Gain) and whole[c] >= LIKELY for c in added)

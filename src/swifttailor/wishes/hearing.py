@@ -93,6 +93,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         found = described_as_a_whole(
             found,
             reader.whole(text, instruction=False),
+            text,
             stated=_changes(stated),
             named=[Gain(i.claim) for i in words.implications if not i.said],
             said=[Gain(i.claim) for i in words.implications if i.said],

@@ -1,0 +1,40 @@
+"""Sides that differ, as the network for people's own words reads them: only where a text speaks of sides."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from swifttailor.describing.differences import Change, Gain
+
+_SIDES = re.compile(
+    r"(?<!\w)(?:left|right|one|single|other|two|half|side|uneven|unequal|unlike|odd|differ\w*|asym\w*|assym\w*"
+    r"|mismatch\w*|lopsided|diagonal\w*|slant\w*|toga|roman|greek|one-\w+|only|lower|longer|shorter)(?!\w)",
+    re.IGNORECASE,
+)
+"""Words without which nothing is said of sides that differ."""
+
+
+def without_sides(whole: Mapping[Change, float], text: str) -> dict[Change, float]:
+    """What a text means as a whole, without that its sides differ where no word says so.
+
+    Args:
+        whole: How likely each wish is meant.
+        text: That was read.
+    """
+    if _SIDES.search(text):
+        return dict(whole)
+    return {change: chance for change, chance in whole.items() if not _is_of_one_side(change)}
+
+
+def _is_of_one_side(change: Change) -> bool:
+    """Whether it makes both sides of a garment differ."""
+    if not isinstance(change, Gain):
+        return False
+    name, value = change.claim.name, str(change.claim.value)
+    return (
+        name.startswith(("left_", "right_"))
+        or value in ("different", "unequal", "asymmetric")
+        or value.endswith(" only")
+        or value.startswith(("bare ", "lower "))
+    )
