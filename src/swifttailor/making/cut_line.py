@@ -165,10 +165,16 @@ def _mitre(
 
 
 def _until(point: Floats, direction: Floats, corner: Floats, middle: Floats, reach: float) -> Floats:
-    """Goes from a point until it is `reach` from the corner, measured along its middle line."""
+    """Goes from a point until it is `reach` from the corner, measured along its middle line.
+
+    Between allowances of very different widths at a blunt corner that would be far away, so not beyond three
+    times `reach`.
+    """
     speed = float(direction @ middle)
     missing = reach - float((point - corner) @ middle)
-    return point + direction * (missing / speed) if speed > 1e-6 and missing > 0 else point
+    if speed <= 1e-6 or missing <= 0:
+        return point
+    return point + direction * min(missing / speed, 3.0 * reach)
 
 
 def _turned_corner(
