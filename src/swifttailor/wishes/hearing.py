@@ -64,6 +64,7 @@ def hear_description(text: str, reader: WishReader) -> Heard:
 
 def _heard_description(text: str, reader: WishReader) -> Heard:
     text, words = text_as_read(text)
+    own = text
     if (plain := plainly_wished(text)) != text:
         text, words = plain, read_words(plain)
     network = reader.read(text, instruction=False) if words.language == ENGLISH else ()
@@ -92,8 +93,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     if words.language == ENGLISH:
         found = described_as_a_whole(
             found,
-            reader.whole(text, instruction=False),
-            text,
+            reader.whole(own, instruction=False),
+            own,
             stated=_changes(stated),
             named=[Gain(i.claim) for i in words.implications if not i.said],
             said=[Gain(i.claim) for i in words.implications if i.said],

@@ -62,6 +62,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     """
     kind = None if facts is None else named_kind(facts)
     text, words = text_as_read(text, kind)
+    own = text
     plain = plainly(text, kind or "dress")
     plain = plain if facts is None else with_targets(plain, kind or "dress", facts)
     if plain != text.lower():
@@ -124,7 +125,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     if words.language == ENGLISH:
         sure, read = with_the_whole(
             sure,
-            without_sides(reader.whole(text), text),
+            without_sides(reader.whole(own), own),
             left_over=bool(unread),
             accepts=lambda change, told: _adds(change, told, spoken, words)
             and (facts is None or _can_become(change, facts)),
