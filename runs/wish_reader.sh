@@ -15,7 +15,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
 set_values steps=5000
 more=()
 [ -n "${MINUTES:-}" ] && more+=(--max-minutes "$MINUTES")
-spoken=(steps=1600 learning_rate=3e-4 warmup_steps=100)
+spoken=()
 if [ -n "$rehearse" ]; then
     little=(batch_size=8 validate_every=4 log_every=2 validation_texts=20)
     set_values steps=8 "${little[@]}" network.width=16 network.layers=1

@@ -11,6 +11,7 @@ from swifttailor.describing.differences import Gain, Step
 from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.labels import change_of, statement_labels
 from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.whole_sides import without_sides
 from swifttailor.wishes.whole_wish import DOUBTED, DOUBTED_WORD, LIKELY, MEANT, described_as_a_whole
 from swifttailor.wording.lexicon import SURENESS, exclude
 
@@ -19,12 +20,12 @@ LONG, SHORT = Gain(Claim("sleeves", "long")), Gain(Claim("sleeves", "short"))
 V_NECK, SLIT = Gain(Claim("neckline", "v")), Gain(Claim("slit", "left"))
 
 
-def together(heard, whole, text="", **more):
-    return [w.change for w in described_as_a_whole([Wish(c, 0.97) for c in heard], whole, text, **more)]
+def together(heard, whole, **more):
+    return [w.change for w in described_as_a_whole([Wish(c, 0.97) for c in heard], whole, **more)]
 
 
 def test_what_words_do_not_say_the_whole_does():
-    found = described_as_a_whole([Wish(DRESS, 0.97)], {DRESS: 1.0, LONG: MEANT, V_NECK: LIKELY}, "")
+    found = described_as_a_whole([Wish(DRESS, 0.97)], {DRESS: 1.0, LONG: MEANT, V_NECK: LIKELY})
     assert {w.change: w.certainty for w in found} == {
         DRESS: 0.97, LONG: SURENESS["certain"], V_NECK: SURENESS["likely"]
     }  # fmt: skip
@@ -48,8 +49,8 @@ def test_what_the_network_all_but_excludes_was_misheard():
 )  # fmt: skip
 def test_sides_differ_where_they_are_spoken_of(change):
     whole = {DRESS: 1.0, change: 0.9}
-    assert together([DRESS], whole, "a short-sleeved wrap dress") == [DRESS]
-    assert together([DRESS], whole, "a dress with one bare arm") == [DRESS, change]
+    assert without_sides(whole, "a short-sleeved wrap dress") == {DRESS: 1.0}
+    assert without_sides(whole, "a dress with one bare arm") == whole
 
 
 def test_of_what_excludes_each_other_the_likelier_counts():
@@ -74,7 +75,7 @@ CHANGES = st.sampled_from([change_of(label) for label in statement_labels()])
 
 @given(st.lists(CHANGES, max_size=3, unique=True), st.dictionaries(CHANGES, st.floats(0, 1), max_size=12))
 def test_nothing_that_is_added_contradicts_anything_and_the_surest_come_first(heard, whole):
-    found = described_as_a_whole([Wish(c, 0.97) for c in heard], whole, "one")
+    found = described_as_a_whole([Wish(c, 0.97) for c in heard], whole)
     added = [w.change for w in found if w.change not in heard]
     gains = [w.change for w in found if isinstance(w.change, Gain)]
     assert all(isinstance(c, Gain) and whole[c] >= LIKELY for c in added)

@@ -66,8 +66,9 @@ CONFIGS: dict[str, WishConfig] = {
     "small": WishConfig(),
     "spoken": WishConfig(
         network=ReaderSize(width=384, layers=6, heads=12, dropout=0.1, encoder="minilm"),
-        steps=2000,
-        learning_rate=2e-4,
+        steps=1600,
+        learning_rate=3e-4,
+        warmup_steps=100,
         weight_decay=0.05,
         own_words=0.85,
     ),

@@ -19,7 +19,7 @@ from swifttailor.networks.word_pieces import WordPieces
 from swifttailor.wishes.labels import number_labels, statement_labels
 from swifttailor.wishes.network_torch import ReaderConfig, WishNetwork
 from swifttailor.wishes.reader import INPUTS, KIND, OUTPUTS, SPOKEN_KIND, WishReader
-from swifttailor.wishes.spoken_network_torch import SpokenConfig, SpokenNetwork
+from swifttailor.wishes.spoken_network_torch import SpokenNetwork
 from swifttailor.wishes.text_tokens import EXTRA_TOKENS, PADDING, Tokenizer
 
 _EXAMPLE_TOKENS = 7
@@ -36,10 +36,8 @@ def build_network(size: dict[str, Any]) -> WishNetwork | SpokenNetwork:
     size = dict(size)
     encoder = size.pop("encoder", _OWN)
     tokens = tokenizer_of(encoder).size + EXTRA_TOKENS
-    labels = len(statement_labels()), len(number_labels())
-    if encoder == _MINILM:
-        return SpokenNetwork(SpokenConfig(tokens, *labels, **size))
-    return WishNetwork(ReaderConfig(tokens, *labels, **size))
+    config = ReaderConfig(tokens, len(statement_labels()), len(number_labels()), **size)
+    return SpokenNetwork(config) if encoder == _MINILM else WishNetwork(config)
 
 
 def tokenizer_of(encoder: str) -> Tokenizer:
@@ -71,8 +69,9 @@ def load_weights(
             f"The weights '{weights}' were trained for other statements than this version's. Export them "
             "with the version that trained them, or train again."
         )
-    build = lambda: build_network(card["config"]["network"])  # noqa: E731
-    return trained_network(build, weights, half=half, eight_bits=int8)
+    return trained_network(
+        lambda: build_network(card["config"]["network"]), weights, half=half, eight_bits=int8
+    )
 
 
 def export(network: WishNetwork | SpokenNetwork, card: dict[str, Any], path: Path) -> Path:

@@ -94,7 +94,6 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         found = described_as_a_whole(
             found,
             reader.whole(own, instruction=False),
-            own,
             stated=_changes(stated),
             named=[Gain(i.claim) for i in words.implications if not i.said],
             said=[Gain(i.claim) for i in words.implications if i.said],

@@ -24,7 +24,6 @@ from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
 from swifttailor.wishes.whole_instruction import with_the_whole
-from swifttailor.wishes.whole_sides import without_sides
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, Entry, WordReading, exclude, read_words
 
@@ -125,7 +124,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     if words.language == ENGLISH:
         sure, read = with_the_whole(
             sure,
-            without_sides(reader.whole(own), own),
+            reader.whole(own),
             left_over=bool(unread),
             accepts=lambda change, told: _adds(change, told, spoken, words)
             and (facts is None or _can_become(change, facts)),

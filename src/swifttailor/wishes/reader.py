@@ -18,6 +18,7 @@ from swifttailor.wishes.labels import change_of, label_of
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.phrase_book import find_phrases
 from swifttailor.wishes.text_tokens import EXTRA_TOKENS, LONGEST_TEXT, ReadyText, Tokenizer, text_tokens
+from swifttailor.wishes.whole_sides import without_sides
 
 SHIPPED, SHIPPED_SPOKEN = (
     Path(__file__).with_name(name) for name in ("wish_reader.onnx", "spoken_reader.onnx")
@@ -132,7 +133,8 @@ class WishReader:
             instruction: Whether it says how to change a garment, and not what garment it is.
 
         Returns:
-            By wish; nothing where there is no network for people's own words.
+            By wish. That sides differ is among them only where the text speaks of sides; nothing is where
+            there is no network for people's own words.
         """
         reader = self.spoken
         if reader is None:
@@ -147,7 +149,7 @@ class WishReader:
             bare = change_of(label_of(change)) if isinstance(change, Step) else None
             if bare in found:  # once: another number for the same measure is another matter
                 found[change] = max(found.pop(bare), certainty)
-        return found
+        return without_sides(found, text)
 
     def _run(self, ready: ReadyText) -> Any:
         return self.session.run(None, {"tokens": ready.tokens[None]})

@@ -6,12 +6,11 @@ what it knows of English.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import torch
 from torch import nn
 from torch.nn import functional as F
 
+from swifttailor.wishes.network_torch import ReaderConfig
 from swifttailor.wishes.text_tokens import LONGEST
 
 _EPSILON = 1e-12
@@ -19,27 +18,10 @@ _FASTER = 8.0
 """Steps of what is learnt from nothing, in those of the encoder, which has only to be adapted."""
 
 
-@dataclass(frozen=True)
-class SpokenConfig:
-    """Its size."""
-
-    tokens: int
-    """Of texts, those for numbers and padding included; the last is padding."""
-    statements: int
-    """Labels of what a text says."""
-    numbers: int
-    """Labels of what a number is."""
-    width: int = 384
-    layers: int = 6
-    heads: int = 12
-    dropout: float = 0.1
-    """Share of what is between the layers that is left out in training."""
-
-
 class SpokenNetwork(nn.Module):
     """Says of every token what it is evidence for; a text says what any of its tokens does."""
 
-    def __init__(self, config: SpokenConfig) -> None:
+    def __init__(self, config: ReaderConfig) -> None:
         """With random weights.
 
         Args:

@@ -12,7 +12,6 @@ from collections.abc import Collection, Mapping, Sequence
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.wishes.reader import Wish
-from swifttailor.wishes.whole_sides import without_sides
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, exclude
 
@@ -29,7 +28,6 @@ DOUBTED, DOUBTED_WORD = 0.1, 0.02
 def described_as_a_whole(
     found: Sequence[Wish],
     whole: Mapping[Change, float],
-    text: str,
     *,
     stated: Collection[Change] = (),
     named: Collection[Change] = (),
@@ -41,14 +39,12 @@ def described_as_a_whole(
     Args:
         found: Word by word.
         whole: How likely each wish is meant, by the network; empty where there is none.
-        text: What was read. That sides differ is read only where it speaks of sides.
         stated: Wishes that are said in figures and the like, which stand.
         named: Wishes that names of garments stand for. They stay where the network reads nothing else
             instead; a name that it does not know, as its reading of the kind shows, is left to them.
         said: Wishes that words of details stand for.
         never: What the text refuses.
     """
-    whole = without_sides(whole, text)
     found = _of_its_kind(found, whole)
     kinds = [w.change for w in found if _is_kind(w.change)]
     known = not kinds or whole.get(kinds[0], 0.0) >= LIKELY
