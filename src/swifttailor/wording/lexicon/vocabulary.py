@@ -32,9 +32,9 @@ TABLES: Mapping[Language, tuple[str, ...]] = {
         ),
         *("occasions.txt", "colors.txt", "prints.txt", "fabrics.txt", "sizes.txt", "function_words.txt"),
     ),
-    "de": ("german.txt",),
-    "fr": ("french.txt",),
-    "es": ("spanish.txt",),
+    "de": ("german.txt", "german_lengths.txt"),
+    "fr": ("french.txt", "french_lengths.txt"),
+    "es": ("spanish.txt", "spanish_lengths.txt"),
 }
 _TRANSLATIONS = "words"
 """Section of the tables of other languages."""
