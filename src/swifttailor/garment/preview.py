@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 _SHEEN = {"silk": 0.22, "denim": 0.06, "twill": 0.08, "leather": 0.16, "polyester": 0.16, "swimwear": 0.16}
 _GLOSS = {"silk": 0.08, "leather": 0.10, "polyester": 0.04, "swimwear": 0.05}
 """Of cloths that shine otherwise than cotton does."""
+DARKEST = 0.010
+"""Least light, linear, that cloth of any colour throws back: folds of black cloth are seen."""
 _put_before = CompiledLoop("swifttailor.render.shading_kernels", "put_before")
 
 
@@ -37,19 +39,19 @@ def cloth_surface(
 
     Args:
         garment: Any garment.
-        color: Right side of the cloth; the inside is darker and greyer. None: the garment's own
-            (`cloth_color`).
+        color: Right side of the cloth; the inside is a little darker and greyer, as that of dyed cloth is.
+            None: the garment's own (`cloth_color`).
         tint_panels: Whether neighbouring panels differ a little in lightness.
         lines: Whether seams and hems are drawn.
     """
-    base = to_linear(garment.color or cloth_color(garment.pattern) if color is None else color)
+    base = np.maximum(to_linear(garment.color or cloth_color(garment.pattern) if color is None else color), DARKEST)
     right = np.broadcast_to(base, (len(garment.faces), 3))
     if tint_panels:
         # Golden-ratio steps keep consecutive panels apart whatever their number.
         step = (np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0
         right = base * (0.90 + 0.20 * step)[garment.mesh.face_panel][:, None]
     grey = float(base @ (0.2126, 0.7152, 0.0722))
-    inside = 0.70 * (0.5 * base + 0.5 * grey) + np.array([0.065, 0.055, 0.045])
+    inside = 0.78 * (0.75 * base + 0.25 * grey) + 0.002
     drawn = ()
     if lines:
         drawn = (

@@ -36,6 +36,7 @@ from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.hearing_changes import hear_instruction
 from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import SURE, Wish, WishReader
+from swifttailor.wishes.unsaid_looks import unexpected_looks
 from swifttailor.wishes.wearer_words import hear_wearer
 
 _UNSAID = (Claim("hem_shape", "level"), Claim("sides", "alike"))
@@ -46,8 +47,8 @@ _UNSAID_OF = {
     "trousers": (Claim("leg_cuffs", "none"),),
 }
 """The same by kind of garment."""
-_USUAL = 0.8
-"""What known patterns are preferred for where nobody speaks of it, and how much."""
+_USUAL, _UNEXPECTED = 0.8, 0.2
+"""Known patterns are preferred for what is usual where nobody speaks of it, and left for what is not."""
 _UNREAD = (
     "The picture was shown to PatternMaker and not read: this version comes without weights of a picture "
     "reader, so nothing was altered to it."
@@ -151,7 +152,14 @@ class Wanted:
             names = {w.change.claim.name for w in said if isinstance(w.change, Gain)}
             usual = (*_UNSAID, *_UNSAID_OF.get(self.heard.kind or "", ()))
             said += [Wish(Gain(claim), _USUAL) for claim in usual if claim.name not in names]
-        return Sought.of(self.part, said, self.heard.never, self._foreseen(said))
+        return Sought.of(self.part, [*said, *self._unexpected()], self.heard.never, self._foreseen(said))
+
+    def _unexpected(self) -> list[Wish]:
+        """What the garment should rather not be like, as nobody speaks of it."""
+        if not self.unsaid:
+            return []
+        claims = unexpected_looks((*self.wishes, *self.likely), self.heard.kind)
+        return [Wish(Gain(claim), _UNEXPECTED) for claim in claims]
 
     def _foreseen(self, said: Sequence[Wish]) -> NDArray[np.float64] | None:
         """Which panels there may be, by the text as it is and in words that the network was taught."""

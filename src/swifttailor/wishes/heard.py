@@ -17,6 +17,8 @@ from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, 
 
 _CUT_AS = {"tunic": "top"}
 """Kinds that are drafted as others."""
+_COLOR_OF_CLOTH = {"denim": "3b5578"}
+"""What a fabric is dyed unless another colour is named."""
 
 
 @dataclass(frozen=True)
@@ -47,9 +49,10 @@ class Heard:
 
     @property
     def color(self) -> str | None:
-        """The first colour that it names, ``#rrggbb``, or that a name implies: a little black dress."""
+        """The first colour that it names, ``#rrggbb``, or that a name or a fabric implies: blue jeans."""
         named = self.words.colors if self.words is not None else ()
         rgb = named[0].rgb if named else next((e.color for e in self._meant if e.color is not None), None)
+        rgb = rgb or _COLOR_OF_CLOTH.get(self.cloth or "")
         return None if rgb is None else f"#{rgb}"
 
     @cached_property

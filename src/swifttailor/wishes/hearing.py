@@ -17,6 +17,7 @@ from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.lexicon_spelling import guessed_name
 from swifttailor.wishes.mentions import find_mentions
+from swifttailor.wishes.one_arm import of_one_arm
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.sayings_of_wishes import plainly_wished
 from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
@@ -52,7 +53,7 @@ def hear_description(text: str, reader: WishReader) -> Heard:
     if not text.strip():
         return HEARD_NOTHING
     heard = _heard_description(text, reader)
-    near = guessed_name(heard.unread) if heard.kind is None else None
+    near = None if _is_named(heard) else guessed_name(heard.unread)
     if near is None:
         return heard
     word, name = near
@@ -60,6 +61,13 @@ def hear_description(text: str, reader: WishReader) -> Heard:
     if again.kind is None:
         return heard
     return replace(again, text=heard.text, unread=tuple(dict.fromkeys([word, *again.unread])), guess=name)
+
+
+def _is_named(heard: Heard) -> bool:
+    """Whether it is heard which garment is meant; what the network only takes for likely may be a guess."""
+    claims = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
+    claims += [] if heard.words is None else [i.claim for i in heard.words.implications]
+    return any(c.name == "kind" for c in claims) or (heard.kind is not None and bool(claims))
 
 
 def _heard_description(text: str, reader: WishReader) -> Heard:
@@ -94,7 +102,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         found = described_as_a_whole(
             found,
             reader.whole(own, instruction=False),
-            stated=_changes(stated),
+            stated=[*_changes(stated), *[Gain(i.claim) for i in words.implications if i.mark.denied]],
             named=[Gain(i.claim) for i in words.implications if not i.said],
             said=[Gain(i.claim) for i in words.implications if i.said],
             never=never,
@@ -104,6 +112,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve") for w in found
     ):
         found = (*found, Wish(Gain(Claim("sleeves", "short")), SURENESS["usual"]))
+    found = of_one_arm(found)
     changes = _changes(found)
     known = " ".join([*words.sizes, *[text[m.mention.start : m.mention.end] for m in measures if m.claim]])
     unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in known]

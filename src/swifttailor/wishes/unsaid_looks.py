@@ -9,7 +9,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.wishes.reader import Wish
 from swifttailor.wording.claim_kinds import fits_kind
+from swifttailor.wording.lexicon import SURENESS
 
 _UPPER = frozenset({"top", "tunic", "dress", "jumpsuit", "playsuit"})
 _TOPS = frozenset({"top", "tunic"})
@@ -33,12 +36,14 @@ def _unexpected(kinds: frozenset[str], name: str, values: str, unless: str = "")
     return _Unexpected(kinds, name, tuple(values.split(",")), frozenset([name, *unless.split()]))
 
 
-_SLEEVES = "cuffs cuff_cm left_sleeve right_sleeve"
 _BARE = "shoulders straps"
 _NECK = "left_neckline right_neckline neck_depth neck_depth_cm shoulders collar hood"
 _FULLNESS = "hem_cm gores tiers godets godet_cm"
 _ALL = (
-    _unexpected(_UPPER, "sleeve_shape", "puffed,balloon,gathered end,bell", _SLEEVES),
+    _unexpected(_UPPER, "sleeve_shape", "puffed,balloon,bell", "sleeve_width_cm"),
+    _unexpected(_UPPER, "sleeve_shape", "gathered end", "cuffs cuff_cm"),
+    _unexpected(_UPPER, "sleeve_shape", "wide", "fit chest_cm sleeve_width_cm"),
+    _unexpected(_UPPER, "shoulders", "strapless,bare left,bare right", "straps left_sleeve right_sleeve"),
     _unexpected(_UPPER, "cuffs", "flounce,band and flounce", "cuff_cm sleeve_shape"),
     _unexpected(_UPPER, "neck_depth", "plunging", f"neck_depth_cm {_BARE}"),
     _unexpected(_UPPER, "back_depth", "low,open", f"back_depth_cm back_neckline {_BARE}"),
@@ -56,26 +61,30 @@ _ALL = (
         "more than a circle,godets,tiered,gathered tiers,fitted base",
         _FULLNESS,
     ),
-    _unexpected(_SKIRTS, "waistband", "wide", "waistband_cm"),
+    _unexpected(_SKIRTS, "waistband", "wide,loose", "waistband_cm"),
     _unexpected(_LEGS, "legs", "flared", "leg_width_cm"),
 )
 
 
-def unexpected_looks(said: Iterable[Claim], kind: str | None) -> tuple[Claim, ...]:
+def unexpected_looks(wishes: Iterable[Wish], kind: str | None) -> tuple[Claim, ...]:
     """What a garment should rather not show, as nothing that was said is about it.
 
     Args:
-        said: What is asked for, likely things included.
+        wishes: What is asked for, and what is likely. What is less than usual is not unexpected itself, but
+            leaves other values of its claim so.
         kind: Of the garment; nothing is unexpected where it is not known.
     """
     if kind is None:
         return ()
-    names = {claim.name for claim in said}
+    told = [(wish.change.claim, wish.certainty) for wish in wishes if isinstance(wish.change, Gain)]
+    names = {claim.name for claim, certainty in told if certainty >= SURENESS["usual"]}
+    maybe = {claim for claim, _ in told}
     return tuple(
         [
             Claim(each.name, value)
             for each in _ALL
             if kind in each.kinds and not each.unless & names and fits_kind(each.name, kind)
             for value in each.values
+            if Claim(each.name, value) not in maybe
         ]
     )

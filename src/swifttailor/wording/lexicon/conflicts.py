@@ -135,7 +135,7 @@ def opposed(a: Claim, b: Claim) -> bool:
     if a.value in _NEGATIVE or b.value in _NEGATIVE:
         return True
     if a.name == "sleeves" and (a.value in _ONE_SIDED or b.value in _ONE_SIDED):
-        return False
+        return a.value in _ONE_SIDED and b.value in _ONE_SIDED
     scale = SCALES.get(a.name)
     if scale is not None:
         return abs(_step(scale, a.value) - _step(scale, b.value)) > 1
@@ -158,6 +158,9 @@ def _of_parts(a: Claim, b: Claim) -> bool:
         if b.name in ("collar", "hood", "sleeves"):
             return b.value != "none"
         return b.name in ("straps", "left_sleeve", "right_sleeve")
+    if a.name == "shoulders" and a.value in ("bare left", "bare right"):
+        side = str(a.value).removeprefix("bare ")
+        return b.name == f"{side}_sleeve" or b == Claim("sleeves", f"{side} only")
     if a.name == "sleeves" and a.value != "none":
         return b.name in ("straps", "armholes")
     if a.name == "collar" and a.value != "none":

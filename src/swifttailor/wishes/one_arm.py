@@ -1,0 +1,44 @@
+"""How long sleeves are is said of the one arm that has one: "one shoulder, long sleeve", "a single long sleeve"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain
+from swifttailor.wishes.reader import Wish
+from swifttailor.wording.lexicon.conflicts import SCALES
+
+_LEFT, _RIGHT = Claim("sleeves", "left only"), Claim("sleeves", "right only")
+_LENGTHS = frozenset(value for step in SCALES["sleeves"] for value in step)
+
+
+def of_one_arm(found: Iterable[Wish]) -> tuple[Wish, ...]:
+    """The same wishes, those about both sleeves as wishes about the only one there is.
+
+    Beside a bare shoulder there is at most one sleeve. Which arm has it is left open where nothing tells.
+    """
+    found = tuple(found)
+    side = _side([wish.change for wish in found])
+    if side is None:
+        return found
+    only = Gain(_LEFT if side == "left" else _RIGHT)
+    kept: dict[Change, Wish] = {}
+    for wish in found:
+        claim = wish.change.claim if isinstance(wish.change, Gain) else None
+        if claim is None or claim.name != "sleeves" or claim.value not in _LENGTHS:
+            kept.setdefault(wish.change, wish)
+            continue
+        for change in (only, Gain(Claim(f"{side}_sleeve", claim.value))):
+            kept.setdefault(change, replace(wish, change=change))
+    return tuple(kept.values())
+
+
+def _side(changes: Iterable[Change]) -> str | None:
+    """The arm with the only sleeve; None where there are two, or none."""
+    claims = {change.claim for change in changes if isinstance(change, Gain)}
+    for side, only, bare in (("left", _LEFT, "bare right"), ("right", _RIGHT, "bare left")):
+        if only in claims or Claim("shoulders", bare) in claims:
+            return side
+    return None

@@ -1,0 +1,62 @@
+"""How long sleeves are is said of the one arm that has one."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from swifttailor.describing import Claim
+from swifttailor.describing.claims import CLAIM_TYPES
+from swifttailor.describing.differences import Gain
+from swifttailor.wishes.one_arm import of_one_arm
+from swifttailor.wishes.reader import Wish
+
+LENGTHS = ("cap", "short", "elbow", "three-quarter", "long", "extra-long")
+NOT_LENGTHS = [
+    Claim(kind.name, value)
+    for kind in CLAIM_TYPES.values()
+    for value in kind.words
+    if not (kind.name == "sleeves" and value in LENGTHS)
+]
+
+
+def wish(name, value):
+    return Wish(Gain(Claim(name, value)), 0.9)
+
+
+def claims(wishes):
+    return {f"{w.change.claim.name}={w.change.claim.value}" for w in of_one_arm(wishes)}
+
+
+@pytest.mark.parametrize("length", LENGTHS)
+@pytest.mark.parametrize(
+    ("name", "value", "side"),
+    [
+        ("sleeves", "left only", "left"),
+        ("sleeves", "right only", "right"),
+        ("shoulders", "bare right", "left"),
+        ("shoulders", "bare left", "right"),
+    ],
+)
+def test_the_length_is_that_of_the_only_sleeve(length, name, value, side):
+    found = claims([wish("sleeves", length), wish(name, value)])
+    assert found == {f"{name}={value}", f"sleeves={side} only", f"{side}_sleeve={length}"}
+
+
+def test_a_bare_shoulder_without_sleeves_has_none():
+    wishes = [wish("shoulders", "bare right"), wish("sleeves", "none")]
+    assert of_one_arm(wishes) == tuple(wishes)
+
+
+@given(st.lists(st.sampled_from(NOT_LENGTHS), unique=True))
+def test_other_wishes_stay_as_they_are(said):
+    wishes = tuple([Wish(Gain(claim), 0.9) for claim in said])
+    assert of_one_arm(wishes) == wishes
+
+
+@given(st.sampled_from(LENGTHS), st.lists(st.sampled_from(NOT_LENGTHS), unique=True))
+def test_sleeves_stay_those_of_both_arms_where_both_have_one(length, said):
+    kept = [c for c in said if c.name not in ("sleeves", "shoulders")]
+    wishes = (wish("sleeves", length), *[Wish(Gain(claim), 0.9) for claim in kept])
+    assert of_one_arm(wishes) == wishes
