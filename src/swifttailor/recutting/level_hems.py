@@ -14,6 +14,8 @@ from swifttailor.recutting.ways.hem_line import bend_hem
 
 LEVEL_CM = 4.0
 """A hem that rises and falls by less is level."""
+DIP_CM = 2.0
+"""Corners that hang lower than that below the middles between them are seen, however level the rest is."""
 FLARED = 0.26
 """Part of a full circle from which a skirt counts as flared."""
 SMOOTHER = 0.7
@@ -32,7 +34,7 @@ def level_hem(pattern: Pattern) -> tuple[Pattern, str]:
     try:
         before = Cutter(pattern)
         hem, facts = cuts.free_hem(before), before.facts.hem
-        if not hem or facts is None or before.facts.trousers is not None or unevenness(facts) <= LEVEL_CM:
+        if not hem or facts is None or before.facts.trousers is not None or _is_level(facts):
             return pattern, ""
         sides = (facts.left + facts.right) / 2
         by: dict[Face, float] = {"front": facts.front - sides, "back": facts.back - sides}
@@ -48,6 +50,10 @@ def level_hem(pattern: Pattern) -> tuple[Pattern, str]:
     if unevenness(after.facts.hem) > SMOOTHER * unevenness(facts):
         return pattern, ""
     return after.pattern, f"hem made level (uneven by {unevenness(facts):.1f} cm before)"
+
+
+def _is_level(hem: HemFacts) -> bool:
+    return unevenness(hem) <= LEVEL_CM and hem.dip <= DIP_CM
 
 
 def _is_flared(cutter: Cutter) -> bool:

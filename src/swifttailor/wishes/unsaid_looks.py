@@ -62,6 +62,7 @@ _ALL = (
         _FULLNESS,
     ),
     _unexpected(_SKIRTS, "waistband", "wide,loose", "waistband_cm"),
+    _unexpected(_SKIRTS, "skirt_hem", "micro,mini", "skirt_length_cm length_cm"),
     _unexpected(_LEGS, "legs", "flared", "leg_width_cm"),
 )
 
