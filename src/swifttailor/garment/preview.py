@@ -44,7 +44,9 @@ def cloth_surface(
         tint_panels: Whether neighbouring panels differ a little in lightness.
         lines: Whether seams and hems are drawn.
     """
-    base = np.maximum(to_linear(garment.color or cloth_color(garment.pattern) if color is None else color), DARKEST)
+    base = np.maximum(
+        to_linear(garment.color or cloth_color(garment.pattern) if color is None else color), DARKEST
+    )
     right = np.broadcast_to(base, (len(garment.faces), 3))
     if tint_panels:
         # Golden-ratio steps keep consecutive panels apart whatever their number.

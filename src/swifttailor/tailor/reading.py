@@ -47,7 +47,7 @@ _UNSAID_OF = {
     "trousers": (Claim("leg_cuffs", "none"),),
 }
 """The same by kind of garment."""
-_USUAL, _UNEXPECTED = 0.8, 0.2
+_USUAL, _UNEXPECTED = 0.8, 0.35
 """Known patterns are preferred for what is usual where nobody speaks of it, and left for what is not."""
 _UNREAD = (
     "The picture was shown to PatternMaker and not read: this version comes without weights of a picture "

@@ -1,4 +1,4 @@
-"""How long sleeves are is said of the one arm that has one: "one shoulder, long sleeve", "a single long sleeve"."""
+"""How long sleeves are is said of the arm that has the only one: "one shoulder, long sleeve"."""
 
 from __future__ import annotations
 
