@@ -318,3 +318,23 @@ def test_wishes_never_exclude_each_other_and_the_surest_come_first(text):
     assert len(set(found)) == len(found) and not set(found) & set(heard.never)
     network = [claim for claim in found if claim == Claim("sleeves", "long")]
     assert not any(exclude(a, b) for a in network for b in found if a != b)
+
+
+@pytest.mark.parametrize(
+    ("text", "color"),
+    [("a denim skirt", "#3b5578"), ("skinny jeans", "#3b5578"), ("a white denim skirt", "#ffffff")],
+)
+def test_denim_is_blue_unless_another_colour_is_named(reader, text, color):
+    assert hear_description(text, reader).color == color
+
+
+def test_what_is_denied_in_so_many_words_stands(reader):
+    heard = hear_description("a dress with the right shoulder bare and no sleeve on either side", reader)
+    said = {wish.change.claim for wish in heard.sure if isinstance(wish.change, Gain)}
+    assert {Claim("sleeves", "none"), Claim("shoulders", "bare right")} <= said
+    assert not [c for c in said if c.name in ("right_sleeve", "left_sleeve")]
+
+
+def test_a_name_that_is_misspelt_comes_before_what_may_be_meant(reader):
+    heard = hear_description("grey cardagan", reader)
+    assert (heard.guess, heard.kind) == ("cardigan", "top")
