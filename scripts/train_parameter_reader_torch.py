@@ -62,7 +62,8 @@ def main() -> None:
     apart = {pattern_digest(pattern) for path in options.apart for _, _, pattern in patterns_of(path)}
     rows = [row for path in options.patterns for row in measured(path, apart, options.cache)]
     rows += drawn(options.draw, options.seed, apart)
-    read = [one for path in options.data for one in readings(path, options.most_read, options.cache)]
+    ids = {row.id for row in rows}
+    read = [one for path in options.data for one in readings(path, options.most_read, options.cache, ids)]
     print(f"{len(rows)} patterns, {len(read)} pictures read", flush=True)
     training = Training(rows, read, options.seed)
     figures = training.run(options.steps)
