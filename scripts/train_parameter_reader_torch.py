@@ -37,7 +37,7 @@ from swifttailor.training.told_patterns import ToldPattern, measured, patterns_o
 from swifttailor.training.told_torch import Told
 
 WIDTH, BLOCKS, DROPOUT = 512, 2, 0.3
-BATCH, READ_BATCH, RATE, DECAY = 256, 128, 1e-3, 0.05
+BATCH, RATE, DECAY = 256, 1e-3, 0.05
 NEXT_RANGE = 0.15
 """How right the ranges beside a number's are."""
 HELD = 12
@@ -53,6 +53,9 @@ def main() -> None:
     parser.add_argument("--data", type=Path, nargs="*", default=[], help="splits of sewn garments to read")
     parser.add_argument("--most-read", type=int, default=3000, help="garments of each split that are read")
     parser.add_argument("--steps", type=int, default=1500)
+    parser.add_argument(
+        "--read-batch", type=int, default=128, help="pictures beside 256 patterns in each step"
+    )
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--cache", type=Path, help="folder that keeps what was measured and read")
     parser.add_argument("--out", type=Path, required=True, help="model file, .onnx")
@@ -62,16 +65,18 @@ def main() -> None:
     apart = {pattern_digest(pattern) for path in options.apart for _, _, pattern in patterns_of(path)}
     rows = [row for path in options.patterns for row in measured(path, apart, options.cache)]
     rows += drawn(options.draw, options.seed, apart)
-    read = [one for path in options.data for one in readings(path, options.most_read, options.cache)]
+    ids = {row.id for row in rows}
+    read = [one for path in options.data for one in readings(path, options.most_read, options.cache, ids)]
     print(f"{len(rows)} patterns, {len(read)} pictures read", flush=True)
     training = Training(rows, read, options.seed)
-    figures = training.run(options.steps)
+    figures = training.run(options.steps, options.read_batch)
     files = {str(path.name): sha256(path) for path in (*options.patterns, *options.apart)}
     card = {
         "model": "ParameterReader",
         "parameters": sum(p.numel() for p in training.network.parameters()),
         "config": {"width": WIDTH, "blocks": BLOCKS, "dropout": DROPOUT, "steps": options.steps}
-        | {"batch_size": BATCH, "read_batch_size": READ_BATCH, "learning_rate": RATE, "seed": options.seed},
+        | {"batch_size": BATCH, "read_batch_size": options.read_batch, "learning_rate": RATE}
+        | {"seed": options.seed},
         "data": {"patterns": len(rows), "drawn": options.draw, "pictures": training.pictures, "files": files},
         "validation": figures,
         "command": " ".join(["python", "scripts/train_parameter_reader_torch.py", *map(shown, sys.argv[1:])]),
@@ -121,7 +126,7 @@ class Training:
         count = len(features_of(Sought.nothing()))
         self.network = ParameterNetwork(count, sum(self.sizes), width=WIDTH, blocks=BLOCKS, dropout=DROPOUT)
 
-    def run(self, steps: int) -> dict[str, Any]:
+    def run(self, steps: int, read_batch: int) -> dict[str, Any]:
         """Trains, and says how well patterns that were held back are answered."""
         held = torch.arange(len(self.right)) % HELD == 0
         learnt, back = torch.where(~held)[0], torch.where(held)[0]
@@ -133,7 +138,7 @@ class Training:
             rows = learnt[torch.randint(len(learnt), (BATCH,), generator=self.chance)]
             features = self.told.by_chance(rows, self.chance)
             if len(seen):
-                chosen = seen[torch.randint(len(seen), (READ_BATCH,), generator=self.chance)]
+                chosen = seen[torch.randint(len(seen), (read_batch,), generator=self.chance)]
                 features = torch.cat([features, self.features[chosen]])
                 rows = torch.cat([rows, self.of[chosen]])
             loss = self.loss(features, rows)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import torch
 from torch import Tensor, nn
@@ -22,6 +22,7 @@ from swifttailor.picture_reader.labels import (
     statement_labels,
     topics,
 )
+from swifttailor.picture_reader.lite_trunk_torch import CHANNELS, LiteTrunk
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS, kinds_of_panels
 from swifttailor.picture_reader.units import MEASURE_CM, VIEW_CM
 
@@ -45,6 +46,8 @@ class EyesConfig:
     """Of the map that topics look at."""
     heads: int = 6
     mask_width: int = 24
+    trunk: Literal["resnet", "efficientnet-lite0"] = "resnet"
+    """Of the latter, embedding, stages and depths are given."""
 
 
 class Reading(NamedTuple):
@@ -89,27 +92,19 @@ class EyesNetwork(nn.Module):
         Args:
             config: Its size.
         """
-        from transformers import ResNetConfig, ResNetModel
-
         super().__init__()
         self.config = config
-        trunk = ResNetModel(
-            ResNetConfig(
-                num_channels=3 + 3,
-                embedding_size=config.embedding,
-                hidden_sizes=list(config.stages),
-                depths=list(config.depths),
-                layer_type="basic",
-            )
-        )
-        self.embedder, self.stages = trunk.embedder, trunk.encoder.stages
+        if config.trunk == "efficientnet-lite0":
+            lite = LiteTrunk(3 + 3)
+            self.embedder, self.stages, channels, self.spread = lite.embedder, lite.stages, CHANNELS, 0.5
+        else:
+            self.embedder, self.stages = _resnet(config)
+            channels, self.spread = config.stages, 0.25
         width = config.width
-        self.lateral = nn.ModuleList(nn.Conv2d(c, width, 1) for c in config.stages[2:])
+        self.lateral = nn.ModuleList(nn.Conv2d(c, width, 1) for c in channels[2:])
         self.smooth = nn.Sequential(nn.Conv2d(width, width, 3, padding=1), nn.BatchNorm2d(width), nn.ReLU())
         self.places = nn.Parameter(torch.randn(1, width, GRID, GRID) * 0.02)
-        self.mask_lateral = nn.ModuleList(
-            nn.Conv2d(c, config.mask_width, 1) for c in (*config.stages[:2], width)
-        )
+        self.mask_lateral = nn.ModuleList(nn.Conv2d(c, config.mask_width, 1) for c in (*channels[:2], width))
         self.mask = nn.Sequential(
             nn.Conv2d(config.mask_width, config.mask_width, 3, padding=1),
             nn.BatchNorm2d(config.mask_width),
@@ -124,7 +119,7 @@ class EyesNetwork(nn.Module):
 
     def trunk(self, pictures: Tensor, guess: Tensor) -> tuple[Tensor, Tensor, Tensor]:
         """Maps of pictures (B, 3, H, W), 0 to 1: of the first two stages, and (B, width, H/16, W/16)."""
-        x = self.embedder(torch.cat([(pictures - 0.5) / 0.25, places_of(pictures, guess)], 1))
+        x = self.embedder(torch.cat([(pictures - 0.5) / self.spread, places_of(pictures, guess)], 1))
         first = self.stages[0](x)
         second = self.stages[1](first)
         third = self.stages[2](second)
@@ -150,6 +145,22 @@ class EyesNetwork(nn.Module):
             places = F.interpolate(places, third.shape[-2:], mode="bilinear", align_corners=False)
         seen = self.looks((third + places).flatten(2).transpose(1, 2), self.summed(panels_of(masks)))
         return Reading(*self.says(seen), *masks.split(_DENSE, 1))
+
+
+def _resnet(config: EyesConfig) -> tuple[nn.Module, nn.ModuleList]:
+    """Its stem, to a stride of 4, and its four stages."""
+    from transformers import ResNetConfig, ResNetModel
+
+    trunk = ResNetModel(
+        ResNetConfig(
+            num_channels=3 + 3,
+            embedding_size=config.embedding,
+            hidden_sizes=list(config.stages),
+            depths=list(config.depths),
+            layer_type="basic",
+        )
+    )
+    return trunk.embedder, trunk.encoder.stages
 
 
 def places_of(pictures: Tensor, guess: Tensor) -> Tensor:

@@ -28,6 +28,7 @@ class EyesSize:
     width: int = 192
     heads: int = 6
     mask_width: int = 24
+    trunk: Literal["resnet", "efficientnet-lite0"] = "resnet"
 
     def __post_init__(self) -> None:
         sized = self.image_size >= _STRIDE and self.image_size % _STRIDE == 0

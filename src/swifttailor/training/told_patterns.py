@@ -91,12 +91,15 @@ def measured(path: Path, apart: Collection[str], cache: Path | None) -> list[Tol
     return rows
 
 
-def readings(split: Path, most: int, cache: Path | None) -> list[tuple[str, np.ndarray]]:
+def readings(
+    split: Path, most: int, cache: Path | None, known: Collection[str] | None = None
+) -> list[tuple[str, np.ndarray]]:
     """Id and features of what the picture reader says of plain pictures of garments, front and back in turn.
 
     Args:
         split: Data set with drapes or sewn garments.
         most: Garments that are read, from all over the split.
+        known: Ids of those that are of use; all when None.
         cache: Folder that keeps what was read.
     """
     kept = None if cache is None else cache / f"read-{split.parent.name}-{split.name}-{most}.npz"
@@ -105,8 +108,9 @@ def readings(split: Path, most: int, cache: Path | None) -> list[tuple[str, np.n
             return list(zip(found["ids"].tolist(), found["features"], strict=True))
     reader, samples, found = PictureReader.load(), SplitReader(split), []
     drawn = {view: LookPictures(split, 0, "plain", view) for view in ("front", "back")}
-    step = max(1, len(samples.ids) // most)
-    for number, id in enumerate(samples.ids[::step]):
+    wanted = [id for id in samples.ids if known is None or id in known]
+    step = max(1, len(wanted) // most)
+    for number, id in enumerate(wanted[::step]):
         pattern = samples.sample(id).pattern
         part = PARTS[Truth.of(pattern, measure_facts(pattern)).part]
         picture = drawn["back" if number % 4 == 3 else "front"].picture(id)[1][0]
