@@ -11,8 +11,7 @@ from torch.nn import functional as F
 
 CHANNELS = 24, 40, 112, 320
 """Of what the four stages give, at strides of 4, 8, 16 and 32 pixels."""
-STEM = 32
-_FIRST = 16
+_STEM, _FIRST = 32, 16
 _STAGES: tuple[tuple[tuple[int, int, int, int], ...], ...] = (
     ((24, 3, 2, 2),),
     ((40, 5, 2, 2),),
@@ -35,7 +34,7 @@ class LiteTrunk(nn.Module):
         """
         super().__init__()
         self.embedder = nn.Sequential(
-            _SameConv(channels, STEM, 3, 2), _norm(STEM), nn.ReLU6(), _Block(STEM, _FIRST, 3, 1, 1)
+            _SameConv(channels, _STEM, 3, 2), _norm(_STEM), nn.ReLU6(), _Block(_STEM, _FIRST, 3, 1, 1)
         )
         stages, given = [], _FIRST
         for rows in _STAGES:

@@ -102,13 +102,15 @@ def readings(
         known: Ids of those that are of use; all when None.
         cache: Folder that keeps what was read.
     """
-    kept = None if cache is None else cache / f"read-{split.parent.name}-{split.name}-{most}.npz"
+    samples = SplitReader(split)
+    wanted = [id for id in samples.ids if known is None or id in known]
+    which = hashlib.sha256(" ".join(wanted).encode()).hexdigest()[:8]
+    kept = None if cache is None else cache / f"read-{split.parent.name}-{split.name}-{most}-{which}.npz"
     if kept is not None and kept.is_file():
         with np.load(kept) as found:
             return list(zip(found["ids"].tolist(), found["features"], strict=True))
-    reader, samples, found = PictureReader.load(), SplitReader(split), []
+    reader, found = PictureReader.load(), []
     drawn = {view: LookPictures(split, 0, "plain", view) for view in ("front", "back")}
-    wanted = [id for id in samples.ids if known is None or id in known]
     step = max(1, len(wanted) // most)
     for number, id in enumerate(wanted[::step]):
         pattern = samples.sample(id).pattern
