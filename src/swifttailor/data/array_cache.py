@@ -17,7 +17,7 @@ from swifttailor.errors import InputError, SimulationError, SwiftTailorError
 
 Arrays = dict[str, np.ndarray[Any, np.dtype[Any]]]
 Compute = Callable[[Sample], Arrays]
-_ENDS = ".ends"
+ENDS = ".ends"
 _TIME_LIMIT = 3600.0
 
 
@@ -113,8 +113,8 @@ class ArrayCache:
                 raise InputError(trouble)
         try:
             opened = safe_open(path, framework="numpy")
-            names = [n for n in opened.keys() if not n.endswith(_ENDS)]
-            self._ends[number] = {n: np.asarray(opened.get_tensor(n + _ENDS)) for n in names}
+            names = [n for n in opened.keys() if not n.endswith(ENDS)]
+            self._ends[number] = {n: np.asarray(opened.get_tensor(n + ENDS)) for n in names}
         except (SafetensorError, OSError) as error:
             raise InputError(f"'{path}' is damaged: {error}. Delete it, it is made again.") from error
         self._open[number] = opened
@@ -162,7 +162,7 @@ def _fill(part: _Part) -> str:
         arrays: Arrays = {}
         for name in rows[0]:
             arrays[name] = np.ascontiguousarray(np.concatenate([row[name] for row in rows]))
-            arrays[name + _ENDS] = np.cumsum([len(row[name]) for row in rows], dtype=np.int64)
+            arrays[name + ENDS] = np.cumsum([len(row[name]) for row in rows], dtype=np.int64)
         write_durably(part.path, save(arrays))
     except SwiftTailorError as error:
         return f"'{part.path}' cannot be made: {error}"

@@ -1,6 +1,6 @@
-"""EfficientNet-Lite0, the trunk that has seen photographs. It loads torch.
+"""EfficientNet-Lite, the trunk that has seen photographs. It loads torch.
 
-Tan and Le 2019, "EfficientNet"; the lite variant is Google's for small devices: no squeeze-and-excitation,
+Tan and Le 2019, "EfficientNet"; the lite variants are Google's for small devices: no squeeze-and-excitation,
 ReLU6.
 """
 
@@ -9,16 +9,24 @@ from __future__ import annotations
 from torch import Tensor, nn
 from torch.nn import functional as F
 
-CHANNELS = 24, 40, 112, 320
-"""Of what the four stages give, at strides of 4, 8, 16 and 32 pixels."""
 _STEM, _FIRST = 32, 16
-_STAGES: tuple[tuple[tuple[int, int, int, int], ...], ...] = (
-    ((24, 3, 2, 2),),
-    ((40, 5, 2, 2),),
-    ((80, 3, 2, 3), (112, 5, 1, 3)),
-    ((192, 5, 2, 4), (320, 3, 1, 1)),
-)
-"""Of each stage: rows of channels, side of the kernel, stride of the first block, number of blocks."""
+_Rows = tuple[tuple[int, int, int, int], ...]
+"""Of a stage: rows of channels, side of the kernel, stride of the first block, number of blocks."""
+_STAGES: dict[str, tuple[_Rows, _Rows, _Rows, _Rows]] = {
+    "efficientnet-lite0": (
+        ((24, 3, 2, 2),),
+        ((40, 5, 2, 2),),
+        ((80, 3, 2, 3), (112, 5, 1, 3)),
+        ((192, 5, 2, 4), (320, 3, 1, 1)),
+    ),
+    "efficientnet-lite2": (
+        ((24, 3, 2, 3),),
+        ((48, 5, 2, 3),),
+        ((88, 3, 2, 4), (120, 5, 1, 4)),
+        ((208, 5, 2, 5), (352, 3, 1, 1)),
+    ),
+}
+TRUNKS = tuple(_STAGES)
 _WIDER = 6
 _EPSILON, _MOMENTUM = 1e-3, 0.01
 
@@ -26,10 +34,11 @@ _EPSILON, _MOMENTUM = 1e-3, 0.01
 class LiteTrunk(nn.Module):
     """What begins a network: a stem, then four stages, each on half the resolution of the one before."""
 
-    def __init__(self, channels: int) -> None:
+    def __init__(self, name: str, channels: int) -> None:
         """With random weights.
 
         Args:
+            name: One of `TRUNKS`.
             channels: Of the pictures.
         """
         super().__init__()
@@ -37,7 +46,7 @@ class LiteTrunk(nn.Module):
             _SameConv(channels, _STEM, 3, 2), _norm(_STEM), nn.ReLU6(), _Block(_STEM, _FIRST, 3, 1, 1)
         )
         stages, given = [], _FIRST
-        for rows in _STAGES:
+        for rows in _STAGES[name]:
             blocks = []
             for made, kernel, stride, count in rows:
                 for k in range(count):
@@ -45,6 +54,8 @@ class LiteTrunk(nn.Module):
                     given = made
             stages.append(nn.Sequential(*blocks))
         self.stages = nn.ModuleList(stages)
+        self.channels = tuple(rows[-1][0] for rows in _STAGES[name])
+        """Of what the four stages give, at strides of 4, 8, 16 and 32 pixels."""
 
 
 class _Block(nn.Module):

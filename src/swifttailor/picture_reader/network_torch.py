@@ -22,7 +22,7 @@ from swifttailor.picture_reader.labels import (
     statement_labels,
     topics,
 )
-from swifttailor.picture_reader.lite_trunk_torch import CHANNELS, LiteTrunk
+from swifttailor.picture_reader.lite_trunk_torch import TRUNKS, LiteTrunk
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS, kinds_of_panels
 from swifttailor.picture_reader.units import MEASURE_CM, VIEW_CM
 
@@ -46,8 +46,8 @@ class EyesConfig:
     """Of the map that topics look at."""
     heads: int = 6
     mask_width: int = 24
-    trunk: Literal["resnet", "efficientnet-lite0"] = "resnet"
-    """Of the latter, embedding, stages and depths are given."""
+    trunk: Literal["resnet", "efficientnet-lite0", "efficientnet-lite2"] = "resnet"
+    """Of the latter two, embedding, stages and depths are given."""
 
 
 class Reading(NamedTuple):
@@ -94,9 +94,10 @@ class EyesNetwork(nn.Module):
         """
         super().__init__()
         self.config = config
-        if config.trunk == "efficientnet-lite0":
-            lite = LiteTrunk(3 + 3)
-            self.embedder, self.stages, channels, self.spread = lite.embedder, lite.stages, CHANNELS, 0.5
+        channels: tuple[int, ...]
+        if config.trunk in TRUNKS:
+            lite = LiteTrunk(config.trunk, 3 + 3)
+            self.embedder, self.stages, channels, self.spread = lite.embedder, lite.stages, lite.channels, 0.5
         else:
             self.embedder, self.stages = _resnet(config)
             channels, self.spread = config.stages, 0.25

@@ -21,6 +21,10 @@ from swifttailor.picture_reader.network_torch import scaled
 from swifttailor.picture_reader.truth import TRUE, UNCLEAR
 from swifttailor.picture_reader.units import BOX_CM
 from swifttailor.training.picture_config import PictureConfig
+from swifttailor.training.picture_pool_torch import PicturePool
+
+_AHEAD = 8
+"""Blocks that are in a pool before anything is learnt from it."""
 
 
 class Answers(NamedTuple):
@@ -74,15 +78,18 @@ class OfEach(NamedTuple):
 class TruthTable:
     """What is true of all garments of a bank, as tensors."""
 
-    def __init__(self, bank: PictureBank) -> None:
-        found = {name: torch.from_numpy(v) for name, v in bank.truths(range(len(bank))).items()}
+    def __init__(self, bank: PictureBank, device: torch.device | None = None) -> None:
+        found = {
+            name: torch.from_numpy(v).to(device or "cpu") for name, v in bank.truths(range(len(bank))).items()
+        }
         self.statements, self.measures = found["statements"], found["measures"].float()
         self.panels, self.boxes = found["panels"], found["boxes"]
 
     def answers(
         self,
         garments: Tensor,
-        close_up: Tensor,
+        whole: Tensor,
+        told: OfEach,
         views: Tensor,
         figures: Tensor,
         masks: Tensor,
@@ -93,7 +100,8 @@ class TruthTable:
 
         Args:
             garments: Numbers in the bank.
-            close_up: (B,) numbers of `CLOSE_UPS`, or `WHOLE`.
+            whole: (B,) whether it is no close-up.
+            told: What each picture tells of, see `sees`.
             views: The others are as `Answers` has them.
             figures: The same.
             masks: The same.
@@ -104,11 +112,10 @@ class TruthTable:
         present = garments >= 0
         k = garments.clamp_min(0)
         judged, measures, panels = self.statements[k], self.measures[k], self.panels[k]
-        seen = sees(close_up.numpy(), views[:, 1].numpy())
-        told = OfEach(*(torch.from_numpy(table)[:, None] & present[..., None] for table in seen))
+        told = OfEach(*(table[:, None] & present[..., None] for table in told))
         return Answers(
             present.float(),
-            close_up == WHOLE,
+            whole,
             (judged == TRUE).float(),
             (judged != UNCLEAR) & told.statements,
             (measures.isfinite() & present[..., None]).float(),
@@ -130,7 +137,13 @@ class PictureBatches:
     """Batches of an endless training, each determined by its number."""
 
     def __init__(
-        self, bank: PictureBank, config: PictureConfig, *, workers: int = 1, part: tuple[int, int] = (0, 1)
+        self,
+        bank: PictureBank,
+        config: PictureConfig,
+        *,
+        workers: int = 1,
+        part: tuple[int, int] = (0, 1),
+        device: torch.device | None = None,
     ) -> None:
         """Prepares to draw.
 
@@ -140,8 +153,10 @@ class PictureBatches:
             workers: Processes that draw; 0 draws in this one.
             part: Number of this process among those that train, and how many these are: each draws
                 blocks of its own, and has its share of a batch.
+            device: Where batches are made, and pictures kept; the processor when None.
         """
         self.config, self.workers = config, workers
+        self._device = device or torch.device("cpu")
         self._rank, self._count = part
         self._size = config.batch_size // self._count
         drawn = config.network.image_size
@@ -155,41 +170,60 @@ class PictureBatches:
             near=config.near,
             parts=config.parts,
         )
-        self.truths = TruthTable(bank)
+        self.truths = TruthTable(bank, self._device)
         self._each = config.block * config.echo // self._size
         self._next, self._loaded = -1, iter(())
         self._block: Block | None = None
+        self._pool = PicturePool(config.pool // self._count, self._device) if config.pool else None
 
     def __getitem__(self, step: int) -> tuple[Tensor, Tensor, Answers]:
         """Of a step pictures (B, 3, size, size), guesses at their cameras (B, 7), and the truth."""
+        shown = self._of_a_block(step) if self._pool is None else self._of_the_pool(step, self._pool)
+        device, strength = self._device, self.config.variation
+        chance = torch.Generator(device).manual_seed(hash((self.config.seed, self._rank, step)) % (1 << 31))
+        pictures = shown["pixels"].to(device).permute(0, 3, 1, 2).float() / 255
+        masks = shown["masks"].to(device).permute(0, 3, 1, 2).float() / 255
+        places = shown["places"].to(device).permute(0, 3, 1, 2).float()
+        cells = shown["cells"].to(device)[:, None].float()
+        on_cells = torch.cat([places, cells], 1)
+        figures, close_up = shown["figures"].to(device), shown["close_up"].to(device)
+        views = shown["views"].to(device)
+        pictures, masks, on_cells, views = moved(pictures, masks, on_cells, views, chance, strength)
+        pictures = relit(pictures, chance, strength)
+        guess = guessed(views, figures, close_up, chance, self.config.unguessed)
+        told = sees(shown["close_up"].numpy(), shown["views"][:, 1].numpy())
+        answers = self.truths.answers(
+            shown["garments"].to(device),
+            close_up == WHOLE,
+            OfEach(*(torch.from_numpy(table).to(device) for table in told)),
+            views,
+            figures,
+            masks,
+            on_cells[:, :3],
+            on_cells[:, 3],
+        )
+        return pictures, guess, answers
+
+    def _of_a_block(self, step: int) -> dict[str, Tensor]:
         number, place = divmod(step, self._each)
         number = number * self._count + self._rank
         block = self._take(number)
-        size, count = self._size, self.config.block
         orders = [
-            np.random.default_rng([self.config.seed, 5, number, e]).permutation(count)
+            np.random.default_rng([self.config.seed, 5, number, e]).permutation(self.config.block)
             for e in range(self.config.echo)
         ]
-        chosen = np.concatenate(orders)[place * size : (place + 1) * size]
-        chance = torch.Generator().manual_seed(hash((self.config.seed, self._rank, step)) % (1 << 31))
-        pictures = torch.from_numpy(block.pixels[chosen]).permute(0, 3, 1, 2).float() / 255
-        masks = torch.from_numpy(block.masks[chosen]).permute(0, 3, 1, 2).float() / 255
-        views = torch.from_numpy(block.views[chosen])
-        places = torch.from_numpy(block.places[chosen]).permute(0, 3, 1, 2).float()
-        cells = torch.from_numpy(block.cells[chosen])[:, None].float()
-        on_cells = torch.cat([places, cells], 1)
-        pictures, masks, on_cells, views = moved(
-            pictures, masks, on_cells, views, chance, self.config.variation
-        )
-        pictures = relit(pictures, chance, self.config.variation)
-        garments = torch.from_numpy(block.garments[chosen])
-        figures = torch.from_numpy(block.figures[chosen])
-        close_up = torch.from_numpy(block.close_up[chosen])
-        guess = guessed(views, figures, close_up, chance, self.config.unguessed)
-        answers = self.truths.answers(
-            garments, close_up, views, figures, masks, on_cells[:, :3], on_cells[:, 3]
-        )
-        return pictures, guess, answers
+        chosen = np.concatenate(orders)[place * self._size : (place + 1) * self._size]
+        return {name: torch.from_numpy(value[chosen]) for name, value in vars(block).items()}
+
+    def _of_the_pool(self, step: int, pool: PicturePool) -> dict[str, Tensor]:
+        due = step * self._size // (self.config.block * self.config.echo)
+        if not pool.added:  # a training that is resumed begins with an empty pool
+            pool.added = due
+        while pool.added <= due + _AHEAD:
+            pool.add(self._take(pool.added * self._count + self._rank))
+        lots = np.random.default_rng([self.config.seed, 6, step, self._rank])
+        few = len(pool) < self._size
+        return pool.take(lots.choice(len(pool), self._size, replace=few))
 
     def _take(self, number: int) -> Block:
         if self._block is None or self._next != number + self._count:
@@ -253,7 +287,7 @@ def moved(
     count = len(pictures)
 
     def lots(*shape: int) -> Tensor:
-        return strength * (2 * torch.rand(*shape, generator=chance) - 1)
+        return strength * (2 * torch.rand(*shape, generator=chance, device=chance.device) - 1)
 
     scale = torch.exp(0.18 * lots(count))
     angle = torch.deg2rad(5.0 * lots(count))
@@ -270,7 +304,7 @@ def moved(
     on_cells = F.grid_sample(on_cells, coarse, mode="nearest", padding_mode="border", align_corners=False)
     outside = (coarse.abs() > 1).any(-1)[:, None]
     on_cells = torch.where(outside, torch.nan, on_cells)
-    back = torch.linalg.inv(turn)
+    back = scale[:, None, None] ** 2 * turn.transpose(1, 2)
     views = views.clone()
     views[:, 4:6] = (back @ views[:, 4:6, None])[:, :, 0] + shift
     views[:, 3] += torch.log(scale)
@@ -291,10 +325,13 @@ def guessed(
     """
     count = len(views)
     one = (figures == FIGURES.index("one"))[:, None]
-    off = torch.randn(count, 1, generator=chance).abs() * torch.tensor([_OFF])
-    found = torch.where(one, views, torch.tensor([_ANYWHERE])) + off * torch.randn(count, 6, generator=chance)
-    known = (torch.rand(count, 1, generator=chance) >= unguessed) | (close_up != WHOLE)[:, None]
-    return known.float() * torch.cat([found, torch.ones(count, 1)], 1)
+    device = chance.device
+    off = torch.randn(count, 1, generator=chance, device=device).abs() * torch.tensor([_OFF], device=device)
+    found = torch.where(one, views, torch.tensor([_ANYWHERE], device=device))
+    found = found + off * torch.randn(count, 6, generator=chance, device=device)
+    lots = torch.rand(count, 1, generator=chance, device=device)
+    known = (lots >= unguessed) | (close_up != WHOLE)[:, None]
+    return known.float() * torch.cat([found, torch.ones_like(lots)], 1)
 
 
 _OFF = (0.2, 0.2, 0.1, 0.06, 0.025, 0.03)
@@ -305,23 +342,19 @@ _ANYWHERE = (0.0, 1.0, 0.0, -0.8, 0.0, 0.0)
 
 def relit(pictures: Tensor, chance: torch.Generator, strength: float) -> Tensor:
     """The same pictures (B, 3, h, w) brighter, darker, tinted, greyer, blurred or grainy."""
-    count = len(pictures)
+    count, device = len(pictures), chance.device
 
     def lots(*shape: int) -> Tensor:
-        return strength * (2 * torch.rand(*shape, generator=chance) - 1)
+        return strength * (2 * torch.rand(*shape, generator=chance, device=device) - 1)
+
+    def some(share: float) -> Tensor:
+        return (torch.rand(count, 1, 1, 1, generator=chance, device=device) < share * strength).float()
 
     gain = torch.exp(0.25 * lots(count, 1, 1, 1) + 0.08 * lots(count, 3, 1, 1))
     gamma = torch.exp(0.2 * lots(count, 1, 1, 1))
     pictures = (pictures.clamp_min(1e-4) ** gamma) * gain + 0.06 * lots(count, 1, 1, 1)
-    grey = (torch.rand(count, 1, 1, 1, generator=chance) < 0.08 * strength).float()
-    pictures = pictures + grey * (pictures.mean(1, keepdim=True) - pictures)
-    blur = (torch.rand(count, 1, 1, 1, generator=chance) < 0.2 * strength).float()
-    pictures = pictures + blur * (F.avg_pool2d(pictures, 3, 1, 1) - pictures)
-    noise = 0.05 * strength * torch.rand(count, 1, 1, 1, generator=chance) ** 2
-    pictures = pictures + noise * torch.randn(pictures.shape, generator=chance)
+    pictures = pictures + some(0.08) * (pictures.mean(1, keepdim=True) - pictures)
+    pictures = pictures + some(0.2) * (F.avg_pool2d(pictures, 3, 1, 1) - pictures)
+    noise = 0.05 * strength * torch.rand(count, 1, 1, 1, generator=chance, device=device) ** 2
+    pictures = pictures + noise * torch.randn(pictures.shape, generator=chance, device=device)
     return pictures.clamp(0, 1)
-
-
-def to_device(answers: Answers, device: Any) -> Answers:
-    """The same on a device."""
-    return Answers(*(value.to(device, non_blocking=True) for value in answers))

@@ -28,7 +28,7 @@ class EyesSize:
     width: int = 192
     heads: int = 6
     mask_width: int = 24
-    trunk: Literal["resnet", "efficientnet-lite0"] = "resnet"
+    trunk: Literal["resnet", "efficientnet-lite0", "efficientnet-lite2"] = "resnet"
 
     def __post_init__(self) -> None:
         sized = self.image_size >= _STRIDE and self.image_size % _STRIDE == 0
@@ -77,6 +77,9 @@ class PictureConfig(LoopConfig):
     """Pictures that are drawn together; batches are drawn from one block."""
     echo: int = 2
     """How often a picture that was drawn is shown, each time cut, turned and lit otherwise."""
+    pool: int = 0
+    """Pictures that are kept, and that batches are drawn from, instead of from one block: where there is much
+    memory. 0 keeps none. A training that is resumed begins with an empty one."""
     plain: float = 0.15
     """Share of pictures that look like those of GarmentCodeData."""
     studio: float = 0.25
@@ -102,8 +105,10 @@ class PictureConfig(LoopConfig):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        require(self, "block", self.block % self.batch_size == 0, f"a multiple of {self.batch_size}")
         require(self, "echo", self.echo >= 1, "at least 1")
+        require(self, "pool", self.pool >= 0 and self.pool % self.block == 0, f"a multiple of {self.block}")
+        fits = self.pool > 0 or self.block % self.batch_size == 0
+        require(self, "block", fits, f"a multiple of {self.batch_size}")
         for name, share in self.shares.items():
             require(self, name, 0 <= share <= 1, "0 to 1")
         total = sum(self.shares.values())

@@ -18,7 +18,7 @@ from swifttailor.picture_reader.labels import labels_checksum
 from swifttailor.picture_reader.network_torch import Reading
 from swifttailor.training.loop_torch import Loop, RunOptions, Task
 from swifttailor.training.master_weights_torch import MasterWeights
-from swifttailor.training.picture_batch_torch import PictureBatches, to_device
+from swifttailor.training.picture_batch_torch import PictureBatches
 from swifttailor.training.picture_config import PictureConfig
 from swifttailor.training.picture_losses_torch import reading_losses
 from swifttailor.training.picture_validation_torch import ValidationPictures, judge
@@ -107,7 +107,8 @@ class PictureTask(Task):
         self.config, self.device = config, processes.device
         self.network = build_network(asdict(config.network)).to(processes.device)
         self.network = self.network.to(memory_format=torch.channels_last)
-        self.batches = PictureBatches(bank, config, workers=workers, part=(processes.rank, processes.count))
+        part = processes.rank, processes.count
+        self.batches = PictureBatches(bank, config, workers=workers, part=part, device=self.device)
         if config.start:
             load_start(self.network, Path(config.start))
             if config.start.endswith(GRAPH) and not resumed:
@@ -124,15 +125,15 @@ class PictureTask(Task):
     def losses(self, trained: nn.Module, step: int) -> dict[str, Tensor]:
         """Of everything that is to be read of a batch, a picture."""
         pictures, guess, truth = self.batches[step]
-        pictures = pictures.to(self.device).contiguous(memory_format=torch.channels_last)
+        pictures = pictures.contiguous(memory_format=torch.channels_last)
         with torch.autocast(self.device.type, torch.bfloat16, enabled=self.precision == "bfloat16"):
-            reading = Reading(*trained(pictures, guess.to(self.device)))
-        return reading_losses(reading, to_device(truth, self.device), self.config.losses)
+            reading = Reading(*trained(pictures, guess))
+        return reading_losses(reading, truth, self.config.losses)
 
     def _show_some(self) -> None:
         for step in range(_SETTLING_BATCHES):
             pictures, guess, _ = self.batches[step]
-            self.network(pictures.to(self.device), guess.to(self.device))
+            self.network(pictures, guess)
 
     def validate(self) -> dict[str, Any]:
         """How well the pictures to validate with are read."""

@@ -52,7 +52,7 @@ class PictureBank:
         Raises:
             InputError: There is none, or one is damaged.
         """
-        self._caches = [_cache(folder) for folder in splits]
+        self._caches = [open_cache(folder) for folder in splits]
         self._places = [(n, k) for n, cache in enumerate(self._caches) for k in range(len(cache))]
         if not self._places:
             raise InputError(
@@ -75,17 +75,20 @@ class PictureBank:
                     report(f"measuring garments: {done} of {of} files of '{cache.reader.folder}'")
 
     def leave_out(self, digests: Iterable[str]) -> None:
-        """Forgets the patterns of some digests, and all but the first of equal ones; after `prepare`.
+        """Forgets the patterns of some digests, and all but one of equal ones of a split; after `prepare`.
+
+        The same pattern in two splits is worn in two ways, and a split that was given twice counts twice.
 
         Raises:
             InputError: None is left.
         """
-        known = set(digests)
+        unwanted = set(digests)
+        known: set[tuple[int, str]] = set()
         kept = []
         for place in self._places:
             digest = self._digest(place)
-            if digest not in known:
-                known.add(digest)
+            if digest not in unwanted and (place[0], digest) not in known:
+                known.add((place[0], digest))
                 kept.append(place)
         if not kept:
             raise InputError(
@@ -141,7 +144,8 @@ class PictureBank:
         return self._caches[number][k]["digest"].tobytes().hex()
 
 
-def _cache(folder: Path) -> ArrayCache:
+def open_cache(folder: Path) -> ArrayCache:
+    """What is kept of the garments of a split."""
     rooms = (
         "describing",
         "panel_mesh",
