@@ -24,8 +24,8 @@ plain=(pool=16384 echo=4 learning_rate=0.001 warmup_steps=20 final_rate=0.03 ema
     studio=0 several=0 nothing=0.02 unlike=0.06 close=0 near=0.9 unguessed=0.1 variation=0.7)
 patterns=() length=2.5
 if [ -n "$rehearse" ]; then
-    both=(steps=2 batch_size=4 block=4 validate_every=1 log_every=1 network.image_size=64 network.trunk=efficientnet-lite0
-        network.width=24 network.heads=2 network.mask_width=8)
+    both=(steps=2 batch_size=4 block=4 validate_every=1 log_every=1 network.image_size=64 network.embedding=8
+        "network.stages=[8,8,16,16]" "network.depths=[1,1,1,1]" network.width=24 network.heads=2 network.mask_width=8)
     eyes+=(pool=8 echo=1 validation_garments=2) plain+=(pool=8 echo=1 validation_garments=2)
     patterns=(--limit 8 --validation 2) length=6
 fi

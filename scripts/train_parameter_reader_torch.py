@@ -5,8 +5,9 @@ python scripts/train_parameter_reader_torch.py --patterns train.jsonl.gz usual.j
 
 The patterns have their design parameters beside them (``design``), as those of scripts/sample_garmentcode.py.
 The network is told what is true of a pattern: now as a picture shows it, with mistakes drawn by lot, now the
-little that words say, and of the garments of --data what the picture reader really reads in a plain picture.
-It answers with the parameters. The card is written beside the model file. Needs the extra ``networks``.
+little that words say, and of the garments of --data what the picture reader really reads in a picture of
+each of the --looks. It answers with the parameters. The card is written beside the model file. Needs the
+extra ``networks``.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from torch.nn import functional as F
 
 from swifttailor.atomic_files import write_text
 from swifttailor.describing.measuring import measure_facts
+from swifttailor.evaluation.maker.looks import LOOKS
 from swifttailor.parameter_reader.drawn import drawn_designs
 from swifttailor.parameter_reader.features import features_of
 from swifttailor.parameter_reader.network_torch import ParameterNetwork, export
@@ -52,6 +54,9 @@ def main() -> None:
     parser.add_argument("--apart", type=Path, nargs="*", default=[], help="patterns whose twins are left out")
     parser.add_argument("--data", type=Path, nargs="*", default=[], help="splits of sewn garments to read")
     parser.add_argument("--most-read", type=int, default=3000, help="garments of each split that are read")
+    parser.add_argument(
+        "--looks", nargs="+", choices=LOOKS, default=["plain"], help="of the pictures that are read"
+    )
     parser.add_argument("--steps", type=int, default=1500)
     parser.add_argument(
         "--read-batch", type=int, default=128, help="pictures beside 256 patterns in each step"
@@ -66,7 +71,12 @@ def main() -> None:
     rows = [row for path in options.patterns for row in measured(path, apart, options.cache)]
     rows += drawn(options.draw, options.seed, apart)
     ids = {row.id for row in rows}
-    read = [one for path in options.data for one in readings(path, options.most_read, options.cache, ids)]
+    read = [
+        one
+        for look in options.looks
+        for path in options.data
+        for one in readings(path, options.most_read, options.cache, ids, look)
+    ]
     print(f"{len(rows)} patterns, {len(read)} pictures read", flush=True)
     training = Training(rows, read, options.seed)
     figures = training.run(options.steps, options.read_batch)

@@ -13,6 +13,8 @@ from typing import Any
 
 import numpy as np
 
+from swifttailor.data.pictures.blocks import Family
+from swifttailor.data.pictures.scenes import View
 from swifttailor.data.reader import SplitReader
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import SwiftTailorError
@@ -24,6 +26,10 @@ from swifttailor.pattern_library.sought import Sought
 from swifttailor.picture_reader.labels import PARTS
 from swifttailor.picture_reader.reader import PictureReader
 from swifttailor.picture_reader.truth import Truth
+
+_PLAIN_VIEWS: tuple[View, ...] = "front", "front", "front", "back"
+_VIEWS: tuple[View, ...] = "front", "free", "front", "back"
+"""From where garments are shown, in turn."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,30 +98,39 @@ def measured(path: Path, apart: Collection[str], cache: Path | None) -> list[Tol
 
 
 def readings(
-    split: Path, most: int, cache: Path | None, known: Collection[str] | None = None
+    split: Path,
+    most: int,
+    cache: Path | None,
+    known: Collection[str] | None = None,
+    look: Family = "plain",
 ) -> list[tuple[str, np.ndarray]]:
-    """Id and features of what the picture reader says of plain pictures of garments, front and back in turn.
+    """Id and features of what the picture reader says of pictures of garments, from several sides in turn.
 
     Args:
         split: Data set with drapes or sewn garments.
         most: Garments that are read, from all over the split.
         known: Ids of those that are of use; all when None.
         cache: Folder that keeps what was read.
+        look: Of the pictures.
     """
     samples = SplitReader(split)
     wanted = [id for id in samples.ids if known is None or id in known]
     which = hashlib.sha256(" ".join(wanted).encode()).hexdigest()[:8]
-    kept = None if cache is None else cache / f"read-{split.parent.name}-{split.name}-{most}-{which}.npz"
+    name = (
+        f"{split.parent.name}-{split.name}" if look == "plain" else f"{split.parent.name}-{split.name}-{look}"
+    )
+    kept = None if cache is None else cache / f"read-{name}-{most}-{which}.npz"
     if kept is not None and kept.is_file():
         with np.load(kept) as found:
             return list(zip(found["ids"].tolist(), found["features"], strict=True))
     reader, found = PictureReader.load(), []
-    drawn = {view: LookPictures(split, 0, "plain", view) for view in ("front", "back")}
+    views = _PLAIN_VIEWS if look == "plain" else _VIEWS
+    drawn = {view: LookPictures(split, 0, look, view) for view in set(views)}
     step = max(1, len(wanted) // most)
     for number, id in enumerate(wanted[::step]):
         pattern = samples.sample(id).pattern
         part = PARTS[Truth.of(pattern, measure_facts(pattern)).part]
-        picture = drawn["back" if number % 4 == 3 else "front"].picture(id)[1][0]
+        picture = drawn[views[number % len(views)]].picture(id)[1][0]
         seen = [one for one in reader.read(picture).parts if one.part == part]
         if seen:
             found.append((id, features_of(Sought.of_reading(seen[0]))))
