@@ -27,6 +27,8 @@ from torch.nn import functional as F
 from swifttailor.atomic_files import write_text
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.evaluation.maker.looks import LOOKS
+from swifttailor.networks.graph_weights_torch import graph_weights
+from swifttailor.parameter_reader import ParameterReader
 from swifttailor.parameter_reader.drawn import drawn_designs
 from swifttailor.parameter_reader.features import features_of
 from swifttailor.parameter_reader.network_torch import ParameterNetwork, export
@@ -61,6 +63,8 @@ def main() -> None:
     parser.add_argument(
         "--read-batch", type=int, default=128, help="pictures beside 256 patterns in each step"
     )
+    parser.add_argument("--start", type=Path, help="model file to go on from, with its choices and ranges")
+    parser.add_argument("--learning-rate", type=float, default=RATE)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--cache", type=Path, help="folder that keeps what was measured and read")
     parser.add_argument("--out", type=Path, required=True, help="model file, .onnx")
@@ -78,14 +82,16 @@ def main() -> None:
         for one in readings(path, options.most_read, options.cache, ids, look)
     ]
     print(f"{len(rows)} patterns, {len(read)} pictures read", flush=True)
-    training = Training(rows, read, options.seed)
-    figures = training.run(options.steps, options.read_batch)
-    files = {str(path.name): sha256(path) for path in (*options.patterns, *options.apart)}
+    training = Training(rows, read, options.seed, options.start)
+    figures = training.run(options.steps, options.read_batch, options.learning_rate)
+    sources = [*options.patterns, *options.apart, *filter(None, [options.start])]
+    files = {str(path.name): sha256(path) for path in sources}
     card = {
         "model": "ParameterReader",
         "parameters": sum(p.numel() for p in training.network.parameters()),
         "config": {"width": WIDTH, "blocks": BLOCKS, "dropout": DROPOUT, "steps": options.steps}
-        | {"batch_size": BATCH, "read_batch_size": options.read_batch, "learning_rate": RATE}
+        | {"batch_size": BATCH, "read_batch_size": options.read_batch}
+        | {"learning_rate": options.learning_rate, "start": options.start and options.start.name}
         | {"seed": options.seed},
         "data": {"patterns": len(rows), "drawn": options.draw, "pictures": training.pictures, "files": files},
         "validation": figures,
@@ -111,11 +117,18 @@ class Training:
     """Of a network, from what is true of patterns and from what was read of pictures."""
 
     def __init__(
-        self, rows: Sequence[ToldPattern], read: Sequence[tuple[str, np.ndarray]], seed: int
+        self,
+        rows: Sequence[ToldPattern],
+        read: Sequence[tuple[str, np.ndarray]],
+        seed: int,
+        start: Path | None = None,
     ) -> None:
+        before = ParameterReader.load(start) if start else None
+        if before:
+            rows = [row for row in rows if known_to(before.parameters, row.design)]
         designs = [row.design for row in rows]
         names = [matters(design) for design in designs]
-        self.parameters = read_parameters(designs, names)
+        self.parameters = before.parameters if before else read_parameters(designs, names)
         self.sizes = [len(one.values) for one in self.parameters]
         # A value that occurs only where it does not matter is none of the choices.
         self.matter = torch.tensor([[p.name in one for p in self.parameters] for one in names]).float()
@@ -135,14 +148,16 @@ class Training:
         self.chance = torch.Generator().manual_seed(seed)
         count = len(features_of(Sought.nothing()))
         self.network = ParameterNetwork(count, sum(self.sizes), width=WIDTH, blocks=BLOCKS, dropout=DROPOUT)
+        if start:
+            self.network.load_state_dict(graph_weights(start, self.network))
 
-    def run(self, steps: int, read_batch: int) -> dict[str, Any]:
+    def run(self, steps: int, read_batch: int, learning_rate: float = RATE) -> dict[str, Any]:
         """Trains, and says how well patterns that were held back are answered."""
         held = torch.arange(len(self.right)) % HELD == 0
         learnt, back = torch.where(~held)[0], torch.where(held)[0]
         seen, unseen = (torch.where(held[self.of] == x)[0] for x in (False, True))
-        optimizer = torch.optim.AdamW(self.network.parameters(), RATE, weight_decay=DECAY)
-        rate = torch.optim.lr_scheduler.OneCycleLR(optimizer, RATE, total_steps=steps)
+        optimizer = torch.optim.AdamW(self.network.parameters(), learning_rate, weight_decay=DECAY)
+        rate = torch.optim.lr_scheduler.OneCycleLR(optimizer, learning_rate, total_steps=steps)
         figures: dict[str, Any] = {}
         for step in range(1, steps + 1):
             rows = learnt[torch.randint(len(learnt), (BATCH,), generator=self.chance)]
@@ -185,6 +200,12 @@ class Training:
                 hits = (parts[k].argmax(1) == self.right[rows, k])[mine]
                 found[parameter.name] = round(float(hits.float().mean()), 3)
         return found
+
+
+def known_to(parameters: Sequence[ReadParameter], design: dict[str, Any]) -> bool:
+    """Whether every choice of a design that matters is one that a reader knows."""
+    names = matters(design)
+    return all(one.is_number or design[one.name] in one.values for one in parameters if one.name in names)
 
 
 def _near(parameter: ReadParameter) -> Tensor:

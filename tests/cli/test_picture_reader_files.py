@@ -34,4 +34,4 @@ def test_a_damaged_reader_of_plain_pictures_is_refused_at_once(tmp_path):
 def test_all_files_of_the_package_may_be_named(tmp_path):
     reader = chosen_reader(SHIPPED, [], SHIPPED_PLAIN)
     assert isinstance(reader, PictureReader) and reader.plain is not None
-    assert reader.plain().size == 160
+    assert reader.plain().card == PictureReader.load(SHIPPED_PLAIN[0]).card
