@@ -36,6 +36,8 @@ def tailor(tmp_path, sewer):
         ("a blazer", "blazer", 12),
         ("a knee-length sarong", "sarong", 4),
         ("a halter dress with a straight skirt", "halter-dress", 8),
+        ("halter neck dress, backless", "halter-dress", 8),
+        ("cycling shorts", "leggings", 6),
     ],
 )
 def test_begins_from_the_draft_and_says_so(tailor, text, name, panels):
