@@ -105,4 +105,5 @@ def test_every_entry_names_drafts_of_its_own_kind():
     named = [entry for entry in all_entries() if entry.drafts]
     assert len(named) > 15
     for entry in named:
-        assert not entry.kinds or {DRAFT_KINDS[name] for name in entry.drafts} <= entry.kinds, entry.name
+        cut_from = entry.kinds | ({"trousers"} if "shorts" in entry.kinds else frozenset())
+        assert not entry.kinds or {DRAFT_KINDS[name] for name in entry.drafts} <= cut_from, entry.name
