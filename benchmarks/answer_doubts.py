@@ -17,6 +17,7 @@ def doubts(answer: Answer) -> list[str]:
     heard = wanted.heard
     found = [f"not met: {wish_line(change)}" for change in answer.verdict.open]
     found += [f"refused: {wish_line(change)}" for change in answer.verdict.refused]
+    found += [f"sits badly: {what}" for what in answer.verdict.sits_badly]
     found += ["nothing understood"] if wanted.misses else []
     found += ["kind is a guess"] if wanted.kind_is_guessed else []
     found += [f"not understood: {word}" for word in heard.unread]

@@ -106,7 +106,7 @@ def test_what_holds_of_neither_stays_open(dress, shirt):
     fitted = fit(written(shirt), wanted([Wish(wish, 0.9)], dress))
     assert fitted.verdict.open == (wish,)
     assert fitted.pattern is dress and fitted.is_given
-    assert fitted.verdict.rank == (0, 1)
+    assert fitted.verdict.rank == (0, 1, 0)
 
 
 def test_patterns_that_cannot_be_measured_are_left_alone(dress):

@@ -21,3 +21,11 @@ def test_what_words_ask_for_counts_more_than_what_a_picture_shows_beside_them():
 def test_without_a_picture_all_wishes_count_alike():
     assert Verdict(open=(KNEE,)).rank == Verdict(open=(LOOSE,)).rank
     assert Verdict(open=(KNEE,)).rank < Verdict(open=(LOOSE, LOW)).rank
+
+
+def test_what_sits_badly_is_tried_again_and_gives_way_to_any_wish():
+    badly = Verdict(sits_badly=("its collar stands away from the neck",))
+    assert badly.fault == "sits badly: its collar stands away from the neck"
+    assert not badly.unsound, "it can be sewn all the same"
+    assert Verdict().rank < badly.rank < Verdict(open=(KNEE,)).rank
+    assert Verdict(open=(KNEE,), sits_badly=badly.sits_badly).fault.startswith("requested but not met")

@@ -133,7 +133,7 @@ def test_what_is_likely_is_cut_last_and_no_fault_where_it_cannot_be():
     fitted = fit(written(shirt), wanted(top, None, [long], unsaid=True))
     assert long.change.holds(fitted.pattern, measure_facts(fitted.pattern))
     impossible = Wish(Gain(Claim("kind", "skirt")), 0.6)
-    assert fit(written(shirt), wanted(top, None, [impossible], unsaid=True)).verdict.rank == (0, 0)
+    assert fit(written(shirt), wanted(top, None, [impossible], unsaid=True)).verdict.rank == (0, 0, 0)
 
 
 def test_what_is_likely_is_what_nothing_else_is_read_of():

@@ -14,7 +14,7 @@ from swifttailor.wishes.heard import HEARD_NOTHING
 from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.hearing_changes import hear_instruction
 from swifttailor.wishes.reader import SURE, Wish, WishReader
-from swifttailor.wording.lexicon import exclude
+from swifttailor.wording.lexicon import exclude, read_words
 
 
 @pytest.fixture(scope="module")
@@ -338,3 +338,18 @@ def test_what_is_denied_in_so_many_words_stands(reader):
 def test_a_name_that_is_misspelt_comes_before_what_may_be_meant(reader):
     heard = hear_description("grey cardagan", reader)
     assert (heard.guess, heard.kind) == ("cardigan", "top")
+
+
+def test_a_figure_outranks_a_word_for_the_size(reader):
+    heard = hear_description("a blouse with long sleeves gathered to an 8 cm cuff", reader)
+    claims = {wish.change.claim for wish in (*heard.sure, *heard.likely)}
+    assert Claim("cuff_cm", 8.0) in claims
+    assert Claim("cuffs", "deep") not in claims
+
+
+def test_a_list_does_not_go_on_over_words_that_are_not_said_of_what_follows():
+    words = read_words("a robe, long flowing, bell sleeves")
+    assert Claim("skirt_hem", "maxi") in [i.claim for i in words.implications]
+    words = read_words("a dress with long, wide sleeves")
+    assert Claim("skirt_hem", "maxi") not in [i.claim for i in words.implications]
+    assert Claim("sleeves", "long") in [i.claim for i in words.implications]

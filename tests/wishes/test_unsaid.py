@@ -67,3 +67,13 @@ def test_a_hem_is_level_unless_something_is_said_of_it():
     assert leaves_hem_unsaid([Gain(Claim("kind", "skirt"))])
     assert not leaves_hem_unsaid([Gain(Claim("hem_shape", "high-low"))])
     assert not leaves_hem_unsaid([Gain(Claim("sides", "different"))])
+
+
+def test_a_slit_behind_is_usual_alone():
+    skirt = swifttailor.draft("fitted-skirt")
+    behind = alter(skirt, [Gain(Claim("slit", "back"))])
+    assert behind.open == () and unsaid_wishes([], behind.facts) == ()
+    both = alter(behind.pattern, [Gain(Claim("slit", "left")), Gain(Claim("slit", "back"))])
+    assert both.open == ()
+    assert unsaid_wishes([], both.facts) == (Gain(Claim("slit", "none")),)
+    assert unsaid_wishes([Gain(Claim("slit", "left"))], both.facts) == ()

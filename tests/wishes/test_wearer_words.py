@@ -57,6 +57,21 @@ def test_other_texts_stay_as_they_are(text):
     assert heard.wearer is None and heard.rest == text
 
 
+@pytest.mark.parametrize(
+    ("text", "rest"),
+    [
+        ("flower girl dress", "flower girl dress"),
+        ("a Flower-Girl dress for a girl", "a Flower-Girl dress"),
+        ("a dress for my daughter", "a dress"),
+        ("a girl's red dress", "red dress"),
+    ],
+)
+def test_children_in_names_of_garments_stay(text, rest):
+    heard = hear_wearer(text)
+    assert heard.rest == rest
+    assert heard.wearer is not None and heard.wearer.size == "children EU 128"
+
+
 def test_girths_of_an_instruction_are_the_garments():
     assert hear_wearer("make the waist 70 cm", instruction=True).wearer is None
     assert hear_wearer("make it size 46", instruction=True).wearer is not None

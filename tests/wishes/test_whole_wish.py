@@ -100,3 +100,12 @@ def test_the_package_hears_what_no_table_has(text, meant):
     heard = hear_description(text, WishReader.load())
     said = {w.change.claim.name: w.change.claim.value for w in heard.sure}
     assert meant.items() <= said.items()
+
+
+def test_a_length_that_a_word_says_is_made_where_nothing_else_is_heard_of_it():
+    maxi, mini = Gain(Claim("skirt_hem", "maxi")), Gain(Claim("skirt_hem", "mini"))
+    heard = [Wish(DRESS, 0.97), Wish(maxi, 0.97)]
+    found = described_as_a_whole(heard, {DRESS: 1.0, maxi: 0.0}, said=[maxi])
+    assert [(w.change, w.certainty) for w in found] == [(DRESS, 0.97), (maxi, SURENESS["likely"])]
+    assert together([DRESS, maxi], {DRESS: 1.0, maxi: 0.0, mini: 0.9}, said=[maxi]) == [DRESS, mini]
+    assert together([DRESS, maxi], {DRESS: 1.0, maxi: 0.0}) == [DRESS], "no word says it"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import TYPE_CHECKING, Any
@@ -29,6 +29,8 @@ ASKED = 0.999
 WORDS, BESIDE_PICTURE = 4.0, 1.0
 """A statement of words alone counts as much as so many of a picture, and beside a picture: what words ask for
 is cut in any case, and the picture tells more of the rest the less is given up for it."""
+USUAL = 8.0
+"""What a measure usually is counts as much as so many measures of a picture: it is one of few."""
 FORESEEN, FORESEEN_BESIDE_PICTURE = 2.0, 1.0
 """What a network foresees of panels from words counts as much as so many readings of a picture."""
 _SUREST_ODDS = 4.6
@@ -164,6 +166,18 @@ class Sought:
         counts = self.named + np.float32(weight)
         both = (own + np.clip(odds, -_SUREST_ODDS, _SUREST_ODDS) * weight) / counts
         return replace(self, panels=(1 / (1 + np.exp(-both))).astype(np.float32), named=counts)
+
+    def with_measures(self, usual: Mapping[str, tuple[float, float]]) -> Sought:
+        """The same, and of measures that nothing is known of what they usually are: middle and width."""
+        if not usual:
+            return self
+        has, measured, measures = self.has.copy(), self.measured.copy(), self.measures.copy()
+        for name, (middle, width) in usual.items():
+            number = _measure_numbers()[name]
+            if measures[number] == 0:
+                has[number], measures[number] = SURE, USUAL
+                measured[number] = scaled(middle), _scaled_width(middle, width)
+        return replace(self, has=has, measured=measured, measures=measures)
 
     def outranked_by(self, words: Sought) -> Sought:
         """The same, but of each claim and measure that words speak of what words say."""

@@ -126,7 +126,7 @@ class Answer:
         return missing or unheard or wanted.misses or wanted.kind_is_guessed
 
     @property
-    def rank(self) -> tuple[bool, int, int, float]:
+    def rank(self) -> tuple[bool, int, int, int, float]:
         """Smaller is better: whether it can be sewn, the verdict, the likelihood of what was written."""
         likelihood = 0.0 if self.written is None else self.written.log_likelihood
         return self.prepared is None, *self.verdict.rank, -likelihood

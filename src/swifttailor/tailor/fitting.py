@@ -22,8 +22,10 @@ from swifttailor.recutting.unasked import spoken_parts, unasked
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.candidates import Candidate
 from swifttailor.tailor.reading import Wanted, altered, checked
+from swifttailor.tailor.sitting import sits_badly
 from swifttailor.tailor.verdict import Verdict
 from swifttailor.wishes.unsaid import leaves_hem_unsaid, unsaid_wishes
+from swifttailor.wishes.well_within import well_within
 
 NARROWEST_SLEEVE_CM, NARROWEST_HEM_CM = 14.0, 60.0
 """No hand goes through less, and nobody walks in less; 16.6 cm around sleeves and 69.8 around skirts are the
@@ -109,6 +111,7 @@ def fit(written: WrittenPattern, wanted: Wanted, *, drafted: bool = False) -> An
         checked(pattern, edit) if findings is None else tuple(findings),
         wanted.tolerated,
         senseless=taken is not None and _is_senseless(taken.facts),
+        sits_badly=() if taken is None or not wanted.unsaid else sits_badly(taken.facts, (*changes, *maybe)),
         holes=not of_edit and _is_torn(pattern, edit),
         one_sided=() if of_edit else _unasked(pattern, (*changes, *maybe) if alters else (), edit),
         open=changes if taken is None else (*taken.open, *_unseen(taken, changes)),
@@ -162,6 +165,8 @@ def _finished(
     level = unsaid and leaves_hem_unsaid(said)
     pattern, level = level_hem(before.pattern) if level else (before.pattern, "")
     more = (*maybe, *(unsaid_wishes(said, before.facts) if unsaid else ()))
+    if unsaid:
+        more = (*more, *well_within((*said, *more), before.facts))
     after = altered(pattern, (*changes, *more))
     if after is None or not (after.cuts or level) or set(after.open) & set(changes) - set(before.open):
         return before

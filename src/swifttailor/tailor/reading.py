@@ -18,6 +18,7 @@ from swifttailor.errors import InputError, NothingSeenError, SwiftTailorError
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern import Finding, Pattern, check_pattern
+from swifttailor.pattern.drafts.draft_names import DRAFTS_ARE
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
 from swifttailor.pattern_maker.asking.scripts import says_something
@@ -37,6 +38,7 @@ from swifttailor.wishes.hearing_changes import hear_instruction
 from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wishes.unsaid_looks import unexpected_looks
+from swifttailor.wishes.usual_measures import usual_measures
 from swifttailor.wishes.wearer_words import hear_wearer
 
 _UNSAID = (Claim("hem_shape", "level"), Claim("sides", "alike"))
@@ -49,6 +51,7 @@ _UNSAID_OF = {
 """The same by kind of garment."""
 _USUAL, _UNEXPECTED = 0.8, 0.35
 """Known patterns are preferred for what is usual where nobody speaks of it, and left for what is not."""
+_PERHAPS = 0.6
 _UNREAD = (
     "The picture was shown to PatternMaker and not read: this version comes without weights of a picture "
     "reader, so nothing was altered to it."
@@ -114,6 +117,14 @@ class Wanted:
         kept = tuple([wish for wish in self.wishes if wish not in doubted])
         return replace(self, wishes=kept, likely=(*self.likely, *doubted), least_cut=LEAST_CUT_OF_DRAFT)
 
+    def begun_from(self, draft: str) -> Wanted:
+        """The same, where the garment begins from a draft: what that shows is neither cut nor lacking."""
+        shown = {Gain(Claim(name, value)) for name, value in DRAFTS_ARE.get(draft, ())}
+        wishes, likely = (
+            tuple([w for w in found if w.change not in shown]) for found in (self.wishes, self.likely)
+        )
+        return replace(self, wishes=wishes, likely=likely, heard=self.heard.made_as(draft))
+
     @property
     def color(self) -> str | None:
         """The one asked for, or that of the garment that it is made from; None where neither is."""
@@ -152,7 +163,11 @@ class Wanted:
             names = {w.change.claim.name for w in said if isinstance(w.change, Gain)}
             usual = (*_UNSAID, *_UNSAID_OF.get(self.heard.kind or "", ()))
             said += [Wish(Gain(claim), _USUAL) for claim in usual if claim.name not in names]
-        return Sought.of(self.part, [*said, *self._unexpected()], self.heard.never, self._foreseen(said))
+        found = Sought.of(self.part, [*said, *self._unexpected()], self.heard.never, self._foreseen(said))
+        if not self.unsaid or not said:
+            return found
+        meant = [wish for wish in said if wish.certainty >= _PERHAPS]
+        return found.with_measures(usual_measures(meant, self.heard.kind))
 
     def _unexpected(self) -> list[Wish]:
         """What the garment should rather not be like, as nobody speaks of it."""

@@ -27,6 +27,8 @@ class Verdict:
     """Codes of warnings that are no fault: the pattern to edit had them before."""
     senseless: bool = False
     """Whether it is measured to be no kind of garment."""
+    sits_badly: tuple[str, ...] = ()
+    """What will stand off or not go over the body, in words; another attempt may be better."""
     holes: bool = False
     """Whether seams are open that no garment leaves open."""
     one_sided: tuple[str, ...] = ()
@@ -72,17 +74,17 @@ class Verdict:
             return self.unsound or self.unsewable
         if self.open:
             return f"requested but not met: {'; '.join(map(wish_line, self.open))}"
-        return (
-            f"refused, and so nevertheless: {'; '.join(map(wish_line, self.refused))}" if self.refused else ""
-        )
+        if self.refused:
+            return f"refused, and so nevertheless: {'; '.join(map(wish_line, self.refused))}"
+        return f"sits badly: {'; '.join(self.sits_badly)}" if self.sits_badly else ""
 
     @property
-    def rank(self) -> tuple[int, int]:
-        """Smaller is better: errors that a check finds; warnings, open wishes and the like."""
+    def rank(self) -> tuple[int, int, int]:
+        """Smaller is better: errors; warnings, open wishes and the like; what sits badly."""
         severities = [f.severity for f in self.findings]
         errors, warnings = (severities.count(s) for s in (Severity.ERROR, Severity.WARNING))
         doubts = (
             warnings + len(self.open) + len(self.refused) + _SENSELESS * self.senseless + _HOLES * self.holes
         )
         said = sum(change not in self.seen for change in self.open) if self.seen else 0
-        return errors, doubts + _SAID * said + _ONE_SIDED * bool(self.one_sided)
+        return errors, doubts + _SAID * said + _ONE_SIDED * bool(self.one_sided), len(self.sits_badly)

@@ -117,8 +117,8 @@ def write_patterns(
             wanted, seed = samples[k]
             begins = drafts[k] if attempt < begun[k] else None
             if begins is not None:
-                answer = replace(fit(found[k].written, wanted, drafted=True), seed=seed)
-                answer = _begun_from(answer, begins.name)
+                answer = fit(found[k].written, wanted.begun_from(begins.name), drafted=True)
+                answer = replace(answer, seed=seed, draft=begins.name)
             else:
                 answer = cut_from(found[k], wanted, seed)
             clock.stop("altering")
@@ -170,14 +170,6 @@ def _edited(wanted: Wanted, library: Callable[[], PatternLibrary | None] | None)
         return found
     anew = anew_from_known(wanted, library)
     return found if anew is None else [*found, anew]
-
-
-def _begun_from(answer: Answer, draft: str) -> Answer:
-    """An answer that was cut from a draft, and what that shows heard as made."""
-    wanted = answer.wanted
-    if wanted is not None:
-        wanted = replace(wanted, heard=wanted.heard.made_as(draft))
-    return replace(answer, draft=draft, wanted=wanted)
 
 
 def _refined(

@@ -15,7 +15,7 @@ from swifttailor.wishes.reader import Wish
 from swifttailor.wording.claim_kinds import implied_kind
 from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, foreign_language
 
-_CUT_AS = {"tunic": "top"}
+_CUT_AS = {"tunic": "top", "shorts": "trousers"}
 """Kinds that are drafted as others."""
 _COLOR_OF_CLOTH = {"denim": "3b5578"}
 """What a fabric is dyed unless another colour is named."""

@@ -107,6 +107,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             said=[Gain(i.claim) for i in words.implications if i.said],
             never=never,
         )
+    found = _within_figures(found)
     found = (*_without_flare(found), *_of_both_faces(text, found))
     if any(claim == _BARE_ARMS for claim in never) and not any(
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve") for w in found
@@ -140,6 +141,17 @@ def _without_flare(found: Sequence[Wish]) -> tuple[Wish, ...]:
     changes = _changes(found)
     parted = any(Gain(Claim("skirt", value)) in changes for value in ("godets", "tiered"))
     return tuple([w for w in found if not (parted and w.change == Gain(Claim("skirt", "flared")))])
+
+
+def _within_figures(found: Sequence[Wish]) -> tuple[Wish, ...]:
+    """Without words for a size that a figure contradicts: a cuff of 8 cm is not deep."""
+    figures = {w.change.claim.name: w.change.claim.value for w in found if isinstance(w.change, Gain)}
+    against = {
+        Gain(Claim(name, word))
+        for measure, name, word, low, high in _SIZES_OF_WORDS
+        if measure in figures and not low <= float(figures[measure]) <= high
+    }
+    return tuple([w for w in found if w.change not in against])
 
 
 def _of_both_faces(text: str, found: Sequence[Wish]) -> list[Wish]:
@@ -224,6 +236,13 @@ _ONE_SLIT = re.compile(
     re.IGNORECASE,
 )
 _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
+_SIZES_OF_WORDS = (
+    ("cuff_cm", "cuffs", "deep", 12.0, 99.0),
+    ("leg_cuff_cm", "leg_cuffs", "deep", 15.0, 99.0),
+    ("waistband_cm", "waistband", "wide", 10.0, 99.0),
+    ("waistband_cm", "waistband", "narrow", 0.0, 6.5),
+)
+"""Measure, claim, word, and between which figures in cm the word may be true."""
 _BARE_ARMS = Claim("sleeves", "none")
 _PEPLUM = Claim("skirt", "peplum")
 _TOPICS = {

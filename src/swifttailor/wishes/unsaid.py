@@ -42,6 +42,8 @@ _USUAL = (
     _usual("slit", "none,back", kinds="skirt dress", unless="slit_size slit_cm"),
     _usual("top_hem", "hip,long", kinds="top", unless=f"{_LENGTHS} waistband"),
 )
+_ODD_SLITS = ("front", "left", "right")
+"""Beside one behind, too, which is usual alone."""
 _SHORT_LEGS = frozenset({"shorts", "playsuit"})
 _UNEVEN = frozenset({"hem_shape", "sides", "slit_size"})
 _SKIRTS = frozenset({"skirt", "dress"})
@@ -63,7 +65,8 @@ def unsaid_wishes(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, 
             continue
         if (usual.name == "leg_hem" and short) or (usual.name == "slit" and facts.skirt is None):
             continue
-        if not any(Claim(usual.name, value).holds(facts) for value in usual.accepted):
+        odd = usual.name == "slit" and any(Claim("slit", place).holds(facts) for place in _ODD_SLITS)
+        if odd or not any(Claim(usual.name, value).holds(facts) for value in usual.accepted):
             found.append(Gain(Claim(usual.name, usual.accepted[0])))
     covering = _covering(names, facts)
     if covering is not None:

@@ -38,13 +38,15 @@ def _unexpected(kinds: frozenset[str], name: str, values: str, unless: str = "")
 
 _BARE = "shoulders straps"
 _NECK = "left_neckline right_neckline neck_depth neck_depth_cm shoulders collar hood"
+_SAYS_NOTHING_MORE = frozenset([("shoulders", "both")])
+"""Who says so does not speak of straps and bare backs."""
 _FULLNESS = "hem_cm gores tiers godets godet_cm"
 _ALL = (
     _unexpected(_UPPER, "sleeve_shape", "puffed,balloon,bell", "sleeve_width_cm"),
     _unexpected(_UPPER, "sleeve_shape", "gathered end", "cuffs cuff_cm"),
     _unexpected(_UPPER, "sleeve_shape", "wide", "fit chest_cm sleeve_width_cm"),
     _unexpected(_UPPER, "shoulders", "strapless,bare left,bare right", "straps left_sleeve right_sleeve"),
-    _unexpected(_UPPER, "cuffs", "flounce,band and flounce", "cuff_cm sleeve_shape"),
+    _unexpected(_UPPER, "cuffs", "flounce,band and flounce", "cuff_cm"),
     _unexpected(_UPPER, "neck_depth", "plunging", f"neck_depth_cm {_BARE}"),
     _unexpected(_UPPER, "back_depth", "low,open", f"back_depth_cm back_neckline {_BARE}"),
     _unexpected(_UPPER, "neckline", "trapezoid,s-curve,pointed,asymmetric", _NECK),
@@ -58,9 +60,10 @@ _ALL = (
     _unexpected(
         _SKIRTS,
         "skirt",
-        "more than a circle,godets,tiered,gathered tiers,fitted base",
+        "more than a circle,godets,tiered,gathered tiers",
         _FULLNESS,
     ),
+    _Unexpected(_SKIRTS, "skirt", ("fitted base",), frozenset(["hips"])),
     _unexpected(_SKIRTS, "waistband", "wide,loose", "waistband_cm"),
     _unexpected(_SKIRTS, "skirt_hem", "micro,mini", "skirt_length_cm length_cm"),
     _unexpected(_LEGS, "legs", "flared", "leg_width_cm"),
@@ -78,7 +81,11 @@ def unexpected_looks(wishes: Iterable[Wish], kind: str | None) -> tuple[Claim, .
     if kind is None:
         return ()
     told = [(wish.change.claim, wish.certainty) for wish in wishes if isinstance(wish.change, Gain)]
-    names = {claim.name for claim, certainty in told if certainty >= SURENESS["usual"]}
+    names = {
+        claim.name
+        for claim, certainty in told
+        if certainty >= SURENESS["usual"] and (claim.name, claim.value) not in _SAYS_NOTHING_MORE
+    }
     maybe = {claim for claim, _ in told}
     return tuple(
         [

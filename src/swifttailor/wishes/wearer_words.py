@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from swifttailor.body.size_charts import charts, find_size
 from swifttailor.body.wearer import Wearer
 from swifttailor.errors import InputError
+from swifttailor.wording.lexicon import read_words
 
 PETITE_CM, TALL_CM = {"women": 157.0}, {"women": 180.0, "men": 192.0}
 """Heights of those who are called so."""
@@ -62,10 +63,23 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
         return HeardWearer(None, text)
     rest = re.sub(rf"\bfor (?:an? |my )?(?:{_ANYBODY})\b(?!['\w])", " ", rest, flags=re.IGNORECASE)
     if figure == "children":
-        rest = re.sub(rf"\b(?:an? )?(?:{_FIGURES['children']})\b", " ", rest, flags=re.IGNORECASE)
+        rest = _without_children(rest)
     rest = re.sub(r"\s+([,.;])", r"\1", " ".join(rest.split()))
     rest = re.sub(r"(?:[,;]\s*)+(?=[,;.]|$)", "", rest).strip(" ,;")
     return HeardWearer(wearer, rest)
+
+
+def _without_children(text: str) -> str:
+    """The text without words for children, but for those in the names of garments: "flower girl dress"."""
+    child = rf"\b(?:an? )?(?:{_FIGURES['children']})\b"
+    marks = [m.word for m in read_words(text).marks if m.role == "garment" and " " in m.word]
+    names = [re.escape(word) for word in marks if re.search(child, word, re.IGNORECASE)]
+    if not names:
+        return re.sub(child, " ", text, flags=re.IGNORECASE)
+    parts = re.split(rf"({'|'.join(names)})", text, flags=re.IGNORECASE)
+    return "".join(
+        part if k % 2 else re.sub(child, " ", part, flags=re.IGNORECASE) for k, part in enumerate(parts)
+    )
 
 
 def _figure(text: str) -> str | None:

@@ -21,6 +21,7 @@ LIKELY = 0.5
 """Enough for what is made where it costs nothing."""
 SURE_OF_KIND = 0.95
 """Enough against the name of a garment, which may be said in passing: "loose cotton top, kimono arms"."""
+_LENGTHS = frozenset({"skirt_hem", "top_hem", "leg_hem"})
 DOUBTED, DOUBTED_WORD = 0.1, 0.02
 """Less than this speaks against what was read elsewhere, and against what a word of a detail means."""
 
@@ -73,7 +74,26 @@ def described_as_a_whole(
             kept[k] = Wish(change, max(certainty, kept[k].certainty))
         if not places:
             kept.append(Wish(change, certainty))
+    kept += _doubted_alone(found, kept, said)
     return tuple(sorted(kept, key=lambda wish: -wish.certainty))
+
+
+def _doubted_alone(found: Sequence[Wish], kept: Sequence[Wish], said: Collection[Change]) -> list[Wish]:
+    """Lengths that a word says and the network doubts, where nothing else is heard of how long that is.
+
+    They may be meant: they are made where that costs nothing.
+    """
+    told = [w.change.claim for w in kept if isinstance(w.change, Gain)]
+    names = {claim.name for claim in told}
+    return [
+        Wish(w.change, SURENESS["likely"])
+        for w in found
+        if isinstance(w.change, Gain)
+        and w.change in said
+        and w.change.claim.name in _LENGTHS - names
+        and not any(exclude(w.change.claim, claim) for claim in told)
+        and _fits(w.change.claim, kept)
+    ]
 
 
 def _fits(claim: Claim, kept: Sequence[Wish]) -> bool:

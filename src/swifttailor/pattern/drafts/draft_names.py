@@ -54,6 +54,11 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "off-shoulder-dress": ("off_shoulder",),
 }
 """What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``."""
+DRAFTS_ARE: Mapping[str, tuple[tuple[str, str], ...]] = {
+    "halter-top": (("back_depth", "open"), ("back_depth", "low"), ("straps", "narrow")),
+    "halter-dress": (("back_depth", "open"), ("back_depth", "low"), ("straps", "narrow")),
+}
+"""Claims that are true of a draft to the eye, though not as they are measured between two shoulders."""
 _CROSSED = "Its fronts do not overlap: a seam runs where the edge of the upper one would lie."
 _OPEN = "Its front is open below where the edges of a wound skirt would part; nothing overlaps."
 STANDS_IN: Mapping[str, str] = {

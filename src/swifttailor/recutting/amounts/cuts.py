@@ -20,12 +20,14 @@ from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.bands import BandPlan, add_band
 from swifttailor.recutting.ways.ends import move_ends, swing_sides
 from swifttailor.recutting.ways.fullness import let_out_darts, widen_panels
+from swifttailor.recutting.ways.over_hips import widen_below
 from swifttailor.recutting.ways.removal import WAIST_LABEL, remove_panels
 
 STEEPEST_SIDE, STEEPEST_GORE = 0.25, 0.6
 """How far a side seam of a skirt, or every seam of a gored one, is turned: cm at the hem for 1 of length."""
 OVER_HIPS = 1.05
-"""Girth over that of the hips that slides over them."""
+"""Girth over that of the body, between waist and hips, that slides over it."""
+_BETWEEN_DARTS_CM = 0.3
 MOST_LET_OUT = 1.6
 """Of a band."""
 _FACES: tuple[Face, Face] = ("front", "back")
@@ -44,16 +46,22 @@ def lengthen_hem(cutter: Cutter, distance: float) -> Pattern | None:
 
 
 def lengthen_over_hips(cutter: Cutter, distance: float) -> Pattern | None:
-    """Moves the hem of a top down, cm, and flares it where it would be too tight to pass the hips."""
-    longer = lengthen_hem(cutter, distance) if cutter.hem_of(Part.TORSO) and distance > 0 else None
-    if longer is None:
+    """Moves the hem of a top down, cm, and makes what is added wide enough for the hips."""
+    free = free_hem(cutter) if cutter.hem_of(Part.TORSO) and distance > 0 else ()
+    # Between darts that are drawn on little is left until they are closed again.
+    longer = move_ends(cutter.pattern, free, distance, least=_BETWEEN_DARTS_CM) if free else None
+    if longer is None or cutter.facts.hem is None:
         return None
     after = cutter.with_pattern(longer)
     hem = free_hem(after)
-    missing = OVER_HIPS * after.anatomy.figure.hips.girth - sum(map(longer.edge_length, hem))
+    body = after.anatomy.figure
+    # What is closer above, at the waist, stays so.
+    down = (body.waist_y - cutter.facts.hem.level + distance) / max(body.waist_y - body.hip_y, 1.0)
+    girth = body.waist.girth + min(max(down, 0.0), 1.0) * (body.hips.girth - body.waist.girth)
+    missing = OVER_HIPS * girth - sum(map(longer.edge_length, hem))
     if not hem or missing <= 0:
         return None
-    return swing_sides(longer, hem, missing / 4, steepest=0.4)
+    return widen_below(longer, hem, missing, distance)
 
 
 def lengthen_legs(cutter: Cutter, distance: float) -> Pattern | None:

@@ -44,7 +44,12 @@ def find_ends(bench: Workbench, pattern: Pattern, refs: Collection[EdgeRef]) -> 
 
 
 def move_ends(
-    pattern: Pattern, refs: Collection[EdgeRef], distance: float, carried: Collection[str] = ()
+    pattern: Pattern,
+    refs: Collection[EdgeRef],
+    distance: float,
+    carried: Collection[str] = (),
+    *,
+    least: float = SHORTEST_CM,
 ) -> Pattern | None:
     """Moves the end of a part along its side seams.
 
@@ -53,6 +58,7 @@ def move_ends(
         refs: The edges at the end, of all panels that meet there.
         distance: Outward, cm; negative cuts off.
         carried: Panels that hang from the end and move with it.
+        least: What must be left of the end of a panel, cm.
 
     Returns:
         The recut pattern, every side seam still joining equal lengths; None where the sides do not allow it.
@@ -73,7 +79,7 @@ def move_ends(
             return None
         new = [bench.run_chord(e.run) for e in ends]
     for end, was, now in zip(ends, old, new, strict=True):
-        if min(np.hypot(*(was[1] - was[0])), np.hypot(*(now[1] - now[0]))) < SHORTEST_CM:
+        if min(np.hypot(*(was[1] - was[0])), np.hypot(*(now[1] - now[0]))) < least:
             return None
         bench.map_run(end.run, was, now)
     return bench.pattern()

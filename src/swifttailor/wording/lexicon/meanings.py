@@ -230,6 +230,18 @@ def _goes_on_with(word: Meaning, known: Vocabulary) -> bool:
     return any(sense.entry.of for sense in known.find([first]))
 
 
+def _list_goes_on(words: Sequence[Meaning], k: int, j: int, known: Vocabulary) -> bool:
+    """Whether what stands before a comma is said of what comes behind it, too.
+
+    In "long flowing, bell sleeves" it is not: no sleeve is called flowing, so both are said of the garment.
+    """
+    if not _goes_on_with(words[j], known):
+        return False
+    noun = next((word for word in words[j : j + _REACH] if word.is_noun), None)
+    beside = [[s for s in word.found.senses if s.entry.of] for word in words[k + 1 : j]]
+    return noun is None or all(_fitting(senses, _names(noun)) for senses in beside if senses)
+
+
 def _noun_before(words: Sequence[Meaning], k: int) -> int | None:
     """The noun that a word stands right behind, or behind words of degree: "sleeves really long"."""
     for j in range(k - 1, -1, -1):
@@ -253,7 +265,7 @@ def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[in
     for j in range(k + 1, min(k + _REACH, len(words))):
         gap = words[j - 1].found.gap
         word = words[j]
-        if gap == "stop" or (gap == "pause" and not _goes_on_with(word, known)):
+        if gap == "stop" or (gap == "pause" and not _list_goes_on(words, k, j, known)):
             break
         if word.is_noun or word.category == "colors":
             seen.add(j)

@@ -1,0 +1,85 @@
+"""Lengths and widths well within what a word means: who asks for long sleeves does not want the shortest."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain
+from swifttailor.describing.facts import GarmentFacts
+
+FULL_LEGS_CM, FULL_LEGS_AT_MOST_CM = 5.0, 8.0
+"""Where full legs end above the floor, and what is left as it is."""
+LONG_SLEEVES, LONG_SLEEVES_AT_LEAST = 0.98, 0.93
+"""Parts of the arm's length."""
+MAXI, MAXI_AT_MOST = 0.22, 0.3
+"""Parts of the height of the knee at which the hem hangs."""
+FLOOR_CM, FLOOR_AT_MOST_CM = 2.5, 4.5
+WIDE_LEGS, WIDE_LEGS_AT_LEAST = 1.3, 1.2
+"""Ends of wide legs in girths of the thigh."""
+
+
+def well_within(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ...]:
+    """Measures that make plain what words ask for, where a garment meets them at their border.
+
+    Args:
+        said: What is asked for, what is likely meant, and what goes without saying.
+        facts: What the garment shows now.
+
+    Returns:
+        Measures to be cut to where that costs nothing; none of a part of which a measure is asked for.
+    """
+    claims = [wish.claim for wish in said if isinstance(wish, Gain)]
+    names = {claim.name for claim in claims}
+    words = {(claim.name, claim.value) for claim in claims}
+    found = [
+        _legs(words, names, facts),
+        _wide_legs(words, names, facts),
+        _sleeves(words, names, facts),
+        _skirt(words, names, facts),
+    ]
+    return tuple([Gain(claim) for claim in found if claim is not None])
+
+
+_Words = set[tuple[str, str | float]]
+
+
+def _legs(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
+    legs, hem = facts.trousers, facts.hem
+    if legs is None or hem is None or ("leg_hem", "full") not in words or names & {"inseam_cm", "length_cm"}:
+        return None
+    if hem.level <= FULL_LEGS_AT_MOST_CM:
+        return None
+    return Claim("inseam_cm", round(legs.inseam + hem.level - FULL_LEGS_CM, 1))
+
+
+def _wide_legs(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
+    legs, thigh = facts.trousers, facts.body.thigh_girth
+    if legs is None or ("legs", "wide") not in words or "leg_width_cm" in names or legs.cuff is not None:
+        return None
+    return None if legs.hem >= WIDE_LEGS_AT_LEAST * thigh else Claim("leg_width_cm", round(WIDE_LEGS * thigh))
+
+
+def _sleeves(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
+    sleeves, arm = [s for s in (facts.left_sleeve, facts.right_sleeve) if s], facts.body.arm_length
+    if len(sleeves) < 2 or ("sleeves", "long") not in words or "sleeve_cm" in names:
+        return None
+    short = min(sleeve.length for sleeve in sleeves) < LONG_SLEEVES_AT_LEAST * arm
+    return Claim("sleeve_cm", round(LONG_SLEEVES * arm, 1)) if short else None
+
+
+def _skirt(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
+    hem, skirt = facts.hem, facts.skirt
+    if hem is None or names & {"length_cm", "skirt_length_cm", "hem_shape"}:
+        return None
+    level = None
+    if ("skirt_hem", "floor") in words:
+        level = FLOOR_CM if hem.level > FLOOR_AT_MOST_CM else None
+    elif ("skirt_hem", "maxi") in words and ("skirt_hem", "ankle") not in words:
+        level = MAXI * facts.body.knee if hem.level > MAXI_AT_MOST * facts.body.knee else None
+    if level is None or facts.kind not in ("dress", "skirt"):
+        return None
+    if skirt is None:
+        return Claim("length_cm", round(facts.length + hem.level - level, 1)) if facts.length else None
+    length = facts.length if facts.kind == "skirt" else skirt.length
+    return Claim("skirt_length_cm", round(length + hem.level - level, 1))

@@ -1,0 +1,60 @@
+"""Lengths and widths well within what words mean."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import swifttailor
+from swifttailor.describing import Claim, measure_facts
+from swifttailor.describing.differences import Gain
+from swifttailor.recutting import alter
+from swifttailor.wishes.well_within import well_within
+
+CASES = [
+    ("trousers", {"length": 92.0}, Claim("leg_hem", "full"), "inseam_cm"),
+    ("t-shirt", {"sleeve_length": 47.0}, Claim("sleeves", "long"), "sleeve_cm"),
+    ("circle-skirt", {"length": 88.0}, Claim("skirt_hem", "maxi"), "skirt_length_cm"),
+    ("fitted-dress", {"skirt_length": 88.0}, Claim("skirt_hem", "maxi"), "skirt_length_cm"),
+    ("swing-dress", {"length": 88.0}, Claim("skirt_hem", "maxi"), "length_cm"),
+]
+
+
+@pytest.mark.parametrize(("name", "options", "said", "measure"), CASES)
+def test_what_is_met_at_the_border_is_cut_further_once(name, options, said, measure):
+    pattern = swifttailor.draft(name, **options)
+    facts = measure_facts(pattern)
+    assert said.holds(facts), "it is met as it is"
+    (wish,) = well_within([Gain(said)], facts)
+    assert isinstance(wish, Gain) and wish.claim.name == measure
+    cut = alter(pattern, [Gain(said), wish])
+    assert cut.open == ()
+    assert cut.facts.hem is not None and facts.hem is not None
+    if measure == "sleeve_cm":
+        assert cut.facts.left_sleeve.length > facts.left_sleeve.length + 2.0
+    else:
+        assert 0.0 < cut.facts.hem.level < facts.hem.level - 2.0
+    assert well_within([Gain(said)], cut.facts) == ()
+
+
+@pytest.mark.parametrize(("name", "options", "said", "measure"), CASES)
+def test_measures_that_are_said_stand(name, options, said, measure):
+    facts = measure_facts(swifttailor.draft(name, **options))
+    assert well_within([], facts) == ()
+    assert well_within([Gain(said), Gain(Claim(measure, 50.0))], facts) == ()
+
+
+def test_wide_legs_are_wider_than_the_thigh():
+    facts = measure_facts(swifttailor.draft("trousers"))
+    (wish,) = well_within([Gain(Claim("legs", "wide"))], facts)
+    assert isinstance(wish, Gain) and wish.claim.name == "leg_width_cm"
+    assert float(wish.claim.value) > 1.2 * facts.body.thigh_girth
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.floats(30.0, 59.0))
+def test_long_sleeves_never_become_shorter(length):
+    facts = measure_facts(swifttailor.draft("t-shirt", sleeve_length=length))
+    for wish in well_within([Gain(Claim("sleeves", "long"))], facts):
+        assert isinstance(wish, Gain) and float(wish.claim.value) > facts.left_sleeve.length
