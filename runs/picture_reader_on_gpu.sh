@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# The picture reader and the network for plain pictures on a machine that is lent for minutes, with a GPU and without a
-# network: both at twice the pixels that half a day on two cores allows.
+# The picture reader and the network for plain pictures, at 192 pixels, on a machine that is lent for minutes, with a GPU and
+# without a network.
 #
 #   PACKED=packed START=start.safetensors MINUTES=8 runs/picture_reader_on_gpu.sh
 #
 # A checkout and two files are all that it takes. PACKED is a folder of scripts/pack_worn_garments.py with, in this order, sewn
-# training and validation garments, draped ones, and more sewn ones for training; 6,000 are 52 MB. Without it patterns of the package's library are
-# sewn by GarmentSewer, which takes minutes. START are the weights of scripts/take_picture_trunk_torch.py (--name
-# efficientnet-lite2), 11 MB where they are stored in 16 bits. steps.sh lists the rest of the environment. All cores but one
+# training and validation garments, draped training and validation garments, and more sewn ones for training; 6,000 are
+# 52 MB. Without it patterns of the package's library are sewn by GarmentSewer, which takes minutes. START is a file of
+# scripts/take_picture_trunk_torch.py (--name efficientnet-lite2 --half, 11 MB). steps.sh lists the rest of the environment. All cores but one
 # draw; two thirds of the MINUTES are for pictures of all looks, a third for plain ones. Ends with $WORK/gpu/picture_reader.onnx
 # and plain_reader.onnx, their cards, and the runs.
 #

@@ -33,6 +33,9 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True, help="folder to write")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args()
+    if bool(options.splits) == bool(options.unpack):
+        parser.error("give either splits to pack or --unpack")
+    lost = 0
     if options.unpack:
         tasks = [
             (file, options.out / file.parent.name) for file in sorted(options.unpack.glob(f"*/*{PACKED}"))
@@ -45,6 +48,9 @@ def main() -> None:
         unpack_one if options.unpack else pack_split, tasks, workers=options.workers, time_limit=_HOURS
     ):
         print(outcome.lost or outcome.result, flush=True)
+        lost += bool(outcome.lost)
+    if lost:
+        raise SystemExit(f"{lost} of {len(tasks)} could not be made.")
 
 
 def pack_split(task: tuple[Path, Path]) -> str:

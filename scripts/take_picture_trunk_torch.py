@@ -22,6 +22,7 @@ from torch import nn
 from swifttailor.networks.graph_weights_torch import graph_weights
 from swifttailor.picture_reader.export_torch import build_network
 from swifttailor.picture_reader.lite_trunk_torch import TRUNKS
+from swifttailor.picture_reader.reader import PictureReader
 from swifttailor.training.picture_config import EyesSize
 
 _HEAD = ("_conv_head", "_bn1", "_fc")
@@ -35,6 +36,7 @@ def main() -> None:
     parser.add_argument("--name", choices=TRUNKS, default=TRUNKS[0], help="which of them")
     parser.add_argument("--reader", type=Path, help="model file of a picture reader, .onnx")
     parser.add_argument("--start", type=Path, required=True, help=".safetensors to write")
+    parser.add_argument("--half", action="store_true", help="in 16 bits: half the file")
     options = parser.parse_args()
     torch.manual_seed(0)
     network = build_network(asdict(EyesSize(trunk=options.name)))
@@ -42,6 +44,8 @@ def main() -> None:
     weights = network.state_dict() | trunk_weights(network, given)
     if options.reader:
         weights |= head_weights(network, options.reader)
+    if options.half:
+        weights = {name: v.half() if v.is_floating_point() else v for name, v in weights.items()}
     save_file(
         {name: value.clone(memory_format=torch.contiguous_format) for name, value in weights.items()},
         options.start,
@@ -65,8 +69,8 @@ def trunk_weights(network: nn.Module, given: dict[str, torch.Tensor]) -> dict[st
 
 
 def head_weights(network: nn.Module, reader: Path) -> dict[str, torch.Tensor]:
-    """What both networks have but the trunk, of a reader with another trunk."""
-    before = build_network(asdict(EyesSize()))
+    """What both networks have but the trunk, of a reader with whichever trunk."""
+    before = build_network(PictureReader.load(reader).card["config"]["network"])
     own = network.state_dict()
     return {
         name: value

@@ -125,7 +125,7 @@ def test_garments_that_are_judged_by_are_not_learnt_from(data, tmp_path):
 
 
 def test_a_pool_shows_each_picture_as_often_in_changing_company(data):
-    """Every block is `echo` times as large as what is shown of it; resumed, the same pictures come."""
+    """As many blocks are drawn as `echo` asks for; a training that goes on begins with the last ones."""
     import torch
 
     from swifttailor.data.pictures.bank import PictureBank

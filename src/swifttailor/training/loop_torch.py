@@ -76,7 +76,7 @@ class RunOptions(TypedDict, total=False):
 
     resume: bool
     """From the checkpoint. On a CPU the result is that of an uninterrupted training, bit for bit, unless
-    `max_minutes` is given."""
+    `max_minutes` is given, or pictures are kept in a pool."""
     max_minutes: float | None
     """Of training; the schedule is fitted to it. Counts what an interrupted training has used."""
     stop_after: int | None

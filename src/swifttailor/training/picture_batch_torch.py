@@ -174,7 +174,8 @@ class PictureBatches:
         self._each = config.block * config.echo // self._size
         self._next, self._loaded = -1, iter(())
         self._block: Block | None = None
-        self._pool = PicturePool(config.pool // self._count, self._device) if config.pool else None
+        blocks_kept = max(config.pool // (config.block * self._count), 1)
+        self._pool = PicturePool(config.block * blocks_kept, self._device) if config.pool else None
 
     def __getitem__(self, step: int) -> tuple[Tensor, Tensor, Answers]:
         """Of a step pictures (B, 3, size, size), guesses at their cameras (B, 7), and the truth."""
