@@ -2,14 +2,17 @@
 # The picture reader and the network for plain pictures, at 192 pixels, on a machine that is lent for minutes, with a GPU and
 # without a network.
 #
-#   PACKED=packed START=start.safetensors MINUTES=8 runs/picture_reader_on_gpu.sh
+#   PACKED=packed DESIGNS=designs.safetensors START=start.onnx MINUTES=8 runs/picture_reader_on_gpu.sh [PART...]
 #
-# A checkout and two files are all that it takes. PACKED is a folder of scripts/pack_worn_garments.py with, in this order, sewn
-# training and validation garments, draped training and validation garments, and more sewn ones for training; 6,000 are
-# 52 MB. Without it patterns of the package's library are sewn by GarmentSewer, which takes minutes. START is a file of
-# scripts/take_picture_trunk_torch.py (--name efficientnet-lite2 --half, 11 MB). steps.sh lists the rest of the environment. All cores but one
-# draw; two thirds of the MINUTES are for pictures of all looks, a third for plain ones. Ends with $WORK/gpu/picture_reader.onnx
-# and plain_reader.onnx, their cards, and the runs.
+# PART is garments, eyes, plain or files, all without any: where a command may only take so long, each in its own.
+#
+# A checkout and three files are all that it takes. PACKED is a folder of scripts/pack_worn_garments.py with, in this order,
+# sewn training and validation garments, draped training and validation garments, and more sewn ones for training; 6,000 are
+# 52 MB. Without it patterns of the package's library are sewn by GarmentSewer, which takes minutes. DESIGNS is a file of
+# scripts/place_designs.py with the designs of the same garments: the networks learn to say design parameters, too. START is a
+# picture reader of the same trunk, or a file of scripts/take_picture_trunk_torch.py (--name efficientnet-lite2 --half).
+# steps.sh lists the rest of the environment. All cores but one draw; two thirds of the MINUTES are for pictures of all looks,
+# a third for plain ones. Ends with $WORK/gpu/picture_reader.onnx and plain_reader.onnx, their cards, and the runs.
 #
 # The package's files: 5.4 minutes and 2.45, on an NVIDIA H200 and 16 cores, 776,000 and 278,000 pictures shown; 6,095 training
 # garments, 474 of them draped by physics, which counted twice and four times.
@@ -39,25 +42,45 @@ learn() { # name, hundredths of the time, validation, settings
     [ "$1" = plain ] && data+=("${drapes[@]}" "${drapes[@]}")
     [ -f "$run/checkpoint.pt" ] && again+=(--resume)
     OMP_NUM_THREADS=1 "${launch[@]}" train picture-reader --data "${data[@]}" --validation "$3" \
-        --apart "${validation[@]}" --out "$run" --workers $((cores > 1 ? cores - 1 : 1)) --threads 1 \
+        --apart "${validation[@]}" ${DESIGNS:+--designs "$DESIGNS"} --out "$run" --workers $((cores > 1 ? cores - 1 : 1)) --threads 1 \
         --max-minutes "$(awk "BEGIN {print $minutes * $2 / 100}")" "${again[@]}" --set "${both[@]}" "${@:4}"
 }
 exported() {
     step "gpu-$1-exported" swifttailor train export "$out/$1" --out "$out/$2_reader.onnx" --overwrite "$3" --data "$4"
 }
-if [ -n "${PACKED:-}" ]; then
-    step gpu-unpacked "$python" scripts/pack_worn_garments.py --unpack "$PACKED" --out "$out/worn" --workers "$cores"
-    validation=("$out/worn/2" "$out/worn/4")
-    drapes=("$out/worn/3")
-    mapfile -t more < <(ls -d "$out"/worn/[5-9] 2> /dev/null)
-    garments=("$out/worn/1" "${more[@]}" "${drapes[@]}" "${drapes[@]}")
-else
-    step gpu-patterns "$python" scripts/write_known_patterns.py "$out/patterns" "${patterns[@]}"
-    step gpu-worn-validation sew validation
-    step gpu-worn-train sew train
-    validation=("$out/worn/validation") drapes=() garments=("$out/worn/train")
-fi
-step gpu-eyes learn eyes 67 "${validation[0]}" "${eyes[@]}" "${settings[@]}"
-step gpu-plain learn plain 33 "${validation[-1]}" "${plain[@]}" "start=$out/eyes/weights.safetensors"
-exported eyes picture --half "${validation[0]}"
-exported plain plain --int8 "${validation[-1]}"
+garments() {
+    if [ -n "${PACKED:-}" ]; then
+        "$python" scripts/pack_worn_garments.py --unpack "$PACKED" --out "$out/worn" --workers "$cores"
+    else
+        step gpu-patterns "$python" scripts/write_known_patterns.py "$out/patterns" "${patterns[@]}"
+        step gpu-worn-validation sew validation
+        step gpu-worn-train sew train
+    fi
+}
+find_garments() {
+    if [ -n "${PACKED:-}" ]; then
+        validation=("$out/worn/2" "$out/worn/4") drapes=("$out/worn/3")
+        local more
+        mapfile -t more < <(ls -d "$out"/worn/[5-9] 2> /dev/null)
+        garments=("$out/worn/1" "${more[@]}" "${drapes[@]}" "${drapes[@]}")
+    else
+        validation=("$out/worn/validation") drapes=() garments=("$out/worn/train")
+    fi
+}
+for part in "${@:-garments eyes plain files}"; do
+    for one in $part; do
+        find_garments
+        case $one in
+            garments) garments ;;
+            eyes) step gpu-eyes learn eyes 67 "${validation[0]}" "${eyes[@]}" "${settings[@]}" ;;
+            plain)
+                step gpu-plain learn plain 33 "${validation[-1]}" "${plain[@]}" "start=$out/eyes/weights.safetensors"
+                ;;
+            files)
+                exported eyes picture --half "${validation[0]}"
+                exported plain plain --int8 "${validation[-1]}"
+                ;;
+            *) echo "'$one' is no part; garments, eyes, plain and files are." >&2; exit 2 ;;
+        esac
+    done
+done

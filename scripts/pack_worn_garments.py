@@ -74,6 +74,8 @@ def unpack_one(task: tuple[Path, Path]) -> str:
     file, split = task
     cache = open_cache(split)
     number = [shard.sha256 for shard in cache.reader.index.shards].index(file.stem)
+    if cache.path(number).is_file():
+        return f"{file.name}: was unpacked before"
     cache.folder.mkdir(parents=True, exist_ok=True)
     write_bytes(cache.path(number), save(unpack(file.read_bytes())), overwrite=True)
     return f"{file.name}: unpacked"

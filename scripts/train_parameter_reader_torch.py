@@ -32,18 +32,17 @@ from swifttailor.parameter_reader import ParameterReader
 from swifttailor.parameter_reader.drawn import drawn_designs
 from swifttailor.parameter_reader.features import features_of
 from swifttailor.parameter_reader.network_torch import ParameterNetwork, export
-from swifttailor.parameter_reader.read_parameter import ReadParameter, read_parameters
+from swifttailor.parameter_reader.placed_designs import nearly_right
 from swifttailor.parameter_reader.which_matter import matters
 from swifttailor.pattern.digest import pattern_digest
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.picture_reader.truth import Truth
+from swifttailor.programs.read_parameter import ReadParameter, read_parameters
 from swifttailor.training.told_patterns import ToldPattern, measured, patterns_of, readings, sha256, shown
 from swifttailor.training.told_torch import Told
 
 WIDTH, BLOCKS, DROPOUT = 512, 2, 0.3
 BATCH, RATE, DECAY = 256, 1e-3, 0.05
-NEXT_RANGE = 0.15
-"""How right the ranges beside a number's are."""
 HELD = 12
 """One of so many patterns is held back."""
 SHOWN = ("meta.upper", "meta.bottom", "meta.wb", "collar.f_collar", "sleeve.sleeveless", "sleeve.cuff.type")
@@ -138,7 +137,10 @@ class Training:
                 for d, one in zip(designs, names, strict=True)
             ]
         )
-        self.soft = [_near(one) for one in self.parameters]
+        self.soft = [
+            torch.from_numpy(nearly_right(len(one.values), is_number=one.is_number)).float()
+            for one in self.parameters
+        ]
         self.told = Told([row.truth for row in rows])
         place = {row.id: k for k, row in enumerate(rows)}
         read = [(id, features) for id, features in read if id in place]
@@ -206,16 +208,6 @@ def known_to(parameters: Sequence[ReadParameter], design: dict[str, Any]) -> boo
     """Whether every choice of a design that matters is one that a reader knows."""
     names = matters(design)
     return all(one.is_number or design[one.name] in one.values for one in parameters if one.name in names)
-
-
-def _near(parameter: ReadParameter) -> Tensor:
-    """(values, values) how right each value is where another one is true."""
-    count = len(parameter.values)
-    if not parameter.is_number:
-        return torch.eye(count)
-    apart = (torch.arange(count)[:, None] - torch.arange(count)).abs()
-    right = torch.where(apart == 0, 1 - 2 * NEXT_RANGE, torch.where(apart == 1, NEXT_RANGE, 0.0))
-    return right / right.sum(1, keepdim=True)
 
 
 if __name__ == "__main__":

@@ -10,12 +10,13 @@ import pytest
 from swifttailor.describing import measure_facts
 from swifttailor.errors import InputError
 from swifttailor.parameter_reader.features import features_of
-from swifttailor.parameter_reader.read_parameter import RANGES, ReadParameter, read_parameters
 from swifttailor.parameter_reader.reader import SHIPPED, ParameterReader
 from swifttailor.parameter_reader.which_matter import matters
 from swifttailor.pattern_library.sought import Sought
+from swifttailor.picture_reader.seen_design import SeenDesign
 from swifttailor.picture_reader.truth import Truth
 from swifttailor.programs import complete_design, make_pattern
+from swifttailor.programs.read_parameter import RANGES, ReadParameter, read_parameters
 
 BOTTOM = ReadParameter("meta.bottom", ("Pants", "PencilSkirt"))
 LENGTH = ReadParameter("pencil-skirt.length", (0.3, 0.5, 0.8), (0.4, 0.6))
@@ -124,3 +125,21 @@ def test_whole_numbers_stay_whole():
     width = found["godet-skirt.insert_w"]
     assert width.edges is not None and all(type(value) is int for value in width.values)
     assert all(width.place_of(value) == k for k, value in enumerate(width.values))
+
+
+def test_what_a_picture_shows_of_a_parameter_counts_more_than_what_follows_from_its_reading():
+    eyes = reader(1.0, 0.0, 0.0, 0.0, 3.0)
+    seen = SeenDesign((BOTTOM,), (np.array([0.2, 0.8]),))
+    shares = eyes.shares(Sought.nothing(), seen)
+    assert shares[0][1] > 0.6 and abs(shares[0].sum() - 1) < 1e-9
+    assert np.allclose(shares[1], eyes.shares(Sought.nothing())[1]), "of lengths the picture says nothing"
+    assert next(eyes.designs(Sought.nothing(), seen))["meta.bottom"] == "PencilSkirt"
+    assert next(eyes.designs(Sought.nothing()))["meta.bottom"] == "Pants"
+
+
+def test_a_parameter_with_other_values_is_not_heard():
+    eyes = reader(1.0, 0.0, 0.0, 0.0, 3.0)
+    seen = SeenDesign(
+        (ReadParameter("meta.bottom", ("SkirtCircle", "PencilSkirt")),), (np.array([0.0, 1.0]),)
+    )
+    assert next(eyes.designs(Sought.nothing(), seen))["meta.bottom"] == "Pants"

@@ -11,9 +11,9 @@ from seeing import Seeing, worn
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError
-from swifttailor.parameter_reader.read_parameter import ReadParameter
 from swifttailor.parameter_reader.reader import ParameterReader
 from swifttailor.pattern.drafts import draft
+from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.tailor import Order, Tailor
 
 CHOICES = (

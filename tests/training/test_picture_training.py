@@ -116,6 +116,91 @@ def test_begins_where_the_model_file_ended(data, tmp_path):
         assert (one - other).abs().max() < 0.02 * (1 + one.abs().max())
 
 
+@pytest.fixture(scope="module")
+def designs(data, tmp_path_factory):
+    """A file with designs of all but one of the garments."""
+    from swifttailor.data.pictures.bank import PictureBank
+    from swifttailor.parameter_reader.drawn import drawn_designs
+    from swifttailor.parameter_reader.placed_designs import PlacedDesigns
+    from swifttailor.programs.read_parameter import ReadParameter
+
+    ids = PictureBank([data / "train"]).ids
+    parameters = (
+        ReadParameter("meta.upper", ("FittedShirt", "Shirt", None)),
+        ReadParameter("shirt.length", (0.8, 1.2, 1.8), (1.0, 1.5)),
+    )
+    drawn = dict(zip(ids[1:], (design for design, _ in drawn_designs(1)), strict=False))
+    path = tmp_path_factory.mktemp("designs") / "designs.safetensors"
+    PlacedDesigns.of(drawn, parameters).write(path)
+    return path
+
+
+def test_it_learns_design_parameters_of_the_garments_whose_designs_are_known(data, designs, tmp_path):
+    from swifttailor.cli.train_export import TrainExport
+    from swifttailor.parameter_reader.placed_designs import PlacedDesigns
+    from swifttailor.picture_reader.reader import PictureReader
+
+    card = run_of(data, tmp_path / "run", config=tiny_config(log_every=5), designs=designs)
+    lines = [json.loads(line) for line in (tmp_path / "run/metrics.jsonl").read_text().splitlines()]
+    losses = [line["designs"] for line in lines if "designs" in line]
+    assert min(losses[-3:]) < 0.75 * losses[0]
+    assert card["data"]["train"]["designs"] == 5 and card["config"]["network"]["design_values"] == [3, 3]
+    path = tmp_path / "reader.onnx"
+    assert TrainExport(source=tmp_path / "run", out=path, int8=True).run() == 0
+    reader = PictureReader.load(path)
+    assert reader.parameters == PlacedDesigns.read(designs).parameters
+
+
+def test_begins_with_a_reader_that_says_no_designs(data, designs, tmp_path):
+    """All else is as the file has it, and what says designs is learnt from nothing; then it is as the file has it, too."""
+    from safetensors.numpy import load_file
+
+    from swifttailor.cli.train_export import TrainExport
+    from swifttailor.data.pictures.bank import PictureBank
+    from swifttailor.parameter_reader.placed_designs import PlacedDesigns
+    from swifttailor.training.picture_loop_torch import PictureTask
+    from swifttailor.training.processes_torch import Processes
+
+    network = replace(tiny_config().network, image_size=192)  # another size is resampled in the file
+    config = tiny_config(network=network, steps=1)
+    run_of(data, tmp_path / "before", config=config)
+    before = tmp_path / "before.onnx"
+    assert TrainExport(source=tmp_path / "before", out=before).run() == 0
+    run_of(data, tmp_path / "after", config=replace(config, start=str(before)), designs=designs)
+    after = tmp_path / "after.onnx"
+    assert TrainExport(source=tmp_path / "after", out=after).run() == 0
+
+    banks = [PictureBank([data / name]) for name in ("train", "validation")]
+    placed = PlacedDesigns.read(designs)
+    sized = replace(network, design_values=placed.values)
+    for path, run in ((before, "before"), (after, "after")):
+        config = replace(config, network=sized, start=str(path))
+        task = PictureTask(config, *banks, Processes.start(), designs=placed, workers=0)
+        weights = load_file(tmp_path / run / "weights.safetensors")
+        ours = task.network.state_dict()
+        assert all(name in ours for name in weights) and ("design.values" in weights) == (run == "after")
+        for name in ("says.panels", "looks.questions", "design.values"):
+            assert name not in weights or np.allclose(ours[name].cpu().numpy(), weights[name])
+
+
+def test_what_does_not_matter_of_a_design_is_not_learnt(data, designs):
+    import torch
+
+    from swifttailor.parameter_reader.placed_designs import PlacedDesigns
+    from swifttailor.training.design_table_torch import DesignTable
+
+    placed = PlacedDesigns.read(designs)
+    ids = ["nobody's", *placed.rows]
+    table = DesignTable(ids, placed)
+    numbers = torch.arange(len(ids))[:, None]
+    told = table.answers(numbers, torch.ones(len(ids), 1, dtype=torch.bool))
+    assert told.shape == (len(ids), 1, 2, 3) and not told[0].any()
+    assert torch.allclose(told[1:, 0].sum(-1), torch.from_numpy(placed.matter).float())
+    assert (told[1:, 0].argmax(-1)[placed.matter] == torch.from_numpy(placed.places)[placed.matter]).all()
+    assert not table.answers(numbers, torch.zeros(len(ids), 1, dtype=torch.bool)).any()
+    assert DesignTable(ids, None).answers(numbers, numbers > 0).shape == (len(ids), 1, 0, 0)
+
+
 def test_garments_that_are_judged_by_are_not_learnt_from(data, tmp_path):
     from swifttailor.errors import InputError
     from swifttailor.training.picture_loop_torch import train

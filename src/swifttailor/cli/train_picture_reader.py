@@ -27,6 +27,9 @@ class TrainPictureReader(Training):
     apart: Annotated[tuple[Path, ...], tyro.conf.arg(metavar="DIR...")] = ()
     """Folders of splits that must not be learnt from, such as DATA/test: equal patterns are left out. What is
     validated with is left out as well."""
+    designs: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
+    """Designs of the garments, of scripts/place_designs.py: the network learns to say design parameters as
+    well."""
     config: Annotated[str, tyro.conf.arg(metavar="NAME")] = "small"
     """small, or a JSON file like the config.json of a run."""
     set: Annotated[tuple[str, ...], tyro.conf.arg(metavar="FIELD=VALUE")] = ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -49,7 +49,9 @@ def graph_weights(path: Path, network: nn.Module) -> dict[str, Tensor]:
     return state_of(graph_tensors(read_bytes(path, MAX_BYTES), str(path)).named, network, path)
 
 
-def state_of(values: Mapping[str, Tensor], network: nn.Module, path: Path) -> dict[str, Tensor]:
+def state_of(
+    values: Mapping[str, Tensor], network: nn.Module, path: Path, *, keeps: Sequence[str] = ()
+) -> dict[str, Tensor]:
     """A state for a network with the weights of a model file.
 
     Folded norms come back as ones that change nothing but add the bias that the convolution has in the file;
@@ -59,6 +61,7 @@ def state_of(values: Mapping[str, Tensor], network: nn.Module, path: Path) -> di
         values: By name.
         network: Tells names and shapes; not changed.
         path: Of the file, for messages.
+        keeps: Beginnings of names of weights that the file lacks and the network keeps.
 
     Raises:
         InputError: The file is of a network of another shape.
@@ -67,6 +70,7 @@ def state_of(values: Mapping[str, Tensor], network: nn.Module, path: Path) -> di
     # A weight with the name of an input or output has another in the graph.
     found = {name: name if name in values else f"{name}.weight" for name in own}
     state = {name: values[there] for name, there in found.items() if there in values}
+    state |= {name: value for name, value in own.items() if name.startswith(tuple(keeps))}
     for convolution, norm, width, eps in foldable(network):
         bias = values.get(f"{convolution}.bias")
         if bias is None:

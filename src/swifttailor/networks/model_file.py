@@ -12,7 +12,7 @@ import hashlib
 import io
 import json
 import zipfile
-from collections.abc import Collection, Generator, Iterable, Mapping
+from collections.abc import Collection, Generator, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -40,7 +40,8 @@ class ModelKind:
     format: str
     max_bytes: int
     graphs: tuple[Mapping[str, Signature], ...]
-    """The sets of graphs that it may hold, each complete; a file that is no archive holds one graph."""
+    """The sets of graphs that it may hold, each complete; a file that is no archive holds one graph. A graph
+    may have any of the signatures that sets of the same names give it."""
     archive: bool = False
     needs: frozenset[str] = frozenset()
     """What an archive holds besides."""
@@ -124,11 +125,9 @@ def open_model(
     }
     if not kind.archive:
         about = _read_note(sessions[GRAPH], graphs[GRAPH], path, kind)
-    wanted = next(
-        s for s in kind.graphs if (s.keys() >= graphs.keys() if only else s.keys() == graphs.keys())
-    )
+    may_be = [s for s in kind.graphs if (s.keys() >= graphs.keys() if only else s.keys() == graphs.keys())]
     for name, session in sessions.items():
-        _require_signature(session, wanted[name], sources[name])
+        _require_signature(session, [wanted[name] for wanted in may_be], sources[name])
     return ModelFile(path, about, sessions, members)
 
 
@@ -323,7 +322,7 @@ def _not_text(source: str) -> InputError:
     )
 
 
-def _require_signature(session: Any, wanted: Signature, source: str) -> None:
+def _require_signature(session: Any, accepted: Sequence[Signature], source: str) -> None:
     try:
         both = session.get_inputs(), session.get_outputs()
         # With the shapes: axes have names too, and what is not text is refused before it is needed.
@@ -331,7 +330,8 @@ def _require_signature(session: Any, wanted: Signature, source: str) -> None:
     except UnicodeDecodeError as error:
         raise _not_text(source) from error
     found = tuple(tuple(name for name, _ in side) for side in sides)
-    if found != wanted:
+    if found not in accepted:
+        wanted = accepted[0]
         raise InputError(
             f"'{source}' is another network: it makes {', '.join(found[1])} of {', '.join(found[0])}, not "
             f"{', '.join(wanted[1])} of {', '.join(wanted[0])}."

@@ -11,9 +11,9 @@ from torch.nn import functional as F
 
 from swifttailor.networks.model_file import write_graph
 from swifttailor.networks.onnx_export_torch import export_graph
-from swifttailor.parameter_reader.read_parameter import ReadParameter
 from swifttailor.parameter_reader.reader import INPUTS, KIND, OUTPUTS
 from swifttailor.picture_reader.labels import labels_checksum
+from swifttailor.programs.read_parameter import ReadParameter
 
 
 class ParameterNetwork(nn.Module):

@@ -13,13 +13,16 @@ from numpy.typing import NDArray
 from swifttailor.errors import InputError
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
 from swifttailor.parameter_reader.features import features_of
-from swifttailor.parameter_reader.read_parameter import ReadParameter
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.picture_reader.labels import labels_checksum
+from swifttailor.picture_reader.seen_design import SeenDesign, mixed
+from swifttailor.programs.read_parameter import ReadParameter
 
 SHIPPED = Path(__file__).with_name("parameter_reader.onnx")
 INPUTS, OUTPUTS = ("features",), ("logits",)
 KIND = ModelKind("parameter reader", "swifttailor parameter-reader 1", 2**26, ({GRAPH: (INPUTS, OUTPUTS)},))
+SEEN = 0.7
+"""How much what a picture shows of a parameter counts; the rest is what follows from its reading."""
 Design = dict[str, Any]
 """Values of design parameters by flat names; those that are not there have their defaults."""
 
@@ -61,11 +64,12 @@ class ParameterReader:
         )
         return ParameterReader(model.sessions[GRAPH], parameters, model.about.get("card", {}))
 
-    def shares(self, sought: Sought) -> list[NDArray[np.float64]]:
+    def shares(self, sought: Sought, seen: SeenDesign | None = None) -> list[NDArray[np.float64]]:
         """How likely each value of each parameter is.
 
         Args:
             sought: What is known of a garment.
+            seen: What a picture shows of it, where its reader reads design parameters.
 
         Returns:
             For each of `parameters` (values,); they add up to 1.
@@ -82,16 +86,26 @@ class ParameterReader:
             first += len(one.values)
             part = np.exp(part - part.max())
             found.append(part / part.sum())
-        return found
+        return found if seen is None else self._with(found, seen)
 
-    def designs(self, sought: Sought, *, seed: int = 0) -> Iterator[Design]:
+    def _with(self, found: list[NDArray[np.float64]], seen: SeenDesign) -> list[NDArray[np.float64]]:
+        """The same, heard together with what was seen; a parameter that is not read in pictures stays."""
+        shown = dict(zip((one.name for one in seen.parameters), seen.shares, strict=True))
+        own = {one.name: one for one in seen.parameters}
+        return [
+            mixed([mine, shown[one.name]], [1 - SEEN, SEEN]) if own.get(one.name) == one else mine
+            for one, mine in zip(self.parameters, found, strict=True)
+        ]
+
+    def designs(self, sought: Sought, seen: SeenDesign | None = None, *, seed: int = 0) -> Iterator[Design]:
         """Designs that what is known may mean, endlessly: the likeliest, then others, bolder by and by.
 
         Args:
             sought: What is known of a garment.
+            seen: As in `shares`.
             seed: Of the others.
         """
-        shares = self.shares(sought)
+        shares = self.shares(sought, seen)
         yield {p.name: _likeliest(p, s) for p, s in zip(self.parameters, shares, strict=True)}
         chance, number = np.random.default_rng(seed), 1
         while True:

@@ -18,7 +18,10 @@ from swifttailor.picture_reader.close_ups import ALL_PARTS, CLOSE_UPS
 from swifttailor.picture_reader.labels import GUESS, labels_checksum, statement_labels
 from swifttailor.picture_reader.network_torch import EyesConfig, EyesNetwork
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
-from swifttailor.picture_reader.reader import INPUTS, KIND, OUTPUTS, PictureReader
+from swifttailor.picture_reader.reader import DESIGNS, INPUTS, KIND, OUTPUTS, PictureReader
+
+DESIGN_PARAMETERS = "design_parameters"
+"""Where a card has what `ReadParameter.to_json` says of those that the network reads."""
 
 
 def build_network(size: dict[str, Any]) -> EyesNetwork:
@@ -78,7 +81,8 @@ def export(
     """
     size = network.config.image_size
     example = torch.zeros(1, 3, size, size), torch.zeros(1, len(GUESS))
-    graph = export_graph(network.eval(), example, (None, None), INPUTS, OUTPUTS)
+    names = outputs_of(network)
+    graph = export_graph(network.eval(), example, (None, None), INPUTS, names)
     if scales is None:
         scales = np.tile(np.array([1.0, 0.0]), (len(statement_labels()), 1))
     said = [[round(float(v), 4) for v in row] for row in scales]
@@ -100,6 +104,7 @@ def export(
         panel_kinds=PANEL_KINDS,
         close_ups=looked_at,
         scales=said,
+        parameters=card.get(DESIGN_PARAMETERS, []),
     )
 
 
@@ -108,7 +113,12 @@ def compare(reader: PictureReader, network: EyesNetwork, *, seed: int = 0) -> fl
     size = network.config.image_size
     chance = np.random.default_rng(seed)
     picture, guess = chance.random((1, 3, size, size), np.float32), chance.random((1, 7), np.float32)
-    found = reader.session.run(list(OUTPUTS), {"pictures": picture, "guess": guess})
+    found = reader.session.run(list(outputs_of(network)), {"pictures": picture, "guess": guess})
     with torch.no_grad():
         made = network.eval()(torch.from_numpy(picture), torch.from_numpy(guess))
     return max(float(np.abs(f - m.numpy()).max()) for f, m in zip(found, made, strict=True))
+
+
+def outputs_of(network: EyesNetwork) -> tuple[str, ...]:
+    """Names of what a network says: designs only if it reads them."""
+    return (*OUTPUTS, DESIGNS) if network.config.design_values else OUTPUTS

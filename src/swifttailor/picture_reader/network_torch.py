@@ -11,6 +11,7 @@ from torch import Tensor, nn
 from torch.nn import functional as F
 
 from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.picture_reader.design_head_torch import DesignHead
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import (
     BOX,
@@ -23,6 +24,7 @@ from swifttailor.picture_reader.labels import (
     topics,
 )
 from swifttailor.picture_reader.lite_trunk_torch import TRUNKS, LiteTrunk
+from swifttailor.picture_reader.looks_torch import Looks
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS, kinds_of_panels
 from swifttailor.picture_reader.units import MEASURE_CM, VIEW_CM
 
@@ -48,6 +50,8 @@ class EyesConfig:
     mask_width: int = 24
     trunk: Literal["resnet", "efficientnet-lite0", "efficientnet-lite2"] = "resnet"
     """Of the latter two, embedding, stages and depths are given."""
+    design_values: tuple[int, ...] = ()
+    """How many values each design parameter may have that is read; none are where it is empty."""
 
 
 class Reading(NamedTuple):
@@ -77,6 +81,8 @@ class Reading(NamedTuple):
     """(B, K, h, w) logits: of which of `PANEL_KINDS` the panel in each cell is; anything where none is."""
     seams: Tensor
     """(B, 1, h, w) logits: whether two panels of one garment meet in it; anything where none is."""
+    designs: Tensor | None = None
+    """(B, 2, D, V) logits: which value each design parameter has, lowest where it has fewer."""
 
 
 _DENSE = (len(PARTS), 3, len(PANEL_KINDS), 1)
@@ -115,8 +121,10 @@ class EyesNetwork(nn.Module):
         self.told = nn.Sequential(nn.Conv2d(_Told.COUNT, width, 1), nn.ReLU(), nn.Conv2d(width, width, 1))
         self.summed = nn.Linear(2 * len(PARTS) * len(PANEL_KINDS), width)
         nn.init.zeros_(self.summed.weight)
-        self.looks = _Looks(width, config.heads, len(PARTS) * len(topics()))
+        self.looks = Looks(width, config.heads, len(PARTS) * len(topics()))
         self.says = _Answers(width)
+        if config.design_values:
+            self.design = DesignHead(width, config.heads, config.design_values)
 
     def trunk(self, pictures: Tensor, guess: Tensor) -> tuple[Tensor, Tensor, Tensor]:
         """Maps of pictures (B, 3, H, W), 0 to 1: of the first two stages, and (B, width, H/16, W/16)."""
@@ -128,8 +136,8 @@ class EyesNetwork(nn.Module):
         deep = F.interpolate(self.lateral[1](fourth), scale_factor=2.0, mode="nearest")
         return first, second, self.smooth(self.lateral[0](third) + deep)
 
-    def forward(self, pictures: Tensor, guess: Tensor) -> Reading:
-        """Reads pictures.
+    def forward(self, pictures: Tensor, guess: Tensor) -> tuple[Tensor, ...]:
+        """Reads pictures: what makes a `Reading`.
 
         Args:
             pictures: (B, 3, H, W) sRGB from 0 to 1, H and W as configured.
@@ -145,7 +153,9 @@ class EyesNetwork(nn.Module):
         if third.shape[-2:] != places.shape[-2:]:
             places = F.interpolate(places, third.shape[-2:], mode="bilinear", align_corners=False)
         seen = self.looks((third + places).flatten(2).transpose(1, 2), self.summed(panels_of(masks)))
-        return Reading(*self.says(seen), *masks.split(_DENSE, 1))
+        answers = self.says(seen)
+        said = *answers, *masks.split(_DENSE, 1)
+        return (*said, self.design(third + places, seen, answers)) if self.config.design_values else said
 
 
 def _resnet(config: EyesConfig) -> tuple[nn.Module, nn.ModuleList]:
@@ -161,7 +171,28 @@ def _resnet(config: EyesConfig) -> tuple[nn.Module, nn.ModuleList]:
             layer_type="basic",
         )
     )
+    for block in list(trunk.encoder.modules()):
+        for name, layer in block.named_children():
+            if isinstance(layer, nn.Conv2d) and layer.kernel_size == (1, 1) and layer.stride != (1, 1):
+                setattr(block, name, _Skipping(layer))
     return trunk.embedder, trunk.encoder.stages
+
+
+class _Skipping(nn.Conv2d):
+    """A convolution of single pixels that passes over some, as one of fewer pixels.
+
+    The gradient that oneDNN has for it ends the process on some processors (torch 2.15, AMD EPYC with AVX-512,
+    channels last).
+    """
+
+    def __init__(self, layer: nn.Conv2d) -> None:
+        has_bias = layer.bias is not None
+        super().__init__(layer.in_channels, layer.out_channels, 1, layer.stride, bias=has_bias)
+        self.load_state_dict(layer.state_dict())
+
+    def forward(self, x: Tensor) -> Tensor:
+        down, across = self.stride
+        return F.conv2d(x[:, :, ::down, ::across], self.weight, self.bias)
 
 
 def places_of(pictures: Tensor, guess: Tensor) -> Tensor:
@@ -222,32 +253,6 @@ def panels_of(masks: Tensor) -> Tensor:
     found = (torch.sigmoid(whose)[:, :, None] * torch.softmax(kinds, 1)[:, None]).flatten(1, 2)
     surest = F.avg_pool2d(found, (1, 3), 1, (0, 1)).amax(dim=(2, 3))
     return torch.cat([found.mean(dim=(2, 3)).sqrt(), surest], 1)
-
-
-class _Looks(nn.Module):
-    """Every topic looks at the map with a question of its own."""
-
-    def __init__(self, width: int, heads: int, questions: int) -> None:
-        super().__init__()
-        self.heads = heads
-        self.questions = nn.Parameter(torch.randn(questions, width) * 0.3)
-        self.keys, self.values = nn.Linear(width, width), nn.Linear(width, width)
-        self.found, self.whole = nn.Linear(width, width), nn.Linear(width, width)
-        self.norm = nn.LayerNorm(width)
-        self.up, self.down = nn.Linear(width, width), nn.Linear(width, width)
-
-    def forward(self, tokens: Tensor, summary: Tensor) -> Tensor:
-        """(B, questions, width) of tokens (B, n, width) and what all questions are told (B, width)."""
-        batch, count, width = tokens.shape
-        part = width // self.heads
-        key = self.keys(tokens).view(batch, count, self.heads, part).permute(0, 2, 3, 1)
-        value = self.values(tokens).view(batch, count, self.heads, part).transpose(1, 2)
-        query = self.questions.view(-1, self.heads, part).transpose(0, 1)
-        share = (query[None] @ key * part**-0.5).softmax(-1)
-        found = (share @ value).transpose(1, 2).reshape(batch, -1, width)
-        whole = self.whole(tokens.mean(1)) + summary
-        x = self.found(found) + whole[:, None] + self.questions
-        return x + self.down(F.gelu(self.up(self.norm(x))))
 
 
 class _Answers(nn.Module):

@@ -37,8 +37,10 @@ from swifttailor.picture_reader.reading import (
     SeenPanel,
     Statement,
 )
+from swifttailor.picture_reader.seen_design import SeenDesign
 from swifttailor.picture_reader.units import BOX_CM, MEASURE_CM, NARROWEST, WIDEST
 from swifttailor.picture_reader.view import Square, camera_of, view_in
+from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.render.pixels import require_picture
 
 SHIPPED = Path(__file__).with_name("picture_reader.onnx")
@@ -63,7 +65,14 @@ OUTPUTS = (
     "panel_kinds",
     "seams",
 )
-KIND = ModelKind("picture reader", "swifttailor picture-reader 1", 2**28, ({GRAPH: (INPUTS, OUTPUTS)},))
+DESIGNS = "designs"
+"""Said besides by a network that has learnt to read design parameters."""
+KIND = ModelKind(
+    "picture reader",
+    "swifttailor picture-reader 1",
+    2**28,
+    ({GRAPH: (INPUTS, OUTPUTS)}, {GRAPH: (INPUTS, (*OUTPUTS, DESIGNS))}),
+)
 LEAST_PRESENT = 0.5
 LEAST_CERTAINTY = 0.03
 """What is less sure is not told; what is hardly likely still tells known patterns apart."""
@@ -95,6 +104,8 @@ class PictureReader:
     """Look at these in its place, each at what it has learnt from; the last of several that have."""
     plain: Callable[[], PictureReader] | None = None
     """Gives the one that reads plain pictures in its place."""
+    parameters: tuple[ReadParameter, ...] = ()
+    """Design parameters that it reads."""
 
     @staticmethod
     def load(
@@ -143,8 +154,14 @@ class PictureReader:
             if scales.shape != (len(statement_labels()), 2) or not np.isfinite(scales).all():
                 raise InputError(f"its scales have the shape {scales.shape}")
             close_ups = tuple(map(str, model.about.get("close_ups", ())))
+            parameters = tuple(ReadParameter.from_json(one) for one in model.about.get("parameters", ()))
+        if parameters:
+            most = max(len(one.values) for one in parameters)
+            shape = [1, len(PARTS), len(parameters), most]
+            model.require({"what it says of designs": (model.shape_made(GRAPH, DESIGNS), shape)})
         size = model.shape_given(GRAPH, "pictures")[-1]
-        return PictureReader(model.sessions[GRAPH], int(size), scales, model.about.get("card", {}), close_ups)
+        card = model.about.get("card", {})
+        return PictureReader(model.sessions[GRAPH], int(size), scales, card, close_ups, parameters=parameters)
 
     def read(self, pixels: Pixels) -> PictureReading:
         """What a picture shows.
@@ -176,7 +193,7 @@ class PictureReader:
                     answers = as_people_wear(answers)
                 seen[part] = square, answers
                 waiting += [(k, *seen[part]) for k in _present(seen[part][1])]
-        return self._reading(first, whole, seen, (height, width))
+        return self._reading(first, whole, seen, (height, width), nearer.parameters)
 
     def _looking_nearer(self, pixels: Pixels, whole: Square) -> PictureReader:
         """Who looks at garments and details: of plain pictures those who have learnt from nothing else."""
@@ -199,7 +216,7 @@ class PictureReader:
         """
         squares = [_scaled(square, scale) for scale in _SCALES]
         looks = [self._look(pixels, one, view_in(first["camera_view"], whole, one)) for one in squares]
-        answers = {name: np.mean([look[name] for look in looks], axis=0) for name in OUTPUTS}
+        answers = {name: np.mean([look[name] for look in looks], axis=0) for name in looks[0]}
         answers |= {name: looks[0][name] for name in _OF_A_FRAME}
         view = answers["camera_view"]
         looker_of = {name: looker for looker in self.near or (self,) for name in looker.close_ups}
@@ -215,8 +232,9 @@ class PictureReader:
         guess = np.zeros((1, len(GUESS)), np.float32)
         if view is not None:
             guess[0] = (*view, 1)
-        found = self.session.run(list(OUTPUTS), {"pictures": batch, "guess": guess})
-        answers = {name: value[0] for name, value in zip(OUTPUTS, found, strict=True)}
+        names = (*OUTPUTS, DESIGNS) if self.parameters else OUTPUTS
+        found = self.session.run(list(names), {"pictures": batch, "guess": guess})
+        answers = {name: value[0] for name, value in zip(names, found, strict=True)}
         return answers | {"statements": answers["statements"] * self.scales[:, 0] + self.scales[:, 1]}
 
     def _reading(
@@ -225,9 +243,10 @@ class PictureReader:
         whole: Square,
         seen: dict[int, tuple[Square, dict[str, Any]]],
         shape: tuple[int, int],
+        parameters: tuple[ReadParameter, ...],
     ) -> PictureReading:
         parts = [
-            self._part(k, square, answers, shape)
+            self._part(k, square, answers, shape, parameters)
             for k, (square, answers) in seen.items()
             if _share(answers["present"][k]) >= LEAST_PRESENT
         ]
@@ -243,7 +262,12 @@ class PictureReader:
         )
 
     def _part(
-        self, number: int, square: Square, answers: dict[str, Any], shape: tuple[int, int]
+        self,
+        number: int,
+        square: Square,
+        answers: dict[str, Any],
+        shape: tuple[int, int],
+        parameters: tuple[ReadParameter, ...],
     ) -> PartReading:
         mask = _share(answers["masks"][number])
         return PartReading(
@@ -259,6 +283,7 @@ class PictureReader:
                 answers["worn_places"].transpose(1, 2, 0) * _CM,
                 answers["panel_kinds"].argmax(axis=0).astype(np.uint8),
             ),
+            SeenDesign.of_logits(parameters, answers[DESIGNS][number]) if parameters else None,
         )
 
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from swifttailor.describing.claims import Claim
 from swifttailor.picture_reader.figures import Figures
+from swifttailor.picture_reader.seen_design import SeenDesign
 from swifttailor.render import Camera
 
 TOLD = 0.3
@@ -79,6 +80,8 @@ class PartReading:
     """(h, w) where in the picture it is, 0 to 1."""
     cells: SeenCells | None = None
     """The same and more, of the square that was looked at."""
+    design: SeenDesign | None = None
+    """Where the network reads design parameters."""
 
     def certainty_of(self, claim: str, word: str) -> float:
         """How sure a statement is; 0 where it is not among those that were read."""

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from swifttailor.picture_reader.reading import PartReading, SeenPanel, Statement
+from swifttailor.picture_reader.seen_design import SeenDesign
 
 T = TypeVar("T")
 
@@ -32,7 +33,16 @@ def together(parts: Sequence[PartReading]) -> PartReading:
         statements=tuple(sorted(said, key=lambda s: -s.certainty)),
         measures=_best((m for part in parts for m in part.measures), lambda m: m.name, lambda m: -m.off),
         panels=_panels(parts),
+        design=_design([part.design for part in parts]),
     )
+
+
+def _design(seen: Sequence[SeenDesign | None]) -> SeenDesign | None:
+    """None where one did not read the same parameters."""
+    found = [one for one in seen if one is not None]
+    if len(found) < len(seen) or any(one.parameters != found[0].parameters for one in found):
+        return None
+    return SeenDesign.together(found)
 
 
 def _panels(parts: Sequence[PartReading]) -> tuple[SeenPanel, ...]:

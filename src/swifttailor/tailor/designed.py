@@ -41,7 +41,8 @@ class DesignedCandidate:
         self._wanted = wanted
         self._found: list[Candidate] = []
         place = seed - wanted.order.seed
-        for design in islice(reader.designs(wanted.sought, seed=seed), place, place + MOST_DESIGNS):
+        seen = None if wanted.part is None else wanted.part.design
+        for design in islice(reader.designs(wanted.sought, seen, seed=seed), place, place + MOST_DESIGNS):
             try:
                 pattern = make_pattern(design).canonical()
             except DesignError:

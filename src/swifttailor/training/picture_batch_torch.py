@@ -14,12 +14,14 @@ from torch.utils.data import DataLoader, Dataset
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Block, Blocks
 from swifttailor.data.pictures.panel_cells import SEAM
+from swifttailor.parameter_reader.placed_designs import PlacedDesigns
 from swifttailor.picture_reader.close_ups import WHOLE, sees
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import MASK_STRIDE
 from swifttailor.picture_reader.network_torch import scaled
 from swifttailor.picture_reader.truth import TRUE, UNCLEAR
 from swifttailor.picture_reader.units import BOX_CM
+from swifttailor.training.design_table_torch import DesignTable
 from swifttailor.training.picture_config import PictureConfig
 from swifttailor.training.picture_pool_torch import PicturePool
 
@@ -62,6 +64,8 @@ class Answers(NamedTuple):
     """(B, h, w) number of `PANEL_KINDS`; -1 where no garment is."""
     seams: Tensor
     """(B, h, w) 0 or 1."""
+    designs: Tensor
+    """(B, 2, D, V) how right each value of each design parameter is; zeros where it does not matter."""
 
 
 class OfEach(NamedTuple):
@@ -78,12 +82,18 @@ class OfEach(NamedTuple):
 class TruthTable:
     """What is true of all garments of a bank, as tensors."""
 
-    def __init__(self, bank: PictureBank, device: torch.device | None = None) -> None:
+    def __init__(
+        self,
+        bank: PictureBank,
+        device: torch.device | None = None,
+        designs: PlacedDesigns | None = None,
+    ) -> None:
         found = {
             name: torch.from_numpy(v).to(device or "cpu") for name, v in bank.truths(range(len(bank))).items()
         }
         self.statements, self.measures = found["statements"], found["measures"].float()
         self.panels, self.boxes = found["panels"], found["boxes"]
+        self.designs = DesignTable(bank.ids, designs, device)
 
     def answers(
         self,
@@ -130,6 +140,7 @@ class TruthTable:
             places,
             cells % SEAM - 1,
             (cells >= SEAM).float(),
+            self.designs.answers(k, present & whole[:, None]),
         )
 
 
@@ -144,6 +155,7 @@ class PictureBatches:
         workers: int = 1,
         part: tuple[int, int] = (0, 1),
         device: torch.device | None = None,
+        designs: PlacedDesigns | None = None,
     ) -> None:
         """Prepares to draw.
 
@@ -154,6 +166,7 @@ class PictureBatches:
             part: Number of this process among those that train, and how many these are: each draws
                 blocks of its own, and has its share of a batch.
             device: Where batches are made, and pictures kept; the processor when None.
+            designs: Of the garments, as far as they are known.
         """
         self.config, self.workers = config, workers
         self._device = device or torch.device("cpu")
@@ -170,7 +183,7 @@ class PictureBatches:
             near=config.near,
             parts=config.parts,
         )
-        self.truths = TruthTable(bank, self._device)
+        self.truths = TruthTable(bank, self._device, designs)
         self._each = config.block * config.echo // self._size
         self._next, self._loaded = -1, iter(())
         self._block: Block | None = None

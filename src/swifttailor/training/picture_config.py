@@ -29,6 +29,8 @@ class EyesSize:
     heads: int = 6
     mask_width: int = 24
     trunk: Literal["resnet", "efficientnet-lite0", "efficientnet-lite2"] = "resnet"
+    design_values: tuple[int, ...] = ()
+    """Follows from the designs that are given (--designs)."""
 
     def __post_init__(self) -> None:
         sized = self.image_size >= _STRIDE and self.image_size % _STRIDE == 0
@@ -55,6 +57,7 @@ class LossWeights:
     places: float = 4.0
     kinds: float = 4.0
     seams: float = 2.0
+    designs: float = 0.5
     details: float = 1.0
     """How many times as much what close-ups tell of counts, in every picture."""
 

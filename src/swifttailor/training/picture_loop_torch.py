@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any, Unpack
 
@@ -13,7 +13,8 @@ from torch import Tensor, nn
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.errors import InputError
 from swifttailor.networks.settled_norms_torch import settle_norms
-from swifttailor.picture_reader.export_torch import build_network
+from swifttailor.parameter_reader.placed_designs import PlacedDesigns
+from swifttailor.picture_reader.export_torch import DESIGN_PARAMETERS, build_network
 from swifttailor.picture_reader.labels import labels_checksum
 from swifttailor.picture_reader.network_torch import Reading
 from swifttailor.training.loop_torch import Loop, RunOptions, Task
@@ -36,6 +37,7 @@ def train(
     *,
     validation: Sequence[Path],
     apart: Sequence[Path] = (),
+    designs: Path | None = None,
     workers: int = 1,
     **options: Unpack[RunOptions],
 ) -> dict[str, Any]:
@@ -47,6 +49,7 @@ def train(
         out: Folder of the run; holds weights, card, checkpoint and measurements.
         validation: Folders of splits to validate with.
         apart: Folders of splits whose patterns must not be learnt from, nor those of `validation`.
+        designs: File of `PlacedDesigns`: the network learns to say design parameters, too.
         workers: Processes that draw; 0 draws between the steps.
         options: How it is run.
 
@@ -57,6 +60,8 @@ def train(
         InputError: A file, the folder or the configuration cannot be used.
         SimulationError: The loss is no number any more.
     """
+    placed = None if designs is None else PlacedDesigns.read(designs)
+    config = replace(config, network=replace(config.network, design_values=placed.values if placed else ()))
     loop = Loop.start(config, out, **options)
     processes, report = loop.processes, loop.report
     held = PictureBank(validation)
@@ -70,7 +75,7 @@ def train(
     bank.leave_out(held.digests().union(*(other.digests() for other in others)))
     if processes.count > 1 and config.batch_size % processes.count:
         raise InputError(f"batch_size is {config.batch_size}; a multiple of the processes is accepted.")
-    task = PictureTask(config, bank, held, processes, workers=workers, resumed=loop.resume)
+    task = PictureTask(config, bank, held, processes, designs=placed, workers=workers, resumed=loop.resume)
     report(
         f"{sum(p.numel() for p in task.network.parameters()) / 1e6:.2f} M parameters; {len(bank)} garments "
         f"to draw, {len(task.held)} pictures to validate; {processes.device}, {processes.count} process(es)."
@@ -90,6 +95,7 @@ class PictureTask(Task):
         validation: PictureBank,
         processes: Processes,
         *,
+        designs: PlacedDesigns | None = None,
         workers: int,
         resumed: bool = False,
     ) -> None:
@@ -100,6 +106,7 @@ class PictureTask(Task):
             bank: To learn from.
             validation: To judge by.
             processes: That train.
+            designs: Of the garments, as far as they are known.
             workers: Processes that draw.
             resumed: Whether the weights will be those of a checkpoint.
         """
@@ -108,9 +115,12 @@ class PictureTask(Task):
         self.network = build_network(asdict(config.network)).to(processes.device)
         self.network = self.network.to(memory_format=torch.channels_last)
         part = processes.rank, processes.count
-        self.batches = PictureBatches(bank, config, workers=workers, part=part, device=self.device)
+        self.batches = PictureBatches(
+            bank, config, workers=workers, part=part, device=self.device, designs=designs
+        )
+        self.designs = designs
         if config.start:
-            load_start(self.network, Path(config.start))
+            load_start(self.network, Path(config.start), optional=[("design.",)])
             if config.start.endswith(GRAPH) and not resumed:
                 settle_norms(self.network, self._show_some)
         self.weights = MasterWeights(self.network)
@@ -118,7 +128,7 @@ class PictureTask(Task):
         self.precision = "bfloat16" if lowered else "float32"
         self.held = ValidationPictures(validation, config)
         self.data = {
-            "train": {"garments": len(bank), "sha256": bank.checksum()},
+            "train": {"garments": len(bank), "sha256": bank.checksum()} | _known(bank, designs),
             "validation": {"garments": self.held.garments, "sha256": validation.checksum()},
         }
 
@@ -153,7 +163,16 @@ class PictureTask(Task):
 
     def card(self) -> dict[str, Any]:
         """Model, labels and data."""
-        return {"model": "PictureReader", "labels_sha256": labels_checksum(), "data": self.data}
+        about = {"model": "PictureReader", "labels_sha256": labels_checksum(), "data": self.data}
+        if self.designs:
+            about[DESIGN_PARAMETERS] = [one.to_json() for one in self.designs.parameters]
+        return about
+
+
+def _known(bank: PictureBank, designs: PlacedDesigns | None) -> dict[str, int]:
+    if designs is None:
+        return {}
+    return {"designs": int(designs.of_ids(bank.ids)[1].any(axis=1).sum())}
 
 
 def _percent(share: float | None, digits: int = 1) -> str:

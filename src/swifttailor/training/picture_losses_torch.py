@@ -31,7 +31,7 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     themselves have a loss of their own, for where widths are small the likelihood has gradients beside which
     all others vanish. Of a group nothing counts but that it is one.
     """
-    reading = Reading(*(value.float() for value in reading))
+    reading = Reading(*(value.float() for value in reading if value is not None))
     count = len(truth.present)
     each = _weights(weights.details, truth.present.device)
     several, one = (truth.figures == FIGURES.index(name) for name in ("several", "one"))
@@ -65,6 +65,8 @@ def reading_losses(reading: Reading, truth: Answers, weights: LossWeights) -> di
     losses["kinds"] = ((kinds * cloth).sum(dim=(1, 2)) / cells).sum()
     seams = F.binary_cross_entropy_with_logits(reading.seams[:, 0], truth.seams, reduction="none")
     losses["seams"] = ((seams * cloth).sum(dim=(1, 2)) / cells).sum()
+    if reading.designs is not None:
+        losses["designs"] = -(truth.designs * reading.designs.log_softmax(-1)).sum()
     losses = {name: value / count for name, value in losses.items()}
     factor = {"has": weights.measures, "widths": weights.measures} | vars(weights)
     losses["total"] = torch.stack([factor[name] * value for name, value in losses.items()]).sum()

@@ -123,7 +123,7 @@ def read_all(network: EyesNetwork, shown: Shown, device: torch.device, *, seen: 
         if seen:
             guess[:, :-1] = torch.from_numpy(shown.views[start : start + _BATCH])
         else:
-            guess[:, :-1] = network(batch, guess).view
+            guess[:, :-1] = Reading(*network(batch, guess)).view
         guess[:, -1] = 1
         parts.append([value.float().cpu() for value in network(batch, guess)])
     return Reading(*(torch.cat(column) for column in zip(*parts, strict=True)))

@@ -8,7 +8,8 @@ from pathlib import Path
 from torch import nn
 
 from swifttailor.errors import InputError
-from swifttailor.networks.graph_weights_torch import graph_weights
+from swifttailor.networks.graph_weights_torch import MAX_BYTES, graph_tensors, state_of
+from swifttailor.networks.model_file import read_bytes
 
 GRAPH = ".onnx"
 
@@ -20,7 +21,7 @@ def load_start(network: nn.Module, path: Path, optional: Sequence[tuple[str, ...
         network: Changed in place.
         path: Of the weights: weights.safetensors of a run, or the model file (.onnx) made of one.
         optional: Parts, each as the beginnings of the names of its weights. One of which the file lacks
-            weights, or has others, stays as it is.
+            weights, or a run has others, stays as it is.
 
     Returns:
         The beginnings of the names of what stayed.
@@ -30,8 +31,10 @@ def load_start(network: nn.Module, path: Path, optional: Sequence[tuple[str, ...
         MissingExtraError: The file is a graph, and onnx is not installed.
     """
     if path.suffix == GRAPH:
-        network.load_state_dict(graph_weights(path, network))
-        return []
+        values = graph_tensors(read_bytes(path, MAX_BYTES), str(path)).named
+        lacking = [p for part in optional for p in part if not any(name.startswith(p) for name in values)]
+        network.load_state_dict(state_of(values, network, path, keeps=lacking))
+        return lacking
     from safetensors import SafetensorError
     from safetensors.torch import load_file
 

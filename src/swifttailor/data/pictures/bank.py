@@ -124,6 +124,11 @@ class PictureBank:
             truth,
         )
 
+    @property
+    def ids(self) -> list[str]:
+        """Of all patterns."""
+        return [self._caches[number].reader.ids[k] for number, k in self._places]
+
     def part(self, k: int) -> int:
         """Number of the part of the body that a garment covers."""
         number, place = self._places[k]

@@ -1,0 +1,52 @@
+"""What is true of the design parameters of garments, as a network is told it. It loads torch."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from swifttailor.parameter_reader.placed_designs import PlacedDesigns, nearly_right
+
+
+class DesignTable:
+    """Of all garments of a training."""
+
+    def __init__(
+        self, ids: Sequence[str], designs: PlacedDesigns | None, device: torch.device | None = None
+    ) -> None:
+        """Looks them up.
+
+        Args:
+            ids: Of the garments.
+            designs: That are known; none when None.
+            device: Where answers are made.
+        """
+        most = max(designs.values) if designs else 0
+        count = len(designs.parameters) if designs else 0
+        right = np.zeros((count, most, most), np.float32)
+        places, matter = np.zeros((len(ids), 0), np.uint8), np.zeros((len(ids), 0), bool)
+        if designs:
+            places, matter = designs.of_ids(ids)
+            for k, one in enumerate(designs.parameters):
+                values = len(one.values)
+                right[k, :values, :values] = nearly_right(values, is_number=one.is_number)
+        self._right = torch.from_numpy(right).to(device)
+        self._places = torch.from_numpy(places).to(device)
+        self._matter = torch.from_numpy(matter).to(device)
+        self._each = torch.arange(count, device=device)
+
+    def answers(self, garments: Tensor, told: Tensor) -> Tensor:
+        """How right each value of each parameter is.
+
+        Args:
+            garments: (...) their numbers.
+            told: (...) whether anything is told of them.
+
+        Returns:
+            (..., parameters, values); zeros where a garment does not follow from a parameter.
+        """
+        right = self._right[self._each, self._places[garments].long()]
+        return right * (self._matter[garments] & told[..., None])[..., None]
