@@ -21,9 +21,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
 out=$work/gpu
 minutes=${MINUTES:-8}
 both=(network.trunk=efficientnet-lite2 network.image_size=192 batch_size=512 block=256 steps=100000 validate_every=100000)
-eyes=(pool=32768 echo=6 learning_rate=0.002 warmup_steps=60 final_rate=0.02 ema=0.998 validation_garments=30 plain=0.25
+eyes=(pool=65536 echo=10 learning_rate=0.001 warmup_steps=60 final_rate=0.02 ema=0.998 validation_garments=30 plain=0.25
     studio=0.15 nothing=0.02 several=0.02 close=0.1)
-plain=(pool=16384 echo=4 learning_rate=0.001 warmup_steps=20 final_rate=0.03 ema=0.99 validation_garments=40 plain=0.92
+plain=(pool=16384 echo=4 learning_rate=0.0007 warmup_steps=20 final_rate=0.03 ema=0.99 validation_garments=40 plain=0.92
     studio=0 several=0 nothing=0.02 unlike=0.06 close=0 near=0.9 unguessed=0.1 variation=0.7)
 patterns=() length=2.5
 if [ -n "$rehearse" ]; then
