@@ -152,7 +152,7 @@ def test_it_learns_design_parameters_of_the_garments_whose_designs_are_known(dat
 
 
 def test_begins_with_a_reader_that_says_no_designs(data, designs, tmp_path):
-    """All else is as the file has it, and what says designs is learnt from nothing; then it is as the file has it, too."""
+    """All else is as the file has it; once there is something that says designs, that is as well."""
     from safetensors.numpy import load_file
 
     from swifttailor.cli.train_export import TrainExport

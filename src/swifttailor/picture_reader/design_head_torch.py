@@ -20,6 +20,9 @@ NEVER = -1e4
 class DesignHead(nn.Module):
     """Every parameter looks at the picture, and is told what has been said of the garment."""
 
+    there: Tensor
+    """(parameters, most values) whether a parameter has so many."""
+
     def __init__(self, width: int, heads: int, values: Sequence[int]) -> None:
         """With random weights.
 

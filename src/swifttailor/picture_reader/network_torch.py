@@ -181,18 +181,19 @@ def _resnet(config: EyesConfig) -> tuple[nn.Module, nn.ModuleList]:
 class _Skipping(nn.Conv2d):
     """A convolution of single pixels that passes over some, as one of fewer pixels.
 
-    The gradient that oneDNN has for it ends the process on some processors (torch 2.15, AMD EPYC with AVX-512,
-    channels last).
+    The gradient that oneDNN has for it ends the process on some processors (torch 2.15, AMD EPYC, channels
+    last).
     """
 
     def __init__(self, layer: nn.Conv2d) -> None:
+        down, across = layer.stride
         has_bias = layer.bias is not None
-        super().__init__(layer.in_channels, layer.out_channels, 1, layer.stride, bias=has_bias)
+        super().__init__(layer.in_channels, layer.out_channels, 1, (down, across), bias=has_bias)
         self.load_state_dict(layer.state_dict())
 
-    def forward(self, x: Tensor) -> Tensor:
+    def forward(self, input: Tensor) -> Tensor:
         down, across = self.stride
-        return F.conv2d(x[:, :, ::down, ::across], self.weight, self.bias)
+        return F.conv2d(input[:, :, ::down, ::across], self.weight, self.bias)
 
 
 def places_of(pictures: Tensor, guess: Tensor) -> Tensor:
