@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from own_library import library_of
@@ -13,6 +15,7 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError
 from swifttailor.parameter_reader.reader import ParameterReader
 from swifttailor.pattern.drafts import draft
+from swifttailor.picture_reader.seen_design import SeenDesign
 from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.tailor import Order, Tailor
 
@@ -74,6 +77,20 @@ def test_what_is_read_is_drafted_cut_and_said(sewer, eyes, tmp_path):
     hem = [w for w in made.report["wishes"] if "midi" in w["wish"] or "calf" in w["wish"]]
     assert made.report["wishes"] and all(w["holds"] for w in hem), "it was drafted too short, and cut"
     made.save(tmp_path, preview=False)
+
+
+def test_what_the_picture_shows_of_a_design_is_drafted(sewer):
+    part = worn("lower", {"kind": ("skirt", 0.99)})
+    shares = {"meta.bottom": [0.02, 0.98], "flare-skirt.suns": [0.99, 0.01]}
+    shown = tuple(one for one in CHOICES if one.name in shares)
+    seen = SeenDesign(shown, tuple(np.array(shares[one.name]) for one in shown))
+    unsure = designer(0.5, 0.0, 9.0, 0.0, 9.0, 0.0, 0.0, 0.1)
+    designs = [
+        tailor_of(sewer, Seeing((one,)), unsure).generate(image=PICTURE, refine=0).answer.design
+        for one in (part, replace(part, design=seen))
+    ]
+    assert [one["meta.bottom"] for one in designs] == ["PencilSkirt", "SkirtCircle"]
+    assert designs[1]["flare-skirt.suns"] == 0.5 and designs[1]["meta.wb"] == "StraightWB"
 
 
 @pytest.mark.parametrize(("certainty", "cut"), [(0.93, False), (0.98, True)])
