@@ -63,6 +63,7 @@ class TrainExport:
         Raises:
             SwiftTailorError: The folder holds no trained network, or something is not installed.
         """
+        from swifttailor.picture_reader.seen_design import IN_CARD
         from swifttailor.training.extra import require_training_packages
 
         if self.out is not None and self.out.suffix not in _MODELS.values():
@@ -91,6 +92,7 @@ class TrainExport:
             said = self._export(model, made)
             written = made.read_bytes()
         card = json.loads((self.source / "card.json").read_text(encoding="utf-8"))
+        card.pop(IN_CARD, None)  # the file has them
         card["file"] = {"bytes": len(written), "sha256": hashlib.sha256(written).hexdigest()}
         write_bytes(out, written, overwrite=self.overwrite)
         write_text(beside, json.dumps(card, indent=1, allow_nan=False) + "\n", overwrite=self.overwrite)

@@ -19,9 +19,7 @@ from swifttailor.picture_reader.labels import GUESS, labels_checksum, statement_
 from swifttailor.picture_reader.network_torch import EyesConfig, EyesNetwork
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.reader import DESIGNS, INPUTS, KIND, OUTPUTS, PictureReader
-
-DESIGN_PARAMETERS = "design_parameters"
-"""Where a card has what `ReadParameter.to_json` says of those that the network reads."""
+from swifttailor.picture_reader.seen_design import IN_CARD
 
 
 def build_network(size: dict[str, Any]) -> EyesNetwork:
@@ -99,12 +97,12 @@ def export(
         path,
         KIND,
         graph,
-        card,
+        {name: value for name, value in card.items() if name != IN_CARD},
         labels_sha256=labels_checksum(),
         panel_kinds=PANEL_KINDS,
         close_ups=looked_at,
         scales=said,
-        parameters=card.get(DESIGN_PARAMETERS, []),
+        parameters=card.get(IN_CARD, []),
     )
 
 

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 from swifttailor.arrays import Floats
 from swifttailor.programs.read_parameter import ReadParameter
 
+IN_CARD = "design_parameters"
+"""Where the card of a training has what `ReadParameter.to_json` says of those that the network reads."""
 _LEAST = 1e-6
 
 

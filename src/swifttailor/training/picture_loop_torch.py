@@ -14,9 +14,10 @@ from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.errors import InputError
 from swifttailor.networks.settled_norms_torch import settle_norms
 from swifttailor.parameter_reader.placed_designs import PlacedDesigns
-from swifttailor.picture_reader.export_torch import DESIGN_PARAMETERS, build_network
+from swifttailor.picture_reader.export_torch import build_network
 from swifttailor.picture_reader.labels import labels_checksum
 from swifttailor.picture_reader.network_torch import Reading
+from swifttailor.picture_reader.seen_design import IN_CARD
 from swifttailor.training.loop_torch import Loop, RunOptions, Task
 from swifttailor.training.master_weights_torch import MasterWeights
 from swifttailor.training.picture_batch_torch import PictureBatches
@@ -165,7 +166,7 @@ class PictureTask(Task):
         """Model, labels and data."""
         about = {"model": "PictureReader", "labels_sha256": labels_checksum(), "data": self.data}
         if self.designs:
-            about[DESIGN_PARAMETERS] = [one.to_json() for one in self.designs.parameters]
+            about[IN_CARD] = [one.to_json() for one in self.designs.parameters]
         return about
 
 
