@@ -183,6 +183,23 @@ def test_begins_with_a_reader_that_says_no_designs(data, designs, tmp_path):
             assert name not in weights or np.allclose(ours[name].cpu().numpy(), weights[name])
 
 
+def test_a_frozen_trunk_stays_while_the_rest_learns(data, tmp_path):
+    from safetensors.numpy import load_file
+
+    from swifttailor.errors import InputError
+
+    with pytest.raises(InputError, match="frozen_trunk is True"):
+        tiny_config(frozen_trunk=True)
+    run_of(data, tmp_path / "before", config=tiny_config(steps=1))
+    start = tmp_path / "before/weights.safetensors"
+    run_of(data, tmp_path / "after", config=tiny_config(steps=3, start=str(start), frozen_trunk=True))
+    before, after = (load_file(tmp_path / name / "weights.safetensors") for name in ("before", "after"))
+    trunk = [name for name in before if name.startswith(("embedder.", "stages."))]
+    assert len(trunk) > 20 and all(np.array_equal(before[name], after[name]) for name in trunk)
+    for name in ("says.panels", "mask.0.weight", "looks.questions", "places"):
+        assert not np.array_equal(before[name], after[name]), name
+
+
 def test_what_does_not_matter_of_a_design_is_not_learnt(data, designs):
     import torch
 

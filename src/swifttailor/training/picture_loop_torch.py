@@ -124,6 +124,8 @@ class PictureTask(Task):
             load_start(self.network, Path(config.start), optional=[("design.",)])
             if config.start.endswith(GRAPH) and not resumed:
                 settle_norms(self.network, self._show_some)
+        if config.frozen_trunk:
+            self.network.freeze_trunk()
         self.weights = MasterWeights(self.network)
         lowered = config.precision == "bfloat16" or (config.precision == "auto" and _has_bfloat16())
         self.precision = "bfloat16" if lowered else "float32"
