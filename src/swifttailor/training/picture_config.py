@@ -105,8 +105,8 @@ class PictureConfig(LoopConfig):
     unguessed: float = 0.35
     """Share of pictures of which the network is not told where the wearer is, as at a first look."""
     frozen_trunk: bool = False
-    """Whether the convolutions stay as `start` has them, and only what looks at their map learns: four times as
-    many pictures in the same time of a processor."""
+    """Whether the convolutions stay as `start` has them, and only what looks at their map learns: four times
+    as many pictures in the same time of a processor."""
     validation_garments: int = 150
 
     def __post_init__(self) -> None:
