@@ -21,6 +21,8 @@ def doubts(answer: Answer) -> list[str]:
     found += ["nothing understood"] if wanted.misses else []
     found += ["kind is a guess"] if wanted.kind_is_guessed else []
     found += [f"not understood: {word}" for word in heard.unread]
+    found += [f"may not be meant: {wish_line(change)}" for change in heard.unsure]
+    found += [f"may be meant: {wish_line(change)}" for change in heard.perhaps]
     found += [f"cannot be made: {what}" for what in heard.cannot]
     found += [f"contradiction: {one}, {other}" for one, other in heard.contradictions]
     missing = [wish.change for wish in answer.not_done if wish.certainty >= USUAL]

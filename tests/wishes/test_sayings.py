@@ -166,3 +166,30 @@ def test_a_girth_that_ends_at_a_number_changes_by_the_difference():
     now = facts.waistband.upper
     plain = with_targets(f"waist down to {now - 4:.1f} cm", "trousers", facts)
     assert plain == "waist narrower by 4.0 cm"
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "changes"),
+    [
+        ("pencil skirt out, circle skirt in", "dress", {gain("skirt", "circle")}),
+        ("sleeves: long -> short", "top", {Step("sleeve length", -1)}),
+        ("the sleeves from long to short", "dress", {gain("sleeves", "short")}),
+        ("i keep rolling up the sleeves", "top", {Step("sleeve length", -1)}),
+        ("sleeves are way past my fingertips", "top", {Step("sleeve length", -1)}),
+        ("too much bust on show", "dress", {Step("neck depth", -1)}),
+        ("i'm choking", "top", {Step("neck depth", 1)}),
+        ("delete collar, remove hood mesh", "top", {gain("collar", "none"), gain("hood", "none")}),
+        ("crop it just under the bust", "top", {gain("top_hem", "bra")}),
+        ("let it end at the waist", "top", {gain("top_hem", "waist")}),
+        ("she has to run in it, open it up below the knee", "skirt", {Step("skirt hem", 1)}),
+        ("one sleeve only, on the left", "top", {gain("sleeves", "left only"), gain("sides", "different")}),
+        ("Ausschnitt bitte rund statt eckig", "dress", {gain("neckline", "round")}),
+    ],
+)
+def test_what_one_writer_said_of_sixty_garments(text, kind, changes):
+    assert heard(text, kind) == changes
+
+
+def test_a_hem_measured_from_the_waist_is_no_girth():
+    assert plainly("hem at 60 cm from the waist", "dress") == "skirt length 60 cm"
+    assert plainly("hem at 60 cm", "dress") == "hem at 60 cm"
