@@ -193,3 +193,19 @@ def test_what_one_writer_said_of_sixty_garments(text, kind, changes):
 def test_a_hem_measured_from_the_waist_is_no_girth():
     assert plainly("hem at 60 cm from the waist", "dress") == "skirt length 60 cm"
     assert plainly("hem at 60 cm", "dress") == "hem at 60 cm"
+
+
+@pytest.mark.parametrize(
+    ("said", "plain"),
+    [
+        ("a good inch shorter", "1 inch shorter"),
+        ("take it up by 2 or 3 cm", "take it up by 3 cm"),
+        ("couple inches off the hem", "2 inches off the hem"),
+        ("two fingers longer", "4 cm longer"),
+        ("a hand's breadth longer, please", "10 cm longer, please"),
+        ("sleeves down to my fingers", "sleeves down to my fingers"),
+        ("two fingers of cloth", "two fingers of cloth"),
+    ],
+)
+def test_amounts_by_hand_are_in_centimetres(said, plain):
+    assert plainly(said, "dress") == plain

@@ -64,7 +64,7 @@ def gain(name, value):
         ("close slit", "skirt", [gain("slit", "none")]),
         ("put a slit up the side", "skirt", [gain("slit", "left")]),
         ("hem longer behind", "skirt", [gain("hem_shape", "high-low")]),
-        ("bring the waist in a touch", "dress", [Step("chest", -1)]),
+        ("bring the waist in a touch", "dress", [Step("chest", -1, 6.0)]),
         ("let the bust out by 4cm", "dress", [Step("chest", 1, 4.0)]),
         ("take the hem up 3cm", "dress", [Step("length", -1, 3.0)]),
         ("put more cloth in the skirt", "skirt", [Step("skirt hem", 1)]),

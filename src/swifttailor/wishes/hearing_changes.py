@@ -30,10 +30,10 @@ from swifttailor.wishes.stated_figures import (
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
-from swifttailor.wishes.whole_instruction import go_together, is_disputed, uncertain, with_the_whole
+from swifttailor.wishes.whole_instruction import MEANT, go_together, is_disputed, uncertain, with_the_whole
 from swifttailor.wishes.whole_of_kind import of_kind
 from swifttailor.wording.claim_kinds import fits_kind
-from swifttailor.wording.lexicon import SURENESS, Entry, WordReading, exclude, read_words
+from swifttailor.wording.lexicon import SURENESS, Entry, WordMark, WordReading, exclude, read_words
 
 SURE_IN_KNOWN_WORDS = 0.7
 """Enough for an edit whose words are all known ones for what was read: 147 of 162 such wishes
@@ -42,6 +42,7 @@ SURE_BESIDE = 0.97
 """Enough in a clause of an instruction that words alone explain in part."""
 
 
+_STRAPLESS = Claim("shoulders", "strapless")
 _OVERSIZED, _EASY = Claim("fit", "oversized"), Gain(Claim("fit", "easy"))
 _MADE = {
     "sleeve length": Claim("sleeves", "long"),
@@ -143,7 +144,8 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         whole = reader.whole(own)
         whole = whole if facts is None or kind is None else of_kind(whole, kind, facts)
         firm = [change for _, some in taken for change in some]
-        firm += [c for c in told if isinstance(c, Gain) and c.claim.name == "kind"]
+        if any(p >= MEANT for c, p in whole.items() if isinstance(c, Gain) and c.claim.name == "kind"):
+            firm += [c for c in told if isinstance(c, Gain) and c.claim.name == "kind"]  # it knows no halves
 
         def accepts(change: Change, told: Sequence[Change]) -> bool:
             return (
@@ -236,10 +238,17 @@ def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: 
     if is_stated(change, told):
         return False
     if isinstance(change, Gain):
+        if change.claim == _STRAPLESS and any(_is_strap(mark) for mark in words.marks):
+            return False
         if change.claim in words.never or change.claim.name == "kind":
             return change.claim.name == "kind" and not told and change.claim not in words.never
         return not any(isinstance(o, Gain) and exclude(change.claim, o.claim) for o in told)
     return True
+
+
+def _is_strap(mark: WordMark) -> bool:
+    """Whether straps are asked for, and not to go."""
+    return mark.word.lower() in ("strap", "straps") and not mark.denied
 
 
 def _can_become(change: Change, facts: GarmentFacts) -> bool:

@@ -106,6 +106,7 @@ _GIVEN = re.compile(
 )
 _SOME = re.compile(r"(?<!\w)(?:some|a (?:bit|touch|hint|suggestion|little) of(?: a)?|any) sleeves?(?!\w)")
 """Asked of what has none: "a bit of sleeve"."""
+_COLLAR = re.compile(r"(?<!\w)(?:an?|some|any|with|add|needs?|wants?) (?:\w+ )?collar(?!\w)|^\W*collar\W*$")
 _SLEEVES_ALONE = re.compile(
     r"\W*(?:(?:but|and|with|i|want|please|yes|ok|with) )*sleeves?(?: (?:please|though))?\W*"
 )
@@ -158,6 +159,8 @@ def lacking(said: str, is_so: _IsSo) -> tuple[Change, ...]:
     """Parts that a garment lacks and is to have, without a word of what they are like: "with sleeves"."""
     found = _GIVEN.search(said)
     if found is None:
+        if _COLLAR.search(said) and is_so(Claim("collar", "none")):
+            return (Gain(Claim("collar", "stand")),)
         some = _SOME.search(said) or _SLEEVES_ALONE.fullmatch(said)
         return (Gain(Claim("sleeves", "short")),) if some and is_so(Claim("sleeves", "none")) else ()
     without, made = ("sleeves", "short") if found["sleeves"] else ("waistband", "waist")
