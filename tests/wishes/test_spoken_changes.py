@@ -27,6 +27,11 @@ def gain(name, value):
     ("text", "kind", "changes"),
     [
         ("longer", "trousers", [Step("leg length", 1)]),
+        ("ein tieferer Ausschnitt vorne", "dress", [Step("neck depth", 1)]),
+        ("mit engeren Ärmeln", "top", [Step("sleeve width", -1)]),
+        ("etwas mehr Platz am Oberschenkel", "trousers", [Step("thigh", 1)]),
+        ("zur Shorts kürzen", "trousers", [Step("leg length", -1), gain("kind", "shorts")]),
+        ("the band is too wide; 3 cm would be plenty", "skirt", [gain("waistband_cm", 3.0)]),
         ("the waistband digs in", "trousers", [Step("waistband width", 1, 3.0)]),
         ("a wider waistband", "skirt", [Step("waistband height", 1)]),
         ("open the neck up a little", "dress", [Step("neck depth", 1)]),

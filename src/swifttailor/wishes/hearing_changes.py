@@ -32,6 +32,7 @@ from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
 from swifttailor.wishes.whole_instruction import MEANT, go_together, is_disputed, uncertain, with_the_whole
 from swifttailor.wishes.whole_of_kind import of_kind
+from swifttailor.wishes.whole_sentences import whole_of
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, Entry, WordMark, WordReading, exclude, read_words
 
@@ -42,6 +43,12 @@ SURE_BESIDE = 0.97
 """Enough in a clause of an instruction that words alone explain in part."""
 
 
+_ONLY_OF = {
+    "top_hem": {"top", "tunic"},
+    "rise": {"skirt", "trousers", "shorts"},
+    "waist_seam": {"dress", "tunic", "jumpsuit", "playsuit"},
+}
+"""Kinds of which claims are that would make another garment of others: a dress that ends at the hip."""
 _STRAPLESS = Claim("shoulders", "strapless")
 _OVERSIZED, _EASY = Claim("fit", "oversized"), Gain(Claim("fit", "easy"))
 _MADE = {
@@ -141,7 +148,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     unsure: tuple[Change, ...] = ()
     perhaps: tuple[Change, ...] = ()
     if words.language == ENGLISH:
-        whole = reader.whole(own)
+        whole = whole_of(own, reader)
         whole = whole if facts is None or kind is None else of_kind(whole, kind, facts)
         firm = [change for _, some in taken for change in some]
         if any(p >= MEANT for c, p in whole.items() if isinstance(c, Gain) and c.claim.name == "kind"):
@@ -254,8 +261,9 @@ def _is_strap(mark: WordMark) -> bool:
 def _can_become(change: Change, facts: GarmentFacts) -> bool:
     """Whether a garment is not so already, and has what is to grow or shrink."""
     if isinstance(change, Gain):
-        name = change.claim.name
-        return (name == "sides" or fits_kind(name, named_kind(facts))) and not change.holds(facts, facts)
+        name, kind = change.claim.name, named_kind(facts)
+        fits = name == "sides" or (fits_kind(name, kind) and kind in _ONLY_OF.get(name, {kind}))
+        return fits and not change.holds(facts, facts)
     return QUANTITIES[change.quantity].of(facts) is not None
 
 

@@ -16,6 +16,11 @@ _MADE_OF = re.compile(
     r"(?<!\w)(?:make (?:it|them|that)|(?:should|must|to) be)"
     r"(?: (?:about|around|roughly|exactly|only|like|just))*\s*$"
 )
+_ENOUGH = re.compile(
+    r",? (?:(?:would|will|should|might|is|be|do)(?!\w) ?)*"
+    r"(?:plenty|enough|fine|ideal|perfect|lovely|better|nice|right)(?!\w)"
+)
+"""Behind where a measure is to end: "too wide; 3 cm would be plenty"."""
 _DIFFERENT = re.compile(r"\s*(?:\w+er|more|less|up|down|in|out|off|fewer)(?!\w)")
 """Behind a number: it is by how much, not to how much."""
 _SMALLEST_CM = 10.0
@@ -111,6 +116,8 @@ def is_target(text: str, mention: Mention) -> bool:
     """Whether a number is where a measure is to end: "to 52 cm", "too high, make it 4 cm"."""
     before = text[: mention.start]
     if _TO.search(before) is not None:
+        return True
+    if mention.is_length and _ENOUGH.match(text, mention.end) is not None:
         return True
     made = mention.is_length and _MADE_OF.search(before) is not None
     return made and _DIFFERENT.match(text, mention.end) is None

@@ -190,9 +190,9 @@ def spoken_changes(
             them=them or (goes_on and not inside),
         )
         clause = _read_alone(text, clause, kind)
-        amount = next((m.value for m in mentions if start <= m.start < end and m.is_length), None)
-        if amount is not None and not inside and found and _is_amount_of(small[start:end], clause, found[-1]):
-            found[-1] = joined_amount(found[-1], amount)
+        by = next((m for m in mentions if start <= m.start < end and m.is_length), None)
+        if by is not None and not inside and found and _is_amount_of(small[start:end], clause, found[-1]):
+            found[-1] = _with_amount(small, found[-1], by)
             clause = replace(clause, changes=(), left_over=())
         if denied and not clause.changes:
             clause = replace(clause, left_over=())
@@ -319,12 +319,8 @@ def _joined(
                 joined.append(replace(clause, left_over=()))
                 continue
             if any(isinstance(c, Step) and c.amount is None for c in before.changes):
-                ends = number is not None and is_target(text, number)
-                joined[-1] = (
-                    replace(before, changes=to_target(before.changes, number))
-                    if ends
-                    else joined_amount(before, length)
-                )
+                assert number is not None
+                joined[-1] = _with_amount(text, before, number)
                 joined.append(replace(clause, left_over=()))
                 continue
         named = " ".join(p.word for p in parts if clause.start <= p.start < clause.end)
@@ -340,6 +336,13 @@ def _joined(
                 clause = replace(clause, changes=())
         joined.append(clause)
     return joined
+
+
+def _with_amount(text: str, clause: SpokenClause, number: Mention) -> SpokenClause:
+    """A clause with the number that stands behind it: by how much, or where its measures are to end."""
+    if is_target(text, number):
+        return replace(clause, changes=to_target(clause.changes, number))
+    return joined_amount(clause, number.value)
 
 
 def _has_slits(clause: SpokenClause) -> bool:
