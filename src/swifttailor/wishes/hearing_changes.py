@@ -32,7 +32,7 @@ from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
 from swifttailor.wishes.whole_instruction import MEANT, go_together, is_disputed, uncertain, with_the_whole
 from swifttailor.wishes.whole_of_kind import of_kind
-from swifttailor.wishes.whole_sentences import whole_of
+from swifttailor.wishes.whole_sentences import is_letter, whole_of
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, Entry, WordMark, WordReading, exclude, read_words
 
@@ -170,6 +170,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
                 facts is not None and isinstance(change, Gain) and change.holds(facts, facts)
             ),
             firm=firm,
+            clear=_clear(spoken) if is_letter(own) else (),
         )
         taken = (*taken, (text.strip(), tuple(wish.change for wish in read))) if read else taken
         unsure, perhaps = uncertain(sure, read, whole, accepts, firm)
@@ -251,6 +252,11 @@ def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: 
             return change.claim.name == "kind" and not told and change.claim not in words.never
         return not any(isinstance(o, Gain) and exclude(change.claim, o.claim) for o in told)
     return True
+
+
+def _clear(spoken: SpokenChanges) -> list[Change]:
+    """What clauses ask for of which all words are accounted for."""
+    return [change for clause in spoken.clauses if not clause.left_over for change in clause.changes]
 
 
 def _is_strap(mark: WordMark) -> bool:

@@ -46,7 +46,9 @@ from swifttailor.wording.lexicon import Implication, WordReading, read_words
 _THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
 _UNDENIED = re.compile(r"(?:in|out|so|too|as|that|overly)(?!\w)")
 """Words of change that are no less so for a "not": what is "not so tight" is to be wider."""
-_DENIED = re.compile(r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas)(?:\s+\w+){0,2}\s+$")
+_DENIED = re.compile(
+    r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas)(?:\s+\w+){0,2}\s+(?:(?:any|much|even) )?$"
+)
 _EXCEPT = re.compile(
     r"\s*(?:except(?: for)?|apart from|other than|save for|but not|außer|bis auf|sauf|salvo|excepto)(?!\w)"
 )

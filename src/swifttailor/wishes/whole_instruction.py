@@ -23,7 +23,7 @@ DOUBTED, DOUBTED_BESIDE = 0.15, 0.02
 """Less than this speaks against what was heard, where something else is read: words left over or not."""
 AT_ODDS = 0.05
 """Less than this, where something else is read, counts against what was heard like a word left over."""
-FEW_WORDS, DECIDED, AHEAD = 8, 0.8, 0.2
+FEW_WORDS, DECIDED, AHEAD = 8, 0.8, 0.1
 """Of more words, what is so certain and so far ahead of its opposite decides what seems a contradiction."""
 KNOWN = 0.7
 """What the network alone reads with less is meant in every second text: done, and said to be unsure."""
@@ -42,6 +42,7 @@ def with_the_whole(
     accepts: Callable[[Change, Sequence[Change]], bool],
     holds: Callable[[Change], bool] = lambda change: False,
     firm: Collection[Change] = (),
+    clear: Collection[Change] = (),
 ) -> tuple[list[Wish], list[Wish]]:
     """What is heard word by word and what is meant as a whole, together.
 
@@ -52,18 +53,24 @@ def with_the_whole(
         accepts: Whether a change may stand beside others that are asked for.
         holds: Whether a change is so already. Who asks for that is answered with nothing.
         firm: What vague words are taken to mean, which the network does not overrule.
+        clear: What a letter asks for in clauses of which all words are accounted for.
 
     Returns:
         What is asked for, and what of it the network alone has read.
     """
-    likely = {_name(change): chance for change, chance in whole.items()}
+    likely = _by_name(whole)
     if not left_over:
         told = [w.change for w in heard if w.change in firm or likely.get(_name(w.change), 1.0) >= AT_ODDS]
         others = [c for c, chance in whole.items() if chance >= MEANT and accepts(c, told)]
         left_over = len(told) < len(heard) and bool(others)
     enough, doubted = (MEANT, DOUBTED) if left_over else (MEANT_BESIDE, DOUBTED_BESIDE)
     read = [change for change, chance in whole.items() if chance >= enough]
-    believed = [w for w in heard if w.change in firm or likely.get(_name(w.change), 1.0) >= doubted]
+    believed = [
+        wish
+        for wish in heard
+        if wish.change in firm
+        or likely.get(_name(wish.change), 1.0) >= (min(doubted, AT_ODDS) if wish.change in clear else doubted)
+    ]
     if not heard and not read and whole:
         best = max(whole, key=lambda change: whole[change])
         read = [best] if whole[best] >= GUESS else []
@@ -98,7 +105,7 @@ def uncertain(
         accepts: Whether a change may stand beside others that are asked for.
         firm: What vague words are taken to mean.
     """
-    likely = {_name(change): chance for change, chance in whole.items()}
+    likely = _by_name(whole)
     told = [wish.change for wish in heard]
     doubted = [c for c in told if c not in firm and likely.get(_name(c), 1.0) < AT_ODDS]
     guessed = [wish.change for wish in read if wish.certainty < KNOWN]
@@ -172,6 +179,14 @@ def go_together(one: Change, other: Change) -> bool:
         return False
     named = one.claim.name == other.claim.name and one.claim.name in _OF_SEVERAL
     return named and not exclude(one.claim, other.claim)
+
+
+def _by_name(whole: Mapping[Change, float]) -> dict[str, float]:
+    """How likely each wish is meant, whatever its amount."""
+    found: dict[str, float] = {}
+    for change, chance in whole.items():
+        found[_name(change)] = max(chance, found.get(_name(change), 0.0))
+    return found
 
 
 def _name(change: Change) -> str:

@@ -30,7 +30,7 @@ def whole_of(text: str, reader: WishReader) -> dict[Change, float]:
         reader: With the network for people's own words.
     """
     found = reader.whole(text)
-    if len(text.split()) < LONG_WORDS:
+    if not is_letter(text):
         return found
     sentences = [each for each in _END.split(text) if len(each.split()) >= LEAST_WORDS]
     if len(sentences) < 2:
@@ -40,3 +40,8 @@ def whole_of(text: str, reader: WishReader) -> dict[Change, float]:
             counted = chance if chance >= PLAIN else min(chance, BELIEVED)
             found[change] = max(counted, found.get(change, 0.0))
     return found
+
+
+def is_letter(text: str) -> bool:
+    """Whether a text is longer than what the network has mostly learnt from."""
+    return len(text.split()) >= LONG_WORDS
