@@ -246,3 +246,10 @@ def test_what_is_to_stay_is_told_from_habits_and_likeness():
 def test_what_opposite_things_are_asked_of_is_named():
     assert heard("longer and shorter").disputed == {"length"}
     assert not heard("longer and wider").disputed
+
+
+@pytest.mark.parametrize(
+    "text", ["don't make it any tighter than it is", "not much tighter", "never tighter"]
+)
+def test_a_comparison_that_is_refused_is_not_done(text):
+    assert heard(text).changes == () and "chest" in heard(text).kept

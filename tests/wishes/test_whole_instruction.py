@@ -177,3 +177,15 @@ def test_what_is_unsure_stands_beside_what_was_heard(shirt):
     )
     assert heard.perhaps == (Step("neck depth", 1),)
     assert [w.change for w in heard.sure] == [bare] and not heard.unsure
+
+
+def test_of_a_letter_what_is_plain_is_let_go_less_easily():
+    whole = {SHORTER: 0.8, HOOD: (AT_ODDS + DOUBTED) / 2}
+    assert together([HOOD], whole)[0] == [SHORTER]
+    assert together([HOOD], whole, clear=[HOOD])[0] == [HOOD, SHORTER]
+
+
+def test_no_reading_makes_another_garment_of_a_dress():
+    told = {Gain(Claim("top_hem", "hip")): 0.95, Gain(Claim("leg_cuffs", "gathered")): 0.95}
+    dress = measure_facts(swifttailor.draft("shirt-dress"))
+    assert not hear_instruction("lovely on the hips", Reads(WishReader.load(), told), dress).sure
