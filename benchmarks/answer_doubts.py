@@ -5,6 +5,14 @@ from __future__ import annotations
 from swifttailor.tailor.answer import USUAL, Answer
 from swifttailor.wording.wish_lines import wish_line
 
+_UNSURE = "may"
+
+
+def is_unsure_alone(answer: Answer) -> bool:
+    """Whether nothing is said but that readers of the text are not sure of a wish."""
+    said = doubts(answer)
+    return bool(said) and all(doubt.startswith(f"{_UNSURE} ") for doubt in said)
+
 
 def doubts(answer: Answer) -> list[str]:
     """What a person reads on the terminal that tells them to look; nothing where all seems well.
@@ -21,6 +29,8 @@ def doubts(answer: Answer) -> list[str]:
     found += ["nothing understood"] if wanted.misses else []
     found += ["kind is a guess"] if wanted.kind_is_guessed else []
     found += [f"not understood: {word}" for word in heard.unread]
+    found += [f"{_UNSURE} not be meant: {wish_line(change)}" for change in heard.unsure]
+    found += [f"{_UNSURE} be meant: {wish_line(change)}" for change in heard.perhaps]
     found += [f"cannot be made: {what}" for what in heard.cannot]
     found += [f"contradiction: {one}, {other}" for one, other in heard.contradictions]
     missing = [wish.change for wish in answer.not_done if wish.certainty >= USUAL]

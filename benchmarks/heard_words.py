@@ -12,7 +12,9 @@ in all
 asked and heard, heard and asked
     recall and precision of what is asked for
 silent
-    something is wrong, and neither is a word said not to be understood
+    something is wrong, and neither is a word said not to be understood nor a wish said to be unsure
+doubted
+    all is right, and a wish is said to be unsure
 """
 
 from __future__ import annotations
@@ -71,7 +73,9 @@ def hear(spoken: SpokenText, reader: WishReader, counts: Counter[str]) -> str:
     counts["right"] += len(meant & found)
     counts["in all"] += meant == found
     counts["all and more"] += meant < found
-    silent = meant != found and not heard.unread and not heard.clashes
+    said = bool(heard.unread or heard.clashes or heard.unsure or heard.perhaps)
+    silent = meant != found and not said
+    counts["doubted"] += meant == found and bool(heard.unsure or heard.perhaps)
     counts["silent"] += silent
     if meant == found:
         return ""
@@ -101,7 +105,8 @@ def main() -> None:
         f"{total} {'wishes' if options.wishes else 'instructions'}: {counts['in all']} in all "
         f"({counts['in all'] / total:.1%}), "
         f"{counts['all and more']} with something more; asked and heard {right / counts['meant']:.1%}, "
-        f"heard and asked {right / max(counts['heard'], 1):.1%}; silent {counts['silent']}"
+        f"heard and asked {right / max(counts['heard'], 1):.1%}; silent {counts['silent']}, "
+        f"doubted {counts['doubted']}"
     )
     print("\n".join(wrong[: options.misses]))
 

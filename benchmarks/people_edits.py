@@ -14,7 +14,7 @@ import time
 from collections import Counter
 
 import swifttailor
-from answer_doubts import doubts
+from answer_doubts import doubts, is_unsure_alone
 from part_changes import changed_elsewhere
 from people_answers import met
 from people_prompts import WORDS, ExpectedStep, PeopleEdit, read_people_edits
@@ -104,6 +104,7 @@ def judge(prompt: PeopleEdit, tailor: swifttailor.Tailor, counts: Counter[str], 
     whole = not (open_ones or still or broken)
     counts["in all"] += whole
     counts["wrong in silence"] += not whole and not doubts(answer)
+    counts["unsure alone, right" if whole else "unsure alone, wrong"] += is_unsure_alone(answer)
     counts["left as it was"] += answer.is_given
     counts["written anew"] += not answer.of_edit
     elsewhere = changed_elsewhere(prompt, before, after)
@@ -149,6 +150,10 @@ def main() -> None:
     print(f"  instructions of which all holds and nothing refused is so: {counts['in all']}")
     print(f"  something changed elsewhere: {counts['changed elsewhere']}")
     print(f"  wrong in silence: {counts['wrong in silence']}; none made: {counts['none made']}")
+    print(
+        f"  nothing said but that a wish is unsure: of those that are wrong {counts['unsure alone, wrong']}, "
+        f"of those that hold {counts['unsure alone, right']}"
+    )
     print(f"  left as they were: {counts['left as it was']}; written anew: {counts['written anew']}")
     print(f"  garments of which all holds that is presupposed: {counts['bases as described']}")
     if args.misses and args.half != "final":

@@ -166,3 +166,46 @@ def test_a_girth_that_ends_at_a_number_changes_by_the_difference():
     now = facts.waistband.upper
     plain = with_targets(f"waist down to {now - 4:.1f} cm", "trousers", facts)
     assert plain == "waist narrower by 4.0 cm"
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "changes"),
+    [
+        ("pencil skirt out, circle skirt in", "dress", {gain("skirt", "circle")}),
+        ("sleeves: long -> short", "top", {Step("sleeve length", -1)}),
+        ("the sleeves from long to short", "dress", {gain("sleeves", "short")}),
+        ("i keep rolling up the sleeves", "top", {Step("sleeve length", -1)}),
+        ("sleeves are way past my fingertips", "top", {Step("sleeve length", -1)}),
+        ("too much bust on show", "dress", {Step("neck depth", -1)}),
+        ("i'm choking", "top", {Step("neck depth", 1)}),
+        ("delete collar, remove hood mesh", "top", {gain("collar", "none"), gain("hood", "none")}),
+        ("crop it just under the bust", "top", {gain("top_hem", "bra")}),
+        ("let it end at the waist", "top", {gain("top_hem", "waist")}),
+        ("she has to run in it, open it up below the knee", "skirt", {Step("skirt hem", 1)}),
+        ("one sleeve only, on the left", "top", {gain("sleeves", "left only"), gain("sides", "different")}),
+        ("Ausschnitt bitte rund statt eckig", "dress", {gain("neckline", "round")}),
+    ],
+)
+def test_what_one_writer_said_of_sixty_garments(text, kind, changes):
+    assert heard(text, kind) == changes
+
+
+def test_a_hem_measured_from_the_waist_is_no_girth():
+    assert plainly("hem at 60 cm from the waist", "dress") == "skirt length 60 cm"
+    assert plainly("hem at 60 cm", "dress") == "hem at 60 cm"
+
+
+@pytest.mark.parametrize(
+    ("said", "plain"),
+    [
+        ("a good inch shorter", "1 inch shorter"),
+        ("take it up by 2 or 3 cm", "take it up by 3 cm"),
+        ("couple inches off the hem", "2 inches off the hem"),
+        ("two fingers longer", "4 cm longer"),
+        ("a hand's breadth longer, please", "10 cm longer, please"),
+        ("sleeves down to my fingers", "sleeves down to my fingers"),
+        ("two fingers of cloth", "two fingers of cloth"),
+    ],
+)
+def test_amounts_by_hand_are_in_centimetres(said, plain):
+    assert plainly(said, "dress") == plain

@@ -27,6 +27,28 @@ def gain(name, value):
     ("text", "kind", "changes"),
     [
         ("longer", "trousers", [Step("leg length", 1)]),
+        ("ein tieferer Ausschnitt vorne", "dress", [Step("neck depth", 1)]),
+        ("mit engeren Ärmeln", "top", [Step("sleeve width", -1)]),
+        ("etwas mehr Platz am Oberschenkel", "trousers", [Step("thigh", 1)]),
+        ("zur Shorts kürzen", "trousers", [Step("leg length", -1), gain("kind", "shorts")]),
+        ("the band is too wide; 3 cm would be plenty", "skirt", [gain("waistband_cm", 3.0)]),
+        ("the waistband digs in", "trousers", [Step("waistband width", 1, 3.0)]),
+        ("a wider waistband", "skirt", [Step("waistband height", 1)]),
+        ("open the neck up a little", "dress", [Step("neck depth", 1)]),
+        (
+            "raise the hem 8, and let out the bust 6",
+            "dress",
+            [Step("length", -1, 8.0), Step("chest", 1, 6.0)],
+        ),
+        ("take the body in 2cm each side", "top", [Step("chest", -1, 4.0)]),
+        ("the collar is too high, make it 4 cm", "top", [gain("collar_cm", 4.0)]),
+        (
+            "side vents, both sides, 12 cm",
+            "skirt",
+            [gain("slit", "left"), gain("slit", "right"), gain("slit_cm", 12.0)],
+        ),
+        ("flared from the knee like the trousers in that film", "trousers", [gain("legs", "flared")]),
+        ("trousers under there instead of the skirt", "dress", [gain("kind", "jumpsuit")]),
         ("tighter", "dress", [Step("chest", -1)]),
         ("narrower", "skirt", [Step("skirt hem", -1)]),
         ("too tight round the bust", "top", [Step("chest", 1, 6.0)]),
@@ -47,7 +69,7 @@ def gain(name, value):
         ("close slit", "skirt", [gain("slit", "none")]),
         ("put a slit up the side", "skirt", [gain("slit", "left")]),
         ("hem longer behind", "skirt", [gain("hem_shape", "high-low")]),
-        ("bring the waist in a touch", "dress", [Step("chest", -1)]),
+        ("bring the waist in a touch", "dress", [Step("chest", -1, 6.0)]),
         ("let the bust out by 4cm", "dress", [Step("chest", 1, 4.0)]),
         ("take the hem up 3cm", "dress", [Step("length", -1, 3.0)]),
         ("put more cloth in the skirt", "skirt", [Step("skirt hem", 1)]),
@@ -74,7 +96,7 @@ def gain(name, value):
         ("back neck down 8", "dress", [Step("back depth", 1, 8.0)]),
         ("take the legs in from the knee down", "trousers", [Step("leg end", -1)]),
         ("two slits at the sides", "skirt", [gain("slit", "left"), gain("slit", "right")]),
-        ("split the hem front, about 30cm", "skirt", [gain("slit", "front")]),
+        ("split the hem front, about 30cm", "skirt", [gain("slit", "front"), gain("slit_cm", 30.0)]),
         ("not so tight", "top", [Step("chest", 1, 6.0)]),
     ],
 )
@@ -205,3 +227,29 @@ def test_what_stands_behind_its_noun_is_said_of_it(text, gain, step):
     words = read_words(text, kind="dress")
     found = spoken_changes(text, words, "dress")
     assert set(found.changes) == {Gain(Claim("sleeves", gain)), Step("length", step, 10.0)}
+
+
+def test_who_has_none_asks_for_some():
+    bare = {Claim("sleeves", "none")}.__contains__
+    for text in ("a bit of sleeve", "sleeves, but not long ones", "some sleeves please"):
+        assert heard(text, "dress", bare).changes == (gain("sleeves", "short"),), text
+    assert heard("a bit of sleeve", "dress").changes == ()
+
+
+def test_what_is_to_stay_is_told_from_habits_and_likeness():
+    assert "sleeve length" in heard("like the sleeves, lose the collar", "top").kept
+    assert "sleeve length" in heard("keep the sleeves", "top").kept
+    assert not heard("I keep dipping the sleeves in the soup", "top").kept
+    assert not heard("puffed like the sleeves of a queen", "top").kept
+
+
+def test_what_opposite_things_are_asked_of_is_named():
+    assert heard("longer and shorter").disputed == {"length"}
+    assert not heard("longer and wider").disputed
+
+
+@pytest.mark.parametrize(
+    "text", ["don't make it any tighter than it is", "not much tighter", "never tighter"]
+)
+def test_a_comparison_that_is_refused_is_not_done(text):
+    assert heard(text).changes == () and "chest" in heard(text).kept

@@ -28,6 +28,7 @@ def stated(text, kind):
         ("a turtleneck collar about six centimetres high", "dress", {"collar_cm": 6}),
         ("A-line dress, side slits 10 cm", "dress", {"slit_cm": 10}),
         ("5 gores, midi, flared", "skirt", {"gores": 5}),
+        ("Flare the hem to 320 cm", "skirt", {"hem_cm": 320}),
         ("Rock, Länge 65 cm", "skirt", {"skirt_length_cm": 65}),
         ("between 60 and 70 cm long", "skirt", {"skirt_length_cm": 65}),
         (

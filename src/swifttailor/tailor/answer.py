@@ -122,7 +122,8 @@ class Answer:
         if wanted is None:
             return False
         missing = any(wish.certainty >= USUAL for wish in self.not_done)
-        unheard = bool(wanted.heard.unread or wanted.heard.cannot)
+        heard = wanted.heard
+        unheard = bool(heard.unread or heard.cannot or heard.unsure or heard.perhaps)
         return missing or unheard or wanted.misses or wanted.kind_is_guessed
 
     @property

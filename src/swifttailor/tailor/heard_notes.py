@@ -38,6 +38,8 @@ def heard_report(wanted: Wanted) -> dict[str, Any]:
         "cannot": list(heard.cannot),
         "left_out": list(heard.left_out),
         "taken_to_mean": {words: [wish_line(c) for c in changes] for words, changes in heard.taken},
+        "unsure": [wish_line(change) for change in heard.unsure],
+        "perhaps": [wish_line(change) for change in heard.perhaps],
         "contradictions": [list(pair) for pair in heard.contradictions],
     }
 
@@ -58,6 +60,10 @@ def heard_notes(wanted: Wanted) -> list[str]:
         found.append(f"Not understood: {_quoted(heard.unread)}.")
     for words, changes in heard.taken:
         found.append(f'"{one_line(words)}" is taken to mean: {"; ".join(map(wish_line, changes))}.')
+    if heard.unsure:
+        found.append(f"Not sure that this is meant: {'; '.join(map(wish_line, heard.unsure))}.")
+    if heard.perhaps:
+        found.append(f"Perhaps meant as well, and not done: {'; '.join(map(wish_line, heard.perhaps))}.")
     if heard.guess:
         found.append(f'Which garment is meant was not understood; "{heard.guess}" is a guess.')
     elif wanted.kind_is_guessed:

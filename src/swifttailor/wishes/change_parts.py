@@ -56,6 +56,8 @@ _OF_BODICES = frozenset(
 """Parts that skirts and trousers lack."""
 _WAIST_CM = 3.0
 """A waistband of skirt or trousers is too tight or too loose by so much, where nobody says by how much."""
+_WAIST_OF_BODICES_CM = 6.0
+"""The same of a bodice, taken in from shoulder to hem: by more, shoulders would be seen to change."""
 PARTS = frozenset({*_OF, "hem", "waist", "hips", "skirt", "slit", "lower", "all"})
 _SUBJECTS: Mapping[str, str] = {
     "sleeves": "sleeves sleeve_shape left_sleeve right_sleeve sleeve_cm sleeve_width_cm",
@@ -124,6 +126,8 @@ def changes_of(
     quantity, factor = found
     if part == "waist" and quantity == "waistband width" and amount is None:
         amount = _WAIST_CM
+    if part == "waist" and quantity == "chest" and amount is None:
+        amount = _WAIST_OF_BODICES_CM
     step = Step(quantity, sign * factor, amount)
     if part == "straps" and sign < 0 and amount is None:
         return step, Gain(Claim("straps", "narrow"))

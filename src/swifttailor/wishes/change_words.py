@@ -162,8 +162,10 @@ def find_parts(text: str) -> list[PartWord]:
 
 @cache
 def kept_words() -> re.Pattern[str]:
-    """What says that something is to stay."""
-    return _any_of([word for row in _rows("keep") for word in row.texts])
+    """What says that something is to stay; who keeps rolling the sleeves up says nothing of the kind."""
+    words = _any_of([word for row in _rows("keep") for word in row.texts]).pattern
+    # "Like the sleeves" at the beginning of a clause, but not "flared like the seventies".
+    return re.compile(rf"(?:{words}|(?<!\w )(?<!\w)like the(?!\w))(?! (?:on )?(?!being )\w{{3,}}ing(?!\w))")
 
 
 @cache

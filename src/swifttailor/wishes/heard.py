@@ -46,6 +46,10 @@ class Heard:
     """Claims and quantities that are to stay as they are, by an instruction."""
     taken: tuple[tuple[str, tuple[Change, ...]], ...] = ()
     """Vague words, and what they are taken to ask for: "winter", long sleeves."""
+    unsure: tuple[Change, ...] = ()
+    """What of `sure` an instruction may not mean: readers disagree, or one alone guesses."""
+    perhaps: tuple[Change, ...] = ()
+    """What an instruction may mean as well; it is not asked for."""
 
     @property
     def color(self) -> str | None:

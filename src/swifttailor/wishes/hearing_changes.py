@@ -20,12 +20,21 @@ from swifttailor.wishes.spoken_amounts import share_of
 from swifttailor.wishes.spoken_changes import SpokenChanges, spoken_changes
 from swifttailor.wishes.spoken_clauses import SpokenClause, other_than
 from swifttailor.wishes.spoken_measures import spoken_measures
+from swifttailor.wishes.stated_figures import (
+    by_the_number,
+    is_stated,
+    to_the_number,
+    without_steps_to,
+    without_vague_depth,
+)
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
-from swifttailor.wishes.whole_instruction import with_the_whole
+from swifttailor.wishes.whole_instruction import MEANT, go_together, is_disputed, uncertain, with_the_whole
+from swifttailor.wishes.whole_of_kind import of_kind
+from swifttailor.wishes.whole_sentences import is_letter, whole_of
 from swifttailor.wording.claim_kinds import fits_kind
-from swifttailor.wording.lexicon import SURENESS, Entry, WordReading, exclude, read_words
+from swifttailor.wording.lexicon import SURENESS, Entry, WordMark, WordReading, exclude, read_words
 
 SURE_IN_KNOWN_WORDS = 0.7
 """Enough for an edit whose words are all known ones for what was read: 147 of 162 such wishes
@@ -34,6 +43,14 @@ SURE_BESIDE = 0.97
 """Enough in a clause of an instruction that words alone explain in part."""
 
 
+_ONLY_OF = {
+    "top_hem": {"top", "tunic"},
+    "rise": {"skirt", "trousers", "shorts"},
+    "waist_seam": {"dress", "tunic", "jumpsuit", "playsuit"},
+}
+"""Kinds of which claims are that would make another garment of others: a dress that ends at the hip."""
+_STRAPLESS = Claim("shoulders", "strapless")
+_OVERSIZED, _EASY = Claim("fit", "oversized"), Gain(Claim("fit", "easy"))
 _MADE = {
     "sleeve length": Claim("sleeves", "long"),
     "waistband height": Claim("waistband", "waist"),
@@ -44,6 +61,8 @@ _MADE = {
     "leg cuff length": Claim("leg_cuffs", "band"),
 }
 """What has to be there for a measure to grow."""
+_COUNTED = frozenset({"godets", "tiers"})
+"""Where there are none, so many more are so many."""
 _ELSE = {"top width": ("skirt hem", "chest"), "skirt hem": ("top width",), "waistband width": ("chest",)}
 """What is meant where a garment has no such measure: of a tunic with a skirt the hem of that."""
 
@@ -86,8 +105,10 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         ):
             stated[clause.start] = measure
             told.append(Gain(measure.claim))
-    told = _without_steps_to(told)
-    told = _without_vague_depth(told if facts is None else [_made_where_lacking(c, facts) for c in told])
+    told = without_steps_to(told if facts is None else by_the_number(told, facts))
+    figures = [change for change in told if isinstance(change, Gain)]
+    told = told if facts is None else to_the_number(told, facts)
+    told = without_vague_depth(told if facts is None else [_made_where_lacking(c, facts) for c in told])
     covered = facts is not None and QUANTITIES["armholes"].of(facts) is None
     hidden = [c for c in told if covered and isinstance(c, Step) and c.quantity == "armholes"]
     told = [change for change in told if change not in hidden]  # nobody takes sleeves off for that
@@ -103,6 +124,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         found = _by_network(text, clause, reader, words, len(spoken.clauses) == 1)
         part = text[clause.start : clause.end]
         new = [w for w in found if _adds(w.change, told, spoken, words) and _is_named(w.change, part)]
+        new = [w for w in new if subject_of(w.change) not in spoken.disputed]
         if told and facts is not None:  # what is so already describes what is there
             new = [w for w in new if isinstance(w.change, Step) or not w.change.holds(facts, facts)]
         certain = [w for w in sure_wishes(tuple(new)) if not clause.changes or w.certainty >= SURE_BESIDE]
@@ -115,27 +137,48 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         unread += _still_unread(part, clause, certain, reader)
     never = _refused(words)
     held = [] if facts is None else [c for c in never if c.holds(facts) and c not in _less(text, words)]
-    sure += [
-        Wish(gain, SURENESS["usual"] + 0.1)
-        for gain in other_than(never, held, [subject_of(change) for change in told])
-        if not _is_moved_away(gain, told)
-    ]
+    others = other_than(never, held, [subject_of(change) for change in told])
+    if _OVERSIZED in held and _EASY in others and _is_moved_away(_EASY, told):
+        others = tuple([g for g in others if g.claim.name != "fit"])
+        sure.append(
+            Wish(Gain(Claim("fit", "loose")), SURENESS["usual"] + 0.1)
+        )  # "too baggy": less so at least
+    sure += [Wish(g, SURENESS["usual"] + 0.1) for g in others if not _is_moved_away(g, told)]
     taken = spoken.taken
+    unsure: tuple[Change, ...] = ()
+    perhaps: tuple[Change, ...] = ()
     if words.language == ENGLISH:
+        whole = whole_of(own, reader)
+        whole = whole if facts is None or kind is None else of_kind(whole, kind, facts)
+        firm = [change for _, some in taken for change in some]
+        if any(p >= MEANT for c, p in whole.items() if isinstance(c, Gain) and c.claim.name == "kind"):
+            firm += [c for c in told if isinstance(c, Gain) and c.claim.name == "kind"]  # it knows no halves
+
+        def accepts(change: Change, told: Sequence[Change]) -> bool:
+            return (
+                _adds(change, told, spoken, words)
+                and not is_disputed(change, spoken.disputed, whole, len(own.split()))
+                and (facts is None or _can_become(change, facts))
+            )
+
         sure, read = with_the_whole(
             sure,
-            reader.whole(own),
+            whole,
             left_over=bool(unread),
-            accepts=lambda change, told: _adds(change, told, spoken, words)
-            and (facts is None or _can_become(change, facts)),
+            accepts=accepts,
             holds=lambda change: (
                 facts is not None and isinstance(change, Gain) and change.holds(facts, facts)
             ),
+            firm=firm,
+            clear=_clear(spoken) if is_letter(own) else (),
         )
         taken = (*taken, (text.strip(), tuple(wish.change for wish in read))) if read else taken
+        unsure, perhaps = uncertain(sure, read, whole, accepts, firm)
     changes = [wish.change for wish in sure]
     unread += _other_garments(text, words, kind, changes)
-    unread += [n for n in unread_numbers(text, changes) if not _counts_elsewhere(n, text, changes)]
+    unread += [
+        n for n in unread_numbers(text, [*changes, *figures]) if not _counts_elsewhere(n, text, changes)
+    ]
     lacks = tuple([lack for lack in lacks_of(words, changes, measures) if lack.said])
     silent = _not_answered(unread, words)
     return Heard(
@@ -149,6 +192,8 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         clashes=spoken.clashes,
         kept=spoken.kept,
         taken=taken,
+        unsure=unsure,
+        perhaps=perhaps,
     )
 
 
@@ -194,38 +239,38 @@ def _by_network(
 def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: WordReading) -> bool:
     """Whether something that the network reads is new, and contradicts nothing that is said."""
     subject = subject_of(change)
-    if subject in spoken.kept or any(subject_of(other) == subject for other in told):
+    if subject in spoken.kept or any(
+        subject_of(other) == subject and not go_together(change, other) for other in told
+    ):
+        return False
+    if is_stated(change, told):
         return False
     if isinstance(change, Gain):
+        if change.claim == _STRAPLESS and any(_is_strap(mark) for mark in words.marks):
+            return False
         if change.claim in words.never or change.claim.name == "kind":
             return change.claim.name == "kind" and not told and change.claim not in words.never
         return not any(isinstance(o, Gain) and exclude(change.claim, o.claim) for o in told)
     return True
 
 
+def _clear(spoken: SpokenChanges) -> list[Change]:
+    """What clauses ask for of which all words are accounted for."""
+    return [change for clause in spoken.clauses if not clause.left_over for change in clause.changes]
+
+
+def _is_strap(mark: WordMark) -> bool:
+    """Whether straps are asked for, and not to go."""
+    return mark.word.lower() in ("strap", "straps") and not mark.denied
+
+
 def _can_become(change: Change, facts: GarmentFacts) -> bool:
     """Whether a garment is not so already, and has what is to grow or shrink."""
     if isinstance(change, Gain):
-        return not change.holds(facts, facts)
+        name, kind = change.claim.name, named_kind(facts)
+        fits = name == "sides" or (fits_kind(name, kind) and kind in _ONLY_OF.get(name, {kind}))
+        return fits and not change.holds(facts, facts)
     return QUANTITIES[change.quantity].of(facts) is not None
-
-
-def _without_steps_to(told: Sequence[Change]) -> list[Change]:
-    """Without steps of what is stated in figures: "a narrower waistband, 2 cm"."""
-    stated = {c.claim.name for c in told if isinstance(c, Gain) and not isinstance(c.claim.value, str)}
-
-    def is_stated(change: Change) -> bool:
-        how = QUANTITIES[change.quantity].stated if isinstance(change, Step) else None
-        return how is not None and how.claim in stated
-
-    return [change for change in told if not is_stated(change)]
-
-
-def _without_vague_depth(told: Sequence[Change]) -> list[Change]:
-    """Of a neckline that is 12 cm deep nobody says besides how deep it is."""
-    names = {subject_of(change) for change in told}
-    stated = {name for name in ("neck_depth", "back_depth") if f"{name}_cm" in names}
-    return [change for change in told if subject_of(change) not in stated]
 
 
 def _made_where_lacking(change: Change, facts: GarmentFacts) -> Change:
@@ -236,6 +281,10 @@ def _made_where_lacking(change: Change, facts: GarmentFacts) -> Change:
         for other in _ELSE.get(change.quantity, ()):
             if QUANTITIES[other].of(facts) is not None:
                 return replace(change, quantity=other)
+    if change.direction > 0 and change.amount and change.quantity in _COUNTED:
+        return (
+            change if QUANTITIES[change.quantity].of(facts) else Gain(Claim(change.quantity, change.amount))
+        )
     if change.direction < 0 or change.amount is not None:
         return change
     made = _MADE.get(change.quantity)

@@ -12,6 +12,17 @@ from swifttailor.wishes.mentions import Mention
 from swifttailor.wishes.spoken_clauses import SpokenClause
 
 _TO = re.compile(r"(?<!\w)(?:to|auf|à|a|at|becomes?)\s*(?:about|around|roughly|exactly)?\s*$")
+_MADE_OF = re.compile(
+    r"(?<!\w)(?:make (?:it|them|that)|(?:should|must|to) be)"
+    r"(?: (?:about|around|roughly|exactly|only|like|just))*\s*$"
+)
+_ENOUGH = re.compile(
+    r",? (?:(?:would|will|should|might|is|be|do)(?!\w) ?)*"
+    r"(?:plenty|enough|fine|ideal|perfect|lovely|better|nice|right)(?!\w)"
+)
+"""Behind where a measure is to end: "too wide; 3 cm would be plenty"."""
+_DIFFERENT = re.compile(r"\s*(?:\w+er|more|less|up|down|in|out|off|fewer)(?!\w)")
+"""Behind a number: it is by how much, not to how much."""
 _SMALLEST_CM = 10.0
 """A bare number from here on is a measure in cm."""
 _COUNTED = {
@@ -46,6 +57,11 @@ _CHANGE_BEHIND = re.compile(
     r" (?:down|up|in|out|longer|shorter|wider|narrower|deeper|higher|lower)"
     r"\s*(?=$|[.,;!?)]|please(?!\w)|and(?!\w))"
 )
+_CHANGED_BEFORE = re.compile(
+    r"(?<!\w)(?:raise|lower|drop|lift|lengthen|shorten|deepen|widen|narrow|let out|let down|take in|take up)"
+    r"(?: (?:the|my|her|his|its|both))?(?! size)(?: [^\W\d]+){1,2} $"
+)
+"""Before a number at the end of a clause, which is in cm: "raise the hem 8"."""
 _NOTHING_BEHIND = re.compile(r"\s*(?:$|[.,;!?)]|please|each|and|then)")
 _CAREFUL_CM = 6.0
 """A step of no stated size where something beyond it is refused: "shorter, but not mini"."""
@@ -84,7 +100,8 @@ def is_bare_cm(text: str, mention: Mention) -> bool:
     if mention.is_length:
         return False
     return bool(
-        (_CHANGE_BEFORE.search(before) and _NOTHING_BEHIND.match(behind)) or _CHANGE_BEHIND.match(behind)
+        ((_CHANGE_BEFORE.search(before) or _CHANGED_BEFORE.search(before)) and _NOTHING_BEHIND.match(behind))
+        or _CHANGE_BEHIND.match(behind)
     )
 
 
@@ -96,8 +113,14 @@ def by_little(change: Change) -> Change:
 
 
 def is_target(text: str, mention: Mention) -> bool:
-    """Whether a number is where a measure is to end: "to 52 cm"."""
-    return _TO.search(text[: mention.start]) is not None
+    """Whether a number is where a measure is to end: "to 52 cm", "too high, make it 4 cm"."""
+    before = text[: mention.start]
+    if _TO.search(before) is not None:
+        return True
+    if mention.is_length and _ENOUGH.match(text, mention.end) is not None:
+        return True
+    made = mention.is_length and _MADE_OF.search(before) is not None
+    return made and _DIFFERENT.match(text, mention.end) is None
 
 
 def to_target(changes: Sequence[Change], mention: Mention) -> tuple[Change, ...]:

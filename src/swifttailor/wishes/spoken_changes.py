@@ -23,7 +23,9 @@ from swifttailor.wishes.change_words import (
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.spoken_amounts import (
     by_little,
+    is_target,
     joined_amount,
+    to_target,
 )
 from swifttailor.wishes.spoken_clause_words import (
     is_of_lack,
@@ -44,7 +46,9 @@ from swifttailor.wording.lexicon import Implication, WordReading, read_words
 _THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
 _UNDENIED = re.compile(r"(?:in|out|so|too|as|that|overly)(?!\w)")
 """Words of change that are no less so for a "not": what is "not so tight" is to be wider."""
-_DENIED = re.compile(r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas)(?:\s+\w+){0,2}\s+$")
+_DENIED = re.compile(
+    r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas)(?:\s+\w+){0,2}\s+(?:(?:any|much|even) )?$"
+)
 _EXCEPT = re.compile(
     r"\s*(?:except(?: for)?|apart from|other than|save for|but not|außer|bis auf|sauf|salvo|excepto)(?!\w)"
 )
@@ -78,6 +82,8 @@ class SpokenChanges:
     """What asks for opposite things, in words; none of it counts."""
     taken: tuple[tuple[str, tuple[Change, ...]], ...] = ()
     """Vague words, and what they are taken to mean."""
+    disputed: frozenset[str] = frozenset()
+    """Claims and quantities that opposite things are asked of."""
 
     @property
     def changes(self) -> tuple[Change, ...]:
@@ -186,9 +192,9 @@ def spoken_changes(
             them=them or (goes_on and not inside),
         )
         clause = _read_alone(text, clause, kind)
-        amount = next((m.value for m in mentions if start <= m.start < end and m.is_length), None)
-        if amount is not None and not inside and found and _is_amount_of(small[start:end], clause, found[-1]):
-            found[-1] = joined_amount(found[-1], amount)
+        by = next((m for m in mentions if start <= m.start < end and m.is_length), None)
+        if by is not None and not inside and found and _is_amount_of(small[start:end], clause, found[-1]):
+            found[-1] = _with_amount(small, found[-1], by)
             clause = replace(clause, changes=(), left_over=())
         if denied and not clause.changes:
             clause = replace(clause, left_over=())
@@ -212,7 +218,9 @@ def spoken_changes(
     clashes = clashes_of(found, words, is_so)
     wanted = [change for clause in found for change in clause.changes]
     dropped = {subject for *_, subject in clashes}
-    careful = any(claim.name in ("skirt_hem", "top_hem", "leg_hem", "fit") for claim in words.never)
+    careful = any(
+        claim.name in ("skirt_hem", "top_hem", "leg_hem", "fit") and not is_so(claim) for claim in words.never
+    )
     kept_clauses = tuple(
         [
             SpokenClause(
@@ -230,8 +238,9 @@ def spoken_changes(
     return SpokenChanges(
         kept_clauses,
         frozenset(kept - said | (kept & dropped)),
-        tuple([(a, b) for a, b, _ in clashes]),
+        tuple(dict.fromkeys([(a, b) for a, b, _ in clashes])),
         tuple(taken),
+        frozenset(dropped),
     )
 
 
@@ -301,13 +310,19 @@ def _joined(
     """Clauses that go together: "sleeves: minus 4 cm", "a bit shorter, like 4 cm", "bigger. No, bigger"."""
     joined: list[SpokenClause] = []
     for k, clause in enumerate(found):
-        length = next(
-            (m.value for m in mentions if clause.start <= m.start < clause.end and m.is_length), None
-        )
+        number = next((m for m in mentions if clause.start <= m.start < clause.end and m.is_length), None)
+        length = None if number is None else number.value
         if not clause.changes and length is not None and joined:
             before = joined[-1]
+            at = max((n for n, each in enumerate(joined) if each.changes), default=len(joined) - 1)
+            if _has_slits(joined[at]) and not any(clause.start <= p.start < clause.end for p in parts):
+                slits = Gain(Claim("slit_cm", round(length, 2)))
+                joined[at] = replace(joined[at], changes=(*joined[at].changes, slits))
+                joined.append(replace(clause, left_over=()))
+                continue
             if any(isinstance(c, Step) and c.amount is None for c in before.changes):
-                joined[-1] = joined_amount(before, length)
+                assert number is not None
+                joined[-1] = _with_amount(text, before, number)
                 joined.append(replace(clause, left_over=()))
                 continue
         named = " ".join(p.word for p in parts if clause.start <= p.start < clause.end)
@@ -323,6 +338,19 @@ def _joined(
                 clause = replace(clause, changes=())
         joined.append(clause)
     return joined
+
+
+def _with_amount(text: str, clause: SpokenClause, number: Mention) -> SpokenClause:
+    """A clause with the number that stands behind it: by how much, or where its measures are to end."""
+    if is_target(text, number):
+        return replace(clause, changes=to_target(clause.changes, number))
+    return joined_amount(clause, number.value)
+
+
+def _has_slits(clause: SpokenClause) -> bool:
+    return any(
+        isinstance(c, Gain) and c.claim.name == "slit" and c.claim.value != "none" for c in clause.changes
+    )
 
 
 def _with_next(

@@ -33,7 +33,8 @@ _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 _LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|(?<!\d)-\s*\d")
 _PLACES = re.compile(r"(?:(?:front|back|side|sides|left|right|centre|center|top|bottom|hem)(?:\s|$))+")
 _GRIP = re.compile(r"(?<!\w)(?:tight|loose|snug|eng|weit|locker|serr|ajust)")
-"""Of a cuff these speak of its girth, where "wider" speaks of its height."""
+"""Of a cuff or a band these speak of its girth, where "wider" speaks of its height."""
+_BITES = re.compile(r"(?<!\w)(?:dig|digs|digging|pinch\w*|cuts?|squeez\w*|constrict\w*|bites?)(?!\w)")
 _EACH = re.compile(r"(?<!\w)(?:(?:on )?(?:each|either|both) sides?|per side)(?!\w)")
 _VERY = re.compile(r"(?<!\w)(?:super|very|really|extra|much|way|even|muy|très|sehr)(?!\w)")
 """Of what is so already there is to be more: "super wide legs" of wide ones."""
@@ -72,6 +73,7 @@ _NARROWED_AT = re.compile(
     r"(?<!\w)(?:below|above|at|around|near) the (?:knees?|elbows?|thighs?|calf|calves|ankles?)(?!\w)"
 )
 """The same where something is to be wider or narrower there: "narrow the legs below the knee"."""
+_OPENED = re.compile(r"(?<!\w)(?:open|opened|opening)(?!\w)")
 _DRAGS = re.compile(
     r"(?<!\w)(?:drag|drags|dragging|trip|tripping|sweeps|sweeping|trails|trailing)(?!\w)[^.;]*(?<!\w)(?:floor|ground)(?!\w)"
 )
@@ -121,7 +123,7 @@ def read_clause(
     if _TAKEN_OUT.search(said):
         claims = []
     places = [m.span() for m in _FROM_THERE.finditer(text, start, end)]
-    if any(c.what == "width" for c in grown):
+    if any(c.what == "width" for c in grown) or (kind in _SKIRTED and _OPENED.search(said)):
         places += [m.span() for m in _NARROWED_AT.finditer(text, start, end)]
     claims = [i for i in claims if not any(a <= i.mark.start < b for a, b in places)]
     grown = [c for c in grown if not any(a <= c.start < b for a, b in places)]
@@ -191,6 +193,8 @@ def read_clause(
                 made += changes_of("sleeves", "length", word.sign, kind, amount)
         if named == "cuffs" and _GRIP.search(text[word.start : word.end]):
             made = (Step("cuff opening", word.sign, amount),)
+        if named == "band" and (_GRIP.search(said[word.start - start :]) or _BITES.search(said)):
+            made = changes_of("waist", "width", word.sign, kind, amount)
         made = made if target is None else to_target(made, target)
         changes += made
         if made or claims:
@@ -208,7 +212,8 @@ def read_clause(
             [p.part for p in parts if p.part != "all"] or [p.part for p in parts] or [last]
         ):
             what: Property = "width" if part in _GIRTHS or _is_around(parts, said) else "length"
-            changes += changes_of(part, what, sign, kind, length)
+            each = 2 if what == "width" and _EACH.search(said) else 1
+            changes += changes_of(part, what, sign, kind, each * length)
             if part in (None, "all") and what == "length" and _EVERYTHING.search(said):
                 changes += changes_of("sleeves", what, sign, kind, length)
     counted = more_of_them(said)

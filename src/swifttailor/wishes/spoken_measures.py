@@ -44,6 +44,8 @@ _BOUNDS = {
     "hem_cm": (40, 1500),
 }
 _USUAL = (1.0, 400.0)
+_LONGEST = {"skirt_length_cm": 130.0, "length_cm": 170.0}
+_HEM = re.compile(r"(?<!\w)(?:hem|hemline|sweep|saum|ourlet|bajo)(?!\w)", re.IGNORECASE)
 _LOWER = frozenset({"skirt", "trousers", "shorts"})
 
 
@@ -194,6 +196,8 @@ def _said_of(
     value = _exact(text, mention)
     if not mention.is_length and claim == "inseam_cm" and value < _INCHES_BELOW and kind != "shorts":
         value = round(value * CM_PER_INCH, 2)
+    if claim in _LONGEST and value > _LONGEST[claim] and _HEM.search(text, start, end):
+        claim = "hem_cm"  # no skirt is so long: "flare the hem to 320 cm"
     least, most = _BOUNDS.get(claim, _USUAL)
     if not least <= value <= most or (not mention.is_length and value < 12):
         return None, False

@@ -26,6 +26,8 @@ _SWAPPED = re.compile(
     r"|(?<!\w)(?:turn|make|convert|transform)\s+(?P<turned>(?:the|these|those|my|its)\s[^.,;!?]+?)\s+into(?!\w)"
     r"|(?<!\w)(?:instead of|in place of|rather than)\s+(?P<left>(?:the|these|those|my|its|an?)\s\w+(?: \w+)?)"
 )
+_LIKENESS = re.compile(r"(?<!\w)like (?:an? |the |some )?(?:\w+ )?$")
+"""Before what a garment is to resemble and not to be: "baggy like a skater"."""
 _BESIDE_NUMBERS = frozenset({"long", "short", "wide", "high", "deep", "lang", "largo", "hoch", "tief"})
 _PARTS_OF = {"dress": ("skirt", "top"), "jumpsuit": ("trousers", "top"), "playsuit": ("shorts", "top")}
 
@@ -120,7 +122,11 @@ def _is_pointed_at(text: str, mark: WordMark) -> bool:
 
 def _is_target(text: str, mark: WordMark, value: str, kind: str) -> bool:
     """Whether the garment is to become another: "into a skirt", "as trousers", or nothing but its name."""
-    if value == kind or (value in _PARTS_OF.get(kind, ()) and not _turns_into(text, mark)):
+    if (
+        value == kind
+        or _LIKENESS.search(text[: mark.start])
+        or (value in _PARTS_OF.get(kind, ()) and not _turns_into(text, mark))
+    ):
         return False
     clause = next((text[a:b] for a, b in clauses_of(text) if a <= mark.start < b), text)
     named = [word for word in _WORD.findall(clause) if not is_function_word(word)]

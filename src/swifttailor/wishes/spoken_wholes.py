@@ -82,8 +82,12 @@ _NAMES = "|".join(_HALVES.values())
 _A = r"(?:(?:the|its|a|an|some|my|wide|narrow|long|short|full|slim|pencil|circle|a-line|gathered|straight) )*"
 _OTHER_HALF = (
     re.compile(
-        rf"(?<!\w)(?P<new>{_NAMES}) (?:instead of|in place of|rather than|not|statt|au lieu de) "
-        rf"{_A}(?P<old>{_NAMES})(?!\w)"
+        rf"(?<!\w)(?P<new>{_NAMES})(?: \w+){{0,2}} "
+        rf"(?:instead of|in place of|rather than|not|statt|au lieu de) {_A}(?P<old>{_NAMES})(?!\w)"
+    ),
+    re.compile(
+        rf"(?<!\w)(?:no|not|lose the|without) (?P<old>{_NAMES}),? (?:just |only |but |make it |give me )*"
+        rf"(?:an? )?{_A}(?P<new>{_NAMES})(?!\w)"
     ),
     re.compile(
         rf"(?<!\w)(?:swap|swop|replace|exchange|change|turn|make) {_A}(?P<old>{_NAMES})"
@@ -99,6 +103,12 @@ _GIVEN = re.compile(
     r"|(?:waist ?band|bund|ceinture|pretina"
     r"|band (?:at|around|round|along|to|for|on) (?:the |my |its )?(?:waist|top))"
     r")(?!\w)"
+)
+_SOME = re.compile(r"(?<!\w)(?:some|a (?:bit|touch|hint|suggestion|little) of(?: a)?|any) sleeves?(?!\w)")
+"""Asked of what has none: "a bit of sleeve"."""
+_COLLAR = re.compile(r"(?<!\w)(?:an?|some|any|with|add|needs?|wants?) (?:\w+ )?collar(?!\w)|^\W*collar\W*$")
+_SLEEVES_ALONE = re.compile(
+    r"\W*(?:(?:but|and|with|i|want|please|yes|ok|with) )*sleeves?(?: (?:please|though))?\W*"
 )
 _NARROW, _WIDE = (
     re.compile(r"(?<!\w)(?:narrow|thin|slim)(?!\w)"),
@@ -149,7 +159,10 @@ def lacking(said: str, is_so: _IsSo) -> tuple[Change, ...]:
     """Parts that a garment lacks and is to have, without a word of what they are like: "with sleeves"."""
     found = _GIVEN.search(said)
     if found is None:
-        return ()
+        if _COLLAR.search(said) and is_so(Claim("collar", "none")):
+            return (Gain(Claim("collar", "stand")),)
+        some = _SOME.search(said) or _SLEEVES_ALONE.fullmatch(said)
+        return (Gain(Claim("sleeves", "short")),) if some and is_so(Claim("sleeves", "none")) else ()
     without, made = ("sleeves", "short") if found["sleeves"] else ("waistband", "waist")
     if not is_so(Claim(without, "none")):
         return ()
