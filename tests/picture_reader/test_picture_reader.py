@@ -11,10 +11,11 @@ from hypothesis import strategies as st
 
 from swifttailor.errors import InputError
 from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import labels_checksum, measure_labels, statement_labels
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS, kinds_of_panels
-from swifttailor.picture_reader.reader import LEAST_CERTAINTY, PictureReader, cut_square
+from swifttailor.picture_reader.reader import LEAST_CERTAINTY, PictureReader
 
 TINY = {"image_size": 64, "embedding": 8, "stages": [8, 8, 16, 16], "depths": [1, 1, 1, 1], "width": 24}
 

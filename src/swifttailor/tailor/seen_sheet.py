@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swifttailor.arrays import Pixels
+from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
-from swifttailor.picture_reader.reader import cut_square
 from swifttailor.tailor.looking import SeenPicture
 
 SIZE = 384
