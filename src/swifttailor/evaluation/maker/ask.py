@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 from swifttailor.arrays import Pixels
@@ -18,7 +18,8 @@ from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 from swifttailor.progress import CountProgress, unwatched
 from swifttailor.tailor import Order, Tailor
 from swifttailor.tailor.answer import Answer
-from swifttailor.tailor.order import Source
+from swifttailor.tailor.looking import SeenPicture, parts_seen
+from swifttailor.tailor.order import Part, Source
 from swifttailor.tailor.protocols import PatternWriter
 from swifttailor.tailor.verdict import Verdict
 
@@ -78,7 +79,11 @@ class Asking:
         if not self.network_alone:
             order = Order(temperature=self.temperature, attempts=self.attempts)
             decides |= {"attempts": order.most_attempts, "alter": self.alter, "crop": self.crop}
-            decides |= {"source": self.source, "refine": order.most_refined}
+            decides |= {
+                "source": self.source,
+                "refine": order.most_refined,
+                "of_two_garments": "the asked one",
+            }
         return decides | {"seed": self.seed}
 
 
@@ -242,9 +247,19 @@ def tailor_answers(
             for one in written
         ]
     else:
-        answers = tailor.write([asking.order(question, pictures) for question in questions], clock)
+        orders = [_of_its_part(tailor, asking.order(q, pictures), q) for q in questions]
+        answers = tailor.write(orders, clock)
     about = {"seconds": clock.seconds, "together": len(questions)}  # of all that were answered together
     return [_content(one) | about if isinstance(one, Answer) else one for one in answers]
+
+
+def _of_its_part(tailor: Tailor, order: Order, question: Question) -> Order:
+    """The same order, of the garment that is asked for where a person wears two: `generate` makes both."""
+    if not order.images or tailor.picture_reader is None:
+        return order
+    seen = tuple(tailor.look(one) for one in order.images if not isinstance(one, SeenPicture))
+    part: Part = "upper" if question.facts.torso is not None else "lower"
+    return replace(order, image=seen, part=part if part in parts_seen(seen) else None)
 
 
 def _verdict(written: WrittenPattern) -> Verdict:
