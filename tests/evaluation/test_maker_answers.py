@@ -6,6 +6,7 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from maker_standins import DRAFTS, EDITS, StandIn, copy, given, refuse, truth, write_edits, write_patterns
 
@@ -39,7 +40,10 @@ from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Edge, Panel, Pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
-from swifttailor.tailor import Tailor
+from swifttailor.picture_reader.reading import PartReading, PictureReading
+from swifttailor.render import Camera
+from swifttailor.tailor import Order, Tailor
+from swifttailor.tailor.looking import SeenPicture
 from swifttailor.workers.work_folder import FolderLock
 
 TINY_SEWER = Path(__file__).parents[1] / "garment_sewer" / "tiny_sewer.onnx"
@@ -409,3 +413,34 @@ def test_sheets_show_answers_from_the_nearest_to_the_farthest(edits, texts, book
     unanswered = write_sheets(tmp_path, "text", [Shown(scored[4], None)])
     with Image.open(written[0]) as wide, Image.open(unanswered[0]) as narrow:
         assert wide.width > narrow.width and wide.height > 3 * narrow.height
+
+
+class Looking:
+    """A tailor that sees garments on given parts of the body in every picture."""
+
+    def __init__(self, *parts: str) -> None:
+        mask = np.ones((4, 4), np.float32)
+        worn = tuple(PartReading(part, 0.9, (), (), (), mask) for part in parts)
+        self.reading = PictureReading(worn, Camera(), (0, 0, 4, 4))
+        self.picture_reader = self
+
+    def look(self, image):
+        return SeenPicture(image, self.reading)
+
+
+def test_of_a_person_in_two_garments_the_one_that_is_asked_for_counts(texts):
+    by_id = {question.id: question for question in texts}
+    shown = Order(image=np.zeros((4, 4, 3), np.uint8))
+
+    def part(id, *parts):
+        order = ask_module._of_its_part(Looking(*parts), shown, by_id[id])
+        assert all(isinstance(one, SeenPicture) for one in order.images)
+        return order.part
+
+    assert part("shirt", "upper", "lower") == "upper" and part("short", "upper", "lower") == "lower"
+    assert part("short", "upper") is None, "what is taken for another garment is the answer"
+    unread = Order("a skirt")
+    assert ask_module._of_its_part(Looking("upper"), unread, by_id["short"]) is unread
+    blind = Looking("upper")
+    blind.picture_reader = None
+    assert ask_module._of_its_part(blind, shown, by_id["short"]) is shown
