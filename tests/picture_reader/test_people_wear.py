@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.picture_reader.labels import PARTS, statement_labels
 from swifttailor.picture_reader.people_wear import DRAWN, WORN, as_people_wear
+from swifttailor.programs.read_parameter import ReadParameter
 
 
 def odds(share):
@@ -33,4 +34,9 @@ def test_the_odds_of_hoods_alone_change_and_by_how_often_they_are(logit):
     for name, change in zip(PANEL_NAMES, np.exp(found["panels"] - logit).T, strict=True):
         assert change == pytest.approx(ratio if "hood" in name else 1.0), name
     assert found["present"] is answers["present"]
+    collar = ReadParameter("collar.component.style", (None, "Turtle", "Hood2Panels"))
+    parameters = (ReadParameter("meta.wb", ("StraightWB", None)), collar)
+    answers["designs"] = np.full((len(PARTS), 2, 3), logit)
+    changed = np.exp(as_people_wear(answers, parameters)["designs"] - logit)
+    assert changed[:, 1, 2] == pytest.approx(ratio) and (np.delete(changed.reshape(2, 6), 5, 1) == 1).all()
     assert (answers["statements"] == logit).all(), "what was given stays as it is"

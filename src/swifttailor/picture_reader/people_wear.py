@@ -7,7 +7,7 @@ hair.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any
 
@@ -16,17 +16,22 @@ from numpy.typing import NDArray
 
 from swifttailor.picture_reader.labels import statement_labels
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS, kinds_of_panels
+from swifttailor.programs.read_parameter import ReadParameter
 
-DRAWN, WORN = 0.08, 0.02
+DRAWN, WORN = 0.08, 0.01
 """Share of upper garments whose hood is over the head: of those drawn of people to validate with; and, by our
 estimate, in photographs of people."""
 
 
-def as_people_wear(answers: Mapping[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+def as_people_wear(
+    answers: Mapping[str, NDArray[Any]], parameters: Sequence[ReadParameter] = ()
+) -> dict[str, NDArray[Any]]:
     """What is read of a picture of people, with the odds of hoods as they are there.
 
     Args:
-        answers: Logits by the names of outputs; (parts, S) of `statements`, (parts, P) of `panels`.
+        answers: Logits by the names of outputs; (parts, S) of `statements`, (parts, P) of `panels`, and (parts,
+            parameters, values) of `designs` where there are `parameters`.
+        parameters: Whose designs are said.
 
     Returns:
         The same, with the odds of hoods multiplied by the ratio of those of `WORN` and `DRAWN`.
@@ -34,6 +39,8 @@ def as_people_wear(answers: Mapping[str, NDArray[Any]]) -> dict[str, NDArray[Any
     more = np.log(WORN / (1 - WORN)) - np.log(DRAWN / (1 - DRAWN))
     statements, panels = _of_hoods()
     changed = {"statements": statements, "panels": panels}
+    if parameters:
+        changed["designs"] = _of_hooded_designs(tuple(parameters), answers["designs"].shape[-1])
     return dict(answers) | {name: answers[name] + more * signs for name, signs in changed.items()}
 
 
@@ -44,3 +51,16 @@ def _of_hoods() -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     statements = [signs.get(label, 0.0) for label in statement_labels()]
     panels = kinds_of_panels() == PANEL_KINDS.index("hood")
     return np.array(statements, np.float32), panels.astype(np.float32)
+
+
+@cache
+def _of_hooded_designs(parameters: tuple[ReadParameter, ...], values: int) -> NDArray[np.float32]:
+    """(parameters, values): 1 for the design that has a hood."""
+    found = np.zeros((len(parameters), values), np.float32)
+    for k, one in enumerate(parameters):
+        if one.name == _COLLAR and _HOOD in one.values:
+            found[k, one.values.index(_HOOD)] = 1
+    return found
+
+
+_COLLAR, _HOOD = "collar.component.style", "Hood2Panels"

@@ -191,7 +191,7 @@ class PictureReader:
                 square = _around(look, part, square) or whole
                 answers = nearer._nearer(pixels, part, square, whole, first)
                 if nearer is self and self.plain is not None:
-                    answers = as_people_wear(answers)
+                    answers = as_people_wear(answers, self.parameters)
                 seen[part] = square, answers
                 waiting += [(k, *seen[part]) for k in _present(seen[part][1])]
         return self._reading(first, whole, seen, (height, width), nearer.parameters)
