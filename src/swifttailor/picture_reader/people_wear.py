@@ -29,7 +29,7 @@ def as_people_wear(
     """What is read of a picture of people, with the odds of hoods as they are there.
 
     Args:
-        answers: Logits by the names of outputs; (parts, S) of `statements`, (parts, P) of `panels`, and (parts,
+        answers: Logits by the names of outputs; (parts, S) of `statements`, (parts, P) of `panels`, (parts,
             parameters, values) of `designs` where there are `parameters`.
         parameters: Whose designs are said.
 
