@@ -21,7 +21,7 @@ from swifttailor.programs.read_parameter import ReadParameter
 SHIPPED = Path(__file__).with_name("parameter_reader.onnx")
 INPUTS, OUTPUTS = ("features",), ("logits",)
 KIND = ModelKind("parameter reader", "swifttailor parameter-reader 1", 2**26, ({GRAPH: (INPUTS, OUTPUTS)},))
-SEEN = 0.6
+SEEN = 0.5
 """How much what a picture shows of a parameter counts; the rest is what follows from its reading."""
 Design = dict[str, Any]
 """Values of design parameters by flat names; those that are not there have their defaults."""
