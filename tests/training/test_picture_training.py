@@ -363,6 +363,7 @@ def test_the_loss_is_least_where_the_reading_is_true():
         places=torch.randn(2, 3, 3, 3, generator=chance),
         kinds=torch.randint(0, 4, (2, 3, 3), generator=chance),
         seams=lots(2, 3, 3),
+        designs=torch.nn.functional.one_hot(torch.randint(0, 5, (2, 2, 4), generator=chance), 5).float(),
     )
 
     def sure(values):
@@ -381,6 +382,7 @@ def test_the_loss_is_least_where_the_reading_is_true():
         truth.places,
         sure(torch.nn.functional.one_hot(truth.kinds, len(PANEL_KINDS)).float()).permute(0, 3, 1, 2),
         sure(truth.seams)[:, None],
+        sure(truth.designs),
     )
     best = reading_losses(reading, truth, LossWeights())
     assert all(float(best[name]) < 1e-3 for name in best if name not in ("widths", "total"))
