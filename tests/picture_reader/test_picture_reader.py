@@ -312,7 +312,7 @@ def test_plain_pictures_are_read_by_the_network_that_knows_them(border, known):
     assert bool(opened) == asked and bool(own.guesses) == asked
     is_plain = asked and known
     said_of = {(s.claim.name, s.claim.value): s.certainty for s in part.statements}
-    assert abs(said_of["skirt_hem", "knee"] - 1 / (1 + np.exp(-(3.0 if is_plain else 1.0)))) < 1e-6
+    assert abs(said_of["skirt_hem", "knee"] - 1 / (1 + np.exp(-(2.0 if is_plain else 1.0)))) < 1e-6
     # Of a picture that is none, hoods are believed less.
     assert (said_of["hood", "hood"] < 0.5) == (not is_plain)
     assert len(others.guesses) == (1 if asked and known else 4), "the first look is theirs"

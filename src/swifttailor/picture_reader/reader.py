@@ -168,7 +168,7 @@ class PictureReader:
         """What a picture shows.
 
         It is looked at whole for where the wearer is, then near each garment, and at last near its details;
-        in a picture like those of GarmentCodeData, from near by networks that have learnt from nothing else.
+        in a picture like those of GarmentCodeData, from near by networks, too, that have learnt from nothing else.
         Where those say that it is none, what people seldom wear is believed less (`as_people_wear`).
 
         Args:
@@ -189,7 +189,8 @@ class PictureReader:
             part, square, look = waiting.pop(0)
             if part not in seen:
                 square = _around(look, part, square) or whole
-                answers = nearer._nearer(pixels, part, square, whole, first)
+                lookers = (self,) if nearer is self else (nearer, self)
+                answers = nearer._nearer(pixels, part, square, whole, first, lookers)
                 if nearer is self and self.plain is not None:
                     answers = as_people_wear(answers, self.parameters)
                 seen[part] = square, answers
@@ -209,15 +210,24 @@ class PictureReader:
         return int(self._look(pixels, whole, None)["figures"].argmax()) == FIGURES.index("one")
 
     def _nearer(
-        self, pixels: Pixels, part: int, square: Square, whole: Square, first: dict[str, Any]
+        self,
+        pixels: Pixels,
+        part: int,
+        square: Square,
+        whole: Square,
+        first: dict[str, Any],
+        lookers: Sequence[PictureReader],
     ) -> dict[str, Any]:
-        """Three looks at much the same, whose mean is steadier, and at details.
+        """Three looks of each looker at much the same, whose mean is steadier, and at details.
 
-        Where things are is of the first alone.
+        Where things are is of the first look alone, and designs are of those who read the same parameters.
         """
-        squares = [_scaled(square, scale) for scale in _SCALES]
-        looks = [self._look(pixels, one, view_in(first["camera_view"], whole, one)) for one in squares]
-        answers = {name: np.mean([look[name] for look in looks], axis=0) for name in looks[0]}
+        squares = [(one, _scaled(square, scale)) for one in lookers for scale in _SCALES]
+        looks = [one._look(pixels, at, view_in(first["camera_view"], whole, at)) for one, at in squares]
+        answers = {name: np.mean([look[name] for look in looks], axis=0) for name in OUTPUTS}
+        if self.parameters:
+            alike = [k for k, (one, _) in enumerate(squares) if one.parameters == self.parameters]
+            answers[DESIGNS] = np.mean([looks[k][DESIGNS] for k in alike], axis=0)
         answers |= {name: looks[0][name] for name in _OF_A_FRAME}
         view = answers["camera_view"]
         looker_of = {name: looker for looker in self.near or (self,) for name in looker.close_ups}
