@@ -288,7 +288,7 @@ def test_of_several_that_know_a_detail_the_last_looks_at_it():
 
 @pytest.mark.parametrize("border", ["one colour", "a little noise", "a hand", "a place"])
 @pytest.mark.parametrize("known", [True, False])
-def test_plain_pictures_are_read_by_the_network_that_knows_them(border, known):
+def test_plain_pictures_are_read_by_the_network_that_knows_them_as_well(border, known):
     said = np.tile([1.0, 0.0], (len(statement_labels()), 1))
     others, own = Wearing(1.0), Wearing(3.0)
     own.figures = "one" if known else "none"
@@ -315,7 +315,8 @@ def test_plain_pictures_are_read_by_the_network_that_knows_them(border, known):
     assert abs(said_of["skirt_hem", "knee"] - 1 / (1 + np.exp(-(2.0 if is_plain else 1.0)))) < 1e-6
     # Of a picture that is none, hoods are believed less.
     assert (said_of["hood", "hood"] < 0.5) == (not is_plain)
-    assert len(others.guesses) == (1 if asked and known else 4), "the first look is theirs"
+    assert len(others.guesses) == 4, "the first look is theirs, and three of the garment"
+    assert len(own.guesses) == (4 if is_plain else int(asked)), "whether it is plain, and as many"
 
 
 def test_each_of_two_garments_is_looked_at_nearer():
