@@ -168,8 +168,8 @@ class PictureReader:
         """What a picture shows.
 
         It is looked at whole for where the wearer is, then near each garment, and at last near its details;
-        in a picture like those of GarmentCodeData, from near by networks as well that have learnt from no others.
-        Where those say that it is none, what people seldom wear is believed less (`as_people_wear`).
+        in a picture like those of GarmentCodeData, from near by networks as well that have learnt from no
+        others. Where those say that it is none, what people seldom wear is believed less (`as_people_wear`).
 
         Args:
             pixels: (h, w, 3) sRGB, row 0 at the top.
