@@ -35,7 +35,8 @@ def test_a_choice_that_is_not_known_leaves_the_garment_out():
     trousers = complete_design({"meta.bottom": "Pants"})
     placed = PlacedDesigns.of({"trousers": trousers, "skirt": SKIRT}, PARAMETERS)
     assert list(placed.rows) == ["skirt"] and placed.places.shape == (1, 3)
-    assert PlacedDesigns.of({"trousers": trousers}, PARAMETERS).places.shape == (0, 3)
+    none = PlacedDesigns.of({"trousers": trousers}, PARAMETERS)
+    assert none.places.shape == (0, 3) and not none.of_ids(["trousers", "skirt"])[1].any()
 
 
 def test_values_come_back_from_their_places():

@@ -46,11 +46,14 @@ class PlacedDesigns:
         places, matter = [], []
         for id, design in designs.items():
             names = matters(design)
-            read = [one for one in parameters if one.name in names]
+            counts = [one.name in names for one in parameters]
+            read = [one for one, matters_here in zip(parameters, counts, strict=True) if matters_here]
             if all(one.is_number or design[one.name] in one.values for one in read):
                 rows[id] = len(rows)
-                places.append([one.place_of(design[one.name]) if one in read else 0 for one in parameters])
-                matter.append([one in read for one in parameters])
+                places.append(
+                    [one.place_of(design[one.name]) if one.name in names else 0 for one in parameters]
+                )
+                matter.append(counts)
         shape = len(rows), len(parameters)
         return PlacedDesigns(
             tuple(parameters),
@@ -66,10 +69,12 @@ class PlacedDesigns:
 
     def of_ids(self, ids: Sequence[str]) -> tuple[NDArray[np.uint8], NDArray[np.bool_]]:
         """Places and what matters of garments; nothing matters of those whose design is not known."""
+        shape = len(ids), len(self.parameters)
+        places, matter = np.zeros(shape, np.uint8), np.zeros(shape, bool)
         rows = np.array([self.rows.get(id, -1) for id in ids], np.intp)
         known = rows >= 0
-        rows = np.maximum(rows, 0)
-        return self.places[rows] * known[:, None], self.matter[rows] & known[:, None]
+        places[known], matter[known] = self.places[rows[known]], self.matter[rows[known]]
+        return places, matter
 
     def write(self, path: Path, *, overwrite: bool = False) -> None:
         """Writes a .safetensors file: two bytes a parameter and garment at most.
