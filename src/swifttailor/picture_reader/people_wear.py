@@ -21,6 +21,7 @@ from swifttailor.programs.read_parameter import ReadParameter
 DRAWN, WORN = 0.08, 0.01
 """Share of upper garments whose hood is over the head: of those drawn of people to validate with; and, by our
 estimate, in photographs of people."""
+_COLLAR, _HOOD = "collar.component.style", "Hood2Panels"
 
 
 def as_people_wear(
@@ -61,6 +62,3 @@ def _of_hooded_designs(parameters: tuple[ReadParameter, ...], values: int) -> ND
         if one.name == _COLLAR and _HOOD in one.values:
             found[k, one.values.index(_HOOD)] = 1
     return found
-
-
-_COLLAR, _HOOD = "collar.component.style", "Hood2Panels"

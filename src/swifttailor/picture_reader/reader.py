@@ -104,7 +104,7 @@ class PictureReader:
     near: tuple[PictureReader, ...] = ()
     """Look at these in its place, each at what it has learnt from; the last of several that have."""
     plain: Callable[[], PictureReader] | None = None
-    """Gives the one that reads plain pictures in its place."""
+    """Gives the one that reads plain pictures together with it, and their details in its place."""
     parameters: tuple[ReadParameter, ...] = ()
     """Design parameters that it reads."""
 
@@ -198,7 +198,7 @@ class PictureReader:
         return self._reading(first, whole, seen, (height, width), nearer.parameters)
 
     def _looking_nearer(self, pixels: Pixels, whole: Square) -> PictureReader:
-        """Who looks at garments and details: of plain pictures those who have learnt from nothing else."""
+        """Who decides about garments and looks at details: of plain pictures those who know nothing else."""
         if self.plain is not None and one_colour_around(pixels):
             plain = self.plain()
             if plain._knows(pixels, whole):
