@@ -8,7 +8,7 @@ hair.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
@@ -54,7 +54,7 @@ def _of_hoods() -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     return np.array(statements, np.float32), panels.astype(np.float32)
 
 
-@cache
+@lru_cache(maxsize=4)
 def _of_hooded_designs(parameters: tuple[ReadParameter, ...], values: int) -> NDArray[np.float32]:
     """(parameters, values): 1 for the design that has a hood."""
     found = np.zeros((len(parameters), values), np.float32)
