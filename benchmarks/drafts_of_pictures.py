@@ -24,7 +24,7 @@ from swifttailor.parameter_reader import ParameterReader, reader
 from swifttailor.pattern import Pattern
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.picture_reader.labels import PARTS
-from swifttailor.picture_reader.reader import SHIPPED_CLOSE, SHIPPED_PLAIN, PictureReader
+from swifttailor.picture_reader.reader import SHIPPED_PLAIN, PictureReader
 from swifttailor.picture_reader.reading import PartReading
 from swifttailor.picture_reader.truth import Truth
 from swifttailor.programs import DesignError, make_pattern
@@ -52,7 +52,7 @@ def main() -> None:
     eyes = PictureReader.load()
     if options.weights or options.plain_reader_weights:
         plain = [options.plain_reader_weights or SHIPPED_PLAIN[0], *SHIPPED_PLAIN[1:]]
-        eyes = PictureReader.load(options.weights, close_ups=SHIPPED_CLOSE, plain=plain)
+        eyes = PictureReader.load(options.weights, plain=plain)
     shown = read(eyes, options)
     print(describe())
     print(f"{len(shown)} garments, {options.look}, {options.view}")

@@ -84,18 +84,10 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     designer = LatentDesigner.load(work / "latent-diffusion/latent_diffusion.zip")
     assert designer.shape == (64, 6) and designer.card["data"]["patterns"] == 6
     assert designer.card["trained"]["denoiser"]["steps"] == 3
-    close_ups = [work / f"close-up-reader/{name}.onnx" for name in ("close_up_reader", "people_neck")]
-    near, neck = PictureReader.load(files["PictureReader"], close_ups=close_ups).near
-    assert {name.split()[-1] for name in near.close_ups} == {"neck", "waist", "sleeve"}
-    assert neck.close_ups == ("neck",) and neck.card["config"]["parts"] == ["neck"]
-    names = [work / f"plain-reader/plain_{name}.onnx" for name in ("reader", "neck", "sleeve", "skirt")]
+    names = [work / f"plain-reader/plain_{name}.onnx" for name in ("reader", "sleeve", "skirt")]
     plain = PictureReader.load(files["PictureReader"], plain=names).plain()
     assert plain.close_ups == () and plain.card["config"]["unlike"] > 0
-    assert [{name.split()[-1] for name in one.close_ups} for one in plain.near] == [
-        {"neck"},
-        {"sleeve"},
-        {"skirt"},
-    ]
+    assert [{name.split()[-1] for name in one.close_ups} for one in plain.near] == [{"sleeve"}, {"skirt"}]
 
     again = run("wish_reader", work)
     assert again.returncode == 0

@@ -195,7 +195,7 @@ class EvaluatePatternMaker:
         from swifttailor.pattern_library.known import SHIPPED as LIBRARY
         from swifttailor.pattern_maker.maker import SHIPPED
         from swifttailor.picture_reader.reader import SHIPPED as EYES
-        from swifttailor.picture_reader.reader import SHIPPED_CLOSE, SHIPPED_PLAIN
+        from swifttailor.picture_reader.reader import SHIPPED_PLAIN
         from swifttailor.wishes.reader import SHIPPED as READER
         from swifttailor.wishes.reader import SHIPPED_SPOKEN as SPOKEN
 
@@ -207,9 +207,8 @@ class EvaluatePatternMaker:
             if eyes is not None and self.data is not None:
                 found["read_by"] = file_identity(eyes)
                 own = self.picture_reader_weights is not None
-                near = self.close_up_weights if own else SHIPPED_CLOSE
                 plain = self.plain_reader_weights if own else SHIPPED_PLAIN
-                found["read_from_near_by"] = [file_identity(file) for file in near]
+                found["read_from_near_by"] = [file_identity(file) for file in self.close_up_weights]
                 found["plain_read_by"] = [file_identity(file) for file in plain]
             if self.source != "writer" and (self.weights is None or self.pattern_library is not None):
                 found["known_from"] = file_identity(self.pattern_library or LIBRARY)

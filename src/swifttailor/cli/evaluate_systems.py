@@ -187,13 +187,12 @@ class EvaluateSystems:
         from swifttailor.pattern_library.known import SHIPPED as LIBRARY
         from swifttailor.pattern_maker.maker import SHIPPED as WRITER
         from swifttailor.picture_reader.reader import SHIPPED as EYES
-        from swifttailor.picture_reader.reader import SHIPPED_CLOSE as NEAR
         from swifttailor.picture_reader.reader import SHIPPED_PLAIN as PLAIN
         from swifttailor.wishes.reader import SHIPPED as READER
 
         files = {"writer": WRITER, "sewer": SEWER, "words": READER, "library": LIBRARY, "designs": DESIGNER}
         if self.data is not None:
-            files |= {"pictures": EYES} | {file.stem: file for file in (*NEAR, *PLAIN)}
+            files |= {"pictures": EYES} | {file.stem: file for file in PLAIN}
         return {name: file_identity(path) for name, path in files.items() if path.is_file()}
 
     def _generator(self, name: str) -> Generator:

@@ -19,10 +19,8 @@ _MARGIN = 0.15
 _NEARER = 0.8
 """A square that is hardly smaller than that of the garment shows nothing new."""
 _LEAST_CELLS, _LEAST_PIXELS = 3, 24
-OWN_SHARE = 0.6
-"""What is seen from near counts so much, and what is seen of the whole garment the rest."""
 SHARE = 0.6
-"""Of a network that does nothing but look from near."""
+"""What is seen from near counts so much, and what is seen of the whole garment the rest."""
 
 
 def close_squares(answers: Answers, part: int, square: Square, names: tuple[str, ...]) -> dict[int, Square]:
@@ -58,7 +56,7 @@ def close_squares(answers: Answers, part: int, square: Square, names: tuple[str,
 
 
 def with_close_looks(
-    answers: Answers, part: int, near: Mapping[int, Answers], share: float = OWN_SHARE
+    answers: Answers, part: int, near: Mapping[int, Answers], share: float = SHARE
 ) -> dict[str, NDArray[Any]]:
     """What is said of a garment altogether.
 

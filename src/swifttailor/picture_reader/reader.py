@@ -16,7 +16,7 @@ from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.errors import InputError
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
 from swifttailor.pattern.names import PANEL_NAMES
-from swifttailor.picture_reader.close_looks import OWN_SHARE, SHARE, close_squares, with_close_looks
+from swifttailor.picture_reader.close_looks import close_squares, with_close_looks
 from swifttailor.picture_reader.close_ups import CLOSE_UPS
 from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.figures import FIGURES
@@ -45,12 +45,13 @@ from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.render.pixels import require_picture
 
 SHIPPED = Path(__file__).with_name("picture_reader.onnx")
-SHIPPED_CLOSE = tuple(Path(__file__).with_name(f"{name}.onnx") for name in ("close_up_reader", "people_neck"))
-"""Looks at necks, waists and ends of sleeves; at necks of people, in place of the one before."""
 SHIPPED_PLAIN = tuple(
-    Path(__file__).with_name(f"plain_{name}.onnx") for name in ("reader", "neck", "sleeve", "skirt")
+    Path(__file__).with_name(f"plain_{name}.onnx") for name in ("reader", "sleeve", "skirt")
 )
-"""Reads all of a plain picture; necks; ends of sleeves; skirts."""
+"""Reads all of a plain picture; ends of sleeves; skirts."""
+FROM_NEAR = ("neck", "waist", "sleeve")
+"""Of close-ups, see `CloseUp.part`: what a network that reads whole garments looks at; legs and skirts it
+reads as well in a picture of all of the garment."""
 INPUTS = ("pictures", "guess")
 OUTPUTS = (
     "present",
@@ -102,7 +103,7 @@ class PictureReader:
     close_ups: tuple[str, ...] = ()
     """Names of the `CLOSE_UPS` it has learnt from."""
     near: tuple[PictureReader, ...] = ()
-    """Look at these in its place, each at what it has learnt from; the last of several that have."""
+    """Look at close-ups in its place, each at what it has learnt from; the last of several that have."""
     plain: Callable[[], PictureReader] | None = None
     """Gives the one that reads plain pictures together with it, and their details in its place."""
     parameters: tuple[ReadParameter, ...] = ()
@@ -121,8 +122,8 @@ class PictureReader:
         Args:
             weights: File; the ones that come with the package when None.
             close_ups: Files of networks that look at details, each at what it has learnt from; at what
-                several have learnt from, the last of them looks. Where `weights` are given and these are not,
-                the network looks at them itself, if it has learnt to.
+                several have learnt from, the last of them looks. At necks, waists and sleeves without one of
+                these looks the network itself, if it has learnt to.
             plain: Files of the network that reads plain pictures, and of those that look at their details;
                 where `weights` are given and these are not, plain pictures are read like others. They are
                 opened when the first picture comes that may be plain.
@@ -131,11 +132,15 @@ class PictureReader:
         Raises:
             InputError: There is no such file, or it is damaged or another.
         """
-        if weights is None:
-            close_ups = SHIPPED_CLOSE if close_ups is None else close_ups
-            plain = SHIPPED_PLAIN if plain is None else plain
         reader = PictureReader._opened(SHIPPED if weights is None else weights, threads)
-        reader = replace(reader, near=tuple(PictureReader._opened(file, threads) for file in close_ups or ()))
+        own = {one.name for one in CLOSE_UPS if one.part in FROM_NEAR}
+        reader = replace(
+            reader,
+            close_ups=tuple(name for name in reader.close_ups if name in own),
+            near=tuple(PictureReader._opened(file, threads) for file in close_ups or ()),
+        )
+        if weights is None and plain is None:
+            plain = SHIPPED_PLAIN
         if not plain:
             return reader
         whole, *details = plain
@@ -220,7 +225,8 @@ class PictureReader:
     ) -> dict[str, Any]:
         """Three looks of each looker at much the same, whose mean is steadier, and at details.
 
-        Where things are is of the first look alone, and designs are of those who read the same parameters.
+        At a detail looks who has learnt from nothing else, or else the first looker that knows it. Where
+        things are is of the first look alone, and designs are of those who read the same parameters.
         """
         squares = [(one, _scaled(square, scale)) for one in lookers for scale in _SCALES]
         looks = [one._look(pixels, at, view_in(first["camera_view"], whole, at)) for one, at in squares]
@@ -230,12 +236,13 @@ class PictureReader:
             answers[DESIGNS] = np.mean([looks[k][DESIGNS] for k in alike], axis=0)
         answers |= {name: looks[0][name] for name in _OF_A_FRAME}
         view = answers["camera_view"]
-        looker_of = {name: looker for looker in self.near or (self,) for name in looker.close_ups}
+        nearest = [*reversed(lookers), *(near for one in reversed(lookers) for near in one.near)]
+        looker_of = {name: looker for looker in nearest for name in looker.close_ups}
         near = {
             number: looker_of[CLOSE_UPS[number].name]._look(pixels, detail, view_in(view, square, detail))
             for number, detail in close_squares(answers, part, square, tuple(looker_of)).items()
         }
-        return with_close_looks(answers, part, near, SHARE if self.near else OWN_SHARE)
+        return with_close_looks(answers, part, near)
 
     def _look(self, pixels: Pixels, square: Square, view: NDArray[np.float32] | None) -> dict[str, Any]:
         shown = cut_square(pixels, square, self.size)
