@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from swifttailor.errors import InputError
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
+from swifttailor.parameter_reader.agreement import Design, agreeing_design
 from swifttailor.parameter_reader.features import features_of
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.picture_reader.labels import labels_checksum
@@ -23,8 +24,6 @@ INPUTS, OUTPUTS = ("features",), ("logits",)
 KIND = ModelKind("parameter reader", "swifttailor parameter-reader 1", 2**26, ({GRAPH: (INPUTS, OUTPUTS)},))
 SEEN = 0.5
 """How much what a picture shows of a parameter counts; the rest is what follows from its reading."""
-Design = dict[str, Any]
-"""Values of design parameters by flat names; those that are not there have their defaults."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,13 +99,17 @@ class ParameterReader:
     def designs(self, sought: Sought, seen: SeenDesign | None = None, *, seed: int = 0) -> Iterator[Design]:
         """Designs that what is known may mean, endlessly: the likeliest, then others, bolder by and by.
 
+        The first has the likeliest value of each parameter, but for choices with which the panels are
+        likelier (`agreeing_design`).
+
         Args:
             sought: What is known of a garment.
             seen: As in `shares`.
             seed: Of the others.
         """
         shares = self.shares(sought, seen)
-        yield {p.name: _likeliest(p, s) for p, s in zip(self.parameters, shares, strict=True)}
+        likeliest = {p.name: _likeliest(p, s) for p, s in zip(self.parameters, shares, strict=True)}
+        yield agreeing_design(likeliest, self.parameters, shares, sought)
         chance, number = np.random.default_rng(seed), 1
         while True:
             yield {p.name: _drawn(p, s, chance, number) for p, s in zip(self.parameters, shares, strict=True)}

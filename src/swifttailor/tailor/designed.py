@@ -81,10 +81,8 @@ def designed_candidates(
     found: list[DesignedCandidate | None] = []
     for wanted, seed in samples:
         order = wanted.order
-        # Where there are words, known patterns are nearer: docs/garment-programs.md.
-        pictured = wanted.part is not None and not order.text.strip()
-        asked = order.source == "designs" or (order.source == "both" and pictured)
-        if reader is None or not asked or order.edit is not None or not order.alter or wanted.sought.is_empty:
+        shown = wanted.part is not None or order.source == "designs"
+        if reader is None or not order.may_be_designed or not shown or wanted.sought.is_empty:
             if order.source == "designs":
                 raise InputError(_NOTHING_SOUGHT)
             found.append(None)

@@ -131,6 +131,15 @@ class Order:
         return USUAL_ATTEMPTS if self.temperature > 0 else 1
 
     @property
+    def may_be_designed(self) -> bool:
+        """Whether the pattern may be drafted from parameters that are read; of words alone only if asked.
+
+        Words say too little of measures for a draft to be nearer than known patterns.
+        """
+        asked = self.source == "designs" or (self.source == "both" and bool(self.images))
+        return asked and self.edit is None and self.alter
+
+    @property
     def most_refined(self) -> int:
         """`refine`, or what is usual."""
         return USUAL_REFINED if self.refine is None else self.refine

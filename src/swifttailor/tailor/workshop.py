@@ -184,13 +184,7 @@ class Workshop:
 
     def designer_for(self, orders: Sequence[Order]) -> ParameterReader | None:
         """What reads design parameters, where any order may be answered by a draft of them."""
-        asked = any(
-            (one.source == "designs" or (one.source == "both" and one.images and not one.text.strip()))
-            and one.edit is None
-            and one.alter
-            for one in orders
-        )
-        return self.parameter_reader if asked else None
+        return self.parameter_reader if any(one.may_be_designed for one in orders) else None
 
     def library_for(self, orders: Sequence[Order]) -> PatternLibrary | None:
         """Known patterns, where any order may be answered by one."""

@@ -1,0 +1,88 @@
+"""The likeliest design whose pattern has the panels that are seen.
+
+Each parameter is read for itself, and which panels there are follows from several at once; so the likeliest
+choices together may have a cuff that nobody saw. Choices that are nearly as likely are tried in turn, and
+kept where the panels of the pattern are likelier for them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swifttailor.arrays import Floats
+from swifttailor.errors import SwiftTailorError
+from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.pattern_library.sought import Sought
+from swifttailor.programs import make_pattern
+from swifttailor.programs.read_parameter import ReadParameter
+
+LEAST_SHARE, CHOICES = 0.03, 3
+"""Choices that are tried: as likely as this, and so many of a parameter."""
+MOST_TRIED, MOST_CHANGED = 20, 3
+"""So many in each round, and so many rounds."""
+
+Design = dict[str, Any]
+"""Values of design parameters by flat names; those that are not there have their defaults."""
+
+
+def agreeing_design(
+    design: Design, parameters: Sequence[ReadParameter], shares: Sequence[Floats], sought: Sought
+) -> Design:
+    """Changes choices of a design until no other makes the panels that are seen likelier.
+
+    Args:
+        design: The likeliest value of each parameter.
+        parameters: That were read.
+        shares: For each (values,) how likely they are.
+        sought: Whose panels count.
+
+    Returns:
+        The same, or a design that is likelier as a whole: by its choices and by its panels.
+    """
+    if not sought.named.any():
+        return design
+    best, fit = design, _fit_of_panels(design, sought)
+    for _ in range(MOST_CHANGED):
+        tried = [
+            (further + _fit_of_panels(best | change, sought), change, further)
+            for further, change in _others(best, parameters, shares)
+        ]
+        likeliest, change, _ = max(tried, key=lambda one: one[0], default=(fit, {}, 0.0))
+        if likeliest <= fit:
+            break
+        best, fit = best | change, _fit_of_panels(best | change, sought)
+    return best
+
+
+def _others(
+    design: Design, parameters: Sequence[ReadParameter], shares: Sequence[Floats]
+) -> list[tuple[float, Design]]:
+    """Choices in the place of single ones of a design, and how much likelier each is, the likeliest first."""
+    found = []
+    for one, share in zip(parameters, shares, strict=True):
+        if one.is_number:
+            continue
+        now = one.values.index(design[one.name])
+        found += [
+            (float(np.log(share[k]) - np.log(max(share[now], 1e-9))), {one.name: one.values[k]})
+            for k in np.argsort(-share, kind="stable")[:CHOICES]
+            if k != now and share[k] >= LEAST_SHARE
+        ]
+    return sorted(found, key=lambda other: -other[0])[:MOST_TRIED]
+
+
+def _fit_of_panels(design: Design, sought: Sought) -> float:
+    """How likely the panels of a design are, as a logarithm; endlessly unlikely where there are none."""
+    try:
+        names = {panel.name for panel in make_pattern(design).panels}
+    except SwiftTailorError:
+        return -float("inf")
+    return float(np.sum(sought.named * np.log(np.where(_there(names), sought.panels, 1 - sought.panels))))
+
+
+def _there(names: set[str]) -> NDArray[np.bool_]:
+    return np.array([name in names for name in PANEL_NAMES])
