@@ -116,6 +116,8 @@ def test_one_of_several_sources_can_be_chosen(sewer, eyes, library):
     assert written.design is None and not written.known
     assert tailor.generate("a midi skirt").answer.known == "midi", "words alone say too little for a draft"
     assert tailor.generate("a midi skirt", source="designs").answer.design is not None
+    both = tailor.generate("a midi skirt", image=PICTURE).answer
+    assert both.design is not None and not both.verdict.open, "a draft, cut to the words"
     with pytest.raises(InputError, match="Design parameters are read in what is understood"):
         tailor.generate("zzz", source="designs")
     with pytest.raises(InputError, match="Drafts of designs are there to be altered"):

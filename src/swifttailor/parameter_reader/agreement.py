@@ -20,8 +20,8 @@ from swifttailor.pattern_library.sought import Sought
 from swifttailor.programs import make_pattern
 from swifttailor.programs.read_parameter import ReadParameter
 
-LEAST_SHARE, CHOICES = 0.03, 3
-"""Choices that are tried: as likely as this, and so many of a parameter."""
+LEAST_SHARE = 0.03
+"""Of choices that are tried."""
 MOST_TRIED, MOST_CHANGED = 20, 3
 """So many in each round, and so many rounds."""
 
@@ -69,8 +69,8 @@ def _others(
         now = one.values.index(design[one.name])
         found += [
             (float(np.log(share[k]) - np.log(max(share[now], 1e-9))), {one.name: one.values[k]})
-            for k in np.argsort(-share, kind="stable")[:CHOICES]
-            if k != now and share[k] >= LEAST_SHARE
+            for k in np.flatnonzero(share >= LEAST_SHARE)
+            if k != now
         ]
     return sorted(found, key=lambda other: -other[0])[:MOST_TRIED]
 
