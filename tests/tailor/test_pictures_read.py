@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -16,7 +17,9 @@ from swifttailor.describing.differences import Gain
 from swifttailor.errors import InputError, NothingSeenError
 from swifttailor.pattern.drafts import draft
 from swifttailor.picture_reader.reading import Measure
+from swifttailor.picture_reader.seen_design import SeenDesign
 from swifttailor.picture_reader.together import together
+from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.tailor import Order, Tailor
 from swifttailor.tailor.looking import part_wanted, parts_seen
 from swifttailor.tailor.seen_wishes import not_overruled, seen_wishes
@@ -185,6 +188,24 @@ def test_reading_alone_makes_nothing(shown, tmp_path, capsys):
     ]
     (told,) = json.loads((tmp_path / "out" / "reading.json").read_text())
     assert told["file"] == "photo.png" and [p["part"] for p in told["parts"]] == ["upper", "lower"]
+    assert all("design" not in part for part in told["parts"]), "of a reader that reads none"
+
+
+def test_reading_alone_tells_the_design_parameters_that_are_seen(shown, tmp_path, capsys, monkeypatch):
+    trousers = SeenDesign((ReadParameter("meta.bottom", ("Pants", None)),), (np.array([0.8, 0.2]),))
+    look = Tailor.look
+
+    def designed(self, image):
+        seen = look(self, image)
+        parts = tuple(replace(part, design=trousers) for part in seen.reading.parts)
+        return replace(seen, reading=replace(seen.reading, parts=parts))
+
+    monkeypatch.setattr(Tailor, "look", designed)
+    assert run([*shown, "--read"]) == 0
+    assert "    meta.bottom: Pants (80%)" in capsys.readouterr().out
+    (told,) = json.loads((tmp_path / "out" / "reading.json").read_text())
+    for part in told["parts"]:
+        assert part["design"] == [{"name": "meta.bottom", "value": "Pants", "certainty": 0.8}]
 
 
 @pytest.mark.parametrize(

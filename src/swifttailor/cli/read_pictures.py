@@ -24,6 +24,7 @@ def read_pictures(asked: Generate) -> int:
     from swifttailor.atomic_files import write_bytes, write_text
     from swifttailor.garment.folder import SEEN
     from swifttailor.output_folder import OutputFolder
+    from swifttailor.parameter_reader.told_design import told_design
     from swifttailor.picture_reader.reading import TOLD
     from swifttailor.picture_reader.together import together
     from swifttailor.render.png import encode_png
@@ -37,6 +38,10 @@ def read_pictures(asked: Generate) -> int:
         pictures = [tailor.look(path) for path in asked.image]
         seen = parts_seen(pictures)
         told = [{"file": one.name} | one.reading.to_json() for one in pictures]
+        for about, one in zip(told, pictures, strict=True):
+            for part, read in zip(about["parts"], one.reading.parts, strict=True):
+                if read.design is not None:
+                    part["design"] = [parameter.to_json() for parameter in told_design(read.design)]
         with output.fill() as folder:
             write_text(folder / READING, json.dumps(told, indent=2) + "\n")
             write_bytes(folder / SEEN, encode_png(draw_seen(pictures, next(iter(seen), None))))
@@ -57,6 +62,9 @@ def read_pictures(asked: Generate) -> int:
         ]
         panels = [p.name for p in part.panels if p.certainty > 0.5]
         lines.append(f"  panels: {', '.join(panels)}")
+        if part.design is not None:
+            lines.append("  design parameters, by what is seen alone:")
+            lines += [f"    {parameter.line()}" for parameter in told_design(part.design)]
     if not seen:
         lines.append("No garment was found in the picture.")
     lines.append(f"Wrote {asked.folder / SEEN} and {asked.folder / READING}.")
