@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from swifttailor.cli.generate import Generate
@@ -37,7 +37,7 @@ def read_pictures(asked: Generate) -> int:
         tailor = asked.tailor()
         pictures = [tailor.look(path) for path in asked.image]
         seen = parts_seen(pictures)
-        told = [{"file": one.name} | one.reading.to_json() for one in pictures]
+        told: list[dict[str, Any]] = [{"file": one.name} | one.reading.to_json() for one in pictures]
         for about, one in zip(told, pictures, strict=True):
             for part, read in zip(about["parts"], one.reading.parts, strict=True):
                 if read.design is not None:
@@ -55,8 +55,9 @@ def read_pictures(asked: Generate) -> int:
     for name in seen:
         part = together([next(p for p in one.reading.parts if p.part == name) for one in pictures])
         lines.append(f"{name} ({part.certainty:.0%}):")
-        told = [s for s in part.statements if s.certainty >= TOLD]
-        lines += [f"  {claim_line(s.claim)} ({s.certainty:.0%})" for s in told]
+        lines += [
+            f"  {claim_line(s.claim)} ({s.certainty:.0%})" for s in part.statements if s.certainty >= TOLD
+        ]
         lines += [
             f"  {m.name}: {m.value:.1f}, give or take {m.off:.1f}" for m in part.measures if m.certainty > 0.5
         ]
