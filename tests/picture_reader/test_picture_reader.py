@@ -286,28 +286,13 @@ def test_of_several_that_know_a_detail_the_last_looks_at_it():
         assert abs(certain[claim] - 1 / (1 + np.exp(-(0.4 + 0.6 * logit)))) < 1e-6
 
 
-def test_what_no_other_knows_of_a_plain_picture_the_network_for_all_looks_looks_at():
-    said = np.tile([1.0, 0.0], (len(statement_labels()), 1))
-    others, own, close = Wearing(1.0), Wearing(3.0), Wearing(-3.0)
-    waist = PictureReader(close, 64, said, {}, ("waist",))
-    plain = PictureReader(own, 64, said, {}, near=(waist,))
-    reader = PictureReader(others, 64, said, {}, ("neck", "waist"), plain=lambda: plain)
-    picture = np.full((1280, 1280, 3), 250, np.uint8)
-    picture[200:1000, 400:800] = 90
-    (part,) = reader.read(picture).parts
-    assert [len(n.guesses) for n in (others, own, close)] == [5, 4, 1], "one look more: at the neck"
-    certain = {f"{s.claim.name} {s.claim.value}": s.certainty for s in part.statements}
-    for claim, logit in (("neckline v", 1.0), ("waistband none", -3.0)):
-        assert abs(certain[claim] - 1 / (1 + np.exp(-(0.4 * 2.0 + 0.6 * logit)))) < 1e-6
-
-
 @pytest.mark.skipif(not SHIPPED.is_file(), reason="the package has no weights")
 def test_the_network_of_the_package_looks_at_details_itself():
     reader = PictureReader.load()
     assert not reader.near and {name.split()[-1] for name in reader.close_ups} == {"neck", "waist", "sleeve"}
-    plain = reader.plain()
-    known = {name.split()[-1] for one in (plain, *plain.near) for name in one.close_ups}
-    assert known == {"sleeve", "skirt"}
+    eyes, *details = reader.plain().near
+    assert eyes.session is reader.session and eyes.close_ups == ("neck",)
+    assert {name.split()[-1] for one in details for name in one.close_ups} == {"sleeve", "skirt"}
 
 
 @pytest.mark.parametrize("border", ["one colour", "a little noise", "a hand", "a place"])

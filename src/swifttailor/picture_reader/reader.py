@@ -49,9 +49,9 @@ SHIPPED_PLAIN = tuple(
     Path(__file__).with_name(f"plain_{name}.onnx") for name in ("reader", "sleeve", "skirt")
 )
 """Reads all of a plain picture; ends of sleeves; skirts."""
-FROM_NEAR = ("neck", "waist", "sleeve")
-"""Of close-ups, see `CloseUp.part`: what a network that reads whole garments looks at; legs and skirts it
-reads as well in a picture of all of the garment."""
+FROM_NEAR, PLAIN_FROM_NEAR = ("neck", "waist", "sleeve"), ("neck",)
+"""Of close-ups, see `CloseUp.part`: what a network that reads whole garments looks at, and what it does of
+plain pictures, beside the networks for these. Anything else it reads as well in a picture of all."""
 INPUTS = ("pictures", "guess")
 OUTPUTS = (
     "present",
@@ -122,8 +122,8 @@ class PictureReader:
         Args:
             weights: File; the ones that come with the package when None.
             close_ups: Files of networks that look at details, each at what it has learnt from; at what
-                several have learnt from, the last of them looks. At necks, waists and sleeves without one of
-                these looks the network itself, if it has learnt to.
+                several have learnt from, the last of them looks. Without any the network looks at necks,
+                waists and sleeves itself, if it has learnt to.
             plain: Files of the network that reads plain pictures, and of those that look at their details;
                 where `weights` are given and these are not, plain pictures are read like others. They are
                 opened when the first picture comes that may be plain.
@@ -133,20 +133,25 @@ class PictureReader:
             InputError: There is no such file, or it is damaged or another.
         """
         reader = PictureReader._opened(SHIPPED if weights is None else weights, threads)
-        own = {one.name for one in CLOSE_UPS if one.part in FROM_NEAR}
-        reader = replace(
-            reader,
-            close_ups=tuple(name for name in reader.close_ups if name in own),
-            near=tuple(PictureReader._opened(file, threads) for file in close_ups or ()),
-        )
+        near = tuple(PictureReader._opened(file, threads) for file in close_ups or ())
+        reader = replace(reader._looking_at(FROM_NEAR), near=near)
         if weights is None and plain is None:
             plain = SHIPPED_PLAIN
         if not plain:
             return reader
         whole, *details = plain
-        return replace(
-            reader, plain=cache(lambda: PictureReader.load(whole, close_ups=details, threads=threads))
-        )
+        at_necks = reader._looking_at(PLAIN_FROM_NEAR)
+
+        def opened() -> PictureReader:
+            found = PictureReader.load(whole, close_ups=details, threads=threads)
+            return replace(found, near=(replace(at_necks, near=()), *(found.near or (found,))))
+
+        return replace(reader, plain=cache(opened))
+
+    def _looking_at(self, parts: Sequence[str]) -> PictureReader:
+        """The same, that looks from near only at some of what it has learnt."""
+        names = {one.name for one in CLOSE_UPS if one.part in parts}
+        return replace(self, close_ups=tuple(name for name in self.close_ups if name in names))
 
     @staticmethod
     def _opened(weights: Path | str, threads: int) -> PictureReader:
@@ -225,8 +230,7 @@ class PictureReader:
     ) -> dict[str, Any]:
         """Three looks of each looker at much the same, whose mean is steadier, and at details.
 
-        At a detail looks who has learnt from nothing else, or else the first looker that knows it. Where
-        things are is of the first look alone, and designs are of those who read the same parameters.
+        Where things are is of the first look alone, and designs are of those who read the same parameters.
         """
         squares = [(one, _scaled(square, scale)) for one in lookers for scale in _SCALES]
         looks = [one._look(pixels, at, view_in(first["camera_view"], whole, at)) for one, at in squares]
@@ -236,8 +240,7 @@ class PictureReader:
             answers[DESIGNS] = np.mean([looks[k][DESIGNS] for k in alike], axis=0)
         answers |= {name: looks[0][name] for name in _OF_A_FRAME}
         view = answers["camera_view"]
-        nearest = [*reversed(lookers), *(near for one in reversed(lookers) for near in one.near)]
-        looker_of = {name: looker for looker in nearest for name in looker.close_ups}
+        looker_of = {name: looker for looker in self.near or (self,) for name in looker.close_ups}
         near = {
             number: looker_of[CLOSE_UPS[number].name]._look(pixels, detail, view_in(view, square, detail))
             for number, detail in close_squares(answers, part, square, tuple(looker_of)).items()
