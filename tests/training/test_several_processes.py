@@ -54,7 +54,7 @@ RUNS: dict[str, tuple[int, list[str]]] = {
     "low": (0, [BFLOAT16, SHARD, UNPLANNED]),
     "muon": (0, [FLOAT32, SHARD, UNPLANNED, "optimizer=muon"]),
 }
-"""Each: the step after which it is interrupted and resumed (0: it is not), and values of the configuration."""
+"""Of each the step after which it is interrupted and resumed, 0 for none, and values of the configuration."""
 SCRIPT = """
 import json, os, sys
 from pathlib import Path
@@ -66,8 +66,9 @@ folder, runs = Path(sys.argv[1]), json.loads(sys.argv[2])
 for out, (stop, values) in runs.items():
     try:
         for resume in (False, True) if stop else (False,):
-            train(read_config("small", values), [folder / "train.jsonl"], folder / out, resume=resume, threads=1,
-                  validation=[folder / "other.jsonl"], cache=folder / "cache", stop_after=stop or None)
+            train(read_config("small", values), [folder / "train.jsonl"], folder / out, resume=resume,
+                  validation=[folder / "other.jsonl"], cache=folder / "cache", stop_after=stop or None,
+                  threads=1)
     except InputError as error:
         (folder / f"{out}-{os.environ['RANK']}.txt").write_text(str(error))
 """
