@@ -19,6 +19,9 @@ NOT_ON_CPU := triton cuda-bindings cuda-pathfinder nvidia-cuda-cccl nvidia-cusol
 # What the demonstration shows is a matter of the weights that are there.
 DEMO := $(if $(wildcard $(SEWER_WEIGHTS)),$(if $(wildcard $(MAKER_WEIGHTS)),demo-generate,demo-sew),demo-drape)
 
+# Python keeps what it has compiled, whoever calls: else each of the tests' hundreds of processes compiles torch anew.
+unexport PYTHONDONTWRITEBYTECODE
+
 help:  ## show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 

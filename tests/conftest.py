@@ -32,6 +32,9 @@ SAMPLES = Path(__file__).parent / "garmentcode_patterns" / "patterns.jsonl.gz"
 EXTRA_TRAIN = ("torch", "transformers", "accelerate", "onnx", "onnxscript")
 """What the marker ``needs_torch`` asks for."""
 
+LONG_ROOMS = ("tests/end_to_end", "tests/fuzzing", "tests/test_readme.py")
+"""Rooms with few tests that take long. Left to the end, one process would wait for the other."""
+
 # No test is timed: on a busy machine an example may take any time.
 settings.register_profile("untimed", deadline=None)
 settings.load_profile("untimed")
@@ -52,7 +55,7 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log):
     """Of several processes each takes whole rooms (or files of no room), if not told otherwise.
 
     So what a room's tests share is made once: patterns read, networks, a server with its browser, compiled
-    loops. The rooms with most tests come first.
+    loops. `LONG_ROOMS` come first, then the rooms with most tests.
     """
     if config.getoption("dist") != "load":
         return None
@@ -61,6 +64,12 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log):
     class ByRoom(LoadScopeScheduling):
         def _split_scope(self, nodeid: str) -> str:
             return "/".join(nodeid.partition("::")[0].split("/")[:2])
+
+        def _assign_work_unit(self, node) -> None:
+            waiting = next((room for room in LONG_ROOMS if room in self.workqueue), None)
+            if waiting:
+                self.workqueue.move_to_end(waiting, last=False)
+            super()._assign_work_unit(node)
 
     return ByRoom(config, log)
 

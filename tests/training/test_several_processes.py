@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -44,19 +45,32 @@ UNPLANNED = "network.planning=false"
 """A plan is foreseen with the whole network."""
 OF_NORMS = ("running_mean", "running_var", "num_batches_tracked")
 """What norms count beside their weights."""
+FLOAT32, BFLOAT16, SHARD = "precision=float32", "precision=bfloat16", "shard=true"
+RUNS: dict[str, tuple[int, list[str]]] = {
+    "copies": (0, [FLOAT32, UNPLANNED]),
+    "parts": (0, [FLOAT32, SHARD, UNPLANNED]),
+    "resumed": (3, [FLOAT32, SHARD, UNPLANNED]),
+    "planned": (0, [FLOAT32]),
+    "low": (0, [BFLOAT16, SHARD, UNPLANNED]),
+    "muon": (0, [FLOAT32, SHARD, UNPLANNED, "optimizer=muon"]),
+}
+"""Of each the step after which it is interrupted and resumed, 0 for none, and values of the configuration."""
 SCRIPT = """
-import json, sys
+import json, os, sys
 from pathlib import Path
+from swifttailor.errors import InputError
 from swifttailor.training.maker_config import read_config
 from swifttailor.training.maker_loop_torch import train
 
-folder, out, stop, *values = sys.argv[1:]
-folder = Path(folder)
-for resume in (False, True):
-    train(read_config("small", values), [folder / "train.jsonl"], folder / out, resume=resume, threads=1,
-          validation=[folder / "other.jsonl"], cache=folder / "cache", stop_after=int(stop) or None)
-    if not int(stop):
-        break
+folder, runs = Path(sys.argv[1]), json.loads(sys.argv[2])
+for out, (stop, values) in runs.items():
+    try:
+        for resume in (False, True) if stop else (False,):
+            train(read_config("small", values), [folder / "train.jsonl"], folder / out, resume=resume,
+                  validation=[folder / "other.jsonl"], cache=folder / "cache", stop_after=stop or None,
+                  threads=1)
+    except InputError as error:
+        (folder / f"{out}-{os.environ['RANK']}.txt").write_text(str(error))
 """
 
 
@@ -71,14 +85,16 @@ def folder(tmp_path_factory) -> Path:
     return folder
 
 
-def train_in_two(folder: Path, out: str, *values: str, stop: int = 0) -> dict[str, np.ndarray]:
-    """Runs a training in two processes and gives its weights."""
+@pytest.fixture(scope="module")
+def trained(folder) -> Callable[[str], dict[str, np.ndarray]]:
+    """Weights of each of `RUNS`; all are run by the same two processes, which take long to start."""
+    runs = {out: (stop, [*TINY, *values]) for out, (stop, values) in RUNS.items()}
     command = [sys.executable, "-m", "torch.distributed.run", "--standalone", "--nproc_per_node", "2"]
-    command += [str(folder / "script.py"), str(folder), out, str(stop), *TINY, *values]
+    command += [str(folder / "script.py"), str(folder), json.dumps(runs)]
     environment = os.environ | {"OMP_NUM_THREADS": "1", "CUDA_VISIBLE_DEVICES": ""}
     done = subprocess.run(command, capture_output=True, text=True, timeout=900, env=environment)
     assert done.returncode == 0, done.stderr[-3000:]
-    return load_file(folder / out / "weights.safetensors")
+    return lambda out: load_file(folder / out / "weights.safetensors")
 
 
 def apart(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> float:
@@ -87,12 +103,10 @@ def apart(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> float:
     return max(float(np.abs(one[k] - other[k]).max()) for k in one)
 
 
-def test_in_parts_or_in_copies_the_same_is_learnt_and_gone_on_with(folder):
-    copies = train_in_two(folder, "copies", "precision=float32", UNPLANNED)
-    parts = train_in_two(folder, "parts", "precision=float32", "shard=true", UNPLANNED)
+def test_in_parts_or_in_copies_the_same_is_learnt_and_gone_on_with(folder, trained):
+    copies, parts = trained("copies"), trained("parts")
     assert apart(copies, parts) < 1e-4
-    resumed = train_in_two(folder, "resumed", "precision=float32", "shard=true", UNPLANNED, stop=3)
-    assert apart(parts, resumed) < 1e-6
+    assert apart(parts, trained("resumed")) < 1e-6
     lines = [json.loads(line) for line in (folder / "resumed/metrics.jsonl").read_text().splitlines()]
     assert [line["step"] for line in lines if "validation" in line] == [3, 6]
     card = json.loads((folder / "parts/card.json").read_text())
@@ -101,21 +115,21 @@ def test_in_parts_or_in_copies_the_same_is_learnt_and_gone_on_with(folder):
     assert card["parameters"] == sum(v.size for v in learnt.values())
 
 
-def test_copies_are_told_what_they_foresee(folder):
-    planned = train_in_two(folder, "planned", "precision=float32")
+def test_copies_are_told_what_they_foresee(trained):
+    planned = trained("planned")
     assert np.abs(planned["planned_in.weight"]).max() > 1e-3  # it began at 0
 
 
-def test_parts_compute_in_bfloat16_and_stay_float32(folder):
-    parts = train_in_two(folder, "low", "precision=bfloat16", "shard=true", UNPLANNED)
+def test_parts_compute_in_bfloat16_and_stay_float32(trained):
+    parts = trained("low")
     assert {v.dtype for k, v in parts.items() if not k.endswith(OF_NORMS)} == {np.dtype(np.float32)}
-    high = load_file(folder / "parts/weights.safetensors")
-    assert 1e-6 < apart(parts, high) < 0.1
+    assert 1e-6 < apart(parts, trained("parts")) < 0.1
 
 
-def test_what_needs_whole_matrices_is_not_split(folder):
-    with pytest.raises(AssertionError, match="optimizer=muon needs whole matrices"):
-        train_in_two(folder, "muon", "precision=float32", "shard=true", UNPLANNED, "optimizer=muon")
+def test_what_needs_whole_matrices_is_not_split(folder, trained):
+    for rank in range(2):
+        assert "optimizer=muon needs whole matrices" in (folder / f"muon-{rank}.txt").read_text()
+    assert not (folder / "muon/weights.safetensors").exists()
 
 
 def test_what_needs_the_whole_network_is_not_split(folder):
