@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import random
+from itertools import islice
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from swifttailor.parameter_reader.agreement import LEAST_SHARE, agreeing_design
+from swifttailor.errors import SwiftTailorError
+from swifttailor.parameter_reader import ParameterReader
+from swifttailor.parameter_reader.agreement import LEAST_SHARE, MAKE_PANELS, agreeing_design
+from swifttailor.parameter_reader.drawn import drawn_designs
+from swifttailor.parameter_reader.reader import SHIPPED
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.programs import make_pattern
@@ -57,7 +64,7 @@ def test_several_choices_change_in_turn_and_numbers_never():
 
 def test_what_is_hardly_likely_is_not_tried_and_what_is_likelier_than_its_panels_stays():
     true = FIRST | {CUFFS.name: "CuffSkirt"}
-    hardly = shares_of((0.9, LEAST_SHARE / 2, 0.08, 0.015))
+    hardly = shares_of((0.9, LEAST_SHARE / 2, 0.08, 0.02 - LEAST_SHARE / 2))
     assert agreeing_design(FIRST, PARAMETERS, hardly, seen_panels(true))[CUFFS.name] != "CuffSkirt"
     sure = shares_of((0.96, 0.04, 0.0, 0.0))
     assert agreeing_design(FIRST, PARAMETERS, sure, seen_panels(true, 0.51)) == FIRST
@@ -69,6 +76,20 @@ def test_a_design_that_is_refused_gives_way():
     design = FIRST | sliding
     found = agreeing_design(design, PARAMETERS, shares_of((1, 0, 0, 0), (0.6, 0.4, 0.0)), seen_panels(FIRST))
     assert found == design | {BOTTOM.name: "Pants"}
+
+
+@pytest.mark.skipif(not SHIPPED.is_file(), reason="the package has no weights")
+def test_no_other_choice_makes_other_panels():
+    chance = random.Random(3)
+    read = [one for one in ParameterReader.load().parameters if one.name not in MAKE_PANELS]
+    for design, pattern in islice(drawn_designs(8), 12):
+        names = {panel.name for panel in pattern.panels}
+        for one in read:
+            try:
+                other = make_pattern(design | {one.name: chance.choice(one.values)})
+            except SwiftTailorError:
+                continue
+            assert {panel.name for panel in other.panels} == names, one.name
 
 
 @settings(max_examples=30, deadline=None)

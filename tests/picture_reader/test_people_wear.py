@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from swifttailor.pattern.names import PANEL_NAMES
-from swifttailor.picture_reader.labels import PARTS, statement_labels
-from swifttailor.picture_reader.people_wear import DRAWN, WORN, as_people_wear
+from swifttailor.picture_reader.labels import PARTS, measure_labels, statement_labels
+from swifttailor.picture_reader.people_wear import DRAWN, WORN, as_people_wear, with_hoods_of_near
 from swifttailor.programs.read_parameter import ReadParameter
 
 
@@ -22,6 +22,7 @@ def test_the_odds_of_hoods_alone_change_and_by_how_often_they_are(logit):
     labels = statement_labels()
     answers = {
         "statements": np.full((len(PARTS), len(labels)), logit),
+        "has": np.full((len(PARTS), len(measure_labels())), logit),
         "panels": np.full((len(PARTS), len(PANEL_NAMES)), logit),
         "present": np.full(len(PARTS), logit),
     }
@@ -33,6 +34,8 @@ def test_the_odds_of_hoods_alone_change_and_by_how_often_they_are(logit):
     assert np.delete(changed, [hood, none], axis=1) == pytest.approx(1.0)
     for name, change in zip(PANEL_NAMES, np.exp(found["panels"] - logit).T, strict=True):
         assert change == pytest.approx(ratio if "hood" in name else 1.0), name
+    for name, change in zip(measure_labels(), np.exp(found["has"] - logit).T, strict=True):
+        assert change == pytest.approx(ratio if name in ("hood depth", "hood height") else 1.0), name
     assert found["present"] is answers["present"]
     collar = ReadParameter("collar.component.style", (None, "Turtle", "Hood2Panels"))
     parameters = (ReadParameter("meta.wb", ("StraightWB", None)), collar)
@@ -40,3 +43,23 @@ def test_the_odds_of_hoods_alone_change_and_by_how_often_they_are(logit):
     changed = np.exp(as_people_wear(answers, parameters)["designs"] - logit)
     assert changed[:, 1, 2] == pytest.approx(ratio) and (np.delete(changed.reshape(2, 6), 5, 1) == 1).all()
     assert (answers["statements"] == logit).all(), "what was given stays as it is"
+
+
+@given(st.floats(-8.0, 8.0), st.floats(-8.0, 8.0))
+def test_what_a_near_look_says_of_hoods_counts_for_their_measures_and_designs(before, after):
+    collar = ReadParameter("collar.component.style", (None, "Turtle", "Hood2Panels"))
+    hoods = np.array(["hood" in name for name in PANEL_NAMES])
+    whole = {
+        "has": np.zeros((len(PARTS), len(measure_labels()))),
+        "panels": np.where(hoods, before, 0.0) * np.ones((len(PARTS), 1)),
+        "designs": np.zeros((len(PARTS), 1, 3)),
+    }
+    altogether = whole | {"panels": np.where(hoods, after, 0.0) * np.ones((len(PARTS), 1))}
+    found = with_hoods_of_near(altogether, whole, 1, (collar,))
+    measures = [name in ("hood depth", "hood height") for name in measure_labels()]
+    np.testing.assert_allclose(found["has"][1], np.where(measures, after - before, 0.0), atol=1e-12)
+    np.testing.assert_allclose(found["designs"][1, 0], [0.0, 0.0, after - before], atol=1e-12)
+    assert not found["has"][0].any() and not found["designs"][0].any(), "of the other garment nothing is new"
+    assert found["panels"] is altogether["panels"] and not whole["has"].any()
+    unread = with_hoods_of_near(altogether, whole, 1)
+    assert unread["designs"] is altogether["designs"]

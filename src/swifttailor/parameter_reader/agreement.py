@@ -20,9 +20,21 @@ from swifttailor.pattern_library.sought import Sought
 from swifttailor.programs import make_pattern
 from swifttailor.programs.read_parameter import ReadParameter
 
-LEAST_SHARE = 0.03
+MAKE_PANELS = frozenset(
+    {
+        *("meta.upper", "meta.wb", "meta.bottom", "left.enable_asym", "collar.component.style"),
+        *("shirt.strapless", "left.shirt.strapless", "sleeve.sleeveless", "left.sleeve.sleeveless"),
+        *("sleeve.cuff.type", "left.sleeve.cuff.type", "pants.cuff.type", "levels-skirt.num_levels"),
+        *("flare-skirt.skirt-many-panels.n_panels", "godet-skirt.num_inserts"),
+    }
+)
+"""Choices from which it follows which panels there are; from no others does it."""
+LEAST_SHARE = 0.002
 """Of choices that are tried."""
-MOST_TRIED, MOST_CHANGED = 20, 3
+PANELS_COUNT = 0.3
+"""Of the likelihood of panels, as an exponent: those of one kind are seen or not seen together, and choices
+were read from them, too."""
+MOST_TRIED, MOST_CHANGED = 16, 3
 """So many in each round, and so many rounds."""
 
 Design = dict[str, Any]
@@ -64,7 +76,7 @@ def _others(
     """Choices in the place of single ones of a design, and how much likelier each is, the likeliest first."""
     found = []
     for one, share in zip(parameters, shares, strict=True):
-        if one.is_number:
+        if one.name not in MAKE_PANELS:
             continue
         now = one.values.index(design[one.name])
         found += [
@@ -81,7 +93,8 @@ def _fit_of_panels(design: Design, sought: Sought) -> float:
         names = {panel.name for panel in make_pattern(design).panels}
     except SwiftTailorError:
         return -float("inf")
-    return float(np.sum(sought.named * np.log(np.where(_there(names), sought.panels, 1 - sought.panels))))
+    likelihoods = np.where(_there(names), sought.panels, 1 - sought.panels)
+    return PANELS_COUNT * float(np.sum(sought.named * np.log(likelihoods)))
 
 
 def _there(names: set[str]) -> NDArray[np.bool_]:

@@ -28,7 +28,7 @@ from swifttailor.picture_reader.labels import (
     statement_labels,
 )
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
-from swifttailor.picture_reader.people_wear import as_people_wear
+from swifttailor.picture_reader.people_wear import as_people_wear, with_hoods_of_near
 from swifttailor.picture_reader.plain_pictures import one_colour_around
 from swifttailor.picture_reader.reading import (
     Measure,
@@ -245,7 +245,8 @@ class PictureReader:
             number: looker_of[CLOSE_UPS[number].name]._look(pixels, detail, view_in(view, square, detail))
             for number, detail in close_squares(answers, part, square, tuple(looker_of)).items()
         }
-        return with_close_looks(answers, part, near)
+        altogether = with_close_looks(answers, part, near)
+        return with_hoods_of_near(altogether, answers, part, self.parameters)
 
     def _look(self, pixels: Pixels, square: Square, view: NDArray[np.float32] | None) -> dict[str, Any]:
         shown = cut_square(pixels, square, self.size)
