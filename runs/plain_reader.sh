@@ -1,23 +1,23 @@
 #!/usr/bin/env bash
 # The networks that read plain pictures, those that look like GarmentCodeData's: one for the whole picture, which also says
-# whether a picture is plain, and one each for ends of sleeves and skirts from near.
+# whether a picture is plain, and one each for necks, ends of sleeves, and skirts from near.
 #
 #   runs/plain_reader.sh
 #
 # After picture_reader.sh and close_up_reader.sh, whose garments and weights it takes (START and START_NEAR for other weights,
 # picture_reader.onnx among them; MORE is a list of splits of further garments). steps.sh lists the
-# environment. What has one look and one part to learn is learnt in minutes: of MINUTES (150) the whole picture has half,
-# plain close-ups of all parts three sixteenths, sleeves as many, and skirts two. Ends with $WORK/plain-reader/plain_reader.onnx,
-# plain_sleeve.onnx and plain_skirt.onnx, cards beside them.
+# environment. What has one look and one part to learn is learnt in minutes: of MINUTES (170) the whole picture has four in
+# nine, plain close-ups of all parts one and a half, and each part one. Ends with $WORK/plain-reader/plain_reader.onnx,
+# plain_neck.onnx, plain_sleeve.onnx and plain_skirt.onnx, cards beside them.
 #
 # The package's files: the whole picture 45 minutes without pictures of other looks, 50 with them, and 10 with 110 garments that
-# were draped by physics, 24 times each, among the others; close-ups of all parts 33; sleeves 12 and 10, skirts
+# were draped by physics, 24 times each, among the others; close-ups of all parts 33; necks 13, sleeves 12 and 10, skirts
 # 13; each on a core that others used as well, from the package's own weights of before. Then skirts 32 more, from those, on
 # 500 training patterns (two in three with wide skirts) draped by physics at 3 cm, twice each, and 3,700 sewn ones, 900 of
 # them with gores, tiers, godets or flounces.
 source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
 
-minutes=${MINUTES:-150}
+minutes=${MINUTES:-170}
 begin=${START:-$work/picture-reader/run/weights.safetensors}
 begin_near=${START_NEAR:-$work/close-up-reader/run/weights.safetensors}
 sewn=$work/worn out=$work/plain-reader
@@ -33,11 +33,11 @@ if [ -n "$rehearse" ]; then
         "network.stages=[8,8,16,16]" "network.depths=[1,1,1,1]" network.width=24 network.heads=2 network.mask_width=8)
     whole+=(network.image_size=64) near+=(network.image_size=64) skirt=(network.image_size=64)
 fi
-plain() { # name, sixteenths of the time, settings
+plain() { # name, eighteenths of the time, settings
     local run=$out/$1 again=()
     [ -f "$run/checkpoint.pt" ] && again+=(--resume)
     OMP_NUM_THREADS=1 swifttailor train picture-reader --data "$sewn/train" "${more[@]}" --validation "$sewn/validation" \
-        --apart "$sewn/test" --out "$run" --workers 1 --threads 1 --max-minutes $(((minutes * $2 + 15) / 16)) "${again[@]}" \
+        --apart "$sewn/test" --out "$run" --workers 1 --threads 1 --max-minutes $(((minutes * $2 + 17) / 18)) "${again[@]}" \
         --set "${both[@]}" "${@:3}"
 }
 exported() { # run, file, options
@@ -46,10 +46,11 @@ exported() { # run, file, options
 step plain-whole plain whole 8 "${whole[@]}" "${settings[@]}" start="$begin"
 step plain-near plain near 3 "${near[@]}" "${settings[@]}" start="$begin_near"
 near_set=("${near[@]}" "${part[@]}")
+step plain-neck plain neck 2 "${near_set[@]}" 'parts=["neck"]' "${settings[@]}" start="$out/near/weights.safetensors"
 step plain-sleeve plain sleeve 3 "${near_set[@]}" 'parts=["sleeve"]' "${settings[@]}" start="$out/near/weights.safetensors"
 step plain-skirt plain skirt 2 "${near_set[@]}" "${skirt[@]}" 'parts=["skirt"]' "${settings[@]}" \
     start="$out/whole/weights.safetensors"
 exported whole reader --data "$sewn/validation"
-for name in sleeve skirt; do
+for name in neck sleeve skirt; do
     exported "$name" "$name"
 done

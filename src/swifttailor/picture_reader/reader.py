@@ -46,12 +46,12 @@ from swifttailor.render.pixels import require_picture
 
 SHIPPED = Path(__file__).with_name("picture_reader.onnx")
 SHIPPED_PLAIN = tuple(
-    Path(__file__).with_name(f"plain_{name}.onnx") for name in ("reader", "sleeve", "skirt")
+    Path(__file__).with_name(f"plain_{name}.onnx") for name in ("reader", "neck", "sleeve", "skirt")
 )
-"""Reads all of a plain picture; ends of sleeves; skirts."""
-FROM_NEAR, PLAIN_FROM_NEAR = ("neck", "waist", "sleeve"), ("neck",)
-"""Of close-ups, see `CloseUp.part`: what a network that reads whole garments looks at, and what it does of
-plain pictures, beside the networks for these. Anything else it reads as well in a picture of all."""
+"""Reads all of a plain picture; necks; ends of sleeves; skirts."""
+FROM_NEAR = ("neck", "waist", "sleeve")
+"""Of close-ups, see `CloseUp.part`: what a network that reads whole garments looks at; anything else it reads
+as well in a picture of all of the garment."""
 INPUTS = ("pictures", "guess")
 OUTPUTS = (
     "present",
@@ -134,24 +134,17 @@ class PictureReader:
         """
         reader = PictureReader._opened(SHIPPED if weights is None else weights, threads)
         near = tuple(PictureReader._opened(file, threads) for file in close_ups or ())
-        reader = replace(reader._looking_at(FROM_NEAR), near=near)
+        names = {one.name for one in CLOSE_UPS if one.part in FROM_NEAR}
+        own = tuple(name for name in reader.close_ups if name in names)
+        reader = replace(reader, close_ups=own, near=near)
         if weights is None and plain is None:
             plain = SHIPPED_PLAIN
         if not plain:
             return reader
         whole, *details = plain
-        at_necks = reader._looking_at(PLAIN_FROM_NEAR)
-
-        def opened() -> PictureReader:
-            found = PictureReader.load(whole, close_ups=details, threads=threads)
-            return replace(found, near=(replace(at_necks, near=()), *(found.near or (found,))))
-
-        return replace(reader, plain=cache(opened))
-
-    def _looking_at(self, parts: Sequence[str]) -> PictureReader:
-        """The same, that looks from near only at some of what it has learnt."""
-        names = {one.name for one in CLOSE_UPS if one.part in parts}
-        return replace(self, close_ups=tuple(name for name in self.close_ups if name in names))
+        return replace(
+            reader, plain=cache(lambda: PictureReader.load(whole, close_ups=details, threads=threads))
+        )
 
     @staticmethod
     def _opened(weights: Path | str, threads: int) -> PictureReader:
