@@ -225,7 +225,7 @@ def _other_garments(text: str, words: WordReading, kind: str | None, changes: Se
 
 def named_kind(facts: GarmentFacts) -> str:
     """What a garment is called: shorts are told from trousers."""
-    return next((str(c.value) for c in claims_of(facts) if c.name == "kind"), facts.kind)
+    return next((str(c.value) for c in claims_of(facts, ["kind"])), facts.kind)
 
 
 def _by_network(
