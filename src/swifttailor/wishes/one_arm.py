@@ -35,6 +35,17 @@ def of_one_arm(found: Iterable[Wish]) -> tuple[Wish, ...]:
     return tuple(kept.values())
 
 
+def of_two_arms(found: Iterable[Wish]) -> tuple[Wish, ...]:
+    """The same wishes without what is said of both sleeves, where each is said to be of a length of its own."""
+    found = tuple(found)
+    claims = {w.change.claim.name: w.change.claim.value for w in found if isinstance(w.change, Gain)}
+    left, right = (claims.get(f"{side}_sleeve") for side in ("left", "right"))
+    if left is None or right is None or left == right:
+        return found
+    kept = [w for w in found if not (isinstance(w.change, Gain) and w.change.claim.name == "sleeves")]
+    return (*kept, Wish(Gain(Claim("sleeves", "unequal")), 0.9))
+
+
 def _side(changes: Iterable[Change]) -> str | None:
     """The arm with the only sleeve; None where there are two, or none."""
     claims = {change.claim for change in changes if isinstance(change, Gain)}

@@ -86,6 +86,25 @@ def with_the_whole(
     return [*kept, *found], found
 
 
+def without_guesses(
+    heard: Sequence[Wish], whole: Mapping[Change, float], is_said: Callable[[Change], bool]
+) -> tuple[list[Wish], list[Wish]]:
+    """What is heard, and apart from it what one network guesses that the other all but excludes.
+
+    The network of the wish reader knows captions alone and reads something in any name: in "raglan" shorter
+    sleeves, in "bustle" a gathered skirt. Where no words say so and the network for people's own words does
+    not either, it is told and not done.
+
+    Args:
+        heard: What words say and the network of the wish reader reads.
+        whole: How likely each wish is meant, by the network for people's own words.
+        is_said: Whether words say so.
+    """
+    likely = _Chances(whole)
+    apart = [w for w in heard if not is_said(w.change) and likely.of(w.change) < AT_ODDS]
+    return [wish for wish in heard if wish not in apart], apart
+
+
 def uncertain(
     heard: Sequence[Wish],
     read: Sequence[Wish],

@@ -168,7 +168,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
 
 def _implied(word: Meaning, mark: WordMark) -> list[Implication]:
     """What a word that is not denied implies."""
-    if word.role in ("second", "theirs"):
+    if word.role in ("second", "theirs", "astray"):
         return []
     said = word.role not in _NAMES
     found = []
