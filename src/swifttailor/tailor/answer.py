@@ -113,7 +113,7 @@ class Answer:
 
     @cached_property
     def moved_waist(self) -> float | None:
-        """By how much the waist has become wider that an instruction tells to stay, cm; None where it stays."""
+        """By how many cm the waist grew that an instruction tells to stay; None where it stays."""
         from swifttailor.tailor.measured_doubts import moved_waist
 
         return moved_waist(self)

@@ -11,20 +11,25 @@ from typing import TYPE_CHECKING
 from swifttailor.describing.differences import Change, Gain, subject_of
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.recutting.unasked import KEPT_CM, spoken_parts, unasked
+from swifttailor.wishes.mentions import find_mentions
+from swifttailor.wording.lexicon import WordMark
 
 if TYPE_CHECKING:
     from swifttailor.tailor.answer import Answer
 
 _WAIST = "waist_seam"
 """The claim that is kept where a waist is told to stay."""
+_OF_THE_CUT = frozenset({"fits", "lengths", "styles", "parts"})
+"""Categories of words that speak of the cut; occasions and names of garments leave it open."""
 _APART = frozenset({"kind", "sides"})
 """Claims that are about all of a garment, and told elsewhere."""
 
 
 def said_and_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
-    """Words of a description that say something of the cut, and what they say, where none of it is so.
+    """Words of a description that say something of the cut, by definition or of a detail, and are not so.
 
-    Words that contradict each other, what was refused, and what is told to be missing anyhow are left out.
+    Words that contradict each other, what is told to be missing anyhow, and what is so in another way that
+    was read surely ("super short": mini) are left out.
     """
     from swifttailor.tailor.reading import facts_of
 
@@ -37,9 +42,15 @@ def said_and_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
         return ()
     told = {*answer.verdict.open, *[wish.change for wish in answer.not_done]}
     opposed = [mark for pair in words.contradictions for mark in (pair.first, pair.second)]
+    gains = [wish.change for wish in wanted.wishes if isinstance(wish.change, Gain)]
+    so = {gain.claim.name for gain in gains if gain.holds(facts, facts)}
+    numbers = [mention.end for mention in find_mentions(wanted.heard.text)]
     said: dict[tuple[int, str], list[Gain]] = {}
     for each in words.implications:
-        if each.said and not each.mark.denied and each.claim.name not in _APART and each.mark not in opposed:
+        firm = each.said or each.certainty == "certain"
+        if not firm or each.claim.name in _APART or each.mark in opposed or not _is_of_the_cut(each.mark):
+            continue
+        if each.claim.name not in so and not any(0 <= each.mark.start - end <= 2 for end in numbers):
             said.setdefault((each.mark.start, each.mark.word), []).append(Gain(each.claim))
     found = []
     for (_, word), gains in said.items():
@@ -48,6 +59,10 @@ def said_and_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
         if not any(gain.holds(facts, facts) for gain in gains):
             found.append((word, gains[0]))
     return tuple(found)
+
+
+def _is_of_the_cut(mark: WordMark) -> bool:
+    return bool(mark.entries) and mark.entries[0].category in _OF_THE_CUT
 
 
 def changed_unasked(answer: Answer) -> tuple[Change, ...]:

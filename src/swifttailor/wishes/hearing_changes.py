@@ -18,10 +18,10 @@ from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.sayings import plainly
 from swifttailor.wishes.spoken_amounts import share_of
-from swifttailor.wishes.spoken_of import OF_LEGS, ONE_LEG, is_of_places, parts_spoken_of
 from swifttailor.wishes.spoken_changes import SpokenChanges, spoken_changes
 from swifttailor.wishes.spoken_clauses import SpokenClause, other_than
 from swifttailor.wishes.spoken_measures import spoken_measures
+from swifttailor.wishes.spoken_of import OF_LEGS, ONE_LEG, is_of_places, parts_spoken_of
 from swifttailor.wishes.stated_figures import (
     by_the_number,
     is_stated,

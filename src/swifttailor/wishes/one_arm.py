@@ -36,7 +36,7 @@ def of_one_arm(found: Iterable[Wish]) -> tuple[Wish, ...]:
 
 
 def of_two_arms(found: Iterable[Wish]) -> tuple[Wish, ...]:
-    """The same wishes without what is said of both sleeves, where each is said to be of a length of its own."""
+    """The same wishes without what is said of both sleeves, where each has a length of its own."""
     found = tuple(found)
     claims = {w.change.claim.name: w.change.claim.value for w in found if isinstance(w.change, Gain)}
     left, right = (claims.get(f"{side}_sleeve") for side in ("left", "right"))

@@ -27,8 +27,8 @@ _OTHER_PARTS = re.compile(r"(?<!\w)(?:neck\w*|sleeve\w*|collar|waist|slit|back n
 _THAN_WHAT = re.compile(r"(?<!\w)(?:than|als|que)(?!\w)(?!.*(?<!\w)(?:in|at|behind)(?!\w))")
 """What is longer than the front is so behind."""
 _ONE_LONG = re.compile(
-    r"(?<!\w)(?:long|longer) (?:on|at) (?:one|the (?:left|right)) side[,;]?(?: and| but)? (?:short|shorter) (?:on|at) the other(?!\w)"
-    r"|(?<!\w)(?:short|shorter) (?:on|at) one side[,;]?(?: and| but)? (?:long|longer) (?:on|at) the other(?!\w)"
+    r"(?<!\w)(?:(?P<long>long|longer)|(?:short|shorter)) (?:on|at) (?:one|the (?:left|right)) side[,;]?"
+    r"(?: and| but)? (?(long)(?:short|shorter)|(?:long|longer)) (?:on|at) the other(?!\w)"
     r"|(?<!\w)one side (?:\w+ )?longer than the other(?! (?:sleeve|arm))(?!\w)"
 )
 """Which side is longer is left open where nothing tells."""
@@ -75,7 +75,8 @@ _COMPARED = re.compile(
     r"(?P<level>knee|knie|mid-?calf|calf|calves|wade|ankle|knöchel|floor|ground|thigh|hip|waist|elbow|wrist)"
 )
 _NOT_PAST = re.compile(
-    r"(?<!\w)(?:nothing|not|never|n['’]t)(?: (?:to |should |must |can |may )?(?:go|goes|reach|reaches|come|comes|end|ends|be|fall|falls))?"
+    r"(?<!\w)(?:nothing|not|never|n['’]t)"
+    r"(?: (?:to |should |must |can |may )?(?:go|goes|reach|reaches|come|comes|end|ends|be|fall|falls))?"
     r" (?:below|past|beyond|under|lower than|further than)\s+(?:(?:the|my|her)\s+)?"
     r"(?P<level>knees?|mid-?calf|calf|calves|ankles?|thighs?|hips?|waist|elbows?|wrists?)(?!\w)"
 )

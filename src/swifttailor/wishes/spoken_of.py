@@ -19,12 +19,13 @@ from swifttailor.wishes.change_words import find_parts
 from swifttailor.wording.claim_kinds import fits_kind
 
 UNNAMED = 0.7
-"""What is read with less about a part that no word names is told and not done: of 736 instructions in people's
-own words 12 such readings are meant and 16 are not."""
+"""What is read with less about a part that no word names is told and not done: of 736 instructions in
+people's own words 12 such readings are meant and 16 are not."""
 LACKING = 2.0
 """The same where all the parts that are named are such as the garment lacks: nothing else is done instead."""
 ONE_LEG = re.compile(
-    r"(?<!\w)(?:left|right|one|other) (?:trouser |pant )?leg(?!\w)(?! of)|(?<!\w)legs? of different lengths?(?!\w)",
+    r"(?<!\w)(?:left|right|one|other) (?:trouser |pant )?leg(?!\w)(?! of)"
+    r"|(?<!\w)legs? of different lengths?(?!\w)",
     re.IGNORECASE,
 )
 """One leg alone, which cannot be cut otherwise than the other."""

@@ -15,8 +15,8 @@ Role = Literal["garment", "second", "theirs", "like", "part", "word", "astray"]
 """What a word is to the garment that the text asks for, which is ``garment`` itself.
 
 second: another one. theirs: one that is there already, "over my dress". like: what it is like, as in
-"sweater skirt". part: a part of it. astray: said of something that it means nothing of, as "huge" of a collar.
-word: anything else.
+"sweater skirt". part: a part of it. astray: said of something that it means nothing of, as "huge" of a
+collar. word: anything else.
 """
 _JOINING = frozenset(["and", "or", "nor", "&", "und", "oder", "et", "ou", "ni", "y", "e", "o", "u"])
 _ARTICLES = frozenset(
