@@ -15,6 +15,7 @@ from swifttailor.wishes.change_words import find_adjectives, find_changes, find_
 from swifttailor.wishes.girth_targets import with_targets
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.mentions import find_mentions
+from swifttailor.wishes.one_arm import other_arm_kept
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.sayings import plainly
 from swifttailor.wishes.spoken_amounts import share_of
@@ -123,6 +124,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     told = without_vague_depth(told if facts is None else [_made_where_lacking(c, facts) for c in told])
     if facts is not None and _HIGH_SLIT in told and _NO_SLIT.holds(facts):
         told += [] if any(subject_of(change) == "slit" for change in told) else [_SIDE_SLIT]
+    told += [] if facts is None else other_arm_kept(told, facts)
     covered = facts is not None and QUANTITIES["armholes"].of(facts) is None
     hidden = [c for c in told if covered and isinstance(c, Step) and c.quantity == "armholes"]
     told = [change for change in told if change not in hidden]  # nobody takes sleeves off for that
@@ -177,7 +179,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
                 return True
             if change not in said or change in names:
                 return False
-            return change in clear or spoken_of.speaks_of(change)
+            return (change in clear and not unread) or spoken_of.speaks_of(change)
 
         sure, alone = without_guesses(sure, whole, is_said)
         arms = any(subject_of(change) in _ARMS for change in firm)

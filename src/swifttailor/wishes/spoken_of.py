@@ -35,7 +35,7 @@ OF_LEGS = frozenset(
 _SIDED = frozenset({"left_sleeve", "right_sleeve"})
 _OF_GARMENTS = frozenset({"sleeves", "collar", "hood", "straps", "skirt"})
 """Parts that are not called like places of the body."""
-_ONE_SIDE = ("lower ", "bare ", "left only", "right only", "high-low")
+_ONE_SIDE = ("lower ", "bare ", "left only", "right only", "unequal", "high-low")
 _OF_BODIES = {"hips": ("skirt", "legs"), "waist": ("waist", "bodice", "skirt", "legs"), "all": ()}
 """Places of the body, and the parts that are there."""
 
