@@ -33,6 +33,9 @@ def doubts(answer: Answer) -> list[str]:
     found += [f"{_UNSURE} be meant: {wish_line(change)}" for change in heard.perhaps]
     found += [f"cannot be made: {what}" for what in heard.cannot]
     found += [f"contradiction: {one}, {other}" for one, other in heard.contradictions]
+    found += [f"said, and not so: {word}" for word, _ in answer.not_so]
+    found += [f"changed unasked: {wish_line(change)}" for change in answer.unasked]
+    found += [] if answer.moved_waist is None else ["the waist was to stay"]
     missing = [wish.change for wish in answer.not_done if wish.certainty >= USUAL]
     found += [f"not done: {wish_line(change)}" for change in missing]
     return [*found, "nothing was changed"] if answer.is_given else found

@@ -40,3 +40,11 @@ def test_wishes_in_words():
     assert wish_line(Gain(Claim("tiers", 3.0))).endswith(": 3")
     assert wish_line(Step("length", 1, 15.0)).endswith(": more by 15 cm")
     assert wish_line(Step("neck depth", -1)) == "fall of the front neckline from the shoulder: less"
+
+
+def test_changes_without_a_number_are_made_once():
+    for label in statement_labels():
+        assert change_of(label) is change_of(label)
+        assert label_of(change_of(label)) == label
+    with pytest.raises(InputError):
+        change_of("measure:sleeve_cm")

@@ -169,8 +169,13 @@ def test_of_a_contradiction_nothing_is_done(text):
 
 def test_what_is_unsure_stands_beside_what_was_heard(shirt):
     told = {Step("length", 1): 0.55, Step("chest", -1): 0.2}
-    heard = hear_instruction("my belly greets the postman", Reads(WishReader.load(), told), shirt)
+    heard = hear_instruction("the bottom edge, hmm", Reads(WishReader.load(), told), shirt)
     assert heard.unsure == (Step("length", 1),)
+    heard = hear_instruction("my belly greets the postman", Reads(WishReader.load(), told), shirt)
+    assert not heard.sure and heard.perhaps == (Step("length", 1),), "no word names what it would change"
+    known = {Step("length", 1): KNOWN, Step("chest", -1): 0.2}
+    heard = hear_instruction("my belly greets the postman", Reads(WishReader.load(), known), shirt)
+    assert [w.change for w in heard.sure] == [Step("length", 1)]
     bare = Gain(Claim("sleeves", "none"))
     heard = hear_instruction(
         "no sleeves", Reads(WishReader.load(), {Step("neck depth", 1): 0.8, bare: 0.9}), shirt

@@ -62,6 +62,16 @@ def test_instructions_written_later_are_in_the_vocabulary_and_new(file, count):
     )  # "no sleeves" is said by many
 
 
+def test_the_rehearsal_is_in_the_vocabulary_and_nearly_all_new():
+    wishes = read_people_prompts(WORDS / "rehearsal" / "prompts.jsonl")
+    edits = read_people_edits(WORDS / "rehearsal" / "edits.jsonl")
+    for name, later in (("prompts", wishes), ("edits", edits)):
+        texts = {prompt.text.lower() for prompt in later}
+        known = {p.text.lower() for half in HALVES for p in read_half(half, name)}
+        assert len(texts) == len(later) == 120
+        assert len(known & texts) <= 12  # "no slit" is said by many
+
+
 @pytest.mark.parametrize("name", FILES)
 def test_texts_are_unique_and_the_halves_are_those_of_the_lot(name):
     paths = [WORDS / half / f"{name}.jsonl" for half in HALVES]

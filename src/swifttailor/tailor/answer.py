@@ -98,6 +98,27 @@ class Answer:
         return tuple([w for w in unsure if facts is None or not w.change.holds(facts, facts)])
 
     @cached_property
+    def not_so(self) -> tuple[tuple[str, Difference], ...]:
+        """Words of a description, and what they say of the cut, where the pattern measures otherwise."""
+        from swifttailor.tailor.measured_doubts import said_and_not_so
+
+        return said_and_not_so(self)
+
+    @cached_property
+    def unasked(self) -> tuple[Difference, ...]:
+        """What an edit changed in parts that nobody spoke of."""
+        from swifttailor.tailor.measured_doubts import changed_unasked
+
+        return changed_unasked(self)
+
+    @cached_property
+    def moved_waist(self) -> float | None:
+        """By how many cm the waist grew that an instruction tells to stay; None where it stays."""
+        from swifttailor.tailor.measured_doubts import moved_waist
+
+        return moved_waist(self)
+
+    @cached_property
     def not_followed(self) -> tuple[Wish, ...]:
         """What pictures show nearly for certain and a draft of all that they show has otherwise."""
         from swifttailor.tailor.reading import facts_of
@@ -124,6 +145,7 @@ class Answer:
         missing = any(wish.certainty >= USUAL for wish in self.not_done)
         heard = wanted.heard
         unheard = bool(heard.unread or heard.cannot or heard.unsure or heard.perhaps)
+        unheard = unheard or bool(self.not_so or self.unasked) or self.moved_waist is not None
         return missing or unheard or wanted.misses or wanted.kind_is_guessed
 
     @property

@@ -153,6 +153,8 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
         **({"pictures": _pictures(wanted)} if wanted.pictures else {}),
         "heard": heard_report(wanted),
         "not_understood": list(wanted.heard.unread),
+        "said_and_not_so": {word: wish_line(change) for word, change in answer.not_so},
+        "changed_unasked": [wish_line(change) for change in answer.unasked],
         "alterations": {"of_the_pattern_to_edit": answer.of_edit, "cuts": list(answer.cuts)}
         | ({} if answer.seen is None else {"changes": [wish_line(change) for change in answer.seen]}),
         "confidence": answer.confidence.to_json() if answer.confidence is not None else None,
@@ -224,6 +226,7 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     unsure = [wish.change for wish in answer.not_done]
     if unsure:
         found.append(f"Perhaps asked for, and not done: {'; '.join(map(wish_line, unsure))}.")
+    found += [f'"{one_line(word)}" is said, and this is not so: {wish_line(c)}.' for word, c in answer.not_so]
     assumed = _assumed(wanted, unsure)
     if assumed:
         found.append(f"Assumed: {'; '.join(map(wish_line, assumed))}.")
@@ -259,6 +262,10 @@ def _changed_notes(answer: Answer) -> list[str]:
         found.append(
             "Written anew by PatternMaker, since that meets more than cutting does; compare the two."
         )
+    if answer.unasked:
+        found.append(f"Changed, though nobody asked for it: {'; '.join(map(wish_line, answer.unasked))}.")
+    if answer.moved_waist is not None:
+        found.append(f"The waist was to stay, and is {answer.moved_waist:+.1f} cm wide.")
     if answer.seen:
         return [*found, f"Changed: {'; '.join(map(wish_line, answer.seen))}."]
     what = "less than there are words for" if answer.seen is not None else "the patterns cannot be measured"

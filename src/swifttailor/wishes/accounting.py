@@ -75,6 +75,9 @@ def unaccounted(
                 i.claim for near in words.marks[k + 1 : k + 4] for e in near.entries for i in e.implied
             ]
             found += [] if claims.intersection(with_what) else [mark.word]
+        if mark.role == "astray" and not mark.denied:
+            found.append(mark.word)
+            continue
         if not mark.entries or mark.entries[0].category not in _OF_THE_CUT or mark.role == "theirs":
             continue
         if mark in opposed:  # named as such

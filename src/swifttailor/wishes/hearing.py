@@ -17,11 +17,12 @@ from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.lexicon_spelling import guessed_name
 from swifttailor.wishes.mentions import find_mentions
-from swifttailor.wishes.one_arm import of_one_arm
+from swifttailor.wishes.one_arm import of_one_arm, of_two_arms
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.sayings_of_wishes import plainly_wished
 from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
 from swifttailor.wishes.spoken_measures import SpokenMeasure, same_number, spoken_measures
+from swifttailor.wishes.spoken_of import is_of_places
 from swifttailor.wishes.spoken_sides import spoken_sides, without_spans
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
@@ -72,9 +73,10 @@ def _is_named(heard: Heard) -> bool:
 
 def _heard_description(text: str, reader: WishReader) -> Heard:
     text, words = text_as_read(text)
-    own = text
+    own, before = text, words
     if (plain := plainly_wished(text)) != text:
         text, words = plain, read_words(plain)
+    plainly = {i.claim for i in words.implications if i.said} - {i.claim for i in before.implications}
     network = reader.read(text, instruction=False) if words.language == ENGLISH else ()
     named = next((str(i.claim.value) for i in words.implications if i.claim.name == "kind"), None)
     measures = spoken_measures(text, named)
@@ -102,7 +104,14 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         found = described_as_a_whole(
             found,
             reader.whole(own, instruction=False),
-            stated=[*_changes(stated), *[Gain(i.claim) for i in words.implications if i.mark.denied]],
+            stated=[
+                *_changes(stated),
+                *[
+                    Gain(i.claim)
+                    for i in words.implications
+                    if i.mark.denied or i.claim in plainly or (i.said and is_of_places(Gain(i.claim)))
+                ],
+            ],
             named=[Gain(i.claim) for i in words.implications if not i.said],
             said=[Gain(i.claim) for i in words.implications if i.said],
             never=never,
@@ -113,7 +122,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve") for w in found
     ):
         found = (*found, Wish(Gain(Claim("sleeves", "short")), SURENESS["usual"]))
-    found = of_one_arm(found)
+    found = of_two_arms(of_one_arm(found))
     changes = _changes(found)
     known = " ".join([*words.sizes, *[text[m.mention.start : m.mention.end] for m in measures if m.claim]])
     unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in known]
@@ -224,8 +233,8 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
 
 
 _BOTH_FACES = re.compile(
-    r"neck\w*[^.,;]{0,20}(?<!\w)"
-    r"(?:front (?:and|&) (?:at the |the )?back|back (?:and|&) (?:at the |the )?front)(?!\w)",
+    r"(?:neck\w*|(?<!\w)v)[^.,;]{0,20}(?<!\w)"
+    r"(?:front (?:and|&) (?:(?:at|in) )?(?:the )?back|back (?:and|&) (?:(?:at|in) )?(?:the )?front)(?!\w)",
     re.IGNORECASE,
 )
 _BEHIND = {"v": "v", "square": "square", "round": "round", "scoop": "round", "crew": "round"}

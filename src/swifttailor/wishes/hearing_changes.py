@@ -9,17 +9,20 @@ from swifttailor.describing.claims import Claim, claims_of
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
+from swifttailor.recutting.unasked import part_of
 from swifttailor.wishes.change_parts import subjects_of
 from swifttailor.wishes.change_words import find_adjectives, find_changes, find_parts
 from swifttailor.wishes.girth_targets import with_targets
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.mentions import find_mentions
+from swifttailor.wishes.one_arm import other_arm_kept
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.sayings import plainly
 from swifttailor.wishes.spoken_amounts import share_of
 from swifttailor.wishes.spoken_changes import SpokenChanges, spoken_changes
 from swifttailor.wishes.spoken_clauses import SpokenClause, other_than
 from swifttailor.wishes.spoken_measures import spoken_measures
+from swifttailor.wishes.spoken_of import OF_LEGS, ONE_LEG, is_of_places, parts_spoken_of
 from swifttailor.wishes.stated_figures import (
     by_the_number,
     is_stated,
@@ -30,7 +33,14 @@ from swifttailor.wishes.stated_figures import (
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
-from swifttailor.wishes.whole_instruction import MEANT, go_together, is_disputed, uncertain, with_the_whole
+from swifttailor.wishes.whole_instruction import (
+    MEANT,
+    go_together,
+    is_disputed,
+    uncertain,
+    with_the_whole,
+    without_guesses,
+)
 from swifttailor.wishes.whole_of_kind import of_kind
 from swifttailor.wishes.whole_sentences import is_letter, whole_of
 from swifttailor.wording.claim_kinds import fits_kind
@@ -49,6 +59,9 @@ _ONLY_OF = {
     "waist_seam": {"dress", "tunic", "jumpsuit", "playsuit"},
 }
 """Kinds of which claims are that would make another garment of others: a dress that ends at the hip."""
+_ARMS = frozenset({"left_sleeve", "right_sleeve"})
+_HIGH_SLIT, _SIDE_SLIT = Gain(Claim("slit_size", "high")), Gain(Claim("slit", "left"))
+_NO_SLIT = Claim("slit", "none")
 _STRAPLESS = Claim("shoulders", "strapless")
 _OVERSIZED, _EASY = Claim("fit", "oversized"), Gain(Claim("fit", "easy"))
 _MADE = {
@@ -109,10 +122,14 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     figures = [change for change in told if isinstance(change, Gain)]
     told = told if facts is None else to_the_number(told, facts)
     told = without_vague_depth(told if facts is None else [_made_where_lacking(c, facts) for c in told])
+    if facts is not None and _HIGH_SLIT in told and _NO_SLIT.holds(facts):
+        told += [] if any(subject_of(change) == "slit" for change in told) else [_SIDE_SLIT]
+    told += [] if facts is None else other_arm_kept(told, facts)
     covered = facts is not None and QUANTITIES["armholes"].of(facts) is None
     hidden = [c for c in told if covered and isinstance(c, Step) and c.quantity == "armholes"]
     told = [change for change in told if change not in hidden]  # nobody takes sleeves off for that
     sure = [Wish(change, SURENESS["certain"]) for change in told]
+    said = tuple(told)
     likely: list[Wish] = []
     unread: list[str] = ["armholes (below sleeves they cannot be changed)"] if hidden else []
     for clause in spoken.clauses:
@@ -144,17 +161,34 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
             Wish(Gain(Claim("fit", "loose")), SURENESS["usual"] + 0.1)
         )  # "too baggy": less so at least
     sure += [Wish(g, SURENESS["usual"] + 0.1) for g in others if not _is_moved_away(g, told)]
+    said = (*said, *others, Gain(Claim("fit", "loose")))
     taken = spoken.taken
     unsure: tuple[Change, ...] = ()
     perhaps: tuple[Change, ...] = ()
     if words.language == ENGLISH:
-        whole = whole_of(own, reader)
+        whole, clear = whole_of(own, reader), _clear(spoken)
         whole = whole if facts is None or kind is None else of_kind(whole, kind, facts)
         firm = [change for _, some in taken for change in some]
+        firm += [c for c in said if is_of_places(c) or (c in clear and isinstance(c, Step) and c.amount)]
+        spoken_of = parts_spoken_of(own, kind)
+        details = [Gain(i.claim) for i in words.implications if i.said]
+        names = [Gain(i.claim) for i in words.implications if not i.said and i.claim.name != "kind"]
+
+        def is_said(change: Change) -> bool:
+            if change in firm or change in details:
+                return True
+            if change not in said or change in names:
+                return False
+            return (change in clear and not unread) or spoken_of.speaks_of(change)
+
+        sure, alone = without_guesses(sure, whole, is_said)
+        arms = any(subject_of(change) in _ARMS for change in firm)
         if any(p >= MEANT for c, p in whole.items() if isinstance(c, Gain) and c.claim.name == "kind"):
             firm += [c for c in told if isinstance(c, Gain) and c.claim.name == "kind"]  # it knows no halves
 
         def accepts(change: Change, told: Sequence[Change]) -> bool:
+            if arms and subject_of(change) in {"sleeves", *_ARMS}:
+                return False
             return (
                 _adds(change, told, spoken, words)
                 and not is_disputed(change, spoken.disputed, whole, len(own.split()))
@@ -170,17 +204,31 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
                 facts is not None and isinstance(change, Gain) and change.holds(facts, facts)
             ),
             firm=firm,
-            clear=_clear(spoken) if is_letter(own) else (),
+            clear=clear if is_letter(own) else (),
         )
+        guessed = [w for w in read if w.certainty < spoken_of.least(w.change)]
+        sure = [wish for wish in sure if wish not in guessed]
+        read = [wish for wish in read if wish not in guessed]
         taken = (*taken, (text.strip(), tuple(wish.change for wish in read))) if read else taken
         unsure, perhaps = uncertain(sure, read, whole, accepts, firm)
+        parts = {part_of(subject_of(wish.change)) for wish in sure}
+        guessed = [w for w in (*guessed, *alone) if part_of(subject_of(w.change)) not in parts]
+        perhaps = tuple(dict.fromkeys([*perhaps, *[wish.change for wish in guessed]]))
+    if one_leg := ONE_LEG.search(text):
+        sure = [w for w in sure if subject_of(w.change) not in OF_LEGS]
+        unsure, perhaps = (
+            tuple([change for change in some if subject_of(change) not in OF_LEGS])
+            for some in (unsure, perhaps)
+        )
+        unread.append(f"{one_leg[0]} (both legs are cut alike)")
     changes = [wish.change for wish in sure]
     unread += _other_garments(text, words, kind, changes)
+    unread += {m.word: None for m in words.marks if m.role == "astray" and not m.denied}
     unread += [
         n for n in unread_numbers(text, [*changes, *figures]) if not _counts_elsewhere(n, text, changes)
     ]
     lacks = tuple([lack for lack in lacks_of(words, changes, measures) if lack.said])
-    silent = _not_answered(unread, words)
+    silent = tuple(dict.fromkeys(_not_answered(unread, words)))
     return Heard(
         text,
         tuple(sure),
@@ -225,7 +273,7 @@ def _other_garments(text: str, words: WordReading, kind: str | None, changes: Se
 
 def named_kind(facts: GarmentFacts) -> str:
     """What a garment is called: shorts are told from trousers."""
-    return next((str(c.value) for c in claims_of(facts) if c.name == "kind"), facts.kind)
+    return next((str(c.value) for c in claims_of(facts, ["kind"])), facts.kind)
 
 
 def _by_network(

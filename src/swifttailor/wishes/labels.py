@@ -55,9 +55,22 @@ def change_of(label: str, number: float | None = None) -> Change:
     Raises:
         InputError: There is no such name.
     """
+    if number is None:
+        return _bare_change(label)
     kind, _, rest = label.partition(":")
-    if kind == _MEASURE and number is not None:
+    if kind == _MEASURE:
         return Gain(Claim(rest, number))
+    return _change(label, number)
+
+
+@cache
+def _bare_change(label: str) -> Change:
+    """A change without a number: the same object each time, since one text has hundreds that may be meant."""
+    return _change(label, None)
+
+
+def _change(label: str, number: float | None) -> Change:
+    kind, _, rest = label.partition(":")
     name, _, value = rest.partition(":")
     if kind == _GAIN:
         return Gain(Claim(name, value))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from swifttailor.describing.claims import Claim
+from swifttailor.describing.claims import CLAIM_TYPES, Claim, claims_of
 from swifttailor.describing.differences import Change, Gain
+from swifttailor.describing.facts import GarmentFacts
 from swifttailor.wishes.reader import Wish
 from swifttailor.wording.lexicon.conflicts import SCALES
 
@@ -33,6 +34,41 @@ def of_one_arm(found: Iterable[Wish]) -> tuple[Wish, ...]:
         for change in (only, Gain(Claim(f"{side}_sleeve", claim.value))):
             kept.setdefault(change, replace(wish, change=change))
     return tuple(kept.values())
+
+
+def of_two_arms(found: Iterable[Wish]) -> tuple[Wish, ...]:
+    """The same wishes without what is said of both sleeves, where each has a length of its own."""
+    found = tuple(found)
+    claims = {w.change.claim.name: w.change.claim.value for w in found if isinstance(w.change, Gain)}
+    left, right = (claims.get(f"{side}_sleeve") for side in ("left", "right"))
+    if left is None or right is None or left == right:
+        return found
+    kept = [w for w in found if not (isinstance(w.change, Gain) and w.change.claim.name == "sleeves")]
+    return (*kept, Wish(Gain(Claim("sleeves", "unequal")), 0.9))
+
+
+def other_arm_kept(changes: Sequence[Change], facts: GarmentFacts) -> list[Change]:
+    """That the other sleeve stays as it is, where an instruction is about one alone.
+
+    Args:
+        changes: What is asked for.
+        facts: Of the garment, which may have one sleeve only.
+    """
+    names = {change.claim.name for change in changes if isinstance(change, Gain)}
+    asked = names & {"left_sleeve", "right_sleeve"}
+    if len(asked) != 1 or "sleeves" in names:
+        return []
+    other = "left_sleeve" if "right_sleeve" in asked else "right_sleeve"
+    if facts.left_sleeve is None or facts.right_sleeve is None:
+        return []
+    values = [Claim(other, value) for value in CLAIM_TYPES[other].words]
+    now = [claim for claim in values if claim.holds(facts)]
+    if not now:
+        return []
+    now = claims_of(facts, [other]) or now
+    lengths = [c.claim.value for c in changes if isinstance(c, Gain) and c.claim.name in asked]
+    unequal = [] if now[0].value in lengths else [Gain(Claim("sleeves", "unequal"))]
+    return [Gain(now[0]), *unequal]  # near the border of two lengths both would hold of equal sleeves
 
 
 def _side(changes: Iterable[Change]) -> str | None:

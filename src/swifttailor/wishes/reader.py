@@ -18,7 +18,7 @@ from swifttailor.wishes.labels import change_of, label_of
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wishes.phrase_book import find_phrases
 from swifttailor.wishes.text_tokens import EXTRA_TOKENS, LONGEST_TEXT, ReadyText, Tokenizer, text_tokens
-from swifttailor.wishes.whole_sides import without_sides
+from swifttailor.wishes.whole_sides import is_of_one_side, speaks_of_sides
 
 SHIPPED, SHIPPED_SPOKEN = (
     Path(__file__).with_name(name) for name in ("wish_reader.onnx", "spoken_reader.onnx")
@@ -98,6 +98,12 @@ class WishReader:
         """
         return None if self.own_words is None else WishReader.load_spoken(self.own_words)
 
+    @cached_property
+    def said(self) -> tuple[tuple[Change, bool], ...]:
+        """What a text may say by `statements`, and whether it makes the sides of a garment differ."""
+        changes = [change_of(label) for label in self.statements]
+        return tuple([(change, is_of_one_side(change)) for change in changes])
+
     def read(self, text: str, *, instruction: bool = False) -> tuple[Wish, ...]:
         """What a text asks for, surest first.
 
@@ -143,13 +149,16 @@ class WishReader:
         if len(ready.tokens) < 2:
             return {}
         said, numbers = reader._run(ready)
-        certain = 1 / (1 + np.exp(-said[0].astype(float)))
-        found = {change_of(label): float(p) for label, p in zip(reader.statements, certain, strict=True)}
+        certain = (1 / (1 + np.exp(-said[0].astype(float)))).tolist()
+        sides = speaks_of_sides(text)
+        found = {c: p for (c, of_one), p in zip(reader.said, certain, strict=True) if sides or not of_one}
         for _, change, certainty in _measured(ready, numbers[0], reader.numbers):
+            if not sides and is_of_one_side(change):
+                continue
             bare = change_of(label_of(change)) if isinstance(change, Step) else None
             if bare in found:  # once: another number for the same measure is another matter
                 found[change] = max(found.pop(bare), certainty)
-        return without_sides(found, text)
+        return found
 
     def _run(self, ready: ReadyText) -> Any:
         return self.session.run(None, {"tokens": ready.tokens[None]})

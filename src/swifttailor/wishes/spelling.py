@@ -7,7 +7,7 @@ makes another word as often as an error ("sport" is not "short").
 from __future__ import annotations
 
 import re
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from swifttailor.wording.word_tables import read_table
@@ -26,6 +26,7 @@ def put_right(text: str) -> str:
     return _WORD.sub(lambda found: _right(found[0]), text)
 
 
+@lru_cache(maxsize=8192)
 def _right(word: str) -> str:
     small = word.lower()
     known = cut_words()

@@ -24,6 +24,7 @@ from swifttailor.wishes.spoken_amounts import (
     to_target,
 )
 from swifttailor.wishes.spoken_clauses import SpokenClause
+from swifttailor.wishes.spoken_of import is_lacking
 from swifttailor.wishes.spoken_places import hem_shape, slit, slit_step
 from swifttailor.wishes.spoken_wholes import lacking, of_wholes
 from swifttailor.wishes.unread import is_function_word
@@ -181,7 +182,8 @@ def read_clause(
         spoken_of = last if named in (None, "all") and all(p.word in _PRONOUNS for p in parts) else named
         if spoken_of == "slit" and not made:
             made = slit_step(word, is_so, amount)
-        for part in (named or (last if bare or them else None), last, None):
+        others = () if is_lacking(named, kind) else (last, None)
+        for part in (named or (last if bare or them else None), *others):
             made = made or changes_of(part, word.what, word.sign, kind, amount)
         if (
             named in (None, "all")

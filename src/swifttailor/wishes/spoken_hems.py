@@ -26,6 +26,12 @@ _BEFORE = re.compile(
 _OTHER_PARTS = re.compile(r"(?<!\w)(?:neck\w*|sleeve\w*|collar|waist|slit|back neck\w*|zip\w*)(?!\w)")
 _THAN_WHAT = re.compile(r"(?<!\w)(?:than|als|que)(?!\w)(?!.*(?<!\w)(?:in|at|behind)(?!\w))")
 """What is longer than the front is so behind."""
+_ONE_LONG = re.compile(
+    r"(?<!\w)(?:(?P<long>long|longer)|(?:short|shorter)) (?:on|at) (?:one|the (?:left|right)) side[,;]?"
+    r"(?: and| but)? (?(long)(?:short|shorter)|(?:long|longer)) (?:on|at) the other(?!\w)"
+    r"|(?<!\w)one side (?:\w+ )?longer than the other(?! (?:sleeve|arm))(?!\w)"
+)
+"""Which side is longer is left open where nothing tells."""
 _OTHER_SIDE = {"left": "right", "right": "left", "back": "front", "front": "back"}
 
 
@@ -38,7 +44,11 @@ def spoken_hem(text: str, kind: str | None) -> Claim | None:
     """
     if kind in ("trousers", "shorts", "jumpsuit", "playsuit"):
         return None
-    for sentence in re.split(r"[.;!?,\n]", text.lower()):
+    small = text.lower()
+    if _ONE_LONG.search(small) and not _OTHER_PARTS.search(small):
+        side = re.search(r"(?<!\w)(left|right)(?!\w)", small)
+        return Claim("hem_shape", f"lower {side[1] if side else 'left'}")
+    for sentence in re.split(r"[.;!?,\n]", small):
         if _OTHER_PARTS.search(sentence):
             continue
         said = _SAID.search(sentence) or _BEFORE.search(sentence)
@@ -64,6 +74,13 @@ _COMPARED = re.compile(
     r"(?:(?:the|my|to the|das|die|der)\s+)?"
     r"(?P<level>knee|knie|mid-?calf|calf|calves|wade|ankle|knöchel|floor|ground|thigh|hip|waist|elbow|wrist)"
 )
+_NOT_PAST = re.compile(
+    r"(?<!\w)(?:nothing|not|never|n['’]t)"
+    r"(?: (?:to |should |must |can |may )?(?:go|goes|reach|reaches|come|comes|end|ends|be|fall|falls))?"
+    r" (?:below|past|beyond|under|lower than|further than)\s+(?:(?:the|my|her)\s+)?"
+    r"(?P<level>knees?|mid-?calf|calf|calves|ankles?|thighs?|hips?|waist|elbows?|wrists?)(?!\w)"
+)
+"""What nothing may go beyond is where it ends: "nothing below the knee"."""
 _LEVELS = {
     "skirt_hem": {
         **{"knee": "knee", "knie": "knee", "mid-calf": "midi", "midcalf": "midi", "calf": "midi"},
@@ -93,6 +110,11 @@ def _compared(text: str, kind: str | None) -> list[Claim]:
         if value is not None and said["no"] is None:
             way = "longer" if said["how"] in ("longer", "lower", "länger") else "shorter"
             value = _BESIDE_KNEE[way] if (name, value) == ("skirt_hem", "knee") else None
+        found += [] if value is None else [Claim(name, value)]
+    for said in _NOT_PAST.finditer(text.lower()):
+        level = said["level"] if said["level"] == "calves" else said["level"].rstrip("s")
+        name = "sleeves" if level in _LEVELS["sleeves"] else hem
+        value = _LEVELS[name].get(level)
         found += [] if value is None else [Claim(name, value)]
     return found
 

@@ -28,7 +28,8 @@ _PLACES = {
     "front": "front|vorne|devant|delante",
     "back": "back|behind|hinten|derrière|detrás",
     "right": "right|rechts|droite|derecha",
-    "left": "side|left|leg|links|seite|seitlich|côté|gauche|lado|izquierda|add|put|cut|open|a slit",
+    "left": "side|left|leg|links|seite|seitlich|côté|gauche|lado|izquierda|add|put|cut|open"
+    r"|an? (?:\w+ )?slit",
 }
 """Where a slit is, by words; "at the side" is at the left."""
 

@@ -56,6 +56,8 @@ def text_as_read(text: str, kind: str | None = None) -> tuple[str, WordReading]:
         better = meant or put_right(mark.word)
         if not mark.entries and better == mark.word:
             better = lexicon_spelling(mark.word) or mark.word
+        if better == mark.word:
+            continue
         known = any(better.lower() == word.lower() for entry in mark.entries for word in entry.words)
         same = better[:1].lower() == mark.word[:1].lower() or meant is not None
         if same and (known or not mark.entries):

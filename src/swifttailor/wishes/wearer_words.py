@@ -29,6 +29,12 @@ _ANYBODY = "|".join(_FIGURES.values())
 _TALL_OR = r"(?:tall|petite|short|plus[- ]size[d]?|curvy)"
 
 
+_METRES_AND = re.compile(
+    r"(?<![\w.,])([12]) ?m(?:et(?:er|re)s?)? ?(\d\d)(?: ?cm)?(?![\w.,]\d|\w)", re.IGNORECASE
+)
+"""A height in metres and centimetres: "1 m 20", "1m65"."""
+
+
 @dataclass(frozen=True)
 class HeardWearer:
     """What a text says of the wearer."""
@@ -50,7 +56,7 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
     """
     found: dict[str, str] = {}
     measures: dict[str, float] = {}
-    rest = text
+    rest = text = _METRES_AND.sub(r"\1.\2 m", text)
     for pattern, take in _PHRASES:
         if instruction and take is _either_girth:
             continue

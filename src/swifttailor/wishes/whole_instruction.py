@@ -58,9 +58,9 @@ def with_the_whole(
     Returns:
         What is asked for, and what of it the network alone has read.
     """
-    likely = _by_name(whole)
+    likely = _Chances(whole)
     if not left_over:
-        told = [w.change for w in heard if w.change in firm or likely.get(_name(w.change), 1.0) >= AT_ODDS]
+        told = [w.change for w in heard if w.change in firm or likely.of(w.change) >= AT_ODDS]
         others = [c for c, chance in whole.items() if chance >= MEANT and accepts(c, told)]
         left_over = len(told) < len(heard) and bool(others)
     enough, doubted = (MEANT, DOUBTED) if left_over else (MEANT_BESIDE, DOUBTED_BESIDE)
@@ -69,7 +69,7 @@ def with_the_whole(
         wish
         for wish in heard
         if wish.change in firm
-        or likely.get(_name(wish.change), 1.0) >= (min(doubted, AT_ODDS) if wish.change in clear else doubted)
+        or likely.of(wish.change) >= (min(doubted, AT_ODDS) if wish.change in clear else doubted)
     ]
     if not heard and not read and whole:
         best = max(whole, key=lambda change: whole[change])
@@ -84,6 +84,25 @@ def with_the_whole(
         if kept or found or any(holds(change) for change in read):
             break
     return [*kept, *found], found
+
+
+def without_guesses(
+    heard: Sequence[Wish], whole: Mapping[Change, float], is_said: Callable[[Change], bool]
+) -> tuple[list[Wish], list[Wish]]:
+    """What is heard, and apart from it what one network guesses that the other all but excludes.
+
+    The network of the wish reader knows captions alone and reads something in any name: in "raglan" shorter
+    sleeves, in "bustle" a gathered skirt. Where no words say so and the network for people's own words does
+    not either, it is told and not done.
+
+    Args:
+        heard: What words say and the network of the wish reader reads.
+        whole: How likely each wish is meant, by the network for people's own words.
+        is_said: Whether words say so.
+    """
+    likely = _Chances(whole)
+    apart = [w for w in heard if not is_said(w.change) and likely.of(w.change) < AT_ODDS]
+    return [wish for wish in heard if wish not in apart], apart
 
 
 def uncertain(
@@ -105,9 +124,9 @@ def uncertain(
         accepts: Whether a change may stand beside others that are asked for.
         firm: What vague words are taken to mean.
     """
-    likely = _by_name(whole)
+    likely = _Chances(whole)
     told = [wish.change for wish in heard]
-    doubted = [c for c in told if c not in firm and likely.get(_name(c), 1.0) < AT_ODDS]
+    doubted = [c for c in told if c not in firm and likely.of(c) < AT_ODDS]
     guessed = [wish.change for wish in read if wish.certainty < KNOWN]
     parts = {part_of(subject_of(change)) for change in told}
     perhaps = [
@@ -181,14 +200,15 @@ def go_together(one: Change, other: Change) -> bool:
     return named and not exclude(one.claim, other.claim)
 
 
-def _by_name(whole: Mapping[Change, float]) -> dict[str, float]:
-    """How likely each wish is meant, whatever its amount."""
-    found: dict[str, float] = {}
-    for change, chance in whole.items():
-        found[_name(change)] = max(chance, found.get(_name(change), 0.0))
-    return found
+class _Chances:
+    """How likely wishes are meant, whatever their amounts; what the network does not know is not doubted."""
 
+    def __init__(self, whole: Mapping[Change, float]) -> None:
+        self._whole = whole
 
-def _name(change: Change) -> str:
-    """Its label; a stated amount makes no difference."""
-    return label_of(Step(change.quantity, change.direction) if isinstance(change, Step) else change)
+    def of(self, change: Change) -> float:
+        """The likelihood of a wish, of several amounts that of the likeliest."""
+        if isinstance(change, Gain) and isinstance(change.claim.value, str):
+            return self._whole.get(change, 1.0)
+        label = label_of(change)
+        return max([p for c, p in self._whole.items() if label_of(c) == label], default=1.0)

@@ -50,17 +50,24 @@ def of_kind(whole: Mapping[Change, float], kind: str, facts: GarmentFacts) -> di
         kind: What it is called.
         facts: Of it.
     """
-    found: dict[Change, list[float]] = {}
+    found: dict[Change, float] = {}
+    joined: dict[Change, list[float]] = {}
     for change, chance in whole.items():
-        found.setdefault(_as_had(change, kind, facts), []).append(chance)
-    return {change: 1 - prod(1 - chance for chance in chances) for change, chances in found.items()}
+        had = _as_had(change, kind, facts)
+        if had in found:
+            joined.setdefault(had, [found[had]]).append(chance)
+        else:
+            found[had] = chance
+    found = {change: 1 - (1 - chance) for change, chance in found.items()}
+    return found | {change: 1 - prod(1 - chance for chance in chances) for change, chances in joined.items()}
 
 
 def _as_had(change: Change, kind: str, facts: GarmentFacts) -> Change:
     if isinstance(change, Step):
-        if QUANTITIES[change.quantity].of(facts) is not None:
+        instead = _INSTEAD.get(change.quantity, ())
+        if not instead or QUANTITIES[change.quantity].of(facts) is not None:
             return change
-        for other in _INSTEAD.get(change.quantity, ()):
+        for other in instead:
             if QUANTITIES[other].of(facts) is not None:
                 return replace(change, quantity=other)
         return change

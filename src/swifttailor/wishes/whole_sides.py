@@ -22,12 +22,17 @@ def without_sides(whole: Mapping[Change, float], text: str) -> dict[Change, floa
         whole: How likely each wish is meant.
         text: That was read.
     """
-    if _SIDES.search(text):
+    if speaks_of_sides(text):
         return dict(whole)
-    return {change: chance for change, chance in whole.items() if not _is_of_one_side(change)}
+    return {change: chance for change, chance in whole.items() if not is_of_one_side(change)}
 
 
-def _is_of_one_side(change: Change) -> bool:
+def speaks_of_sides(text: str) -> bool:
+    """Whether a text has a word that may tell sides apart."""
+    return _SIDES.search(text) is not None
+
+
+def is_of_one_side(change: Change) -> bool:
     """Whether it makes both sides of a garment differ."""
     if not isinstance(change, Gain):
         return False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from swifttailor.describing.claims.hems import HEM_CLAIMS
@@ -79,10 +79,17 @@ class Claim:
         return {"name": self.name, "value": self.value}
 
 
-def claims_of(facts: GarmentFacts) -> tuple[Claim, ...]:
-    """All claims that can safely be made about a garment, in the order of `CLAIM_TYPES`."""
+def claims_of(facts: GarmentFacts, names: Collection[str] | None = None) -> tuple[Claim, ...]:
+    """All claims that can safely be made about a garment, in the order of `CLAIM_TYPES`.
+
+    Args:
+        facts: Of the garment.
+        names: Of the claims that are asked for; all of them when None.
+    """
     made = []
     for kind in CLAIM_TYPES.values():
+        if names is not None and kind.name not in names:
+            continue
         if kind.measure is not None:
             value = kind.measure.stated_measure(facts)
             if value is not None and value >= kind.least:

@@ -9,6 +9,8 @@ from swifttailor.wording.lexicon.meanings import Meaning
 _NEAR = 5
 """Words that may stand between a negation and what it denies."""
 _OR = frozenset(["or", "nor", "oder", "noch", "ou", "ni", "o", "u"])
+_ANY = frozenset(["any"])
+"""Carries a denial on in a list: "no sleeves, any collar or any slit"."""
 _AND = frozenset(["and", "&", "und", "et", "y", "e"])
 _ADJECTIVES = frozenset(
     ["styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"]
@@ -62,7 +64,9 @@ def _deny_after(words: Sequence[Meaning], k: int, found: set[int]) -> None:
         behind = phrase[-1] + 1
         if behind >= len(words) or words[behind - 1].found.gap == "stop":
             return
-        if words[behind].found.word in _OR:
+        if words[behind].found.word in _OR or (
+            words[behind].found.word in _ANY and words[behind - 1].found.gap == "pause"
+        ):
             start = _begin(words, behind + 1, 2)
         elif words[behind].found.word in _AND and bare:
             start = _listed(words, behind + 1)

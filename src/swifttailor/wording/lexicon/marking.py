@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 from swifttailor.wording.lexicon.inflection import LANGUAGES, Language
@@ -37,7 +38,7 @@ class Found(NamedTuple):
     """What stands behind it."""
 
 
-def find_words(text: str, language: Language | None = None) -> tuple[Language, list[Found]]:
+def find_words(text: str, language: Language | None = None) -> tuple[Language, tuple[Found, ...]]:
     """The words of a text with their meanings, each exactly once and in their order.
 
     Args:
@@ -51,7 +52,7 @@ def find_words(text: str, language: Language | None = None) -> tuple[Language, l
     unknown = sum(not found.senses for found in english)
     if unknown <= _FEW * len(english):
         return "en", english
-    readings: dict[Language, list[Found]] = {"en": english}
+    readings: dict[Language, tuple[Found, ...]] = {"en": english}
     readings |= {other: _found(text, other) for other in LANGUAGES[1:]}
     best = min(LANGUAGES, key=lambda each: _unknown(readings[each]))
     return best, readings[best]
@@ -61,7 +62,8 @@ def _unknown(words: Sequence[Found]) -> int:
     return sum(len(found.word) for found in words if not found.senses)
 
 
-def _found(text: str, language: Language) -> list[Found]:
+@lru_cache(maxsize=16)
+def _found(text: str, language: Language) -> tuple[Found, ...]:
     tokens = tokens_of(text, language)
     vocabularies = [vocabulary(language)] + ([] if language == "en" else [vocabulary("en")])
     found: list[Found] = []
@@ -75,7 +77,7 @@ def _found(text: str, language: Language) -> list[Found]:
             word = " ".join([token.word for token in tokens[k : k + count]])
             found.append(Found(first.start, last.end, word, senses, last.gap))
         k += count
-    return found
+    return tuple(found)
 
 
 def _parted(tokens: Sequence[Token], vocabularies: Sequence[Vocabulary]) -> list[_Piece]:
@@ -111,9 +113,7 @@ def _candidates(tokens: Sequence[Token], k: int, vocabularies: Sequence[Vocabula
     parts: list[str] = []
     for count in range(1, min(longest, len(tokens) - k) + 1):
         parts.append(tokens[k + count - 1].word)
-        senses = next(
-            (s for known in vocabularies if (s := known.find(parts) or known.find(_numbered(parts)))), ()
-        )
+        senses = _senses(parts, vocabularies)
         if senses or count == 1:
             found.append((count, senses))
         if tokens[k + count - 1].gap not in ("space", "hyphen"):
@@ -123,6 +123,16 @@ def _candidates(tokens: Sequence[Token], k: int, vocabularies: Sequence[Vocabula
         if senses:
             found.append((2, senses))
     return found
+
+
+def _senses(parts: list[str], vocabularies: Sequence[Vocabulary]) -> tuple[Sense, ...]:
+    """The meanings of some words in the first vocabulary that has any, as they stand or with any number."""
+    figures = any(part[0].isdigit() for part in parts)
+    for known in vocabularies:
+        senses = known.find(parts) or (known.find(_numbered(parts)) if figures else ())
+        if senses:
+            return senses
+    return ()
 
 
 def _as_one(tokens: Sequence[Token], k: int, vocabularies: Sequence[Vocabulary]) -> tuple[Sense, ...]:

@@ -11,11 +11,12 @@ from swifttailor.wording.lexicon.marking import Found
 from swifttailor.wording.lexicon.vocabulary import WORN, Sense, Vocabulary
 from swifttailor.wording.word_tables import Dialect
 
-Role = Literal["garment", "second", "theirs", "like", "part", "word"]
+Role = Literal["garment", "second", "theirs", "like", "part", "word", "astray"]
 """What a word is to the garment that the text asks for, which is ``garment`` itself.
 
 second: another one. theirs: one that is there already, "over my dress". like: what it is like, as in
-"sweater skirt". part: a part of it. word: anything else.
+"sweater skirt". part: a part of it. astray: said of something that it means nothing of, as "huge" of a
+collar. word: anything else.
 """
 _JOINING = frozenset(["and", "or", "nor", "&", "und", "oder", "et", "ou", "ni", "y", "e", "o", "u"])
 _ARTICLES = frozenset(
@@ -142,6 +143,12 @@ def _before_noun(words: Sequence[Found], k: int) -> bool:
     return any(s.entry.category == "garments" for s in words[k + 1].senses)
 
 
+_LITTLE = frozenset(
+    {"hood", "slit", "collar", "cuffs", "leg_cuffs", "waistband", "hem_band", "straps", "tiers"}
+)
+"""Parts that may be of any size on a garment of any size."""
+
+
 def _kinds(chosen: Sequence[tuple[Sense, ...]], garments: Sequence[int], kind: str | None) -> frozenset[str]:
     named = frozenset().union(*[s.entry.kinds for k in garments for s in chosen[k]])
     return named | ({kind} if kind is not None else frozenset())
@@ -197,6 +204,8 @@ def _said_of(
     words: Sequence[Meaning], k: int, senses: tuple[Sense, ...], kind: str | None, known: Vocabulary
 ) -> Meaning:
     """The meaning of a word that depends on what it is said of."""
+    if _is_of_little(words, k) and not _fitting(senses, _names(words[k + 1])):
+        return replace(words[k], entries=(senses[0].entry,), role="astray")
     for target in _targets(words, k, known):
         fitting = _fitting(senses, _names(words[target]))
         if fitting:
@@ -211,6 +220,13 @@ def _said_of(
         (f for each in ("dress", "top", "trousers") if (f := _fitting(senses, frozenset([each])))), None
     )
     return replace(words[k], entries=(usual[0] if usual else senses[0].entry,), guessed=True)
+
+
+def _is_of_little(words: Sequence[Meaning], k: int) -> bool:
+    """Whether a part follows at once whose size says nothing of the garment: "a huge slit", "a big hood"."""
+    if k + 1 >= len(words) or words[k].found.gap not in ("space", "hyphen"):
+        return False
+    return words[k + 1].is_noun and words[k + 1].part in _LITTLE and words[k + 1].category == "parts"
 
 
 def _names(word: Meaning) -> frozenset[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from swifttailor.describing.claims import Claim
 from swifttailor.wording.claim_kinds import fits_kind, implied_kind
@@ -118,7 +119,13 @@ def read_words(
         kind: Of the garment that an instruction is about.
         dialect: Whose meanings come first where British and American English differ.
     """
-    language, found = find_words(text, language)
+    return _reading(text, find_words(text, language)[0], kind, dialect)
+
+
+@lru_cache(maxsize=16)
+def _reading(text: str, language: Language, kind: str | None, dialect: Dialect | None) -> WordReading:
+    """The same in a language that is known; a text is often read again when its slips are put right."""
+    found = find_words(text, language)[1]
     words = meanings(found, vocabulary(language), kind=kind, dialect=dialect)
     denied = denied_words(words)
     marks = [
@@ -161,7 +168,7 @@ def read_words(
 
 def _implied(word: Meaning, mark: WordMark) -> list[Implication]:
     """What a word that is not denied implies."""
-    if word.role in ("second", "theirs"):
+    if word.role in ("second", "theirs", "astray"):
         return []
     said = word.role not in _NAMES
     found = []
