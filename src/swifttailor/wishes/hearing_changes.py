@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
-from swifttailor.describing.claims import Claim, claims_of
+from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.recutting.unasked import part_of
 from swifttailor.wishes.change_parts import subjects_of
 from swifttailor.wishes.change_words import find_adjectives, find_changes, find_parts
+from swifttailor.wishes.changes_of_garment import can_become, made_where_lacking, named_kind, with_shares
 from swifttailor.wishes.girth_targets import with_targets
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.mentions import find_mentions
@@ -43,7 +43,6 @@ from swifttailor.wishes.whole_instruction import (
 )
 from swifttailor.wishes.whole_of_kind import of_kind
 from swifttailor.wishes.whole_sentences import is_letter, whole_of
-from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, Entry, WordMark, WordReading, exclude, read_words
 
 SURE_IN_KNOWN_WORDS = 0.7
@@ -53,31 +52,11 @@ SURE_BESIDE = 0.97
 """Enough in a clause of an instruction that words alone explain in part."""
 
 
-_ONLY_OF = {
-    "top_hem": {"top", "tunic"},
-    "rise": {"skirt", "trousers", "shorts"},
-    "waist_seam": {"dress", "tunic", "jumpsuit", "playsuit"},
-}
-"""Kinds of which claims are that would make another garment of others: a dress that ends at the hip."""
 _ARMS = frozenset({"left_sleeve", "right_sleeve"})
 _HIGH_SLIT, _SIDE_SLIT = Gain(Claim("slit_size", "high")), Gain(Claim("slit", "left"))
 _NO_SLIT = Claim("slit", "none")
 _STRAPLESS = Claim("shoulders", "strapless")
 _OVERSIZED, _EASY = Claim("fit", "oversized"), Gain(Claim("fit", "easy"))
-_MADE = {
-    "sleeve length": Claim("sleeves", "long"),
-    "waistband height": Claim("waistband", "waist"),
-    "collar height": Claim("collar", "stand"),
-    "hood depth": Claim("hood", "hood"),
-    "hood height": Claim("hood", "hood"),
-    "cuff length": Claim("cuffs", "band"),
-    "leg cuff length": Claim("leg_cuffs", "band"),
-}
-"""What has to be there for a measure to grow."""
-_COUNTED = frozenset({"godets", "tiers"})
-"""Where there are none, so many more are so many."""
-_ELSE = {"top width": ("skirt hem", "chest"), "skirt hem": ("top width",), "waistband width": ("chest",)}
-"""What is meant where a garment has no such measure: of a tunic with a skirt the hem of that."""
 
 
 def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None = None) -> Heard:
@@ -102,7 +81,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         text, words, kind or "dress", lambda claim: facts is not None and claim.holds(facts)
     )
     if facts is not None:
-        spoken = _with_shares(text, spoken, facts)
+        spoken = with_shares(text, spoken, facts)
     told = list(spoken.changes)
     stated = {}
     measures = spoken_measures(text, kind)
@@ -121,7 +100,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     told = without_steps_to(told if facts is None else by_the_number(told, facts))
     figures = [change for change in told if isinstance(change, Gain)]
     told = told if facts is None else to_the_number(told, facts)
-    told = without_vague_depth(told if facts is None else [_made_where_lacking(c, facts) for c in told])
+    told = without_vague_depth(told if facts is None else [made_where_lacking(c, facts) for c in told])
     if facts is not None and _HIGH_SLIT in told and _NO_SLIT.holds(facts):
         told += [] if any(subject_of(change) == "slit" for change in told) else [_SIDE_SLIT]
     told += [] if facts is None else other_arm_kept(told, facts)
@@ -192,7 +171,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
             return (
                 _adds(change, told, spoken, words)
                 and not is_disputed(change, spoken.disputed, whole, len(own.split()))
-                and (facts is None or _can_become(change, facts))
+                and (facts is None or can_become(change, facts))
             )
 
         sure, read = with_the_whole(
@@ -271,11 +250,6 @@ def _other_garments(text: str, words: WordReading, kind: str | None, changes: Se
     return found
 
 
-def named_kind(facts: GarmentFacts) -> str:
-    """What a garment is called: shorts are told from trousers."""
-    return next((str(c.value) for c in claims_of(facts, ["kind"])), facts.kind)
-
-
 def _by_network(
     text: str, clause: SpokenClause, reader: WishReader, words: WordReading, alone: bool
 ) -> tuple[Wish, ...]:
@@ -310,34 +284,6 @@ def _clear(spoken: SpokenChanges) -> list[Change]:
 def _is_strap(mark: WordMark) -> bool:
     """Whether straps are asked for, and not to go."""
     return mark.word.lower() in ("strap", "straps") and not mark.denied
-
-
-def _can_become(change: Change, facts: GarmentFacts) -> bool:
-    """Whether a garment is not so already, and has what is to grow or shrink."""
-    if isinstance(change, Gain):
-        name, kind = change.claim.name, named_kind(facts)
-        fits = name == "sides" or (fits_kind(name, kind) and kind in _ONLY_OF.get(name, {kind}))
-        return fits and not change.holds(facts, facts)
-    return QUANTITIES[change.quantity].of(facts) is not None
-
-
-def _made_where_lacking(change: Change, facts: GarmentFacts) -> Change:
-    """What a garment lacks is made before it can be larger: longer sleeves of a sleeveless dress."""
-    if not isinstance(change, Step):
-        return change
-    if QUANTITIES[change.quantity].of(facts) is None:
-        for other in _ELSE.get(change.quantity, ()):
-            if QUANTITIES[other].of(facts) is not None:
-                return replace(change, quantity=other)
-    if change.direction > 0 and change.amount and change.quantity in _COUNTED:
-        return (
-            change if QUANTITIES[change.quantity].of(facts) else Gain(Claim(change.quantity, change.amount))
-        )
-    if change.direction < 0 or change.amount is not None:
-        return change
-    made = _MADE.get(change.quantity)
-    lacks = made is not None and QUANTITIES[change.quantity].of(facts) is None
-    return Gain(made) if made is not None and lacks and fits_kind(made.name, named_kind(facts)) else change
 
 
 def _counts_elsewhere(number: str, text: str, changes: Sequence[Change]) -> bool:
@@ -378,23 +324,6 @@ def _is_named(change: Change, part: str) -> bool:
     """Whether a clause speaks of what a change is about, or names no part at all."""
     named = {found.part for found in find_parts(part.lower())} - {"all"}
     return not named or any(subject_of(change) in subjects_of(each) for each in named)
-
-
-def _with_shares(text: str, spoken: SpokenChanges, facts: GarmentFacts) -> SpokenChanges:
-    """Steps by a part of what the garment measures: "half as high"."""
-    clauses = []
-    for clause in spoken.clauses:
-        share = share_of(text[clause.start : clause.end].lower())
-        changes = [_by_share(c, share, facts) for c in clause.changes] if share else clause.changes
-        clauses.append(replace(clause, changes=tuple(changes)))
-    return replace(spoken, clauses=tuple(clauses))
-
-
-def _by_share(change: Change, share: float, facts: GarmentFacts) -> Change:
-    if not isinstance(change, Step) or change.amount is not None:
-        return change
-    measure = QUANTITIES[change.quantity].of(facts)
-    return change if measure is None else replace(change, amount=round(share * measure, 2))
 
 
 def _is_moved_away(gain: Gain, told: Sequence[Change]) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cache
+from functools import cache, lru_cache
 
 from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.describing.differences import QUANTITIES, Change, Gain, Step
@@ -63,7 +63,7 @@ def change_of(label: str, number: float | None = None) -> Change:
     return _change(label, number)
 
 
-@cache
+@lru_cache(maxsize=1024)
 def _bare_change(label: str) -> Change:
     """A change without a number: the same object each time, since one text has hundreds that may be meant."""
     return _change(label, None)
