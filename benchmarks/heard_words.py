@@ -20,6 +20,7 @@ doubted
 from __future__ import annotations
 
 import argparse
+import time
 from collections import Counter
 from dataclasses import replace
 from functools import cache
@@ -98,7 +99,10 @@ def main() -> None:
     counts: Counter[str] = Counter()
     texts = [t for t in read_spoken_texts(options.files) if t.held_out or not options.held_out]
     texts = [text for text in texts if (text.kind is None) == options.wishes]
+    heard_of(texts[0], reader)  # opens the networks and tables
+    begun = time.process_time()
     wrong = [miss for t in texts if (miss := hear(t, reader, counts))]
+    spent = time.process_time() - begun
     print(describe())
     total, right = counts["texts"], counts["right"]
     print(
@@ -106,7 +110,7 @@ def main() -> None:
         f"({counts['in all'] / total:.1%}), "
         f"{counts['all and more']} with something more; asked and heard {right / counts['meant']:.1%}, "
         f"heard and asked {right / max(counts['heard'], 1):.1%}; silent {counts['silent']}, "
-        f"doubted {counts['doubted']}"
+        f"doubted {counts['doubted']}; {1000 * spent / total:.1f} ms of processor time each"
     )
     print("\n".join(wrong[: options.misses]))
 

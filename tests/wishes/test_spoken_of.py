@@ -11,7 +11,7 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.wishes.hearing_changes import hear_instruction
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.spoken_of import (
-    LACKING,
+    NEVER,
     UNNAMED,
     is_lacking,
     is_of_places,
@@ -50,7 +50,7 @@ def test_less_is_enough_where_the_part_is_named():
     assert named.speaks_of(LONGER_SLEEVES) and named.least(LONGER_SLEEVES) == 0.0
     assert not named.speaks_of(LONGER) and named.least(LONGER) == UNNAMED
     assert parts_spoken_of("make it cuter", "dress").least(LONGER) == UNNAMED
-    assert parts_spoken_of("the sleeves", "trousers").least(LONGER) == LACKING > 1.0
+    assert parts_spoken_of("the sleeves", "trousers").least(LONGER) == NEVER > 1.0
 
 
 @pytest.mark.parametrize(

@@ -28,7 +28,7 @@ MAKE_PANELS = frozenset(
         *("flare-skirt.skirt-many-panels.n_panels", "godet-skirt.num_inserts"),
     }
 )
-"""Choices from which it follows which panels there are; from no others does it."""
+"""The only choices that decide which panels there are."""
 LEAST_SHARE = 0.002
 """Of choices that are tried."""
 PANELS_COUNT = 0.3
@@ -59,21 +59,20 @@ def agreeing_design(
         return design
     best, fit = design, _fit_of_panels(design, sought)
     for _ in range(MOST_CHANGED):
-        tried = [
-            (further + _fit_of_panels(best | change, sought), change, further)
-            for further, change in _others(best, parameters, shares)
-        ]
-        likeliest, change, _ = max(tried, key=lambda one: one[0], default=(fit, {}, 0.0))
-        if likeliest <= fit:
+        others = [(more, best | change) for more, change in _others(best, parameters, shares)]
+        fits = [_fit_of_panels(other, sought) for _, other in others]
+        whole = [more + one for (more, _), one in zip(others, fits, strict=True)]
+        if max(whole, default=fit) <= fit:
             break
-        best, fit = best | change, _fit_of_panels(best | change, sought)
+        k = int(np.argmax(whole))
+        best, fit = others[k][1], fits[k]
     return best
 
 
 def _others(
     design: Design, parameters: Sequence[ReadParameter], shares: Sequence[Floats]
 ) -> list[tuple[float, Design]]:
-    """Choices in the place of single ones of a design, and how much likelier each is, the likeliest first."""
+    """Other choices, the likeliest first, and how much likelier than those of a design: a logarithm."""
     found = []
     for one, share in zip(parameters, shares, strict=True):
         if one.name not in MAKE_PANELS:
@@ -88,7 +87,7 @@ def _others(
 
 
 def _fit_of_panels(design: Design, sought: Sought) -> float:
-    """How likely the panels of a design are, as a logarithm; endlessly unlikely where there are none."""
+    """How likely the panels of a design are, as a logarithm; minus infinity where it makes no pattern."""
     try:
         names = {panel.name for panel in make_pattern(design).panels}
     except SwiftTailorError:

@@ -20,6 +20,7 @@ from swifttailor.picture_reader.close_looks import close_squares, with_close_loo
 from swifttailor.picture_reader.close_ups import CLOSE_UPS
 from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.figures import FIGURES
+from swifttailor.picture_reader.hoods import with_hoods_of_near
 from swifttailor.picture_reader.labels import (
     GUESS,
     PARTS,
@@ -28,7 +29,7 @@ from swifttailor.picture_reader.labels import (
     statement_labels,
 )
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
-from swifttailor.picture_reader.people_wear import as_people_wear, with_hoods_of_near
+from swifttailor.picture_reader.people_wear import as_people_wear
 from swifttailor.picture_reader.plain_pictures import one_colour_around
 from swifttailor.picture_reader.reading import (
     Measure,

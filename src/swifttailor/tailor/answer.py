@@ -113,7 +113,7 @@ class Answer:
 
     @cached_property
     def moved_waist(self) -> float | None:
-        """By how many cm the waist grew that an instruction tells to stay; None where it stays."""
+        """By how many cm a waist that is to stay became wider, below 0 narrower; None where it stays."""
         from swifttailor.tailor.measured_doubts import moved_waist
 
         return moved_waist(self)

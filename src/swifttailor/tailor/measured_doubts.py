@@ -78,7 +78,10 @@ def changed_unasked(answer: Answer) -> tuple[Change, ...]:
 
 
 def moved_waist(answer: Answer) -> float | None:
-    """By how much the waist has become wider that is told to stay, cm; None where it stays or may change."""
+    """By how many cm a waist that is to stay has become wider, below 0 narrower.
+
+    None where it stays or may change.
+    """
     wanted = answer.wanted
     if wanted is None or wanted.order.edit is None or answer.is_given or _WAIST not in wanted.heard.kept:
         return None

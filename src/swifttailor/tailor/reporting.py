@@ -265,7 +265,8 @@ def _changed_notes(answer: Answer) -> list[str]:
     if answer.unasked:
         found.append(f"Changed, though nobody asked for it: {'; '.join(map(wish_line, answer.unasked))}.")
     if answer.moved_waist is not None:
-        found.append(f"The waist was to stay, and is {answer.moved_waist:+.1f} cm wide.")
+        wider = "wider" if answer.moved_waist > 0 else "narrower"
+        found.append(f"The waist was to stay, and is {abs(answer.moved_waist):.1f} cm {wider}.")
     if answer.seen:
         return [*found, f"Changed: {'; '.join(map(wish_line, answer.seen))}."]
     what = "less than there are words for" if answer.seen is not None else "the patterns cannot be measured"

@@ -21,8 +21,9 @@ from swifttailor.wording.claim_kinds import fits_kind
 UNNAMED = 0.7
 """What is read with less about a part that no word names is told and not done: of 736 instructions in
 people's own words 12 such readings are meant and 16 are not."""
-LACKING = 2.0
-"""The same where all the parts that are named are such as the garment lacks: nothing else is done instead."""
+NEVER = 2.0
+"""More than any certainty: where the garment lacks all the parts that are named, nothing else is done
+instead."""
 ONE_LEG = re.compile(
     r"(?<!\w)(?:left|right|one|other) (?:trouser |pant )?leg(?!\w)(?! of)"
     r"|(?<!\w)legs? of different lengths?(?!\w)",
@@ -52,7 +53,7 @@ class SpokenOf:
     def least(self, change: Change) -> float:
         """How sure a network has to be that a change is meant, for it to be done."""
         if self.lacking:
-            return LACKING
+            return NEVER
         return 0.0 if self.speaks_of(change) else UNNAMED
 
     def speaks_of(self, change: Change) -> bool:

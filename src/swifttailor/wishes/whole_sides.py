@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 
 from swifttailor.describing.differences import Change, Gain
 
@@ -13,18 +12,6 @@ _SIDES = re.compile(
     re.IGNORECASE,
 )
 """Words without which nothing is said of sides that differ."""
-
-
-def without_sides(whole: Mapping[Change, float], text: str) -> dict[Change, float]:
-    """What a text means as a whole, without that its sides differ where no word says so.
-
-    Args:
-        whole: How likely each wish is meant.
-        text: That was read.
-    """
-    if speaks_of_sides(text):
-        return dict(whole)
-    return {change: chance for change, chance in whole.items() if not is_of_one_side(change)}
 
 
 def speaks_of_sides(text: str) -> bool:
