@@ -11,7 +11,7 @@ from swifttailor.describing.differences import Gain, Step
 from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.labels import change_of, statement_labels
 from swifttailor.wishes.reader import Wish, WishReader
-from swifttailor.wishes.whole_sides import without_sides
+from swifttailor.wishes.whole_sides import is_of_one_side, speaks_of_sides
 from swifttailor.wishes.whole_wish import DOUBTED, DOUBTED_WORD, LIKELY, MEANT, described_as_a_whole
 from swifttailor.wording.lexicon import SURENESS, exclude
 
@@ -48,9 +48,11 @@ def test_what_the_network_all_but_excludes_was_misheard():
                Gain(Claim("left_sleeve", "short")), Gain(Claim("shoulders", "bare right"))]
 )  # fmt: skip
 def test_sides_differ_where_they_are_spoken_of(change):
-    whole = {DRESS: 1.0, change: 0.9}
-    assert without_sides(whole, "a short-sleeved wrap dress") == {DRESS: 1.0}
-    assert without_sides(whole, "a dress with one bare arm") == whole
+    assert is_of_one_side(change) and not is_of_one_side(DRESS) and not is_of_one_side(LONG)
+    assert speaks_of_sides("a dress with one bare arm") and not speaks_of_sides("a short-sleeved wrap dress")
+    reader = WishReader.load()
+    assert change not in reader.whole("a short-sleeved wrap dress", instruction=False)
+    assert change in reader.whole("a dress with one bare arm", instruction=False)
 
 
 def test_of_what_excludes_each_other_the_likelier_counts():

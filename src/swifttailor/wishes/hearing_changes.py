@@ -148,7 +148,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         whole, clear = whole_of(own, reader), _clear(spoken)
         whole = whole if facts is None or kind is None else of_kind(whole, kind, facts)
         firm = [change for _, some in taken for change in some]
-        firm += [c for c in said if is_of_places(c) or (c in clear and isinstance(c, Step) and c.amount)]
+        firm += [c for c in said if is_of_places(c) or (c in clear and _says_how_much(own, c))]
         spoken_of = parts_spoken_of(own, kind)
         details = [Gain(i.claim) for i in words.implications if i.said]
         names = [Gain(i.claim) for i in words.implications if not i.said and i.claim.name != "kind"]
@@ -284,6 +284,12 @@ def _clear(spoken: SpokenChanges) -> list[Change]:
 def _is_strap(mark: WordMark) -> bool:
     """Whether straps are asked for, and not to go."""
     return mark.word.lower() in ("strap", "straps") and not mark.denied
+
+
+def _says_how_much(text: str, change: Change) -> bool:
+    """Whether a text has the number by which something is to change, and not only that it is to."""
+    amount = change.amount if isinstance(change, Step) else None
+    return amount is not None and any(abs(amount - m.value) < 0.1 for m in find_mentions(text))
 
 
 def _counts_elsewhere(number: str, text: str, changes: Sequence[Change]) -> bool:
