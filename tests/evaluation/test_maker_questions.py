@@ -197,13 +197,13 @@ def test_pictures_are_drawn_of_drapes_or_read(data, tmp_path, monkeypatch):
 def test_pictures_in_one_look_show_the_same_person_from_both_sides(data):
     front, both = (LookPictures(data, 5, "people", view) for view in ("front", "both"))
     name, pictures = both.picture("shirt")
-    assert name == "people, both" and [p.shape for p in pictures] == [(320, 320, 3)] * 2
+    assert name == "people, both" and [p.shape for p in pictures] == [(800, 800, 3)] * 2
     assert np.array_equal(front.picture("shirt")[1][0], pictures[0])
     assert not np.array_equal(*pictures)
     other = LookPictures(data, 6, "people", "front").picture("shirt")[1][0]
     assert not np.array_equal(other, pictures[0]), "the seed decides the rest"
     assert both.drawn == ("validation",) and "trousers" not in both
-    assert both.identity() == {"look": "people", "view": "both", "size": 320}
+    assert both.identity() == {"look": "people", "view": "both", "size": 800}
     with pytest.raises(InputError, match="plain, seamless, studio, people, held out and front"):
         LookPictures(data, 5, "several", "front")
 

@@ -53,7 +53,7 @@ def test_a_close_up_tells_nothing_of_the_other_side_of_a_neck():
         for table, of_all in zip(seen, told, strict=True):
             np.testing.assert_array_equal(table[row], of_all[number])
     assert (seen.panels[:3] == told.panels[0]).all()
-    assert ALL_PARTS == ("neck", "waist", "sleeve", "leg", "skirt")
+    assert ALL_PARTS == ("neck", "waist", "sleeve", "leg", "skirt", "armhole")
 
 
 def test_the_parts_are_where_they_are_worn():
@@ -70,6 +70,12 @@ def test_the_parts_are_where_they_are_worn():
     for name, side in (("end of the left sleeve", 1), ("end of the right sleeve", -1)):
         end = arms[shown(name, arms, "sleeve")]
         assert (side * end[:, 0] > 40).all() and len(end)
+    for name, side in (("left armhole", 1), ("right armhole", -1)):
+        for of, kind in ((torso, "back bodice"), (arms, "sleeve")):
+            near = of[shown(name, of, kind)]
+            assert len(near) and (side * near[:, 0] > 5).all() and near[:, 1].min() > 110
+            assert np.abs(near[:, 0]).max() < 35
+        assert not shown(name, low, "skirt").any()
     legs = grid[np.abs(grid[:, 0]) < 20]
     end = legs[shown("end of the left leg", legs, "leg")]
     assert (end[:, 0] >= 0).all() and end[:, 1].max() < 25
@@ -85,10 +91,10 @@ def test_there_is_nothing_to_look_at_where_a_garment_has_no_such_part():
 @given(st.integers(0, 2**32 - 1))
 def test_the_left_end_is_the_right_one_in_a_mirror(seed):
     chance = np.random.default_rng(seed)
-    places = chance.uniform((-70, 0, -20), (70, 160, 20), (200, 3))
-    kinds = chance.integers(0, len(PANEL_KINDS), 200)
-    for what in ("sleeve", "leg"):
-        left, right = (CLOSE_UPS[NUMBER[f"end of the {side} {what}"]] for side in ("left", "right"))
+    places = chance.uniform((-70, 0, -20), (70, 160, 20), (900, 3))
+    kinds = chance.integers(0, len(PANEL_KINDS), 900)
+    for what in ("end of the {} sleeve", "end of the {} leg", "{} armhole"):
+        left, right = (CLOSE_UPS[NUMBER[what.format(side)]] for side in ("left", "right"))
         found = left.points(places, kinds)
         np.testing.assert_array_equal(found, right.points(places * (-1, 1, 1), kinds))
         assert found.any()
@@ -112,8 +118,11 @@ def looked(kind="front bodice"):
 
 def test_squares_to_look_at_lie_around_the_parts():
     found = close_squares(looked(), 0, (100, 50, 960), NAMES)
-    assert set(found) == {NUMBER["neck"], NUMBER["waist"]}
+    armholes = {NUMBER["left armhole"], NUMBER["right armhole"]}
+    assert set(found) == {NUMBER["neck"], NUMBER["waist"]} | armholes
     pixel = 960 / FRAME_CM
+    middles = [found[NUMBER[name]] for name in ("right armhole", "neck", "left armhole")]
+    assert np.all(np.diff([left + side / 2 for left, _, side in middles]) > 10 * pixel), "he faces us"
     left, top, side = found[NUMBER["neck"]]
     assert abs(left + side / 2 - (100 + 480)) <= pixel * 4
     assert top < 50 + (180 - 145) * pixel < 50 + (180 - 117) * pixel < top + side

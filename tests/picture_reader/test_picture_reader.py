@@ -10,13 +10,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from swifttailor.errors import InputError
+from swifttailor.parameter_reader import ParameterReader
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import labels_checksum, measure_labels, statement_labels
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS, kinds_of_panels
-from swifttailor.picture_reader.reader import LEAST_CERTAINTY, SHIPPED, PictureReader
+from swifttailor.picture_reader.reader import DESIGNS, LEAST_CERTAINTY, SHIPPED, PictureReader
 
+PARAMETERS = ParameterReader.load().parameters
 TINY = {"image_size": 64, "embedding": 8, "stages": [8, 8, 16, 16], "depths": [1, 1, 1, 1], "width": 24}
 
 
@@ -284,6 +286,36 @@ def test_of_several_that_know_a_detail_the_last_looks_at_it():
     certain = {f"{s.claim.name} {s.claim.value}": s.certainty for s in part.statements}
     for claim, logit in (("neckline v", -3.0), ("waistband none", 3.0)):
         assert abs(certain[claim] - 1 / (1 + np.exp(-(0.4 + 0.6 * logit)))) < 1e-6
+
+
+class Designing(Wearing):
+    """One that is as sure of the last value of each design parameter."""
+
+    def run(self, names, feeds):
+        others = [name for name in names if name != DESIGNS]
+        found = dict(zip(others, super().run(others, feeds), strict=True))
+        most = max(len(one.values) for one in PARAMETERS)
+        designs = np.zeros((1, 2, len(PARAMETERS), most), np.float32)
+        for k, one in enumerate(PARAMETERS):
+            designs[0, :, k, len(one.values) - 1] = self.certain
+        return [(found | {DESIGNS: designs})[name] for name in names]
+
+
+@pytest.mark.parametrize("near_designs", [True, False])
+def test_who_looks_from_near_tells_the_design_parameters_that_he_sees(near_designs):
+    said = np.tile([1.0, 0.0], (len(statement_labels()), 1))
+    networks = Designing(1.0), Designing(3.0)
+    waist = PictureReader(
+        networks[1], 64, said, {}, ("waist",), parameters=PARAMETERS, near_designs=near_designs
+    )
+    reader = PictureReader(networks[0], 64, said, {}, near=(waist,), parameters=PARAMETERS)
+    (part,) = reader.read(np.zeros((1280, 1280, 3), np.uint8)).parts
+    assert len(networks[1].guesses) == 1
+    for one, shares in zip(PARAMETERS, part.design.shares, strict=True):
+        told = near_designs and one.name in ("meta.wb", "waistband.waist", "waistband.width")
+        logit = 0.4 * 1.0 + 0.6 * 3.0 if told else 1.0
+        expected = np.exp(logit) / (np.exp(logit) + len(one.values) - 1)
+        assert abs(shares[-1] - expected) < 1e-6, one.name
 
 
 @pytest.mark.skipif(not SHIPPED.is_file(), reason="the package has no weights")

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from swifttailor.picture_reader.close_designs import ASYMMETRIC, sees_designs
 from swifttailor.picture_reader.close_ups import CLOSE_UPS, LEAST_CM, sees
 from swifttailor.picture_reader.units import VIEW_CM
 from swifttailor.picture_reader.view import Square
+from swifttailor.programs.read_parameter import ReadParameter
 
 Answers = Mapping[str, NDArray[Any]]
 """What the network says of one picture, by the names of its outputs."""
@@ -19,8 +21,12 @@ _MARGIN = 0.15
 _NEARER = 0.8
 """A square that is hardly smaller than that of the garment shows nothing new."""
 _LEAST_CELLS, _LEAST_PIXELS = 3, 24
+_LEAST = -20.0
+"""Logarithm of the share of what is never so."""
 SHARE = 0.6
 """What is seen from near counts so much, and what is seen of the whole garment the rest."""
+DESIGN_SHARE = 0.6
+"""The same for design parameters."""
 
 
 def close_squares(answers: Answers, part: int, square: Square, names: tuple[str, ...]) -> dict[int, Square]:
@@ -92,3 +98,56 @@ def with_close_looks(
         value[part, seen] = (1 - share) * value[part, seen] + share * mean[seen]
         altogether[name] = value
     return altogether
+
+
+def with_close_designs(
+    designs: NDArray[Any],
+    part: int,
+    near: Mapping[int, Answers],
+    parameters: Sequence[ReadParameter],
+    share: float = DESIGN_SHARE,
+) -> NDArray[np.float64]:
+    """What is said of design parameters altogether.
+
+    Args:
+        designs: (2, D, V) logits of looks at all of a garment.
+        part: Number of the part of the body on which it is worn.
+        near: By number of `CLOSE_UPS`: of a look at that, by a network that says the same parameters of it.
+        parameters: D of them.
+        share: Of what is seen from near, where it is.
+
+    Returns:
+        The logits; of garments that seem the same on both sides, the left one tells of both.
+    """
+    found = np.array(designs, np.float64)
+    if not near:
+        return found
+    names = tuple(one.name for one in parameters)
+    numbers = np.array(list(near))
+    cosines = np.array([one["camera_view"][1] for one in near.values()])
+    unlike = np.full(len(numbers), _are_unlike(found[part], parameters))
+    telling = sees_designs(numbers, cosines, unlike, names).astype(float)
+    logs = np.stack([_log_shares(one["designs"][part], parameters) for one in near.values()])
+    count = telling.sum(axis=0)
+    mean = (logs * telling[:, :, None]).sum(axis=0) / np.maximum(count, 1)[:, None]
+    seen = count > 0
+    whole = _log_shares(found[part], parameters)
+    found[part, seen] = (1 - share) * whole[seen] + share * mean[seen]
+    return found
+
+
+def _log_shares(logits: NDArray[Any], parameters: Sequence[ReadParameter]) -> NDArray[np.float64]:
+    """(D, V) logarithms of shares, the lowest where a parameter has no value."""
+    there = np.arange(logits.shape[1]) < np.array([len(one.values) for one in parameters])[:, None]
+    shown = np.where(there, logits.astype(np.float64), -np.inf)
+    shown = shown - shown.max(axis=1, keepdims=True)
+    shares = np.exp(shown)
+    return np.maximum(shown - np.log(shares.sum(axis=1, keepdims=True)), _LEAST)
+
+
+def _are_unlike(designs: NDArray[Any], parameters: Sequence[ReadParameter]) -> bool:
+    """Whether the sides of a garment seem to differ, by logits (D, V)."""
+    for one, logits in zip(parameters, designs, strict=True):
+        if one.name == ASYMMETRIC:
+            return one.values[int(logits[: len(one.values)].argmax())] is True
+    return False

@@ -1,4 +1,4 @@
-"""What is looked at from near, a neckline, a waist, an end of a sleeve or leg, a skirt, and what each tells.
+"""What is looked at from near, a neckline, a waist, an armhole, and what each tells.
 
 A neckline is some 20 pixels of a picture of a whole dress. Where these parts are follows from where on the
 wearer, as he stands, and on which kind of panel a point lies; so drawn garments and pictures that are
@@ -41,7 +41,7 @@ class CloseUp:
 
     @property
     def part(self) -> str:
-        """The same for the left and the right one: ``neck``, ``waist``, ``sleeve``, ``leg`` or ``skirt``."""
+        """The same for the left and the right one: one of `ALL_PARTS`."""
         return self.name.split()[-1]
 
     def __post_init__(self) -> None:
@@ -96,6 +96,12 @@ def _skirt(_: Array, mine: Mask) -> Mask:
     return mine
 
 
+def _armhole(places: Array, mine: Mask) -> Mask:
+    """Where a sleeve begins, or would; nothing of what is worn lower."""
+    out = np.abs(places[:, 0])
+    return mine & (out > _ARMHOLE_CM[0]) & (out < _ARMHOLE_CM[1]) & (places[:, 1] > _ARMPIT_CM)
+
+
 def _high(levels: Array) -> float:
     return float(np.percentile(levels, 98))
 
@@ -103,7 +109,15 @@ def _high(levels: Array) -> float:
 _HALF_NECK_CM, _DEEP_CM = 22.0, 30.0
 _ABOVE_WAIST_CM, _WAIST_CM, _HALF_WAIST_CM = 121.0, 34.0, 32.0
 _END_CM = 17.0
-_REGIONS = {"neck": _neck, "waist": _waist, "sleeve": _sleeve, "leg": _leg, "skirt": _skirt}
+_ARMHOLE_CM, _ARMPIT_CM = (6.0, 34.0), 112.0
+_REGIONS = {
+    "neck": _neck,
+    "waist": _waist,
+    "sleeve": _sleeve,
+    "leg": _leg,
+    "skirt": _skirt,
+    "armhole": _armhole,
+}
 _BODICE = ("front bodice", "back bodice")
 _SKIRT = ("skirt", "tier", "gore", "inset")
 _LOWER = (*_SKIRT, "leg")
@@ -127,6 +141,17 @@ def _leg_end(side: int, name: str) -> CloseUp:
         ("leg_cuffs",),
         ("leg cuff length", "leg end"),
         ("leg cuff", "leg cuff flounce"),
+        side,
+    )
+
+
+def _armhole_of(side: int, name: str) -> CloseUp:
+    return CloseUp(
+        f"{name} armhole",
+        (*_BODICE, "sleeve"),
+        ("armholes",),
+        ("armholes",),
+        ("sleeve",),
         side,
     )
 
@@ -183,6 +208,8 @@ CLOSE_UPS: tuple[CloseUp, ...] = (
         ),
         _SKIRT,
     ),
+    _armhole_of(1, "left"),
+    _armhole_of(-1, "right"),
 )
 
 
@@ -234,7 +261,7 @@ def hidden_from() -> Told:
     return Told(*map(np.array, (statements, measures, panels)))
 
 
-_CLEAR_COSINE = 0.5
+CLEAR_COSINE = 0.5
 """Of the azimuth: within 60 degrees of the front or the back."""
 
 
@@ -249,7 +276,7 @@ def sees(close_up: NDArray[np.int64], cosine: NDArray[Any]) -> Told:
         (n, ...).
     """
     near = close_up != WHOLE
-    sides = near & (cosine > _CLEAR_COSINE), near & (cosine < -_CLEAR_COSINE)
+    sides = near & (cosine > CLEAR_COSINE), near & (cosine < -CLEAR_COSINE)
     found = []
     for told, hidden in zip(told_by(), hidden_from(), strict=True):
         seen = told[close_up]

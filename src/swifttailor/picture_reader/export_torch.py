@@ -19,7 +19,7 @@ from swifttailor.picture_reader.labels import GUESS, labels_checksum, statement_
 from swifttailor.picture_reader.network_torch import EyesConfig, EyesNetwork
 from swifttailor.picture_reader.panel_kinds import PANEL_KINDS
 from swifttailor.picture_reader.reader import DESIGNS, INPUTS, KIND, OUTPUTS, PictureReader
-from swifttailor.picture_reader.seen_design import IN_CARD
+from swifttailor.picture_reader.seen_design import IN_CARD, NEAR_IN_CARD
 
 
 def build_network(size: dict[str, Any]) -> EyesNetwork:
@@ -103,6 +103,7 @@ def export(
         close_ups=looked_at,
         scales=said,
         parameters=card.get(IN_CARD, []),
+        near_designs=bool(card.get(NEAR_IN_CARD, False)),
     )
 
 

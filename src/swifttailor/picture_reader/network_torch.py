@@ -99,7 +99,7 @@ class EyesNetwork(nn.Module):
             config: Its size.
         """
         super().__init__()
-        self.config, self.frozen = config, False
+        self.config, self.frozen = config, 0
         channels: tuple[int, ...]
         if config.trunk in TRUNKS:
             lite = LiteTrunk(config.trunk, 3 + 3)
@@ -126,20 +126,26 @@ class EyesNetwork(nn.Module):
         if config.design_values:
             self.design = DesignHead(width, config.heads, config.design_values)
 
-    def freeze_trunk(self) -> None:
-        """What is learnt from now on leaves the trunk as it is, norms over the batch included."""
-        self.frozen = True
-        for part in (self.embedder, self.stages):
+    def freeze(self, stages: int) -> None:
+        """What is learnt from now on leaves the beginning as it is, norms over the batch included.
+
+        Args:
+            stages: Of the trunk's four, the first; with any, what comes before them, too.
+        """
+        self.frozen = stages
+        for part in self._still():
             part.requires_grad_(False)
         self.train(self.training)
 
     def train(self, mode: bool = True) -> EyesNetwork:
-        """As in torch, but a frozen trunk is never in training."""
+        """As in torch, but what is frozen is never in training."""
         super().train(mode)
-        if self.frozen:
-            for part in (self.embedder, self.stages):
-                part.eval()
+        for part in self._still():
+            part.eval()
         return self
+
+    def _still(self) -> list[nn.Module]:
+        return [self.embedder, *self.stages[: self.frozen]] if self.frozen else []
 
     def trunk(self, pictures: Tensor, guess: Tensor) -> tuple[Tensor, Tensor, Tensor]:
         """Maps of pictures (B, 3, H, W), 0 to 1: of the first two stages, and (B, width, H/16, W/16)."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -16,7 +16,7 @@ from swifttailor.describing.claims import CLAIM_TYPES, Claim
 from swifttailor.errors import InputError
 from swifttailor.networks.model_file import GRAPH, ModelKind, open_model
 from swifttailor.pattern.names import PANEL_NAMES
-from swifttailor.picture_reader.close_looks import close_squares, with_close_looks
+from swifttailor.picture_reader.close_looks import close_squares, with_close_designs, with_close_looks
 from swifttailor.picture_reader.close_ups import CLOSE_UPS
 from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.figures import FIGURES
@@ -40,6 +40,7 @@ from swifttailor.picture_reader.reading import (
     Statement,
 )
 from swifttailor.picture_reader.seen_design import SeenDesign
+from swifttailor.picture_reader.squares import around, box_of, mask_of, scaled
 from swifttailor.picture_reader.units import BOX_CM, MEASURE_CM, NARROWEST, WIDEST
 from swifttailor.picture_reader.view import Square, camera_of, view_in
 from swifttailor.programs.read_parameter import ReadParameter
@@ -82,8 +83,6 @@ LEAST_CERTAINTY = 0.03
 _SCALES = (1.0, 0.87, 1.15)
 """Sides of the frames of the nearer looks, in that around the garment."""
 _OF_A_FRAME = ("camera_view", "masks", "worn_places", "panel_kinds", "seams")
-_MARGIN = 0.35
-"""Around the garment, as a share of its larger extent: what hangs where is told by the body around it."""
 _CM = 100.0
 _HALF = float(np.log(2))
 """Median distance from the middle of a Laplace distribution, in its width."""
@@ -109,6 +108,8 @@ class PictureReader:
     """Gives the one that reads plain pictures together with it, and their details in its place."""
     parameters: tuple[ReadParameter, ...] = ()
     """Design parameters that it reads."""
+    near_designs: bool = False
+    """Whether it reads them in close-ups, too."""
 
     @staticmethod
     def load(
@@ -160,13 +161,22 @@ class PictureReader:
                 raise InputError(f"its scales have the shape {scales.shape}")
             close_ups = tuple(map(str, model.about.get("close_ups", ())))
             parameters = tuple(ReadParameter.from_json(one) for one in model.about.get("parameters", ()))
+            near_designs = bool(model.about.get("near_designs", False))
         if parameters:
             most = max(len(one.values) for one in parameters)
             shape = [1, len(PARTS), len(parameters), most]
             model.require({"what it says of designs": (model.shape_made(GRAPH, DESIGNS), shape)})
         size = model.shape_given(GRAPH, "pictures")[-1]
         card = model.about.get("card", {})
-        return PictureReader(model.sessions[GRAPH], int(size), scales, card, close_ups, parameters=parameters)
+        return PictureReader(
+            model.sessions[GRAPH],
+            int(size),
+            scales,
+            card,
+            close_ups,
+            parameters=parameters,
+            near_designs=near_designs,
+        )
 
     def read(self, pixels: Pixels) -> PictureReading:
         """What a picture shows.
@@ -192,7 +202,7 @@ class PictureReader:
         while waiting:
             part, square, look = waiting.pop(0)
             if part not in seen:
-                square = _around(look, part, square) or whole
+                square = around(_share(look["masks"][part]) > 0.5, square) or whole
                 lookers = (self,) if nearer is self else (nearer, self)
                 answers = nearer._nearer(pixels, part, square, whole, first, lookers)
                 if nearer is self and self.plain is not None:
@@ -226,7 +236,7 @@ class PictureReader:
 
         Where things are is of the first look alone, and designs are of those who read the same parameters.
         """
-        squares = [(one, _scaled(square, scale)) for one in lookers for scale in _SCALES]
+        squares = [(one, scaled(square, scale)) for one in lookers for scale in _SCALES]
         looks = [one._look(pixels, at, view_in(first["camera_view"], whole, at)) for one, at in squares]
         answers = {name: np.mean([look[name] for look in looks], axis=0) for name in OUTPUTS}
         if self.parameters:
@@ -240,7 +250,15 @@ class PictureReader:
             for number, detail in close_squares(answers, part, square, tuple(looker_of)).items()
         }
         altogether = with_close_looks(answers, part, near)
+        if self.parameters:
+            telling = {k: look for k, look in near.items() if self._tells_designs(looker_of, k)}
+            altogether[DESIGNS] = with_close_designs(answers[DESIGNS], part, telling, self.parameters)
         return with_hoods_of_near(altogether, answers, part, self.parameters)
+
+    def _tells_designs(self, looker_of: Mapping[str, PictureReader], number: int) -> bool:
+        """Whether who looks at a close-up says of it the design parameters that this network says."""
+        looker = looker_of[CLOSE_UPS[number].name]
+        return looker.near_designs and looker.parameters == self.parameters
 
     def _look(self, pixels: Pixels, square: Square, view: NDArray[np.float32] | None) -> dict[str, Any]:
         shown = cut_square(pixels, square, self.size)
@@ -274,7 +292,11 @@ class PictureReader:
         raised = np.exp(first["figures"].astype(np.float64) - first["figures"].max())
         figures = raised / raised.sum()
         return PictureReading(
-            tuple(parts), camera_of(view), _box(square), FIGURES[int(figures.argmax())], float(figures.max())
+            tuple(parts),
+            camera_of(view),
+            box_of(square),
+            FIGURES[int(figures.argmax())],
+            float(figures.max()),
         )
 
     def _part(
@@ -292,9 +314,9 @@ class PictureReader:
             _statements(answers["statements"][number]),
             _measures(answers["has"][number], answers["measures"][number]),
             _panels(answers["panels"][number], answers["boxes"][number]),
-            _mask(mask, square, shape),
+            mask_of(mask, square, shape),
             SeenCells(
-                _box(square),
+                box_of(square),
                 mask.astype(np.float32),
                 answers["worn_places"].transpose(1, 2, 0) * _CM,
                 answers["panel_kinds"].argmax(axis=0).astype(np.uint8),
@@ -306,35 +328,6 @@ class PictureReader:
 def _present(answers: dict[str, Any]) -> list[int]:
     """Numbers of the parts on which anything is worn."""
     return [int(k) for k in np.flatnonzero(_share(answers["present"]) >= LEAST_PRESENT)]
-
-
-def _box(square: Square) -> tuple[int, int, int, int]:
-    left, top, side = square
-    return left, top, left + side, top + side
-
-
-def _around(answers: dict[str, Any], part: int, square: Square) -> Square | None:
-    """A square around a garment, where it is a good deal smaller; None where it is not, or none is seen."""
-    mask = _share(answers["masks"][part]) > 0.5
-    rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
-    if len(rows) < 2 or len(columns) < 2:
-        return None
-    left, top, side = square
-    cell = side / mask.shape[0]
-    low = np.array([columns[0], rows[0]]) * cell
-    high = np.array([columns[-1] + 1, rows[-1] + 1]) * cell
-    new = round(float((high - low).max()) * (1 + 2 * _MARGIN))
-    if not 8 <= new < 0.85 * side:
-        return None
-    across, down = np.round((low + high) / 2 - new / 2).astype(int)
-    return left + int(across), top + int(down), new
-
-
-def _scaled(square: Square, scale: float) -> Square:
-    """A square with the same middle."""
-    left, top, side = square
-    new = max(round(side * scale), 8)
-    return left + (side - new) // 2, top + (side - new) // 2, new
 
 
 def _statements(logits: NDArray[Any]) -> tuple[Statement, ...]:
@@ -366,21 +359,6 @@ def _panels(logits: NDArray[Any], boxes: NDArray[Any]) -> tuple[SeenPanel, ...]:
         x, y, z, width, height = (float(v) * BOX_CM for v in boxes[k])
         found.append(SeenPanel(PANEL_NAMES[k], float(certain[k]), (x, y, z, width, height)))
     return tuple(sorted(found, key=lambda panel: -panel.certainty))
-
-
-def _mask(cells: NDArray[Any], square: tuple[int, int, int], shape: tuple[int, int]) -> NDArray[np.float32]:
-    """(h, w) of a whole picture, from the cells of a square of it."""
-    from PIL import Image
-
-    left, top, side = square
-    image = Image.fromarray(cells.astype(np.float32))
-    grown = np.asarray(image.resize((side, side), Image.Resampling.BILINEAR))
-    height, width = shape
-    mask = np.zeros(shape, np.float32)
-    y0, y1, x0, x1 = max(top, 0), min(top + side, height), max(left, 0), min(left + side, width)
-    if y0 < y1 and x0 < x1:
-        mask[y0:y1, x0:x1] = grown[y0 - top : y1 - top, x0 - left : x1 - left]
-    return mask
 
 
 def _share(logits: NDArray[Any]) -> NDArray[Any]:

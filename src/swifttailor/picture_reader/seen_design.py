@@ -14,6 +14,8 @@ from swifttailor.programs.read_parameter import ReadParameter
 
 IN_CARD = "design_parameters"
 """Where the card of a training has what `ReadParameter.to_json` says of those that the network reads."""
+NEAR_IN_CARD = "near_designs"
+"""Where it says whether the network has learnt to read them in close-ups, too."""
 _LEAST = 1e-6
 
 

@@ -9,6 +9,7 @@ import torch
 from torch import Tensor
 
 from swifttailor.parameter_reader.placed_designs import PlacedDesigns, nearly_right
+from swifttailor.picture_reader.close_designs import ASYMMETRIC
 
 
 class DesignTable:
@@ -37,16 +38,23 @@ class DesignTable:
         self._places = torch.from_numpy(places).to(device)
         self._matter = torch.from_numpy(matter).to(device)
         self._each = torch.arange(count, device=device)
+        self.names = tuple(one.name for one in designs.parameters) if designs else ()
+        self.asymmetric = torch.zeros(len(ids), dtype=torch.bool, device=device)
+        if designs and ASYMMETRIC in self.names:
+            k = self.names.index(ASYMMETRIC)
+            values = torch.tensor([value is True for value in designs.parameters[k].values], device=device)
+            self.asymmetric = values[self._places[:, k].long()] & self._matter[:, k]
+        """(N,) whether the left side of each garment has parameters of its own."""
 
     def answers(self, garments: Tensor, told: Tensor) -> Tensor:
         """How right each value of each parameter is.
 
         Args:
             garments: (...) their numbers.
-            told: (...) whether anything is told of them.
+            told: (..., parameters) what is told of them.
 
         Returns:
             (..., parameters, values); zeros where a garment does not follow from a parameter.
         """
         right = self._right[self._each, self._places[garments].long()]
-        return right * (self._matter[garments] & told[..., None])[..., None]
+        return right * (self._matter[garments] & told)[..., None]

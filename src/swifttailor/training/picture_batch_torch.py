@@ -15,6 +15,7 @@ from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Block, Blocks
 from swifttailor.data.pictures.panel_cells import SEAM
 from swifttailor.parameter_reader.placed_designs import PlacedDesigns
+from swifttailor.picture_reader.close_designs import sees_designs
 from swifttailor.picture_reader.close_ups import WHOLE, sees
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import MASK_STRIDE
@@ -100,6 +101,7 @@ class TruthTable:
         garments: Tensor,
         whole: Tensor,
         told: OfEach,
+        designs: Tensor,
         views: Tensor,
         figures: Tensor,
         masks: Tensor,
@@ -112,6 +114,7 @@ class TruthTable:
             garments: Numbers in the bank.
             whole: (B,) whether it is no close-up.
             told: What each picture tells of, see `sees`.
+            designs: (B, D) which design parameters it tells, see `sees_designs`.
             views: The others are as `Answers` has them.
             figures: The same.
             masks: The same.
@@ -140,7 +143,7 @@ class TruthTable:
             places,
             cells % SEAM - 1,
             (cells >= SEAM).float(),
-            self.designs.answers(k, present & whole[:, None]),
+            self.designs.answers(k, present[..., None] & designs[:, None]),
         )
 
 
@@ -205,11 +208,16 @@ class PictureBatches:
         pictures, masks, on_cells, views = moved(pictures, masks, on_cells, views, chance, strength)
         pictures = relit(pictures, chance, strength)
         guess = guessed(views, figures, close_up, chance, self.config.unguessed)
-        told = sees(shown["close_up"].numpy(), shown["views"][:, 1].numpy())
+        near, cosine = shown["close_up"].numpy(), shown["views"][:, 1].numpy()
+        garments = shown["garments"].to(device)
+        # A close-up tells of one garment alone.
+        asymmetric = self.truths.designs.asymmetric[garments.amax(dim=1).clamp_min(0)].cpu().numpy()
+        designs = sees_designs(near, cosine, asymmetric, self.truths.designs.names)
         answers = self.truths.answers(
-            shown["garments"].to(device),
+            garments,
             close_up == WHOLE,
-            OfEach(*(torch.from_numpy(table).to(device) for table in told)),
+            OfEach(*(torch.from_numpy(table).to(device) for table in sees(near, cosine))),
+            torch.from_numpy(designs).to(device),
             views,
             figures,
             masks,

@@ -13,7 +13,7 @@ from swifttailor.training.loop_config import LoopConfig
 if TYPE_CHECKING:
     from swifttailor.data.pictures.blocks import Family
 
-_STRIDE = 32
+_STRIDE, _STAGES = 32, 4
 _ROUNDED = 1e-6
 
 
@@ -104,9 +104,9 @@ class PictureConfig(LoopConfig):
     """Strength of the cutting, turning and lighting."""
     unguessed: float = 0.35
     """Share of pictures of which the network is not told where the wearer is, as at a first look."""
-    frozen_trunk: bool = False
-    """Whether the convolutions stay as `start` has them, and only what looks at their map learns: four times
-    as many pictures in the same time of a processor."""
+    frozen_stages: int = 0
+    """How many of the trunk's four stages stay as `start` has them, the first ones. With all only what looks
+    at their map learns: four times as many pictures in the same time of a processor."""
     validation_garments: int = 150
 
     def __post_init__(self) -> None:
@@ -132,8 +132,8 @@ class PictureConfig(LoopConfig):
         require(self, "variation", self.variation >= 0, "0 or more")
         require(self, "validation_garments", self.validation_garments >= 1, "at least 1")
         require(self, "compiled", not self.compiled, "false")
-        begun = not self.frozen_trunk or bool(self.start)
-        require(self, "frozen_trunk", begun, "false, or true with weights to start with (start=FILE)")
+        begun = self.frozen_stages == 0 or (bool(self.start) and 0 < self.frozen_stages <= _STAGES)
+        require(self, "frozen_stages", begun, "0, or 1 to 4 with weights to start with (start=FILE)")
 
     @property
     def shares(self) -> dict[Family, float]:

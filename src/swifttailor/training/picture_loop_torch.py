@@ -17,7 +17,7 @@ from swifttailor.parameter_reader.placed_designs import PlacedDesigns
 from swifttailor.picture_reader.export_torch import build_network
 from swifttailor.picture_reader.labels import labels_checksum
 from swifttailor.picture_reader.network_torch import Reading
-from swifttailor.picture_reader.seen_design import IN_CARD
+from swifttailor.picture_reader.seen_design import IN_CARD, NEAR_IN_CARD
 from swifttailor.training.loop_torch import Loop, RunOptions, Task
 from swifttailor.training.master_weights_torch import MasterWeights
 from swifttailor.training.picture_batch_torch import PictureBatches
@@ -124,8 +124,8 @@ class PictureTask(Task):
             load_start(self.network, Path(config.start), optional=[("design.",)])
             if config.start.endswith(GRAPH) and not resumed:
                 settle_norms(self.network, self._show_some)
-        if config.frozen_trunk:
-            self.network.freeze_trunk()
+        if config.frozen_stages:
+            self.network.freeze(config.frozen_stages)
         self.weights = MasterWeights(self.network)
         lowered = config.precision == "bfloat16" or (config.precision == "auto" and _has_bfloat16())
         self.precision = "bfloat16" if lowered else "float32"
@@ -169,6 +169,7 @@ class PictureTask(Task):
         about = {"model": "PictureReader", "labels_sha256": labels_checksum(), "data": self.data}
         if self.designs:
             about[IN_CARD] = [one.to_json() for one in self.designs.parameters]
+            about[NEAR_IN_CARD] = self.config.close > 0
         return about
 
 

@@ -15,9 +15,8 @@ from swifttailor.data.pictures.scenes import View, Wardrobe
 from swifttailor.errors import InputError
 from swifttailor.evaluation.maker.pictures import GarmentPictures
 from swifttailor.evaluation.maker.questions import seed_of
-from swifttailor.evaluation.pictures.visible import ShownFrom
+from swifttailor.evaluation.pictures.visible import PICTURE_SIZE, ShownFrom
 
-SIZE = 320
 LOOKS: tuple[Family, ...] = tuple(f for f in get_args(Family) if f not in ("nothing", "several", "unlike"))
 _SIDES: dict[str, tuple[View, ...]] = {
     "front": ("front",),
@@ -63,7 +62,7 @@ class LookPictures(GarmentPictures):
         split, number = self._places[id]
         lot = seed_of(self.seed, id, "picture")
         shown = (
-            draw(self._wardrobes[split], number, self.look, side, np.random.default_rng(lot), SIZE)
+            draw(self._wardrobes[split], number, self.look, side, np.random.default_rng(lot), PICTURE_SIZE)
             for side in _SIDES[self.view]
         )
         return f"{self.look}, {self.view}", tuple(scene.pixels for scene in shown)
@@ -75,4 +74,4 @@ class LookPictures(GarmentPictures):
 
     def identity(self) -> dict[str, Any]:
         """What decides the pictures of a garment beside its shape, as JSON values."""
-        return {"look": self.look, "view": self.view, "size": SIZE}
+        return {"look": self.look, "view": self.view, "size": PICTURE_SIZE}

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from swifttailor.data.pictures.bank import PictureBank
 from swifttailor.data.pictures.blocks import Family, draw
 from swifttailor.data.pictures.scenes import Scene, View, Wardrobe
+from swifttailor.evaluation.pictures.visible import PICTURE_SIZE
 from swifttailor.pattern.names import PANEL_NAMES
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS, measure_labels, statement_labels
 from swifttailor.picture_reader.reader import PictureReader
@@ -61,7 +62,7 @@ def read_pictures(
     bank: PictureBank,
     numbers: list[int],
     *,
-    size: int = 320,
+    size: int = PICTURE_SIZE,
     seed: int = 0,
     done: Callable[[int], None] | None = None,
 ) -> Iterator[ReadPicture]:

@@ -8,6 +8,8 @@ from swifttailor.data.pictures.scenes import View
 from swifttailor.describing.claims import Claim
 from swifttailor.picture_reader.close_ups import HIDDEN
 
+PICTURE_SIZE = 800
+"""Pixels along each side of the pictures that are shown: as many as GarmentCodeData's renders have."""
 ShownFrom = View | Literal["both"]
 """Where a camera stands; ``both``: two pictures of one garment, front and back."""
 
