@@ -1,20 +1,17 @@
 #!/usr/bin/env bash
 # The networks that read plain pictures, those that look like GarmentCodeData's: one for the whole picture, which also says
-# whether a picture is plain, and one each for necks, ends of sleeves, and skirts from near.
+# whether a picture is plain, one for necks from near, and one for waists, armholes, ends of sleeves and skirts.
 #
 #   runs/plain_reader.sh
 #
 # After picture_reader.sh and close_up_reader.sh, whose garments and weights it takes (START and START_NEAR for other weights,
-# picture_reader.onnx among them; MORE is a list of splits of further garments). steps.sh lists the
-# environment. What has one look and one part to learn is learnt in minutes: of MINUTES (170) the whole picture has four in
-# nine, plain close-ups of all parts one and a half, and each part one. Ends with $WORK/plain-reader/plain_reader.onnx,
-# plain_neck.onnx, plain_sleeve.onnx and plain_skirt.onnx, cards beside them.
+# picture_reader.onnx among them; MORE is a list of splits of further garments; DESIGNS a file of scripts/place_designs.py, with
+# which those for the whole picture and for details say design parameters, too). steps.sh lists the environment. Of MINUTES (170)
+# the whole picture has four in nine, plain close-ups of all parts one and a half, necks one, and details two and a half. Ends with
+# $WORK/plain-reader/plain_reader.onnx, plain_neck.onnx and plain_details.onnx, cards beside them.
 #
-# The package's files: the whole picture 45 minutes without pictures of other looks, 50 with them, and 10 with 110 garments that
-# were draped by physics, 24 times each, among the others; close-ups of all parts 33; necks 13, sleeves 12 and 10, skirts
-# 13; each on a core that others used as well, from the package's own weights of before. Then skirts 32 more, from those, on
-# 500 training patterns (two in three with wide skirts) draped by physics at 3 cm, twice each, and 3,700 sewn ones, 900 of
-# them with gores, tiers, godets or flounces.
+# The package's files: docs/picture-reader.md has the commands for the whole picture and for details. Close-ups of all parts 33
+# minutes, then necks 13, on a core that others used as well, from the package's own weights of before.
 source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
 
 minutes=${MINUTES:-170}
@@ -27,18 +24,19 @@ whole=(network.image_size=160 ema=0.995 validate_every=250 learning_rate=0.0006 
     near=0.9 unguessed=0.1)
 near=(network.image_size=96 plain=1.0 nothing=0 close=1.0 unguessed=0 learning_rate=0.001)
 part=(ema=0.99 validate_every=150 warmup_steps=30 losses.masks=0.5 losses.places=0.5 losses.view=0.1)
-skirt=(network.image_size=128 learning_rate=0.0007)
+details=(network.image_size=160 plain=1.0 nothing=0 close=1.0 unguessed=0 ema=0.99 validate_every=400 learning_rate=0.0006
+    warmup_steps=30 frozen_stages=2 losses.designs=1)
 if [ -n "$rehearse" ]; then
     both+=(steps=2 batch_size=4 block=4 echo=1 log_every=1 validate_every=1 validation_garments=2 network.embedding=8
         "network.stages=[8,8,16,16]" "network.depths=[1,1,1,1]" network.width=24 network.heads=2 network.mask_width=8)
-    whole+=(network.image_size=64) near+=(network.image_size=64) skirt=(network.image_size=64)
+    whole+=(network.image_size=64) near+=(network.image_size=64) details+=(network.image_size=64)
 fi
 plain() { # name, eighteenths of the time, settings
     local run=$out/$1 again=()
     [ -f "$run/checkpoint.pt" ] && again+=(--resume)
     OMP_NUM_THREADS=1 swifttailor train picture-reader --data "$sewn/train" "${more[@]}" --validation "$sewn/validation" \
-        --apart "$sewn/test" --out "$run" --workers 1 --threads 1 --max-minutes $(((minutes * $2 + 17) / 18)) "${again[@]}" \
-        --set "${both[@]}" "${@:3}"
+        --apart "$sewn/test" ${DESIGNS:+--designs "$DESIGNS"} --out "$run" --workers 1 --threads 1 \
+        --max-minutes $(((minutes * $2 + 17) / 18)) "${again[@]}" --set "${both[@]}" "${@:3}"
 }
 exported() { # run, file, options
     step "plain-$1-exported" swifttailor train export "$out/$1" --out "$out/plain_$2.onnx" --overwrite --int8 "${@:3}"
@@ -47,10 +45,9 @@ step plain-whole plain whole 8 "${whole[@]}" "${settings[@]}" start="$begin"
 step plain-near plain near 3 "${near[@]}" "${settings[@]}" start="$begin_near"
 near_set=("${near[@]}" "${part[@]}")
 step plain-neck plain neck 2 "${near_set[@]}" 'parts=["neck"]' "${settings[@]}" start="$out/near/weights.safetensors"
-step plain-sleeve plain sleeve 3 "${near_set[@]}" 'parts=["sleeve"]' "${settings[@]}" start="$out/near/weights.safetensors"
-step plain-skirt plain skirt 2 "${near_set[@]}" "${skirt[@]}" 'parts=["skirt"]' "${settings[@]}" \
+step plain-details plain details 5 "${details[@]}" 'parts=["waist","sleeve","skirt","armhole"]' "${settings[@]}" \
     start="$out/whole/weights.safetensors"
 exported whole reader --data "$sewn/validation"
-for name in neck sleeve skirt; do
+for name in neck details; do
     exported "$name" "$name"
 done

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from swifttailor.errors import InputError
 from swifttailor.parameter_reader import ParameterReader
 from swifttailor.pattern.names import PANEL_NAMES
+from swifttailor.picture_reader.close_looks import DESIGN_SHARE
 from swifttailor.picture_reader.cut_square import cut_square
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import labels_checksum, measure_labels, statement_labels
@@ -313,7 +314,7 @@ def test_who_looks_from_near_tells_the_design_parameters_that_he_sees(near_desig
     assert len(networks[1].guesses) == 1
     for one, shares in zip(PARAMETERS, part.design.shares, strict=True):
         told = near_designs and one.name in ("meta.wb", "waistband.waist", "waistband.width")
-        logit = 0.4 * 1.0 + 0.6 * 3.0 if told else 1.0
+        logit = (1 - DESIGN_SHARE) * 1.0 + DESIGN_SHARE * 3.0 if told else 1.0
         expected = np.exp(logit) / (np.exp(logit) + len(one.values) - 1)
         assert abs(shares[-1] - expected) < 1e-6, one.name
 
@@ -324,9 +325,10 @@ def test_the_network_of_the_package_looks_at_details_itself():
     assert not reader.near and {name.split()[-1] for name in reader.close_ups} == {"neck", "waist", "sleeve"}
     assert [{name.split()[-1] for name in one.close_ups} for one in reader.plain().near] == [
         {"neck"},
-        {"sleeve"},
-        {"skirt"},
+        {"waist", "sleeve", "skirt", "armhole"},
     ]
+    assert [one.near_designs for one in reader.plain().near] == [False, True]
+    assert reader.plain().near[1].parameters == reader.parameters == reader.plain().parameters
 
 
 @pytest.mark.parametrize("border", ["one colour", "a little noise", "a hand", "a place"])

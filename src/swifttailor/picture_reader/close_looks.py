@@ -25,8 +25,8 @@ _LEAST = -20.0
 """Logarithm of the share of what is never so."""
 SHARE = 0.6
 """What is seen from near counts so much, and what is seen of the whole garment the rest."""
-DESIGN_SHARE = 0.6
-"""The same for design parameters."""
+DESIGN_SHARE = 0.8
+"""The same for design parameters, which whole garments show worse."""
 
 
 def close_squares(answers: Answers, part: int, square: Square, names: tuple[str, ...]) -> dict[int, Square]:

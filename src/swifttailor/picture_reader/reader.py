@@ -48,9 +48,9 @@ from swifttailor.render.pixels import require_picture
 
 SHIPPED = Path(__file__).with_name("picture_reader.onnx")
 SHIPPED_PLAIN = tuple(
-    Path(__file__).with_name(f"plain_{name}.onnx") for name in ("reader", "neck", "sleeve", "skirt")
+    Path(__file__).with_name(f"plain_{name}.onnx") for name in ("reader", "neck", "details")
 )
-"""Reads all of a plain picture; necks; ends of sleeves; skirts."""
+"""Reads all of a plain picture; necks; waists, armholes, ends of sleeves and skirts."""
 FROM_NEAR = ("neck", "waist", "sleeve")
 """Of close-ups, see `CloseUp.part`: what a network that reads whole garments looks at; anything else it reads
 as well in a picture of all of the garment."""
