@@ -15,6 +15,7 @@ from swifttailor.wording.lexicon.entries import Certainty, Entry, NamedPrint
 from swifttailor.wording.lexicon.inflection import Language
 from swifttailor.wording.lexicon.marking import find_words
 from swifttailor.wording.lexicon.meanings import Meaning, Role, meanings
+from swifttailor.wording.lexicon.two_places import of_two_places
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 from swifttailor.wording.word_tables import Dialect
 
@@ -154,7 +155,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
         tuple(kept),
         tuple(never),
         _lacks(meant),
-        _contradictions(implied),
+        _contradictions(text, implied),
         named_colors([(m.word, m.entries) for m in meant]),
         tuple([entry.print for mark in meant for entry in mark.entries if entry.print is not None]),
         tuple(
@@ -277,8 +278,8 @@ def _lacks(marks: Sequence[WordMark]) -> tuple[Lack, ...]:
     return tuple(found.values())
 
 
-def _contradictions(implied: Sequence[Implication]) -> tuple[Contradiction, ...]:
-    """Pairs of words that say opposite things, both by definition."""
+def _contradictions(text: str, implied: Sequence[Implication]) -> tuple[Contradiction, ...]:
+    """Pairs of words that say opposite things, both by definition and of one place."""
     sure = [i for i in implied if i.certainty == "certain" and i.claim.name != "kind"]
     found: dict[tuple[int, int], Contradiction] = {}
     for k, one in enumerate(sure):
@@ -286,7 +287,8 @@ def _contradictions(implied: Sequence[Implication]) -> tuple[Contradiction, ...]
             if one.mark is other.mark or not (opposed(one.claim, other.claim) or _against(one, other)):
                 continue
             first, second = sorted((one.mark, other.mark), key=lambda mark: mark.start)
-            found.setdefault((first.start, second.start), Contradiction(first, second))
+            if not of_two_places(text, (first.start, first.end), (second.start, second.end)):
+                found.setdefault((first.start, second.start), Contradiction(first, second))
     return tuple(found.values())
 
 
