@@ -382,6 +382,7 @@ def test_what_is_long_and_has_no_name_is_guessed_to_be_a_dress(reader, text):
     heard = hear_description(text, reader)
     assert heard.kind == "dress" and heard.text == text
     assert heard.guess == "dress"
+    assert hear_description(text, reader, alone=False).guess == "", "a picture tells what it is"
 
 
 @pytest.mark.parametrize(

@@ -32,3 +32,12 @@ def test_of_two_places_both_can_be_true(text):
 )
 def test_of_one_place_they_contradict_each_other(text):
     assert read_words(text).contradictions
+
+
+@pytest.mark.parametrize(
+    ("text", "hem"), [("a long skirt to the knee", "knee"), ("long loose coat, mid calf length", "midi")]
+)
+def test_long_gives_way_to_what_is_exact(text, hem):
+    read = read_words(text)
+    assert [i.claim.value for i in read.implications if i.claim.name == "skirt_hem"] == [hem]
+    assert read.contradictions == ()

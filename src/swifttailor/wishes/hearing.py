@@ -42,7 +42,7 @@ _DETAIL = {"certain": SURENESS["certain"], "usual": 0.92}
 _OF_BOTH_SIDES = {"neckline": "neckline", "sleeve": "sleeves"}
 
 
-def hear_description(text: str, reader: WishReader) -> Heard:
+def hear_description(text: str, reader: WishReader, *, alone: bool = True) -> Heard:
     """What garment a text describes.
 
     Where nothing tells which garment is meant, a name that is spelt like a word that nobody knows is taken as
@@ -51,11 +51,12 @@ def hear_description(text: str, reader: WishReader) -> Heard:
     Args:
         text: In English, or of German, French and Spanish what the lexicon knows.
         reader: The network.
+        alone: Whether there is no picture that shows which garment is meant.
     """
     if not text.strip():
         return HEARD_NOTHING
     heard = _heard_description(text, reader)
-    if _is_likely_a_dress(heard):
+    if alone and _is_likely_a_dress(heard):
         again = _heard_description(f"a dress, {heard.text}", reader)
         return replace(again, text=heard.text, guess="dress")
     near = None if _is_named(heard) else guessed_name(heard.unread)
@@ -74,7 +75,7 @@ def _is_likely_a_dress(heard: Heard) -> bool:
     claims = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
     if any(mark.role in ("garment", "like", "second") for mark in marks) or heard.kind == "dress":
         return False
-    if any(claim.name in ("kind", *_OF_LOWER) for claim in claims):
+    if any(claim.name in ("kind", *_OF_LOWER) for claim in claims) or (heard.unread and not claims):
         return False
     guessed = [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
     return any(claim.name == "skirt_hem" and claim.value in _DRESS_LENGTHS for claim in (*claims, *guessed))

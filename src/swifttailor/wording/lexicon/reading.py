@@ -28,6 +28,8 @@ _NAMES: tuple[Role, ...] = ("garment", "like", "second")
 _TOPS = frozenset(["top", "tunic"])
 _LOWER = {"skirt": "skirt", "trousers": "legs", "shorts": "legs"}
 """Kinds without an upper part, and what they have."""
+_MAXI = Claim("skirt_hem", "maxi")
+_NOT_SHORT = frozenset(["knee", "below the knee", "midi"])
 _WHOLE = {"dress": "dress", "jumpsuit": "playsuit"}
 """Kinds with an upper and a lower part, and what they are with short legs."""
 
@@ -143,6 +145,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
             never += refused
         else:
             implied += _implied(word, mark)
+    implied = _exact_lengths(implied)
     never = list(dict.fromkeys(never))
     kept = _settled([i for i in implied if i.claim not in never])
     if kind is None:
@@ -194,6 +197,15 @@ def _refused(mark: WordMark) -> tuple[list[Implication], list[Claim]]:
                 refused += beyond(claim)
     asked = [i.claim for i in without]
     return without, [claim for claim in refused if claim not in asked]
+
+
+def _exact_lengths(implied: Sequence[Implication]) -> list[Implication]:
+    """Without "long" where the text says how long: a long coat to the knee ends at the knee."""
+    exact = any(
+        i.said and i.certainty == "certain" and i.claim.name == "skirt_hem" and i.claim.value in _NOT_SHORT
+        for i in implied
+    )
+    return [i for i in implied if not (exact and i.claim == _MAXI and i.mark.word.lower().startswith("long"))]
 
 
 def _settled(implied: Sequence[Implication]) -> list[Implication]:
