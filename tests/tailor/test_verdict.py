@@ -29,3 +29,12 @@ def test_what_sits_badly_is_tried_again_and_gives_way_to_any_wish():
     assert not badly.unsound, "it can be sewn all the same"
     assert Verdict().rank < badly.rank < Verdict(open=(KNEE,)).rank
     assert Verdict(open=(KNEE,), sits_badly=badly.sits_badly).fault.startswith("requested but not met")
+
+
+def test_what_is_odd_gives_way_to_another_and_nothing_is_written_for_it():
+    odd = Verdict(beyond_usual=("its neckline is very deep",))
+    assert odd.fault == "sits badly: its neckline is very deep" and odd.is_merely_odd
+    assert Verdict().rank < odd.rank < Verdict(open=(KNEE,)).rank
+    assert not Verdict().is_merely_odd
+    assert not Verdict(open=(KNEE,), beyond_usual=("its neckline is very deep",)).is_merely_odd
+    assert not Verdict(sits_badly=("it is narrower than the hips",), beyond_usual=("x",)).is_merely_odd

@@ -353,3 +353,46 @@ def test_a_list_does_not_go_on_over_words_that_are_not_said_of_what_follows():
     words = read_words("a dress with long, wide sleeves")
     assert Claim("skirt_hem", "maxi") not in [i.claim for i in words.implications]
     assert Claim("sleeves", "long") in [i.claim for i in words.implications]
+
+
+@pytest.mark.parametrize(
+    ("text", "gone"),
+    [
+        ("shirt. collar: none. cuffs: none", {("collar", "none"), ("cuffs", "none")}),
+        ("dress; sleeves = none; hood: no", {("sleeves", "none")}),
+    ],
+)
+def test_what_a_list_has_none_of_is_refused(reader, text, gone):
+    heard = hear_description(text, reader)
+    asked = {(c.name, c.value) for c in claims(heard.sure)}
+    assert gone <= asked
+    assert not any(name in {n for n, _ in gone} and value != "none" for name, value in asked)
+
+
+@pytest.mark.parametrize("text", ["long loose coat, straight cut", "loose straight dress"])
+def test_what_is_loose_is_not_made_easy(reader, text):
+    asked = claims(hear_description(text, reader).sure)
+    assert Claim("fit", "loose") in asked and Claim("fit", "easy") not in asked
+
+
+@pytest.mark.parametrize(
+    "text", ["something flowing, maybe ankle length", "straight and loose, mid calf, short sleeves"]
+)
+def test_what_is_long_and_has_no_name_is_guessed_to_be_a_dress(reader, text):
+    heard = hear_description(text, reader)
+    assert heard.kind == "dress" and heard.text == text
+    assert heard.guess == "dress"
+    assert hear_description(text, reader, alone=False).guess == "", "a picture tells what it is"
+
+
+@pytest.mark.parametrize(
+    "text", ["ankle length, with a wide waistband", "an ankle-length skirt", "floor length trousers"]
+)
+def test_what_has_a_waistband_or_a_name_is_no_dress(reader, text):
+    assert hear_description(text, reader).kind != "dress"
+
+
+def test_a_figure_for_sleeves_leaves_no_word_for_their_length(reader):
+    heard = hear_description("top with sleeves, sleeve 60 cm", reader)
+    assert Claim("sleeve_cm", 60.0) in claims(heard.sure)
+    assert not {Claim("sleeves", "short"), Claim("sleeves", "cap")} & claims((*heard.sure, *heard.likely))

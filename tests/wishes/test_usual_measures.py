@@ -10,7 +10,15 @@ from swifttailor.describing.differences import Gain
 from swifttailor.pattern_library.sought import Sought
 from swifttailor.picture_reader.labels import measure_labels
 from swifttailor.wishes.reader import Wish
-from swifttailor.wishes.usual_measures import CLOSE_NECK, FULL_GATHERS, FULL_TIERS, LOW_STAND, usual_measures
+from swifttailor.wishes.usual_measures import (
+    CLOSE_NECK,
+    FULL_GATHERS,
+    FULL_TIERS,
+    LOW_STAND,
+    OPEN_NECK,
+    usual_measures,
+    usual_necks,
+)
 
 
 def of(kind, *told, certainty=0.97):
@@ -55,3 +63,11 @@ def test_what_is_known_of_a_measure_stays():
     found = plain.with_measures(usual)
     assert found.measures[number] > 0.0 and plain.measures[number] == 0.0
     assert np.delete(found.measures, number).max() == 0.0
+
+
+def test_a_neckline_of_which_nobody_speaks_is_sought_as_it_is_usual():
+    assert usual_necks([], "dress") == OPEN_NECK
+    assert usual_necks([], "skirt") == {} and usual_necks([], None) == {}
+    for spoken in (Claim("neck_depth", "low"), Claim("collar", "stand"), Claim("shoulders", "strapless")):
+        assert usual_necks([Wish(Gain(spoken), 0.97)], "dress") == {}
+    assert usual_necks([Wish(Gain(Claim("shoulders", "both")), 0.97)], "dress") == OPEN_NECK

@@ -31,6 +31,8 @@ WORDS, BESIDE_PICTURE = 4.0, 1.0
 is cut in any case, and the picture tells more of the rest the less is given up for it."""
 USUAL = 8.0
 """What a measure usually is counts as much as so many measures of a picture: it is one of few."""
+GENTLY = 2.0
+"""The same of what can be cut as well."""
 FORESEEN, FORESEEN_BESIDE_PICTURE = 2.0, 1.0
 """What a network foresees of panels from words counts as much as so many readings of a picture."""
 _SUREST_ODDS = 4.6
@@ -167,15 +169,20 @@ class Sought:
         both = (own + np.clip(odds, -_SUREST_ODDS, _SUREST_ODDS) * weight) / counts
         return replace(self, panels=(1 / (1 + np.exp(-both))).astype(np.float32), named=counts)
 
-    def with_measures(self, usual: Mapping[str, tuple[float, float]]) -> Sought:
-        """The same, and of measures that nothing is known of what they usually are: middle and width."""
+    def with_measures(self, usual: Mapping[str, tuple[float, float]], counts: float = USUAL) -> Sought:
+        """The same, and of measures that nothing is known of what they usually are.
+
+        Args:
+            usual: Middle and width of each.
+            counts: As much as so many measures of a picture.
+        """
         if not usual:
             return self
         has, measured, measures = self.has.copy(), self.measured.copy(), self.measures.copy()
         for name, (middle, width) in usual.items():
             number = _measure_numbers()[name]
             if measures[number] == 0:
-                has[number], measures[number] = SURE, USUAL
+                has[number], measures[number] = SURE, counts
                 measured[number] = scaled(middle), _scaled_width(middle, width)
         return replace(self, has=has, measured=measured, measures=measures)
 

@@ -24,8 +24,10 @@ from swifttailor.tailor.candidates import Candidate
 from swifttailor.tailor.reading import Wanted, altered, checked
 from swifttailor.tailor.sitting import sits_badly
 from swifttailor.tailor.verdict import Verdict
+from swifttailor.wishes.loose_wholes import loosened
 from swifttailor.wishes.unsaid import leaves_hem_unsaid, unsaid_wishes
 from swifttailor.wishes.well_within import well_within
+from swifttailor.wishes.within_usual import beyond_usual, within_usual
 
 NARROWEST_SLEEVE_CM, NARROWEST_HEM_CM = 14.0, 60.0
 """No hand goes through less, and nobody walks in less; 16.6 cm around sleeves and 69.8 around skirts are the
@@ -112,6 +114,7 @@ def fit(written: WrittenPattern, wanted: Wanted, *, drafted: bool = False) -> An
         wanted.tolerated,
         senseless=taken is not None and _is_senseless(taken.facts),
         sits_badly=() if taken is None or not wanted.unsaid else sits_badly(taken.facts, (*changes, *maybe)),
+        beyond_usual=() if taken is None or not unsaid else beyond_usual((*changes, *maybe), taken.facts),
         holes=not of_edit and _is_torn(pattern, edit),
         one_sided=() if of_edit else _unasked(pattern, (*changes, *maybe) if alters else (), edit),
         open=changes if taken is None else (*taken.open, *_unseen(taken, changes)),
@@ -166,7 +169,9 @@ def _finished(
     pattern, level = level_hem(before.pattern) if level else (before.pattern, "")
     more = (*maybe, *(unsaid_wishes(said, before.facts) if unsaid else ()))
     if unsaid:
-        more = (*more, *well_within((*said, *more), before.facts))
+        asked = (*said, *more)
+        more = (*more, *well_within(asked, before.facts), *within_usual(said, before.facts))
+        more = (*more, *loosened(said, before.facts))
     after = altered(pattern, (*changes, *more))
     if after is None or not (after.cuts or level) or set(after.open) & set(changes) - set(before.open):
         return before

@@ -19,7 +19,7 @@ from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern import Finding, Pattern, check_pattern
 from swifttailor.pattern.drafts.draft_names import DRAFTS_ARE
-from swifttailor.pattern_library.sought import Sought
+from swifttailor.pattern_library.sought import GENTLY, Sought
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
 from swifttailor.pattern_maker.asking.scripts import says_something
 from swifttailor.pattern_maker.maker import Request
@@ -35,10 +35,11 @@ from swifttailor.tailor.seen_wishes import LEAST_CUT, LEAST_CUT_OF_DRAFT, not_ov
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.hearing_changes import hear_instruction
+from swifttailor.wishes.loose_wholes import of_loose_wholes
 from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wishes.unsaid_looks import unexpected_looks
-from swifttailor.wishes.usual_measures import usual_measures
+from swifttailor.wishes.usual_measures import usual_measures, usual_necks
 from swifttailor.wishes.wearer_words import hear_wearer
 
 _UNSAID = (Claim("hem_shape", "level"), Claim("sides", "alike"))
@@ -167,14 +168,17 @@ class Wanted:
         if not self.unsaid or not said:
             return found
         meant = [wish for wish in said if wish.certainty >= _PERHAPS]
-        return found.with_measures(usual_measures(meant, self.heard.kind))
+        found = found.with_measures(usual_measures(meant, self.heard.kind))
+        return found.with_measures(usual_necks(meant, self.heard.kind), GENTLY)
 
     def _unexpected(self) -> list[Wish]:
         """What the garment should rather not be like, as nobody speaks of it."""
         if not self.unsaid:
             return []
-        claims = unexpected_looks((*self.wishes, *self.likely), self.heard.kind)
-        return [Wish(Gain(claim), _UNEXPECTED) for claim in claims]
+        told = (*self.wishes, *self.likely)
+        claims = unexpected_looks(told, self.heard.kind)
+        loose = of_loose_wholes(told, self.heard.kind)
+        return [*[Wish(Gain(claim), _UNEXPECTED) for claim in claims], *loose]
 
     def _foreseen(self, said: Sequence[Wish]) -> NDArray[np.float64] | None:
         """Which panels there may be, by the text as it is and in words that the network was taught."""
@@ -296,7 +300,7 @@ def _heard(order: Order, reader: WishReader) -> Heard:
     # Who wears it is heard by `wearing.body_wanted`.
     rest = hear_wearer(order.text, instruction=order.edit is not None).rest
     if order.edit is None:
-        return hear_description(rest, reader)
+        return hear_description(rest, reader, alone=not order.images)
     return hear_instruction(rest, reader, facts_of(order.edit))
 
 

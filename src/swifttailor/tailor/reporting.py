@@ -236,8 +236,9 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
         found += _changed_notes(answer)
     if answer.verdict.open:
         found.append(f"Requested but not met: {'; '.join(map(wish_line, answer.verdict.open))}.")
-    if answer.verdict.sits_badly:
-        found.append(f"It may sit badly: {'; '.join(answer.verdict.sits_badly)}.")
+    if answer.verdict.sits_badly or answer.verdict.beyond_usual:
+        said = "; ".join((*answer.verdict.sits_badly, *answer.verdict.beyond_usual))
+        found.append(f"It may sit badly: {said}.")
     if answer.verdict.refused:
         found.append(f"Refused, and so nevertheless: {'; '.join(map(wish_line, answer.verdict.refused))}.")
     return found

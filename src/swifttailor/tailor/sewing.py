@@ -24,6 +24,7 @@ from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.protocols import Sewer
 from swifttailor.tailor.tailored import Tailored
 from swifttailor.tailor.verdict import Verdict
+from swifttailor.tailor.worn_shoulders import SLIPS, slips_off
 
 if TYPE_CHECKING:
     from swifttailor.draping.fabric import Fabric
@@ -293,11 +294,22 @@ def _basic_report(garment: Garment, options: SewingOptions) -> dict[str, Any]:
     }
 
 
+def _seen_on(answer: Answer, garment: Garment, body: Body | None) -> Answer:
+    """The answer with what is seen of its garment on the body alone."""
+    measures = body_of(garment.pattern.drafted_for).measurements if body is None else body.measurements
+    if not slips_off(garment, measures):
+        return answer
+    verdict = replace(answer.verdict, sits_badly=(*answer.verdict.sits_badly, SLIPS))
+    return replace(answer, verdict=verdict)
+
+
 def _handed_over(garment: Garment, answer: Answer, predicted: Any, body: Body | None) -> Tailored:
     """Images are those that the network saw and drew, where it is one that does."""
     images = answer.prepared if isinstance(answer.prepared, Prepared) else None
-    if answer.wanted is not None:
-        garment = replace(garment, color=answer.wanted.color, print=answer.wanted.print)
+    wanted = answer.wanted
+    if wanted is not None:
+        answer = _seen_on(answer, garment, body)
+        garment = replace(garment, color=wanted.color, print=wanted.print)
     return Tailored(
         garment,
         replace(answer, prepared=None),

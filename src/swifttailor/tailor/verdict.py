@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from swifttailor.pattern import Finding, Severity
@@ -29,6 +29,8 @@ class Verdict:
     """Whether it is measured to be no kind of garment."""
     sits_badly: tuple[str, ...] = ()
     """What will stand off or not go over the body, in words; another attempt may be better."""
+    beyond_usual: tuple[str, ...] = ()
+    """What nobody asked for and is odd, in words; another that is known already may be better."""
     holes: bool = False
     """Whether seams are open that no garment leaves open."""
     one_sided: tuple[str, ...] = ()
@@ -76,7 +78,13 @@ class Verdict:
             return f"requested but not met: {'; '.join(map(wish_line, self.open))}"
         if self.refused:
             return f"refused, and so nevertheless: {'; '.join(map(wish_line, self.refused))}"
-        return f"sits badly: {'; '.join(self.sits_badly)}" if self.sits_badly else ""
+        complaints = (*self.sits_badly, *self.beyond_usual)
+        return f"sits badly: {'; '.join(complaints)}" if complaints else ""
+
+    @property
+    def is_merely_odd(self) -> bool:
+        """Whether nothing is wrong but what is beyond the usual: nothing is written anew for that."""
+        return bool(self.beyond_usual) and not replace(self, beyond_usual=()).fault
 
     @property
     def rank(self) -> tuple[int, int, int]:
@@ -87,4 +95,8 @@ class Verdict:
             warnings + len(self.open) + len(self.refused) + _SENSELESS * self.senseless + _HOLES * self.holes
         )
         said = sum(change not in self.seen for change in self.open) if self.seen else 0
-        return errors, doubts + _SAID * said + _ONE_SIDED * bool(self.one_sided), len(self.sits_badly)
+        return (
+            errors,
+            doubts + _SAID * said + _ONE_SIDED * bool(self.one_sided),
+            len(self.sits_badly) + len(self.beyond_usual),
+        )

@@ -10,6 +10,7 @@ from swifttailor.body import Body
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern import Pattern
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.lengths_kept import with_lengths_kept
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.refitted import refitted
 from swifttailor.tailor.sewing import SewingOptions, prepare
@@ -64,7 +65,7 @@ def all_refitted(
     for answer in answers:
         if isinstance(answer, Answer):
             try:
-                answer = prepare(sewer, refitted(answer, body), options)
+                answer = prepare(sewer, with_lengths_kept(refitted(answer, body), body), options)
             except SwiftTailorError as error:
                 answer = error
         done.append(answer)

@@ -88,7 +88,9 @@ def write_patterns(
         waiting = [
             k
             for k, answers in enumerate(tried)
-            if k not in kept and (not answers or (answers[-1].verdict.fault and not only_drafts[k]))
+            if k not in kept
+            and (not answers or (answers[-1].verdict.fault and not only_drafts[k]))
+            and not (answers and answers[-1].verdict.is_merely_odd and attempt >= begun[k] + counts[k])
         ]
         if not waiting:
             break

@@ -52,6 +52,7 @@ def unaccounted(
     numbers: Sequence[int] = (),
     *,
     compared: bool = False,
+    told: Sequence[tuple[int, int]] = (),
 ) -> tuple[str, ...]:
     """Words about the cut that nothing came of, in their order.
 
@@ -61,6 +62,7 @@ def unaccounted(
         never: What the text refuses.
         numbers: Where the numbers of the text end that are measures: what "long" behind one says is known.
         compared: Whether its comparisons are understood: "longer behind than in front".
+        told: From where to where all of it is understood.
     """
     claims = {change.claim for change in changes if isinstance(change, Gain)}
     subjects = {subject_of(change) for change in changes}
@@ -80,7 +82,7 @@ def unaccounted(
             continue
         if not mark.entries or mark.entries[0].category not in _OF_THE_CUT or mark.role == "theirs":
             continue
-        if mark in opposed:  # named as such
+        if mark in opposed or any(start <= mark.start < end for start, end in told):  # named as such
             continue
         if any(0 <= mark.start - end <= 2 for end in numbers):
             continue

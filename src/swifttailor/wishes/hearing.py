@@ -18,8 +18,9 @@ from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.lexicon_spelling import guessed_name
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.one_arm import of_one_arm, of_two_arms
-from swifttailor.wishes.reader import Wish, WishReader
+from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wishes.sayings_of_wishes import plainly_wished
+from swifttailor.wishes.spoken_faces import spoken_faces
 from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
 from swifttailor.wishes.spoken_measures import SpokenMeasure, same_number, spoken_measures
 from swifttailor.wishes.spoken_of import is_of_places
@@ -41,7 +42,7 @@ _DETAIL = {"certain": SURENESS["certain"], "usual": 0.92}
 _OF_BOTH_SIDES = {"neckline": "neckline", "sleeve": "sleeves"}
 
 
-def hear_description(text: str, reader: WishReader) -> Heard:
+def hear_description(text: str, reader: WishReader, *, alone: bool = True) -> Heard:
     """What garment a text describes.
 
     Where nothing tells which garment is meant, a name that is spelt like a word that nobody knows is taken as
@@ -50,10 +51,14 @@ def hear_description(text: str, reader: WishReader) -> Heard:
     Args:
         text: In English, or of German, French and Spanish what the lexicon knows.
         reader: The network.
+        alone: Whether there is no picture that shows which garment is meant.
     """
     if not text.strip():
         return HEARD_NOTHING
     heard = _heard_description(text, reader)
+    if alone and _is_likely_a_dress(heard):
+        again = _heard_description(f"a dress, {heard.text}", reader)
+        return replace(again, text=heard.text, guess="dress")
     near = None if _is_named(heard) else guessed_name(heard.unread)
     if near is None:
         return heard
@@ -62,6 +67,18 @@ def hear_description(text: str, reader: WishReader) -> Heard:
     if again.kind is None:
         return heard
     return replace(again, text=heard.text, unread=tuple(dict.fromkeys([word, *again.unread])), guess=name)
+
+
+def _is_likely_a_dress(heard: Heard) -> bool:
+    """Whether no garment is named, and it reaches the calves or beyond without legs or a waistband."""
+    marks = () if heard.words is None else heard.words.marks
+    claims = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
+    if any(mark.role in ("garment", "like", "second") for mark in marks) or heard.kind == "dress":
+        return False
+    if any(claim.name in ("kind", *_OF_LOWER) for claim in claims) or (heard.unread and not claims):
+        return False
+    guessed = [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
+    return any(claim.name == "skirt_hem" and claim.value in _DRESS_LENGTHS for claim in (*claims, *guessed))
 
 
 def _is_named(heard: Heard) -> bool:
@@ -81,7 +98,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     named = next((str(i.claim.value) for i in words.implications if i.claim.name == "kind"), None)
     measures = spoken_measures(text, named)
     hem = spoken_hem(text, named)
-    sides = spoken_sides(text)
+    sides = spoken_sides(text).beside(spoken_faces(text))
     words = without_spans(words, sides.spans)
     said = [m.claim for m in measures if m.claim is not None] + ([] if hem is None else [hem])
     said += sides.claims
@@ -116,10 +133,11 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             said=[Gain(i.claim) for i in words.implications if i.said],
             never=never,
         )
-    found = _within_figures(found)
+    found = _loose_alone(_within_figures(found))
     found = (*_without_flare(found), *_of_both_faces(text, found))
     if any(claim == _BARE_ARMS for claim in never) and not any(
-        isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve") for w in found
+        isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve", "sleeve_cm")
+        for w in found
     ):
         found = (*found, Wish(Gain(Claim("sleeves", "short")), SURENESS["usual"]))
     found = of_two_arms(of_one_arm(found))
@@ -133,6 +151,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         never,
         [m.mention.end for m in measures],
         compared=hem is not None or bool(bounds),
+        told=sides.spans,
     )
     return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
 
@@ -161,6 +180,14 @@ def _within_figures(found: Sequence[Wish]) -> tuple[Wish, ...]:
         if measure in figures and not low <= float(figures[measure]) <= high
     }
     return tuple([w for w in found if w.change not in against])
+
+
+def _loose_alone(found: Sequence[Wish]) -> tuple[Wish, ...]:
+    """Without an easy fit where a loose one is asked for: "long and loose, straight cut" stays loose."""
+    certain = {w.change for w in found if w.certainty >= SURE}
+    if not certain & {Gain(Claim("fit", "loose")), Gain(Claim("fit", "oversized"))}:
+        return tuple(found)
+    return tuple([w for w in found if w.change != Gain(Claim("fit", "easy"))])
 
 
 def _of_both_faces(text: str, found: Sequence[Wish]) -> list[Wish]:
@@ -232,6 +259,10 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
     return found
 
 
+_OF_LOWER = frozenset(
+    {"rise", "waistband", "waistband_cm", "skirt", "skirt_length_cm", "legs", "inseam_cm", "hips"}
+)
+_DRESS_LENGTHS = frozenset({"midi", "maxi", "ankle", "floor"})
 _BOTH_FACES = re.compile(
     r"(?:neck\w*|(?<!\w)v)[^.,;]{0,20}(?<!\w)"
     r"(?:front (?:and|&) (?:(?:at|in) )?(?:the )?back|back (?:and|&) (?:(?:at|in) )?(?:the )?front)(?!\w)",
@@ -247,6 +278,9 @@ _ONE_SLIT = re.compile(
 _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
 _SIZES_OF_WORDS = (
     ("cuff_cm", "cuffs", "deep", 12.0, 99.0),
+    ("sleeve_cm", "sleeves", "cap", 3.0, 17.0),
+    ("sleeve_cm", "sleeves", "short", 12.0, 33.0),
+    ("sleeve_cm", "sleeves", "long", 46.0, 75.0),
     ("leg_cuff_cm", "leg_cuffs", "deep", 15.0, 99.0),
     ("waistband_cm", "waistband", "wide", 10.0, 99.0),
     ("waistband_cm", "waistband", "narrow", 0.0, 6.5),

@@ -48,6 +48,10 @@ class SpokenSides:
     spans: tuple[tuple[int, int], ...] = ()
     """Of each claim; two may stand in one."""
 
+    def beside(self, other: SpokenSides) -> SpokenSides:
+        """Both."""
+        return SpokenSides((*self.claims, *other.claims), (*self.spans, *other.spans))
+
 
 def spoken_sides(text: str) -> SpokenSides:
     """What a text says of the left and of the right; nothing where it speaks of both alike.

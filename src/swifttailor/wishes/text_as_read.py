@@ -28,6 +28,13 @@ _OF = re.compile(r"(?<!\w)([^\W\d_]+) (?:of|for)(?: the| an?)? ([^\W\d_]+)(?!\w)
 _ITEM = re.compile(r"(?:^\s*|\s+)(\d{1,2})[.)]\s+(?=[^\W\d])")
 """Numbers before the items of a list."""
 
+_NONE_OF = re.compile(
+    r"(?<!\w)((?:waist |side |back |front |leg |shoulder )?[^\W\d_]{3,})\s*[:=]\s*"
+    r"(?:none|nil|nothing|no|not any|without|n/a|keine?r?|aucune?|ning[uú]n[oa]?)(?=\s*(?:[,.;\n/|]|$))",
+    re.IGNORECASE,
+)
+"""What a list has none of: "collar: none"."""
+
 _WITHDRAWN = re.compile(
     r"(?<!\w)(?:with |in )?(?:an? |some )?[\w'’-]+(?: [\w'’-]+)?\?\s*(?:no|nah|nope|nein|non)(?!\w)[,:]?\s*"
     r"(?=(?:just|only|nur)(?!\w))",
@@ -77,6 +84,7 @@ def _turned(text: str) -> str:
         name = f"{found[2]} {found[1]}"
         return name if is_garment(name.lower()) else found[0]
 
+    text = _NONE_OF.sub(r"no \1", text)
     text = _without_list_numbers(_CORRECTED.sub("", _WITHDRAWN.sub("", text)))
     text = _ABOUT.sub(r"\1 ", text)
     return _BODY.sub(r"the \2", _REACHES.sub(r"to the \2", _OF.sub(turned, text)))

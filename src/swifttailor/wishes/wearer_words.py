@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from swifttailor.body.size_charts import charts, find_size
 from swifttailor.body.wearer import Wearer
 from swifttailor.errors import InputError
+from swifttailor.wishes.not_the_wearer import hide_others, with_finished_chest
 from swifttailor.wording.lexicon import read_words
 
 PETITE_CM, TALL_CM = {"women": 157.0}, {"women": 180.0, "men": 192.0}
@@ -35,6 +36,10 @@ _METRES_AND = re.compile(
 """A height in metres and centimetres: "1 m 20", "1m65"."""
 
 
+_OF_GARMENT = re.compile(r"(?<!\w)finished\s*$", re.IGNORECASE)
+"""Before a girth that is the garment's own."""
+
+
 @dataclass(frozen=True)
 class HeardWearer:
     """What a text says of the wearer."""
@@ -56,23 +61,25 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
     """
     found: dict[str, str] = {}
     measures: dict[str, float] = {}
-    rest = text = _METRES_AND.sub(r"\1.\2 m", text)
+    text = _METRES_AND.sub(r"\1.\2 m", text)
+    hidden = hide_others(text if instruction else with_finished_chest(text))
+    rest = text = hidden.text
     for pattern, take in _PHRASES:
         if instruction and take is _either_girth:
             continue
-        match = pattern.search(rest)
+        match = next((m for m in pattern.finditer(rest) if not _OF_GARMENT.search(rest, 0, m.start())), None)
         if match is not None and take(match, found, measures):
             rest = rest[: match.start()] + " " + rest[match.end() :]
     figure = _figure(text)
     wearer = _wearer(found, measures, figure)
     if wearer is None:
-        return HeardWearer(None, text)
+        return HeardWearer(None, hidden.shown(text))
     rest = re.sub(rf"\bfor (?:an? |my )?(?:{_ANYBODY})\b(?!['\w])", " ", rest, flags=re.IGNORECASE)
     if figure == "children":
         rest = _without_children(rest)
     rest = re.sub(r"\s+([,.;])", r"\1", " ".join(rest.split()))
     rest = re.sub(r"(?:[,;]\s*)+(?=[,;.]|$)", "", rest).strip(" ,;")
-    return HeardWearer(wearer, rest)
+    return HeardWearer(wearer, hidden.shown(rest))
 
 
 def _without_children(text: str) -> str:

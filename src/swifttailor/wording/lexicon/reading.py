@@ -15,6 +15,7 @@ from swifttailor.wording.lexicon.entries import Certainty, Entry, NamedPrint
 from swifttailor.wording.lexicon.inflection import Language
 from swifttailor.wording.lexicon.marking import find_words
 from swifttailor.wording.lexicon.meanings import Meaning, Role, meanings
+from swifttailor.wording.lexicon.two_places import of_two_places
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 from swifttailor.wording.word_tables import Dialect
 
@@ -27,6 +28,8 @@ _NAMES: tuple[Role, ...] = ("garment", "like", "second")
 _TOPS = frozenset(["top", "tunic"])
 _LOWER = {"skirt": "skirt", "trousers": "legs", "shorts": "legs"}
 """Kinds without an upper part, and what they have."""
+_MAXI = Claim("skirt_hem", "maxi")
+_NOT_SHORT = frozenset(["knee", "below the knee", "midi"])
 _WHOLE = {"dress": "dress", "jumpsuit": "playsuit"}
 """Kinds with an upper and a lower part, and what they are with short legs."""
 
@@ -142,6 +145,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
             never += refused
         else:
             implied += _implied(word, mark)
+    implied = _exact_lengths(implied)
     never = list(dict.fromkeys(never))
     kept = _settled([i for i in implied if i.claim not in never])
     if kind is None:
@@ -154,7 +158,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
         tuple(kept),
         tuple(never),
         _lacks(meant),
-        _contradictions(implied),
+        _contradictions(text, implied),
         named_colors([(m.word, m.entries) for m in meant]),
         tuple([entry.print for mark in meant for entry in mark.entries if entry.print is not None]),
         tuple(
@@ -193,6 +197,15 @@ def _refused(mark: WordMark) -> tuple[list[Implication], list[Claim]]:
                 refused += beyond(claim)
     asked = [i.claim for i in without]
     return without, [claim for claim in refused if claim not in asked]
+
+
+def _exact_lengths(implied: Sequence[Implication]) -> list[Implication]:
+    """Without "long" where the text says how long: a long coat to the knee ends at the knee."""
+    exact = any(
+        i.said and i.certainty == "certain" and i.claim.name == "skirt_hem" and i.claim.value in _NOT_SHORT
+        for i in implied
+    )
+    return [i for i in implied if not (exact and i.claim == _MAXI and i.mark.word.lower().startswith("long"))]
 
 
 def _settled(implied: Sequence[Implication]) -> list[Implication]:
@@ -277,8 +290,8 @@ def _lacks(marks: Sequence[WordMark]) -> tuple[Lack, ...]:
     return tuple(found.values())
 
 
-def _contradictions(implied: Sequence[Implication]) -> tuple[Contradiction, ...]:
-    """Pairs of words that say opposite things, both by definition."""
+def _contradictions(text: str, implied: Sequence[Implication]) -> tuple[Contradiction, ...]:
+    """Pairs of words that say opposite things, both by definition and of one place."""
     sure = [i for i in implied if i.certainty == "certain" and i.claim.name != "kind"]
     found: dict[tuple[int, int], Contradiction] = {}
     for k, one in enumerate(sure):
@@ -286,7 +299,8 @@ def _contradictions(implied: Sequence[Implication]) -> tuple[Contradiction, ...]
             if one.mark is other.mark or not (opposed(one.claim, other.claim) or _against(one, other)):
                 continue
             first, second = sorted((one.mark, other.mark), key=lambda mark: mark.start)
-            found.setdefault((first.start, second.start), Contradiction(first, second))
+            if not of_two_places(text, (first.start, first.end), (second.start, second.end)):
+                found.setdefault((first.start, second.start), Contradiction(first, second))
     return tuple(found.values())
 
 

@@ -1,0 +1,51 @@
+"""Lengths that words state, after a pattern was refitted: knee length is so on the body that wears it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from swifttailor.body import Body
+from swifttailor.describing.differences import Gain
+from swifttailor.describing.dimensions import STATED
+from swifttailor.describing.measuring import measure_facts
+from swifttailor.errors import SwiftTailorError
+from swifttailor.recutting.alter import alter
+from swifttailor.tailor.answer import Answer
+
+LENGTHS = frozenset({"skirt_hem", "top_hem", "leg_hem", "sleeves", "left_sleeve", "right_sleeve"})
+"""Claims about where a part of the garment ends on its wearer."""
+
+
+def with_lengths_kept(answer: Answer, body: Body) -> Answer:
+    """An answer of which the lengths that were asked for, and held before it was refitted, hold again.
+
+    What cannot be had again is no longer said to be met.
+
+    Args:
+        answer: Refitted.
+        body: Who wears it.
+    """
+    wanted = answer.wanted
+    if wanted is None or wanted.order.edit is not None:
+        return answer
+    asked = [w.change for w in wanted.wishes if w not in wanted.seen and isinstance(w.change, Gain)]
+    met = [gain for gain in asked if gain not in answer.verdict.open]
+    lengths = [gain for gain in met if gain.claim.name in LENGTHS or gain.claim.name in STATED]
+    if not lengths:
+        return answer
+    try:
+        facts = measure_facts(answer.pattern, body.measurements)
+        lost = [gain for gain in lengths if not gain.holds(facts, facts)]
+        if not lost:
+            return answer
+        held = [gain for gain in met if gain.holds(facts, facts)]
+        cut = alter(answer.pattern, [*held, *lost], body=body.measurements)
+    except SwiftTailorError:
+        return answer
+    missing = tuple([gain for gain in lost if gain in cut.open])
+    return replace(
+        answer,
+        pattern=cut.pattern,
+        cuts=(*answer.cuts, *cut.cuts),
+        verdict=replace(answer.verdict, open=(*answer.verdict.open, *missing)),
+    )

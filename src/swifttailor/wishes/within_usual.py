@@ -1,0 +1,125 @@
+"""What is cut back where nobody speaks of it: necklines to the navel, cuffs from the knee, bare shoulders.
+
+Known patterns are drawn from wide ranges, so that one which is all that was asked for may be odd in the rest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Change, Gain, Step
+from swifttailor.describing.facts import GarmentFacts, Neckline, Sleeve
+
+_BARE = frozenset({"shoulders", "straps"})
+_NECK = frozenset({"neck_depth", "neck_depth_cm", "left_neckline", "right_neckline", *_BARE})
+_BACK = frozenset({"back_depth", "back_depth_cm", *_BARE})
+_SAYS_NOTHING_MORE = frozenset([("shoulders", "both")])
+FRONT, LOW_FRONT = (20.0, 14.0), (23.0, 18.0)
+"""Depth of a neckline, cm: what is too much, and what it is cut to; and of shapes that are low by nature."""
+BACK, SHAPED_BACK = (13.0, 6.0), (19.0, 12.0)
+WIDTH, WIDE_SQUARE = (25.5, 20.0), (27.5, 22.0)
+"""The same of its width: a half of 13 cm ends in the middle of a shoulder."""
+CUFF, LEG_CUFF = (12.0, 6.0), (15.0, 7.0)
+SLIT = (24.0, 18.0)
+_LOW = frozenset({"v", "scoop", "s-curve", "pointed", "lapel"})
+
+
+@dataclass(frozen=True)
+class _Odd:
+    """A measure beyond what is usual."""
+
+    words: str
+    change: Change
+
+
+_Names = frozenset[str]
+_Words = frozenset[tuple[str, str | float]]
+
+
+def within_usual(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ...]:
+    """What is to be cut of a garment although nobody asked for it.
+
+    Args:
+        said: What is asked for or likely meant: what of this is spoken of stays.
+        facts: What the garment shows now.
+    """
+    return tuple([odd.change for odd in _all_odd(said, facts)])
+
+
+def beyond_usual(said: Sequence[Change], facts: GarmentFacts) -> tuple[str, ...]:
+    """The same in words: what nobody asked for, and a customer would send a garment back for."""
+    return tuple([odd.words for odd in _all_odd(said, facts)])
+
+
+def _all_odd(said: Sequence[Change], facts: GarmentFacts) -> list[_Odd]:
+    claims = [wish.claim for wish in said if isinstance(wish, Gain)]
+    words = frozenset([(c.name, c.value) for c in claims]) - _SAYS_NOTHING_MORE
+    names = frozenset([name for name, _ in words])
+    looks = (_front_depth, _back_depth, _neck_width, _cuffs, _leg_cuffs, _back_slit)
+    return [odd for look in looks if (odd := look(names, words, facts)) is not None]
+
+
+def _whole(neck: Neckline | None) -> bool:
+    """Whether it lies between two shoulders."""
+    return neck is not None and neck.left is not None and neck.right is not None
+
+
+def _front_depth(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None:
+    neck = facts.front_neck
+    if neck is None or not _whole(neck) or names & _NECK or facts.hood is not None:
+        return None
+    low = any((name, shape) in words for name in ("neckline", "collar") for shape in _LOW)
+    most, cut = LOW_FRONT if low else FRONT
+    return _odd("its neckline is very deep", neck.depth, most, Gain(Claim("neck_depth_cm", cut)))
+
+
+def _back_depth(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None:
+    neck = facts.back_neck
+    if neck is None or not _whole(neck) or names & _BACK or facts.hood is not None:
+        return None
+    most, cut = SHAPED_BACK if "back_neckline" in names else BACK
+    return _odd("its neckline is very deep behind", neck.depth, most, Gain(Claim("back_depth_cm", cut)))
+
+
+def _neck_width(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None:
+    neck = facts.front_neck
+    if neck is None or not _whole(neck) or names & _BARE or ("neckline", "boat") in words:
+        return None
+    most, cut = WIDE_SQUARE if ("neckline", "square") in words else WIDTH
+    width = 2.0 * neck.width
+    return _odd("its neckline is very wide", width, most, Step("neck width", -1, round(width - cut, 1)))
+
+
+def _cuffs(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None:
+    cuffs = [_cuff(one) for one in (facts.left_sleeve, facts.right_sleeve)]
+    if "cuff_cm" in names or ("cuffs", "deep") in words:
+        return None
+    return _odd("its cuffs are very deep", max(cuffs), CUFF[0], Gain(Claim("cuff_cm", CUFF[1])))
+
+
+def _cuff(sleeve: Sleeve | None) -> float:
+    return 0.0 if sleeve is None or sleeve.cuff is None else sleeve.cuff.length
+
+
+def _leg_cuffs(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None:
+    legs = facts.trousers
+    if legs is None or legs.cuff is None or "leg_cuff_cm" in names or ("leg_cuffs", "deep") in words:
+        return None
+    if "leg_cuffs" not in names:
+        return None  # where nobody speaks of them there are none: `unsaid_wishes`
+    most, cut = LEG_CUFF
+    return _odd("its cuffs are very deep", legs.cuff.length, most, Gain(Claim("leg_cuff_cm", cut)))
+
+
+def _back_slit(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None:
+    skirt = facts.skirt
+    if skirt is None or names & {"slit", "slit_cm", "slit_size"}:
+        return None
+    high = max((slit.height for slit in skirt.slits if slit.place == "back"), default=0.0)
+    return _odd("its slit is very high", high, SLIT[0], Gain(Claim("slit_cm", SLIT[1])))
+
+
+def _odd(words: str, measure: float, most: float, change: Change) -> _Odd | None:
+    return _Odd(words, change) if measure > most else None
