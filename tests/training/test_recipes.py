@@ -84,13 +84,12 @@ def test_every_recipe_goes_from_nothing_to_a_model_file(tmp_path):
     designer = LatentDesigner.load(work / "latent-diffusion/latent_diffusion.zip")
     assert designer.shape == (64, 6) and designer.card["data"]["patterns"] == 6
     assert designer.card["trained"]["denoiser"]["steps"] == 3
-    names = [work / f"plain-reader/plain_{name}.onnx" for name in ("reader", "neck", "sleeve", "skirt")]
+    names = [work / f"plain-reader/plain_{name}.onnx" for name in ("reader", "neck", "details")]
     plain = PictureReader.load(files["PictureReader"], plain=names).plain()
     assert plain.close_ups == () and plain.card["config"]["unlike"] > 0
     assert [{name.split()[-1] for name in one.close_ups} for one in plain.near] == [
         {"neck"},
-        {"sleeve"},
-        {"skirt"},
+        {"waist", "sleeve", "skirt", "armhole"},
     ]
 
     again = run("wish_reader", work)
