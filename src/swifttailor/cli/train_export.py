@@ -47,8 +47,8 @@ class TrainExport:
     half: tyro.conf.FlagCreatePairsOff[bool] = False
     """Round the weights to 16 bits, which halves the file; it computes with 32 all the same."""
     int8: tyro.conf.FlagCreatePairsOff[bool] = False
-    """Compute a GarmentSewer's matrix products with 8-bit integers, which takes half the time on a CPU, and
-    round the other weights to 16 bits; of a picture reader or a reader of people's own words, store the
+    """Compute the matrix products of a GarmentSewer or a reader of people's own words with 8-bit integers,
+    which takes half the time on a CPU, and round the other weights to 16 bits; of a picture reader store the
     matrices in 8 bits, a quarter of the file, and compute with 32. Evaluate it beside --half before use."""
     data: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None
     """What to measure certainties with, part of the file: the data set with renders that a PatternMaker was
@@ -169,7 +169,8 @@ def _export_reader(run: Path, out: Path, half: bool, int8: bool) -> str:
     card = json.loads((run / CARD).read_text(encoding="utf-8"))
     network = load_weights(run / WEIGHTS, card, half=half or int8, int8=int8)
     load = WishReader.load_spoken if card["model"] == "SpokenReader" else WishReader.load
-    return _near_logits(compare(load(export(network, card, out)), network), out)
+    apart, reach = compare(load(export(network, card, out, int8=int8)), network)
+    return _near_logits(apart, MOST_APART_INT8 * reach if int8 else MOST_APART_LOGITS)
 
 
 def _export_eyes(
@@ -188,7 +189,7 @@ def _export_eyes(
         said = f"its certainties are off by {found.after:.3f} on average, before {found.before:.3f}"
     written = export(network, card, out, scales, close_ups or None)
     apart = compare(PictureReader.load(written), network)
-    return f"{_near_logits(apart, out)}; {said}"
+    return f"{_near_logits(apart, MOST_APART_LOGITS)}; {said}"
 
 
 def _calibrated(network: Any, card: dict[str, Any], data: Path) -> Any:
@@ -206,10 +207,10 @@ def _calibrated(network: Any, card: dict[str, Any], data: Path) -> Any:
     return calibrate(network, ValidationPictures(bank, config), torch.device("cpu"))
 
 
-def _near_logits(apart: float, out: Path) -> str:
-    if not apart < MOST_APART_LOGITS:
+def _near_logits(apart: float, limit: float) -> str:
+    if not apart < limit:
         raise InputError(
-            f"The exported network differs from torch by {apart:.3g}; less than {MOST_APART_LOGITS} is "
+            f"The exported network differs from torch by {apart:.3g}; less than {limit:.3g} is "
             "accepted. Try other versions of torch and onnxruntime."
         )
     return f"at most {apart:.2g} from torch's logits"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -63,14 +64,29 @@ def round_to_bytes(network: Any) -> None:
             weight.copy_(torch.round(weight / scale) * scale)
 
 
-def _in_bytes(values: NDArray[Any]) -> tuple[NDArray[np.int8], NDArray[np.float32]] | None:
+def matrix_in_bytes(values: NDArray[Any]) -> tuple[NDArray[np.int8], NDArray[np.float32]] | None:
+    """A matrix as whole numbers and a scale for each column; None where it is no such product.
+
+    Args:
+        values: (k, n).
+
+    Returns:
+        (k, n) and (n,).
+    """
+    found = None if values.dtype != np.float32 else _in_bytes(values, axes=(1,))
+    return None if found is None else (found[0], found[1][0])
+
+
+def _in_bytes(
+    values: NDArray[Any], axes: Sequence[int] | None = None
+) -> tuple[NDArray[np.int8], NDArray[np.float32]] | None:
     """Whole numbers and what they are multiplied with; None where no axis has such scales.
 
     Exports turn matrices around, so the axis may be any.
     """
     if values.ndim < 2 or values.size < FEWEST:
         return None
-    for axis in range(values.ndim):
+    for axis in range(values.ndim) if axes is None else axes:
         others = tuple(k for k in range(values.ndim) if k != axis)
         scale = np.abs(values).max(axis=others, keepdims=True).astype(np.float32) / _MOST
         steps = values / np.where(scale > 0, scale, 1)

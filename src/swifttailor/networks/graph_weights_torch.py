@@ -13,9 +13,11 @@ from torch import Tensor, nn
 
 from swifttailor.errors import InputError, MissingExtraError
 from swifttailor.networks.byte_storage import SCALE
+from swifttailor.networks.byte_storage import STORED as STORED_IN_BYTES
 from swifttailor.networks.folded_norms_torch import foldable
 from swifttailor.networks.model_file import read_bytes
 from swifttailor.networks.onnx_contents import keeps_values_elsewhere
+from swifttailor.networks.row_products import WHOLE
 
 MAX_BYTES = 2**31
 STORED = (".half", SCALE)
@@ -136,6 +138,12 @@ def graph_tensors(data: bytes, source: str) -> GraphTensors:
         for n in model.graph.node
         if n.op_type == "MatMul" and n.input[1] in arrays
     }
+    for node in model.graph.node:  # in integers, see `row_products`
+        if node.op_type == "MatMulInteger" and node.output[0].endswith(WHOLE):
+            matrix = node.input[1]
+            scales = arrays[matrix.removesuffix(STORED_IN_BYTES) + SCALE]
+            made = arrays[matrix].astype(np.float32) * scales
+            products[node.output[0].removesuffix(WHOLE)] = made.T
     for node in model.graph.node:
         if node.op_type != "Add":
             continue

@@ -14,8 +14,9 @@ from swifttailor.errors import MissingExtraError
 from swifttailor.networks.byte_storage import store_in_bytes
 from swifttailor.networks.eight_bit import with_eight_bit_products
 from swifttailor.networks.half_storage import store_in_half
+from swifttailor.networks.row_products import with_row_products
 
-OPSET = 18
+OPSET, OPSET_WITH_GELU = 18, 20
 
 
 def export_graph(
@@ -26,6 +27,7 @@ def export_graph(
     outputs: Sequence[str],
     *,
     int8: bool = False,
+    row_products: bool = False,
 ) -> bytes:
     """Writes a network as an ONNX graph without traces of where it was made.
 
@@ -36,6 +38,8 @@ def export_graph(
         inputs: Names of the inputs.
         outputs: Names of the outputs.
         int8: Whether products with its matrices are of 8 bits (`with_eight_bit_products`).
+        row_products: Whether products with its matrices, rounded to bytes before, are of 8 bits, each row of
+            the other factor with a scale of its own (`with_row_products`).
 
     Returns:
         The content of an .onnx file.
@@ -57,7 +61,7 @@ def export_graph(
             example,
             dynamo=True,
             external_data=False,
-            opset_version=OPSET,
+            opset_version=OPSET_WITH_GELU if row_products else OPSET,
             input_names=list(inputs),
             output_names=list(outputs),
             dynamic_shapes=shapes,
@@ -69,6 +73,8 @@ def export_graph(
     _rename_weights(model, {*inputs, *outputs})
     if int8:
         model = with_eight_bit_products(model)
+    if row_products:
+        model = with_row_products(model)
     store_in_bytes(model)
     store_in_half(model)
     buffer = io.BytesIO()

@@ -28,6 +28,8 @@ def open_session(graph: bytes, source: str, model: str, *, threads: int = 1) -> 
     options.intra_op_num_threads = threads
     options.inter_op_num_threads = 1
     options.log_severity_level = 4  # what is wrong is said below
+    # Processors without dot products of bytes would cut sums of products off; slower kernels do not.
+    options.add_session_config_entry("session.x64quantprecision", "1")
     try:
         return onnxruntime.InferenceSession(graph, options, providers=["CPUExecutionProvider"])
     except Exception as error:  # onnxruntime has a dozen kinds, none of them public

@@ -74,13 +74,16 @@ def load_weights(
     )
 
 
-def export(network: WishNetwork | SpokenNetwork, card: dict[str, Any], path: Path) -> Path:
+def export(
+    network: WishNetwork | SpokenNetwork, card: dict[str, Any], path: Path, *, int8: bool = False
+) -> Path:
     """Writes the model file, which `WishReader.load` opens.
 
     Args:
         network: Trained.
         card: What it was trained on and how good it is.
         path: File to write, ``.onnx``.
+        int8: Whether it computes with its matrices, rounded to what bytes hold, in 8 bits.
 
     Raises:
         InputError: The file cannot be written.
@@ -89,14 +92,16 @@ def export(network: WishNetwork | SpokenNetwork, card: dict[str, Any], path: Pat
     length = torch.export.Dim("length", min=2, max=network.places.num_embeddings)
     example = (torch.zeros(1, _EXAMPLE_TOKENS, dtype=torch.long),)
     kind = SPOKEN_KIND if isinstance(network, SpokenNetwork) else KIND
-    graph = export_graph(network.eval(), example, ({1: length},), INPUTS, OUTPUTS)
+    graph = export_graph(network.eval(), example, ({1: length},), INPUTS, OUTPUTS, row_products=int8)
     says = {"tokens": network.config.tokens, "statements": statement_labels(), "numbers": number_labels()}
     return write_graph(path, kind, graph, card, **says)
 
 
-def compare(reader: WishReader, network: WishNetwork | SpokenNetwork, *, seed: int = 0) -> float:
-    """Largest difference between what a reader and a network make of the same random tokens."""
-    chance, apart = np.random.default_rng(seed), 0.0
+def compare(
+    reader: WishReader, network: WishNetwork | SpokenNetwork, *, seed: int = 0
+) -> tuple[float, float]:
+    """Largest difference between what a reader and a network make of the same tokens; the largest logit."""
+    chance, apart, reach = np.random.default_rng(seed), 0.0, 0.0
     for length in (2, _EXAMPLE_TOKENS, network.places.num_embeddings):
         tokens = chance.integers(network.config.tokens - 1, size=(1, length))
         found = reader.session.run(None, {"tokens": tokens})
@@ -104,4 +109,5 @@ def compare(reader: WishReader, network: WishNetwork | SpokenNetwork, *, seed: i
             made = network(torch.from_numpy(tokens))
         differences = (np.abs(f - m.numpy()).max() for f, m in zip(found, made, strict=True))
         apart = max(apart, *map(float, differences))
-    return apart
+        reach = max(reach, *(float(m.abs().max()) for m in made))
+    return apart, reach

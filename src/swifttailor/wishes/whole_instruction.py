@@ -8,6 +8,7 @@ words over it is believed sooner; what it all but excludes is let go, if it read
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence, Set
+from functools import cached_property
 
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.recutting.unasked import part_of
@@ -206,9 +207,18 @@ class _Chances:
     def __init__(self, whole: Mapping[Change, float]) -> None:
         self._whole = whole
 
+    @cached_property
+    def _by_label(self) -> dict[str, float]:
+        """By their names, which say no amounts; of several amounts the likeliest."""
+        found: dict[str, float] = {}
+        for change, chance in self._whole.items():
+            if isinstance(change, Step) or not isinstance(change.claim.value, str):
+                label = label_of(change)
+                found[label] = max(chance, found.get(label, 0.0))
+        return found
+
     def of(self, change: Change) -> float:
         """The likelihood of a wish, of several amounts that of the likeliest."""
         if isinstance(change, Gain) and isinstance(change.claim.value, str):
             return self._whole.get(change, 1.0)
-        label = label_of(change)
-        return max([p for c, p in self._whole.items() if label_of(c) == label], default=1.0)
+        return self._by_label.get(label_of(change), 1.0)

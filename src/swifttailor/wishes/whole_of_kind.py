@@ -11,7 +11,7 @@ from dataclasses import replace
 from math import prod
 
 from swifttailor.describing.claims import Claim
-from swifttailor.describing.differences import Change, Gain, Step
+from swifttailor.describing.differences import Change, Gain, Step, subject_of
 from swifttailor.describing.dimensions import QUANTITIES
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.wording.claim_kinds import fits_kind
@@ -40,6 +40,15 @@ _CLAIM_INSTEAD: Mapping[str, tuple[str, Mapping[str, str] | None]] = {
     "cuffs": ("leg_cuffs", None),
 }
 """Claims of which other garments have the like, and their words for it; None where these are the same."""
+_MAY_BE_ANOTHERS = frozenset(
+    [
+        *_INSTEAD,
+        *[other for some in _INSTEAD.values() for other in some],
+        *_CLAIM_INSTEAD,
+        *[other for other, _ in _CLAIM_INSTEAD.values()],
+    ]
+)
+"""What changes are about that may become others, or what others become."""
 
 
 def of_kind(whole: Mapping[Change, float], kind: str, facts: GarmentFacts) -> dict[Change, float]:
@@ -53,12 +62,14 @@ def of_kind(whole: Mapping[Change, float], kind: str, facts: GarmentFacts) -> di
     found: dict[Change, float] = {}
     joined: dict[Change, list[float]] = {}
     for change, chance in whole.items():
+        if subject_of(change) not in _MAY_BE_ANOTHERS:
+            found[change] = chance
+            continue
         had = _as_had(change, kind, facts)
         if had in found:
             joined.setdefault(had, [found[had]]).append(chance)
         else:
             found[had] = chance
-    found = {change: 1 - (1 - chance) for change, chance in found.items()}
     return found | {change: 1 - prod(1 - chance for chance in chances) for change, chances in joined.items()}
 
 

@@ -56,10 +56,8 @@ def described_as_a_whole(
         return whole.get(wish.change, 1.0) >= (DOUBTED_WORD if wish.change in said else DOUBTED)
 
     kept = [wish for wish in found if stands(wish)]
-    for change in sorted(whole, key=lambda one: -whole[one]):
-        chance = whole[change]
-        if chance < LIKELY:
-            break
+    likely = [(change, chance) for change, chance in whole.items() if chance >= LIKELY]
+    for change, chance in sorted(likely, key=lambda both: -both[1]):
         if not isinstance(change, Gain) or change.claim in never or not _fits(change.claim, kept):
             continue
         against = [w for w in kept if isinstance(w.change, Gain) and exclude(change.claim, w.change.claim)]
@@ -104,8 +102,9 @@ def _fits(claim: Claim, kept: Sequence[Wish]) -> bool:
 
 def _of_its_kind(found: Sequence[Wish], whole: Mapping[Change, float]) -> list[Wish]:
     """Wishes with the kind of garment that the network is all but certain of in place of another."""
-    kind = max((change for change in whole if _is_kind(change)), key=lambda c: whole[c], default=None)
-    if kind is None or whole[kind] < SURE_OF_KIND:
+    sure = [(change, chance) for change, chance in whole.items() if chance >= SURE_OF_KIND]
+    kind, _ = max(((c, p) for c, p in sure if _is_kind(c)), key=lambda both: both[1], default=(None, 0.0))
+    if kind is None:
         return list(found)
     others = [w for w in found if not _is_kind(w.change)]
     certainty = max((w.certainty for w in found if _is_kind(w.change)), default=0.0)
