@@ -105,6 +105,11 @@ def test_altogether_is_the_geometric_mean_of_who_tells(seed, names, unlike):
         np.testing.assert_allclose(shares_of(found[1])[k, values], expected, atol=1e-7)
 
 
+def test_a_network_that_reads_no_designs_is_told_of_none():
+    close_up, unlike = np.array([NUMBER["left armhole"], WHOLE]), np.array([True, False])
+    assert sees_designs(close_up, np.array([FRONT, BACK]), unlike, ()).shape == (2, 0)
+
+
 def test_without_near_looks_nothing_changes():
     whole = look(np.random.default_rng(0))["designs"]
     np.testing.assert_array_equal(with_close_designs(whole, 0, {}, PARAMETERS), whole)

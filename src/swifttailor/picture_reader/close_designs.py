@@ -59,7 +59,7 @@ def sees_designs(
     near = close_up != WHOLE
     before, behind = near & (cosine > CLEAR_COSINE), near & (cosine < -CLEAR_COSINE)
     for side, hidden in ((before, _BEHIND), (behind, _BEFORE)):
-        seen[np.ix_(side, [_begins(name, hidden) for name in parameters])] = False
+        seen[np.ix_(side, np.array([_begins(name, hidden) for name in parameters], bool))] = False
     return seen
 
 
@@ -71,7 +71,7 @@ def _tables(parameters: tuple[str, ...]) -> tuple[Mask, Mask]:
         told, hides = _TOLD[close_up.part], close_up.side < 0
         alike[number] = [_begins(name, told) and not (hides and _is_left(name)) for name in parameters]
     unlike = alike.copy()
-    left = np.array([_is_left(name) for name in parameters])
+    left = np.array([_is_left(name) for name in parameters], bool)
     for number, close_up in enumerate(CLOSE_UPS):
         if close_up.side > 0 and (alike[number] & left).any():
             unlike[number, ~left] = False
