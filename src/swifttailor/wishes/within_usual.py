@@ -22,7 +22,9 @@ BACK, SHAPED_BACK = (13.0, 6.0), (19.0, 12.0)
 WIDTH, WIDE_SQUARE = (25.5, 20.0), (27.5, 22.0)
 """The same of its width: a half of 13 cm ends in the middle of a shoulder."""
 CUFF, LEG_CUFF = (12.0, 6.0), (15.0, 7.0)
+"""The same of the length of a cuff of a sleeve, and of a leg."""
 SLIT = (24.0, 18.0)
+"""The same of the height of a slit behind."""
 _LOW = frozenset({"v", "scoop", "s-curve", "pointed", "lapel"})
 
 
@@ -35,7 +37,9 @@ class _Odd:
 
 
 _Names = frozenset[str]
+"""Of claims that are spoken of."""
 _Words = frozenset[tuple[str, str | float]]
+"""The same with their values."""
 
 
 def within_usual(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ...]:
@@ -105,10 +109,10 @@ def _cuff(sleeve: Sleeve | None) -> float:
 
 def _leg_cuffs(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None:
     legs = facts.trousers
-    if legs is None or legs.cuff is None or "leg_cuff_cm" in names or ("leg_cuffs", "deep") in words:
+    # Where nobody speaks of them there are none: `unsaid_wishes`.
+    spoken = "leg_cuffs" in names and "leg_cuff_cm" not in names and ("leg_cuffs", "deep") not in words
+    if legs is None or legs.cuff is None or not spoken:
         return None
-    if "leg_cuffs" not in names:
-        return None  # where nobody speaks of them there are none: `unsaid_wishes`
     most, cut = LEG_CUFF
     return _odd("its cuffs are very deep", legs.cuff.length, most, Gain(Claim("leg_cuff_cm", cut)))
 
