@@ -59,14 +59,14 @@ def main() -> None:
     parameters = ParameterReader.load()
     for weight in options.seen:
         reader.SEEN = weight
-        drafts = [draft(parameters, part) for _, part in shown]
-        means = summarize_patterns(drafts, [pattern for pattern, _ in shown]).aipparel
+        drafts = [draft(parameters, part) for _, _, part in shown]
+        means = summarize_patterns(drafts, [pattern for _, pattern, _ in shown]).aipparel
         rows = ", ".join(f"{name} {means[key].mean * by:.1f}" for key, (name, by) in SHOWN.items())
         print(f"seen {weight}: {rows}")
 
 
-def read(eyes: PictureReader, options: Any) -> list[tuple[Pattern, PartReading | None]]:
-    """Patterns, and what is read of the part that each covers; None where nothing is seen there."""
+def read(eyes: PictureReader, options: Any) -> list[tuple[str, Pattern, PartReading | None]]:
+    """Ids and patterns, and what is read of the part that each covers; None where nothing is seen there."""
     samples, pictures = SplitReader(options.data), LookPictures(options.data, 0, options.look, options.view)
     step = max(1, len(samples.ids) // options.limit)
     found = []
@@ -74,7 +74,7 @@ def read(eyes: PictureReader, options: Any) -> list[tuple[Pattern, PartReading |
         pattern = samples.sample(id).pattern
         covers = PARTS[Truth.of(pattern, measure_facts(pattern)).part]
         seen = eyes.read(pictures.picture(id)[1][0]).parts
-        found.append((pattern, next((one for one in seen if one.part == covers), None)))
+        found.append((id, pattern, next((one for one in seen if one.part == covers), None)))
     return found
 
 
