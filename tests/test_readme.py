@@ -8,6 +8,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -126,7 +127,8 @@ def networks(monkeypatch):
 
     from swifttailor.garment_sewer.sewer import GarmentSewer
     from swifttailor.pattern_maker.maker import PatternMaker
-    from swifttailor.tailor import tailored
+    from swifttailor.refitting import first_body
+    from swifttailor.tailor import one_pattern, tailored
 
     place = ROOT / "tests/tailor/scripted_maker.py"
     spec = importlib.util.spec_from_file_location("scripted_maker_of_the_guides", place)
@@ -137,6 +139,9 @@ def networks(monkeypatch):
     sewer = GarmentSewer.load(ROOT / "tests/garment_sewer/tiny_sewer.onnx")
     monkeypatch.setattr(PatternMaker, "load", staticmethod(lambda weights=None, threads=1: maker))
     monkeypatch.setattr(GarmentSewer, "load", staticmethod(lambda weights=None, threads=1: sewer))
+    # Loaded once for a whole process: the tests that come after are to sew with the package's own.
+    monkeypatch.setattr(one_pattern, "_tailor", cache(one_pattern._tailor.__wrapped__))
+    monkeypatch.setattr(first_body, "_sewer", cache(first_body._sewer.__wrapped__))
     monkeypatch.setattr(tailored, "PREVIEW_SIZE", (100, 60))
 
 
