@@ -67,3 +67,49 @@ def test_a_neckline_that_is_cut_back_is_usual_afterwards():
     assert len(beyond_usual([], deep.facts)) == 2
     back = alter(deep.pattern, within_usual([], deep.facts))
     assert back.open == () and within_usual([], back.facts) == ()
+
+
+@pytest.fixture(scope="module")
+def skirt():
+    return measure_facts(swifttailor.draft("circle-skirt"))
+
+
+def test_a_hem_in_points_is_levelled_unless_it_is_asked_for(skirt):
+    pointed = replace(skirt, hem=replace(skirt.hem, dip=30.0))
+    assert within_usual([], pointed) == (Gain(Claim("hem_shape", "level")),)
+    assert beyond_usual([], pointed) == ("its hem hangs in points",)
+    assert within_usual([Gain(Claim("hem_shape", "pointed"))], pointed) == ()
+
+
+def test_a_very_wide_skirt_is_narrowed_unless_it_is_asked_for(skirt):
+    wide = replace(skirt, hem=replace(skirt.hem, length=1077.0))
+    assert within_usual([], wide) == (Gain(Claim("hem_cm", 440.0)),)
+    for spoken in (Claim("hem_cm", 1077.0), Claim("skirt", "circle")):
+        assert within_usual([Gain(spoken)], wide) == ()
+
+
+def test_a_stand_collar_is_no_turtleneck():
+    high = measure_facts(swifttailor.draft("turtleneck"))
+    assert high.collar.height > 5.0
+    stand, turtleneck = (Gain(Claim("collar", kind)) for kind in ("stand", "turtleneck"))
+    assert within_usual([stand], high) == (Gain(Claim("collar_cm", 4.0)),)
+    assert within_usual([stand, turtleneck], high) == within_usual([turtleneck], high) == ()
+
+
+def test_a_straight_skirt_is_not_gathered():
+    dress = measure_facts(swifttailor.draft("fitted-dress"))
+    dress = replace(dress, skirt=replace(dress.skirt, gather=1.5))
+    straight, smooth = Gain(Claim("skirt", "straight")), Step("skirt gathers", -1, 0.5)
+    assert smooth in within_usual([straight], dress)
+    for spoken in ("gathered", "a-line"):
+        assert smooth not in within_usual([straight, Gain(Claim("skirt", spoken))], dress)
+
+
+def test_slits_that_nobody_asked_for_are_closed_where_one_is_asked_for():
+    both = alter(swifttailor.draft("fitted-skirt"), [Claim("slit", "back"), Claim("slit", "front")])
+    front = next(slit for slit in both.facts.skirt.slits if slit.place == "front")
+    asked = Gain(Claim("slit", "back"))
+    assert within_usual([asked], both.facts) == (Step("front slit", -1, front.height),)
+    assert within_usual([asked, Gain(Claim("slit", "front"))], both.facts) == ()
+    after = alter(both.pattern, [asked, *within_usual([asked], both.facts)])
+    assert [slit.place for slit in after.facts.skirt.slits] == ["back"] and after.open == ()

@@ -51,6 +51,8 @@ class Step:
         """Whether an edited garment does what is asked: the right way, by half of what is seen or more."""
         quantity = QUANTITIES[self.quantity]
         was, now = quantity.of(before), quantity.of(after)
+        if was is not None and quantity.closes and self == Step(self.quantity, -1, was):
+            return now is None
         if was is None or now is None:
             return False
         change = (now - was) * self.direction

@@ -53,6 +53,8 @@ class Dimension:
     """The same as a part of the measure; the larger counts."""
     stated: Stated | None = None
     """How it is claimed with a number; None where it is not."""
+    closes: bool = False
+    """Of something that a garment need not have: it is gone where it shrinks to 0."""
 
     @property
     def in_cm(self) -> bool:
@@ -360,10 +362,10 @@ _TABLE = (
         least=4.0,
         stated=Stated("godet_cm", 2.5, 0.1),
     ),
-    Dimension("front slit", "height of the slit in front", slit_height("front"), least=4.0),
-    Dimension("back slit", "height of the slit behind", slit_height("back"), least=4.0),
-    Dimension("left slit", "height of the slit on the left", slit_height("left"), least=4.0),
-    Dimension("right slit", "height of the slit on the right", slit_height("right"), least=4.0),
+    Dimension("front slit", "height of the slit in front", slit_height("front"), least=4.0, closes=True),
+    Dimension("back slit", "height of the slit behind", slit_height("back"), least=4.0, closes=True),
+    Dimension("left slit", "height of the slit on the left", slit_height("left"), least=4.0, closes=True),
+    Dimension("right slit", "height of the slit on the right", slit_height("right"), least=4.0, closes=True),
     Dimension("slits", "height of the highest slit", slit_height(), stated=Stated("slit_cm", 2.5, 0.08, 5.0)),
     Dimension(
         "base width",

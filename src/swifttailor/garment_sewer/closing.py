@@ -15,6 +15,7 @@ import numpy as np
 from scipy.sparse import csc_array, diags_array
 
 from swifttailor.arrays import Floats
+from swifttailor.garment_sewer.covering import cover_body
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pixels.rest_shape import flat_gradients, limit_stretch, rest_shape
 from swifttailor.garment_sewer.pixels.sewn_prior import factorized, vertices_ignoring_arms
@@ -70,11 +71,12 @@ def close_seams(
         pushed = body.push_out(vertices, ignores, settings.clearance)
         moved = pushed - vertices
         if not moved.any():
-            return vertices
+            return cover_body(mesh, vertices, body, ignores)
         # The faces around take the push as a wish as well, so that it reaches beyond the single vertex.
         target = target + moved
         vertices = solve(pull + back @ (shape.gradient @ moved) + stay[:, None] * target)
-    return body.push_out(vertices, ignores, settings.clearance, rounds=3)
+    vertices = body.push_out(vertices, ignores, settings.clearance, rounds=3)
+    return cover_body(mesh, vertices, body, ignores)
 
 
 def seam_gaps(mesh: PatternMesh, flat_positions: Floats) -> Floats:

@@ -40,9 +40,9 @@ def level_hem(pattern: Pattern) -> tuple[Pattern, str]:
         by: dict[Face, float] = {"front": facts.front - sides, "back": facts.back - sides}
         # A flared skirt hangs in points wherever its sides are not as long as its middle.
         drawn = round_hem(before) if _is_flared(before) else None
-        after = accepted(before, drawn, as_before=True) or accepted(
-            before, bend_hem(pattern, hem, by), as_before=True
-        )
+        tried = (accepted(before, one, as_before=True) for one in (drawn, bend_hem(pattern, hem, by)))
+        made = [one for one in tried if one is not None and one.facts.hem is not None]
+        after = min(made, key=lambda one: unevenness(one.facts.hem or facts), default=None)
     except SwiftTailorError:
         return pattern, ""
     if after is None or after.facts.hem is None:

@@ -21,7 +21,7 @@ from swifttailor.recutting.one_sided import (
 from swifttailor.recutting.unasked import spoken_parts, unasked
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.candidates import Candidate
-from swifttailor.tailor.reading import Wanted, altered, checked
+from swifttailor.tailor.reading import Wanted, altered, checked, facts_of
 from swifttailor.tailor.sitting import sits_badly
 from swifttailor.tailor.verdict import Verdict
 from swifttailor.wishes.loose_wholes import loosened
@@ -153,6 +153,7 @@ def _best_alteration(
         if written is not None and (wanted.unsaid or wanted.part is not None):
             written = replace(written, cuts=(*filter(None, [level]), *written.cuts))
             written = _finished(written, changes, wanted.maybe, unsaid=unsaid)
+            written = _levelled(written, (*changes, *wanted.maybe), pattern, unsaid=unsaid)
     # Of two that do as much, the one that leaves the rest as it was; but for another kind of garment.
     if recut is not None and (written is None or len(recut.open) + remade <= len(written.open)):
         return recut, True
@@ -173,14 +174,41 @@ def _finished(
         more = (*more, *well_within(asked, before.facts), *within_usual(said, before.facts))
         more = (*more, *loosened(said, before.facts))
     after = altered(pattern, (*changes, *more))
-    if after is None or not (after.cuts or level) or set(after.open) & set(changes) - set(before.open):
-        return before
-    if _is_senseless(after.facts) and not _is_senseless(before.facts):
+    if not _costs_nothing(after, before, changes):
+        # One of them spoils it: as many as can be had, one after the other.
+        after = None
+        for one in more:
+            next_to = altered(pattern if after is None else after.pattern, (*changes, one))
+            if next_to is not None and next_to.cuts and _costs_nothing(next_to, before, changes):
+                cuts = () if after is None else after.cuts
+                after = replace(next_to, cuts=(*cuts, *next_to.cuts))
+    if after is None or not (after.cuts or level):
         return before
     missing = tuple(wish for wish in after.open if wish in changes)
     return replace(
         after, open=missing, done=before.done, cuts=(*before.cuts, *filter(None, [level]), *after.cuts)
     )
+
+
+def _costs_nothing(after: Alteration | None, before: Alteration, changes: tuple[Change, ...]) -> bool:
+    """Whether what was asked for still holds."""
+    if after is None or set(after.open) & set(changes) - set(before.open):
+        return False
+    return not _is_senseless(after.facts) or _is_senseless(before.facts)
+
+
+def _levelled(taken: Alteration, said: Sequence[Change], before: Pattern, *, unsaid: bool) -> Alteration:
+    """Makes the hem level again that cutting has made uneven, where that costs nothing asked for."""
+    if not taken.cuts or not leaves_hem_unsaid(said):
+        return taken
+    if not unsaid and level_hem(before)[1]:
+        return taken  # a draft whose hem is meant to be as it is
+    pattern, level = level_hem(taken.pattern)
+    facts = facts_of(pattern) if level else None
+    kept = [wish for wish in said if isinstance(wish, Gain) and wish.holds(taken.facts, taken.facts)]
+    if facts is None or not all(wish.holds(facts, facts) for wish in kept):
+        return taken
+    return replace(taken, pattern=pattern, facts=facts, cuts=(*taken.cuts, level))
 
 
 def _refused(facts: GarmentFacts, wanted: Wanted) -> tuple[Gain, ...]:

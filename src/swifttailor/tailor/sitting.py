@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.describing.facts import GarmentFacts
 
@@ -40,6 +41,8 @@ def sits_badly(facts: GarmentFacts, said: Sequence[Change]) -> tuple[str, ...]:
     if band is not None and facts.torso is None and band.upper > body.waist_girth + LOOSE_BAND_CM:
         if not names & {"rise", "waistband"} or _plain_band(claims):
             found.append("its waistband is wider than the waist")
+        elif band.upper > body.hip_girth + LOOSE_BAND_CM and Claim("waistband", "loose") not in claims:
+            found.append("its waistband is wider than the hips")
     return tuple(found)
 
 

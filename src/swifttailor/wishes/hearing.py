@@ -14,6 +14,7 @@ from dataclasses import replace
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
+from swifttailor.wishes.deep_cuffs import without_deep_cuffs
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.lexicon_spelling import guessed_name
 from swifttailor.wishes.mentions import find_mentions
@@ -134,7 +135,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             never=never,
         )
     found = _loose_alone(_within_figures(found))
-    found = (*_without_flare(found), *_of_both_faces(text, found))
+    found = (*without_deep_cuffs(text, words, _without_flare(found)), *_of_both_faces(text, found))
     if any(claim == _BARE_ARMS for claim in never) and not any(
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve", "sleeve_cm")
         for w in found

@@ -16,6 +16,7 @@ from swifttailor.wishes.girth_targets import with_targets
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.one_arm import other_arm_kept
+from swifttailor.wishes.one_slit import closed_alone
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.sayings import plainly
 from swifttailor.wishes.spoken_amounts import share_of
@@ -193,6 +194,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
         parts = {part_of(subject_of(wish.change)) for wish in sure}
         guessed = [w for w in (*guessed, *alone) if part_of(subject_of(w.change)) not in parts]
         perhaps = tuple(dict.fromkeys([*perhaps, *[wish.change for wish in guessed]]))
+    sure = sure if facts is None else closed_alone(sure, never, facts)
     if one_leg := ONE_LEG.search(text):
         sure = [w for w in sure if subject_of(w.change) not in OF_LEGS]
         unsure, perhaps = (

@@ -15,6 +15,8 @@ LONG_SLEEVES, LONG_SLEEVES_AT_LEAST = 0.98, 0.93
 MAXI, MAXI_AT_MOST = 0.22, 0.3
 """Parts of the height of the knee at which the hem hangs."""
 FLOOR_CM, FLOOR_AT_MOST_CM = 2.5, 4.5
+BELOW_CROTCH_CM, BELOW_CROTCH_AT_MOST_CM = 16.0, 22.0
+"""Where a high slit in a long skirt begins."""
 WIDE_LEGS, WIDE_LEGS_AT_LEAST = 1.3, 1.2
 """Ends of wide legs in girths of the thigh."""
 
@@ -37,6 +39,7 @@ def well_within(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ..
         _wide_legs(words, names, facts),
         _sleeves(words, names, facts),
         _skirt(words, names, facts),
+        _high_slit(words, names, facts),
     ]
     return tuple([Gain(claim) for claim in found if claim is not None])
 
@@ -83,3 +86,15 @@ def _skirt(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
         return Claim("length_cm", round(facts.length + hem.level - level, 1)) if facts.length else None
     length = facts.length if facts.kind == "skirt" else skirt.length
     return Claim("skirt_length_cm", round(length + hem.level - level, 1))
+
+
+def _high_slit(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
+    hem, skirt = facts.hem, facts.skirt
+    if hem is None or skirt is None or not skirt.slits or "slit_cm" in names:
+        return None
+    if ("slit_size", "high") not in words or hem.level > facts.body.knee / 2:
+        return None
+    lacking = facts.body.crotch - hem.level - max(slit.height for slit in skirt.slits)
+    if lacking <= BELOW_CROTCH_AT_MOST_CM:
+        return None
+    return Claim("slit_cm", round(facts.body.crotch - hem.level - BELOW_CROTCH_CM))

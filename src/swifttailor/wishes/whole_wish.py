@@ -21,7 +21,8 @@ LIKELY = 0.5
 """Enough for what is made where it costs nothing."""
 SURE_OF_KIND = 0.95
 """Enough against the name of a garment, which may be said in passing: "loose cotton top, kimono arms"."""
-_LENGTHS = frozenset({"skirt_hem", "top_hem", "leg_hem"})
+_MADE_GLADLY = frozenset({"skirt_hem", "top_hem", "leg_hem", "waistband"})
+"""Lengths and bands: who reads them in a word is seldom wrong, and they take nothing else away."""
 DOUBTED, DOUBTED_WORD = 0.1, 0.02
 """Less than this speaks against what was read elsewhere, and against what a word of a detail means."""
 
@@ -62,7 +63,11 @@ def described_as_a_whole(
             continue
         against = [w for w in kept if isinstance(w.change, Gain) and exclude(change.claim, w.change.claim)]
         if any(
-            not known or w.change in stated or whole.get(w.change, w.certainty) >= chance for w in against
+            not known
+            or w.change in stated
+            or (w.change in named and chance < MEANT)
+            or whole.get(w.change, w.certainty) >= chance
+            for w in against
         ):
             continue
         certainty = SURENESS["certain"] if chance >= MEANT else SURENESS["likely"]
@@ -77,7 +82,7 @@ def described_as_a_whole(
 
 
 def _doubted_alone(found: Sequence[Wish], kept: Sequence[Wish], said: Collection[Change]) -> list[Wish]:
-    """Lengths that a word says and the network doubts, where nothing else is heard of how long that is.
+    """Lengths and bands that a word says and the network doubts, where nothing else is heard of these.
 
     They may be meant: they are made where that costs nothing.
     """
@@ -88,7 +93,7 @@ def _doubted_alone(found: Sequence[Wish], kept: Sequence[Wish], said: Collection
         for w in found
         if isinstance(w.change, Gain)
         and w.change in said
-        and w.change.claim.name in _LENGTHS - names
+        and w.change.claim.name in _MADE_GLADLY - names
         and not any(exclude(w.change.claim, claim) for claim in told)
         and _fits(w.change.claim, kept)
     ]

@@ -5,12 +5,13 @@ Known patterns are drawn from wide ranges, so that one which is all that was ask
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import get_args
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step
-from swifttailor.describing.facts import GarmentFacts, Neckline, Sleeve
+from swifttailor.describing.facts import GarmentFacts, Neckline, Place, Sleeve
 
 _BARE = frozenset({"shoulders", "straps"})
 _NECK = frozenset({"neck_depth", "neck_depth_cm", "left_neckline", "right_neckline", *_BARE})
@@ -25,6 +26,16 @@ CUFF, LEG_CUFF = (12.0, 6.0), (15.0, 7.0)
 """The same of the length of a cuff of a sleeve, and of a leg."""
 SLIT = (24.0, 18.0)
 """The same of the height of a slit behind."""
+TAILS_CM = 16.0
+"""So much lower than the middle of a panel its corners may hang, where nobody asks for a hem of points."""
+STAND = (5.0, 4.0)
+"""Height of a stand collar: higher ones buckle behind the neck."""
+GATHERS = (1.25, 1.0)
+"""Of a skirt at its seam, in lengths of the seam, where a straight one is asked for."""
+OTHER_SLIT_CM = 6.0
+"""Height of a slit that is not the one asked for."""
+HEM = (560.0, 440.0)
+"""Around a hem: more stands out to the sides, in folds that no network has seen."""
 _LOW = frozenset({"v", "scoop", "s-curve", "pointed", "lapel"})
 
 
@@ -57,11 +68,39 @@ def beyond_usual(said: Sequence[Change], facts: GarmentFacts) -> tuple[str, ...]
     return tuple([odd.words for odd in _all_odd(said, facts)])
 
 
+def _other_slit(place: Place) -> Callable[[_Names, _Words, GarmentFacts], _Odd | None]:
+    """Looks for a slit in one place, where one in another is asked for."""
+
+    def look(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None:
+        asked = {value for name, value in words if name == "slit"} - {"none"}
+        if facts.skirt is None or not asked or place in asked:
+            return None
+        height = max((slit.height for slit in facts.skirt.slits if slit.place == place), default=0.0)
+        return _odd("it has another slit", height, OTHER_SLIT_CM, Step(f"{place} slit", -1, height))
+
+    return look
+
+
+_SLITS = tuple([_other_slit(place) for place in get_args(Place)])
+
+
 def _all_odd(said: Sequence[Change], facts: GarmentFacts) -> list[_Odd]:
     claims = [wish.claim for wish in said if isinstance(wish, Gain)]
     words = frozenset([(c.name, c.value) for c in claims]) - _SAYS_NOTHING_MORE
     names = frozenset([name for name, _ in words])
-    looks = (_front_depth, _back_depth, _neck_width, _cuffs, _leg_cuffs, _back_slit)
+    looks = (
+        _front_depth,
+        _back_depth,
+        _neck_width,
+        _cuffs,
+        _leg_cuffs,
+        _back_slit,
+        _tails,
+        _hem,
+        _stand,
+        _gathers,
+        *_SLITS,
+    )
     return [odd for look in looks if (odd := look(names, words, facts)) is not None]
 
 
@@ -125,5 +164,42 @@ def _back_slit(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None
     return _odd("its slit is very high", high, SLIT[0], Gain(Claim("slit_cm", SLIT[1])))
 
 
+def _tails(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None:
+    hem, skirt = facts.hem, facts.skirt
+    if hem is None or skirt is None or skirt.godets or names & {"hem_shape", "godets"}:
+        return None
+    return _odd("its hem hangs in points", hem.dip, TAILS_CM, Gain(Claim("hem_shape", "level")))
+
+
+def _hem(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None:
+    hem, skirt = facts.hem, facts.skirt
+    plain = skirt is not None and skirt.tiers == 1 and not skirt.godets
+    if hem is None or not plain or "hem_cm" in names or ("skirt", "circle") in words:
+        return None
+    return _odd("its skirt is very wide", hem.length, HEM[0], Gain(Claim("hem_cm", HEM[1])))
+
+
+def _stand(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None:
+    collar = facts.collar
+    spoken = ("collar", "stand") in words and ("collar", "turtleneck") not in words
+    if collar is None or collar.kind != "stand" or "collar_cm" in names or not spoken:
+        return None
+    return _odd("its collar is very high", collar.height, STAND[0], Gain(Claim("collar_cm", STAND[1])))
+
+
+def _gathers(names: _Names, words: _Words, facts: GarmentFacts) -> _Odd | None:
+    skirt, shapes = facts.skirt, {value for name, value in words if name == "skirt"}
+    if skirt is None or facts.kind != "dress" or not shapes or not shapes <= {"straight", "pencil"}:
+        return None
+    by = round(skirt.gather - GATHERS[1], 2)
+    return _odd("its straight skirt is gathered", skirt.gather, GATHERS[0], Step("skirt gathers", -1, by))
+
+
 def _odd(words: str, measure: float, most: float, change: Change) -> _Odd | None:
     return _Odd(words, change) if measure > most else None
+
+
+_LOOKS = (
+    *(_front_depth, _back_depth, _neck_width, _cuffs, _leg_cuffs, _back_slit),
+    *(_tails, _hem, _stand, _gathers, *_SLITS),
+)

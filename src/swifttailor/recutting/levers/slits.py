@@ -137,7 +137,7 @@ def _closing(place: Place | None) -> Trick:
         stage=1,
         imagine=imagine,
         cut=lambda cutter: closed(cutter, place),
-        only_for=("slit",),
+        only_for=("slit",) if place is None else ("slit", f"{place} slit"),
     )
 
 

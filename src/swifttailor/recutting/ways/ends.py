@@ -15,6 +15,8 @@ from swifttailor.recutting.table.workbench import Workbench
 
 SHORTEST_CM = 1.5
 """What is left at least of a side seam, or of the end of a panel."""
+TURNING_CM = 8.0
+"""So far a curved side is drawn on as it ends."""
 
 
 @dataclass
@@ -189,10 +191,22 @@ def _lengthened(bench: Workbench, end: End, distance: float) -> Floats:
     leaving = curves.derivative(bench.side(end.after).edge.curve, chords[1], [0.0])[0]
     return np.array(
         [
-            chords[0][1] + distance * arriving / np.hypot(*arriving),
-            chords[1][0] - distance * leaving / np.hypot(*leaving),
+            chords[0][1] + distance * _drawn_on(arriving, chords[0], distance),
+            chords[1][0] - distance * _drawn_on(leaving, chords[1], distance),
         ]
     )
+
+
+def _drawn_on(tangent: Floats, chord: Floats, distance: float) -> Floats:
+    """Direction (2,) in which a side is drawn on, of length 1.
+
+    A side that turns outward at its end, as a trumpet skirt's, would run to the side for as far as it is
+    drawn on; further than `TURNING_CM` it takes the direction of the whole side more and more.
+    """
+    share = min(1.0, TURNING_CM / distance)
+    parts = [v / max(float(np.hypot(*v)), 1e-9) for v in (tangent, chord[1] - chord[0])]
+    along = share * parts[0] + (1 - share) * parts[1]
+    return along / max(float(np.hypot(*along)), 1e-9)
 
 
 def _insert_extensions(bench: Workbench, ends: Sequence[End]) -> None:

@@ -157,7 +157,7 @@ def _of_parts(a: Claim, b: Claim) -> bool:
     if a.name == "shoulders" and a.value == "strapless":
         if b.name in ("collar", "hood", "sleeves"):
             return b.value != "none"
-        return b.name in ("straps", "left_sleeve", "right_sleeve")
+        return b.name in ("straps", "left_sleeve", "right_sleeve", "neckline")
     if a.name == "shoulders" and a.value in ("bare left", "bare right"):
         side = str(a.value).removeprefix("bare ")
         return b.name == f"{side}_sleeve" or b == Claim("sleeves", f"{side} only")
