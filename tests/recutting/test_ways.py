@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from swifttailor.describing import measure_facts
 from swifttailor.describing.measuring.anatomy import Border
 from swifttailor.describing.measuring.parts import Part
-from swifttailor.pattern import Edge, EdgeRef, Panel, Pattern, Severity, check_pattern
+from swifttailor.pattern import Edge, EdgeRef, Panel, Pattern, Placement, Quadratic, Severity, check_pattern
+from swifttailor.pattern import curve as curves
 from swifttailor.pattern.drafts import draft
 from swifttailor.recutting.amounts.cuts import cuff_name
 from swifttailor.recutting.table.cutter import Cutter
@@ -86,6 +87,29 @@ def test_lengthening_undoes_shortening(name):
     pattern = draft(name)
     longer = move_ends(pattern, Cutter(pattern).hem, 12.0)
     same_panels(move_ends(longer, Cutter(longer).hem, -12.0), pattern)
+
+
+def trumpet(name: str, z: float) -> Panel:
+    """A skirt panel, 60 cm long, whose sides turn outward at the hem."""
+    corners = [[-35, 0], [35, 0], [22, 60], [-22, 60]]
+    left, right = (Edge(Quadratic((at, 0.3))) for at in (0.7, 0.3))
+    return Panel(name, corners, (Edge(), right, Edge(), left), Placement((0.0, 20.0, z)))
+
+
+def test_sides_that_turn_outward_are_drawn_on_down_the_skirt():
+    """Drawn on as they end, they would run to the side for as far as the skirt gets longer."""
+    pattern = Pattern((trumpet("front", 25.0),))
+    tangent = curves.derivative(pattern.panels[0].edges[1].curve, pattern.panels[0].chord(1), [0.0])[0]
+    assert abs(tangent[0]) > abs(tangent[1])
+    for distance in (4.0, 50.0):
+        edited = move_ends(pattern, [EdgeRef("front", 0)], distance)
+        (low, high) = np.sort(edited.panels[0].vertices[:, 1])[[0, -1]]
+        wide = np.ptp(edited.panels[0].vertices[:, 0]) - 70.0
+        assert high == 60.0
+        if distance < 5:
+            assert wide / 2 > -low  # a little: as it ends
+        else:
+            assert -low > 40.0 and wide / 2 < 30.0
 
 
 @pytest.mark.parametrize("distance", [3.0, -2.0, -8.0])

@@ -263,3 +263,27 @@ def test_one_leg_is_a_fault_unless_it_was_asked_for():
     assert fit(written(one_leg), wanted([asked])).verdict.one_sided == ()
     assert fit(written(one_leg), wanted(edit=one_leg)).verdict.one_sided == ()
     assert fit(written(trousers), wanted()).verdict.one_sided == ()
+
+
+def test_a_hem_that_cutting_makes_uneven_is_made_level_again():
+    """A circle skirt that is gathered at its seam: its sides get longer than its middle."""
+    gathered = Gain(Claim("skirt", "gathered"))
+    draft = swifttailor.draft("strapless-dress")
+    alone = alter_it(draft, [gathered]).facts.hem
+    fitted = fit(written(draft), wanted([Wish(gathered, 0.97)], unsaid=True), drafted=True)
+    after = measure_facts(fitted.pattern)
+    assert alone.dip > 8.0 and abs(after.hem.dip) < 4.0
+    assert after.skirt.gather > 1.25 and any("level" in cut for cut in fitted.cuts)
+    pointed = Wish(Gain(Claim("hem_shape", "pointed")), 0.97)
+    asked = fit(written(draft), wanted([Wish(gathered, 0.97), pointed], unsaid=True), drafted=True)
+    assert measure_facts(asked.pattern).hem.dip > 8.0
+
+
+def test_what_can_be_had_of_what_goes_without_saying_is_done(shirt):
+    """One thing that spoils what is asked for does not keep the others from being cut."""
+    asked = Wish(Gain(Claim("top_hem", "hip")), 0.97)
+    likely = [Wish(Gain(Claim("kind", "dress")), 0.85), Wish(Gain(Claim("sleeves", "long")), 0.85)]
+    fitted = fit(written(shirt), wanted([asked], likely=likely, unsaid=True))
+    facts = measure_facts(fitted.pattern)
+    assert facts.kind == "top" and Claim("top_hem", "hip").holds(facts)
+    assert Claim("sleeves", "long").holds(facts)

@@ -47,3 +47,11 @@ def test_a_band_that_is_wider_than_the_waist_is_told_unless_it_is_asked_for(said
     wide = replace(facts, waistband=replace(facts.waistband, upper=facts.body.waist_girth + 12.0))
     found = sits_badly(wide, [Gain(Claim(*one)) for one in said])
     assert found == (("its waistband is wider than the waist",) if badly else ())
+
+
+def test_a_low_band_lies_on_the_hips():
+    facts = measure_facts(swifttailor.draft("fitted-skirt"))
+    wide = replace(facts, waistband=replace(facts.waistband, upper=facts.body.hip_girth + 50.0))
+    low, loose = Gain(Claim("rise", "low")), Gain(Claim("waistband", "loose"))
+    assert sits_badly(wide, [low]) == ("its waistband is wider than the hips",)
+    assert sits_badly(wide, [low, loose]) == ()
