@@ -126,5 +126,6 @@ def test_cloth_bridges_the_cleft_of_the_seat(body_distance):
     covered = cover_body(mesh, sunk, body_distance, ignores)
     before, after = (depths(mesh, x, body_distance)[0] for x in (sunk, covered))
     assert before.max() > 3.0 and after.max() < 0.15 and after.sum() < 0.03 * before.sum()
-    still = cover_body(mesh, covered, body_distance, ignores)
-    assert np.abs(still - covered).max() < 0.1
+    again = cover_body(mesh, covered, body_distance, ignores)
+    assert (np.abs(again - covered).max(axis=1) > 0.05).mean() < 0.01
+    assert depths(mesh, again, body_distance)[0].max() <= after.max()
