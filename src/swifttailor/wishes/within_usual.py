@@ -21,7 +21,7 @@ FRONT, LOW_FRONT = (20.0, 14.0), (23.0, 18.0)
 """Depth of a neckline, cm: what is too much, and what it is cut to; and of shapes that are low by nature."""
 BACK, SHAPED_BACK = (13.0, 6.0), (19.0, 12.0)
 WIDTH, WIDE_SQUARE, AT_THE_NECK = (25.5, 20.0), (27.5, 22.0), (20.0, 17.0)
-"""The same of its width: a half of 13 cm ends in the middle of a shoulder; and where the neck is to be high."""
+"""The same of its width: a half of 13 cm ends in the middle of a shoulder; and of a high neck."""
 CUFF, LEG_CUFF = (12.0, 6.0), (15.0, 7.0)
 """The same of the length of a cuff of a sleeve, and of a leg."""
 SLIT = (24.0, 18.0)
