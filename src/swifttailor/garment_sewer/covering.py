@@ -30,7 +30,7 @@ def cover_body(mesh: PatternMesh, vertices: Floats, body: BodyDistance, ignores_
         ignores_arms: (v,) whether each vertex passes through the arms.
 
     Returns:
-        (v, 3)
+        (v, 3) cm.
     """
     vertices, edges = vertices.copy(), _edges(mesh)
     for _ in range(ROUNDS):

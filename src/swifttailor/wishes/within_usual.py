@@ -88,20 +88,7 @@ def _all_odd(said: Sequence[Change], facts: GarmentFacts) -> list[_Odd]:
     claims = [wish.claim for wish in said if isinstance(wish, Gain)]
     words = frozenset([(c.name, c.value) for c in claims]) - _SAYS_NOTHING_MORE
     names = frozenset([name for name, _ in words])
-    looks = (
-        _front_depth,
-        _back_depth,
-        _neck_width,
-        _cuffs,
-        _leg_cuffs,
-        _back_slit,
-        _tails,
-        _hem,
-        _stand,
-        _gathers,
-        *_SLITS,
-    )
-    return [odd for look in looks if (odd := look(names, words, facts)) is not None]
+    return [odd for look in _LOOKS if (odd := look(names, words, facts)) is not None]
 
 
 def _whole(neck: Neckline | None) -> bool:
