@@ -21,7 +21,7 @@ from machine import describe
 from swifttailor.body import Body
 from swifttailor.data.geometry_images import GeometryImages, draw
 from swifttailor.data.reader import SplitReader
-from swifttailor.data.renders import draw_look, plain_look, random_look
+from swifttailor.looks import draw_look, plain_look, random_look
 from swifttailor.panel_mesh import mesh_pattern
 
 

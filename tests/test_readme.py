@@ -48,8 +48,8 @@ def draw_worn(garment: swifttailor.Garment, path: str) -> None:
     """A picture of somebody who wears a garment."""
     from PIL import Image
 
-    from swifttailor.data.renders.draw import draw_look
-    from swifttailor.data.renders.plain_look import plain_look
+    from swifttailor.looks.draw import draw_look
+    from swifttailor.looks.plain_look import plain_look
 
     Image.fromarray(draw_look(garment, swifttailor.Body.default(), plain_look(), 320)).save(path)
 

@@ -8,15 +8,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from swifttailor.body import Body
-from swifttailor.data.renders import Look, draw_look, draw_seen, random_look
 from swifttailor.data.renders.backdrops import Scenery, backdrop
 from swifttailor.data.renders.camera_effects import CameraEffects, random_effects
 from swifttailor.data.renders.cloths import random_cloth
-from swifttailor.data.renders.draw import ClothMesh
 from swifttailor.data.renders.foreground import random_before
-from swifttailor.data.renders.look import View
 from swifttailor.draping import drape
 from swifttailor.garment.garment import Garment
+from swifttailor.looks import Look, draw_look, draw_seen, random_look
+from swifttailor.looks.draw import ClothMesh
+from swifttailor.looks.look import View
 from swifttailor.pattern.drafts import draft
 from swifttailor.render import Plain
 

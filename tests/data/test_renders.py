@@ -11,14 +11,14 @@ from sample_makers import COARSE, make_quickly, run_here
 from swifttailor.body import Body
 from swifttailor.data.builder import build_split
 from swifttailor.data.reader import SplitReader
-from swifttailor.data.renders import Look, draw_look, plain_look, random_look
-from swifttailor.data.renders.draw import draw_body
 from swifttailor.data.renders.files import RenderSettings, SplitRenders
-from swifttailor.data.renders.look import VIEWS, View
-from swifttailor.data.renders.plain_look import plain_camera
 from swifttailor.draping import drape
 from swifttailor.errors import InputError
 from swifttailor.garment.garment import Garment
+from swifttailor.looks import Look, draw_look, plain_look, random_look
+from swifttailor.looks.draw import draw_body
+from swifttailor.looks.look import VIEWS, View
+from swifttailor.looks.plain_look import plain_camera
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.pattern_list import read_patterns
 from swifttailor.render import Plain

@@ -352,10 +352,12 @@ def test_plain_pictures_are_read_by_the_network_that_knows_them_as_well(border, 
         picture[300:340, :20] = 0
     if border == "a place":
         picture[:, :200] = 90
-    (part,) = PictureReader(others, 64, said, {}, plain=plain).read(picture).parts
+    read = PictureReader(others, 64, said, {}, plain=plain).read(picture)
+    (part,) = read.parts
     asked = border != "a place"
     assert bool(opened) == asked and bool(own.guesses) == asked
     is_plain = asked and known
+    assert read.is_plain == is_plain
     said_of = {(s.claim.name, s.claim.value): s.certainty for s in part.statements}
     assert abs(said_of["skirt_hem", "knee"] - 1 / (1 + np.exp(-(2.0 if is_plain else 1.0)))) < 1e-6
     # Of a picture that is none, hoods are believed less.

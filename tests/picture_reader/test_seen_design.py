@@ -28,6 +28,11 @@ def test_values_that_a_parameter_has_not_do_not_count():
     assert np.allclose(seen.shares[0], [0.25, 0.75]) and np.allclose(seen.shares[1], 1 / 3)
 
 
+def test_of_numbers_the_middle_is_told():
+    ranges = (np.array([0.9, 0.1]), np.array([0.5, 0.0, 0.5]))
+    assert SeenDesign((BOTTOM, LENGTH), ranges).middles() == {"pencil-skirt.length": 1.0}
+
+
 def test_several_pictures_count_alike():
     one = SeenDesign((BOTTOM,), (np.array([0.9, 0.1]),))
     other = SeenDesign((BOTTOM,), (np.array([0.1, 0.9]),))

@@ -38,9 +38,14 @@ class Seeing:
     """Answers with the next of its readings each time, and with the last from then on."""
 
     def __init__(
-        self, *readings: tuple[PartReading, ...], figures: Figures = "one", cells: SeenCells | None = None
+        self,
+        *readings: tuple[PartReading, ...],
+        figures: Figures = "one",
+        cells: SeenCells | None = None,
+        is_plain: bool = False,
+        azimuth: float = 0.0,
     ) -> None:
-        self.cells = cells
+        self.cells, self.is_plain, self.camera = cells, is_plain, Camera(azimuth=azimuth)
         self.card = {"model": "PictureReader", "parameters": 5}
         self.readings, self.figures = list(readings), figures
         self.shown: list[np.ndarray] = []
@@ -54,4 +59,5 @@ class Seeing:
             mask = np.zeros((height, width), np.float32)
             mask[: round(height * float(part.mask[0, 0]))] = 1
             found.append(replace(part, mask=mask, cells=self.cells))
-        return PictureReading(tuple(found), Camera(), (0, 0, width, height), self.figures, 0.9)
+        box = 0, 0, width, height
+        return PictureReading(tuple(found), self.camera, box, self.figures, 0.9, self.is_plain)

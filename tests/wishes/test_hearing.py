@@ -396,3 +396,11 @@ def test_a_figure_for_sleeves_leaves_no_word_for_their_length(reader):
     heard = hear_description("top with sleeves, sleeve 60 cm", reader)
     assert Claim("sleeve_cm", 60.0) in claims(heard.sure)
     assert not {Claim("sleeves", "short"), Claim("sleeves", "cap")} & claims((*heard.sure, *heard.likely))
+
+
+@pytest.mark.parametrize(("text", "unread"), [("a skirt with 2 slits", ()), ("a skirt with 3 slits", ("3",))])
+def test_slits_that_are_counted_are_no_gores(reader, text, unread):
+    heard = hear_description(text, reader)
+    claims = {w.change.claim.name for w in (*heard.sure, *heard.likely) if isinstance(w.change, Gain)}
+    assert "slit" in claims and "gores" not in claims
+    assert heard.unread == unread

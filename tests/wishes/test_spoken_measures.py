@@ -31,6 +31,13 @@ def stated(text, kind):
         ("Flare the hem to 320 cm", "skirt", {"hem_cm": 320}),
         ("Rock, Länge 65 cm", "skirt", {"skirt_length_cm": 65}),
         ("between 60 and 70 cm long", "skirt", {"skirt_length_cm": 65}),
+        ("trousers, 104 cm long", "trousers", {"inseam_cm": 72}),
+        ("Hose, 100 cm lang", "trousers", {"inseam_cm": 68}),
+        ("pants, 100cm", "trousers", {"inseam_cm": 68}),
+        ("shorts 40 cm long", "shorts", {"inseam_cm": 8}),
+        ("jeans, length 32", "trousers", {"inseam_cm": 81.28}),
+        ("trousers with 20 cm slits", "trousers", {"slit_cm": 20}),
+        ("a skirt with two slits", "skirt", {}),
         (
             'a jumper, 20" from underarm... no, make that 26 inches from the shoulder',
             "top",

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from swifttailor.data.garmentcodedata import GarmentCodeData, read_sample_folder
     from swifttailor.data.geometry_images import GeometryImages
     from swifttailor.data.reader import SplitReader
-    from swifttailor.data.renders import draw_look, plain_look
     from swifttailor.data.renders.files import SplitRenders
+    from swifttailor.looks import draw_look, plain_look
 
 _PUBLIC = {
     "GarmentCodeData": "garmentcodedata",

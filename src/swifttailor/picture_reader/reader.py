@@ -209,7 +209,8 @@ class PictureReader:
                     answers = as_people_wear(answers, self.parameters)
                 seen[part] = square, answers
                 waiting += [(k, *seen[part]) for k in _present(seen[part][1])]
-        return self._reading(first, whole, seen, (height, width), nearer.parameters)
+        read = self._reading(first, whole, seen, (height, width), nearer.parameters)
+        return replace(read, is_plain=nearer is not self)
 
     def _looking_nearer(self, pixels: Pixels, whole: Square) -> PictureReader:
         """Who decides about garments and looks at details: of plain pictures those who know nothing else."""

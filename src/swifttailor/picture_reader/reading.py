@@ -101,6 +101,8 @@ class PictureReading:
     figures: Figures = "one"
     """How many people there are; ``none`` where there is no garment either."""
     figures_certainty: float = 1.0
+    is_plain: bool = False
+    """Whether it looks like those of GarmentCodeData, which networks read that know no others."""
 
     @property
     def face(self) -> str:

@@ -38,6 +38,11 @@ class SeenDesign:
         rows = zip(parameters, logits.astype(np.float64), strict=True)
         return SeenDesign(parameters, tuple(_shares(row[: len(one.values)]) for one, row in rows))
 
+    def middles(self) -> dict[str, float]:
+        """Of each number the place of its mean among its ranges, from 0."""
+        rows = zip(self.parameters, self.shares, strict=True)
+        return {one.name: float(np.arange(len(row)) @ row) for one, row in rows if one.is_number}
+
     @staticmethod
     def together(seen: Sequence[SeenDesign]) -> SeenDesign:
         """Of several pictures of one garment, each counting as much as the others."""

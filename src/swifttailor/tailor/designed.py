@@ -7,7 +7,9 @@ from itertools import islice
 
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.parameter_reader.agreement import Design
 from swifttailor.parameter_reader.reader import ParameterReader
+from swifttailor.pattern import Pattern
 from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_library.nearest import Search
 from swifttailor.pattern_maker.maker import WrittenPattern
@@ -15,6 +17,7 @@ from swifttailor.picture_reader.truth import Truth
 from swifttailor.programs import DesignError, make_pattern
 from swifttailor.tailor.candidates import Candidate
 from swifttailor.tailor.reading import Wanted
+from swifttailor.tailor.second_reading import SecondReading
 
 MOST_DESIGNS = 8
 """Drafted until GarmentCode's rules accept one."""
@@ -30,13 +33,16 @@ _NOTHING_SOUGHT = (
 class DesignedCandidate:
     """The draft for one garment, or none where no design is accepted."""
 
-    def __init__(self, reader: ParameterReader, wanted: Wanted, seed: int) -> None:
+    def __init__(
+        self, reader: ParameterReader, wanted: Wanted, seed: int, second: SecondReading | None = None
+    ) -> None:
         """Drafts it.
 
         Args:
             reader: Reads design parameters.
             wanted: What is wanted.
             seed: The first seed has the likeliest design, others have others.
+            second: Corrects it; nothing does when None.
         """
         self._wanted = wanted
         self._found: list[Candidate] = []
@@ -47,6 +53,8 @@ class DesignedCandidate:
                 pattern = make_pattern(design).canonical()
             except DesignError:
                 continue
+            if second is not None:
+                design, pattern = _corrected(second, design, pattern, wanted, reader)
             self._found.append(Candidate(WrittenPattern(pattern), design=design))
             break
         self.library: PatternLibrary | None = None
@@ -70,10 +78,28 @@ class DesignedCandidate:
         return self._found[number]
 
 
+def _corrected(
+    second: SecondReading, design: Design, pattern: Pattern, wanted: Wanted, reader: ParameterReader
+) -> tuple[Design, Pattern]:
+    """A design and its draft after the second reading; as they were where that is no design."""
+    better = second.corrected(design, pattern, wanted, reader)
+    try:
+        return (design, pattern) if better == design else (better, make_pattern(better).canonical())
+    except DesignError:
+        return design, pattern
+
+
 def designed_candidates(
-    reader: ParameterReader | None, samples: Sequence[tuple[Wanted, int]]
+    reader: ParameterReader | None,
+    samples: Sequence[tuple[Wanted, int]],
+    second: SecondReading | None = None,
 ) -> list[DesignedCandidate | None]:
     """The draft for each sample; None where its pattern is to come from elsewhere.
+
+    Args:
+        reader: Reads design parameters; None where nothing is to be drafted.
+        samples: What is wanted, each with its seed.
+        second: Corrects drafts where an order does not forbid to look again.
 
     Raises:
         InputError: Only drafts of designs are asked for, and nothing is known of what is wanted.
@@ -87,5 +113,5 @@ def designed_candidates(
                 raise InputError(_NOTHING_SOUGHT)
             found.append(None)
             continue
-        found.append(DesignedCandidate(reader, wanted, seed))
+        found.append(DesignedCandidate(reader, wanted, seed, second if order.most_refined else None))
     return found

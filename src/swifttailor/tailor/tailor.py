@@ -257,6 +257,7 @@ class Tailor(Workshop):
             self.library_for(orders),
             lambda: self.pattern_library,
             self.designer_for(orders),
+            self.picture_reader if any(one.part is not None for one in wanted) else None,
         )
 
     def read(self, order: Order) -> Wanted:

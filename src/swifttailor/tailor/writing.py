@@ -18,11 +18,13 @@ from swifttailor.tailor.designed import designed_candidates
 from swifttailor.tailor.drafted import draft_candidates
 from swifttailor.tailor.fitting import cut_from, fit, from_edit
 from swifttailor.tailor.known import KNOWN_ATTEMPTS, known_candidates
+from swifttailor.tailor.looking import ReadsPictures
 from swifttailor.tailor.made_anew import anew_from_known
 from swifttailor.tailor.order import Order
 from swifttailor.tailor.protocols import PatternWriter, Sewer
 from swifttailor.tailor.reading import Wanted
 from swifttailor.tailor.refining import refined
+from swifttailor.tailor.second_reading import SecondReading
 from swifttailor.tailor.sewing import SewingOptions, prepare
 
 WARMER = 0.15
@@ -40,6 +42,7 @@ def write_patterns(
     library: PatternLibrary | None = None,
     known_to_edit: Callable[[], PatternLibrary | None] | None = None,
     designer: ParameterReader | None = None,
+    eyes: ReadsPictures | None = None,
 ) -> list[Answer | SwiftTailorError]:
     """Finds a pattern for each sample, all together, until each is sound or had its attempts.
 
@@ -60,6 +63,7 @@ def write_patterns(
         known_to_edit: Gives those that edits may be made anew from, where cutting does not lead to what is
             asked; None where they may not.
         designer: Reads design parameters to draft from; None where nothing is to be drafted so.
+        eyes: Reads drafts again as the pictures were read (`SecondReading`); None where nobody does.
 
     Returns:
         For each sample its pattern, prepared to be sewn, or why there is none.
@@ -75,7 +79,8 @@ def write_patterns(
     drafts = draft_candidates(samples)
     begun = [0 if one is None else 1 for one in drafts]
     only_drafts = [wanted.order.source in ("drafts", "designs") for wanted, _ in samples]
-    candidates, counts = _candidates(library, designer, samples, attempts)
+    second = None if eyes is None else SecondReading(sewer, eyes)
+    candidates, counts = _candidates(library, designer, samples, attempts, second)
     if library is not None or designer is not None:
         clock.stop("searching")
     tried: list[list[Answer]] = [[] for _ in samples]
@@ -144,9 +149,10 @@ def _candidates(
     designer: ParameterReader | None,
     samples: Sequence[Sample],
     attempts: int,
+    second: SecondReading | None,
 ) -> tuple[list[CandidateList | None], list[int]]:
     """For each sample what may be tried before anything is written, and how much of it is."""
-    known, designed = known_candidates(library, samples), designed_candidates(designer, samples)
+    known, designed = known_candidates(library, samples), designed_candidates(designer, samples, second)
     lists: list[CandidateList | None] = []
     counts = []
     for one, draft, (wanted, _) in zip(known, designed, samples, strict=True):

@@ -12,10 +12,10 @@ from swifttailor.arrays import Pixels
 from swifttailor.body import Body
 from swifttailor.data.index import split_folders
 from swifttailor.data.reader import SplitReader
-from swifttailor.data.renders.draw import draw_body
 from swifttailor.data.renders.files import SplitRenders
-from swifttailor.data.renders.look import VIEWS, random_look
 from swifttailor.errors import InputError
+from swifttailor.looks.draw import draw_body
+from swifttailor.looks.look import VIEWS, random_look
 from swifttailor.pattern_maker.asking.calibration import calibrate
 from swifttailor.pattern_maker.asking.confidence import Calibration
 from swifttailor.pattern_maker.maker import PatternMaker

@@ -108,7 +108,9 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     if slit is not None and (named is None or fits_kind(slit.name, named)):
         said.append(slit)
     network = [w for w in network if not _is_against_phrase(w, words)]
-    never = tuple([claim for claim in (*words.never, *_with_parts(words)) if claim not in said])
+    against = _against_names(words)
+    refused = (*words.never, *_with_parts(words), *against.values())
+    never = tuple([claim for claim in refused if claim not in said])
     never = (*never, *_other_slits(text, [*said, *[i.claim for i in words.implications]]))
     network = [w for w in network if not _is_measured(w, measures) and not _is_outdone(w, said, never)]
     network = _within_names(network, words)
@@ -127,7 +129,10 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
                 *[
                     Gain(i.claim)
                     for i in words.implications
-                    if i.mark.denied or i.claim in plainly or (i.said and is_of_places(Gain(i.claim)))
+                    if i.mark.denied
+                    or i.claim in plainly
+                    or i.claim in against
+                    or (i.said and is_of_places(Gain(i.claim)))
                 ],
             ],
             named=[Gain(i.claim) for i in words.implications if not i.said],
@@ -143,7 +148,9 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         found = (*found, Wish(Gain(Claim("sleeves", "short")), SURENESS["usual"]))
     found = of_two_arms(of_one_arm(found))
     changes = _changes(found)
-    known = " ".join([*words.sizes, *[text[m.mention.start : m.mention.end] for m in measures if m.claim]])
+    slits = len([c for c in changes if isinstance(c, Gain) and c.claim.name == "slit"])
+    heard = [m.mention for m in measures if m.claim or (not m.mention.is_length and m.mention.value <= slits)]
+    known = " ".join([*words.sizes, *[text[one.start : one.end] for one in heard]])
     unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in known]
     sure, likely = sure_wishes(found), likely_wishes(found)
     silent = unaccounted(
@@ -213,6 +220,20 @@ def _is_against_phrase(wish: Wish, words: WordReading) -> bool:
     claim = wish.change.claim
     long = [i.claim for i in words.implications if i.said and len(i.mark.word.split()) >= _PHRASE]
     return claim not in long and any(claim.name == other.name for other in long)
+
+
+def _against_names(words: WordReading) -> dict[Claim, Claim]:
+    """Shapes that nobody says because another's name speaks against them.
+
+    A quarter circle is no three quarters of one, whatever a network takes it for.
+
+    Returns:
+        By what the name says, the last of what it speaks against in the same respect.
+    """
+    implied = {i.claim for i in words.implications}
+    told = [i for i in words.implications if i.certainty == "certain" and not i.mark.denied]
+    against = [(i.claim, other) for i in told for entry in i.mark.entries for other in entry.against]
+    return {claim: other for claim, other in against if other.name == claim.name and other not in implied}
 
 
 def _with_parts(words: WordReading) -> tuple[Claim, ...]:

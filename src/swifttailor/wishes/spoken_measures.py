@@ -31,6 +31,10 @@ _RELATIVE = re.compile(
 _OFF = re.compile(r"\s*(?:off|more|less|extra|plus|minus)(?!\w)", re.IGNORECASE)
 _KNEE_CM, _SHOULDER_CM, _WAIST_CM = 45.9, 144.5, 108.8
 """Heights of the default body."""
+_CROTCH_CM = 32.0
+"""How far below the waist its crotch is."""
+_OUTSEAM = "outseam_cm"
+"""In the table what trousers measure on the outside, from the waist to the end of the legs."""
 _LEAST, _MOST = 1.1, 0.95
 _INCHES_BELOW = 40.0
 """An inseam of a smaller number without unit is in inches."""
@@ -72,7 +76,7 @@ def spoken_measures(text: str, kind: str | None) -> list[SpokenMeasure]:
     for k, mention in enumerate(numbers):
         count = _count(small, mention)
         if count is not None:
-            found.append(SpokenMeasure(mention, count))
+            found.append(count)
             continue
         said = _relative(small, mention, kind)
         if said is not None:
@@ -122,7 +126,8 @@ def _plain(said: str) -> float:
     return inner[0].value if inner else 0.0
 
 
-def _count(text: str, mention: Mention) -> Claim | None:
+def _count(text: str, mention: Mention) -> SpokenMeasure | None:
+    """A number of pieces; of what is counted and not made so, the number is nothing else's."""
     if mention.is_length:
         return None
     behind = re.match(r"[\s-]*", text[mention.end :])
@@ -132,7 +137,7 @@ def _count(text: str, mention: Mention) -> Claim | None:
         after = pattern.match(text, place)
         before = re.search(rf"(?:{pattern.pattern})\s*[,:]?\s*$", text[: mention.start])
         if (after or before) and 1 < mention.value <= 40 and mention.value == int(mention.value):
-            return Claim(claim, mention.value)
+            return SpokenMeasure(mention, None if claim == "none" else Claim(claim, mention.value))
     return None
 
 
@@ -189,11 +194,17 @@ def _said_of(
                 return Claim(
                     "skirt_length_cm" if kind == "skirt" else "length_cm", _exact(text, mention)
                 ), True
+        if alone and kind in ("trousers", "shorts") and mention.value > _CROTCH_CM:
+            return Claim("inseam_cm", round(_exact(text, mention) - _CROTCH_CM, 2)), True
         return None, False
     _, claim, _ = min(near)
     if claim == "none":
         return None, mention.is_length
     value = _exact(text, mention)
+    if claim == _OUTSEAM:
+        claim = "inseam_cm"
+        if mention.is_length or value > _INCHES_BELOW:
+            value = round(value - _CROTCH_CM, 2)
     if not mention.is_length and claim == "inseam_cm" and value < _INCHES_BELOW and kind != "shorts":
         value = round(value * CM_PER_INCH, 2)
     if claim in _LONGEST and value > _LONGEST[claim] and _HEM.search(text, start, end):
@@ -222,7 +233,7 @@ def _measures() -> list[tuple[str, frozenset[str], re.Pattern[str]]]:
             continue
         row.check_options("of")
         (claim,) = row.words
-        if claim != "none" and claim not in CLAIM_TYPES:
+        if claim not in ("none", _OUTSEAM) and claim not in CLAIM_TYPES:
             row.wrong(f"there is no claim '{claim}'.")
         kinds = frozenset(row.options.get("of", ()))
         found.append((claim, kinds, _any_of(row.texts)))

@@ -16,11 +16,11 @@ from swifttailor.body.rig import Rig, Weights
 from swifttailor.body.worn import garment_weights
 from swifttailor.data.array_cache import ArrayCache, Arrays, name_with_code
 from swifttailor.data.reader import SplitReader
-from swifttailor.data.renders.draw import ClothMesh
 from swifttailor.data.sample import Sample
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError
 from swifttailor.garment.preview import border_edges
+from swifttailor.looks.draw import ClothMesh
 from swifttailor.pattern.digest import pattern_digest
 from swifttailor.picture_reader.truth import Truth
 

@@ -17,10 +17,10 @@ from swifttailor.data.pictures.odd_scenes import draw_group, draw_nothing, unrea
 from swifttailor.data.pictures.panel_cells import panel_cells
 from swifttailor.data.pictures.scenes import VIEWS, Chance, Scene, View, Wardrobe, draw_scene
 from swifttailor.data.pictures.worn_places import worn_places
-from swifttailor.data.renders.draw import draw_seen, look_camera
-from swifttailor.data.renders.look import View as LookView
-from swifttailor.data.renders.look import random_look
-from swifttailor.data.renders.plain_look import plain_camera, plain_look
+from swifttailor.looks.draw import draw_seen, look_camera
+from swifttailor.looks.look import View as LookView
+from swifttailor.looks.look import random_look
+from swifttailor.looks.plain_look import plain_camera, plain_look
 from swifttailor.picture_reader.close_ups import ALL_PARTS, WHOLE
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS
 from swifttailor.picture_reader.view import view_of

@@ -29,7 +29,7 @@ from swifttailor.data.renders.backdrops import MAKER_NAMES, random_scenery
 from swifttailor.data.renders.camera_effects import random_effects
 from swifttailor.data.renders.cloths import DrawnCloth, Place, random_cloth, random_color
 from swifttailor.data.renders.foreground import random_before
-from swifttailor.data.renders.look import random_lighting
+from swifttailor.looks.look import random_lighting
 from swifttailor.picture_reader.close_ups import ALL_PARTS, WHOLE
 from swifttailor.picture_reader.figures import FIGURES
 from swifttailor.picture_reader.labels import MASK_STRIDE, PARTS, statement_labels

@@ -19,12 +19,12 @@ from swifttailor.atomic_files import write_text
 from swifttailor.body import Body
 from swifttailor.data.array_cache import ArrayCache, Arrays
 from swifttailor.data.reader import SplitReader
-from swifttailor.data.renders.draw import draw_look
-from swifttailor.data.renders.look import VIEWS, random_look
-from swifttailor.data.renders.plain_look import plain_look
 from swifttailor.data.sample import Sample
 from swifttailor.data.shard_file import require_checksum
 from swifttailor.errors import InputError
+from swifttailor.looks.draw import draw_look
+from swifttailor.looks.look import VIEWS, random_look
+from swifttailor.looks.plain_look import plain_look
 from swifttailor.output_folder import LOCK, FolderLock
 
 FOLDER, INDEX = "renders", "renders.json"

@@ -12,9 +12,9 @@ import numpy as np
 from swifttailor.arrays import Pixels
 from swifttailor.body import Body
 from swifttailor.data.reader import SplitReader
-from swifttailor.data.renders import draw_look, random_look
 from swifttailor.data.renders.files import SplitRenders
-from swifttailor.data.renders.look import Backdrop, Look, View
+from swifttailor.looks import draw_look, random_look
+from swifttailor.looks.look import Backdrop, Look, View
 from swifttailor.render import Plain
 from swifttailor.render.numbered_sheets import write_numbered_sheets
 from swifttailor.wording.captions import write_caption

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from swifttailor.data.renders.look import Backdrop, Look, Rgb, View
+from swifttailor.looks.look import Backdrop, Look, Rgb, View
 from swifttailor.render import Camera, Light, Lighting, Plain, to_linear
 
 AZIMUTH, ELEVATION, FIELD_OF_VIEW = 20.0, 15.0, 30.0

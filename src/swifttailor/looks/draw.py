@@ -10,9 +10,9 @@ from scipy.ndimage import zoom
 
 from swifttailor.arrays import Array, Floats, Ints, Pixels
 from swifttailor.body import Body
-from swifttailor.data.renders.look import Backdrop, Look, Rgb
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.preview import border_edges
+from swifttailor.looks.look import Backdrop, Look, Rgb
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.render import Camera, LineSet, Surface, render_view
 from swifttailor.render.view import render_seen
