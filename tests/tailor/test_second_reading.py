@@ -19,7 +19,7 @@ from swifttailor.programs.read_parameter import ReadParameter
 from swifttailor.tailor import Order, Tailor, second_reading
 from swifttailor.tailor.second_reading import MOST_PLACES
 
-PICTURE = np.full((64, 64, 3), 200, np.uint8)
+PICTURE = np.full((300, 200, 3), 200, np.uint8)
 LENGTHS = tuple(round(0.3 + 0.05 * k, 2) for k in range(11))
 LENGTH = ReadParameter("pencil-skirt.length", LENGTHS, tuple(v + 0.025 for v in LENGTHS[:-1]))
 BOTTOM = ReadParameter("meta.bottom", ("PencilSkirt", "SkirtCircle"))
@@ -80,7 +80,7 @@ def test_what_is_read_otherwise_of_the_drawing_corrects_the_design(sewer, again,
     assert length_of(sewer, seeing) == place
     assert len(seeing.shown) == 2
     drawing = seeing.shown[1]
-    assert drawing.shape == (second_reading.SIZE, second_reading.SIZE, 3)
+    assert drawing.shape == (300, 300, 3), "as large as the picture"
     figure = (drawing != drawing[0, 0]).any(axis=2)
     assert 0.02 < figure.mean() < 0.6, "a figure before a plain backdrop"
 

@@ -22,6 +22,7 @@ def wished(name: str, *said: Claim) -> set[tuple[str, object]]:
 UNUSUAL = {
     "hoodie": {("hood", "none")},
     "waistcoat": {("top_hem", "hip")},
+    "bandeau": {("top_hem", "hip")},
     "bustier": {("top_hem", "hip")},
     "off-shoulder-top": {("top_hem", "hip")},
     "wrap-skirt": {("slit", "none")},

@@ -28,8 +28,8 @@ from swifttailor.tailor.reading import Wanted
 
 EDGE_CM = 3.0
 """Edge length of the mesh that is drawn."""
-SIZE = 400
-"""Pixels along each side of the drawing."""
+SMALLEST, LARGEST = 256, 800
+"""Pixels along each side of a drawing: as many as its picture has, within these."""
 MOST_PLACES = 4.0
 """No number moves by more of its ranges: a reading that is so far off saw something else."""
 BY_WORDS = 2.0
@@ -78,8 +78,9 @@ class SecondReading:
             return None
         seen = []
         for picture in wanted.pictures:
-            look = plain_look(picture.reading.face)
-            read = self.reader.read(draw_look(garment, Body.default(), look, SIZE))
+            look, size = plain_look(picture.reading.face), max(picture.pixels.shape[:2])
+            drawing = draw_look(garment, Body.default(), look, min(max(size, SMALLEST), LARGEST))
+            read = self.reader.read(drawing)
             part = "upper" if wanted.part is None else wanted.part.part
             found = next((one for one in read.parts if one.part == part), None)
             if found is None:

@@ -33,6 +33,7 @@ from swifttailor.wishes.whole_wish import described_as_a_whole
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, WordReading, exclude, read_words
 from swifttailor.wording.lexicon.conflicts import SCALES
+from swifttailor.wording.lexicon.reading import Implication
 
 SURE_OF_EVERY_WORD = 0.96
 """Enough for the network to come before the lexicon, where it leaves no word out."""
@@ -132,6 +133,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
                     if i.mark.denied
                     or i.claim in plainly
                     or i.claim in against
+                    or _is_long_name(i)
                     or (i.said and is_of_places(Gain(i.claim)))
                 ],
             ],
@@ -218,8 +220,18 @@ def _is_against_phrase(wish: Wish, words: WordReading) -> bool:
     if not isinstance(wish.change, Gain):
         return False
     claim = wish.change.claim
-    long = [i.claim for i in words.implications if i.said and len(i.mark.word.split()) >= _PHRASE]
+    long = [
+        i.claim
+        for i in words.implications
+        if _is_long_name(i) or (i.said and len(i.mark.word.split()) >= _PHRASE)
+    ]
     return claim not in long and any(claim.name == other.name for other in long)
+
+
+def _is_long_name(implied: Implication) -> bool:
+    """Whether several words name the garment, one of which alone may name another: a "dress shirt"."""
+    named = implied.claim.name == "kind" and implied.certainty == "certain" and not implied.mark.denied
+    return named and len(implied.mark.word.replace("-", " ").split()) > 1
 
 
 def _against_names(words: WordReading) -> dict[Claim, Claim]:

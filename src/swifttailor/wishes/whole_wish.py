@@ -21,8 +21,9 @@ LIKELY = 0.5
 """Enough for what is made where it costs nothing."""
 SURE_OF_KIND = 0.95
 """Enough against the name of a garment, which may be said in passing: "loose cotton top, kimono arms"."""
-_MADE_GLADLY = frozenset({"skirt_hem", "top_hem", "leg_hem", "waistband"})
-"""Lengths and bands: who reads them in a word is seldom wrong, and they take nothing else away."""
+_MADE_GLADLY = frozenset({"skirt_hem", "top_hem", "leg_hem", "waistband", "skirt", "hips"})
+"""Lengths, bands and shapes of skirts: who reads them in a word is seldom wrong, and they take nothing else
+away."""
 DOUBTED, DOUBTED_WORD = 0.1, 0.02
 """Less than this speaks against what was read elsewhere, and against what a word of a detail means."""
 
@@ -47,7 +48,7 @@ def described_as_a_whole(
         said: Wishes that words of details stand for.
         never: What the text refuses.
     """
-    found = _of_its_kind(found, whole)
+    found = _of_its_kind(found, whole, stated)
     kinds = [w.change for w in found if _is_kind(w.change)]
     known = not kinds or whole.get(kinds[0], 0.0) >= LIKELY
 
@@ -82,7 +83,7 @@ def described_as_a_whole(
 
 
 def _doubted_alone(found: Sequence[Wish], kept: Sequence[Wish], said: Collection[Change]) -> list[Wish]:
-    """Lengths and bands that a word says and the network doubts, where nothing else is heard of these.
+    """Of `_MADE_GLADLY` what a word says and the network doubts, where nothing else is heard of it.
 
     They may be meant: they are made where that costs nothing.
     """
@@ -105,8 +106,12 @@ def _fits(claim: Claim, kept: Sequence[Wish]) -> bool:
     return claim.name == "kind" or not kinds or fits_kind(claim.name, str(kinds[0]))
 
 
-def _of_its_kind(found: Sequence[Wish], whole: Mapping[Change, float]) -> list[Wish]:
+def _of_its_kind(
+    found: Sequence[Wish], whole: Mapping[Change, float], stated: Collection[Change]
+) -> list[Wish]:
     """Wishes with the kind of garment that the network is all but certain of in place of another."""
+    if any(_is_kind(w.change) and w.change in stated for w in found):
+        return list(found)
     sure = [(change, chance) for change, chance in whole.items() if chance >= SURE_OF_KIND]
     kind, _ = max(((c, p) for c, p in sure if _is_kind(c)), key=lambda both: both[1], default=(None, 0.0))
     if kind is None:

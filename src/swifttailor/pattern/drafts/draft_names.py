@@ -12,6 +12,7 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "polo-shirt": "top",
     "tank-top": "top",
     "camisole": "top",
+    "bandeau": "top",
     "bustier": "top",
     "halter-top": "top",
     "off-shoulder-top": "top",

@@ -53,6 +53,7 @@ _DRAFTS = (
     DraftInfo("polo-shirt", "Loose top with short sleeves, a collar folded down", collared.draft_polo_shirt),
     DraftInfo("tank-top", "Sleeveless top with straps", tops.draft_tank_top),
     DraftInfo("camisole", "Top on thin straps", strappy.draft_camisole),
+    DraftInfo("bandeau", "Strapless top to the waist, its upper edge straight", strappy.draft_bandeau),
     DraftInfo("bustier", "Strapless top to the waist, a heart for its upper edge", strappy.draft_bustier),
     DraftInfo(
         "halter-top", "Top held behind the neck, back and shoulders bare", bare_shoulders.draft_halter_top

@@ -69,8 +69,26 @@ class BustierOptions:
 
 def draft_bustier(options: BustierOptions, measurements: Measurements) -> Pattern:
     """Drafts the bustier for a body: its close waist holds it up."""
-    table = CuttingTable("bustier")
     bodice = StraplessBodice(options.bust_ease, options.waist_ease, options.dip)
+    return _strapless("bustier", bodice, measurements)
+
+
+@dataclass(frozen=True)
+class BandeauOptions:
+    """Options of the bandeau."""
+
+    bust_ease: StraplessEase = 1.0
+    waist_ease: HeldWaistEase = 0.0
+
+
+def draft_bandeau(options: BandeauOptions, measurements: Measurements) -> Pattern:
+    """Drafts the bandeau for a body: a bustier with a straight upper edge."""
+    bodice = StraplessBodice(options.bust_ease, options.waist_ease, dip=0.0)
+    return _strapless("bandeau", bodice, measurements)
+
+
+def _strapless(name: str, bodice: StraplessBodice, measurements: Measurements) -> Pattern:
+    table = CuttingTable(name)
     lay_strapless_bodice(table, Figure.of(measurements), bodice)
     table.mirror()
     sew_centres(table)
