@@ -125,6 +125,16 @@ def test_what_would_pass_through_itself_more_is_left_and_said(sewer, monkeypatch
     assert "passed through itself" in finishing_notes(left)[0]
 
 
+@pytest.mark.parametrize(("share", "taken"), [(0.9, True), (1.1, False)])
+def test_a_fold_may_touch_itself(sewer, monkeypatch, share, taken):
+    skirt = sewer.sew(draft("circle-skirt"), edge_length=6.0)
+    fallen = skirt.vertices - [0.0, 1.0, 0.0]
+    monkeypatch.setattr("swifttailor.draping.relax.relax", lambda one, **_: replace(one, vertices=fallen))
+    more = share * relaxing.MORE_CROSSINGS * len(skirt.mesh.faces)
+    monkeypatch.setattr(relaxing, "_crossings", lambda _, v: 5 + more * np.array_equal(v, fallen))
+    assert np.array_equal(relaxing.relaxed_where_crumpled(skirt).vertices, fallen) == taken
+
+
 def test_folds_are_of_the_scale_of_the_garment(sewer):
     pattern, factor = draft("circle-skirt"), 0.7
     default = Body.default()

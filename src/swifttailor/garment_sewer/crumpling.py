@@ -21,7 +21,7 @@ from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 
 SHORT = 0.7
 """A face is crumpled where it is shorter than this share of the flat cloth in some direction."""
-CRUMPLED = 0.35
+CRUMPLED = 0.05
 """Share of crumpled cloth from which a garment is taken for crumpled (docs/garment-sewer.md)."""
 REACH_CM = 7.0
 """What the network moves is smoothed over so many centimetres; what is finer is the coarse drape's."""

@@ -55,7 +55,7 @@ _ALL = (
     _unexpected(_UPPER, "fit", "loose,oversized", "chest_cm bodice sleeve_shape"),
     _unexpected(_UPPER, "bodice", "gathered", "fit chest_cm waist_seam"),
     _unexpected(_UPPER, "waist_seam", "dropped", "waistband"),
-    _unexpected(_TOPS, "waistband", "hem", "waistband_cm waist_seam"),
+    _unexpected(_TOPS | {"dress"}, "waistband", "hem", "waistband_cm waist_seam"),
     _unexpected(_TOPS, "skirt", "peplum", "waist_seam"),
     _unexpected(
         _SKIRTS,
