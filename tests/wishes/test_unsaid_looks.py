@@ -49,7 +49,7 @@ def test_nothing_is_unexpected_of_a_garment_of_which_nothing_is_known():
     ("kind", "unexpected", "expected"),
     [
         ("top", {"sleeve_shape=puffed", "waistband=hem", "fit=loose"}, {"legs=flared"}),
-        ("dress", {"shoulders=strapless", "back_depth=open", "skirt=godets"}, {"waistband=hem"}),
+        ("dress", {"shoulders=strapless", "skirt=godets", "waistband=hem"}, {"legs=flared"}),
         ("skirt", {"skirt=tiered"}, {"fit=loose", "sleeve_shape=puffed"}),
         ("trousers", {"legs=flared"}, {"skirt=tiered"}),
     ],
