@@ -125,6 +125,22 @@ def test_what_would_pass_through_itself_more_is_left_and_said(sewer, monkeypatch
     assert "passed through itself" in finishing_notes(left)[0]
 
 
+@pytest.mark.parametrize(
+    ("crumpled", "drop", "taken"), [(0.2, 2.0, True), (0.2, 3.0, False), (0.4, 3.0, True)]
+)
+def test_what_slips_is_left_where_it_was(sewer, monkeypatch, crumpled, drop, taken):
+    skirt = sewer.sew(draft("circle-skirt"), edge_length=6.0)
+    skirt = replace(skirt, report=skirt.report | {"sewing": {"crumpled": crumpled}})
+    fallen = skirt.vertices - [0.0, drop, 0.0]
+    report = skirt.report | {"seconds": {"relaxing": 0.1}}
+    monkeypatch.setattr(
+        "swifttailor.draping.relax.relax", lambda one, **_: replace(one, vertices=fallen, report=report)
+    )
+    left = relaxing.relaxed_where_crumpled(skirt)
+    assert np.array_equal(left.vertices, fallen if taken else skirt.vertices)
+    assert taken or "slipped" in finishing_notes(left)[0]
+
+
 @pytest.mark.parametrize(("share", "taken"), [(0.9, True), (1.1, False)])
 def test_a_fold_may_touch_itself(sewer, monkeypatch, share, taken):
     skirt = sewer.sew(draft("circle-skirt"), edge_length=6.0)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from swifttailor.arrays import Floats
 from swifttailor.body import Body
 from swifttailor.draping.fabric import Fabric
@@ -15,9 +17,14 @@ from swifttailor.progress import StageProgress
 
 VERY_CRUMPLED = 0.5
 """From this share on a garment falls for twice as long: circle skirts of more than a circle."""
+CRUMPLED_ALL_OVER = 0.35
+"""Below this share little of a garment has to move, and what slips was right before: hoods, wide necks."""
+SLIPPED_CM, UPPERMOST = 2.5, 0.1
+"""So far the uppermost tenth of the vertices may fall on average."""
 MORE_CROSSINGS = 0.01
 """So many more, per face, may an edge and a face cross than before: a fold that touches itself is better than
 cloth that is too short all over."""
+_SLIPPED = "It would have slipped down."
 _TANGLED = "It would have passed through itself far more than as it was predicted."
 
 
@@ -37,8 +44,8 @@ def relaxed_where_crumpled(
         progress: Called with the name of a stage and the share of it that is done.
 
     Returns:
-        The garment. Where the cloth went to infinity, or passes through itself in far more places than
-        before, it is as it was, and its report says so under ``not_relaxed``.
+        The garment. Where the cloth went to infinity, slipped down, or passes through itself in far more places
+        than before, it is as it was, and its report says so under ``not_relaxed``.
     """
     if not isinstance(garment, CrumpledGarment) or garment.folded is None:
         return garment
@@ -54,11 +61,20 @@ def relaxed_where_crumpled(
         relaxed = relax(folded, body=body, fabric=fabric, frames=frames, progress=progress)
     except SimulationError as error:
         return replace(garment, report=garment.report | {"not_relaxed": str(error)})
+    seconds = relaxed.report["seconds"]
+    if garment.report["sewing"]["crumpled"] < CRUMPLED_ALL_OVER and _slipped(garment, relaxed) > SLIPPED_CM:
+        return replace(garment, report=garment.report | {"not_relaxed": _SLIPPED, "seconds": seconds})
     allowed = _crossings(garment.mesh, garment.vertices) + MORE_CROSSINGS * len(garment.mesh.faces)
     if _crossings(garment.mesh, relaxed.vertices) > allowed:
-        seconds = relaxed.report["seconds"]
         return replace(garment, report=garment.report | {"not_relaxed": _TANGLED, "seconds": seconds})
     return relaxed
+
+
+def _slipped(before: Garment, after: Garment) -> float:
+    """How far the uppermost part of a garment fell, cm."""
+    heights = before.vertices[:, 1]
+    upper = heights >= np.quantile(heights, 1 - UPPERMOST)
+    return float((heights - after.vertices[:, 1])[upper].mean())
 
 
 def _crossings(mesh: PatternMesh, vertices: Floats) -> int:
