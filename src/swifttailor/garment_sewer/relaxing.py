@@ -44,8 +44,8 @@ def relaxed_where_crumpled(
         progress: Called with the name of a stage and the share of it that is done.
 
     Returns:
-        The garment. Where the cloth went to infinity, slipped down, or passes through itself in far more places
-        than before, it is as it was, and its report says so under ``not_relaxed``.
+        The garment. Where the cloth went to infinity, slipped down, or passes through itself in far more
+        places than before, it is as it was, and its report says so under ``not_relaxed``.
     """
     if not isinstance(garment, CrumpledGarment) or garment.folded is None:
         return garment
