@@ -17,6 +17,7 @@ from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.deep_cuffs import without_deep_cuffs
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.lexicon_spelling import guessed_name
+from swifttailor.wishes.long_names import against_names, is_against_phrase, is_long_name
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.one_arm import of_one_arm, of_two_arms
 from swifttailor.wishes.reader import SURE, Wish, WishReader
@@ -33,12 +34,9 @@ from swifttailor.wishes.whole_wish import described_as_a_whole
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, WordReading, exclude, read_words
 from swifttailor.wording.lexicon.conflicts import SCALES
-from swifttailor.wording.lexicon.reading import Implication
 
 SURE_OF_EVERY_WORD = 0.96
 """Enough for the network to come before the lexicon, where it leaves no word out."""
-_PHRASE = 4
-"""Words of an entry of the lexicon that is surer than anything the network reads in it."""
 _DETAIL = {"certain": SURENESS["certain"], "usual": 0.92}
 """How sure what is said of a detail is: it is asked for, whatever is usual."""
 _OF_BOTH_SIDES = {"neckline": "neckline", "sleeve": "sleeves"}
@@ -108,8 +106,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     slit = spoken_slit(text, words)
     if slit is not None and (named is None or fits_kind(slit.name, named)):
         said.append(slit)
-    network = [w for w in network if not _is_against_phrase(w, words)]
-    against = _against_names(words)
+    network = [w for w in network if not is_against_phrase(w, words)]
+    against = against_names(words)
     refused = (*words.never, *_with_parts(words), *against.values())
     never = tuple([claim for claim in refused if claim not in said])
     never = (*never, *_other_slits(text, [*said, *[i.claim for i in words.implications]]))
@@ -133,7 +131,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
                     if i.mark.denied
                     or i.claim in plainly
                     or i.claim in against
-                    or _is_long_name(i)
+                    or is_long_name(i)
                     or (i.said and is_of_places(Gain(i.claim)))
                 ],
             ],
@@ -213,39 +211,6 @@ def _of_both_faces(text: str, found: Sequence[Wish]) -> list[Wish]:
 
 def _changes(wishes: Iterable[Wish]) -> list[Change]:
     return [wish.change for wish in wishes]
-
-
-def _is_against_phrase(wish: Wish, words: WordReading) -> bool:
-    """Whether the network takes a part of a phrase for it: in "one and a half circles" a half circle."""
-    if not isinstance(wish.change, Gain):
-        return False
-    claim = wish.change.claim
-    long = [
-        i.claim
-        for i in words.implications
-        if _is_long_name(i) or (i.said and len(i.mark.word.split()) >= _PHRASE)
-    ]
-    return claim not in long and any(claim.name == other.name for other in long)
-
-
-def _is_long_name(implied: Implication) -> bool:
-    """Whether several words name the garment, one of which alone may name another: a "dress shirt"."""
-    named = implied.claim.name == "kind" and implied.certainty == "certain" and not implied.mark.denied
-    return named and len(implied.mark.word.replace("-", " ").split()) > 1
-
-
-def _against_names(words: WordReading) -> dict[Claim, Claim]:
-    """Shapes that nobody says because another's name speaks against them.
-
-    A quarter circle is no three quarters of one, whatever a network takes it for.
-
-    Returns:
-        By what the name says, the last of what it speaks against in the same respect.
-    """
-    implied = {i.claim for i in words.implications}
-    told = [i for i in words.implications if i.certainty == "certain" and not i.mark.denied]
-    against = [(i.claim, other) for i in told for entry in i.mark.entries for other in entry.against]
-    return {claim: other for claim, other in against if other.name == claim.name and other not in implied}
 
 
 def _with_parts(words: WordReading) -> tuple[Claim, ...]:

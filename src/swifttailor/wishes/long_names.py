@@ -1,0 +1,45 @@
+"""Names and phrases of several words, which networks take apart: "dress shirt", "quarter circle skirt"."""
+
+from __future__ import annotations
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.wishes.reader import Wish
+from swifttailor.wording.lexicon import WordReading
+from swifttailor.wording.lexicon.reading import Implication
+
+_PHRASE = 4
+"""Words of an entry of the lexicon that is surer than anything a network reads in it."""
+
+
+def is_against_phrase(wish: Wish, words: WordReading) -> bool:
+    """Whether the network takes a part of a phrase for it: in "one and a half circles" a half circle."""
+    if not isinstance(wish.change, Gain):
+        return False
+    claim = wish.change.claim
+    long = [
+        i.claim
+        for i in words.implications
+        if is_long_name(i) or (i.said and len(i.mark.word.split()) >= _PHRASE)
+    ]
+    return claim not in long and any(claim.name == other.name for other in long)
+
+
+def is_long_name(implied: Implication) -> bool:
+    """Whether several words name the garment, one of which alone may name another: a "dress shirt"."""
+    named = implied.claim.name == "kind" and implied.certainty == "certain" and not implied.mark.denied
+    return named and len(implied.mark.word.replace("-", " ").split()) > 1
+
+
+def against_names(words: WordReading) -> dict[Claim, Claim]:
+    """Shapes that nobody says because another's name speaks against them.
+
+    A quarter circle is no three quarters of one, whatever a network takes it for.
+
+    Returns:
+        By what the name says, the last of what it speaks against in the same respect.
+    """
+    implied = {i.claim for i in words.implications}
+    told = [i for i in words.implications if i.certainty == "certain" and not i.mark.denied]
+    against = [(i.claim, other) for i in told for entry in i.mark.entries for other in entry.against]
+    return {claim: other for claim, other in against if other.name == claim.name and other not in implied}
