@@ -13,6 +13,7 @@ from seeing import Seeing, worn
 
 from swifttailor.errors import PatternError
 from swifttailor.parameter_reader.reader import ParameterReader
+from swifttailor.pattern import Finding, Severity, check_pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.picture_reader.seen_design import SeenDesign
 from swifttailor.programs.read_parameter import ReadParameter
@@ -130,6 +131,22 @@ def test_a_draft_that_cannot_be_sewn_or_is_not_seen_stays(sewer):
     assert length_of(Torn(), eyes(FIRST, 2, is_plain=True)) == FIRST
     nothing = Seeing(eyes(FIRST).readings[0], (), is_plain=True)
     assert length_of(sewer, nothing) == FIRST and len(nothing.shown) == 2
+
+
+@pytest.mark.parametrize(("unsound", "place"), [(1, 5), (2, FIRST)])
+def test_what_cannot_be_cut_goes_half_the_way_or_stays(sewer, monkeypatch, unsound, place):
+    asked = []
+
+    def check(pattern):
+        asked.append(pattern)
+        return check_pattern(pattern) if len(asked) > unsound else (_ERROR,)
+
+    monkeypatch.setattr("swifttailor.tailor.designed.check_pattern", check)
+    assert length_of(sewer, eyes(FIRST, 2, is_plain=True)) == place
+    assert len(asked) == 2
+
+
+_ERROR = Finding("self-crossing", Severity.ERROR, "The outline crosses itself.")
 
 
 @given(st.floats(-20, 20), st.integers(0, len(LENGTHS) - 1))

@@ -9,7 +9,7 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.parameter_reader.agreement import Design
 from swifttailor.parameter_reader.reader import ParameterReader
-from swifttailor.pattern import Pattern
+from swifttailor.pattern import Pattern, Severity, check_pattern
 from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_library.nearest import Search
 from swifttailor.pattern_maker.maker import WrittenPattern
@@ -81,12 +81,15 @@ class DesignedCandidate:
 def _corrected(
     second: SecondReading, design: Design, pattern: Pattern, wanted: Wanted, reader: ParameterReader
 ) -> tuple[Design, Pattern]:
-    """A design and its draft after the second reading; as they were where that is no design."""
-    better = second.corrected(design, pattern, wanted, reader)
-    try:
-        return (design, pattern) if better == design else (better, make_pattern(better).canonical())
-    except DesignError:
-        return design, pattern
+    """A design and its draft after the second reading; as they were where nothing sound comes of it."""
+    for better in second.corrected(design, pattern, wanted, reader):
+        try:
+            drafted = make_pattern(better).canonical()
+        except DesignError:
+            continue
+        if not any(found.severity is Severity.ERROR for found in check_pattern(drafted)):
+            return better, drafted
+    return design, pattern
 
 
 def designed_candidates(

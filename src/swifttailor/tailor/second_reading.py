@@ -46,8 +46,8 @@ class SecondReading:
 
     def corrected(
         self, design: Design, pattern: Pattern, wanted: Wanted, parameters: ParameterReader
-    ) -> Design:
-        """A design with the numbers that its drawing would have to have to be read like the pictures.
+    ) -> list[Design]:
+        """Designs with the numbers that the drawing would have to have to be read like the pictures.
 
         Args:
             design: What was read of the pictures, and of words with them.
@@ -56,18 +56,19 @@ class SecondReading:
             parameters: Who read it.
 
         Returns:
-            The same where the pictures cannot be drawn alike, or the draft cannot be sewn or is not seen.
+            One, and one that goes half the way, in case the first is none that can be cut; none where the
+            pictures cannot be drawn alike, or the draft cannot be sewn or is not seen.
         """
         first = wanted.part
         if first is None or first.design is None or not can_be_drawn_alike(wanted):
-            return design
+            return []
         second = self._read_again(pattern, wanted)
         if second is None or second.design is None:
-            return design
+            return []
         was, seems = first.design.middles(), second.design.middles()
         kept = _moved_by_words(wanted, first, parameters) if wanted.said else frozenset()
         off = {name: was[name] - seems[name] for name in was.keys() & seems.keys() - kept}
-        return _moved(design, off, parameters)
+        return [_moved(design, off, parameters, share) for share in (1.0, 0.5)]
 
     def _read_again(self, pattern: Pattern, wanted: Wanted) -> PartReading | None:
         """What is read of a garment in drawings from where the pictures were taken."""
@@ -105,11 +106,14 @@ def _moved_by_words(wanted: Wanted, first: PartReading, parameters: ParameterRea
     )
 
 
-def _moved(design: Design, off: Mapping[str, float], parameters: ParameterReader) -> Design:
-    """With each number moved by so many of its ranges, to the middle of one."""
+def _moved(
+    design: Design, off: Mapping[str, float], parameters: ParameterReader, share: float = 1.0
+) -> Design:
+    """With each number moved by so many of its ranges, or a share of them, to the middle of one."""
     found = dict(design)
     for one in parameters.parameters:
         if one.is_number and one.name in found and one.name in off:
-            place = one.place_of(found[one.name]) + float(np.clip(off[one.name], -MOST_PLACES, MOST_PLACES))
-            found[one.name] = one.values[int(np.clip(round(place), 0, len(one.values) - 1))]
+            by = share * float(np.clip(off[one.name], -MOST_PLACES, MOST_PLACES))
+            place = round(one.place_of(found[one.name]) + by)
+            found[one.name] = one.values[int(np.clip(place, 0, len(one.values) - 1))]
     return found
