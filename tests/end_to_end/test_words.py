@@ -66,7 +66,7 @@ def test_a_picture_alone_and_with_words(tmp_path, shipped_patterns, capsys):
     from PIL import Image
 
     from swifttailor import Body, sew
-    from swifttailor.data import draw_look, plain_look
+    from swifttailor.looks import draw_look, plain_look
 
     seen = draw_look(
         sew(shipped_patterns["gc_1002218"]).garment, Body.default(), plain_look("front"), size=256

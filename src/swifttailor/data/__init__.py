@@ -15,16 +15,13 @@ if TYPE_CHECKING:
     from swifttailor.data.geometry_images import GeometryImages
     from swifttailor.data.reader import SplitReader
     from swifttailor.data.renders.files import SplitRenders
-    from swifttailor.looks import draw_look, plain_look
 
 _PUBLIC = {
     "GarmentCodeData": "garmentcodedata",
     "GeometryImages": "geometry_images",
     "SplitReader": "reader",
     "SplitRenders": "renders.files",
-    "draw_look": "renders",
     "geometric_pairs": "edits.pairs",
-    "plain_look": "renders",
     "read_sample_folder": "garmentcodedata",
 }
 
@@ -33,9 +30,7 @@ __all__ = [
     "GeometryImages",
     "SplitReader",
     "SplitRenders",
-    "draw_look",
     "geometric_pairs",
-    "plain_look",
     "read_sample_folder",
 ]
 

@@ -28,11 +28,15 @@ def is_against_phrase(wish: Wish, words: WordReading) -> bool:
 def is_long_name(implied: Implication) -> bool:
     """Whether several words name the garment, one of which alone may name another: a "dress shirt"."""
     named = implied.claim.name == "kind" and implied.certainty == "certain" and not implied.mark.denied
-    return named and len(implied.mark.word.replace("-", " ").split()) > 1
+    return named and _words(implied) > 1
+
+
+def _words(implied: Implication) -> int:
+    return len(implied.mark.word.replace("-", " ").split())
 
 
 def against_names(words: WordReading) -> dict[Claim, Claim]:
-    """Shapes that nobody says because another's name speaks against them.
+    """Shapes of skirts that nobody says because another's name speaks against them.
 
     A quarter circle is no three quarters of one, whatever a network takes it for.
 
@@ -40,6 +44,10 @@ def against_names(words: WordReading) -> dict[Claim, Claim]:
         By what the name says, the last of what it speaks against in the same respect.
     """
     implied = {i.claim for i in words.implications}
-    told = [i for i in words.implications if i.certainty == "certain" and not i.mark.denied]
+    told = [
+        i
+        for i in words.implications
+        if i.claim.name == "skirt" and i.certainty == "certain" and not i.mark.denied and _words(i) > 1
+    ]
     against = [(i.claim, other) for i in told for entry in i.mark.entries for other in entry.against]
     return {claim: other for claim, other in against if other.name == claim.name and other not in implied}
