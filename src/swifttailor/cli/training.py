@@ -27,7 +27,7 @@ class Training:
     out: Annotated[Path, tyro.conf.arg(metavar="RUN")] = Path("run")
     """Folder of the run; created when missing."""
     config: Annotated[str, tyro.conf.arg(metavar="NAME")] = "small"
-    """small, paper, aipparel, or a JSON file like the config.json of a run."""
+    """small, paper, one of the other names in the guides, or a JSON file like the config.json of a run."""
     set: Annotated[tuple[str, ...], tyro.conf.arg(metavar="FIELD=VALUE")] = ()
     """Values to change in the configuration."""
     resume: tyro.conf.FlagCreatePairsOff[bool] = False
