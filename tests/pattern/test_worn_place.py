@@ -39,7 +39,7 @@ def places(pattern):
 
 BARE = {
     *("bandeau", "bustier", "strapless-dress", "halter-top", "halter-dress"),
-    *("off-shoulder-top", "off-shoulder-dress"),
+    *("halter-jumpsuit", "off-shoulder-top", "off-shoulder-dress"),
 }
 """What has no shoulders may be a skirt that stands anywhere: only names tell."""
 

@@ -10,6 +10,7 @@ import swifttailor
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.describing.measuring import measure_facts
+from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.wishes.heard import HEARD_NOTHING
 from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.hearing_changes import hear_instruction
@@ -155,7 +156,7 @@ def test_who_asks_for_box_pleats_is_told_that_the_cloth_decides():
 )
 def test_bare_shoulders_begin_from_drafts_and_lack_nothing_then(text, draft):
     heard = hear_description(text, Saying())
-    assert heard.drafts == (draft,)
+    assert heard.drafts == (NamedDraft(draft),)
     assert {lack.what for lack in heard.made_as(draft).lacks} <= {"ties"}
 
 
@@ -176,7 +177,7 @@ def test_bare_shoulders_begin_from_drafts_and_lack_nothing_then(text, draft):
     ],
 )
 def test_what_overlaps_or_is_folded_begins_from_drafts(text, draft):
-    assert hear_description(text, Saying()).drafts == (draft,)
+    assert hear_description(text, Saying()).drafts == (NamedDraft(draft),)
 
 
 @pytest.mark.parametrize(
@@ -186,7 +187,7 @@ def test_what_overlaps_or_is_folded_begins_from_drafts(text, draft):
         *(
             "a blazer dress",
             "a dress with a cowl neck",
-            "a shirt with a polo collar",
+            "a jumper with a shirt collar",
             "a dress, not a wrap dress",
         ),
     ],
@@ -195,8 +196,14 @@ def test_what_only_sounds_like_them_does_not(text):
     assert hear_description(text, Saying()).drafts == ()
 
 
+def test_a_name_sets_options_of_its_draft():
+    (flares,), (bootcut,) = (hear_description(text, Saying()).drafts for text in ("flares", "bootcut jeans"))
+    assert flares == NamedDraft("flares") and bootcut.name == "flares"
+    assert 0 < dict(bootcut.options)["flare"] < 20
+
+
 def test_a_polo_neck_is_a_turtleneck():
-    assert hear_description("a polo neck", Saying()).drafts == ("turtleneck",)
+    assert hear_description("a polo neck", Saying()).drafts == (NamedDraft("turtleneck"),)
 
 
 @pytest.mark.parametrize(

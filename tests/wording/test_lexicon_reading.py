@@ -156,7 +156,7 @@ def test_long_texts_are_cut(piece):
         ("knee-length shorts", {"kind=shorts", "leg_hem=knee"}),
         ("wideleg pants", {"kind=trousers", "legs=wide"}),
         ("trousers, wide", {"legs=wide"}),
-        ("sleeveless shirt dress", {"kind=dress", "sleeves=none", "collar=stand"}),
+        ("sleeveless shirt dress", {"kind=dress", "sleeves=none", "collar=lapel"}),
         ("jersey dress", {"kind=dress"}),
         ("a jersey", {"kind=top", "sleeves=long"}),
         ("neither mini nor maxi, a dress", {"kind=dress"}),

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from swifttailor.errors import InputError
+from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.tailor.known import LEAST_CLOSE
 from swifttailor.tailor.reading import Wanted
@@ -26,19 +27,26 @@ _NOT_DRAFTED = (
 class DraftCandidate:
     """A garment that words name and a draft shows."""
 
-    name: str
+    draft: NamedDraft
     seed: int
     plain: bool
-    """Whether every option keeps its default."""
+    """Whether every option is as the words' table has it, or the draft by itself."""
+
+    @property
+    def name(self) -> str:
+        """Of the draft."""
+        return self.draft.name
 
     def take(self) -> WrittenPattern:
         """The pattern, for the default body."""
         from swifttailor.pattern.drafts import draft
 
-        options: dict[str, Any] = {} if self.plain else self._options()
+        options: dict[str, Any] = dict(self.draft.options)
+        if not self.plain:
+            options |= self._varied(options)
         return WrittenPattern(draft(self.name, **options))
 
-    def _options(self) -> dict[str, float]:
+    def _varied(self, options: dict[str, Any]) -> dict[str, float]:
         from swifttailor.pattern.drafts import find_draft
 
         chance = random.Random(self.seed)
@@ -47,8 +55,8 @@ class DraftCandidate:
             low, high = field.option.low, field.option.high
             if field.name not in VARIED or low is None or high is None:
                 continue
-            end = chance.choice([low, high])
-            value = float(field.default) + SHARE * chance.random() * (end - float(field.default))
+            end, usual = chance.choice([low, high]), float(options.get(field.name, field.default))
+            value = usual + SHARE * chance.random() * (end - usual)
             chosen[field.name] = round(value, 1)
         return chosen
 

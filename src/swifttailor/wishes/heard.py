@@ -8,7 +8,7 @@ from functools import cached_property
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
-from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, DRAFTS_SHOW
+from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, DRAFTS_SHOW, NamedDraft
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.lexicon_spelling import near_names
 from swifttailor.wishes.reader import Wish
@@ -76,11 +76,11 @@ class Heard:
         return named[0] if named else next((e.cloth for e in self._meant if e.cloth is not None), None)
 
     @cached_property
-    def drafts(self) -> tuple[str, ...]:
+    def drafts(self) -> tuple[NamedDraft, ...]:
         """Drafts that show what it names, for the kind of garment that is asked for."""
         kind = _CUT_AS.get(self.kind or "", self.kind)
-        named = [name for entry in self._meant for name in entry.drafts]
-        return tuple(dict.fromkeys([name for name in named if DRAFT_KINDS[name] == kind]))
+        named = [draft for entry in self._meant for draft in entry.drafts]
+        return tuple(dict.fromkeys([draft for draft in named if DRAFT_KINDS[draft.name] == kind]))
 
     def made_as(self, draft: str) -> Heard:
         """The same, where the garment begins from a draft: what that shows is no longer lacking."""

@@ -15,7 +15,7 @@ MEASURED = list(DraftMeasurements.__dataclass_fields__)
 WITH_BACK = {"bust": "back_width", "waist": "waist_back_width", "hips": "hip_back_width"}
 
 
-FOLDED = {"polo-shirt", "blazer"}
+FOLDED = {"polo-shirt", "shirt", "shirt-dress", "blazer"}
 """Their collars lie folded on the torso."""
 
 
@@ -38,7 +38,7 @@ def assert_sound(pattern: Pattern) -> None:
         assert outline.area > 4.0, panel.name
         lengths = [panel.edge_length(k) for k in range(len(panel.edges))]
         assert min(lengths) > 0.05, f"{panel.name}: sliver edge {lengths}"
-        back = panel.name.endswith(("_b", "_b_l", "_b_r", "_back")) or "btorso" in panel.name
+        back = panel.name.endswith(("_b", "_b_l", "_b_r", "_back", "_back_0")) or "btorso" in panel.name
         assert (panel.signed_area() < 0) == back, f"{panel.name} runs the wrong way"
         assert panel.normal() @ np.array(panel.placement.translation) >= 0, f"{panel.name} faces inward"
     sewn = [side for s in pattern.stitches for side in s.sides]

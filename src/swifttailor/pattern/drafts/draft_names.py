@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Literal
 
 DraftKind = Literal["top", "dress", "jumpsuit", "trousers", "skirt"]
@@ -10,6 +11,7 @@ DraftKind = Literal["top", "dress", "jumpsuit", "trousers", "skirt"]
 DRAFT_KINDS: Mapping[str, DraftKind] = {
     "t-shirt": "top",
     "polo-shirt": "top",
+    "shirt": "top",
     "tank-top": "top",
     "camisole": "top",
     "bandeau": "top",
@@ -19,10 +21,13 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "turtleneck": "top",
     "wrap-top": "top",
     "blazer": "top",
+    "poncho": "top",
     "waistcoat": "top",
     "hoodie": "top",
     "fitted-dress": "dress",
+    "mermaid-dress": "dress",
     "shirt-dress": "dress",
+    "skater-dress": "dress",
     "wrap-dress": "dress",
     "slip-dress": "dress",
     "strapless-dress": "dress",
@@ -32,10 +37,13 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "kaftan": "dress",
     "robe": "dress",
     "jumpsuit": "jumpsuit",
+    "halter-jumpsuit": "jumpsuit",
     "trousers": "trousers",
     "jeans": "trousers",
     "leggings": "trousers",
+    "flares": "trousers",
     "fitted-skirt": "skirt",
+    "mermaid-skirt": "skirt",
     "wrap-skirt": "skirt",
     "sarong": "skirt",
     "circle-skirt": "skirt",
@@ -44,13 +52,54 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
 }
 """What each is measured to be."""
 DRAFT_NAMES = tuple(DRAFT_KINDS)
+
+
+@dataclass(frozen=True, slots=True)
+class NamedDraft:
+    """A draft as a table names it: ``trousers(flare=24;leg_ease=6)``."""
+
+    name: str
+    """One of `DRAFT_NAMES`."""
+    options: tuple[tuple[str, float | bool | str], ...] = ()
+    """Those that are not as the draft has them by itself."""
+
+    @classmethod
+    def parse(cls, text: str) -> NamedDraft:
+        """A name, and in parentheses options with their values, semicolons between them.
+
+        Raises:
+            ValueError: It is written otherwise, or there is no such draft; the message says which.
+        """
+        name, opens, inside = text.partition("(")
+        if name not in DRAFT_NAMES:
+            raise ValueError(f"there is no draft '{name}'. Known: {', '.join(DRAFT_NAMES)}.")
+        if not opens:
+            return cls(name)
+        pairs = [one.partition("=") for one in inside.removesuffix(")").split(";")]
+        if not inside.endswith(")") or not all(field and value for field, _, value in pairs):
+            raise ValueError(f"'{text}' is not written like 'trousers(flare=24;leg_ease=6)'.")
+        return cls(name, tuple([(field, _value(value)) for field, _, value in pairs]))
+
+
+def _value(text: str) -> float | bool | str:
+    if text in ("true", "false"):
+        return text == "true"
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
 DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "pleated-skirt": ("pleats",),
     "strapless-dress": ("sweetheart",),
     "bustier": ("sweetheart",),
     "polo-shirt": ("shirt_collar", "flat_collar"),
+    "shirt": ("shirt_collar", "flat_collar"),
+    "shirt-dress": ("shirt_collar", "flat_collar"),
     "halter-top": ("halter",),
     "halter-dress": ("halter",),
+    "halter-jumpsuit": ("halter",),
     "off-shoulder-top": ("off_shoulder",),
     "off-shoulder-dress": ("off_shoulder",),
 }
@@ -58,6 +107,7 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
 DRAFTS_ARE: Mapping[str, tuple[tuple[str, str], ...]] = {
     "halter-top": (("back_depth", "open"), ("back_depth", "low"), ("straps", "narrow")),
     "halter-dress": (("back_depth", "open"), ("back_depth", "low"), ("straps", "narrow")),
+    "halter-jumpsuit": (("back_depth", "open"), ("back_depth", "low"), ("straps", "narrow")),
 }
 """Claims that are true of a draft to the eye, though not as they are measured between two shoulders."""
 _CROSSED = "Its fronts do not overlap: a seam runs where the edge of the upper one would lie."

@@ -10,6 +10,8 @@ from swifttailor.pattern.drafts.fitted_skirt import SKIRT_BACK_Z, SKIRT_FRONT_Z
 from swifttailor.pattern.drafts.joins import sew_sides
 from swifttailor.pattern.drafts.outline import Outline, annular_sector
 
+SHORTEST_FLOUNCE = 8.0
+"""Cm; shorter skirts have less of their close part."""
 LARGEST_TURN = 0.93
 """Most of a full turn that one panel may cover."""
 
@@ -36,6 +38,27 @@ def lay_flared_skirt(
         outline = annular_sector("waist", upper, lower, length, top_y)
         _lay(table, name, outline, name == "skirt_front")
     sew_sides(table, "skirt")
+
+
+def lay_flounce(table: CuttingTable, length: float, top_y: float, fraction: float) -> None:
+    """Lays ``skirt_front_0`` and ``skirt_back_0``, sews their sides, and them to the hems of the skirt above.
+
+    Edges: bottom, left_side, waist, right_side.
+
+    Args:
+        table: Where the skirt lies already, its hems called ``hem``.
+        length: Seam to hem, cm.
+        top_y: World height of the middle of the seam, cm.
+        fraction: Part of a full circle that both panels make together.
+    """
+    halves = {part: table.length(f"skirt_{part}.hem") / 2 for part in ("front", "back")}
+    radius = 2 * sum(halves.values()) / (2 * math.pi * fraction)
+    for part, half in halves.items():
+        outline = annular_sector("waist", 2 * half, 2 * half * (1 + length / radius), length, top_y)
+        _lay(table, f"skirt_{part}_0", outline, part == "front")
+        table.seam(f"skirt_{part}.hem", f"skirt_{part}_0.waist")
+    for side in ("left_side", "right_side"):
+        table.seam(f"skirt_front_0.{side}", f"skirt_back_0.{side}")
 
 
 def lay_gathered_skirt(

@@ -51,6 +51,7 @@ class DraftInfo:
 _DRAFTS = (
     DraftInfo("t-shirt", "Loose top with set-in sleeves", tops.draft_t_shirt),
     DraftInfo("polo-shirt", "Loose top with short sleeves, a collar folded down", collared.draft_polo_shirt),
+    DraftInfo("shirt", "Loose top, long sleeves with cuffs, a collar folded down", collared.draft_shirt),
     DraftInfo("tank-top", "Sleeveless top with straps", tops.draft_tank_top),
     DraftInfo("camisole", "Top on thin straps", strappy.draft_camisole),
     DraftInfo("bandeau", "Strapless top to the waist, its upper edge straight", strappy.draft_bandeau),
@@ -66,6 +67,7 @@ _DRAFTS = (
     ),
     DraftInfo("wrap-top", "V neck whose right edge runs on to the left side", wrap.draft_wrap_top),
     DraftInfo("blazer", "Shaped sides, long sleeves, deep V neck with lapels", collared.draft_blazer),
+    DraftInfo("poncho", "Wide cloth over body and arms", long_garments.draft_poncho),
     DraftInfo("waistcoat", "Sleeveless top, deep V neck, pointed front hem", tops.draft_waistcoat),
     DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", tops.draft_hoodie),
     DraftInfo(
@@ -74,9 +76,19 @@ _DRAFTS = (
         fitted_garments.draft_fitted_dress,
     ),
     DraftInfo(
+        "mermaid-dress",
+        "Sleeveless dress, close to the knee, a flounce below",
+        fitted_garments.draft_mermaid_dress,
+    ),
+    DraftInfo(
         "shirt-dress",
         "Easy bodice, sleeves with cuffs, waist seam, flared skirt",
         fitted_garments.draft_shirt_dress,
+    ),
+    DraftInfo(
+        "skater-dress",
+        "Darted bodice, waist seam, skirt cut from a circle",
+        fitted_garments.draft_skater_dress,
     ),
     DraftInfo(
         "wrap-dress",
@@ -105,10 +117,17 @@ _DRAFTS = (
         "robe", "Wide sleeves, V neck to the waist, front open from the hem up", long_garments.draft_robe
     ),
     DraftInfo("jumpsuit", "Bodice and trousers joined at the waist", fitted_garments.draft_jumpsuit),
+    DraftInfo(
+        "halter-jumpsuit",
+        "Jumpsuit held behind the neck, back and shoulders bare",
+        bare_shoulders.draft_halter_jumpsuit,
+    ),
     DraftInfo("trousers", "Long or short legs, back darts, waistband", trousers.draft_trousers),
     DraftInfo("jeans", "Slim legs, back darts, waistband", trousers.draft_jeans),
     DraftInfo("leggings", "The closest legs, high waistband", trousers.draft_leggings),
+    DraftInfo("flares", "Close to the knee, wide at the hem, waistband", trousers.draft_flares),
     DraftInfo("fitted-skirt", "Pencil or A-line skirt, waistband", skirts.draft_fitted_skirt),
+    DraftInfo("mermaid-skirt", "Close to the knee, a flounce below, waistband", skirts.draft_mermaid_skirt),
     DraftInfo("wrap-skirt", "A-line skirt, open in front beside the middle", wrap_skirts.draft_wrap_skirt),
     DraftInfo("sarong", "Long straight skirt, open in front on a slant", wrap_skirts.draft_sarong),
     DraftInfo("circle-skirt", "Part of a circle on a waistband", skirts.draft_circle_skirt),

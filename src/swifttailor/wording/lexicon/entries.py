@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from swifttailor.describing.claims import Claim
-from swifttailor.pattern.drafts.draft_names import DRAFT_NAMES
+from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.wording.claim_marks import claims_in
 from swifttailor.wording.word_tables import Dialect, Row
 
@@ -119,7 +119,7 @@ class Entry:
     """For words of other languages: the English entry that they stand for."""
     only: tuple[tuple[str, Dialect], ...] = ()
     """Words that are used, or used in this meaning, in British or American English only."""
-    drafts: tuple[str, ...] = ()
+    drafts: tuple[NamedDraft, ...] = ()
     """Drafts of `swifttailor.pattern.drafts` that show it, one for each kind of garment."""
 
     @property
@@ -182,10 +182,6 @@ def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> E
             f"of:{','.join(sorted(of - known_of))} is neither a kind nor a part. "
             f"Known: {', '.join(sorted(known_of))}."
         )
-    drafts = options.get("draft", ())
-    for name in drafts:
-        if name not in DRAFT_NAMES:
-            row.wrong(f"there is no draft '{name}'. Known: {', '.join(DRAFT_NAMES)}.")
     return Entry(
         words,
         row.section,  # ty: ignore[invalid-argument-type]
@@ -205,8 +201,15 @@ def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> E
         gloss,
         None,
         only,
-        drafts,
+        _drafts(row) if "draft" in options else (),
     )
+
+
+def _drafts(row: Row) -> tuple[NamedDraft, ...]:
+    try:
+        return tuple([NamedDraft.parse(text) for text in row.options["draft"]])
+    except ValueError as error:
+        row.wrong(str(error))
 
 
 def _with_gloss(row: Row) -> tuple[tuple[str, ...], str]:

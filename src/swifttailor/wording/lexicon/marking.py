@@ -155,20 +155,25 @@ def _numbered(parts: list[str]) -> list[str]:
 
 
 def _halves(token: Token, german: Vocabulary) -> tuple[Found, ...]:
-    """The two words that a German compound is made of, where both are known."""
+    """The two words that a German compound is made of: both known, or an unknown one before a garment."""
     word = token.word
+    garment: tuple[Found, ...] = ()
     for cut in range(_SHORTEST_HALF, len(word) - _SHORTEST_HALF + 1):
         tail = german.find([word[cut:]])
         if not tail or tail[0].entry.category in ("function", "polite", "negations", "degrees", "numbers"):
             continue
+        middle = token.start + cut
+        behind = Found(middle, token.end, word[cut:], tail, token.gap)
+        if (
+            not garment
+            and tail[0].entry.category == "garments"
+            and min(cut, len(word) - cut) > _SHORTEST_HALF
+        ):
+            garment = (Found(token.start, middle, word[:cut], (), "space"), behind)
         for link in _LINKS:
             stem = word[: cut - len(link)]
             if word[:cut].endswith(link) and len(stem) >= _SHORTEST_HALF:
                 head = german.find([stem]) or german.find([stem + "e"])
                 if head and head[0].entry.category not in ("function", "polite", "negations", "numbers"):
-                    middle = token.start + cut
-                    return (
-                        Found(token.start, middle, word[:cut], head, "space"),
-                        Found(middle, token.end, word[cut:], tail, token.gap),
-                    )
-    return ()
+                    return Found(token.start, middle, word[:cut], head, "space"), behind
+    return garment

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Literal
 
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.bodice import sew_centres
@@ -11,17 +11,21 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt
 from swifttailor.pattern.drafts.halter_bodice import HalterBodice, lay_halter_bodice, sew_strap
-from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_bodice
+from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_bodice, sew_trousers_to_bodice
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.off_shoulder_bodice import OffShoulderBodice, lay_off_shoulder_bodice
 from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
 HalterStrap = Annotated[float, Option("Width of the front at the neck, and of the strap.", "cm", 1.5, 6.0)]
 AboveUnderarm = Annotated[float, Option("Height of the upper edge over the underarm.", "cm", 3.0, 9.0)]
 BareSleeve = Annotated[float, Option("Bare shoulder tip to the sleeve's end.", "cm", 18.0, 64.0)]
 CloseArmEase = Annotated[float, Option("Room on top of the upper arm girth, all around.", "cm", 2.0, 14.0)]
+
+_CROTCH_DROP = 3.0
+"""Of a jumpsuit's crotch below the body's: the room to sit down in, cm."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +70,35 @@ def draft_halter_dress(options: HalterDressOptions, measurements: Measurements) 
     if waist is None:
         return _sewn_halter(table)
     lay_flared_skirt(table, waist, options.length, figure.waist_y - 3.0, options.skirt_fraction)
-    return _sewn_halter(table, skirt=True)
+    return _sewn_halter(table, "skirt")
+
+
+@dataclass(frozen=True)
+class HalterJumpsuitOptions:
+    """Options of the halter jumpsuit."""
+
+    chest_ease: declared.BustEase = 3.0
+    waist_ease: declared.WaistEase = 3.0
+    hip_ease: declared.HipEase = 6.0
+    neckline: declared.NeckShapeOption = "v"
+    neck_depth: declared.NeckDepth = 16.0
+    strap_width: HalterStrap = 3.5
+    length: declared.TrouserLength = 102.0
+    leg_ease: declared.LegEase = 12.0
+    flare: declared.LegFlare = 4.0
+
+
+def draft_halter_jumpsuit(options: HalterJumpsuitOptions, measurements: Measurements) -> Pattern:
+    """Drafts the halter jumpsuit for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("halter-jumpsuit")
+    neckline = Neckline(options.neckline, 0.5, options.neck_depth)
+    halter = HalterBodice(options.chest_ease, 0.0, options.strap_width, neckline, 0.0, options.waist_ease)
+    waist = lay_halter_bodice(table, figure, halter)
+    assert waist is not None
+    legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, _CROTCH_DROP)
+    lay_trousers(table, figure, legs, waist, figure.waist_y)
+    return _sewn_halter(table, "trousers")
 
 
 @dataclass(frozen=True)
@@ -107,12 +139,15 @@ def _halter(options: HalterTopOptions, waist_ease: float | None = None) -> Halte
     )
 
 
-def _sewn_halter(table: CuttingTable, *, skirt: bool = False) -> Pattern:
+def _sewn_halter(table: CuttingTable, lower: Literal["skirt", "trousers"] | None = None) -> Pattern:
     table.mirror()
     sew_centres(table)
     sew_strap(table)
-    if skirt:
+    if lower == "skirt":
         sew_skirt_to_bodice(table, SKIRT_WHOLE)
+    elif lower == "trousers":
+        sew_legs(table)
+        sew_trousers_to_bodice(table)
     return table.finish()
 
 

@@ -1,4 +1,4 @@
-"""Tops whose collar is folded down: polo shirt, blazer."""
+"""Tops whose collar is folded down: polo shirt, shirt, blazer."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.band import lay_sleeve_cuff
 from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
@@ -48,6 +49,52 @@ def draft_polo_shirt(options: PoloShirtOptions, measurements: Measurements) -> P
     )
     lay_loose_bodice(table, figure, bodice)
     lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01))
+    lay_fold_collar(table, FoldCollar(options.collar_width))
+    table.mirror()
+    sew_centres(table)
+    sew_fold_collar(table)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class ShirtOptions:
+    """Options of the shirt."""
+
+    length: declared.TopLength = 24.0
+    chest_ease: declared.ChestEase = 12.0
+    flare: declared.HemFlare = 0.0
+    neck_widening: declared.CloseNeckWidening = 0.5
+    neck_depth: Annotated[
+        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 16.0)
+    ] = 9.0
+    collar_width: Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 7.0)] = 5.5
+    armhole_drop: declared.ArmholeDrop = 3.0
+    sleeve_length: declared.SleeveLength = 60.0
+    arm_ease: declared.ArmEase = 8.0
+    sleeve_end: declared.SleeveEnd = 27.0
+    cuffs: Annotated[bool, Option("Sew cuffs to the sleeves.")] = True
+    cuff_height: declared.CuffHeight = 6.0
+    cuff_ease: declared.CuffWidth = 5.0
+
+
+def draft_shirt(options: ShirtOptions, measurements: Measurements) -> Pattern:
+    """Drafts the shirt for a body: buttoned up, so closed in front; long sleeves, its collar folded down."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("shirt")
+    bodice = LooseBodice(
+        Neckline("v", options.neck_widening, options.neck_depth, 1.5),
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        hip_ease=8.0,
+        flare=options.flare,
+    )
+    lay_loose_bodice(table, figure, bodice)
+    cuff = min(options.cuff_height, options.sleeve_length - 9.0) if options.cuffs else 0.0
+    length = options.sleeve_length - cuff
+    lay_sleeve(table, figure, Sleeve(length, options.arm_ease, options.sleeve_end, 0.01))
+    if options.cuffs:
+        lay_sleeve_cuff(table, figure, length, options.cuff_ease, cuff)
     lay_fold_collar(table, FoldCollar(options.collar_width))
     table.mirror()
     sew_centres(table)

@@ -1,4 +1,4 @@
-"""Garments with a darted bodice: fitted dress, shirt dress, jumpsuit."""
+"""Garments with a darted bodice: fitted, mermaid, skater and shirt dress, jumpsuit."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.band import lay_sleeve_cuff
 from swifttailor.pattern.drafts.bodice import sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
-from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_bodice import FittedBodice, lay_fitted_bodice
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
-from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt
+from swifttailor.pattern.drafts.flared_skirt import SHORTEST_FLOUNCE, lay_flared_skirt, lay_flounce
+from swifttailor.pattern.drafts.fold_collar import FoldCollar, lay_fold_collar, sew_fold_collar
 from swifttailor.pattern.drafts.joins import (
     SKIRT_HALVES,
     SKIRT_WHOLE,
@@ -48,8 +49,34 @@ class FittedDressOptions:
 
 def draft_fitted_dress(options: FittedDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the fitted dress for a body."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("fitted-dress")
+    figure, table = Figure.of(measurements), CuttingTable("fitted-dress")
+    _lay_fitted_dress(table, figure, options, options.skirt_length, options.skirt_flare)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class MermaidDressOptions(FittedDressOptions):
+    """Options of the mermaid dress."""
+
+    skirt_length: declared.SkirtLength = 100.0
+    skirt_flare: declared.SkirtFlare = -1.5
+    close: Annotated[float, Option("Body's waist to the seam of the flounce.", "cm", 30.0, 75.0)] = 58.0
+    fraction: Annotated[float, Option("Part of a full circle of the flounce.", "circles", 0.2, 1.0)] = 0.5
+
+
+def draft_mermaid_dress(options: MermaidDressOptions, measurements: Measurements) -> Pattern:
+    """Drafts the mermaid dress for a body: close down to the knee, a flounce cut from a circle below."""
+    figure, table = Figure.of(measurements), CuttingTable("mermaid-dress")
+    close = min(options.close, options.skirt_length - SHORTEST_FLOUNCE)
+    _lay_fitted_dress(table, figure, options, close, options.skirt_flare)
+    lay_flounce(table, options.skirt_length - close, figure.waist_y - close - 3.0, options.fraction)
+    return table.finish()
+
+
+def _lay_fitted_dress(
+    table: CuttingTable, figure: Figure, options: FittedDressOptions, length: float, flare: float
+) -> None:
+    """Lays and sews bodice and skirt; `length` is the skirt's, from the body's waist to its hem, cm."""
     neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
     bodice = FittedBodice(
         neckline, options.bust_ease, options.waist_ease, options.armhole_drop, -options.shoulder_inset
@@ -57,10 +84,8 @@ def draft_fitted_dress(options: FittedDressOptions, measurements: Measurements) 
     waist = lay_fitted_bodice(table, figure, bodice)
     table.mirror()
     sew_centres(table)
-    skirt = FittedSkirt(options.skirt_length, options.hip_ease, options.skirt_flare)
-    lay_fitted_skirt(table, figure, skirt, waist, figure.waist_y)
+    lay_fitted_skirt(table, figure, FittedSkirt(length, options.hip_ease, flare), waist, figure.waist_y)
     sew_skirt_to_bodice(table, SKIRT_HALVES)
-    return table.finish()
 
 
 @dataclass(frozen=True)
@@ -83,13 +108,23 @@ class ShirtDressOptions:
     cuffs: Annotated[bool, Option("Sew cuffs to the sleeves.")] = True
     cuff_height: declared.CuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
+    collar: Annotated[bool, Option("Fold a collar down over a V neck that is close and 7 to 16 cm deep.")] = (
+        False
+    )
+    collar_width: Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 7.0)] = 5.5
 
 
 def draft_shirt_dress(options: ShirtDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the shirt dress for a body."""
     figure = Figure.of(measurements)
     table = CuttingTable("shirt-dress")
-    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
+    if options.collar:
+        depth = min(max(options.neck_depth, 7.0), 16.0)
+        neckline = Neckline("v", min(options.neck_widening, 1.0), depth, 1.5)
+    else:
+        neckline = Neckline(
+            options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth
+        )
     bodice = FittedBodice(neckline, options.bust_ease, options.waist_ease, options.armhole_drop)
     waist = lay_fitted_bodice(table, figure, bodice)
     cuff = min(options.cuff_height, options.sleeve_length - 9.0) if options.cuffs else 0.0
@@ -99,6 +134,42 @@ def draft_shirt_dress(options: ShirtDressOptions, measurements: Measurements) ->
     lay_sleeve(table, figure, sleeve)
     if options.cuffs:
         lay_sleeve_cuff(table, figure, options.sleeve_length - cuff, options.cuff_ease, cuff)
+    if options.collar:
+        lay_fold_collar(table, FoldCollar(options.collar_width))
+    table.mirror()
+    sew_centres(table)
+    if options.collar:
+        sew_fold_collar(table)
+    lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
+    sew_skirt_to_bodice(table, SKIRT_WHOLE)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class SkaterDressOptions:
+    """Options of the skater dress."""
+
+    bust_ease: declared.BustEase = 5.0
+    waist_ease: declared.WaistEase = 3.5
+    skirt_length: declared.SkirtLength = 50.0
+    skirt_fraction: declared.CircleFraction = 0.75
+    neckline: declared.NeckShapeOption = "round"
+    neck_widening: declared.NeckWidening = 3.0
+    neck_depth: declared.NeckDepth = 11.0
+    back_neck_depth: declared.BackNeckDepth = 4.0
+    armhole_drop: declared.ArmholeDrop = 2.0
+    sleeves: declared.Sleeves = False
+    sleeve_length: declared.SleeveLength = 24.0
+    arm_ease: declared.ArmEase = 6.0
+    sleeve_end: declared.SleeveEnd = 33.0
+    cap_ease: declared.CapEase = 3.0
+
+
+def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) -> Pattern:
+    """Drafts the skater dress for a body: fit and flare, of any length."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("skater-dress")
+    waist = _lay_sleeved_bodice(table, figure, options)
     table.mirror()
     sew_centres(table)
     lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
@@ -135,13 +206,7 @@ def draft_jumpsuit(options: JumpsuitOptions, measurements: Measurements) -> Patt
     """Drafts the jumpsuit for a body."""
     figure = Figure.of(measurements)
     table = CuttingTable("jumpsuit")
-    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
-    inset = 0.0 if options.sleeves else 1.5
-    bodice = FittedBodice(neckline, options.bust_ease, options.waist_ease, options.armhole_drop, -inset)
-    waist = lay_fitted_bodice(table, figure, bodice)
-    if options.sleeves:
-        sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
-        lay_sleeve(table, figure, sleeve)
+    waist = _lay_sleeved_bodice(table, figure, options)
     legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
     lay_trousers(table, figure, legs, waist, figure.waist_y)
     table.mirror()
@@ -149,3 +214,17 @@ def draft_jumpsuit(options: JumpsuitOptions, measurements: Measurements) -> Patt
     sew_legs(table)
     sew_trousers_to_bodice(table)
     return table.finish()
+
+
+def _lay_sleeved_bodice(
+    table: CuttingTable, figure: Figure, options: SkaterDressOptions | JumpsuitOptions
+) -> Halves:
+    """Lays a bodice with sleeves, or with armholes further in; the sewn half widths of its waist."""
+    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
+    inset = 0.0 if options.sleeves else 1.5
+    bodice = FittedBodice(neckline, options.bust_ease, options.waist_ease, options.armhole_drop, -inset)
+    waist = lay_fitted_bodice(table, figure, bodice)
+    if options.sleeves:
+        sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
+        lay_sleeve(table, figure, sleeve)
+    return waist

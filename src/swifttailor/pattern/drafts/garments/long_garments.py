@@ -1,4 +1,4 @@
-"""Garments that hang from the shoulders without a waist seam: robe, kaftan, swing dress."""
+"""Garments that hang from the shoulders without a waist seam: robe, kaftan, poncho, swing dress."""
 
 from __future__ import annotations
 
@@ -23,6 +23,9 @@ WideArmEase = Annotated[float, Option("Room on top of the upper arm girth, all a
 WideSleeveEnd = Annotated[
     float, Option("Width around at the sleeve's end; at most that at the underarm.", "cm", 24.0, 80.0)
 ]
+
+_UNDER_PONCHO = 18.0
+"""How far the underarm of a poncho lies below the armpit, cm."""
 
 
 @dataclass(frozen=True)
@@ -98,6 +101,36 @@ def draft_kaftan(options: KaftanOptions, measurements: Measurements) -> Pattern:
         shoulder_extension=options.shoulder_extension,
     )
     return _with_sleeves(table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end)
+
+
+@dataclass(frozen=True)
+class PonchoOptions:
+    """Options of the poncho."""
+
+    length: declared.TopLength = 20.0
+    chest_ease: Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 16.0, 60.0)] = (
+        40.0
+    )
+    flare: declared.HemFlare = 30.0
+    neckline: declared.NeckShapeOption = "round"
+    neck_widening: declared.NeckWidening = 2.0
+    neck_depth: LongNeckDepth = 10.0
+    sleeve_length: declared.SleeveLength = 42.0
+
+
+def draft_poncho(options: PonchoOptions, measurements: Measurements) -> Pattern:
+    """Drafts the poncho for a body: body and arms under one width of cloth, which hangs from them."""
+    bodice = LooseBodice(
+        Neckline(options.neckline, options.neck_widening, options.neck_depth, 2.0),
+        options.chest_ease,
+        options.length,
+        _UNDER_PONCHO,
+        hip_ease=16.0,
+        flare=options.flare,
+        shoulder_extension=6.0,
+    )
+    figure, table = Figure.of(measurements), CuttingTable("poncho")
+    return _with_sleeves(table, figure, bodice, options.sleeve_length, 50.0, 78.0)
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Skirts on a waistband shaped to the body: fitted, cut from a circle, gathered."""
+"""Skirts on a waistband shaped to the body: fitted, with a flounce below, cut from a circle, gathered."""
 
 from __future__ import annotations
 
@@ -10,7 +10,12 @@ from swifttailor.pattern.drafts.band import lay_body_waist_band
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
-from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt, lay_gathered_skirt
+from swifttailor.pattern.drafts.flared_skirt import (
+    SHORTEST_FLOUNCE,
+    lay_flared_skirt,
+    lay_flounce,
+    lay_gathered_skirt,
+)
 from swifttailor.pattern.drafts.joins import SKIRT_HALVES, SKIRT_WHOLE, sew_skirt_to_band
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
@@ -36,6 +41,31 @@ def draft_fitted_skirt(options: FittedSkirtOptions, measurements: Measurements) 
     skirt = FittedSkirt(options.length, options.hip_ease, options.flare)
     lay_fitted_skirt(table, figure, skirt, lower, figure.waist_y - options.band_height)
     sew_skirt_to_band(table, SKIRT_HALVES)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class MermaidSkirtOptions:
+    """Options of the mermaid skirt."""
+
+    length: declared.SkirtLength = 96.0
+    close: Annotated[float, Option("Body's waist to the seam of the flounce.", "cm", 30.0, 75.0)] = 58.0
+    taper: Annotated[float, Option("Slant of the side seams inwards, above it.", "degrees", 0.0, 4.0)] = 1.5
+    fraction: Annotated[float, Option("Part of a full circle of the flounce.", "circles", 0.2, 1.0)] = 0.5
+    hip_ease: declared.HipEase = 3.0
+    band_height: declared.BandHeight = 4.0
+
+
+def draft_mermaid_skirt(options: MermaidSkirtOptions, measurements: Measurements) -> Pattern:
+    """Drafts the mermaid skirt for a body: close down to the knee, a flounce cut from a circle below."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("mermaid-skirt")
+    lower = lay_body_waist_band(table, figure, options.band_height, 0.0)
+    close = min(options.close, options.length - SHORTEST_FLOUNCE)
+    skirt = FittedSkirt(close, options.hip_ease, -options.taper)
+    lay_fitted_skirt(table, figure, skirt, lower, figure.waist_y - options.band_height)
+    sew_skirt_to_band(table, SKIRT_HALVES)
+    lay_flounce(table, options.length - close, figure.waist_y - close - 3.0, options.fraction)
     return table.finish()
 
 

@@ -1,4 +1,4 @@
-"""Trousers with back darts and a shaped waistband: any legs, slim jeans, leggings."""
+"""Trousers with back darts and a shaped waistband: any legs, slim jeans, leggings, flares."""
 
 from __future__ import annotations
 
@@ -75,6 +75,24 @@ class LeggingsOptions:
 def draft_leggings(options: LeggingsOptions, measurements: Measurements) -> Pattern:
     """Drafts leggings for a body: as close as cloth that does not stretch can be cut."""
     return _on_band("leggings", _slim_legs(options), options.band_height, 0.0, measurements)
+
+
+@dataclass(frozen=True)
+class FlaresOptions:
+    """Options of the flares."""
+
+    length: declared.TrouserLength = 103.0
+    hip_ease: declared.HipEase = 2.0
+    leg_ease: declared.LegEase = 6.0
+    flare: Annotated[float, Option("Extra width of the hem over the knee.", "cm", 8.0, 40.0)] = 26.0
+    crotch_drop: CrotchDrop = 0.5
+    band_height: declared.BandHeight = 4.0
+
+
+def draft_flares(options: FlaresOptions, measurements: Measurements) -> Pattern:
+    """Drafts flares for a body: close to the knee, and wider from there to the hem."""
+    legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
+    return _on_band("flares", legs, options.band_height, 0.0, measurements)
 
 
 def _slim_legs(options: JeansOptions | LeggingsOptions) -> Trousers:
