@@ -7,6 +7,8 @@ from dataclasses import replace
 
 from swifttailor.clock import Clock
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
+from swifttailor.garment_sewer.sewer import GarmentSewer, Prepared
+from swifttailor.garment_sewer.tightness import is_too_tight
 from swifttailor.parameter_reader.reader import ParameterReader
 from swifttailor.pattern_library.known import PatternLibrary
 from swifttailor.pattern_maker.maker import WrittenPattern
@@ -29,6 +31,7 @@ from swifttailor.tailor.sewing import SewingOptions, prepare
 
 WARMER = 0.15
 """How much higher the temperature of each attempt is than that of the one before: the likely has failed."""
+TIGHT = "it would be too tight"
 
 Sample = tuple[Wanted, int]
 """One garment that is wanted, and its seed."""
@@ -211,9 +214,20 @@ def _prepared(answer: Answer, sewer: Sewer, order: Order) -> Answer:
     if not answer.is_given:
         answer = replace(answer, pattern=replace(answer.pattern, name=order.title))
     try:
-        return prepare(sewer, answer, SewingOptions(order.edge_length))
+        answer = prepare(sewer, answer, SewingOptions(order.edge_length))
     except SwiftTailorError as error:
         return replace(answer, verdict=replace(answer.verdict, unsewable=str(error)))
+    # Pictures and patterns to edit show how tight a garment is meant to be.
+    if order.images or order.edit is not None or not _is_too_tight(answer, sewer):
+        return answer
+    odd = (*answer.verdict.beyond_usual, TIGHT)
+    return replace(answer, verdict=replace(answer.verdict, beyond_usual=odd))
+
+
+def _is_too_tight(answer: Answer, sewer: Sewer) -> bool:
+    """Whether the coarse drape shows it, where the sewer has one."""
+    hung = isinstance(sewer, GarmentSewer) and sewer.model.conditioning.prior == "hung"
+    return hung and isinstance(answer.prepared, Prepared) and is_too_tight(answer.prepared)
 
 
 def _chosen(tried: Sequence[Answer], sewer: Sewer, order: Order) -> Answer | SwiftTailorError:
