@@ -189,13 +189,13 @@ def test_a_pattern_that_cannot_be_sewn_is_written_again(sewer):
 def test_attempts_have_an_end_and_the_reason_is_told(sewer):
     maker = scripted_maker([crossed(SHIRT)])
     with pytest.raises(PatternError, match=r"None of the 3 patterns .* crosses itself .* seed than 5"):
-        Tailor.load(maker, sewer).generate("a shirt", seed=5, attempts=3)
+        Tailor.load(maker, sewer).generate("a top", seed=5, attempts=3)
     assert maker.model.runtime.asked == [1, 1, 1]
     with pytest.raises(PatternError, match="The pattern that was written cannot be sewn: self-crossing"):
-        Tailor.load(scripted_maker([crossed(SHIRT)]), sewer).generate("a shirt", temperature=0.0)
+        Tailor.load(scripted_maker([crossed(SHIRT)]), sewer).generate("a top", temperature=0.0)
     for wrong in (0, 65):
         with pytest.raises(InputError, match=f"attempts is {wrong}"):
-            Tailor.load(maker, sewer).generate("a shirt", attempts=wrong)
+            Tailor.load(maker, sewer).generate("a top", attempts=wrong)
 
 
 def test_one_that_passes_the_check_and_cannot_be_drawn_is_written_again(sewer, monkeypatch):

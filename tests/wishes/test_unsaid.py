@@ -25,6 +25,8 @@ UNUSUAL = {
     "bandeau": {("top_hem", "hip")},
     "bustier": {("top_hem", "hip")},
     "off-shoulder-top": {("top_hem", "hip")},
+    "bomber-jacket": {("top_hem", "hip")},
+    "denim-jacket": {("top_hem", "hip")},
     "wrap-skirt": {("slit", "none")},
     "sarong": {("slit", "none")},
 }

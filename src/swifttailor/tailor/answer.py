@@ -98,6 +98,11 @@ class Answer:
         return tuple([w for w in unsure if facts is None or not w.change.holds(facts, facts)])
 
     @cached_property
+    def not_usual(self) -> tuple[Wish, ...]:
+        """What the names of garments in the text usually mean and is not so."""
+        return tuple([wish for wish in self.not_done if wish.certainty >= USUAL])
+
+    @cached_property
     def not_so(self) -> tuple[tuple[str, Difference], ...]:
         """Words of a description, and what they say of the cut, where the pattern measures otherwise."""
         from swifttailor.tailor.measured_doubts import said_and_not_so
@@ -142,7 +147,7 @@ class Answer:
         wanted = self.wanted
         if wanted is None:
             return False
-        missing = any(wish.certainty >= USUAL for wish in self.not_done)
+        missing = bool(self.not_usual)
         heard = wanted.heard
         unheard = bool(heard.unread or heard.cannot or heard.unsure or heard.perhaps)
         unheard = unheard or bool(self.not_so or self.unasked) or self.moved_waist is not None

@@ -32,7 +32,7 @@ from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import says_nothing_else, unread_numbers
 from swifttailor.wishes.whole_wish import described_as_a_whole
 from swifttailor.wording.claim_kinds import fits_kind
-from swifttailor.wording.lexicon import SURENESS, WordReading, exclude, read_words
+from swifttailor.wording.lexicon import SURENESS, Implication, WordReading, exclude, read_words
 from swifttailor.wording.lexicon.conflicts import SCALES
 
 SURE_OF_EVERY_WORD = 0.96
@@ -120,6 +120,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         *[w for w in found if not _is_outdone(w, said, never) and w.change not in _changes(stated)],
     )
     if words.language == ENGLISH:
+        alone = _kind_named_alone(words)
         found = described_as_a_whole(
             found,
             reader.whole(own, instruction=False),
@@ -132,12 +133,14 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
                     or i.claim in plainly
                     or i.claim in against
                     or is_long_name(i)
+                    or i in alone
                     or (i.said and is_of_places(Gain(i.claim)))
                 ],
             ],
             named=[Gain(i.claim) for i in words.implications if not i.said],
             said=[Gain(i.claim) for i in words.implications if i.said],
             never=never,
+            subjects=_only_subjects(words),
         )
     found = _loose_alone(_within_figures(found))
     found = (*without_deep_cuffs(text, words, _without_flare(found)), *_of_both_faces(text, found))
@@ -162,6 +165,20 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         told=sides.spans,
     )
     return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
+
+
+def _kind_named_alone(words: WordReading) -> list[Implication]:
+    """The kind of the one garment that is named, where no other is: no story speaks of another then."""
+    names = [
+        mark for mark in words.marks if any(e.category in ("garments", "accessories") for e in mark.entries)
+    ]
+    kinds = [i for i in words.implications if i.claim.name == "kind" and i.mark.role == "garment"]
+    return kinds if len(names) == 1 and len({i.claim.value for i in kinds}) == 1 else []
+
+
+def _only_subjects(words: WordReading) -> frozenset[str] | None:
+    """What a text of few words is about, all of which are known; None of longer ones, which tell a story."""
+    return None if words.unknown or len(words.marks) > _FEW_WORDS else subjects_spoken_of(words)
 
 
 def _other_slits(text: str, claims: Sequence[Claim]) -> tuple[Claim, ...]:
@@ -258,6 +275,7 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
     return found
 
 
+_FEW_WORDS = 5
 _OF_LOWER = frozenset(
     {"rise", "waistband", "waistband_cm", "skirt", "skirt_length_cm", "legs", "inseam_cm", "hips"}
 )

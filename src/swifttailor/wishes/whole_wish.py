@@ -36,6 +36,7 @@ def described_as_a_whole(
     named: Collection[Change] = (),
     said: Collection[Change] = (),
     never: Collection[Claim] = (),
+    subjects: Collection[str] | None = None,
 ) -> tuple[Wish, ...]:
     """What is heard word by word and what is meant as a whole, together, surest first.
 
@@ -47,6 +48,8 @@ def described_as_a_whole(
             instead; a name that it does not know, as its reading of the kind shows, is left to them.
         said: Wishes that words of details stand for.
         never: What the text refuses.
+        subjects: Names of the claims that its details are about, where it is so short that all its words are
+            known for what they say: the network adds no more than what is likely. None where it is not.
     """
     found = _of_its_kind(found, whole, stated)
     kinds = [w.change for w in found if _is_kind(w.change)]
@@ -71,7 +74,10 @@ def described_as_a_whole(
             for w in against
         ):
             continue
-        certainty = SURENESS["certain"] if chance >= MEANT else SURENESS["likely"]
+        added = subjects is not None and not (change in named or change.claim.name in (*subjects, "kind"))
+        if added and against:
+            continue
+        certainty = SURENESS["certain"] if chance >= MEANT and not added else SURENESS["likely"]
         kept = [w for w in kept if w not in against]
         places = [k for k, w in enumerate(kept) if w.change == change]
         for k in places:

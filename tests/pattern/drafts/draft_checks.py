@@ -15,7 +15,7 @@ MEASURED = list(DraftMeasurements.__dataclass_fields__)
 WITH_BACK = {"bust": "back_width", "waist": "waist_back_width", "hips": "hip_back_width"}
 
 
-FOLDED = {"polo-shirt", "shirt", "shirt-dress", "blazer"}
+FOLDED = {"polo-shirt", "shirt", "shirt-dress", "denim-jacket", "blazer"}
 """Their collars lie folded on the torso."""
 
 

@@ -9,6 +9,7 @@ from typing import Any, get_type_hints
 
 from swifttailor.errors import PatternError
 from swifttailor.pattern.drafts.garments import (
+    banded,
     bare_shoulders,
     collared,
     fitted_garments,
@@ -69,7 +70,10 @@ _DRAFTS = (
     DraftInfo("blazer", "Shaped sides, long sleeves, deep V neck with lapels", collared.draft_blazer),
     DraftInfo("poncho", "Wide cloth over body and arms", long_garments.draft_poncho),
     DraftInfo("waistcoat", "Sleeveless top, deep V neck, pointed front hem", tops.draft_waistcoat),
-    DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", tops.draft_hoodie),
+    DraftInfo("sweatshirt", "Wide top, long sleeves, cuffs and hem band", banded.draft_sweatshirt),
+    DraftInfo("bomber-jacket", "Short, with a stand collar, cuffs and hem band", banded.draft_bomber_jacket),
+    DraftInfo("denim-jacket", "Short, a collar folded down, cuffs and hem band", banded.draft_denim_jacket),
+    DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", banded.draft_hoodie),
     DraftInfo(
         "fitted-dress",
         "Sleeveless dress with darts, waist seam, pencil or A-line skirt",

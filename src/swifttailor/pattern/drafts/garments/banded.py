@@ -1,0 +1,187 @@
+"""Tops with bands at wrists and hem: hoodie, sweatshirt, bomber jacket, denim jacket."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Annotated
+
+from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.band import lay_sleeve_cuff, lay_waist_band
+from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.fold_collar import FoldCollar, lay_fold_collar, sew_fold_collar
+from swifttailor.pattern.drafts.hood import Hood, lay_hood, sew_hood
+from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neckline import Neckline
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
+from swifttailor.pattern.pattern import Pattern
+
+
+@dataclass(frozen=True)
+class SweatshirtOptions:
+    """Options of the sweatshirt."""
+
+    length: Annotated[float, Option("Hem below the waist, band included.", "cm", 6.0, 50.0)] = 22.0
+    chest_ease: declared.ChestEase = 16.0
+    neck_widening: Annotated[
+        float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 1.0, 5.0)
+    ] = 2.0
+    neck_depth: Annotated[
+        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 14.0)
+    ] = 9.5
+    armhole_drop: declared.ArmholeDrop = 4.5
+    shoulder_extension: Annotated[
+        float, Option("How far the shoulder seam reaches over the shoulder tip.", "cm", 0.0, 5.0)
+    ] = 2.0
+    sleeve_length: declared.SleeveLength = 57.0
+    arm_ease: declared.ArmEase = 12.0
+    sleeve_end: declared.SleeveEnd = 28.0
+    cuffs: Annotated[bool, Option("Sew ribbed cuffs to the sleeves.")] = True
+    cuff_height: declared.CuffHeight = 6.0
+    cuff_ease: declared.CuffWidth = 5.0
+    hem_band: Annotated[bool, Option("Sew a ribbed band to the hem.")] = True
+    hem_band_height: Annotated[float, Option("Height of the hem band.", "cm", 3.0, 10.0)] = 6.0
+    hem_band_ease: Annotated[
+        float, Option("Room of the hem band on top of the body there, all around.", "cm", 0.0, 20.0)
+    ] = 4.0
+
+
+def draft_sweatshirt(options: SweatshirtOptions, measurements: Measurements) -> Pattern:
+    """Drafts the sweatshirt for a body."""
+    figure, table = Figure.of(measurements), CuttingTable("sweatshirt")
+    neckline = Neckline("round", options.neck_widening, options.neck_depth, 2.0)
+    _lay_left(table, figure, options, neckline)
+    return _finished(table, figure, options)
+
+
+@dataclass(frozen=True)
+class BomberJacketOptions(SweatshirtOptions):
+    """Options of the bomber jacket."""
+
+    length: Annotated[float, Option("Hem below the waist, band included.", "cm", 6.0, 50.0)] = 14.0
+    chest_ease: declared.ChestEase = 18.0
+    neck_widening: declared.CloseNeckWidening = 0.0
+    neck_depth: Annotated[
+        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 14.0)
+    ] = 8.0
+    collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 6.0)] = 4.0
+
+
+def draft_bomber_jacket(options: BomberJacketOptions, measurements: Measurements) -> Pattern:
+    """Drafts the bomber jacket for a body: zipped up, so closed in front; its collar stands."""
+    figure, table = Figure.of(measurements), CuttingTable("bomber-jacket")
+    neckline = Neckline("round", options.neck_widening, options.neck_depth, 1.5)
+    _lay_left(table, figure, options, neckline)
+    lay_stand_collar(table, figure, options.collar_height)
+    return _finished(table, figure, options, sew_collar)
+
+
+@dataclass(frozen=True)
+class DenimJacketOptions(SweatshirtOptions):
+    """Options of the denim jacket."""
+
+    length: Annotated[float, Option("Hem below the waist, band included.", "cm", 6.0, 50.0)] = 12.0
+    chest_ease: declared.ChestEase = 14.0
+    neck_widening: declared.CloseNeckWidening = 0.5
+    neck_depth: Annotated[
+        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 16.0)
+    ] = 10.0
+    arm_ease: declared.ArmEase = 9.0
+    hem_band_ease: Annotated[
+        float, Option("Room of the hem band on top of the body there, all around.", "cm", 0.0, 20.0)
+    ] = 8.0
+    collar_width: Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 7.0)] = 6.0
+
+
+def draft_denim_jacket(options: DenimJacketOptions, measurements: Measurements) -> Pattern:
+    """Drafts the denim jacket for a body: buttoned up, so closed in front; its collar is folded down."""
+    figure, table = Figure.of(measurements), CuttingTable("denim-jacket")
+    neckline = Neckline("v", options.neck_widening, options.neck_depth, 1.5)
+    _lay_left(table, figure, options, neckline)
+    lay_fold_collar(table, FoldCollar(options.collar_width))
+    return _finished(table, figure, options, sew_fold_collar)
+
+
+@dataclass(frozen=True)
+class HoodieOptions(SweatshirtOptions):
+    """Options of the hoodie."""
+
+    length: Annotated[float, Option("Hem below the waist, band included.", "cm", 6.0, 50.0)] = 24.0
+    chest_ease: declared.ChestEase = 18.0
+    neck_widening: Annotated[
+        float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 1.0, 5.0)
+    ] = 2.5
+    neck_depth: Annotated[
+        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 14.0)
+    ] = 10.0
+    hood_height: Annotated[float, Option("Height of the hood over the head length.", "cm", 4.0, 18.0)] = 6.0
+    hood_depth: Annotated[float, Option("Depth of the hood on top of the head's own.", "cm", 2.0, 14.0)] = 5.0
+
+
+def draft_hoodie(options: HoodieOptions, measurements: Measurements) -> Pattern:
+    """Drafts the hoodie for a body."""
+    figure, table = Figure.of(measurements), CuttingTable("hoodie")
+    neckline = Neckline("round", options.neck_widening, options.neck_depth, 2.0)
+    _lay_left(table, figure, options, neckline)
+    lay_hood(table, figure, Hood(options.hood_height, options.hood_depth))
+    return _finished(table, figure, options, sew_hood)
+
+
+def _band_height(options: SweatshirtOptions) -> float:
+    """A band shorter than the torso leaves at least 2 cm of cloth above it."""
+    return min(options.hem_band_height, options.length - 2.0) if options.hem_band else 0.0
+
+
+def _lay_left(table: CuttingTable, figure: Figure, options: SweatshirtOptions, neckline: Neckline) -> None:
+    """Lays the left half of torso and sleeve."""
+    bodice = LooseBodice(
+        neckline,
+        options.chest_ease,
+        options.length - _band_height(options),
+        options.armhole_drop,
+        hip_ease=options.hem_band_ease + 2.0 if options.hem_band else 6.0,
+        shoulder_extension=options.shoulder_extension,
+    )
+    lay_loose_bodice(table, figure, bodice)
+    cuff = min(options.cuff_height, options.sleeve_length - 10.0) if options.cuffs else 0.0
+    sleeve = Sleeve(
+        options.sleeve_length - max(cuff, 0.0),
+        options.arm_ease,
+        options.sleeve_end,
+        0.01,
+        options.shoulder_extension,
+    )
+    lay_sleeve(table, figure, sleeve)
+    if options.cuffs:
+        lay_sleeve_cuff(table, figure, options.sleeve_length - cuff, options.cuff_ease, cuff)
+
+
+def _finished(
+    table: CuttingTable,
+    figure: Figure,
+    options: SweatshirtOptions,
+    sew_neck: Callable[[CuttingTable], None] | None = None,
+) -> Pattern:
+    """Adds the right half, sews what lies at the neck together, and the band to the hem."""
+    table.mirror()
+    sew_centres(table)
+    if sew_neck is not None:
+        sew_neck(table)
+    if options.hem_band:
+        _sew_hem_band(table, figure, options, _band_height(options))
+    return table.finish()
+
+
+def _sew_hem_band(table: CuttingTable, figure: Figure, options: SweatshirtOptions, height: float) -> None:
+    hem = [2 * table.length(f"left_{side}torso.hem") for side in "fb"]
+    body = figure.girth_below_waist(options.length).eased(options.hem_band_ease)
+    share = min(body.girth / sum(hem), 1.0)
+    band = Halves(hem[0] / 2 * share, hem[1] / 2 * share)
+    top_y = figure.waist_y - options.length + height - 4.0
+    lay_waist_band(table, band, band, height, top_y, at_waist=False)
+    table.seam("wb_front.top", ["left_ftorso.hem", "right_ftorso.hem"], gathered=True)
+    table.seam("wb_back.top", ["right_btorso.hem", "left_btorso.hem"], gathered=True)
