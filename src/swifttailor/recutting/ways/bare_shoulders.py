@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
+import numpy as np
+
 from swifttailor.describing.measuring.anatomy import Anatomy
 from swifttailor.describing.measuring.parts import Face, Part
-from swifttailor.pattern import EdgeRef, Line, Pattern
+from swifttailor.pattern import EdgeRef, Line, Pattern, Quadratic
 from swifttailor.recutting.table.workbench import Workbench
 from swifttailor.recutting.ways.sleeves import ArmSide, find_hole
 
@@ -15,6 +17,8 @@ _ABOVE_UNDERARM_CM: dict[Face, float] = {"front": 4.5, "back": 1.0}
 """Highest middle of a strapless edge: in front it covers the bust."""
 _LEAST_SEAM_CM = 5.0
 """What is left at least of a seam in the middle."""
+_LEVEL_SHARE = 0.6
+"""How much of the way to the underarm such an edge runs level, roughly."""
 _FACES: tuple[Face, Face] = ("front", "back")
 
 
@@ -53,7 +57,26 @@ def bare_shoulders(
                 lowest.append((bench.neighbour(beyond, 1 if after else -1), beyond, _ABOVE_UNDERARM_CM[face]))
         if len(lowest) == 2 and not _lower_middle(bench, lowest):
             return None
+        if len(lowest) == 2:
+            for edge, seam, _ in lowest:
+                _level(bench, edge, seam)
     return bench.pattern()
+
+
+def _level(bench: Workbench, edge: int, seam: int) -> None:
+    """Bends a new edge so that it leaves the middle level: straight, both would meet there in a peak."""
+    piece = bench.piece_of(edge)
+    chord = piece.chord(edge)
+    middle, under = (chord[1], chord[0]) if bench.neighbour(edge, 1) == seam else chord
+    if piece.panel.to_world(chord)[:, 1].argmax() != (0 if middle is chord[0] else 1):
+        return
+    way = chord[1] - chord[0]
+    control = middle + np.array([_LEVEL_SHARE * (under - middle)[0], 0.0]) - chord[0]
+    across = np.array([-way[1], way[0]])
+    relative = control @ way / (way @ way), control @ across / (way @ way)
+    bench.side(edge).edge = replace(
+        bench.side(edge).edge, curve=Quadratic((float(relative[0]), float(relative[1])))
+    )
 
 
 def _cut(bench: Workbench, anatomy: Anatomy, arm: tuple[EdgeRef, ...]) -> tuple[int, int] | None:
