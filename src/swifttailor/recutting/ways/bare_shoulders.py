@@ -67,8 +67,9 @@ def _level(bench: Workbench, edge: int, seam: int) -> None:
     """Bends a new edge so that it leaves the middle level: straight, both would meet there in a peak."""
     piece = bench.piece_of(edge)
     chord = piece.chord(edge)
-    middle, under = (chord[1], chord[0]) if bench.neighbour(edge, 1) == seam else chord
-    if piece.panel.to_world(chord)[:, 1].argmax() != (0 if middle is chord[0] else 1):
+    last = bench.neighbour(edge, 1) == seam
+    middle, under = (chord[1], chord[0]) if last else (chord[0], chord[1])
+    if piece.panel.to_world(chord)[:, 1].argmax() != int(last):
         return
     way = chord[1] - chord[0]
     control = middle + np.array([_LEVEL_SHARE * (under - middle)[0], 0.0]) - chord[0]
