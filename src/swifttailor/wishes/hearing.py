@@ -120,7 +120,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         *[w for w in found if not _is_outdone(w, said, never) and w.change not in _changes(stated)],
     )
     if words.language == ENGLISH:
-        alone = _kind_named_alone(words)
+        alone = _kind_named_alone(text, words)
         found = described_as_a_whole(
             found,
             reader.whole(own, instruction=False),
@@ -167,13 +167,15 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
 
 
-def _kind_named_alone(words: WordReading) -> list[Implication]:
-    """The kind of the one garment that is named, where no other is: no story speaks of another then."""
+def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
+    """The kind of the one garment that is named, where nothing says that another is meant: "over my jeans"."""
     names = [
         mark for mark in words.marks if any(e.category in ("garments", "accessories") for e in mark.entries)
     ]
     kinds = [i for i in words.implications if i.claim.name == "kind" and i.mark.role == "garment"]
-    return kinds if len(names) == 1 and len({i.claim.value for i in kinds}) == 1 else []
+    alone = len(words.marks) <= _NO_STORY and len(names) == 1
+    alone = alone and not _BESIDE.search(text[: names[0].start])
+    return kinds if alone and len({i.claim.value for i in kinds}) == 1 else []
 
 
 def _only_subjects(words: WordReading) -> frozenset[str] | None:
@@ -275,7 +277,9 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
     return found
 
 
-_FEW_WORDS = 5
+_BESIDE = re.compile(r"\b(?:something|anything|outfit|with|over|under\w*|like|match\w*|for)\b", re.IGNORECASE)
+_FEW_WORDS, _NO_STORY = 5, 9
+_NAMES_THINGS = ("garments", "accessories", "generic")
 _OF_LOWER = frozenset(
     {"rise", "waistband", "waistband_cm", "skirt", "skirt_length_cm", "legs", "inseam_cm", "hips"}
 )

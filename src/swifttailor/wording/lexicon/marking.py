@@ -11,7 +11,7 @@ from swifttailor.wording.lexicon.tokens import Gap, Token, tokens_of
 from swifttailor.wording.lexicon.vocabulary import NUMBER, Sense, Vocabulary, vocabulary
 
 _FEW = 0.25
-"""Where a larger share of the words is unknown in English, other languages are tried."""
+"""From this share of unknown words in English on, other languages are tried."""
 _JOINED = 3
 """Letters of each of two words that may be one word of the tables: "jump suit"."""
 _LINKS = ("", "s", "n", "en", "es", "er")
@@ -50,7 +50,7 @@ def find_words(text: str, language: Language | None = None) -> tuple[Language, t
         return language, _found(text, language)
     english = _found(text, "en")
     unknown = sum(not found.senses for found in english)
-    if unknown <= _FEW * len(english):
+    if unknown < _FEW * len(english) or not unknown:
         return "en", english
     readings: dict[Language, tuple[Found, ...]] = {"en": english}
     readings |= {other: _found(text, other) for other in LANGUAGES[1:]}
