@@ -65,6 +65,18 @@ def reader() -> WishReader:
         ("ein Kleid mit halblangen Ärmeln", {"sleeves=elbow"}),
         ("a skrit, strait, to the nee", {"kind=skirt", "skirt=straight", "skirt_hem=knee"}),
         ("a dress, dark but not sad, and with long sleeves", {"sleeves=long"}),
+        ("a top with one long sleeve", {"kind=top", "sleeves=right only", "right_sleeve=long"}),
+        ("something to sleep in", {"kind=dress"}),
+        ("something light to wear over my bikini", {"kind=dress"}),
+        ("something to wear with my jeans", {"kind=top"}),
+        ("something nice over leggings", {"kind=tunic"}),
+        ("trousers to go with a dress shirt", {"kind=trousers"}),
+        ("leggings that don't reach the ankle", {"kind=trousers", "leg_hem=calf"}),
+        ("a skirt to dance salsa in", {"kind=skirt", "skirt=flared"}),
+        ("a jacket, but it mustn't have a hood", {"kind=top"}),
+        ("a pant, very large down", {"kind=trousers"}),
+        ("pantalon large taille haute", {"kind=trousers", "legs=wide", "rise=high"}),
+        ("Trompetenrock", {"kind=skirt", "skirt=fitted base"}),
     ],
 )
 def test_a_saying_describes_what_it_means(reader, text, sure):
@@ -73,6 +85,17 @@ def test_a_saying_describes_what_it_means(reader, text, sure):
         f"{w.change.claim.name}={w.change.claim.value}" for w in heard.sure if isinstance(w.change, Gain)
     }
     assert sure <= found
+
+
+@pytest.mark.parametrize(("text", "kind", "unknown"), [("Fledermauskleid", "dress", "Fledermaus")])
+def test_a_german_compound_of_an_unknown_word_is_still_a_garment(reader, text, kind, unknown):
+    heard = hear_description(text, reader)
+    assert heard.kind == kind and heard.unread == (unknown,)
+
+
+def test_what_no_word_of_a_short_text_is_about_is_no_more_than_likely(reader):
+    sure = {w.change for w in hear_description("princess seam dress", reader).sure}
+    assert Gain(Claim("sleeve_shape", "puffed")) not in sure and Gain(Claim("kind", "dress")) in sure
 
 
 def test_one_slit_refuses_others(reader):

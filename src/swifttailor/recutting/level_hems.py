@@ -10,12 +10,15 @@ from swifttailor.recutting.amounts import cuts
 from swifttailor.recutting.round_hems import round_hem
 from swifttailor.recutting.table.checking import accepted
 from swifttailor.recutting.table.cutter import Cutter
+from swifttailor.recutting.true_corners import true_corners
 from swifttailor.recutting.ways.hem_line import bend_hem
 
 LEVEL_CM = 4.0
 """A hem that rises and falls by less is level."""
 DIP_CM = 2.0
 """Corners that hang lower than that below the middles between them are seen, however level the rest is."""
+TRUED = (0.5, 0.75, 1.0)
+"""Parts of a dip by which corners are raised; the best is kept."""
 FLARED = 0.26
 """Part of a full circle from which a skirt counts as flared."""
 SMOOTHER = 0.7
@@ -40,16 +43,24 @@ def level_hem(pattern: Pattern) -> tuple[Pattern, str]:
         by: dict[Face, float] = {"front": facts.front - sides, "back": facts.back - sides}
         # A flared skirt hangs in points wherever its sides are not as long as its middle.
         drawn = round_hem(before) if _is_flared(before) else None
-        tried = (accepted(before, one, as_before=True) for one in (drawn, bend_hem(pattern, hem, by)))
-        made = [one for one in tried if one is not None and one.facts.hem is not None]
-        after = min(made, key=lambda one: unevenness(one.facts.hem or facts), default=None)
+        dips = [share * facts.dip for share in TRUED] if facts.dip > DIP_CM else []
+        trued = _measured(before, *(true_corners(before, dip) for dip in dips))
+        made = [*_measured(before, drawn, bend_hem(pattern, hem, by)), *trued]
     except SwiftTailorError:
         return pattern, ""
-    if after is None or after.facts.hem is None:
-        return pattern, ""
-    if unevenness(after.facts.hem) > SMOOTHER * unevenness(facts):
-        return pattern, ""
-    return after.pattern, f"hem made level (uneven by {unevenness(facts):.1f} cm before)"
+    best = min(made, key=lambda one: unevenness(one[1]), default=None)
+    if best is not None and unevenness(best[1]) <= SMOOTHER * unevenness(facts):
+        return best[0], f"hem made level (uneven by {unevenness(facts):.1f} cm before)"
+    best = min(trued, key=lambda one: abs(one[1].dip), default=None)
+    if best is not None and abs(best[1].dip) <= SMOOTHER * facts.dip:
+        return best[0], f"hem rounded at the side seams (its corners hung {facts.dip:.1f} cm lower before)"
+    return pattern, ""
+
+
+def _measured(before: Cutter, *made: Pattern | None) -> list[tuple[Pattern, HemFacts]]:
+    """Those that can be made, with their hems."""
+    found = [accepted(before, one, as_before=True) for one in made]
+    return [(one.pattern, one.facts.hem) for one in found if one is not None and one.facts.hem is not None]
 
 
 def _is_level(hem: HemFacts) -> bool:

@@ -198,8 +198,8 @@ def _costs_nothing(after: Alteration | None, before: Alteration, changes: tuple[
 
 
 def _levelled(taken: Alteration, said: Sequence[Change], before: Pattern, *, unsaid: bool) -> Alteration:
-    """Makes the hem level again that cutting has made uneven, where that costs nothing asked for."""
-    if not taken.cuts or not leaves_hem_unsaid(said):
+    """Makes a hem level that cutting has made uneven, or that is, where that costs nothing asked for."""
+    if not (taken.cuts or unsaid) or not leaves_hem_unsaid(said):
         return taken
     if not unsaid and level_hem(before)[1]:
         return taken  # a draft whose hem is meant to be as it is

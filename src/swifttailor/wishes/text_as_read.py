@@ -71,10 +71,11 @@ def text_as_read(text: str, kind: str | None = None) -> tuple[str, WordReading]:
             pieces += [text[end : mark.start], better]
             end = mark.end
     shown = "".join([*pieces, text[end:]])
+    own = read_words(text, kind=kind)
+    if shown == text or (own.language != ENGLISH and not own.unknown):
+        return text, own
     words = read_words(shown, kind=kind)
-    if shown == text or words.language == ENGLISH:
-        return shown, words
-    return text, read_words(text, kind=kind)
+    return (shown, words) if words.language == ENGLISH else (text, own)
 
 
 def _turned(text: str) -> str:

@@ -11,7 +11,9 @@ from swifttailor.wording.lexicon.tokens import Gap, Token, tokens_of
 from swifttailor.wording.lexicon.vocabulary import NUMBER, Sense, Vocabulary, vocabulary
 
 _FEW = 0.25
-"""From this share of unknown words in English on, other languages are tried."""
+"""Where a larger share of the words is unknown in English, other languages are tried."""
+_NEARLY_ALL = 0.75
+"""Where at least as many words are of one other language, it is tried beside a few unknown ones as well."""
 _JOINED = 3
 """Letters of each of two words that may be one word of the tables: "jump suit"."""
 _LINKS = ("", "s", "n", "en", "es", "er")
@@ -50,12 +52,19 @@ def find_words(text: str, language: Language | None = None) -> tuple[Language, t
         return language, _found(text, language)
     english = _found(text, "en")
     unknown = sum(not found.senses for found in english)
-    if unknown < _FEW * len(english) or not unknown:
-        return "en", english
+    others = LANGUAGES[1:]
+    if unknown <= _FEW * len(english):
+        others = tuple([each for each in others if unknown and _share_of(text, each) >= _NEARLY_ALL])
     readings: dict[Language, tuple[Found, ...]] = {"en": english}
-    readings |= {other: _found(text, other) for other in LANGUAGES[1:]}
-    best = min(LANGUAGES, key=lambda each: _unknown(readings[each]))
+    readings |= {other: _found(text, other) for other in others}
+    best = min(readings, key=lambda each: _unknown(readings[each]))
     return best, readings[best]
+
+
+def _share_of(text: str, language: Language) -> float:
+    """The share of the words of a text that are those of a language."""
+    pieces = _parted(tokens_of(text, language), [vocabulary(language)])
+    return sum(bool(senses) for _, senses in pieces) / max(len(pieces), 1)
 
 
 def _unknown(words: Sequence[Found]) -> int:
