@@ -6,10 +6,12 @@ import pytest
 from own_library import library_of
 from scripted_maker import scripted_maker
 
+from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS
 from swifttailor.tailor import Order, Tailor
+from swifttailor.wishes.well_within import FLOOR_AT_LEAST_CM
 from swifttailor.wording.lexicon import all_entries
 
 KNOWN = {"skirt": draft("fitted-skirt"), "shirt": draft("t-shirt"), "trousers": draft("trousers")}
@@ -109,3 +111,11 @@ def test_every_entry_names_drafts_of_its_own_kind():
             assert draft(one.name, **dict(one.options)).panels, entry.name
         cut_from = entry.kinds | ({"trousers"} if "shorts" in entry.kinds else frozenset())
         assert not entry.kinds or {DRAFT_KINDS[named.name] for named in entry.drafts} <= cut_from, entry.name
+
+
+def test_a_gown_is_as_long_as_asked_and_its_change_is_told_once(tailor):
+    (answer,) = tailor.write([Order("wedding dress")])
+    (told,) = [cut for cut in answer.cuts if cut.startswith("hem ")]
+    assert told.endswith("cm longer")
+    hem = measure_facts(answer.pattern).hem
+    assert hem is not None and FLOOR_AT_LEAST_CM <= hem.level < 6.5

@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 
 import swifttailor
 from swifttailor.describing import Claim, measure_facts
-from swifttailor.describing.differences import Gain
+from swifttailor.describing.differences import Gain, Step
 from swifttailor.recutting import alter
-from swifttailor.wishes.well_within import well_within
+from swifttailor.wishes.well_within import FLOOR_AT_LEAST_CM, FLOOR_CM, off_the_floor, well_within
 
 CASES = [
     ("trousers", {"length": 92.0}, Claim("leg_hem", "full"), "inseam_cm"),
@@ -58,3 +58,19 @@ def test_long_sleeves_never_become_shorter(length):
     facts = measure_facts(swifttailor.draft("t-shirt", sleeve_length=length))
     for wish in well_within([Gain(Claim("sleeves", "long"))], facts):
         assert isinstance(wish, Gain) and float(wish.claim.value) > facts.left_sleeve.length
+
+
+def test_a_gown_is_cut_short_enough_to_walk_in():
+    floor = Gain(Claim("skirt_hem", "floor"))
+    (step,) = off_the_floor([floor], alter_to_level(0.5))
+    assert isinstance(step, Step) and step.amount == pytest.approx(FLOOR_CM - 0.5, abs=0.6)
+    assert off_the_floor([Gain(Claim("skirt_hem", "maxi"))], alter_to_level(0.5)) == ()
+    assert off_the_floor([floor, Gain(Claim("skirt_length_cm", 110.0))], alter_to_level(0.5)) == ()
+    assert off_the_floor([floor], alter_to_level(FLOOR_AT_LEAST_CM + 0.5)) == ()
+
+
+def alter_to_level(level: float):
+    """Facts of a dress whose hem is measured at a height, cm."""
+    dress = swifttailor.draft("fitted-dress", skirt_length=100.0)
+    facts = measure_facts(dress)
+    return alter(dress, [Step("length", 1, facts.hem.level - level)]).facts

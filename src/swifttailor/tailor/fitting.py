@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -26,7 +27,7 @@ from swifttailor.tailor.sitting import sits_badly
 from swifttailor.tailor.verdict import Verdict
 from swifttailor.wishes.loose_wholes import loosened
 from swifttailor.wishes.unsaid import leaves_hem_unsaid, unsaid_wishes
-from swifttailor.wishes.well_within import well_within
+from swifttailor.wishes.well_within import off_the_floor, well_within
 from swifttailor.wishes.within_usual import beyond_usual, within_usual
 
 NARROWEST_SLEEVE_CM, NARROWEST_HEM_CM = 14.0, 60.0
@@ -36,6 +37,7 @@ SHORTEST_SKIRT_CM = 12.0
 """Below a dropped waist; what is shorter is a strip at the hem."""
 BARE_CM = 4.0
 """No skirt ends so far above the crotch; 0.5 cm is the highest of those."""
+_LONGER, _SHORTER = re.compile(r"hem ([\d.]+) cm longer"), re.compile(r"hem ([\d.]+) cm shorter")
 
 
 def from_edit(wanted: Wanted) -> Answer | None:
@@ -152,7 +154,8 @@ def _best_alteration(
             written = None
         if written is not None and (wanted.unsaid or wanted.part is not None):
             written = replace(written, cuts=(*filter(None, [level]), *written.cuts))
-            written = _finished(written, changes, wanted.maybe, unsaid=unsaid)
+            described = wanted.unsaid
+            written = _finished(written, changes, wanted.maybe, unsaid=unsaid, described=described)
             written = _levelled(written, (*changes, *wanted.maybe), pattern, unsaid=unsaid)
     # Of two that do as much, the one that leaves the rest as it was; but for another kind of garment.
     if recut is not None and (written is None or len(recut.open) + remade <= len(written.open)):
@@ -161,7 +164,12 @@ def _best_alteration(
 
 
 def _finished(
-    before: Alteration, changes: tuple[Change, ...], maybe: tuple[Change, ...], *, unsaid: bool
+    before: Alteration,
+    changes: tuple[Change, ...],
+    maybe: tuple[Change, ...],
+    *,
+    unsaid: bool,
+    described: bool,
 ) -> Alteration:
     """Does what is likely meant and what goes without saying, where that costs nothing asked for."""
     said = (*changes, *maybe)
@@ -182,12 +190,32 @@ def _finished(
             if next_to is not None and next_to.cuts and _costs_nothing(next_to, before, changes):
                 cuts = () if after is None else after.cuts
                 after = replace(next_to, cuts=(*cuts, *next_to.cuts))
-    if after is None or not (after.cuts or level):
+    done = before
+    if after is not None and (after.cuts or level):
+        missing = tuple(wish for wish in after.open if wish in changes)
+        cuts = (*before.cuts, *filter(None, [level]), *after.cuts)
+        done = replace(after, open=missing, done=before.done, cuts=cuts)
+    return _walked_in(done, changes, (*said, *more)) if described else done
+
+
+def _walked_in(before: Alteration, changes: tuple[Change, ...], said: tuple[Change, ...]) -> Alteration:
+    """A gown shortened so that it does not lie on the floor, where that costs nothing asked for."""
+    steps = off_the_floor(said, before.facts)
+    after = altered(before.pattern, (*changes, *steps)) if steps else None
+    if after is None or not after.cuts or not _costs_nothing(after, before, changes):
         return before
-    missing = tuple(wish for wish in after.open if wish in changes)
-    return replace(
-        after, open=missing, done=before.done, cuts=(*before.cuts, *filter(None, [level]), *after.cuts)
-    )
+    return replace(after, open=before.open, done=before.done, cuts=_added_up([*before.cuts, *after.cuts]))
+
+
+def _added_up(cuts: list[str]) -> tuple[str, ...]:
+    """Lengthening that is partly taken back as one: "hem 14.4 cm longer", "hem 5.5 cm shorter"."""
+    longer = next((k for k, cut in enumerate(cuts) if _LONGER.fullmatch(cut)), None)
+    shorter = _SHORTER.fullmatch(cuts[-1])
+    if longer is None or shorter is None:
+        return tuple(cuts)
+    by = float(cuts[longer].split()[1]) - float(shorter[1])
+    whole = f"hem {abs(by):.1f} cm {'longer' if by > 0 else 'shorter'}"
+    return (*cuts[:longer], whole, *cuts[longer + 1 : -1])
 
 
 def _costs_nothing(after: Alteration | None, before: Alteration, changes: tuple[Change, ...]) -> bool:
