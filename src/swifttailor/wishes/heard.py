@@ -8,7 +8,7 @@ from functools import cached_property
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
-from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, DRAFTS_SHOW, NamedDraft
+from swifttailor.pattern.drafts.draft_names import COLLARED, DRAFT_KINDS, DRAFTS_SHOW, NamedDraft
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.lexicon_spelling import near_names
 from swifttailor.wishes.reader import Wish
@@ -17,6 +17,11 @@ from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, 
 
 _CUT_AS = {"tunic": "top", "shorts": "trousers"}
 """Kinds that are drafted as others."""
+_LAPELS = Claim("collar", "lapel")
+_AT_THE_NECK = frozenset(
+    {"neckline", "neck_depth", "back_depth", "back_neckline", "shoulders", "straps", "collar", "hood"}
+)
+"""Names of claims that a collar folded down goes with in one way alone."""
 _COLOR_OF_CLOTH = {"denim": "3b5578"}
 """What a fabric is dyed unless another colour is named."""
 
@@ -80,7 +85,16 @@ class Heard:
         """Drafts that show what it names, for the kind of garment that is asked for."""
         kind = _CUT_AS.get(self.kind or "", self.kind)
         named = [draft for entry in self._meant for draft in entry.drafts]
-        return tuple(dict.fromkeys([draft for draft in named if DRAFT_KINDS[draft.name] == kind]))
+        named = [draft for draft in named if DRAFT_KINDS[draft.name] == kind]
+        if self._speaks_of_another_neck:
+            named = [draft for draft in named if draft.name not in COLLARED]
+        return tuple(dict.fromkeys(named))
+
+    @property
+    def _speaks_of_another_neck(self) -> bool:
+        """Whether a neckline, a back, bare shoulders or another collar than lapels is asked for."""
+        claims = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
+        return any(claim.name in _AT_THE_NECK and claim != _LAPELS for claim in claims)
 
     def made_as(self, draft: str) -> Heard:
         """The same, where the garment begins from a draft: what that shows is no longer lacking."""

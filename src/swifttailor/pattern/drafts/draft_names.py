@@ -114,6 +114,8 @@ DRAFTS_ARE: Mapping[str, tuple[tuple[str, str], ...]] = {
     "halter-jumpsuit": (("back_depth", "open"), ("back_depth", "low"), ("straps", "narrow")),
 }
 """Claims that are true of a draft to the eye, though not as they are measured between two shoulders."""
+COLLARED = frozenset({"shirt", "shirt-dress"})
+"""Begun from only where nothing else is said of the neck: many call any top a shirt."""
 _CROSSED = "Its fronts do not overlap: a seam runs where the edge of the upper one would lie."
 _OPEN = "Its front is open below where the edges of a wound skirt would part; nothing overlaps."
 STANDS_IN: Mapping[str, str] = {
