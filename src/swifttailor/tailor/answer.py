@@ -102,6 +102,11 @@ class Answer:
         """What the names of garments in the text usually mean and is not so."""
         return tuple([wish for wish in self.not_done if wish.certainty >= USUAL])
 
+    @property
+    def oddness(self) -> int:
+        """How much of it is odd or lacks what is usual."""
+        return len(self.verdict.sits_badly) + len(self.verdict.beyond_usual) + len(self.not_usual)
+
     @cached_property
     def not_so(self) -> tuple[tuple[str, Difference], ...]:
         """Words of a description, and what they say of the cut, where the pattern measures otherwise."""

@@ -224,11 +224,6 @@ def _prepared(answer: Answer, sewer: Sewer, order: Order) -> Answer:
     return replace(answer, verdict=replace(answer.verdict, beyond_usual=odd))
 
 
-def _is_odd_at_most(answer: Answer) -> bool:
-    """Whether nothing is wrong with it, or nothing but what is beyond the usual."""
-    return not answer.verdict.fault or answer.verdict.is_merely_odd
-
-
 def _is_too_tight(answer: Answer, sewer: Sewer) -> bool:
     """Whether the coarse drape shows it, where the sewer has one."""
     hung = isinstance(sewer, GarmentSewer) and sewer.model.conditioning.prior == "hung"
@@ -242,9 +237,9 @@ def _chosen(tried: Sequence[Answer], sewer: Sewer, order: Order) -> Answer | Swi
     """
     best_first = sorted(range(len(tried)), key=lambda k: tried[k].rank)
     last = [] if tried[-1].verdict.fault else [len(tried) - 1]
-    if last and order.edit is None and any(one.verdict.is_merely_odd for one in tried[:-1]):
-        odd = [one.verdict.rank[2] + len(one.not_usual) if _is_odd_at_most(one) else None for one in tried]
-        last = [min((k for k, count in enumerate(odd) if count is not None), key=lambda k: odd[k] or 0)]
+    odd = [k for k, one in enumerate(tried) if one.verdict.is_merely_odd] if last else []
+    if odd:
+        last = [min(*odd, *last, key=lambda k: tried[k].oddness)]
     for taken in dict.fromkeys([*last, *best_first]):
         answer = tried[taken]
         if answer.prepared is None and not answer.verdict.unsewable:

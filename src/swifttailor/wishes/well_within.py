@@ -16,7 +16,8 @@ MAXI, MAXI_AT_MOST = 0.22, 0.3
 """Parts of the height of the knee at which the hem hangs."""
 FLOOR_CM, FLOOR_AT_LEAST_CM, FLOOR_AT_MOST_CM = 6.0, 4.5, 6.4
 """Where the hem of a gown is measured on its pattern. On the body long dresses hang half a dozen
-centimetres lower (median of 28 drapes)."""
+centimetres lower (median of 28 drapes, `benchmarks/hem_levels.py`); skirts do not."""
+SKIRT_FLOOR_CM, SKIRT_FLOOR_AT_MOST_CM = 2.5, 4.5
 BELOW_CROTCH_CM, BELOW_CROTCH_AT_MOST_CM = 16.0, 22.0
 """Where a high slit in a long skirt begins."""
 WIDE_LEGS, WIDE_LEGS_AT_LEAST = 1.3, 1.2
@@ -50,7 +51,7 @@ def off_the_floor(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, 
     """By how much a gown is too long to walk in: centimetres, too few to show in a length that is stated."""
     claims = [wish.claim for wish in said if isinstance(wish, Gain)]
     words, hem = {(claim.name, claim.value) for claim in claims}, facts.hem
-    if hem is None or facts.kind not in ("dress", "skirt") or ("skirt_hem", "floor") not in words:
+    if hem is None or facts.kind != "dress" or ("skirt_hem", "floor") not in words:
         return ()
     stated = {claim.name for claim in claims} & {"length_cm", "skirt_length_cm", "hem_shape"}
     if stated or hem.level >= FLOOR_AT_LEAST_CM:
@@ -91,7 +92,9 @@ def _skirt(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
         return None
     level = None
     if ("skirt_hem", "floor") in words:
-        level = FLOOR_CM if hem.level > FLOOR_AT_MOST_CM else None
+        gown = facts.kind == "dress"
+        most = FLOOR_AT_MOST_CM if gown else SKIRT_FLOOR_AT_MOST_CM
+        level = (FLOOR_CM if gown else SKIRT_FLOOR_CM) if hem.level > most else None
     elif ("skirt_hem", "maxi") in words and ("skirt_hem", "ankle") not in words:
         level = MAXI * facts.body.knee if hem.level > MAXI_AT_MOST * facts.body.knee else None
     if level is None or facts.kind not in ("dress", "skirt"):

@@ -55,4 +55,13 @@ LegFlare = Annotated[
 CircleFraction = Annotated[
     float, Option("Part of a full circle that the skirt is cut from.", "circles", 0.3, 1.5)
 ]
+BandedLength = Annotated[float, Option("Hem below the waist, band included.", "cm", 6.0, 50.0)]
+CollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 7.0)]
+CollarNeckDepth = Annotated[
+    float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 16.0)
+]
+FlounceSeam = Annotated[float, Option("Body's waist to the seam of the flounce.", "cm", 30.0, 75.0)]
+FlounceFraction = Annotated[
+    float, Option("Part of a full circle that the flounce is cut from.", "circles", 0.2, 1.0)
+]
 BandEase = Annotated[float, Option("Room of the waistband on top of the waist girth.", "cm", -2.0, 4.0)]

@@ -107,7 +107,8 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "off-shoulder-top": ("off_shoulder",),
     "off-shoulder-dress": ("off_shoulder",),
 }
-"""What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``."""
+"""What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``. Where it
+names a shirt dress, that has its collar."""
 DRAFTS_ARE: Mapping[str, tuple[tuple[str, str], ...]] = {
     "halter-top": (("back_depth", "open"), ("back_depth", "low"), ("straps", "narrow")),
     "halter-dress": (("back_depth", "open"), ("back_depth", "low"), ("straps", "narrow")),

@@ -20,19 +20,22 @@ from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.pattern import Pattern
 
+NeckWidening = Annotated[
+    float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 1.0, 5.0)
+]
+NeckDepth = Annotated[
+    float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 14.0)
+]
+
 
 @dataclass(frozen=True)
 class SweatshirtOptions:
     """Options of the sweatshirt."""
 
-    length: Annotated[float, Option("Hem below the waist, band included.", "cm", 6.0, 50.0)] = 22.0
+    length: declared.BandedLength = 22.0
     chest_ease: declared.ChestEase = 16.0
-    neck_widening: Annotated[
-        float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 1.0, 5.0)
-    ] = 2.0
-    neck_depth: Annotated[
-        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 14.0)
-    ] = 9.5
+    neck_widening: NeckWidening = 2.0
+    neck_depth: NeckDepth = 9.5
     armhole_drop: declared.ArmholeDrop = 4.5
     shoulder_extension: Annotated[
         float, Option("How far the shoulder seam reaches over the shoulder tip.", "cm", 0.0, 5.0)
@@ -62,12 +65,10 @@ def draft_sweatshirt(options: SweatshirtOptions, measurements: Measurements) -> 
 class BomberJacketOptions(SweatshirtOptions):
     """Options of the bomber jacket."""
 
-    length: Annotated[float, Option("Hem below the waist, band included.", "cm", 6.0, 50.0)] = 14.0
+    length: declared.BandedLength = 14.0
     chest_ease: declared.ChestEase = 18.0
     neck_widening: declared.CloseNeckWidening = 0.0
-    neck_depth: Annotated[
-        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 14.0)
-    ] = 8.0
+    neck_depth: NeckDepth = 8.0
     collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 6.0)] = 4.0
 
 
@@ -84,17 +85,15 @@ def draft_bomber_jacket(options: BomberJacketOptions, measurements: Measurements
 class DenimJacketOptions(SweatshirtOptions):
     """Options of the denim jacket."""
 
-    length: Annotated[float, Option("Hem below the waist, band included.", "cm", 6.0, 50.0)] = 12.0
+    length: declared.BandedLength = 12.0
     chest_ease: declared.ChestEase = 14.0
     neck_widening: declared.CloseNeckWidening = 0.5
-    neck_depth: Annotated[
-        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 16.0)
-    ] = 10.0
+    neck_depth: declared.CollarNeckDepth = 10.0
     arm_ease: declared.ArmEase = 9.0
     hem_band_ease: Annotated[
         float, Option("Room of the hem band on top of the body there, all around.", "cm", 0.0, 20.0)
     ] = 8.0
-    collar_width: Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 7.0)] = 6.0
+    collar_width: declared.CollarWidth = 6.0
 
 
 def draft_denim_jacket(options: DenimJacketOptions, measurements: Measurements) -> Pattern:
@@ -110,14 +109,10 @@ def draft_denim_jacket(options: DenimJacketOptions, measurements: Measurements) 
 class HoodieOptions(SweatshirtOptions):
     """Options of the hoodie."""
 
-    length: Annotated[float, Option("Hem below the waist, band included.", "cm", 6.0, 50.0)] = 24.0
+    length: declared.BandedLength = 24.0
     chest_ease: declared.ChestEase = 18.0
-    neck_widening: Annotated[
-        float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 1.0, 5.0)
-    ] = 2.5
-    neck_depth: Annotated[
-        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 14.0)
-    ] = 10.0
+    neck_widening: NeckWidening = 2.5
+    neck_depth: NeckDepth = 10.0
     hood_height: Annotated[float, Option("Height of the hood over the head length.", "cm", 4.0, 18.0)] = 6.0
     hood_depth: Annotated[float, Option("Depth of the hood on top of the head's own.", "cm", 2.0, 14.0)] = 5.0
 

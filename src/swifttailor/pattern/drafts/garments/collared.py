@@ -26,10 +26,8 @@ class PoloShirtOptions:
     chest_ease: declared.ChestEase = 10.0
     flare: declared.HemFlare = 0.0
     neck_widening: declared.CloseNeckWidening = 0.5
-    neck_depth: Annotated[
-        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 16.0)
-    ] = 11.0
-    collar_width: Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 7.0)] = 5.5
+    neck_depth: declared.CollarNeckDepth = 11.0
+    collar_width: declared.CollarWidth = 5.5
     armhole_drop: declared.ArmholeDrop = 2.5
     sleeve_length: declared.SleeveLength = 22.0
     arm_ease: declared.ArmEase = 7.0
@@ -38,36 +36,18 @@ class PoloShirtOptions:
 
 def draft_polo_shirt(options: PoloShirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the polo shirt for a body: closed in front, its collar folded down over a short V."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("polo-shirt")
-    bodice = LooseBodice(
-        Neckline("v", options.neck_widening, options.neck_depth, 1.5),
-        options.chest_ease,
-        options.length,
-        options.armhole_drop,
-        flare=options.flare,
-    )
-    lay_loose_bodice(table, figure, bodice)
-    lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01))
-    lay_fold_collar(table, FoldCollar(options.collar_width))
-    table.mirror()
-    sew_centres(table)
-    sew_fold_collar(table)
-    return table.finish()
+    figure, table = Figure.of(measurements), CuttingTable("polo-shirt")
+    _lay_left(table, figure, options, options.sleeve_length)
+    return _finished(table)
 
 
 @dataclass(frozen=True)
-class ShirtOptions:
+class ShirtOptions(PoloShirtOptions):
     """Options of the shirt."""
 
     length: declared.TopLength = 24.0
     chest_ease: declared.ChestEase = 12.0
-    flare: declared.HemFlare = 0.0
-    neck_widening: declared.CloseNeckWidening = 0.5
-    neck_depth: Annotated[
-        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 16.0)
-    ] = 9.0
-    collar_width: Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 7.0)] = 5.5
+    neck_depth: declared.CollarNeckDepth = 9.0
     armhole_drop: declared.ArmholeDrop = 3.0
     sleeve_length: declared.SleeveLength = 60.0
     arm_ease: declared.ArmEase = 8.0
@@ -79,23 +59,29 @@ class ShirtOptions:
 
 def draft_shirt(options: ShirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the shirt for a body: buttoned up, so closed in front; long sleeves, its collar folded down."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("shirt")
+    figure, table = Figure.of(measurements), CuttingTable("shirt")
+    cuff = min(options.cuff_height, options.sleeve_length - 9.0) if options.cuffs else 0.0
+    _lay_left(table, figure, options, options.sleeve_length - cuff)
+    if options.cuffs:
+        lay_sleeve_cuff(table, figure, options.sleeve_length - cuff, options.cuff_ease, cuff)
+    return _finished(table)
+
+
+def _lay_left(table: CuttingTable, figure: Figure, options: PoloShirtOptions, sleeve: float) -> None:
+    """Lays the left half of torso, sleeve and collar; `sleeve` is the length of the sleeve alone, cm."""
     bodice = LooseBodice(
         Neckline("v", options.neck_widening, options.neck_depth, 1.5),
         options.chest_ease,
         options.length,
         options.armhole_drop,
-        hip_ease=8.0,
         flare=options.flare,
     )
     lay_loose_bodice(table, figure, bodice)
-    cuff = min(options.cuff_height, options.sleeve_length - 9.0) if options.cuffs else 0.0
-    length = options.sleeve_length - cuff
-    lay_sleeve(table, figure, Sleeve(length, options.arm_ease, options.sleeve_end, 0.01))
-    if options.cuffs:
-        lay_sleeve_cuff(table, figure, length, options.cuff_ease, cuff)
+    lay_sleeve(table, figure, Sleeve(sleeve, options.arm_ease, options.sleeve_end, 0.01))
     lay_fold_collar(table, FoldCollar(options.collar_width))
+
+
+def _finished(table: CuttingTable) -> Pattern:
     table.mirror()
     sew_centres(table)
     sew_fold_collar(table)
@@ -139,7 +125,4 @@ def draft_blazer(options: BlazerOptions, measurements: Measurements) -> Pattern:
     lay_loose_bodice(table, figure, bodice)
     lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.02))
     lay_fold_collar(table, FoldCollar(options.collar_width, options.lapels, options.lapel_width))
-    table.mirror()
-    sew_centres(table)
-    sew_fold_collar(table)
-    return table.finish()
+    return _finished(table)

@@ -60,8 +60,8 @@ class MermaidDressOptions(FittedDressOptions):
 
     skirt_length: declared.SkirtLength = 100.0
     skirt_flare: declared.SkirtFlare = -1.5
-    close: Annotated[float, Option("Body's waist to the seam of the flounce.", "cm", 30.0, 75.0)] = 58.0
-    fraction: Annotated[float, Option("Part of a full circle of the flounce.", "circles", 0.2, 1.0)] = 0.5
+    close: declared.FlounceSeam = 58.0
+    fraction: declared.FlounceFraction = 0.5
 
 
 def draft_mermaid_dress(options: MermaidDressOptions, measurements: Measurements) -> Pattern:
@@ -111,7 +111,7 @@ class ShirtDressOptions:
     collar: Annotated[bool, Option("Fold a collar down over a V neck that is close and 7 to 16 cm deep.")] = (
         False
     )
-    collar_width: Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 7.0)] = 5.5
+    collar_width: declared.CollarWidth = 5.5
 
 
 def draft_shirt_dress(options: ShirtDressOptions, measurements: Measurements) -> Pattern:

@@ -49,9 +49,9 @@ class MermaidSkirtOptions:
     """Options of the mermaid skirt."""
 
     length: declared.SkirtLength = 96.0
-    close: Annotated[float, Option("Body's waist to the seam of the flounce.", "cm", 30.0, 75.0)] = 58.0
+    close: declared.FlounceSeam = 58.0
     taper: Annotated[float, Option("Slant of the side seams inwards, above it.", "degrees", 0.0, 4.0)] = 1.5
-    fraction: Annotated[float, Option("Part of a full circle of the flounce.", "circles", 0.2, 1.0)] = 0.5
+    fraction: declared.FlounceFraction = 0.5
     hip_ease: declared.HipEase = 3.0
     band_height: declared.BandHeight = 4.0
 
