@@ -107,6 +107,8 @@ class PictureConfig(LoopConfig):
     frozen_stages: int = 0
     """How many of the trunk's four stages stay as `start` has them, the first ones. With all only what looks
     at their map learns: four times as many pictures in the same time of a processor."""
+    training_garments: int = 0
+    """How many of the garments to learn from, spread evenly over them; 0 takes all."""
     validation_garments: int = 150
 
     def __post_init__(self) -> None:
@@ -130,6 +132,7 @@ class PictureConfig(LoopConfig):
         require(self, "near", 0 <= self.near <= 1, "0 to 1")
         require(self, "unguessed", 0 <= self.unguessed <= 1, "0 to 1")
         require(self, "variation", self.variation >= 0, "0 or more")
+        require(self, "training_garments", self.training_garments >= 0, "0 or more")
         require(self, "validation_garments", self.validation_garments >= 1, "at least 1")
         require(self, "compiled", not self.compiled, "false")
         begun = self.frozen_stages == 0 or (bool(self.start) and 0 < self.frozen_stages <= _STAGES)

@@ -74,6 +74,8 @@ def train(
         bank = PictureBank(garments)
         bank.prepare(workers=max(workers, 1), report=report)
     bank.leave_out(held.digests().union(*(other.digests() for other in others)))
+    if config.training_garments:
+        bank.keep(config.training_garments)
     if processes.count > 1 and config.batch_size % processes.count:
         raise InputError(f"batch_size is {config.batch_size}; a multiple of the processes is accepted.")
     task = PictureTask(config, bank, held, processes, designs=placed, workers=workers, resumed=loop.resume)

@@ -97,6 +97,20 @@ class PictureBank:
             )
         self._places = kept
 
+    def keep(self, count: int) -> None:
+        """Forgets all but so many garments, spread evenly over those that there are.
+
+        Raises:
+            InputError: There are fewer.
+        """
+        found = len(self._places)
+        if count > found:
+            raise InputError(
+                f"There are {found} garments to learn from, and {count} were asked for (training_garments). "
+                f"1 to {found} are accepted, and 0 takes all."
+            )
+        self._places = [self._places[k * found // count] for k in range(count)]
+
     def checksum(self) -> str:
         """SHA-256 of the shards in their order."""
         shards = [s.sha256 for cache in self._caches for s in cache.reader.index.shards]
