@@ -1,13 +1,13 @@
 """What the picture reader's parts are worth: small trainings that differ in one thing, as tables.
 
-``python benchmarks/reader_ablations.py OUT --data DIR... --validation DIR... [--rows NAME ...] [--seeds 0 1]``
+``python benchmarks/reader_ablations.py OUT --data DIR... --validation DIR... [--rows NAME ...] [--seeds 0]``
 
-Every row sees as many pictures of as many pixels, all plain, from the same seeds, and is judged by the fronts
-and backs of all garments to validate with; with several seeds, half of the range of what they give stands behind
-the mean. A second table has the same after each quarter of the training: what more hours and what more
-garments are worth. ``--start`` gives the row ``photographs`` the weights that it begins with
-(scripts/take_picture_trunk_torch.py). What is done (OUT/NAME-seed-N) is not done again: it goes on where
-it was stopped; --rows and --seeds may add some later. ``--set FIELD=VALUE ...`` changes all rows. Needs the
+Every row sees as many pictures of as many pixels, all plain, from the same seeds, and is judged by the
+fronts and backs of all garments to validate with; with several seeds, half of the range of what they give
+stands behind the mean. A second table has the same after each quarter of the training: what more hours and
+what more garments are worth. ``--start`` gives the row ``photographs`` the weights that it begins with
+(scripts/take_picture_trunk_torch.py). What is done (OUT/NAME-seed-N) is not done again: it goes on where it
+was stopped; --rows and --seeds may add some later. ``--set FIELD=VALUE ...`` changes all rows. Needs the
 extra `train`.
 """
 

@@ -1,17 +1,17 @@
-"""What relaxing brings by how crumpled garments came out: where `garment_sewer.crumpling.CRUMPLED` belongs.
+"""What relaxing brings by how crumpled garments came out.
 
-``python benchmarks/relaxing_limit.py DRAPES/validation --limit 150 --frames 20``
+``python benchmarks/relaxing_limit.py DRAPES/validation --limit 150``
 
-Every garment is sewn and relaxed, whatever it came out like, and compared with its drape before and after:
-mean distance of vertices, Chamfer distance, and crossings of edges and faces. Means over the garments of each
-range of crumpled cloth.
+Every garment is sewn and relaxed as `generate` does, and compared with its drape before and after:
+mean distance of vertices, Chamfer distance, and crossings of edges and faces. Means over the garments of
+each range of crumpled cloth.
 """
 
 from __future__ import annotations
 
 import argparse
 import itertools
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -20,13 +20,11 @@ from machine import describe
 from swifttailor.arrays import Floats
 from swifttailor.data.reader import SplitReader
 from swifttailor.draping.intersections import self_intersections
-from swifttailor.draping.relax import FRAMES, relax
 from swifttailor.errors import SwiftTailorError
 from swifttailor.evaluation.garments.cloud_distances import chamfer
 from swifttailor.evaluation.garments.score import draw_clouds
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer import sewer as sewing
-from swifttailor.garment_sewer.crumpling import CrumpledGarment
+from swifttailor.garment_sewer.relaxing import relaxed
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.panel_mesh.topology import edge_faces
 
@@ -57,24 +55,21 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("data", type=Path, help="a split of drapes")
     parser.add_argument("--limit", type=int, default=150, help="garments, from all over the split")
-    parser.add_argument("--frames", type=int, default=FRAMES)
     options = parser.parse_args()
-    sewing.CRUMPLED = -1.0  # all of them come with folds to be relaxed from
     reader, sewer = SplitReader(options.data), GarmentSewer.load()
     found = []
     for number in range(0, len(reader.ids), max(1, len(reader.ids) // options.limit)):
         sample = reader[number]
         try:
             made = sewer.sew(sample.pattern, edge_length=sample.edge_length)
-            assert isinstance(made, CrumpledGarment) and made.folded is not None
-            fallen = relax(replace(made, vertices=made.folded, folded=None), frames=options.frames)
+            fallen = relaxed(made)
         except SwiftTailorError:
             continue
         shapes = (made.vertices, fallen.vertices, sample.garment.vertices)
         compared = [Compared.of(vertices, sample.garment, number) for vertices in shapes]
         found.append((made.report["sewing"]["crumpled"], compared))
     print(describe())
-    print(f"{len(found)} garments, {options.frames} frames; as sewn / relaxed (/ the drape)")
+    print(f"{len(found)} garments; as sewn / relaxed (/ the drape)")
     for low, high in itertools.pairwise(LIMITS):
         rows = [compared for share, compared in found if low <= share < high or share == high == 1.0]
         if rows:

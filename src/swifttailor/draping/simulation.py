@@ -31,6 +31,7 @@ from swifttailor.progress import StageProgress
 
 _FOOTPRINT_LEVEL = 2.0
 _SEWING_BENDING = 20.0
+_GROWING_BENDING, _GROWN_FRAMES = 5.0, 2
 _UNTANGLING = 0.1
 _LET_GO_AFTER = 30
 _MIN_FRAMES, _MIN_FREE_FRAMES = 30, 15
@@ -249,6 +250,28 @@ def fall(simulation: Simulation, frames: int, damping: float, progress: StagePro
             self_collision=simulation.settings.self_collision,
             max_speed=_FALLING_SPEED,
             long_edges=k < 15,
+        )
+        progress("relaxing", (k + 1) / frames)
+
+
+def grow(simulation: Simulation, frames: int, progress: StageProgress) -> None:
+    """Lets cloth that lies shorter than it is grow to its true lengths, folding as it does.
+
+    Bends are stiff meanwhile, so that it folds in few wide folds instead of many narrow ones.
+    """
+    simulation.hold()
+    true = simulation.cloth.rest
+    short = np.minimum(simulation.edge_lengths(), true)
+    for k in range(frames):
+        share = min(1.0, (k + 1) / (frames - _GROWN_FRAMES))
+        simulation.frame(
+            gravity=0.5 * GRAVITY,
+            damping=10.0,
+            friction=simulation.fabric.friction,
+            bending_factor=_GROWING_BENDING,
+            self_collision=simulation.settings.self_collision,
+            max_speed=_FALLING_SPEED,
+            rest=short * (1 - share) + true * share,
         )
         progress("relaxing", (k + 1) / frames)
 

@@ -1,4 +1,8 @@
-"""Predicted garments whose cloth came out crumpled, let fall for a moment."""
+"""Predicted garments, let fall for a moment.
+
+What the network predicts lies where the garment lies, but its seams ripple, its collars stand off and its
+wide skirts are crumpled (`crumpling.py`). A moment of physics makes cloth of it.
+"""
 
 from __future__ import annotations
 
@@ -8,13 +12,17 @@ import numpy as np
 
 from swifttailor.arrays import Floats
 from swifttailor.body import Body
+from swifttailor.body.wearer import body_of
 from swifttailor.draping.fabric import Fabric
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer.crumpling import CrumpledGarment
+from swifttailor.garment_sewer.crumpling import CRUMPLED, smoothed_where_crumpled
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
+from swifttailor.pattern.check import panel_regions
 from swifttailor.progress import StageProgress
 
+CRUMPLED_FRAMES = 20
+"""For so many sixtieths of a second crumpled garments fall: wide skirts get most of their folds in these."""
 VERY_CRUMPLED = 0.5
 """From this share on a garment falls for twice as long: circle skirts of more than a circle."""
 CRUMPLED_ALL_OVER = 0.35
@@ -28,14 +36,14 @@ _SLIPPED = "It would have slipped down."
 _TANGLED = "It would have passed through itself far more than as it was predicted."
 
 
-def relaxed_where_crumpled(
+def relaxed(
     garment: Garment,
     *,
     body: Body | None = None,
     fabric: Fabric | str = "cotton",
     progress: StageProgress | None = None,
 ) -> Garment:
-    """A garment as GarmentSewer made it, or after a moment of physics where it is crumpled.
+    """A garment as GarmentSewer made it, after a moment of physics.
 
     Args:
         garment: Of `GarmentSewer.decode`.
@@ -47,27 +55,42 @@ def relaxed_where_crumpled(
         The garment. Where the cloth went to infinity, slipped down, or passes through itself in far more
         places than before, it is as it was, and its report says so under ``not_relaxed``.
     """
-    if not isinstance(garment, CrumpledGarment) or garment.folded is None:
-        return garment
     from swifttailor.draping.compiled_code import COMPILE_NOTE, solver_is_compiled
     from swifttailor.draping.relax import FRAMES, relax
 
     say = progress or (lambda stage, share: None)
     if not solver_is_compiled():
         say(COMPILE_NOTE, 0.0)
-    frames = 2 * FRAMES if garment.report["sewing"]["crumpled"] > VERY_CRUMPLED else FRAMES
-    folded = replace(garment, vertices=garment.folded, folded=None)
+    body = body_of(garment.pattern.drafted_for) if body is None else body
+    crumpled = garment.report["sewing"]["crumpled"]
+    frames, smooth = FRAMES, None
+    if crumpled > CRUMPLED:
+        frames = 2 * CRUMPLED_FRAMES if crumpled > VERY_CRUMPLED else CRUMPLED_FRAMES
+        smooth = _smoothed(garment, body)
     try:
-        relaxed = relax(folded, body=body, fabric=fabric, frames=frames, progress=progress)
+        fallen = relax(garment, body=body, fabric=fabric, frames=frames, grown_from=smooth, progress=progress)
     except SimulationError as error:
         return replace(garment, report=garment.report | {"not_relaxed": str(error)})
-    seconds = relaxed.report["seconds"]
-    if garment.report["sewing"]["crumpled"] < CRUMPLED_ALL_OVER and _slipped(garment, relaxed) > SLIPPED_CM:
+    seconds = fallen.report["seconds"]
+    if crumpled < CRUMPLED_ALL_OVER and _slipped(garment, fallen) > SLIPPED_CM:
         return replace(garment, report=garment.report | {"not_relaxed": _SLIPPED, "seconds": seconds})
     allowed = _crossings(garment.mesh, garment.vertices) + MORE_CROSSINGS * len(garment.mesh.faces)
-    if _crossings(garment.mesh, relaxed.vertices) > allowed:
+    if _crossings(garment.mesh, fallen.vertices) > allowed:
         return replace(garment, report=garment.report | {"not_relaxed": _TANGLED, "seconds": seconds})
-    return relaxed
+    return fallen
+
+
+def _smoothed(garment: Garment, body: Body) -> Floats:
+    """Smooth but for what it hangs from, sleeves and hoods, which slip when they are short for a while."""
+    from swifttailor.draping.attachment import find_attachment
+
+    mesh, levels = garment.mesh, body.measurements
+    held = np.zeros(mesh.vertex_count, dtype=bool)
+    held[find_attachment(mesh, levels).vertices] = True
+    held[garment.vertices[:, 1] > levels.armpit_level] = True
+    on_arm = np.array([region == "arm" for region in panel_regions(mesh.pattern).values()])
+    held[mesh.weld[on_arm[mesh.flat_panel]]] = True
+    return smoothed_where_crumpled(mesh, garment.vertices, held)
 
 
 def _slipped(before: Garment, after: Garment) -> float:

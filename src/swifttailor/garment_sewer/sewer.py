@@ -17,7 +17,7 @@ from swifttailor.errors import InputError
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.closing import ClosingSettings, close_seams, seam_gaps
 from swifttailor.garment_sewer.conditioning import conditioning_image
-from swifttailor.garment_sewer.crumpling import CRUMPLED, CrumpledGarment, crumpled_share, folded_like
+from swifttailor.garment_sewer.crumpling import crumpled_share
 from swifttailor.garment_sewer.model_file import SewerModel, load_model
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.pixels.pixel_table import PixelTable, tabulate
@@ -170,9 +170,6 @@ class GarmentSewer:
     def decode(self, prepared: Prepared, values: Floats) -> Garment:
         """The garment of predicted positions (n, 3) of a layout's occupied pixels.
 
-        Returns:
-            It, as a `CrumpledGarment` where the network predicts cloth that is too short.
-
         Raises:
             InputError: The positions are not finite.
         """
@@ -201,8 +198,4 @@ class GarmentSewer:
                 "crumpled": crumpled,
             },
         }
-        if crumpled <= CRUMPLED or self.model.conditioning.prior != "hung":
-            return Garment(mesh, vertices, report)
-        folded = folded_like(mesh, flat, weights @ prepared.table.prior.astype(np.float64))
-        folded = close_seams(mesh, folded, self.body, self.closing)
-        return CrumpledGarment(mesh, vertices, report, folded=folded)
+        return Garment(mesh, vertices, report)

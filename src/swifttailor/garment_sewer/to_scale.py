@@ -13,7 +13,6 @@ from typing import Any
 from swifttailor.arrays import Floats
 from swifttailor.body import Body
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer.crumpling import CrumpledGarment
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.sewer import GarmentSewer, Prepared
 from swifttailor.panel_mesh import mesh_pattern
@@ -71,10 +70,7 @@ class ScaledSewer(GarmentSewer):
         }
         lengths = {name: large.report[name] / self.factor for name in _LENGTHS}
         report = large.report | lengths | {"sewing": sewing}
-        small = {"mesh": prepared.mesh, "vertices": large.vertices / self.factor, "report": report}
-        if isinstance(large, CrumpledGarment) and large.folded is not None:
-            return replace(large, **small, folded=large.folded / self.factor)
-        return replace(large, **small)
+        return Garment(prepared.mesh, large.vertices / self.factor, report)
 
 
 def sewer_for(sewer: GarmentSewer, body: Body) -> GarmentSewer:

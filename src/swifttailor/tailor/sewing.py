@@ -14,7 +14,7 @@ from swifttailor.body.wearer import body_of
 from swifttailor.clock import DIGITS
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer.relaxing import relaxed_where_crumpled
+from swifttailor.garment_sewer.relaxing import relaxed
 from swifttailor.garment_sewer.sewer import BATCH, Prepared
 from swifttailor.pattern import Pattern, Reading, check_pattern, read_pattern_file, repair_pattern
 from swifttailor.pattern.check import BodyProbe, errors_of, require_no_errors
@@ -222,9 +222,7 @@ def sew_answers(
                 if options.finish:
                     garment = _finished(garment, options, body, made_of.fabric, progress)
                 elif options.relax:
-                    garment = relaxed_where_crumpled(
-                        garment, body=body, fabric=made_of.fabric, progress=progress
-                    )
+                    garment = relaxed(garment, body=body, fabric=made_of.fabric, progress=progress)
             except SwiftTailorError as error:
                 yield error
             else:

@@ -17,7 +17,7 @@ from swifttailor.draping.collider import vertices_ignoring_arms
 from swifttailor.draping.known_fabrics import get_fabric
 from swifttailor.draping.quality import measure_quality
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer.relaxing import relaxed_where_crumpled
+from swifttailor.garment_sewer.relaxing import relaxed
 from swifttailor.garment_sewer.sewer import SHIPPED, GarmentSewer
 
 MOST_INSIDE = 0.02
@@ -56,7 +56,7 @@ def _sewn(task: SampleTask, weights: Path | None) -> Garment:
     sewable = read_sewable(task.pattern, settings)
     loading = time.perf_counter() - started
     garment = _sewer(weights).sew(sewable.pattern, edge_length=settings.edge_length)
-    garment = relaxed_where_crumpled(garment, body=shared_body(settings), fabric=settings.fabric)
+    garment = relaxed(garment, body=shared_body(settings), fabric=settings.fabric)
     started = time.perf_counter()
     quality = measure_quality(
         garment.mesh,

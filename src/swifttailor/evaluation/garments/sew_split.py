@@ -14,7 +14,7 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.evaluation.garments.point_cloud import PointCloud
 from swifttailor.evaluation.garments.score import Scored, draw_clouds, score_garment
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer.relaxing import relaxed_where_crumpled
+from swifttailor.garment_sewer.relaxing import relaxed
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer, Prepared
 from swifttailor.progress import CountProgress, unwatched
 
@@ -114,7 +114,7 @@ class _Work:
             if finish:
                 garment = hang_to_rest(garment)
             elif relax:
-                garment = relaxed_where_crumpled(garment)
+                garment = relaxed(garment)
         except SwiftTailorError as error:
             self.error = str(error)
             return None

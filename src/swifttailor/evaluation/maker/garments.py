@@ -19,7 +19,7 @@ from swifttailor.evaluation.garments.set_distances import SetDistances, set_dist
 from swifttailor.evaluation.maker.questions import seed_of
 from swifttailor.evaluation.maker.scores import Scored
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer.relaxing import relaxed_where_crumpled
+from swifttailor.garment_sewer.relaxing import relaxed
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Pattern
 from swifttailor.progress import CountProgress
@@ -103,7 +103,7 @@ class Garments:
 
     def _sewn(self, pattern: Pattern, name: str) -> tuple[PointCloud | None, str]:
         try:
-            garment = relaxed_where_crumpled(self.sewer.sew(pattern))
+            garment = relaxed(self.sewer.sew(pattern))
             return self._points(garment, name, "sewn"), ""
         except SwiftTailorError as error:
             return None, str(error)

@@ -11,7 +11,7 @@ from swifttailor.data.builder.code_version import code_version
 from swifttailor.draping import drape
 from swifttailor.draping.finish import finish as hang_to_rest
 from swifttailor.garment.garment import Garment
-from swifttailor.garment_sewer.relaxing import relaxed_where_crumpled
+from swifttailor.garment_sewer.relaxing import relaxed
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern import Pattern
 
@@ -72,7 +72,7 @@ class NetworkConstructor:
             garment = hang_to_rest(garment)
             clock.stop("finishing")
         else:
-            garment = relaxed_where_crumpled(garment)
+            garment = relaxed(garment)
             clock.stop("relaxing")
         return replace(garment, report=garment.report | {"seconds": clock.seconds})
 
