@@ -34,14 +34,18 @@ def stretch(prepared: Prepared) -> float:
         Share of the length; 0.05 is usual for close garments.
     """
     mesh = prepared.mesh
-    flat = outline_sampler(prepared.layout, mesh).weights @ prepared.table.prior.astype(np.float64)
-    worn = np.zeros((mesh.vertex_count, 3))
-    np.add.at(worn, mesh.weld, flat)
-    worn /= np.maximum(np.bincount(mesh.weld, minlength=mesh.vertex_count), 1)[:, None]
+    worn = worn_coarsely(prepared)
     cut = _sides(mesh.flat_vertices[mesh.flat_faces])
     long = _sides(worn[mesh.faces])
     measured = cut > _UNMEASURED
     return float(np.percentile(long[measured] / cut[measured], 95)) - 1.0
+
+
+def worn_coarsely(prepared: Prepared) -> Floats:
+    """(v, 3) where the coarse drape has the vertices of the mesh, cm."""
+    mesh = prepared.mesh
+    flat = outline_sampler(prepared.layout, mesh).weights @ prepared.table.prior.astype(np.float64)
+    return mesh.welded_mean(flat)
 
 
 def _sides(corners: Floats) -> Floats:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+from swifttailor.body import Body
 from swifttailor.clock import Clock
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
+from swifttailor.garment_sewer.bare_bust import bares_bust
 from swifttailor.garment_sewer.sewer import GarmentSewer, Prepared
 from swifttailor.garment_sewer.tightness import is_too_tight
 from swifttailor.parameter_reader.reader import ParameterReader
@@ -32,6 +34,7 @@ from swifttailor.tailor.sewing import SewingOptions, prepare
 WARMER = 0.15
 """How much higher the temperature of each attempt is than that of the one before: the likely has failed."""
 TIGHT = "it would be too tight"
+BARE = "it would leave the bust bare"
 
 Sample = tuple[Wanted, int]
 """One garment that is wanted, and its seed."""
@@ -217,17 +220,21 @@ def _prepared(answer: Answer, sewer: Sewer, order: Order) -> Answer:
         answer = prepare(sewer, answer, SewingOptions(order.edge_length))
     except SwiftTailorError as error:
         return replace(answer, verdict=replace(answer.verdict, unsewable=str(error)))
-    # Pictures and patterns to edit show how tight a garment is meant to be.
-    if order.images or order.edit is not None or not _is_too_tight(answer, sewer):
-        return answer
-    odd = (*answer.verdict.beyond_usual, TIGHT)
-    return replace(answer, verdict=replace(answer.verdict, beyond_usual=odd))
+    # Pictures and patterns to edit show how a garment is meant to sit.
+    odd = () if order.images or order.edit is not None else _worn_badly(answer, sewer)
+    beyond = (*answer.verdict.beyond_usual, *odd)
+    return replace(answer, verdict=replace(answer.verdict, beyond_usual=beyond)) if odd else answer
 
 
-def _is_too_tight(answer: Answer, sewer: Sewer) -> bool:
-    """Whether the coarse drape shows it, where the sewer has one."""
-    hung = isinstance(sewer, GarmentSewer) and sewer.model.conditioning.prior == "hung"
-    return hung and isinstance(answer.prepared, Prepared) and is_too_tight(answer.prepared)
+def _worn_badly(answer: Answer, sewer: Sewer) -> tuple[str, ...]:
+    """What the coarse drape shows, where the sewer has one."""
+    if not isinstance(sewer, GarmentSewer) or sewer.model.conditioning.prior != "hung":
+        return ()
+    if not isinstance(answer.prepared, Prepared):
+        return ()
+    tight = (TIGHT,) if is_too_tight(answer.prepared) else ()
+    bare = bares_bust(answer.prepared, sewer.body, Body.default().measurements)
+    return (*tight, BARE) if bare else tight
 
 
 def _chosen(tried: Sequence[Answer], sewer: Sewer, order: Order) -> Answer | SwiftTailorError:
