@@ -1,4 +1,4 @@
-"""Whether a bodice leaves the bust bare, before it is made: by the coarse drape that the network begins with."""
+"""Whether a bodice leaves the bust bare, before it is made: by the drape that the network begins with."""
 
 from __future__ import annotations
 
