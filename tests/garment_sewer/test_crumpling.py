@@ -147,6 +147,12 @@ def test_what_is_not_crumpled_falls_for_a_moment(sewer):
     assert np.median(np.linalg.norm(fallen.vertices - shirt.vertices, axis=1)) < 1.5
 
 
+@pytest.mark.parametrize("name", ["shirt", "polo-shirt"])
+def test_collars_lie_on_the_bodice_and_not_in_it(sewer, name):
+    made = sewer.sew(draft(name))
+    assert _crossings(made.mesh, made.vertices) > 10 > 3 >= _crossings(made.mesh, relaxed(made).vertices)
+
+
 def test_sleeves_and_hoods_are_not_smoothed(sewer):
     """While they are smooth they are short, and slip up the arm and off the head."""
     pattern = draft("robe")

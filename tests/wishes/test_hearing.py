@@ -183,7 +183,7 @@ def test_what_overlaps_or_is_folded_begins_from_drafts(text, draft):
 @pytest.mark.parametrize(
     "text",
     [
-        *("a wrap jumpsuit", "wrap trousers", "a wrap coat", "a dress with a matching wrap", "a polo dress"),
+        *("a wrap jumpsuit", "a wrap coat", "a dress with a matching wrap", "a polo dress"),
         *(
             "a blazer dress",
             "a dress with a cowl neck",
@@ -411,3 +411,25 @@ def test_slits_that_are_counted_are_no_gores(reader, text, unread):
     claims = {w.change.claim.name for w in (*heard.sure, *heard.likely) if isinstance(w.change, Gain)}
     assert "slit" in claims and "gores" not in claims
     assert heard.unread == unread
+
+
+@pytest.mark.parametrize(
+    ("text", "first"),
+    [
+        ("trousers that are flared from the knee", "flares"),
+        ("jeans that are flared", "flares"),
+        ("slim chinos", "jeans"),
+        ("a wrap dress with an A-line skirt", "wrap-dress"),
+        ("an A-line shirt dress", "shirt-dress"),
+        ("a wool dress with an A-line skirt", "skater-dress"),
+        ("a pleated skirt", "pleated-skirt"),
+        ("a plain skirt", "circle-skirt"),
+    ],
+)
+def test_what_says_more_of_a_garment_gives_the_draft(text, first):
+    assert hear_description(text, Saying()).drafts[0].name == first
+
+
+def test_shorts_begin_from_a_draft_of_their_length():
+    (draft, *_) = hear_description("wide shorts", Saying()).drafts
+    assert dict(draft.options)["length"] < 60.0

@@ -17,6 +17,7 @@ from swifttailor.draping.fabric import Fabric
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.crumpling import CRUMPLED, smoothed_where_crumpled
+from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern.check import panel_regions
 from swifttailor.progress import StageProgress
@@ -29,6 +30,8 @@ CRUMPLED_ALL_OVER = 0.35
 """Below this share little of a garment has to move, and what slips was right before: hoods, wide necks."""
 SLIPPED_CM, UPPERMOST = 2.5, 0.1
 """So far the uppermost tenth of the vertices may fall on average."""
+LIFTED_CM = 0.6
+"""So far collars are lifted first: the network puts them into the bodice that they lie on."""
 MORE_CROSSINGS = 0.01
 """So many more, per face, may an edge and a face cross than before: a fold that touches itself is better than
 cloth that is too short all over."""
@@ -64,11 +67,12 @@ def relaxed(
     body = body_of(garment.pattern.drafted_for) if body is None else body
     crumpled = garment.report["sewing"]["crumpled"]
     frames, smooth = FRAMES, None
+    begun = replace(garment, vertices=_with_collars_lifted(garment, body))
     if crumpled > CRUMPLED:
         frames = 2 * CRUMPLED_FRAMES if crumpled > VERY_CRUMPLED else CRUMPLED_FRAMES
-        smooth = _smoothed(garment, body)
+        smooth = _smoothed(begun, body)
     try:
-        fallen = relax(garment, body=body, fabric=fabric, frames=frames, grown_from=smooth, progress=progress)
+        fallen = relax(begun, body=body, fabric=fabric, frames=frames, grown_from=smooth, progress=progress)
     except SimulationError as error:
         return replace(garment, report=garment.report | {"not_relaxed": str(error)})
     seconds = fallen.report["seconds"]
@@ -78,6 +82,21 @@ def relaxed(
     if _crossings(garment.mesh, fallen.vertices) > allowed:
         return replace(garment, report=garment.report | {"not_relaxed": _TANGLED, "seconds": seconds})
     return fallen
+
+
+def _with_collars_lifted(garment: Garment, body: Body) -> Floats:
+    """(v, 3) its vertices, those of collars alone moved away from the body."""
+    mesh = garment.mesh
+    collars = np.array(["collar" in panel.name for panel in mesh.pattern.panels])
+    if not collars.any():
+        return garment.vertices
+    alone = np.ones(mesh.vertex_count, dtype=bool)
+    alone[mesh.weld[~collars[mesh.flat_panel]]] = False
+    vertices = garment.vertices.copy()
+    distances = BodyDistance.of(body)
+    _, away = distances.sample(vertices[alone], np.zeros(int(alone.sum()), dtype=bool))
+    vertices[alone] += LIFTED_CM * away
+    return vertices
 
 
 def _smoothed(garment: Garment, body: Body) -> Floats:

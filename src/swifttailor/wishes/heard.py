@@ -82,9 +82,13 @@ class Heard:
 
     @cached_property
     def drafts(self) -> tuple[NamedDraft, ...]:
-        """Drafts that show what it names, for the kind of garment that is asked for."""
+        """Drafts that show what it names, for the kind of garment that is asked for.
+
+        First those of names that say more than the kind, then of details, then of mere kinds: trousers.
+        """
         kind = _CUT_AS.get(self.kind or "", self.kind)
-        named = [draft for entry in self._meant for draft in entry.drafts]
+        order = _names_first if self.kind in ("shorts", "playsuit") else _says_less
+        named = [draft for entry in sorted(self._meant, key=order) for draft in entry.drafts]
         named = [draft for draft in named if DRAFT_KINDS[draft.name] == kind]
         if self._speaks_of_another_neck:
             named = [draft for draft in named if draft.name not in COLLARED]
@@ -143,3 +147,17 @@ class Heard:
 
 HEARD_NOTHING = Heard("")
 """Where there is no text."""
+
+
+def _names_first(entry: Entry) -> bool:
+    """Of what is shorter than the drafts of details are."""
+    return entry.category != "garments"
+
+
+def _says_less(entry: Entry) -> int:
+    """Smaller for what says more of the whole garment; most names of trousers say little of legs."""
+    if entry.category != "garments":
+        return 1
+    if any(claim.name != "kind" for claim in entry.claims("certain")):
+        return 0
+    return 2 if entry.is_mere_kind or "trousers" in entry.kinds else 0

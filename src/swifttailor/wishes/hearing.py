@@ -249,7 +249,8 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
     garments of the kind cannot have, as the bodice of "tailored trousers", is left out.
     """
     implied = [i for i in words.implications if not i.said]
-    most = {i.claim: SURENESS[i.certainty] for i in implied if any(e.drafts for e in i.mark.entries)}
+    drafted = [i for i in implied if any(e.drafts and not e.is_mere_kind for e in i.mark.entries)]
+    most = {i.claim: SURENESS[i.certainty] for i in drafted}
     told = {i.claim.name for i in words.implications} if most and not words.unknown else None
     sure = [i.claim for i in implied if i.claim.name == "kind" and i.certainty == "certain"]
     kind = next(iter(sure), None)

@@ -127,6 +127,13 @@ class Entry:
         """Its first word."""
         return self.words[0]
 
+    @property
+    def is_mere_kind(self) -> bool:
+        """Whether it names a kind of garment and says little more of it: trousers, a skirt."""
+        if self.category != "garments" or self.against or self.cannot or self.cloth:
+            return False
+        return all(i.claim.name == "kind" or i.certainty == "usual" for i in self.implied)
+
     def claims(self, *certainties: Certainty) -> tuple[Claim, ...]:
         """The implied claims of some certainties; all when none is given."""
         return tuple([i.claim for i in self.implied if not certainties or i.certainty in certainties])
