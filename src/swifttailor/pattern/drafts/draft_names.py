@@ -109,10 +109,16 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
 }
 """What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``. Where it
 names a shirt dress, that has its collar."""
+_HALTER = (
+    ("back_depth", "open"),
+    ("back_depth", "low"),
+    ("straps", "narrow"),
+    ("shoulders", "strapless"),
+)
 DRAFTS_ARE: Mapping[str, tuple[tuple[str, str], ...]] = {
-    "halter-top": (("back_depth", "open"), ("back_depth", "low"), ("straps", "narrow")),
-    "halter-dress": (("back_depth", "open"), ("back_depth", "low"), ("straps", "narrow")),
-    "halter-jumpsuit": (("back_depth", "open"), ("back_depth", "low"), ("straps", "narrow")),
+    "halter-top": _HALTER,
+    "halter-dress": _HALTER,
+    "halter-jumpsuit": _HALTER,
 }
 """Claims that are true of a draft to the eye, though not as they are measured between two shoulders."""
 COLLARED = frozenset({"shirt", "shirt-dress"})
