@@ -85,7 +85,7 @@ def test_cloth_is_not_torn(garment):
     before = lengths(vertices)
     for seed in range(POSES):
         (cloth,) = carry_all([(vertices, worn)], rig, random_pose(np.random.default_rng(seed)))
-        assert (lengths(cloth) > 2 * before + 0.2).mean() < 0.004, (name, seed)
+        assert (lengths(cloth) > 2 * before + 0.2).mean() < 0.006, (name, seed)
 
 
 def test_the_hem_of_a_skirt_stays_nearly_level():

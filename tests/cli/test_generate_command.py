@@ -258,7 +258,7 @@ def test_real_model_files_end_to_end(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(model_file, "Grammar", partial(Grammar, Limits(tokens=100)))
     arguments = [
         "generate",
-        "a skirt",
+        "a dress",
         "--out",
         tmp_path / "out",
         "--maker-weights",

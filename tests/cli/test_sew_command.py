@@ -35,7 +35,7 @@ def test_one_pattern_to_one_folder(shirt, tmp_path, capsys):
     }
     garment = Garment.load(tmp_path / "out")
     assert garment.report["findings"] == []
-    assert set(garment.report["seconds"]) == {"loading", "drawing", "network", "decoding"}
+    assert set(garment.report["seconds"]) == {"loading", "drawing", "network", "decoding", "relaxing"}
 
 
 def test_many_patterns_to_a_folder_each_and_a_broken_one_stops_no_other(shirt, tmp_path, capsys):

@@ -56,7 +56,7 @@ def tailor(library, sewer):
 
 
 def test_what_is_asked_for_is_found_and_said(tailor, tmp_path):
-    made = tailor.generate("a midi skirt")
+    made = tailor.generate("a midi skirt", source="library")
     assert made.answer.known in ("midi", "midi again") and made.answer.attempt == 0
     assert made.report["writing"] == {
         "source": "library",
@@ -104,9 +104,12 @@ def test_a_writer_of_your_own_writes_them_all(sewer):
 
 
 def test_seeds_choose_among_those_that_fit_as_well(library, tailor):
-    seen = [made.answer.known for made in tailor.make(Order("a midi skirt", samples=4))]
+    seen = [made.answer.known for made in tailor.make(Order("a midi skirt", samples=4, source="library"))]
     assert len(set(seen)) == 4 and set(seen[:2]) == {"midi", "midi again"}
-    cold = {tailor.generate("a midi skirt", temperature=0.0, seed=k).answer.known for k in range(3)}
+    cold = {
+        tailor.generate("a midi skirt", temperature=0.0, seed=k, source="library").answer.known
+        for k in range(3)
+    }
     assert len(cold) == 1
     search = Search(library, Sought.nothing())
     search.fits = np.array([-9.0, -1.0, -2.5, 0.0, -50.0])

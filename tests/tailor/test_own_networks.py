@@ -52,7 +52,7 @@ def tailor() -> Tailor:
 
 
 def test_other_networks_write_and_sew(tailor, tmp_path):
-    made = tailor.generate("trousers")
+    made = tailor.generate("trousers", source="writer")
     names = {p.name for p in draft("trousers").panels}
     assert {p.name for p in made.pattern.panels} == names
     report = made.report

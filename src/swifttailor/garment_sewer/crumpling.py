@@ -60,7 +60,8 @@ def smoothed_where_crumpled(mesh: PatternMesh, vertices: Floats, held: NDArray[n
     )
     laplacian, links = _graph(mesh.faces, count)
     near = np.zeros(count)
-    near[mesh.faces[_is_crumpled(mesh, vertices[mesh.weld])]] = 1.0
+    corners = rest_shape(mesh).corners[_is_crumpled(mesh, vertices[mesh.weld])]
+    near[mesh.weld[corners]] = 1.0
     for _ in range(max(1, round(_AROUND_CM / size))):
         near = np.where(links @ near > 0, 1.0, near)
     identity = diags_array(np.ones(count))
@@ -75,7 +76,7 @@ def smoothed_where_crumpled(mesh: PatternMesh, vertices: Floats, held: NDArray[n
 
 
 def _is_crumpled(mesh: PatternMesh, flat_positions: Floats) -> NDArray[np.bool_]:
-    """(f,) whether each face is shorter than `SHORT` in some direction."""
+    """(f,) whether each face that has an area is shorter than `SHORT` in some direction."""
     first, second = np.moveaxis(flat_gradients(mesh, rest_shape(mesh), flat_positions), 1, 0)
     a, b, c = (first * first).sum(1), (first * second).sum(1), (second * second).sum(1)
     # The smaller eigenvalue of [a b; b c] is the square of the smaller stretch.

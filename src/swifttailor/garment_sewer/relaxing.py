@@ -58,6 +58,9 @@ def relaxed(
         The garment. Where the cloth went to infinity, slipped down, or passes through itself in far more
         places than before, it is as it was, and its report says so under ``not_relaxed``.
     """
+    crumpled = garment.report.get("sewing", {}).get("crumpled")
+    if crumpled is None:  # another network's
+        return garment
     from swifttailor.draping.compiled_code import COMPILE_NOTE, solver_is_compiled
     from swifttailor.draping.relax import FRAMES, relax
 
@@ -65,7 +68,6 @@ def relaxed(
     if not solver_is_compiled():
         say(COMPILE_NOTE, 0.0)
     body = body_of(garment.pattern.drafted_for) if body is None else body
-    crumpled = garment.report["sewing"]["crumpled"]
     frames, smooth = FRAMES, None
     begun = replace(garment, vertices=_with_collars_lifted(garment, body))
     if crumpled > CRUMPLED:

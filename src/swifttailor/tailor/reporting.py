@@ -10,6 +10,7 @@ from swifttailor.clock import DIGITS, Clock
 from swifttailor.garment.cloth_color import COLOR
 from swifttailor.garment.cloth_print import PRINT
 from swifttailor.garment.garment import Garment
+from swifttailor.garment_sewer.crumpling import CRUMPLED
 from swifttailor.pattern.check import Change as Mending
 from swifttailor.pattern.drafts.draft_names import DRAFTS_SHOW, STANDS_IN
 from swifttailor.tailor.answer import Answer
@@ -295,9 +296,9 @@ def _read_line(wanted: Wanted) -> str:
 
 def finishing_notes(garment: Garment) -> list[str]:
     """What a person should know of how a garment was finished; nothing where it hung from where it was."""
-    if "relaxed_frames" in garment.report:
+    if "relaxed_frames" in garment.report and garment.report["sewing"]["crumpled"] > CRUMPLED:
         fell = garment.report["relaxed_frames"] / 60
-        return [f"Its cloth fell for {fell:.1f} s of physics (--no-relax: not)."]
+        return [f"Its cloth came out crumpled, and fell for {fell:.1f} s of physics (--no-relax: not)."]
     if "not_relaxed" in garment.report:
         return [f"Left as the network made it. {garment.report['not_relaxed']}"]
     about = garment.report.get("finishing", {"from": "garment"})

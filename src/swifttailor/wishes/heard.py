@@ -158,6 +158,5 @@ def _says_less(entry: Entry) -> int:
     """Smaller for what says more of the whole garment; most names of trousers say little of legs."""
     if entry.category != "garments":
         return 1
-    if any(claim.name != "kind" for claim in entry.claims("certain")):
-        return 0
-    return 2 if entry.is_mere_kind or "trousers" in entry.kinds else 0
+    definite = any(claim.name != "kind" for claim in entry.claims("certain"))
+    return 2 if entry.is_mere_kind or ("trousers" in entry.kinds and not definite) else 0

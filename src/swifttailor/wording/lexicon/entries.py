@@ -57,6 +57,7 @@ _WORDS = ("ambiguous", "plural")
 LONGEST_GLOSS = 120
 """Characters."""
 _HEX = frozenset("0123456789abcdef")
+_KIND_AND_LENGTH = frozenset({"kind", "skirt_hem", "leg_hem", "top_hem"})
 _CERTAINTIES: tuple[Certainty, ...] = ("usual", "likely")
 
 
@@ -129,10 +130,10 @@ class Entry:
 
     @property
     def is_mere_kind(self) -> bool:
-        """Whether it names a kind of garment and says little more of it: trousers, a skirt."""
+        """Whether it names a kind of garment and at most its length: trousers, a midi skirt."""
         if self.category != "garments" or self.against or self.cannot or self.cloth:
             return False
-        return all(i.claim.name == "kind" or i.certainty == "usual" for i in self.implied)
+        return all(i.claim.name in _KIND_AND_LENGTH or i.certainty == "usual" for i in self.implied)
 
     def claims(self, *certainties: Certainty) -> tuple[Claim, ...]:
         """The implied claims of some certainties; all when none is given."""
