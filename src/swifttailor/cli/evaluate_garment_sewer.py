@@ -38,7 +38,7 @@ class EvaluateGarmentSewer:
     finish: tyro.conf.FlagCreatePairsOff[bool] = False
     """Let the garments hang to rest by physics before they are measured; takes a second or two each."""
     relax: bool = True
-    """Let those that come out crumpled fall for a moment, as sew does."""
+    """Let the cloth fall for a moment, as sew does."""
     threads: Annotated[int, tyro.conf.arg(metavar="N")] = 1
     """CPU cores for the network."""
     out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None

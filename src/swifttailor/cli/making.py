@@ -61,7 +61,7 @@ class Making(GarmentResults, WearerOptions, FabricOption):
     finish: tyro.conf.FlagCreatePairsOff[bool] = False
     """Finish with physics: let the garment hang to rest. Adds wrinkles and a report of its quality."""
     relax: bool = True
-    """Let a garment that comes out crumpled, as wide skirts do, fall for a moment."""
+    """Let the cloth fall for a moment: smooths seams, and gives wide skirts their folds."""
     edge_length: float = 2.0
     """Edge length of the mesh in cm, 0.5 to 10."""
     maker_weights: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None

@@ -49,7 +49,7 @@ class Sew(GarmentResults, WearerOptions, FabricOption):
     finish: tyro.conf.FlagCreatePairsOff[bool] = False
     """Finish with physics: let the garment hang to rest. Adds wrinkles and a report of its quality."""
     relax: bool = True
-    """Let a garment that comes out crumpled, as wide skirts do, fall for a moment."""
+    """Let the cloth fall for a moment: smooths seams, and gives wide skirts their folds."""
     repair: tyro.conf.FlagCreatePairsOff[bool] = False
     """Repair the patterns first, as swifttailor check --repair does."""
     rotation: Literal["intrinsic", "extrinsic"] = "intrinsic"

@@ -26,7 +26,7 @@ def sew(
         pattern: A pattern, or a GarmentCode JSON file.
         edge_length: Of the mesh, cm.
         finish: Whether it hangs to rest by physics in the end.
-        relax: Whether a garment that comes out crumpled falls for a moment.
+        relax: Whether the cloth falls for a moment.
         repair: Whether it is mended first.
 
     Raises:

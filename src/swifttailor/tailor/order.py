@@ -85,7 +85,7 @@ class Order:
     finish: bool = False
     """Whether the garment hangs to rest by physics in the end."""
     relax: bool = True
-    """Whether a garment that comes out crumpled, as wide skirts do, falls for a moment."""
+    """Whether the cloth falls for a moment: smooths seams, and gives wide skirts their folds."""
 
     def __post_init__(self) -> None:
         if len(self.images) > MOST_PICTURES:

@@ -296,10 +296,11 @@ def _read_line(wanted: Wanted) -> str:
 
 def finishing_notes(garment: Garment) -> list[str]:
     """What a person should know of how a garment was finished; nothing where it hung from where it was."""
-    if "relaxed_frames" in garment.report and garment.report["sewing"]["crumpled"] > CRUMPLED:
+    fallen = "finishing" not in garment.report
+    if fallen and "relaxed_frames" in garment.report and garment.report["sewing"]["crumpled"] > CRUMPLED:
         fell = garment.report["relaxed_frames"] / 60
         return [f"Its cloth came out crumpled, and fell for {fell:.1f} s of physics (--no-relax: not)."]
-    if "not_relaxed" in garment.report:
+    if fallen and "not_relaxed" in garment.report:
         return [f"Left as the network made it. {garment.report['not_relaxed']}"]
     about = garment.report.get("finishing", {"from": "garment"})
     if about["from"] == "garment":

@@ -47,7 +47,7 @@ class SewingOptions:
     finish: bool = False
     """Whether garments hang to rest by physics in the end."""
     relax: bool = True
-    """Whether those that come out crumpled fall for a moment, where they are not finished."""
+    """Whether cloth falls for a moment, before it is finished too."""
 
 
 def prepare(sewer: Sewer, answer: Answer, options: SewingOptions) -> Answer:
@@ -271,9 +271,9 @@ def _finished(
         progress or (lambda stage, share: None),
         instead="Choose a longer --edge-length, or leave out --finish.",
     )
-    return finish_or_drape(
-        garment, edge_length=options.edge_length, body=body, fabric=fabric, progress=limited
-    )
+    # Hung from where the network put it, cloth that passes through itself there stays so.
+    begun = relaxed(garment, body=body, fabric=fabric, progress=limited) if options.relax else garment
+    return finish_or_drape(begun, edge_length=options.edge_length, body=body, fabric=fabric, progress=limited)
 
 
 def _rounded(seconds: dict[str, float]) -> dict[str, float]:

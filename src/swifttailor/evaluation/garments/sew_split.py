@@ -57,7 +57,7 @@ def sew_split(
         numbers: Of the samples.
         resolution: Of the images; the model's own when None.
         finish: Whether garments hang to rest by physics in the end.
-        relax: Whether those that come out crumpled fall for a moment, where they are not finished.
+        relax: Whether they fall for a moment first.
         seed: Of the points that surfaces are compared by.
         progress: Called with 1 after each.
 
@@ -111,10 +111,10 @@ class _Work:
         started = time.perf_counter()
         try:
             garment = sewer.decode(self.prepared, self.values)
+            if relax:
+                garment = relaxed(garment)
             if finish:
                 garment = hang_to_rest(garment)
-            elif relax:
-                garment = relaxed(garment)
         except SwiftTailorError as error:
             self.error = str(error)
             return None

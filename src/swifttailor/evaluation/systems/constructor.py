@@ -56,7 +56,7 @@ class NetworkConstructor:
 
     def identity(self) -> dict[str, Any]:
         """See `Constructor`."""
-        physics = {"code": code_version()["code"]} if self.finish else {"relaxed": True}
+        physics = {"relaxed": True} | ({"code": code_version()["code"]} if self.finish else {})
         return {
             "weights": dict(self.weights),
             "finish": self.finish,
@@ -69,7 +69,7 @@ class NetworkConstructor:
         garment = self.sewer.sew(pattern, edge_length=self.edge_length)
         clock.stop("sewing")
         if self.finish:
-            garment = hang_to_rest(garment)
+            garment = hang_to_rest(relaxed(garment))
             clock.stop("finishing")
         else:
             garment = relaxed(garment)

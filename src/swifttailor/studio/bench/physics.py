@@ -121,7 +121,7 @@ def finish(
                 garment, edge_length = before, mesh.edge_length
     edge_length = edge_length or USUAL_EDGE_CM
     if garment is None:
-        garment = worn.tailor.sew(original, edge_length=edge_length, relax=False).garment
+        garment = worn.tailor.sew(original, edge_length=edge_length).garment
     garment = replace(garment, color=color or garment.color)
     watched = _Watched(link, edge_length)
     watched.begin(garment)
