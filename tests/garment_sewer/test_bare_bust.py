@@ -19,7 +19,7 @@ def sewer():
 
 
 def test_bust_points_are_landmarks_on_the_body(sewer):
-    points = bust_points(sewer.body, Body.default().measurements)
+    points = bust_points(sewer.body)
     near = [np.linalg.norm(Body.default().vertices - one, axis=1).min() for one in points]
     assert max(near) < 1.5
     assert points[0, 0] == -points[1, 0] > 5.0
@@ -27,13 +27,12 @@ def test_bust_points_are_landmarks_on_the_body(sewer):
 
 @pytest.mark.parametrize("name", ["t-shirt", "strapless-dress", "halter-top", "waistcoat", "jumpsuit"])
 def test_drafts_cover_it(sewer, name):
-    assert not bares_bust(sewer.prepare(draft(name)), sewer.body, Body.default().measurements)
+    assert not bares_bust(sewer.prepare(draft(name)), sewer.body)
 
 
 def test_what_lies_lower_leaves_it_bare_and_skirts_do_not_count(sewer):
-    measurements = Body.default().measurements
     for name, bare in (("strapless-dress", True), ("circle-skirt", False)):
         prepared = sewer.prepare(draft(name))
         low = prepared.table.prior - np.array([0.0, 25.0, 0.0], dtype=prepared.table.prior.dtype)
         slid = replace(prepared, table=replace(prepared.table, prior=low))
-        assert bares_bust(slid, sewer.body, measurements) == bare
+        assert bares_bust(slid, sewer.body) == bare

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from swifttailor.arrays import Floats
-from swifttailor.body import BodyMeasurements
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.garment_sewer.sewer import Prepared
 from swifttailor.garment_sewer.tightness import worn_coarsely
@@ -16,13 +15,12 @@ REACH_CM = 4.0
 _DEEPEST_CM, _STEPS = 40.0, 81
 
 
-def bares_bust(prepared: Prepared, body: BodyDistance, measurements: BodyMeasurements) -> bool:
+def bares_bust(prepared: Prepared, body: BodyDistance) -> bool:
     """Whether one of the bust points has no cloth over it: a neckline below it, or a strap that slid.
 
     Args:
         prepared: With a prior that hangs.
         body: Who wears it.
-        measurements: Of the same body.
 
     Returns:
         False of what covers no upper part of the body, such as skirts.
@@ -30,13 +28,14 @@ def bares_bust(prepared: Prepared, body: BodyDistance, measurements: BodyMeasure
     if not hangs_from_shoulders(prepared.layout.pattern):
         return False
     middles = worn_coarsely(prepared)[prepared.mesh.faces].mean(axis=1)
-    points = bust_points(body, measurements)
+    points = bust_points(body)
     nearest = np.linalg.norm(points[:, None] - middles, axis=2).min(axis=1)
     return bool((nearest > REACH_CM).any())
 
 
-def bust_points(body: BodyDistance, measurements: BodyMeasurements) -> Floats:
+def bust_points(body: BodyDistance) -> Floats:
     """(2, 3) the wearer's left and right bust point: as far in front as there is body, cm."""
+    measurements = body.measurements
     depths = np.linspace(0.0, _DEEPEST_CM, _STEPS)
     found = []
     for side in (0.5, -0.5):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from swifttailor.body import Body
 from swifttailor.clock import Clock
 from swifttailor.errors import InputError, PatternError, SwiftTailorError
 from swifttailor.garment_sewer.bare_bust import bares_bust
@@ -233,8 +232,7 @@ def _worn_badly(answer: Answer, sewer: Sewer) -> tuple[str, ...]:
     if not isinstance(answer.prepared, Prepared):
         return ()
     tight = (TIGHT,) if is_too_tight(answer.prepared) else ()
-    bare = bares_bust(answer.prepared, sewer.body, Body.default().measurements)
-    return (*tight, BARE) if bare else tight
+    return (*tight, BARE) if bares_bust(answer.prepared, sewer.body) else tight
 
 
 def _chosen(tried: Sequence[Answer], sewer: Sewer, order: Order) -> Answer | SwiftTailorError:
