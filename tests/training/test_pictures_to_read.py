@@ -33,6 +33,18 @@ def bank(data):
     return bank
 
 
+def test_some_garments_are_kept_from_all_over(data):
+    bank = PictureBank([data / "train"])
+    bank.prepare()
+    every = bank.ids
+    with pytest.raises(InputError, match=f"There are {len(every)} garments to learn from"):
+        bank.keep(len(every) + 1)
+    bank.keep(len(every))
+    assert bank.ids == every
+    bank.keep(1)
+    assert bank.ids == every[:1]
+
+
 @pytest.fixture(scope="module")
 def wardrobe(bank):
     return Wardrobe(bank)
