@@ -65,7 +65,7 @@ def heard_notes(wanted: Wanted) -> list[str]:
     if heard.perhaps:
         found.append(f"Perhaps meant as well, and not done: {'; '.join(map(wish_line, heard.perhaps))}.")
     if heard.guess:
-        found.append(f'Which garment is meant was not understood; "{heard.guess}" is a guess.')
+        found.append(f'Which garment is meant does not follow from the text; "{heard.guess}" is a guess.')
     elif wanted.kind_is_guessed:
         near = f" Names that are known: {_quoted(heard.near)}." if heard.near else ""
         found.append(f"Which garment is meant was not understood, so this one is a guess.{near}")

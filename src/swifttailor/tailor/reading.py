@@ -18,7 +18,7 @@ from swifttailor.errors import InputError, NothingSeenError, SwiftTailorError
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern import Finding, Pattern, check_pattern
-from swifttailor.pattern.drafts.draft_names import DRAFTS_ARE
+from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.pattern_library.sought import GENTLY, Sought
 from swifttailor.pattern_maker.asking.framing import Framing, frame_figure
 from swifttailor.pattern_maker.asking.scripts import says_something
@@ -118,9 +118,9 @@ class Wanted:
         kept = tuple([wish for wish in self.wishes if wish not in doubted])
         return replace(self, wishes=kept, likely=(*self.likely, *doubted), least_cut=LEAST_CUT_OF_DRAFT)
 
-    def begun_from(self, draft: str) -> Wanted:
+    def begun_from(self, draft: NamedDraft) -> Wanted:
         """The same, where the garment begins from a draft: what that shows is neither cut nor lacking."""
-        shown = {Gain(Claim(name, value)) for name, value in DRAFTS_ARE.get(draft, ())}
+        shown = {Gain(Claim(name, value)) for name, value in draft.is_to_the_eye}
         wishes, likely = (
             tuple([w for w in found if w.change not in shown]) for found in (self.wishes, self.likely)
         )

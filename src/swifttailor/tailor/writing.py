@@ -129,7 +129,7 @@ def write_patterns(
             wanted, seed = samples[k]
             begins = drafts[k] if attempt < begun[k] else None
             if begins is not None:
-                answer = fit(found[k].written, wanted.begun_from(begins.name), drafted=True)
+                answer = fit(found[k].written, wanted.begun_from(begins.draft), drafted=True)
                 answer = replace(answer, seed=seed, draft=begins.name)
             else:
                 answer = cut_from(found[k], wanted, seed)

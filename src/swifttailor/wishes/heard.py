@@ -8,7 +8,8 @@ from functools import cached_property
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
-from swifttailor.pattern.drafts.draft_names import COLLARED, DRAFT_KINDS, DRAFTS_SHOW, NamedDraft
+from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
+from swifttailor.wishes.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.lexicon_spelling import near_names
 from swifttailor.wishes.reader import Wish
@@ -17,11 +18,6 @@ from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, 
 
 _CUT_AS = {"tunic": "top", "shorts": "trousers"}
 """Kinds that are drafted as others."""
-_LAPELS = Claim("collar", "lapel")
-_AT_THE_NECK = frozenset(
-    {"neckline", "neck_depth", "back_depth", "back_neckline", "shoulders", "straps", "collar", "hood"}
-)
-"""Names of claims that a collar folded down goes with in one way alone."""
 _COLOR_OF_CLOTH = {"denim": "3b5578"}
 """What a fabric is dyed unless another colour is named."""
 
@@ -90,20 +86,13 @@ class Heard:
         order = _names_first if self.kind in ("shorts", "playsuit") else _says_less
         named = [draft for entry in sorted(self._meant, key=order) for draft in entry.drafts]
         named = [draft for draft in named if DRAFT_KINDS[draft.name] == kind]
-        if self._speaks_of_another_neck:
-            named = [draft for draft in named if draft.name not in COLLARED]
-        return tuple(dict.fromkeys(named))
+        sure = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
+        named = [draft_as_asked(draft, sure) for draft in named]
+        return tuple(dict.fromkeys([draft for draft in named if draft is not None]))
 
-    @property
-    def _speaks_of_another_neck(self) -> bool:
-        """Whether a neckline, a back, bare shoulders or another collar than lapels is asked for."""
-        claims = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
-        return any(claim.name in _AT_THE_NECK and claim != _LAPELS for claim in claims)
-
-    def made_as(self, draft: str) -> Heard:
+    def made_as(self, draft: NamedDraft) -> Heard:
         """The same, where the garment begins from a draft: what that shows is no longer lacking."""
-        shown = DRAFTS_SHOW.get(draft, ())
-        return replace(self, lacks=tuple([lack for lack in self.lacks if lack.what not in shown]))
+        return replace(self, lacks=tuple([lack for lack in self.lacks if lack.what not in draft.shows]))
 
     @property
     def _meant(self) -> list[Entry]:

@@ -31,6 +31,7 @@ from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import says_nothing_else, unread_numbers
 from swifttailor.wishes.whole_wish import described_as_a_whole
+from swifttailor.wishes.worn_for import worn_for
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import SURENESS, Implication, WordReading, exclude, read_words
 from swifttailor.wording.lexicon.conflicts import SCALES
@@ -56,9 +57,10 @@ def hear_description(text: str, reader: WishReader, *, alone: bool = True) -> He
     if not text.strip():
         return HEARD_NOTHING
     heard = _heard_description(text, reader)
-    if alone and _is_likely_a_dress(heard):
-        again = _heard_description(f"a dress, {heard.text}", reader)
-        return replace(again, text=heard.text, guess="dress")
+    meant = worn_for(heard) if alone else None
+    if meant is not None:
+        again = _heard_description(f"{meant}, {heard.text}", reader)
+        return replace(again, text=heard.text, guess=meant)
     near = None if _is_named(heard) else guessed_name(heard.unread)
     if near is None:
         return heard
@@ -67,18 +69,6 @@ def hear_description(text: str, reader: WishReader, *, alone: bool = True) -> He
     if again.kind is None:
         return heard
     return replace(again, text=heard.text, unread=tuple(dict.fromkeys([word, *again.unread])), guess=name)
-
-
-def _is_likely_a_dress(heard: Heard) -> bool:
-    """Whether no garment is named, and it reaches the calves or beyond without legs or a waistband."""
-    marks = () if heard.words is None else heard.words.marks
-    claims = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
-    if any(mark.role in ("garment", "like", "second") for mark in marks) or heard.kind == "dress":
-        return False
-    if any(claim.name in ("kind", *_OF_LOWER) for claim in claims) or (heard.unread and not claims):
-        return False
-    guessed = [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
-    return any(claim.name == "skirt_hem" and claim.value in _DRESS_LENGTHS for claim in (*claims, *guessed))
 
 
 def _is_named(heard: Heard) -> bool:
@@ -269,6 +259,8 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
                 and any(one.name == claim.name and not exclude(one, claim) for one in named)
             )
             if claim.name not in spoken and not agreed:
+                if drafted:  # whose own shape is likelier
+                    continue
                 bound = SURENESS["likely"]
         if claim is not None and told is not None and claim.name not in told and isinstance(claim.value, str):
             bound = SURENESS["likely"]
@@ -279,10 +271,6 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
 _BESIDE = re.compile(r"\b(?:something|anything|outfit|with|over|under\w*|like|match\w*|for)\b", re.IGNORECASE)
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")
-_OF_LOWER = frozenset(
-    {"rise", "waistband", "waistband_cm", "skirt", "skirt_length_cm", "legs", "inseam_cm", "hips"}
-)
-_DRESS_LENGTHS = frozenset({"midi", "maxi", "ankle", "floor"})
 _BOTH_FACES = re.compile(
     r"(?:neck\w*|(?<!\w)v)[^.,;]{0,20}(?<!\w)"
     r"(?:front (?:and|&) (?:(?:at|in) )?(?:the )?back|back (?:and|&) (?:(?:at|in) )?(?:the )?front)(?!\w)",

@@ -25,6 +25,8 @@ _REACHES = re.compile(
 _OF = re.compile(r"(?<!\w)([^\W\d_]+) (?:of|for)(?: the| an?)? ([^\W\d_]+)(?!\w)")
 
 
+_SEEN_BY_GUESTS = ("wedding", "weddings")
+"""A dress for a wedding is one for its guests, and no wedding dress."""
 _ITEM = re.compile(r"(?:^\s*|\s+)(\d{1,2})[.)]\s+(?=[^\W\d])")
 """Numbers before the items of a list."""
 
@@ -83,7 +85,7 @@ def _turned(text: str) -> str:
 
     def turned(found: re.Match[str]) -> str:
         name = f"{found[2]} {found[1]}"
-        return name if is_garment(name.lower()) else found[0]
+        return name if is_garment(name.lower()) and found[2].lower() not in _SEEN_BY_GUESTS else found[0]
 
     text = _NONE_OF.sub(r"no \1", text)
     text = _without_list_numbers(_CORRECTED.sub("", _WITHDRAWN.sub("", text)))

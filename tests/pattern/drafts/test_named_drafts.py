@@ -8,8 +8,8 @@ from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 
 def test_options_keep_their_types():
-    named = NamedDraft.parse("shirt-dress(collar=true;neck_depth=11;neckline=v)")
-    assert named == NamedDraft("shirt-dress", (("collar", True), ("neck_depth", 11.0), ("neckline", "v")))
+    named = NamedDraft.parse("shirt-dress(cuffs=true;neck_depth=11;neckline=v)")
+    assert named == NamedDraft("shirt-dress", (("cuffs", True), ("neck_depth", 11.0), ("neckline", "v")))
     assert NamedDraft.parse("flares") == NamedDraft("flares")
 
 

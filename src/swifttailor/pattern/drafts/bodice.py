@@ -50,6 +50,8 @@ class LooseBodice:
     """How far the front hem falls to a point beside the middle, cm."""
     front_slit: float = 0.0
     """Length of the lower end of the centre front that is left open, cm."""
+    side_slits: float = 0.0
+    """Length of the lower end of straight side seams that is left open, cm."""
 
 
 def armhole(outline: Outline, tip: Point, slope: float, scoop: float) -> None:
@@ -101,7 +103,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             outline.quadratic("hem", middle, (half + widening, hem_y + rise))
         else:
             outline.line("hem", half + widening, hem_y)
-        _draw_side(outline, (half, under_y), shape.waist_shaping)
+        _draw_side(outline, (half, under_y), shape.waist_shaping, shape.side_slits)
         scoop = 0.72 if front else 0.5
         shoulder = (neck_x, tip_x)
         lay_torso_half(
@@ -118,12 +120,15 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     sew_torso(table)
 
 
-def _draw_side(outline: Outline, underarm: Point, shaping: float) -> None:
+def _draw_side(outline: Outline, underarm: Point, shaping: float, slit: float) -> None:
     """Draws the side seam up to the underarm, bent inward by `shaping` cm; front and back alike."""
+    x, y = outline.sides[-1].end
     if not shaping:
+        share = min(slit / (underarm[1] - y), _OPEN_SHARE)
+        if slit >= SHORTEST_SLIT:
+            outline.line("slit", x + share * (underarm[0] - x), y + share * (underarm[1] - y))
         outline.line("side", *underarm)
         return
-    x, y = outline.sides[-1].end
     reach = shaping / 0.75  # a symmetric cubic reaches three quarters of the way to its control points
     fall = underarm[1] - y
     outline.cubic(

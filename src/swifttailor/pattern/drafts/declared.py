@@ -48,7 +48,7 @@ SkirtFlare = Annotated[
 ]
 BandHeight = Annotated[float, Option("Height of the waistband.", "cm", 2.0, 9.0)]
 TrouserLength = Annotated[float, Option("Body's waist to the hem, down the side.", "cm", 42.0, 106.0)]
-LegEase = Annotated[float, Option("Room on top of the leg's girth at knee and hem.", "cm", 3.0, 30.0)]
+LegEase = Annotated[float, Option("Room on top of the leg's girth at knee and hem.", "cm", 3.0, 60.0)]
 LegFlare = Annotated[
     float, Option("Extra width of the hem over the knee; negative narrows it.", "cm", -8.0, 30.0)
 ]
@@ -64,4 +64,10 @@ FlounceSeam = Annotated[float, Option("Body's waist to the seam of the flounce."
 FlounceFraction = Annotated[
     float, Option("Part of a full circle that the flounce is cut from.", "circles", 0.2, 1.0)
 ]
+LapelDepth = Annotated[
+    float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 18.0, 34.0)
+]
+LapelCollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 6.0)]
+LapelWidth = Annotated[float, Option("Width of the lapels where they are widest.", "cm", 4.0, 11.0)]
+SideSlits = Annotated[float, Option("Length of the side seams left open above the hem.", "cm", 0.0, 40.0)]
 BandEase = Annotated[float, Option("Room of the waistband on top of the waist girth.", "cm", -2.0, 4.0)]

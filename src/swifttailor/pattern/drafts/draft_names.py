@@ -36,6 +36,8 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "strapless-dress": "dress",
     "halter-dress": "dress",
     "off-shoulder-dress": "dress",
+    "coat": "dress",
+    "shift-dress": "dress",
     "swing-dress": "dress",
     "kaftan": "dress",
     "robe": "dress",
@@ -83,6 +85,26 @@ class NamedDraft:
             raise ValueError(f"'{text}' is not written like 'trousers(flare=24;leg_ease=6)'.")
         return cls(name, tuple([(field, _value(value)) for field, _, value in pairs]))
 
+    @property
+    def shows(self) -> tuple[str, ...]:
+        """What it shows that no way to cut makes: keys of the lexicon's ``cannot.txt``."""
+        return () if STANDING in self.options else DRAFTS_SHOW.get(self.name, ())
+
+    @property
+    def is_to_the_eye(self) -> tuple[tuple[str, str], ...]:
+        """Claims, by name and value, that are true of it to the eye, though not as they are measured."""
+        stands = STANDING in self.options or self.name == "turtleneck"
+        slits = _OF_SLITS if any(name == SIDE_SLITS for name, _ in self.options) else ()
+        return (*DRAFTS_ARE.get(self.name, ()), *(_OF_STANDS if stands else ()), *slits)
+
+
+STANDING = ("collar", "standing")
+"""The option of a collar that stands."""
+SIDE_SLITS = "side_slits"
+"""The option of slits in garments that have no skirt of their own to be measured."""
+_OF_STANDS = (("neck_depth", "high"),)
+_OF_SLITS = (("slit", "left"), ("slit", "right"))
+
 
 def _value(text: str) -> float | bool | str:
     if text in ("true", "false"):
@@ -116,11 +138,26 @@ _HALTER = (
     ("shoulders", "strapless"),
 )
 DRAFTS_ARE: Mapping[str, tuple[tuple[str, str], ...]] = {
+    "blazer": (("bodice", "darted"),),
+    "waistcoat": (("bodice", "darted"),),
     "halter-top": _HALTER,
     "halter-dress": _HALTER,
     "halter-jumpsuit": _HALTER,
 }
 """Claims that are true of a draft to the eye, though not as they are measured between two shoulders."""
+BARE_SHOULDERED = frozenset(
+    {
+        "bandeau",
+        "bustier",
+        "strapless-dress",
+        "halter-top",
+        "halter-dress",
+        "halter-jumpsuit",
+        "off-shoulder-top",
+        "off-shoulder-dress",
+    }
+)
+"""Drafts that leave the shoulders bare; where bare shoulders are asked for, garments begin from no others."""
 COLLARED = frozenset({"shirt", "shirt-dress"})
 """Begun from only where nothing else is said of the neck: many call any top a shirt."""
 _CROSSED = "Its fronts do not overlap: a seam runs where the edge of the upper one would lie."

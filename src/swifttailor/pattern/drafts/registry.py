@@ -115,6 +115,8 @@ _DRAFTS = (
         "Dress with a neckline level around body and arms",
         bare_shoulders.draft_off_shoulder_dress,
     ),
+    DraftInfo("coat", "Coat with notched lapels or a shawl collar", collared.draft_coat),
+    DraftInfo("shift-dress", "Straight dress without a waist", long_garments.draft_shift_dress),
     DraftInfo("swing-dress", "Dress that widens from bust to hem", long_garments.draft_swing_dress),
     DraftInfo("kaftan", "Long and wide, with wide sleeves", long_garments.draft_kaftan),
     DraftInfo(

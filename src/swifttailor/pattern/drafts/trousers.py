@@ -117,8 +117,11 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
     front_reach, back_reach = _reach(figure)
     front_thigh, back_thigh = hips.front + front_reach, hips.back + back_reach
     thigh = front_thigh + back_thigh
+    wide = knee > thigh - 2.0
     knee = min(knee, thigh - 2.0)
     hem = max((knee if knee_y is None else hem) + shape.flare, shape.narrowest * figure.thigh)
+    if wide and knee_y is not None:  # widens or narrows evenly all the way, as palazzos do
+        knee = max(knee, thigh + (crotch_y - knee_y) / (crotch_y - hem_y) * (hem - thigh))
     # Short legs keep the thigh's division into a narrow front and a wide back; it evens out to the knee.
     near_thigh = min(max((hem_y - figure.knee_y) / (crotch_y - figure.knee_y), 0.0), 1.0)
     step = STEP + near_thigh * ((back_thigh - front_thigh) / 2 - STEP)

@@ -51,7 +51,7 @@ PRINTS: Mapping[str, tuple[str, ...]] = {
 MOTIFS = ("flowers", "leaves", "blotches", "spots", "shapes")
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")
-_ONE_VALUE = ("part", "cloth", "rgb", "shade", "print", "motif", "negates", *_SIZES)
+_ONE_VALUE = ("part", "cloth", "rgb", "shade", "print", "motif", "negates", "worn", *_SIZES)
 _MARKS = ("usual", "likely", "against", "without", "cannot", "of", "inks", "draft", *_ONE_VALUE)
 _WORDS = ("ambiguous", "plural")
 LONGEST_GLOSS = 120
@@ -122,6 +122,8 @@ class Entry:
     """Words that are used, or used in this meaning, in British or American English only."""
     drafts: tuple[NamedDraft, ...] = ()
     """Drafts of `swifttailor.pattern.drafts` that show it, one for each kind of garment."""
+    worn: str | None = None
+    """The name of the garment that is made for it where none is named: of the beach, a sundress."""
 
     @property
     def name(self) -> str:
@@ -210,6 +212,7 @@ def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> E
         None,
         only,
         _drafts(row) if "draft" in options else (),
+        one["worn"].replace("_", " ") if "worn" in one else None,
     )
 
 

@@ -1,4 +1,4 @@
-"""Tops whose collar is folded down: polo shirt, shirt, blazer."""
+"""Garments whose collar is folded down: polo shirt, shirt, blazer, coat."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from swifttailor.pattern.drafts.band import lay_sleeve_cuff
 from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
-from swifttailor.pattern.drafts.fold_collar import FoldCollar, FrontShape, lay_fold_collar, sew_fold_collar
+from swifttailor.pattern.drafts.fold_collar import FoldCollar, FrontShape, lay_fold_collar
 from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neck_collar import CollarHeight, NeckCollar, SewnCollarOption
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
@@ -37,8 +38,9 @@ class PoloShirtOptions:
 def draft_polo_shirt(options: PoloShirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the polo shirt for a body: closed in front, its collar folded down over a short V."""
     figure, table = Figure.of(measurements), CuttingTable("polo-shirt")
-    _lay_left(table, figure, options, options.sleeve_length)
-    return _finished(table)
+    collar = NeckCollar("folded", options.collar_width, 0.0)
+    _lay_left(table, figure, options, options.sleeve_length, collar)
+    return _finished(table, collar)
 
 
 @dataclass(frozen=True)
@@ -52,6 +54,8 @@ class ShirtOptions(PoloShirtOptions):
     sleeve_length: declared.SleeveLength = 60.0
     arm_ease: declared.ArmEase = 8.0
     sleeve_end: declared.SleeveEnd = 27.0
+    collar: SewnCollarOption = "folded"
+    collar_height: CollarHeight = 4.0
     cuffs: Annotated[bool, Option("Sew cuffs to the sleeves.")] = True
     cuff_height: declared.CuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
@@ -61,16 +65,19 @@ def draft_shirt(options: ShirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the shirt for a body: buttoned up, so closed in front; long sleeves, its collar folded down."""
     figure, table = Figure.of(measurements), CuttingTable("shirt")
     cuff = min(options.cuff_height, options.sleeve_length - 9.0) if options.cuffs else 0.0
-    _lay_left(table, figure, options, options.sleeve_length - cuff)
+    collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
+    _lay_left(table, figure, options, options.sleeve_length - cuff, collar)
     if options.cuffs:
         lay_sleeve_cuff(table, figure, options.sleeve_length - cuff, options.cuff_ease, cuff)
-    return _finished(table)
+    return _finished(table, collar)
 
 
-def _lay_left(table: CuttingTable, figure: Figure, options: PoloShirtOptions, sleeve: float) -> None:
+def _lay_left(
+    table: CuttingTable, figure: Figure, options: PoloShirtOptions, sleeve: float, collar: NeckCollar
+) -> None:
     """Lays the left half of torso, sleeve and collar; `sleeve` is the length of the sleeve alone, cm."""
     bodice = LooseBodice(
-        Neckline("v", options.neck_widening, options.neck_depth, 1.5),
+        collar.neckline(Neckline("v", options.neck_widening, options.neck_depth, 1.5)),
         options.chest_ease,
         options.length,
         options.armhole_drop,
@@ -78,13 +85,13 @@ def _lay_left(table: CuttingTable, figure: Figure, options: PoloShirtOptions, sl
     )
     lay_loose_bodice(table, figure, bodice)
     lay_sleeve(table, figure, Sleeve(sleeve, options.arm_ease, options.sleeve_end, 0.01))
-    lay_fold_collar(table, FoldCollar(options.collar_width))
+    collar.lay(table, figure)
 
 
-def _finished(table: CuttingTable) -> Pattern:
+def _finished(table: CuttingTable, collar: NeckCollar) -> Pattern:
     table.mirror()
     sew_centres(table)
-    sew_fold_collar(table)
+    collar.sew(table)
     return table.finish()
 
 
@@ -97,12 +104,10 @@ class BlazerOptions:
     waist_shaping: declared.WaistShaping = 2.5
     flare: declared.HemFlare = 0.0
     neck_widening: declared.CloseNeckWidening = 1.0
-    neck_depth: Annotated[
-        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 18.0, 34.0)
-    ] = 28.0
+    neck_depth: declared.LapelDepth = 28.0
     lapels: Annotated[FrontShape, Option("Shape of the collar in front.")] = "notched"
-    collar_width: Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 6.0)] = 5.0
-    lapel_width: Annotated[float, Option("Width of the lapels where they are widest.", "cm", 4.0, 11.0)] = 7.5
+    collar_width: declared.LapelCollarWidth = 5.0
+    lapel_width: declared.LapelWidth = 7.5
     armhole_drop: declared.ArmholeDrop = 3.0
     sleeve_length: declared.SleeveLength = 59.0
     arm_ease: declared.ArmEase = 8.0
@@ -111,8 +116,34 @@ class BlazerOptions:
 
 def draft_blazer(options: BlazerOptions, measurements: Measurements) -> Pattern:
     """Drafts the blazer for a body: buttoned up, so closed in front below the lapels."""
+    return _with_lapels("blazer", options, measurements)
+
+
+@dataclass(frozen=True)
+class CoatOptions(BlazerOptions):
+    """Options of the coat."""
+
+    length: declared.LongLength = 56.0
+    chest_ease: declared.ChestEase = 14.0
+    waist_shaping: declared.WaistShaping = 0.0
+    flare: declared.DressFlare = 10.0
+    neck_depth: declared.LapelDepth = 24.0
+    collar_width: declared.LapelCollarWidth = 6.0
+    lapel_width: declared.LapelWidth = 8.5
+    armhole_drop: declared.ArmholeDrop = 3.5
+    sleeve_length: declared.SleeveLength = 61.0
+    arm_ease: declared.ArmEase = 10.0
+    sleeve_end: declared.SleeveEnd = 31.0
+
+
+def draft_coat(options: CoatOptions, measurements: Measurements) -> Pattern:
+    """Drafts the coat for a body: a longer, wider blazer."""
+    return _with_lapels("coat", options, measurements)
+
+
+def _with_lapels(name: str, options: BlazerOptions, measurements: Measurements) -> Pattern:
     figure = Figure.of(measurements)
-    table = CuttingTable("blazer")
+    table = CuttingTable(name)
     bodice = LooseBodice(
         Neckline("v", options.neck_widening, options.neck_depth, 1.5),
         options.chest_ease,
@@ -125,4 +156,4 @@ def draft_blazer(options: BlazerOptions, measurements: Measurements) -> Pattern:
     lay_loose_bodice(table, figure, bodice)
     lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.02))
     lay_fold_collar(table, FoldCollar(options.collar_width, options.lapels, options.lapel_width))
-    return _finished(table)
+    return _finished(table, NeckCollar("folded", options.collar_width, 0.0))

@@ -13,7 +13,6 @@ from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_bodice import FittedBodice, lay_fitted_bodice
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
 from swifttailor.pattern.drafts.flared_skirt import SHORTEST_FLOUNCE, lay_flared_skirt, lay_flounce
-from swifttailor.pattern.drafts.fold_collar import FoldCollar, lay_fold_collar, sew_fold_collar
 from swifttailor.pattern.drafts.joins import (
     SKIRT_HALVES,
     SKIRT_WHOLE,
@@ -21,6 +20,7 @@ from swifttailor.pattern.drafts.joins import (
     sew_trousers_to_bodice,
 )
 from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neck_collar import CollarHeight, CollarOption, NeckCollar
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
@@ -45,6 +45,9 @@ class FittedDressOptions:
         float, Option("How far the armhole lies inside the shoulder tip.", "cm", 0.0, 5.0)
     ] = 1.5
     armhole_drop: declared.ArmholeDrop = 2.0
+    collar: CollarOption = "none"
+    collar_width: declared.CollarWidth = 5.5
+    collar_height: CollarHeight = 4.0
 
 
 def draft_fitted_dress(options: FittedDressOptions, measurements: Measurements) -> Pattern:
@@ -77,13 +80,19 @@ def _lay_fitted_dress(
     table: CuttingTable, figure: Figure, options: FittedDressOptions, length: float, flare: float
 ) -> None:
     """Lays and sews bodice and skirt; `length` is the skirt's, from the body's waist to its hem, cm."""
-    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
+    collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
     bodice = FittedBodice(
-        neckline, options.bust_ease, options.waist_ease, options.armhole_drop, -options.shoulder_inset
+        collar.neckline(_neckline(options)),
+        options.bust_ease,
+        options.waist_ease,
+        options.armhole_drop,
+        -options.shoulder_inset,
     )
     waist = lay_fitted_bodice(table, figure, bodice)
+    collar.lay(table, figure)
     table.mirror()
     sew_centres(table)
+    collar.sew(table)
     lay_fitted_skirt(table, figure, FittedSkirt(length, options.hip_ease, flare), waist, figure.waist_y)
     sew_skirt_to_bodice(table, SKIRT_HALVES)
 
@@ -108,23 +117,17 @@ class ShirtDressOptions:
     cuffs: Annotated[bool, Option("Sew cuffs to the sleeves.")] = True
     cuff_height: declared.CuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
-    collar: Annotated[bool, Option("Fold a collar down over a V neck that is close and 7 to 16 cm deep.")] = (
-        False
-    )
+    collar: CollarOption = "none"
     collar_width: declared.CollarWidth = 5.5
+    collar_height: CollarHeight = 4.0
 
 
 def draft_shirt_dress(options: ShirtDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the shirt dress for a body."""
     figure = Figure.of(measurements)
     table = CuttingTable("shirt-dress")
-    if options.collar:
-        depth = min(max(options.neck_depth, 7.0), 16.0)
-        neckline = Neckline("v", min(options.neck_widening, 1.0), depth, 1.5)
-    else:
-        neckline = Neckline(
-            options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth
-        )
+    collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
+    neckline = collar.neckline(_neckline(options))
     bodice = FittedBodice(neckline, options.bust_ease, options.waist_ease, options.armhole_drop)
     waist = lay_fitted_bodice(table, figure, bodice)
     cuff = min(options.cuff_height, options.sleeve_length - 9.0) if options.cuffs else 0.0
@@ -134,12 +137,10 @@ def draft_shirt_dress(options: ShirtDressOptions, measurements: Measurements) ->
     lay_sleeve(table, figure, sleeve)
     if options.cuffs:
         lay_sleeve_cuff(table, figure, options.sleeve_length - cuff, options.cuff_ease, cuff)
-    if options.collar:
-        lay_fold_collar(table, FoldCollar(options.collar_width))
+    collar.lay(table, figure)
     table.mirror()
     sew_centres(table)
-    if options.collar:
-        sew_fold_collar(table)
+    collar.sew(table)
     lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
     sew_skirt_to_bodice(table, SKIRT_WHOLE)
     return table.finish()
@@ -220,11 +221,18 @@ def _lay_sleeved_bodice(
     table: CuttingTable, figure: Figure, options: SkaterDressOptions | JumpsuitOptions
 ) -> Halves:
     """Lays a bodice with sleeves, or with armholes further in; the sewn half widths of its waist."""
-    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
     inset = 0.0 if options.sleeves else 1.5
-    bodice = FittedBodice(neckline, options.bust_ease, options.waist_ease, options.armhole_drop, -inset)
+    bodice = FittedBodice(
+        _neckline(options), options.bust_ease, options.waist_ease, options.armhole_drop, -inset
+    )
     waist = lay_fitted_bodice(table, figure, bodice)
     if options.sleeves:
         sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
         lay_sleeve(table, figure, sleeve)
     return waist
+
+
+def _neckline(
+    options: FittedDressOptions | ShirtDressOptions | SkaterDressOptions | JumpsuitOptions,
+) -> Neckline:
+    return Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)

@@ -153,8 +153,38 @@ class SwingDressOptions:
 
 def draft_swing_dress(options: SwingDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the swing dress for a body: close at the bust, and ever wider from there to the hem."""
+    return _from_the_shoulders("swing-dress", options, measurements)
+
+
+@dataclass(frozen=True)
+class ShiftDressOptions:
+    """Options of the shift dress."""
+
+    length: declared.LongLength = 44.0
+    chest_ease: declared.ChestEase = 8.0
+    flare: declared.HemFlare = 4.0
+    neckline: declared.NeckShapeOption = "round"
+    neck_widening: declared.NeckWidening = 2.5
+    neck_depth: declared.NeckDepth = 10.5
+    back_neck_depth: declared.BackNeckDepth = 3.0
+    armhole_drop: declared.ArmholeDrop = 2.0
+    sleeves: declared.Sleeves = False
+    sleeve_length: declared.SleeveLength = 24.0
+    arm_ease: declared.ArmEase = 7.0
+    sleeve_end: declared.SleeveEnd = 33.0
+    side_slits: declared.SideSlits = 0.0
+
+
+def draft_shift_dress(options: ShiftDressOptions, measurements: Measurements) -> Pattern:
+    """Drafts the shift dress for a body: straight, without a waist."""
+    return _from_the_shoulders("shift-dress", options, measurements)
+
+
+def _from_the_shoulders(
+    name: str, options: SwingDressOptions | ShiftDressOptions, measurements: Measurements
+) -> Pattern:
     figure = Figure.of(measurements)
-    table = CuttingTable("swing-dress")
+    table = CuttingTable(name)
     bodice = LooseBodice(
         Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth),
         options.chest_ease,
@@ -162,6 +192,7 @@ def draft_swing_dress(options: SwingDressOptions, measurements: Measurements) ->
         options.armhole_drop,
         flare=options.flare,
         shoulder_extension=0.0 if options.sleeves else -1.5,
+        side_slits=options.side_slits if isinstance(options, ShiftDressOptions) else 0.0,
     )
     if not options.sleeves:
         lay_loose_bodice(table, figure, bodice)

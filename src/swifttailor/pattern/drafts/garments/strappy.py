@@ -9,8 +9,9 @@ from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.bodice import sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
 from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt
-from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_bodice
+from swifttailor.pattern.drafts.joins import SKIRT_HALVES, SKIRT_WHOLE, sew_skirt_to_bodice
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.strap_bodice import StrapBodice, lay_strap_bodice
@@ -104,6 +105,9 @@ class StraplessDressOptions:
     dip: HeartDip = 4.5
     skirt_length: Annotated[float, Option("Body's waist to the hem.", "cm", 36.0, 104.0)] = 98.0
     skirt_fraction: declared.CircleFraction = 0.5
+    fitted: Annotated[bool, Option("Cut the skirt close, with darts, instead of from a circle.")] = False
+    hip_ease: declared.HipEase = 4.0
+    skirt_flare: declared.SkirtFlare = 1.0
 
 
 def draft_strapless_dress(options: StraplessDressOptions, measurements: Measurements) -> Pattern:
@@ -114,8 +118,13 @@ def draft_strapless_dress(options: StraplessDressOptions, measurements: Measurem
     waist = lay_strapless_bodice(table, figure, bodice)
     table.mirror()
     sew_centres(table)
-    lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
-    sew_skirt_to_bodice(table, SKIRT_WHOLE)
+    if options.fitted:
+        skirt = FittedSkirt(options.skirt_length, options.hip_ease, options.skirt_flare)
+        lay_fitted_skirt(table, figure, skirt, waist, figure.waist_y)
+        sew_skirt_to_bodice(table, SKIRT_HALVES)
+    else:
+        lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
+        sew_skirt_to_bodice(table, SKIRT_WHOLE)
     return table.finish()
 
 

@@ -33,6 +33,7 @@ class TShirtOptions:
     arm_ease: declared.ArmEase = 7.0
     sleeve_end: declared.SleeveEnd = 34.0
     cap_ease: declared.CapEase = 1.0
+    side_slits: declared.SideSlits = 0.0
 
 
 def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern:
@@ -41,7 +42,12 @@ def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern
     table = CuttingTable("t-shirt")
     neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
     bodice = LooseBodice(
-        neckline, options.chest_ease, options.length, options.armhole_drop, flare=options.flare
+        neckline,
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        flare=options.flare,
+        side_slits=options.side_slits,
     )
     lay_loose_bodice(table, figure, bodice)
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)

@@ -1,0 +1,66 @@
+"""Named drafts with the collar, the shoulders and the slits that a text asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import BARE_SHOULDERED, COLLARED, SIDE_SLITS, STANDING, NamedDraft
+
+_BARE = Claim("shoulders", "strapless")
+_STAND = Claim("collar", "stand")
+_OF_LAPELS = frozenset({Claim("collar", "lapel")})
+_OF_STANDS = frozenset(
+    {
+        _STAND,
+        Claim("collar", "turtleneck"),
+        Claim("neck_depth", "high"),
+        Claim("shoulders", "both"),
+    }
+)
+"""What may be asked for of the neck of a draft with such a collar."""
+_AT_THE_NECK = frozenset(
+    {"neckline", "neck_depth", "back_depth", "back_neckline", "shoulders", "straps", "collar", "hood"}
+)
+"""Names of claims that a collar goes with in one way alone."""
+_SLITS = (Claim("slit", "left"), Claim("slit", "right"))
+_SLIT_AT_THE_SIDES = ("t-shirt", "shift-dress")
+_SLIT_CM = 14.0
+_OF_SKIRTS = {
+    "fitted-dress": ("skirt_length", "skirt_flare", "hip_ease"),
+    "skater-dress": ("skirt_length", "skirt_fraction"),
+}
+"""By drafts that there are without shoulders, too: the options of their skirts."""
+
+
+def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | None:
+    """A named draft as it goes with what is asked for; None where it does not.
+
+    Shirts get the collar that is asked for, dresses that there are without shoulders lose theirs, and what
+    falls straight gets slits in its side seams.
+
+    Args:
+        draft: As a table names it.
+        claims: What is asked for, all of it.
+    """
+    if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
+        draft = replace(draft, options=(*draft.options, (SIDE_SLITS, _SLIT_CM)))
+    if _BARE in claims and draft.name not in BARE_SHOULDERED:
+        return _without_shoulders(draft)
+    if draft.name in COLLARED and _STAND in claims:
+        draft = replace(draft, options=(*[o for o in draft.options if o[0] != "collar"], STANDING))
+    stands = STANDING in draft.options
+    if not stands and draft.name not in COLLARED:
+        return draft
+    own = _OF_STANDS if stands else _OF_LAPELS
+    others = [claim for claim in claims if claim.name in _AT_THE_NECK and claim not in own]
+    return None if others else draft
+
+
+def _without_shoulders(draft: NamedDraft) -> NamedDraft | None:
+    if draft.name not in _OF_SKIRTS:
+        return None
+    kept = tuple([option for option in draft.options if option[0] in _OF_SKIRTS[draft.name]])
+    fitted = (("fitted", True),) if draft.name == "fitted-dress" else ()
+    return NamedDraft("strapless-dress", (*kept, *fitted))

@@ -1,0 +1,63 @@
+"""What is made for an occasion or a mood where no garment is named: a sundress for the beach."""
+
+from __future__ import annotations
+
+from swifttailor.describing.differences import Gain
+from swifttailor.wishes.heard import Heard
+from swifttailor.wording.claim_kinds import fits_kind
+from swifttailor.wording.lexicon import Entry, read_words
+
+_FIRST = ("accessories", "occasions")
+"""A tuxedo says more of what is worn than the evening does, and that more than "comfy"."""
+_NAMES = ("garment", "like")
+"""Roles of words that name the garment."""
+
+
+_OF_LOWER = frozenset(
+    {"rise", "waistband", "waistband_cm", "skirt", "skirt_length_cm", "legs", "inseam_cm", "hips"}
+)
+_DRESS_LENGTHS = frozenset({"midi", "maxi", "ankle", "floor"})
+
+
+def worn_for(heard: Heard) -> str | None:
+    """The name of a garment that suits what a text says, where it names none; None where nothing tells.
+
+    Of several occasions the one that stands first in `occasions.txt` decides. What contradicts a detail that
+    is asked for is not suggested: no dress where legs are spoken of. What reaches the calves or beyond,
+    without legs or a waistband, is a dress.
+    """
+    return _worn_for(heard) or ("dress" if _is_likely_a_dress(heard) else None)
+
+
+def _worn_for(heard: Heard) -> str | None:
+    marks = () if heard.words is None else [mark for mark in heard.words.marks if not mark.denied]
+    if any(mark.role in _NAMES for mark in marks):
+        return None
+    entries = [entry for mark in marks for entry in mark.entries if entry.worn]
+    details = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
+    for entry in sorted(entries, key=_order):
+        assert entry.worn is not None
+        kinds = [str(i.claim.value) for i in read_words(entry.worn).implications if i.claim.name == "kind"]
+        if all(_may_have(kind, claim.name, claim.value) for kind in kinds for claim in details):
+            return entry.worn
+    return None
+
+
+def _is_likely_a_dress(heard: Heard) -> bool:
+    marks = () if heard.words is None else heard.words.marks
+    claims = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
+    if any(mark.role in (*_NAMES, "second") for mark in marks) or heard.kind == "dress":
+        return False
+    if any(claim.name in ("kind", *_OF_LOWER) for claim in claims) or (heard.unread and not claims):
+        return False
+    guessed = [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
+    return any(claim.name == "skirt_hem" and claim.value in _DRESS_LENGTHS for claim in (*claims, *guessed))
+
+
+def _may_have(kind: str, name: str, value: object) -> bool:
+    return value == kind if name == "kind" else fits_kind(name, kind)
+
+
+def _order(entry: Entry) -> tuple[int, int]:
+    category = entry.category
+    return _FIRST.index(category) if category in _FIRST else len(_FIRST), entry.place[1]
