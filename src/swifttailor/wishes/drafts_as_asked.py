@@ -25,7 +25,7 @@ _AT_THE_NECK = frozenset(
 )
 """Names of claims that a collar goes with in one way alone."""
 _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
-_SLIT_AT_THE_SIDES = ("t-shirt", "shift-dress")
+_SLIT_AT_THE_SIDES = ("t-shirt", "turtleneck", "shift-dress")
 _SLIT_CM = 14.0
 _OF_SKIRTS = {
     "fitted-dress": ("skirt_length", "skirt_flare", "hip_ease"),

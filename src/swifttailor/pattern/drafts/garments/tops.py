@@ -111,6 +111,7 @@ class TurtleneckOptions:
     sleeve_length: declared.SleeveLength = 60.0
     arm_ease: declared.ArmEase = 6.0
     sleeve_end: declared.SleeveEnd = 22.0
+    side_slits: declared.SideSlits = 0.0
 
 
 def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> Pattern:
@@ -123,6 +124,7 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
         options.length,
         options.armhole_drop,
         flare=options.flare,
+        side_slits=options.side_slits,
     )
     lay_loose_bodice(table, figure, bodice)
     lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01))
