@@ -72,7 +72,7 @@ def test_other_networks_write_and_sew(tailor, tmp_path):
 
 
 def test_what_another_network_writes_is_altered_checked_and_written_again(tailor):
-    made = tailor.generate("a sleeveless t-shirt")
+    made = tailor.generate("a sleeveless t-shirt", source="writer")
     assert not any("sleeve" in p.name for p in made.pattern.panels)
     assert made.report["alterations"]["cuts"]
     longer = tailor.edit(draft("fitted-skirt"), "make it 10 cm longer")
@@ -84,7 +84,7 @@ def test_what_another_network_writes_is_altered_checked_and_written_again(tailor
             torn = replace(torn, stitches=torn.stitches[2 - min(draw, 2) :])
             return [swifttailor.WrittenPattern(torn) for _ in requests]
 
-    again = Tailor(Improving(), FlatLay()).generate("a t-shirt", alter=False)
+    again = Tailor(Improving(), FlatLay()).generate("a t-shirt", alter=False, source="writer")
     assert again.report["writing"]["attempt"] == 3 and len(again.pattern.stitches) == 14
 
 

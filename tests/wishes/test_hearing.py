@@ -157,7 +157,7 @@ def test_who_asks_for_box_pleats_is_told_that_the_cloth_decides():
 def test_bare_shoulders_begin_from_drafts_and_lack_nothing_then(text, draft):
     heard = hear_description(text, Saying())
     assert heard.drafts == (NamedDraft(draft),)
-    assert {lack.what for lack in heard.made_as(draft).lacks} <= {"ties"}
+    assert {lack.what for lack in heard.made_as(NamedDraft(draft)).lacks} <= {"ties"}
 
 
 @pytest.mark.parametrize(
@@ -183,11 +183,10 @@ def test_what_overlaps_or_is_folded_begins_from_drafts(text, draft):
 @pytest.mark.parametrize(
     "text",
     [
-        *("a wrap jumpsuit", "a wrap coat", "a dress with a matching wrap", "a polo dress"),
+        *("a wrap jumpsuit", "a dress with a matching wrap", "a polo dress"),
         *(
             "a blazer dress",
             "a dress with a cowl neck",
-            "a jumper with a shirt collar",
             "a dress, not a wrap dress",
         ),
     ],
@@ -216,7 +215,7 @@ def test_a_polo_neck_is_a_turtleneck():
     ],
 )
 def test_what_these_drafts_cannot_show_is_still_said(text, draft, lacking):
-    assert {lack.what for lack in hear_description(text, Saying()).made_as(draft).lacks} == lacking
+    assert {lack.what for lack in hear_description(text, Saying()).made_as(NamedDraft(draft)).lacks} == lacking
 
 
 def test_a_name_that_means_a_length_outweighs_what_a_detail_goes_with():

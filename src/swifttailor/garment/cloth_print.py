@@ -107,8 +107,13 @@ def _is_size(name: object, value: object) -> bool:
 
 
 def cloth_at(garment: Garment) -> Array:
-    """(f, 3, 2) where on the cloth the corners of the faces lie, cm, seen from its right side."""
-    return (garment.uv * garment.uv_scale)[garment.mesh.flat_faces]
+    """(f, 3, 2) where on the cloth the corners of the faces lie, cm, seen from its right side.
+
+    Every panel is cut from the same height of the print: stripes meet at seams between halves.
+    """
+    low, _ = _boxes(garment)
+    local = (garment.uv - low[garment.mesh.flat_panel]) * garment.uv_scale
+    return local[garment.mesh.flat_faces]
 
 
 def texture(garment: Garment, side: int = TEXTURE_SIDE) -> Array:
@@ -121,10 +126,26 @@ def texture(garment: Garment, side: int = TEXTURE_SIDE) -> Array:
     Returns:
         (side, side, 3) uint8 sRGB, row 0 at the top.
     """
+    from swifttailor.panel_mesh.uv_layout import GUTTER
     from swifttailor.render.color import encode_srgb
 
     assert garment.print is not None
-    across = (np.arange(side) + 0.5) / side * garment.uv_scale
-    u, v = np.meshgrid(across, across[::-1])
-    points = np.stack([u.ravel(), v.ravel()], axis=1)
-    return encode_srgb(garment.print.drawn().colors(points).reshape(side, side, 3))
+    across = (np.arange(side) + 0.5) / side
+    points = np.stack(np.meshgrid(across, across[::-1]), axis=2)
+    for low, high in zip(*_boxes(garment), strict=True):
+        left, right = np.searchsorted(across, [low[0] - GUTTER / 2, high[0] + GUTTER / 2])
+        lower, upper = np.searchsorted(across, [low[1] - GUTTER / 2, high[1] + GUTTER / 2])
+        points[side - upper : side - lower, left:right] -= low
+    points *= garment.uv_scale
+    return encode_srgb(garment.print.drawn().colors(points.reshape(-1, 2)).reshape(side, side, 3))
+
+
+def _boxes(garment: Garment) -> tuple[Array, Array]:
+    """Lower left and upper right corners (n, 2) of the panels among the texture coordinates."""
+    count = len(garment.pattern.panels)
+    low, high = np.full((count, 2), np.inf), np.full((count, 2), -np.inf)
+    np.minimum.at(low, garment.mesh.flat_panel, garment.uv)
+    np.maximum.at(high, garment.mesh.flat_panel, garment.uv)
+    empty = ~np.isfinite(low).all(axis=1)
+    low[empty] = high[empty] = 0.0
+    return low, high

@@ -80,7 +80,8 @@ def _require_same_mesh(mesh: PatternMesh, stored: TriangleMesh, folder: Path, so
         mismatch = "its faces join other vertices than those of the pattern's mesh"
     elif stored.uv is not None and stored.uv_faces is not None:
         corners = mesh.flat_faces[np.argsort(mesh.face_panel, kind="stable")]
-        away = np.abs(stored.uv[stored.uv_faces] - lay_out_uv(mesh)[0][corners]).max(initial=0.0)
+        layouts = [lay_out_uv(mesh, sleeves_upright=now)[0] for now in (True, False)]
+        away = min(np.abs(stored.uv[stored.uv_faces] - uv[corners]).max(initial=0.0) for uv in layouts)
         if away > _UV_DIGITS:
             mismatch = f"its texture coordinates differ from the pattern's by up to {away:.2g}"
     if mismatch:

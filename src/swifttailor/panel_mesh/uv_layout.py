@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from swifttailor.arrays import Array
+from swifttailor.pattern.check.covering import said_regions
 
 if TYPE_CHECKING:
     from swifttailor.panel_mesh.pattern_mesh import PatternMesh
@@ -14,19 +15,23 @@ if TYPE_CHECKING:
 
 GUTTER = 0.008
 """Free space around each panel, as a share of the square's side."""
+_CLEARLY = 0.1
+"""So much more of a sleeve's first axis than of its second runs down the arm where it is described lying."""
 _STRIPS = 48
 """Strip widths that are tried."""
 
 
-def lay_out_uv(mesh: PatternMesh) -> tuple[Array, float]:
+def lay_out_uv(mesh: PatternMesh, *, sleeves_upright: bool = True) -> tuple[Array, float]:
     """Lays the panels out on shelves in the unit square; (0, 0) is the lower left corner.
 
     Every panel keeps its upright direction (the cloth's grain) and is seen from the right side of the cloth:
     panels whose loop runs clockwise in their own coordinates, and which are thus described from the wrong
     side, are mirrored in x. A texture therefore reads correctly on the outside of the garment everywhere.
+    Sleeves, which GarmentCode describes lying, stand upright as well: stripes run around the arm.
 
     Args:
         mesh: Any pattern mesh.
+        sleeves_upright: Whether they do; earlier versions laid them as they are described.
 
     Returns:
         UV (m, 2) of the flat vertices, and the centimetres of cloth per unit, the same in u and v.
@@ -36,7 +41,10 @@ def lay_out_uv(mesh: PatternMesh) -> tuple[Array, float]:
     if not len(flat):
         return np.zeros((0, 2)), 1.0
     points = flat.copy()
-    points[_wound_clockwise(mesh)[panel], 0] *= -1.0
+    mirrored = _wound_clockwise(mesh)
+    points[mirrored[panel], 0] *= -1.0
+    if sleeves_upright:
+        points = _stood_upright(mesh, points, mirrored)
     low = np.full((count, 2), np.inf)
     high = np.full((count, 2), -np.inf)
     np.minimum.at(low, panel, points)
@@ -45,6 +53,31 @@ def lay_out_uv(mesh: PatternMesh) -> tuple[Array, float]:
     low[empty] = high[empty] = 0.0
     corner, side = pack_square(high - low)
     return (points - low[panel] + corner[panel]) / side, side
+
+
+def _stood_upright(mesh: PatternMesh, points: Array, mirrored: Array) -> Array:
+    """The points with those of sleeves that are described along the arm turned, the shoulder up.
+
+    Args:
+        mesh: Any pattern mesh.
+        points: (m, 2) flat vertices, cm.
+        mirrored: (n,) which panels are mirrored in x.
+    """
+    regions = said_regions(mesh.pattern)
+    turned = points.copy()
+    for k, one in enumerate(mesh.pattern.panels):
+        if regions.get(one.name) != "arm":
+            continue
+        turn, place = one.placement.matrix(), one.placement.translation[0]
+        down_the_arm = np.array([1.0 if place >= 0 else -1.0, -1.0, 0.0]) / np.sqrt(2.0)
+        along = turn[:, 0] @ down_the_arm
+        if abs(along) <= abs(turn[:, 1] @ down_the_arm) + _CLEARLY:
+            continue
+        own = mesh.flat_panel == k
+        x, y = points[own].T
+        quarter = np.sign(along) * (-1.0 if mirrored[k] else 1.0)
+        turned[own] = np.stack([quarter * y, -quarter * x], axis=1)
+    return turned
 
 
 def pack_square(sizes: Array) -> tuple[Array, float]:

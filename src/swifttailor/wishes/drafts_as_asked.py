@@ -24,6 +24,9 @@ _AT_THE_NECK = frozenset(
     {"neckline", "neck_depth", "back_depth", "back_neckline", "shoulders", "straps", "collar", "hood"}
 )
 """Names of claims that a collar goes with in one way alone."""
+_THIN_STRAPS = Claim("straps", "narrow")
+_ON_SHOULDERS = ("t-shirt", "tank-top", "fitted-dress", "shift-dress", "skater-dress")
+"""What thin straps do not hold: other drafts do."""
 _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
 _SLIT_AT_THE_SIDES = ("t-shirt", "turtleneck", "shift-dress")
 _SLIT_CM = 14.0
@@ -46,6 +49,8 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     """
     if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, _SLIT_CM)))
+    if draft.name in _ON_SHOULDERS and _THIN_STRAPS in claims:
+        return None
     if _BARE in claims and draft.name not in BARE_SHOULDERED:
         return _without_shoulders(draft)
     if draft.name in COLLARED and _STAND in claims:

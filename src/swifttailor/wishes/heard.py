@@ -19,7 +19,8 @@ from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, 
 _CUT_AS = {"tunic": "top", "shorts": "trousers"}
 """Kinds that are drafted as others."""
 _COLOR_OF_CLOTH = {"denim": "3b5578"}
-"""What a fabric is dyed unless another colour is named."""
+"""What a fabric is dyed unless another colour than blue is named."""
+_BLUE = "0000ff"
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,9 @@ class Heard:
         """The first colour that it names, ``#rrggbb``, or that a name or a fabric implies: blue jeans."""
         named = self.words.colors if self.words is not None else ()
         rgb = named[0].rgb if named else next((e.color for e in self._meant if e.color is not None), None)
-        rgb = rgb or _COLOR_OF_CLOTH.get(self.cloth or "")
+        dyed = _COLOR_OF_CLOTH.get(self.cloth or "")
+        if rgb is None or (dyed is not None and rgb == _BLUE):
+            rgb = dyed or rgb
         return None if rgb is None else f"#{rgb}"
 
     @cached_property

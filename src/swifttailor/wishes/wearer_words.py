@@ -12,6 +12,7 @@ from swifttailor.errors import InputError
 from swifttailor.wishes.not_the_wearer import hide_others, with_finished_chest
 from swifttailor.wording.lexicon import read_words
 
+CM_PER_INCH = 2.54
 PETITE_CM, TALL_CM = {"women": 157.0}, {"women": 180.0, "men": 192.0}
 """Heights of those who are called so."""
 PLUS_SIZE = "women EU 50"
@@ -70,7 +71,7 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
         match = next((m for m in pattern.finditer(rest) if not _OF_GARMENT.search(rest, 0, m.start())), None)
         if match is not None and take(match, found, measures):
             rest = rest[: match.start()] + " " + rest[match.end() :]
-    figure = _figure(text)
+    figure = _figure(_without_looks(text))
     wearer = _wearer(found, measures, figure)
     if wearer is None:
         return HeardWearer(None, hidden.shown(text))
@@ -93,6 +94,14 @@ def _without_children(text: str) -> str:
     return "".join(
         part if k % 2 else re.sub(child, " ", part, flags=re.IGNORECASE) for k, part in enumerate(parts)
     )
+
+
+def _without_looks(text: str) -> str:
+    """The text without what names a look and no wearer: "farm girl", "soft girl"."""
+    for mark in read_words(text).marks:
+        if " " in mark.word and mark.entries and mark.entries[0].category == "occasions":
+            text = re.sub(re.escape(mark.word), " ", text, flags=re.IGNORECASE)
+    return text
 
 
 def _figure(text: str) -> str | None:
@@ -176,14 +185,18 @@ def _compiled(pattern: str, take: _Take) -> tuple[re.Pattern[str], _Take]:
 
 _IN = r"(?:\b(?:in|of|a|an)\s+)*"
 _WHO = rf"(?:(?:for\s+)?(?:an?\s+|my\s+)?(?:{_ANYBODY})\s+)?"
+_INCHES = r"(?:inch(?:es)?\b|in\b|[\"”″]|'')"
 _GIRTH = (
-    r"(?:\b(?:with|and|a|of|at)\s+)*\b(?:(?P<before>\d{2,3}(?:\.\d)?)\s*cm\s+(?P<name>bust|chest|waist|hips?)"
-    r"|(?P<name2>bust|chest|waist|hips?)\s*(?:of|is|are|:|=)?\s*(?P<after>\d{2,3}(?:\.\d)?)(?:\s*cm)?)\b(?!\s*cm)"
+    r"(?:\b(?:with|and|a|of|at)\s+)*\b(?:(?P<before>\d{2,3}(?:\.\d)?)[\s-]*"
+    rf"(?:cm|(?P<inches>{_INCHES}))\s+(?P<name>bust|chest|waist|hips?)\b"
+    r"|(?P<name2>bust|chest|waist|hips?)\s*(?:of|is|are|:|=)?\s*(?P<after>\d{2,3}(?:\.\d)?)"
+    rf"(?:\s*(?:cm\b|(?P<inches2>{_INCHES}))|\b(?!\s*cm)))"
 )
 
 
 def _either_girth(match: re.Match[str], found: dict[str, str], measures: dict[str, float]) -> bool:
     value = float(match["before"] or match["after"])
+    value *= CM_PER_INCH if match["inches"] or match["inches2"] else 1.0
     name = (match["name"] or match["name2"]).lower()
     if not 45.0 <= value <= 180.0:
         return False

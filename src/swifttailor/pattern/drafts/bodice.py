@@ -13,12 +13,16 @@ FRONT_Z = 30.0
 """Where front torso panels stand before draping, cm."""
 BACK_Z = -25.0
 """Where back torso panels stand before draping, cm."""
-FRONT_BALANCE = 1.0
-"""Part of the front's extra length over the bust that a loose garment has at neck and shoulder."""
+FRONT_BALANCE = 0.6
+"""Part of the front's extra length over the bust that a loose garment has at neck and shoulder; with more,
+necklines stand off."""
 HEM_BALANCE = 0.45
-"""Part of it that a loose garment has at the centre front of its hem."""
-BLADE_FULLNESS = 0.065
-"""Extra length of the back over the shoulder blades, as a part of the waist line."""
+"""Part of it that a garment without shoulders has at the centre front of its hem."""
+LOOSE_HEM_BALANCE = 0.6
+"""The same of a loose garment that hangs from its shoulders."""
+BLADE_FULLNESS = 0.01
+"""Extra length of the back over the shoulder blades, as a part of the waist line; with more, the nape
+stands off."""
 SIDE_MINIMUM = 4.0
 """Shortest side seam and shortest centre, cm."""
 POINT_X = 5.0
@@ -93,7 +97,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     neck_x = shape.neckline.start_x(figure)
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
-        drop = HEM_BALANCE * figure.front_fullness if front else 0.0
+        drop = LOOSE_HEM_BALANCE * figure.front_fullness if front else 0.0
         outline = Outline(0.0, hem_y - drop)
         if front and shape.front_point:
             outline.line("hem", POINT_X, hem_y - drop - shape.front_point)

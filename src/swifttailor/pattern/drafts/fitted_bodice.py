@@ -12,7 +12,7 @@ from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.outline import Dart, Outline, Point
 from swifttailor.pattern.drafts.suppression import dart_places, suppress
 
-FRONT_BALANCE = 1.15
+FRONT_BALANCE = 0.9
 """Length of the front over the back of a straight fall, as a part of the body's extra length there."""
 SIDE_MINIMUM = 8.0
 """Shortest side seam, cm."""

@@ -13,6 +13,7 @@ from swifttailor.pattern.drafts.garments import (
     bare_shoulders,
     collared,
     fitted_garments,
+    high_waisted,
     long_garments,
     pleated_skirts,
     skirts,
@@ -115,6 +116,7 @@ _DRAFTS = (
         "Dress with a neckline level around body and arms",
         bare_shoulders.draft_off_shoulder_dress,
     ),
+    DraftInfo("empire-dress", "Dress gathered under the bust", high_waisted.draft_empire_dress),
     DraftInfo("coat", "Coat with notched lapels or a shawl collar", collared.draft_coat),
     DraftInfo("shift-dress", "Straight dress without a waist", long_garments.draft_shift_dress),
     DraftInfo("swing-dress", "Dress that widens from bust to hem", long_garments.draft_swing_dress),
@@ -123,6 +125,7 @@ _DRAFTS = (
         "robe", "Wide sleeves, V neck to the waist, front open from the hem up", long_garments.draft_robe
     ),
     DraftInfo("jumpsuit", "Bodice and trousers joined at the waist", fitted_garments.draft_jumpsuit),
+    DraftInfo("strapless-jumpsuit", "Bustier and trousers in one", strappy.draft_strapless_jumpsuit),
     DraftInfo(
         "halter-jumpsuit",
         "Jumpsuit held behind the neck, back and shoulders bare",

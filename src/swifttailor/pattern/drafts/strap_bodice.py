@@ -13,6 +13,8 @@ OVER_BUST = 8.5
 """Height of the front's upper corners over the fullest part of the bust, cm."""
 OVER_UNDERARM = 1.0
 """Height of the back's upper corners over the underarm, cm."""
+STRAP_PLACE = 0.36
+"""Where the straps lie, as a part of the way from neck to shoulder tip: further out they slide off."""
 STRAP_LIFT = 0.4
 """Part of the front's extra length over the bust that the straps have."""
 
@@ -44,7 +46,8 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
     body = figure.girth_below_waist(shape.length).eased(6.0)
     widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
     widening += shape.flare / 4
-    middle_x = min(0.5 * (figure.neck_x + figure.shoulder_x) + 0.5, figure.shoulder_x - shape.strap)
+    middle_x = figure.neck_x + STRAP_PLACE * (figure.shoulder_x - figure.neck_x)
+    middle_x = min(middle_x, figure.shoulder_x - shape.strap)
     inner, outer = middle_x - shape.strap / 2, middle_x + shape.strap / 2
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"

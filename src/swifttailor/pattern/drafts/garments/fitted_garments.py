@@ -147,13 +147,11 @@ def draft_shirt_dress(options: ShirtDressOptions, measurements: Measurements) ->
 
 
 @dataclass(frozen=True)
-class SkaterDressOptions:
-    """Options of the skater dress."""
+class SleevedBodiceOptions:
+    """Options of garments with a darted bodice that sleeves may be set into."""
 
     bust_ease: declared.BustEase = 5.0
     waist_ease: declared.WaistEase = 3.5
-    skirt_length: declared.SkirtLength = 50.0
-    skirt_fraction: declared.CircleFraction = 0.75
     neckline: declared.NeckShapeOption = "round"
     neck_widening: declared.NeckWidening = 3.0
     neck_depth: declared.NeckDepth = 11.0
@@ -166,11 +164,19 @@ class SkaterDressOptions:
     cap_ease: declared.CapEase = 3.0
 
 
+@dataclass(frozen=True)
+class SkaterDressOptions(SleevedBodiceOptions):
+    """Options of the skater dress."""
+
+    skirt_length: declared.SkirtLength = 50.0
+    skirt_fraction: declared.CircleFraction = 0.75
+
+
 def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the skater dress for a body: fit and flare, of any length."""
     figure = Figure.of(measurements)
     table = CuttingTable("skater-dress")
-    waist = _lay_sleeved_bodice(table, figure, options)
+    waist = lay_sleeved_bodice(table, figure, options)
     table.mirror()
     sew_centres(table)
     lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
@@ -179,22 +185,16 @@ def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) 
 
 
 @dataclass(frozen=True)
-class JumpsuitOptions:
+class JumpsuitOptions(SleevedBodiceOptions):
     """Options of the jumpsuit."""
 
     bust_ease: declared.BustEase = 7.0
     waist_ease: declared.WaistEase = 6.0
-    hip_ease: declared.HipEase = 6.0
     neckline: declared.NeckShapeOption = "v"
     neck_widening: declared.NeckWidening = 2.5
     neck_depth: declared.NeckDepth = 14.0
-    back_neck_depth: declared.BackNeckDepth = 4.0
     armhole_drop: declared.ArmholeDrop = 2.5
-    sleeves: declared.Sleeves = False
-    sleeve_length: declared.SleeveLength = 24.0
-    arm_ease: declared.ArmEase = 6.0
-    sleeve_end: declared.SleeveEnd = 33.0
-    cap_ease: declared.CapEase = 3.0
+    hip_ease: declared.HipEase = 6.0
     length: declared.TrouserLength = 100.0
     leg_ease: declared.LegEase = 12.0
     flare: declared.LegFlare = 4.0
@@ -207,7 +207,7 @@ def draft_jumpsuit(options: JumpsuitOptions, measurements: Measurements) -> Patt
     """Drafts the jumpsuit for a body."""
     figure = Figure.of(measurements)
     table = CuttingTable("jumpsuit")
-    waist = _lay_sleeved_bodice(table, figure, options)
+    waist = lay_sleeved_bodice(table, figure, options)
     legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
     lay_trousers(table, figure, legs, waist, figure.waist_y)
     table.mirror()
@@ -217,9 +217,7 @@ def draft_jumpsuit(options: JumpsuitOptions, measurements: Measurements) -> Patt
     return table.finish()
 
 
-def _lay_sleeved_bodice(
-    table: CuttingTable, figure: Figure, options: SkaterDressOptions | JumpsuitOptions
-) -> Halves:
+def lay_sleeved_bodice(table: CuttingTable, figure: Figure, options: SleevedBodiceOptions) -> Halves:
     """Lays a bodice with sleeves, or with armholes further in; the sewn half widths of its waist."""
     inset = 0.0 if options.sleeves else 1.5
     bodice = FittedBodice(
@@ -233,6 +231,6 @@ def _lay_sleeved_bodice(
 
 
 def _neckline(
-    options: FittedDressOptions | ShirtDressOptions | SkaterDressOptions | JumpsuitOptions,
+    options: FittedDressOptions | ShirtDressOptions | SleevedBodiceOptions,
 ) -> Neckline:
     return Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)

@@ -1,4 +1,4 @@
-"""Garments on thin straps or on none: camisole, slip dress, strapless dress."""
+"""Garments on thin straps or on none: camisole, slip dress, strapless dress and jumpsuit."""
 
 from __future__ import annotations
 
@@ -11,17 +11,25 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
 from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt
-from swifttailor.pattern.drafts.joins import SKIRT_HALVES, SKIRT_WHOLE, sew_skirt_to_bodice
+from swifttailor.pattern.drafts.joins import (
+    SKIRT_HALVES,
+    SKIRT_WHOLE,
+    sew_skirt_to_bodice,
+    sew_trousers_to_bodice,
+)
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.strap_bodice import StrapBodice, lay_strap_bodice
 from swifttailor.pattern.drafts.strapless_bodice import StraplessBodice, lay_strapless_bodice
+from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
 StrapWidth = Annotated[float, Option("Width of the straps.", "cm", 1.0, 4.0)]
 StraplessEase = Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 0.0, 6.0)]
 HeldWaistEase = Annotated[float, Option("Room on top of the waist girth, all around.", "cm", -1.0, 4.0)]
 HeartDip = Annotated[float, Option("Fall of the heart in the middle; 0 is straight.", "cm", 0.0, 8.0)]
+_CROTCH_DROP = 3.0
+"""Below the body's; the room to sit down in, cm."""
 FrontDip = Annotated[float, Option("Fall of the front between the straps.", "cm", 0.0, 8.0)]
 
 
@@ -125,6 +133,34 @@ def draft_strapless_dress(options: StraplessDressOptions, measurements: Measurem
     else:
         lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
         sew_skirt_to_bodice(table, SKIRT_WHOLE)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class StraplessJumpsuitOptions:
+    """Options of the strapless jumpsuit."""
+
+    bust_ease: StraplessEase = 1.0
+    waist_ease: HeldWaistEase = 0.0
+    dip: HeartDip = 0.0
+    hip_ease: declared.HipEase = 6.0
+    length: declared.TrouserLength = 101.0
+    leg_ease: declared.LegEase = 14.0
+    flare: declared.LegFlare = 4.0
+
+
+def draft_strapless_jumpsuit(options: StraplessJumpsuitOptions, measurements: Measurements) -> Pattern:
+    """Drafts the strapless jumpsuit for a body: the waist seam holds it up."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("strapless-jumpsuit")
+    bodice = StraplessBodice(options.bust_ease, options.waist_ease, options.dip)
+    waist = lay_strapless_bodice(table, figure, bodice)
+    legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, _CROTCH_DROP)
+    lay_trousers(table, figure, legs, waist, figure.waist_y)
+    table.mirror()
+    sew_centres(table)
+    sew_legs(table)
+    sew_trousers_to_bodice(table)
     return table.finish()
 
 
