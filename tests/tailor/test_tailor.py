@@ -60,7 +60,9 @@ def like(pattern, other) -> bool:
 
 @pytest.fixture(scope="module")
 def shirt(sewer):
-    return Tailor.load(scripted_maker([SHIRT]), sewer).generate("a <b>T-shirt</b>\n& more", seed=3, source="writer")
+    return Tailor.load(scripted_maker([SHIRT]), sewer).generate(
+        "a <b>T-shirt</b>\n& more", seed=3, source="writer"
+    )
 
 
 def test_words_become_the_pattern_that_was_written_and_its_garment(shirt, sewer):

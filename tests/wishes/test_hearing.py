@@ -215,7 +215,9 @@ def test_a_polo_neck_is_a_turtleneck():
     ],
 )
 def test_what_these_drafts_cannot_show_is_still_said(text, draft, lacking):
-    assert {lack.what for lack in hear_description(text, Saying()).made_as(NamedDraft(draft)).lacks} == lacking
+    assert {
+        lack.what for lack in hear_description(text, Saying()).made_as(NamedDraft(draft)).lacks
+    } == lacking
 
 
 def test_a_name_that_means_a_length_outweighs_what_a_detail_goes_with():

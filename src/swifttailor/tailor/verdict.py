@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 _SENSELESS, _HOLES, _ONE_SIDED = 4, 3, 2
 """What a garment of no kind, open seams, and panels that lack their counterpart count for, where an open wish
 or warning counts one."""
+_BARE = 2
+"""How much more shoulders count that were to be bare and are covered."""
 _SAID = 2
 """How much more an open wish of the words counts than one that was read in a picture beside them."""
 
@@ -87,12 +89,24 @@ class Verdict:
         return bool(self.beyond_usual) and not replace(self, beyond_usual=()).fault
 
     @property
+    def _open_wishes(self) -> int:
+        """How many wishes are open; shoulders that should be bare and are covered count more."""
+        from swifttailor.describing.claims import Claim
+        from swifttailor.describing.differences import Gain
+
+        return len(self.open) + _BARE * (Gain(Claim("shoulders", "strapless")) in self.open)
+
+    @property
     def rank(self) -> tuple[int, int, int]:
         """Smaller is better: errors; warnings, open wishes and the like; what sits badly."""
         severities = [f.severity for f in self.findings]
         errors, warnings = (severities.count(s) for s in (Severity.ERROR, Severity.WARNING))
         doubts = (
-            warnings + len(self.open) + len(self.refused) + _SENSELESS * self.senseless + _HOLES * self.holes
+            warnings
+            + self._open_wishes
+            + len(self.refused)
+            + _SENSELESS * self.senseless
+            + _HOLES * self.holes
         )
         said = sum(change not in self.seen for change in self.open) if self.seen else 0
         return (

@@ -30,6 +30,7 @@ _ON_SHOULDERS = ("t-shirt", "tank-top", "fitted-dress", "shift-dress", "skater-d
 _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
 _SLIT_AT_THE_SIDES = ("t-shirt", "turtleneck", "shift-dress")
 _SLIT_CM = 14.0
+_SLIT_SKIRT_CM = 72.0
 _OF_SKIRTS = {
     "fitted-dress": ("skirt_length", "skirt_flare", "hip_ease"),
     "skater-dress": ("skirt_length", "skirt_fraction"),
@@ -53,6 +54,10 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         return None
     if _BARE in claims and draft.name not in BARE_SHOULDERED:
         return _without_shoulders(draft)
+    if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
+        draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
+    if draft.name == "strapless-dress" and any(_covers(claim) for claim in claims):
+        return _with_shoulders(draft)
     if draft.name in COLLARED and _STAND in claims:
         draft = replace(draft, options=(*[o for o in draft.options if o[0] != "collar"], STANDING))
     stands = STANDING in draft.options
@@ -61,6 +66,22 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     own = _OF_STANDS if stands else _OF_LAPELS
     others = [claim for claim in claims if claim.name in _AT_THE_NECK and claim not in own]
     return None if others else draft
+
+
+def _covers(claim: Claim) -> bool:
+    """Whether what has this has shoulders: sleeves, a neckline between them, a collar."""
+    if claim.name in ("sleeves", "left_sleeve", "right_sleeve", "collar", "hood"):
+        return claim.value != "none"
+    return claim.name == "neckline" or claim == Claim("shoulders", "both")
+
+
+def _with_shoulders(draft: NamedDraft) -> NamedDraft:
+    options = dict(draft.options)
+    other = "fitted-dress" if options.get("fitted") else "skater-dress"
+    skirt = {"skirt_length": 98.0} | ({} if options.get("fitted") else {"skirt_fraction": 0.5})
+    skirt |= {name: float(options[name]) for name in _OF_SKIRTS[other] if name in options}
+    skirt["skirt_length"] = min(skirt["skirt_length"], 100.0)
+    return NamedDraft(other, tuple(skirt.items()))
 
 
 def _without_shoulders(draft: NamedDraft) -> NamedDraft | None:

@@ -62,15 +62,16 @@ def lay_flounce(table: CuttingTable, length: float, top_y: float, fraction: floa
 
 
 def lay_gathered_skirt(
-    table: CuttingTable, waist: Halves, length: float, top_y: float, fullness: float
+    table: CuttingTable, waist: Halves, length: float, top_y: float, fullness: float, flare: float = 0.0
 ) -> None:
-    """Lays two rectangles, `fullness` times as wide as the waist, and sews their sides.
+    """Lays two panels, `fullness` times as wide as the waist, and sews their sides.
 
-    Edges: bottom, left_side, waist, right_side.
+    Their hems are wider by `flare` cm together. Edges: bottom, left_side, waist, right_side.
     """
     for name, half in (("skirt_front", waist.front), ("skirt_back", waist.back)):
         width = 2 * half * fullness
-        _lay(table, name, annular_sector("waist", width, width, length, top_y), name == "skirt_front")
+        outline = annular_sector("waist", width, width + flare / 2, length, top_y)
+        _lay(table, name, outline, name == "skirt_front")
     sew_sides(table, "skirt")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import Annotated
 
@@ -18,6 +19,8 @@ from swifttailor.pattern.pattern import Pattern
 
 _BELOW_BUST = 0.5
 """Where the seam runs, as a part of the way from the bust to the waist."""
+_ARM_CM = 6.0
+"""Radius of the upper arm and what cloth keeps away from it."""
 _NARROWED = 0.75
 """So much of what the bust is wider than the waist is gone there."""
 
@@ -33,9 +36,9 @@ class EmpireDressOptions(SleevedBodiceOptions):
     sleeve_length: declared.SleeveLength = 20.0
     skirt_length: declared.SkirtLength = 60.0
     fullness: Annotated[
-        float,
-        Option("Width of the skirt over that of the seam it is gathered into.", "times", 1.4, 1.75),
-    ] = 1.6
+        float, Option("Width of the skirt over that of the seam it is gathered into.", "times", 1.2, 1.6)
+    ] = 1.4
+    skirt_flare: Annotated[float, Option("Extra width of the hem, all around.", "cm", 0.0, 80.0)] = 24.0
 
 
 def draft_empire_dress(options: EmpireDressOptions, measurements: Measurements) -> Pattern:
@@ -48,9 +51,16 @@ def draft_empire_dress(options: EmpireDressOptions, measurements: Measurements) 
     table.mirror()
     sew_centres(table)
     length = options.skirt_length + under_y - figure.waist_y
-    lay_gathered_skirt(table, seam, length, under_y - 3.0, options.fullness)
+    fullness = min(options.fullness, _between_the_arms(figure, under_y) / max(seam.front, seam.back))
+    lay_gathered_skirt(table, seam, length, under_y - 3.0, fullness, options.skirt_flare)
     sew_skirt_to_bodice(table, SKIRT_WHOLE, gathered=True)
     return table.finish()
+
+
+def _between_the_arms(figure: Figure, y: float) -> float:
+    """Half of the widest flat panel that can hang from height `y` and be sewn without catching an arm, cm."""
+    fall = figure.shoulder_line(figure.shoulder_x) - y
+    return figure.shoulder_x + fall / math.tan(math.radians(figure.arm_angle)) - _ARM_CM
 
 
 def _under_bust(figure: Figure) -> Halves:
