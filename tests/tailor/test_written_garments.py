@@ -155,11 +155,11 @@ def test_every_second_attempt_is_asked_in_words_that_were_taught():
     shirt = swifttailor.draft("t-shirt")
     wishes = Wish(Gain(Claim("kind", "jumpsuit")), 0.95), Wish(Gain(Claim("sleeves", "none")), 0.95)
     maker = Listening(shirt, shirt, shirt)
-    answer(maker, Order("a bleu jumpsut without slevees", attempts=3), Reading(*wishes))
+    answer(maker, Order("a bleu jumpsut without slevees", attempts=3, source="writer"), Reading(*wishes))
     assert maker.asked[0] == maker.asked[2] == "a bleu jumpsuit without sleeves"
     assert "jumpsuit" in maker.asked[1].lower()
     assert "bleu" not in maker.asked[1]
     picture = Listening(shirt, shirt)
     image = np.full((8, 8, 3), 200, np.uint8)
-    answer(picture, Order("a jumpsuit", image, attempts=2), Reading(*wishes))
+    answer(picture, Order("a jumpsuit", image, attempts=2, source="writer"), Reading(*wishes))
     assert picture.asked == ["a jumpsuit", "a jumpsuit"]

@@ -16,8 +16,8 @@ CASES = [
     ("trousers", {"length": 92.0}, Claim("leg_hem", "full"), "inseam_cm"),
     ("t-shirt", {"sleeve_length": 47.0}, Claim("sleeves", "long"), "sleeve_cm"),
     ("circle-skirt", {"length": 88.0}, Claim("skirt_hem", "maxi"), "skirt_length_cm"),
-    ("fitted-dress", {"skirt_length": 88.0}, Claim("skirt_hem", "maxi"), "skirt_length_cm"),
-    ("swing-dress", {"length": 88.0}, Claim("skirt_hem", "maxi"), "length_cm"),
+    ("fitted-dress", {"skirt_length": 91.0}, Claim("skirt_hem", "maxi"), "skirt_length_cm"),
+    ("swing-dress", {"length": 90.0}, Claim("skirt_hem", "maxi"), "length_cm"),
 ]
 
 

@@ -18,7 +18,7 @@ from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, 
 
 MOST_OF_MERE_KINDS = 6
 """Dresses of which more is asked for, and no name of theirs says it, do not begin from a draft."""
-_CUT_AS = {"tunic": "top", "shorts": "trousers"}
+_CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 """Kinds that are drafted as others."""
 _COLOR_OF_CLOTH = {"denim": "3b5578"}
 """What a fabric is dyed unless another colour than blue is named."""

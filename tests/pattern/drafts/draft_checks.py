@@ -29,6 +29,8 @@ def is_gathered(pattern: Pattern, stitch: Stitch) -> bool:
     band = any(n.startswith("wb_") for n in names) and (
         any("torso" in n for n in names) or pattern.name == "gathered-skirt"
     )
+    if pattern.name == "empire-dress" and any(n.startswith("skirt") for n in names):
+        return any("torso" in n for n in names)
     return cap or cuff or (band and len(names) == 2 and not all(n.startswith("wb_") for n in names))
 
 
