@@ -80,3 +80,17 @@ def test_corners_of_faces_lie_on_the_cloth_at_its_scale(garment):
     flat = garment.mesh.flat_vertices[garment.mesh.flat_faces]
     sides = np.linalg.norm(at - np.roll(at, 1, axis=1), axis=2)
     assert np.allclose(sides, np.linalg.norm(flat - np.roll(flat, 1, axis=1), axis=2), atol=1e-6)
+
+
+def test_stripes_meet_where_halves_are_sewn_together():
+    mesh = mesh_pattern(swifttailor.draft("t-shirt"), 3.0)
+    garment = Garment(mesh, np.zeros((mesh.vertex_count, 3)), print=STRIPES)
+    heights = np.zeros(len(mesh.flat_vertices))
+    heights[mesh.flat_faces] = cloth_at(garment)[:, :, 1]
+    names = [panel.name for panel in mesh.pattern.panels]
+    left, right = (mesh.flat_panel == names.index(f"{side}_ftorso") for side in ("left", "right"))
+    shared = np.intersect1d(mesh.weld[left], mesh.weld[right])
+    assert len(shared) > 10
+    for welded in shared:
+        a, b = (heights[(mesh.weld == welded) & half][0] for half in (left, right))
+        assert a == pytest.approx(b, abs=0.02)

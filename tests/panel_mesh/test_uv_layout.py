@@ -6,7 +6,9 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.uv_layout import GUTTER, lay_out_uv, pack_square
+from swifttailor.pattern.drafts import draft
 
 
 def test_uv_keeps_one_scale_and_lengths_everywhere(tube):
@@ -35,6 +37,24 @@ def test_panels_stay_upright(tube):
         of = tube.mesh.flat_panel == panel
         difference = uv[of, 1] * scale - tube.mesh.flat_vertices[of, 1]
         assert np.ptp(difference) < 1e-9
+
+
+def test_sleeves_stand_upright_with_the_shoulder_up_and_their_right_side_out():
+    mesh = mesh_pattern(draft("t-shirt", sleeve_length=60.0), 3.0)
+    uv, scale = lay_out_uv(mesh)
+    lying, _ = lay_out_uv(mesh, sleeves_upright=False)
+    corners = uv[mesh.flat_faces]
+    one, two = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    assert (one[:, 0] * two[:, 1] - one[:, 1] * two[:, 0] > 0).all()
+    for k, panel in enumerate(mesh.pattern.panels):
+        own = mesh.flat_panel == k
+        wide, high = np.ptp(uv[own], axis=0) * scale
+        if "sleeve" not in panel.name:
+            assert np.corrcoef(uv[own, 1], mesh.flat_vertices[own, 1])[0, 1] == pytest.approx(1.0)
+            continue
+        assert high > 1.5 * wide and np.ptp(lying[own, 0]) > np.ptp(lying[own, 1])
+        world = panel.to_world(mesh.flat_vertices[own])
+        assert np.corrcoef(uv[own, 1], -np.abs(world[:, 0]))[0, 1] > 0.9, "the hand is down"
 
 
 def test_panels_do_not_overlap(tube):

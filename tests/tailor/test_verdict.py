@@ -38,3 +38,9 @@ def test_what_is_odd_gives_way_to_another_and_nothing_is_written_for_it():
     assert not Verdict().is_merely_odd
     assert not Verdict(open=(KNEE,), beyond_usual=("its neckline is very deep",)).is_merely_odd
     assert not Verdict(sits_badly=("it is narrower than the hips",), beyond_usual=("x",)).is_merely_odd
+
+
+def test_shoulders_that_should_be_bare_count_more_than_two_other_wishes():
+    covered = Verdict(open=(Gain(Claim("shoulders", "strapless")),))
+    assert Verdict(open=(KNEE, LOOSE)).rank < covered.rank
+    assert Verdict(open=(Gain(Claim("shoulders", "both")),)).rank == Verdict(open=(KNEE,)).rank

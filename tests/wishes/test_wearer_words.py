@@ -22,6 +22,9 @@ from swifttailor.wishes.wearer_words import hear_wearer
         ("a petite midi dress", "a midi dress", None, {"height": 157.0}, "women"),
         ("a plus-size jumpsuit", "a jumpsuit", "women EU 50", None, None),
         ("a dress for a girl", "a dress", "children EU 128", None, None),
+        ('fitted top, 36" bust', "fitted top", None, {"bust": 36 * 2.54}, None),
+        ("a 46 inch bust dress", "dress", None, {"bust": 46 * 2.54}, None),
+        ("jeans, waist 28 inches", "jeans", None, {"waist": 28 * 2.54}, None),
         ("a T-shirt for an 8-year-old", "a T-shirt", "children UK 8", None, None),
         (
             "a skirt, bust 92, waist 74 cm, hips 98",
@@ -81,3 +84,8 @@ def test_girths_of_an_instruction_are_the_garments():
 def test_any_text_is_read(text):
     heard = hear_wearer(text)
     assert len(heard.rest) <= len(text) or heard.wearer is None
+
+
+@pytest.mark.parametrize("text", ["farm girl dress", "a soft girl top", "a dress with a 10 inch waistband"])
+def test_looks_and_inches_of_garments_are_no_wearers(text):
+    assert hear_wearer(text).wearer is None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
@@ -128,7 +129,7 @@ def _draw_side(outline: Outline, underarm: Point, shaping: float, slit: float) -
     """Draws the side seam up to the underarm, bent inward by `shaping` cm; front and back alike."""
     x, y = outline.sides[-1].end
     if not shaping:
-        share = min(slit / (underarm[1] - y), _OPEN_SHARE)
+        share = min(slit / math.dist((x, y), underarm), _OPEN_SHARE)
         if slit >= SHORTEST_SLIT:
             outline.line("slit", x + share * (underarm[0] - x), y + share * (underarm[1] - y))
         outline.line("side", *underarm)

@@ -1,0 +1,73 @@
+"""What a tailor would measure on the shapes that options give to drafts: collars, wide legs, slits."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+from test_cut import WAIST_Y, seam_length
+
+from swifttailor.describing import Claim
+from swifttailor.describing.measuring import measure_facts
+from swifttailor.pattern.drafts import draft
+
+
+@pytest.mark.parametrize("name", ["shirt", "fitted-dress", "shirt-dress"])
+@pytest.mark.parametrize("height", [2.0, 4.0, 10.0])
+def test_standing_collars_are_as_high_as_asked_on_a_close_neck(name, height):
+    pattern = draft(name, collar="standing", collar_height=height)
+    facts = measure_facts(pattern)
+    assert any(Claim("collar", value).holds(facts) for value in ("stand", "turtleneck"))
+    assert facts.collar is not None and facts.collar.height == pytest.approx(height, abs=0.1)
+    seams = [seam_length(pattern, f"left_{p[0]}torso", f"left_collar_{p}") for p in ("front", "back")]
+    assert all(collar == pytest.approx(neck, rel=1e-3) for neck, collar in seams)
+    assert 35.0 < 2 * sum(neck for neck, _ in seams) < 50.0
+
+
+@pytest.mark.parametrize("name", ["fitted-dress", "shirt-dress"])
+def test_dresses_have_no_collar_unless_asked(name):
+    panels = {p.name for p in draft(name).panels}
+    assert {p.name for p in draft(name, collar="folded").panels} - panels == {
+        f"{side}_collar_{part}" for side in ("left", "right") for part in ("front", "back")
+    }
+
+
+@pytest.mark.parametrize("leg_ease", [34.0, 45.0, 60.0])
+def test_legs_wider_than_the_thigh_widen_evenly(leg_ease):
+    panel = draft("trousers", leg_ease=leg_ease, flare=12.0).panel("pant_f_l")
+    outline = shapely.Polygon(panel.outline(0.01))
+    low, high = outline.bounds[1], outline.bounds[3]
+    levels = low + np.array([1.0, 20.0, 40.0])
+    widths = [outline.intersection(shapely.box(-99, y, 99, y + 0.1)).area / 0.1 for y in levels]
+    assert high - low > 90.0 and widths[0] >= widths[1] >= widths[2]
+    assert widths[0] - widths[1] == pytest.approx(widths[1] - widths[2], abs=1.5)
+
+
+@pytest.mark.parametrize("slit", [0.0, 14.0, 30.0])
+@pytest.mark.parametrize("name", ["t-shirt", "turtleneck", "shift-dress"])
+def test_side_slits_leave_the_lower_end_of_the_sides_open(name, slit):
+    length = 55.0
+    whole, open_ = (draft(name, length=length, side_slits=s) for s in (0.0, slit))
+    seams = [seam_length(p, "left_ftorso", "left_btorso")[0] for p in (whole, open_)]
+    assert seams[0] - seams[1] == pytest.approx(slit)
+
+
+def test_an_empire_seam_runs_under_the_bust_and_skirts_hang_between_the_arms():
+    for ease in (1.0, 6.0, 16.0):
+        pattern = draft("empire-dress", bust_ease=ease, waist_ease=ease, fullness=1.6)
+        assert Claim("waist_seam", "empire").holds(measure_facts(pattern))
+        top = pattern.panel("skirt_front").vertices[:, 1].max()
+        upper = [x for x, y in pattern.panel("skirt_front").vertices if y > top - 1.0]
+        assert 20.0 < (max(upper) - min(upper)) / 2 < 40.0
+
+
+@pytest.mark.parametrize("length", [40.0, 70.0, 100.0])
+def test_shifts_and_coats_end_where_they_are_asked_to(length):
+    for name in ("shift-dress", "coat"):
+        hem = measure_facts(draft(name, length=length)).hem
+        assert hem is not None and hem.level == pytest.approx(WAIST_Y - length, abs=4.0)
+
+
+def test_a_strapless_dress_may_be_close_to_the_floor():
+    facts = measure_facts(draft("strapless-dress", fitted=True, skirt_length=92.0))
+    assert Claim("shoulders", "strapless").holds(facts) and Claim("hips", "close").holds(facts)

@@ -1,0 +1,59 @@
+"""What is made for an occasion, a mood or a class of clothes where no garment is named."""
+
+from __future__ import annotations
+
+import pytest
+
+from swifttailor.wishes.hearing import hear_description
+from swifttailor.wishes.reader import WishReader
+from swifttailor.wishes.worn_for import worn_for
+from swifttailor.wording.lexicon import read_words
+from swifttailor.wording.lexicon.vocabulary import all_entries
+
+
+@pytest.fixture(scope="module")
+def reader() -> WishReader:
+    return WishReader.load()
+
+
+@pytest.mark.parametrize(
+    ("text", "garment", "kind"),
+    [
+        ("something for the beach", "sundress", "dress"),
+        ("what can I wear to a job interview", "blazer", "top"),
+        ("something cosy for winter evenings", "jumper", "top"),
+        ("an outfit for yoga", "leggings", "trousers"),
+        ("gym wear", "leggings", "trousers"),
+        ("something elegant", "sheath dress", "dress"),
+        ("a tuxedo", "dinner jacket", "top"),
+        ("something cute for a first date", "wrap dress", "dress"),
+        ("something for a ball", "evening gown", "dress"),
+    ],
+)
+def test_a_garment_is_guessed_from_what_it_is_for(reader, text, garment, kind):
+    heard = hear_description(text, reader)
+    assert (heard.guess, heard.kind) == (garment, kind)
+
+
+@pytest.mark.parametrize(
+    "text", ["a skirt for the beach", "elegant trousers", "a hoodie for yoga", "a dress for a wedding"]
+)
+def test_nothing_is_guessed_where_a_garment_is_named(reader, text):
+    heard = hear_description(text, reader)
+    assert heard.guess == "" and worn_for(heard) is None
+
+
+def test_what_contradicts_a_detail_is_not_suggested(reader):
+    assert hear_description("a party outfit with wide legs", reader).kind == "trousers"
+
+
+def test_a_picture_shows_which_garment_is_meant(reader):
+    assert hear_description("something for the beach", reader, alone=False).guess == ""
+
+
+def test_what_is_worn_is_a_garment_of_one_kind():
+    worn = {entry.worn for entry in all_entries() if entry.worn}
+    assert len(worn) > 20
+    for name in worn:
+        kinds = {i.claim.value for i in read_words(name).implications if i.claim.name == "kind"}
+        assert len(kinds) == 1, name
