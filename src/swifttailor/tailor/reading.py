@@ -121,9 +121,9 @@ class Wanted:
     def begun_from(self, draft: NamedDraft) -> Wanted:
         """The same, where the garment begins from a draft: what that shows is neither cut nor lacking."""
         shown = {Gain(Claim(name, value)) for name, value in draft.is_to_the_eye}
-        wishes, likely = (
-            tuple([w for w in found if w.change not in shown]) for found in (self.wishes, self.likely)
-        )
+        near = shown | {Gain(Claim(name, value)) for name, value in draft.has_in_spirit}
+        wishes = tuple([w for w in self.wishes if w.change not in shown])
+        likely = tuple([w for w in self.likely if w.change not in near])
         return replace(self, wishes=wishes, likely=likely, heard=self.heard.made_as(draft))
 
     @property

@@ -10,6 +10,8 @@ from swifttailor.describing.facts import GarmentFacts
 
 CLOSE_NECK_CM, CLOSE_NECK_DEPTH_CM = 10.75, 16.0
 """Half the width of a neckline and its depth in front, at most, for a collar on it to stand at the neck."""
+FALLS_OFF = "its waistband is wider than the hips"
+"""What nobody wears, whatever else is as it was asked for."""
 TOO_NARROW_CM = 4.0
 """So much narrower than the hips nothing goes over them."""
 LOOSE_BAND_CM = 8.0
@@ -42,7 +44,7 @@ def sits_badly(facts: GarmentFacts, said: Sequence[Change]) -> tuple[str, ...]:
         if not names & {"rise", "waistband"} or _plain_band(claims):
             found.append("its waistband is wider than the waist")
         elif band.upper > body.hip_girth + LOOSE_BAND_CM and Claim("waistband", "loose") not in claims:
-            found.append("its waistband is wider than the hips")
+            found.append(FALLS_OFF)
     return tuple(found)
 
 

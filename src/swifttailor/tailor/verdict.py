@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from swifttailor.pattern import Finding, Severity
+from swifttailor.tailor.sitting import FALLS_OFF
 
 if TYPE_CHECKING:
     from swifttailor.describing.differences import Change
@@ -13,6 +14,8 @@ if TYPE_CHECKING:
 _SENSELESS, _HOLES, _ONE_SIDED = 4, 3, 2
 """What a garment of no kind, open seams, and panels that lack their counterpart count for, where an open wish
 or warning counts one."""
+_FALLS_OFF = 3
+"""What it counts that a waistband goes over the hips."""
 _BARE = 2
 """How much more shoulders count that were to be bare and are covered."""
 _SAID = 2
@@ -105,6 +108,7 @@ class Verdict:
             warnings
             + self._open_wishes
             + len(self.refused)
+            + _FALLS_OFF * (FALLS_OFF in self.sits_badly)
             + _SENSELESS * self.senseless
             + _HOLES * self.holes
         )

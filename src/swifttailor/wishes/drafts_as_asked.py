@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
-from swifttailor.pattern.drafts.draft_names import BARE_SHOULDERED, COLLARED, SIDE_SLITS, STANDING, NamedDraft
+from swifttailor.pattern.drafts.draft_names import (
+    BARE_SHOULDERED,
+    COLLARED,
+    DRAFT_KINDS,
+    SIDE_SLITS,
+    STANDING,
+    NamedDraft,
+)
 
 _BARE = Claim("shoulders", "strapless")
 _STAND = Claim("collar", "stand")
@@ -27,6 +34,13 @@ _AT_THE_NECK = frozenset(
 _THIN_STRAPS = Claim("straps", "narrow")
 _ON_SHOULDERS = ("t-shirt", "tank-top", "fitted-dress", "shift-dress", "skater-dress")
 """What thin straps do not hold: other drafts do."""
+_LEGS: Mapping[str, Mapping[str, float]] = {
+    "wide": {"leg_ease": 40.0, "flare": 8.0},
+    "flared": {"leg_ease": 8.0, "flare": 26.0},
+    "straight": {"leg_ease": 18.0, "flare": 2.0},
+    "tapered": {"hip_ease": 9.0, "leg_ease": 12.0, "flare": -7.0},
+    "slim": {"leg_ease": 6.0, "flare": -4.0},
+}
 _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
 _SLIT_AT_THE_SIDES = ("t-shirt", "turtleneck", "shift-dress")
 _SLIT_CM = 14.0
@@ -50,6 +64,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     """
     if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, _SLIT_CM)))
+    draft = _with_tiers(_with_legs(draft, claims), claims)
     if draft.name in _ON_SHOULDERS and _THIN_STRAPS in claims:
         return None
     if _BARE in claims and draft.name not in BARE_SHOULDERED:
@@ -66,6 +81,24 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     own = _OF_STANDS if stands else _OF_LAPELS
     others = [claim for claim in claims if claim.name in _AT_THE_NECK and claim not in own]
     return None if others else draft
+
+
+def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A jumpsuit with the legs that are asked for; trousers have drafts for each shape."""
+    if DRAFT_KINDS[draft.name] != "jumpsuit":
+        return draft
+    options = dict(draft.options)
+    for claim in claims:
+        options |= _LEGS.get(str(claim.value), {}) if claim.name == "legs" else {}
+    return replace(draft, options=tuple(options.items()))
+
+
+def _with_tiers(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A tiered skirt of as many tiers as are asked for, where so many can be drafted."""
+    counts = [claim.value for claim in claims if claim.name == "tiers" and not isinstance(claim.value, str)]
+    if draft.name != "tiered-skirt" or not counts or not 2 <= counts[0] <= 6:
+        return draft
+    return replace(draft, options=(*[o for o in draft.options if o[0] != "tiers"], ("tiers", counts[0])))
 
 
 def _covers(claim: Claim) -> bool:

@@ -156,4 +156,5 @@ def _says_less(entry: Entry) -> int:
     if entry.category != "garments":
         return 1
     definite = any(claim.name != "kind" for claim in entry.claims("certain"))
-    return 2 if entry.is_mere_kind or ("trousers" in entry.kinds and not definite) else 0
+    with_legs = bool(entry.kinds & {"trousers", "jumpsuit", "playsuit"})
+    return 2 if entry.is_mere_kind or (with_legs and not definite) else 0

@@ -18,6 +18,9 @@ FLOOR_CM, FLOOR_AT_LEAST_CM, FLOOR_AT_MOST_CM = 6.0, 4.5, 6.4
 """Where the hem of a gown is measured on its pattern. On the body long dresses hang half a dozen
 centimetres lower (median of 28 drapes, `benchmarks/hem_levels.py`); skirts do not."""
 SKIRT_FLOOR_CM, SKIRT_FLOOR_AT_MOST_CM = 2.5, 4.5
+MINI_CM, MINI_AT_MOST_CM = 13.0, 17.0
+"""How far below the crotch a mini ends, and what is left as it is."""
+ABOVE_KNEE_CM, ABOVE_KNEE_AT_LEAST_CM = 10.0, 7.0
 BELOW_CROTCH_CM, BELOW_CROTCH_AT_MOST_CM = 16.0, 22.0
 """Where a high slit in a long skirt begins."""
 WIDE_LEGS, WIDE_LEGS_AT_LEAST = 1.3, 1.2
@@ -97,6 +100,12 @@ def _skirt(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
         level = (FLOOR_CM if gown else SKIRT_FLOOR_CM) if hem.level > most else None
     elif ("skirt_hem", "maxi") in words and ("skirt_hem", "ankle") not in words:
         level = MAXI * facts.body.knee if hem.level > MAXI_AT_MOST * facts.body.knee else None
+    elif ("skirt_hem", "mini") in words:
+        mini = facts.body.crotch - MINI_CM
+        level = mini if hem.level < facts.body.crotch - MINI_AT_MOST_CM else None
+    elif ("skirt_hem", "above the knee") in words:
+        above = facts.body.knee + ABOVE_KNEE_CM
+        level = above if hem.level < facts.body.knee + ABOVE_KNEE_AT_LEAST_CM else None
     if level is None or facts.kind not in ("dress", "skirt"):
         return None
     if skirt is None:

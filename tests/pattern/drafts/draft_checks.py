@@ -29,6 +29,8 @@ def is_gathered(pattern: Pattern, stitch: Stitch) -> bool:
     band = any(n.startswith("wb_") for n in names) and (
         any("torso" in n for n in names) or pattern.name == "gathered-skirt"
     )
+    if pattern.name == "tiered-skirt":
+        return len(names) == 2 and (band or all(n.startswith("skirt") for n in names))
     if pattern.name == "empire-dress" and any(n.startswith("skirt") for n in names):
         return any("torso" in n for n in names)
     return cap or cuff or (band and len(names) == 2 and not all(n.startswith("wb_") for n in names))
@@ -42,7 +44,8 @@ def assert_sound(pattern: Pattern) -> None:
         assert outline.area > 4.0, panel.name
         lengths = [panel.edge_length(k) for k in range(len(panel.edges))]
         assert min(lengths) > 0.05, f"{panel.name}: sliver edge {lengths}"
-        back = panel.name.endswith(("_b", "_b_l", "_b_r", "_back", "_back_0")) or "btorso" in panel.name
+        name = panel.name.rstrip("0123456789").removesuffix("_")
+        back = name.endswith(("_b", "_b_l", "_b_r", "_back")) or "btorso" in name
         assert (panel.signed_area() < 0) == back, f"{panel.name} runs the wrong way"
         assert panel.normal() @ np.array(panel.placement.translation) >= 0, f"{panel.name} faces inward"
     sewn = [side for s in pattern.stitches for side in s.sides]

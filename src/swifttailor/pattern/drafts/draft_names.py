@@ -55,6 +55,7 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "sarong": "skirt",
     "circle-skirt": "skirt",
     "gathered-skirt": "skirt",
+    "tiered-skirt": "skirt",
     "pleated-skirt": "skirt",
 }
 """What each is measured to be."""
@@ -99,12 +100,21 @@ class NamedDraft:
         slits = _OF_SLITS if any(name == SIDE_SLITS for name, _ in self.options) else ()
         return (*DRAFTS_ARE.get(self.name, ()), *(_OF_STANDS if stands else ()), *slits)
 
+    @property
+    def has_in_spirit(self) -> tuple[tuple[str, str], ...]:
+        """Claims that it is near enough to where only a name implies them, and no word says them."""
+        roomy = dict(self.options).get("hip_ease", 0.0)
+        return _OF_ROOM if isinstance(roomy, float) and roomy >= ROOMY_CM else ()
+
 
 STANDING = ("collar", "standing")
 """The option of a collar that stands."""
 SIDE_SLITS = "side_slits"
 """The option of slits in garments that have no skirt of their own to be measured."""
 _OF_STANDS = (("neck_depth", "high"),)
+ROOMY_CM = 7.0
+"""With so much room on top of the hips drafts look loose there; with more, they stand off at the sides."""
+_OF_ROOM = (("hips", "loose"),)
 _OF_SLITS = (("slit", "left"), ("slit", "right"))
 
 

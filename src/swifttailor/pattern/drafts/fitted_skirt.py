@@ -17,6 +17,9 @@ _UPRIGHT = 0.2
 """How far the left edge of an opening slants outward, as a part of its width."""
 _BESIDE = 4.0
 """Least of the hem that is left on either side of an opening, cm."""
+SOFT_CM, FLARED = 6.0, 4.0
+"""The curve from waist to hip ends so far below the hips, where it ends on them cloth puckers to a point; and
+the flare, degrees, from which it need not."""
 SKIRT_FRONT_Z = 25.0
 """Where front skirt panels stand before draping, cm."""
 SKIRT_BACK_Z = -22.0
@@ -80,17 +83,19 @@ def lay_fitted_skirt(
     ):
         front = name == "skirt_front"
         corner = hip + widening
-        outline = Outline(corner, corner_y).line("side", hip, figure.hip_y)
+        soft_y = figure.hip_y - (min(SOFT_CM, 0.3 * below) if shape.flare < FLARED else 0.0)
+        soft_x = hip + widening * (figure.hip_y - soft_y) / below
+        outline = Outline(corner, corner_y).line("side", soft_x, soft_y)
         # The waist line is straight and rises a little to the side; its length is what counts.
         side_x = math.sqrt((narrow + lost) ** 2 - rise**2)
-        fall = top_y + rise - figure.hip_y
+        fall = top_y + rise - soft_y
         outline.cubic(
             "side",
-            (hip - math.tan(slant) * 0.4 * fall, figure.hip_y + 0.4 * fall),
+            (soft_x - math.tan(slant) * 0.4 * fall, soft_y + 0.4 * fall),
             (side_x + 0.3 * taken.side, top_y + rise - 0.35 * fall),
             (side_x, top_y + rise),
         )
-        depth = min(9.5 if front else 13.0, 0.6 * fall)
+        depth = min(9.5 if front else 13.0, 0.6 * (top_y + rise - figure.hip_y))
         outline.darted_line("waist", (0.0, top_y), waist_darts(narrow, lost, place, depth))
         whole = outline.both_halves()
         _draw_hem(whole, corner, corner_y, slant, lift)

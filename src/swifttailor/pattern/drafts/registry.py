@@ -18,6 +18,7 @@ from swifttailor.pattern.drafts.garments import (
     pleated_skirts,
     skirts,
     strappy,
+    tiered_skirts,
     tops,
     trousers,
     wrap,
@@ -141,6 +142,7 @@ _DRAFTS = (
     DraftInfo("sarong", "Long straight skirt, open in front on a slant", wrap_skirts.draft_sarong),
     DraftInfo("circle-skirt", "Part of a circle on a waistband", skirts.draft_circle_skirt),
     DraftInfo("gathered-skirt", "Rectangles gathered into a waistband", skirts.draft_gathered_skirt),
+    DraftInfo("tiered-skirt", "Tiers gathered into each other", tiered_skirts.draft_tiered_skirt),
     DraftInfo("pleated-skirt", "Pleats laid into a waistband", pleated_skirts.draft_pleated_skirt),
 )
 

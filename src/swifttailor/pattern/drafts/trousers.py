@@ -17,6 +17,8 @@ BACK_Z = -22.0
 STEP = 1.2
 """At knee and below, the back is this much wider than half of the leg, the front this much narrower, cm."""
 
+SIDE_SHARE = 0.27
+"""Slim legs narrow at the side seams as much as at the inseams, so that they hang around the calves."""
 SHORTEST_INSEAM = 8.0
 """Hem below the crotch at least, cm."""
 

@@ -26,9 +26,9 @@ class PoloShirtOptions:
     length: declared.TopLength = 20.0
     chest_ease: declared.ChestEase = 10.0
     flare: declared.HemFlare = 0.0
-    neck_widening: declared.CloseNeckWidening = 0.5
-    neck_depth: declared.CollarNeckDepth = 11.0
-    collar_width: declared.CollarWidth = 5.5
+    neck_widening: declared.CloseNeckWidening = 0.0
+    neck_depth: declared.CollarNeckDepth = 10.0
+    collar_width: declared.CollarWidth = 4.0
     armhole_drop: declared.ArmholeDrop = 2.5
     sleeve_length: declared.SleeveLength = 22.0
     arm_ease: declared.ArmEase = 7.0
@@ -50,6 +50,7 @@ class ShirtOptions(PoloShirtOptions):
     length: declared.TopLength = 24.0
     chest_ease: declared.ChestEase = 12.0
     neck_depth: declared.CollarNeckDepth = 9.0
+    collar_width: declared.CollarWidth = 4.5
     armhole_drop: declared.ArmholeDrop = 3.0
     sleeve_length: declared.SleeveLength = 60.0
     arm_ease: declared.ArmEase = 8.0

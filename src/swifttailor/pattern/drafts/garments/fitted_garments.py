@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
@@ -24,7 +24,7 @@ from swifttailor.pattern.drafts.neck_collar import CollarHeight, CollarOption, N
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
-from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
+from swifttailor.pattern.drafts.trousers import SIDE_SHARE, Trousers, lay_trousers, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
 
@@ -209,6 +209,7 @@ def draft_jumpsuit(options: JumpsuitOptions, measurements: Measurements) -> Patt
     table = CuttingTable("jumpsuit")
     waist = lay_sleeved_bodice(table, figure, options)
     legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
+    legs = replace(legs, side_share=SIDE_SHARE) if options.flare < 0 else legs
     lay_trousers(table, figure, legs, waist, figure.waist_y)
     table.mirror()
     sew_centres(table)

@@ -12,13 +12,11 @@ from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.joins import sew_trousers_to_band
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
+from swifttailor.pattern.drafts.trousers import SIDE_SHARE, Trousers, lay_trousers, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
 NARROWEST = 0.4
 """Least width of the hem of slim legs over the girth of the thigh."""
-SIDE_SHARE = 0.27
-"""Slim legs narrow at the side seams as much as at the inseams, so that they hang around the calves."""
 SlimLegEase = Annotated[float, Option("Room on top of the leg's girth at the knee.", "cm", 0.0, 8.0)]
 Taper = Annotated[float, Option("How much narrower the hem is than the knee.", "cm", 0.0, 12.0)]
 CrotchDrop = Annotated[float, Option("Crotch of the trousers below the body's.", "cm", 0.0, 5.0)]

@@ -1,0 +1,59 @@
+"""Skirts of rows of cloth, each gathered into the one above."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.band import lay_body_waist_band
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.fitted_skirt import SKIRT_BACK_Z, SKIRT_FRONT_Z
+from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_band
+from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.outline import annular_sector
+from swifttailor.pattern.pattern import Pattern
+
+
+@dataclass(frozen=True)
+class TieredSkirtOptions:
+    """Options of the tiered skirt."""
+
+    length: declared.SkirtLength = 84.0
+    tiers: Annotated[int, Option("Number of tiers, all of one height.", "tiers", 2, 6)] = 3
+    fullness: Annotated[
+        float, Option("Width of each tier over that of the edge it is gathered into.", "times", 1.15, 1.8)
+    ] = 1.4
+    band_height: declared.BandHeight = 4.0
+    waist_ease: declared.BandEase = 0.0
+
+
+def draft_tiered_skirt(options: TieredSkirtOptions, measurements: Measurements) -> Pattern:
+    """Drafts the tiered skirt for a body."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("tiered-skirt")
+    waist = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
+    height = (options.length - options.band_height) / options.tiers
+    top_y = figure.waist_y - options.band_height - 3.0
+    widths = {"front": 2 * waist.front, "back": 2 * waist.back}
+    for tier in range(options.tiers):
+        number, above = _number(tier), _number(tier - 1)
+        for part in widths:
+            widths[part] *= options.fullness
+            outline = annular_sector("waist", widths[part], widths[part], height, top_y - tier * height)
+            z = SKIRT_FRONT_Z if part == "front" else SKIRT_BACK_Z
+            name = f"skirt_{part}{number}"
+            table.lay(name, outline, label="leg", at=(0.0, 0.0, z), back=part == "back")
+            if tier:
+                table.seam(f"skirt_{part}{above}.bottom", f"{name}.waist", gathered=True)
+        for side in ("left_side", "right_side"):
+            table.seam(f"skirt_front{number}.{side}", f"skirt_back{number}.{side}")
+    sew_skirt_to_band(table, SKIRT_WHOLE, gathered=True)
+    return table.finish()
+
+
+def _number(tier: int) -> str:
+    """What tells the panels of a tier from those of others: nothing at the waist."""
+    return f"_{tier - 1}" if tier > 0 else ""
