@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain
+from swifttailor.tailor.sitting import FALLS_OFF
 from swifttailor.tailor.verdict import Verdict
 
 KNEE, LOOSE, LOW = (
@@ -38,6 +39,10 @@ def test_what_is_odd_gives_way_to_another_and_nothing_is_written_for_it():
     assert not Verdict().is_merely_odd
     assert not Verdict(open=(KNEE,), beyond_usual=("its neckline is very deep",)).is_merely_odd
     assert not Verdict(sits_badly=("it is narrower than the hips",), beyond_usual=("x",)).is_merely_odd
+
+
+def test_a_waistband_that_falls_off_counts_more_than_a_wish():
+    assert Verdict(open=(KNEE,)).rank < Verdict(sits_badly=(FALLS_OFF,)).rank
 
 
 def test_shoulders_that_should_be_bare_count_more_than_two_other_wishes():

@@ -33,6 +33,10 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("t-shirt(length=38)", SLITS[:1], "t-shirt(length=38)"),
         ("skater-dress", SLITS[:1], "fitted-dress(skirt_length=72)"),
         ("tank-top(length=-3)", [Claim("straps", "narrow")], None),
+        ("jumpsuit", [Claim("legs", "wide")], "jumpsuit(leg_ease=40;flare=8)"),
+        ("trousers", [Claim("legs", "wide")], "trousers"),
+        ("tiered-skirt", [Claim("tiers", 4.0)], "tiered-skirt(tiers=4)"),
+        ("tiered-skirt", [Claim("tiers", 9.0)], "tiered-skirt"),
     ],
 )  # fmt: skip
 def test_a_draft_is_begun_as_it_is_asked_for(named, claims, begun):

@@ -27,10 +27,10 @@ def is_gathered(pattern: Pattern, stitch: Stitch) -> bool:
     cap = any("torso" in n for n in names) and any("sleeve" in n for n in names)
     cuff = any("sleeve" in n for n in names) and any("cuff" in n for n in names)
     band = any(n.startswith("wb_") for n in names) and (
-        any("torso" in n for n in names) or pattern.name == "gathered-skirt"
+        any("torso" in n for n in names) or pattern.name in ("gathered-skirt", "tiered-skirt")
     )
-    if pattern.name == "tiered-skirt":
-        return len(names) == 2 and (band or all(n.startswith("skirt") for n in names))
+    if pattern.name == "tiered-skirt" and all(n.startswith("skirt") for n in names):
+        return True
     if pattern.name == "empire-dress" and any(n.startswith("skirt") for n in names):
         return any("torso" in n for n in names)
     return cap or cuff or (band and len(names) == 2 and not all(n.startswith("wb_") for n in names))

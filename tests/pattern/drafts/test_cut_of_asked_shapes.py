@@ -8,8 +8,10 @@ import shapely
 from test_cut import WAIST_Y, seam_length
 
 from swifttailor.describing import Claim
+from swifttailor.describing.differences import Gain
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.pattern.drafts import draft
+from swifttailor.wishes.well_within import well_within
 
 
 @pytest.mark.parametrize("name", ["shirt", "fitted-dress", "shirt-dress"])
@@ -71,3 +73,25 @@ def test_shifts_and_coats_end_where_they_are_asked_to(length):
 def test_a_strapless_dress_may_be_close_to_the_floor():
     facts = measure_facts(draft("strapless-dress", fitted=True, skirt_length=92.0))
     assert Claim("shoulders", "strapless").holds(facts) and Claim("hips", "close").holds(facts)
+
+
+@pytest.mark.parametrize("tiers", [2, 3, 6])
+def test_tiers_are_of_one_height_and_each_is_gathered_into_the_one_above(tiers):
+    pattern = draft("tiered-skirt", tiers=tiers, length=80.0, fullness=1.5, band_height=4.0)
+    facts = measure_facts(pattern)
+    assert facts.skirt is not None and facts.skirt.tiers == tiers
+    names = ["skirt_front", *[f"skirt_front_{k}" for k in range(tiers - 1)]]
+    heights = [np.ptp(pattern.panel(name).vertices[:, 1]) for name in names]
+    assert heights == pytest.approx([76.0 / tiers] * tiers)
+    for above, below in zip(["wb_front", *names], names, strict=False):
+        fixed, gathered = seam_length(pattern, above, below)
+        assert gathered == pytest.approx(1.5 * fixed, rel=1e-3)
+
+
+def test_minis_and_hems_above_the_knee_are_well_within_their_words():
+    for word, below_crotch in (("mini", 17.0), ("above the knee", 25.0)):
+        facts = measure_facts(draft("skater-dress", skirt_length=60.0, skirt_fraction=0.4))
+        (wish,) = well_within([Gain(Claim("skirt_hem", word))], facts)
+        assert isinstance(wish, Gain) and wish.claim.name == "skirt_length_cm"
+        shorter = 60.0 - float(wish.claim.value)
+        assert facts.hem is not None and facts.hem.level + shorter > facts.body.crotch - below_crotch
