@@ -22,6 +22,8 @@ _BACK_FALL = 5.0
 """How far the back falls from the underarm to its middle, cm."""
 _CLOSER = 2.5
 """How much narrower each half of a fitted back is at its upper edge, so that it does not stand off, cm."""
+_CLOSER_LOOSE = 2.0
+"""The same of a top that hangs."""
 STRAP = "left_btorso_strap"
 
 
@@ -112,7 +114,7 @@ def _lay_half(
         _draw_top(outline, figure, shape, (half, under_y))
     else:
         low = max(under_y - _BACK_FALL, foot[1] + SIDE_MINIMUM)
-        closer = 0.0 if shape.waist_ease is None else _CLOSER
+        closer = _CLOSER_LOOSE if shape.waist_ease is None else _CLOSER
         outline.quadratic("top", (0.55 * half, low), (closer, low))
     outline.line("centre", *foot).closed()
     name, z = ("left_ftorso", FRONT_Z) if front else ("left_btorso", BACK_Z)

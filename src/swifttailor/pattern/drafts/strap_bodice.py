@@ -13,6 +13,8 @@ OVER_BUST = 8.5
 """Height of the front's upper corners over the fullest part of the bust, cm."""
 OVER_UNDERARM = 1.0
 """Height of the back's upper corners over the underarm, cm."""
+TAKEN_IN = 1.5
+"""So far the middle of the upper edge is taken in, on either side, cm: it would stand off the chest."""
 STRAP_PLACE = 0.36
 """Where the straps lie, as a part of the way from neck to shoulder tip: further out they slide off."""
 STRAP_LIFT = 0.4
@@ -65,7 +67,7 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
         outline.line("neck", inner, base_y)
         low = base_y - (shape.dip if front else 0.0)
         low = max(low, hem_y - drop + SIDE_MINIMUM)
-        outline.quadratic("neck", (0.5 * inner, low if front else base_y), (0.0, low))
+        outline.quadratic("neck", (0.5 * inner, low if front else base_y), (TAKEN_IN, low))
         outline.line("centre", *outline.sides[0].start).closed()
         table.lay(
             f"left_{side}torso",

@@ -15,6 +15,10 @@ OVER_BUST = 8.0
 """Height of the front's upper edge over the fullest part of the bust, cm."""
 
 
+TAKEN_IN, TAKEN_IN_BEHIND = 1.5, 1.0
+"""So far the middle of the upper edge is taken in, on either side, cm: the body is narrower over the bust."""
+
+
 @dataclass(frozen=True)
 class StraplessBodice:
     """How the bodice is cut."""
@@ -59,11 +63,16 @@ def lay_strapless_bodice(table: CuttingTable, figure: Figure, shape: StraplessBo
             middle = max(peak[1] - shape.dip, figure.waist_y + 6.0)
             outline.cubic("top", (x - 0.3 * (x - peak[0]), y), (peak[0] + 4.0, peak[1]), peak)
             outline.cubic(
-                "top", (0.6 * peak[0], peak[1]), (0.25 * peak[0], middle + 0.25 * shape.dip), (0.0, middle)
+                "top",
+                (0.6 * peak[0], peak[1]),
+                (0.25 * peak[0], middle + 0.25 * shape.dip),
+                (TAKEN_IN, middle),
             )
+            if middle > figure.bust_y + 1.0:
+                outline.line("centre", 0.0, figure.bust_y)
         else:
             outline.line("side", half, under_y)
-            outline.quadratic("top", (0.5 * half, under_y - 0.5), (0.0, under_y - 0.5))
+            outline.quadratic("top", (0.5 * half, under_y - 0.5), (TAKEN_IN_BEHIND, under_y - 0.5))
         outline.line("centre", 0.0, figure.waist_y).closed()
         z = FRONT_Z if front else BACK_Z
         table.lay(f"left_{side}torso", outline, label="body", at=(0.0, 0.0, z), back=not front)

@@ -83,7 +83,7 @@ class HalterJumpsuitOptions:
     neckline: declared.NeckShapeOption = "v"
     neck_depth: declared.NeckDepth = 16.0
     strap_width: HalterStrap = 3.5
-    length: declared.TrouserLength = 102.0
+    length: declared.TrouserLength = 100.0
     leg_ease: declared.LegEase = 12.0
     flare: declared.LegFlare = 4.0
 

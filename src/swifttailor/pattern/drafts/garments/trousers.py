@@ -63,9 +63,9 @@ class LeggingsOptions:
     """Options of the leggings."""
 
     length: declared.TrouserLength = 95.0
-    hip_ease: declared.HipEase = 1.0
-    leg_ease: SlimLegEase = 2.5
-    taper: Taper = 6.0
+    hip_ease: Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 0.0, 20.0)] = 0.5
+    leg_ease: SlimLegEase = 0.5
+    taper: Taper = 10.0
     crotch_drop: CrotchDrop = 0.0
     band_height: declared.BandHeight = 6.0
 
