@@ -16,6 +16,7 @@ from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.picture_reader.truth import Truth
 from swifttailor.programs import DesignError, make_pattern
 from swifttailor.tailor.candidates import Candidate
+from swifttailor.tailor.hidden_backs import with_hidden_back
 from swifttailor.tailor.reading import Wanted
 from swifttailor.tailor.second_reading import SecondReading
 
@@ -49,6 +50,7 @@ class DesignedCandidate:
         place = seed - wanted.order.seed
         seen = None if wanted.part is None else wanted.part.design
         for design in islice(reader.designs(wanted.sought, seen, seed=seed), place, place + MOST_DESIGNS):
+            design = with_hidden_back(design, wanted)
             try:
                 pattern = make_pattern(design).canonical()
             except DesignError:

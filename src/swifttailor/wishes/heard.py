@@ -16,8 +16,11 @@ from swifttailor.wishes.reader import Wish
 from swifttailor.wording.claim_kinds import implied_kind
 from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, foreign_language
 
-MOST_OF_KINDS, MOST_OF_NAMES = 4, 5
-"""Of so many things that are asked for garments begin from drafts, where words name a kind, or say more of it."""
+MOST_OF_KINDS, MOST_OF_NAMES = 3, 4
+"""Up to so many things may be told of a garment that begins from a draft: where words name a mere kind, and
+where they say more."""
+_NOT_TOLD = ("kind", "shoulders")
+"""What goes with other claims: what has no sleeves covers both shoulders or none."""
 _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 """Kinds that are drafted as others."""
 _COLOR_OF_CLOTH = {"denim": "3b5578"}
@@ -90,7 +93,8 @@ class Heard:
         kind = _CUT_AS.get(self.kind or "", self.kind)
         order = _names_first if self.kind in ("shorts", "playsuit") else _says_less
         entries = sorted(self._meant, key=order)
-        count = len(self.sure)  # known patterns have more of what is told at length
+        told = [w for w in self.sure if not (isinstance(w.change, Gain) and w.change.claim.name in _NOT_TOLD)]
+        count = len(told)  # known patterns have more of what is told at length
         entries = [e for e in entries if count <= (MOST_OF_KINDS if _says_less(e) == 2 else MOST_OF_NAMES)]
         named = [draft for entry in entries for draft in entry.drafts]
         named = [draft for draft in named if DRAFT_KINDS[draft.name] == kind]
