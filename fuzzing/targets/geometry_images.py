@@ -67,7 +67,8 @@ def _load_feed() -> Feed:
         images = read_ggi(path)
         if images.geometry is None:
             return  # a pattern that was never draped
-        garment = decode(images, "outline" if len(path.read_bytes()) % 2 else "grid", 4.0)
+        by_outline = images.layout is not None and len(path.read_bytes()) % 2
+        garment = decode(images, "outline" if by_outline else "grid", 4.0)
         if not np.isfinite(garment.vertices).all():
             raise AssertionError("the garment has vertices that are not finite")
 

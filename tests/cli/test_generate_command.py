@@ -259,6 +259,8 @@ def test_real_model_files_end_to_end(tmp_path, capsys, monkeypatch):
     arguments = [
         "generate",
         "a dress",
+        "--source",
+        "writer",
         "--out",
         tmp_path / "out",
         "--maker-weights",

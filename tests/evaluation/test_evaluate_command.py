@@ -47,7 +47,7 @@ def test_a_network_that_predicts_the_prior_is_as_far_off_as_the_drape_was_moved(
     assert [s.score.id for s in made.scored] == list(reader.ids)
     for found in made.scored:
         # The network sees 64 x 64 pixels, so that its prior is rough.
-        assert found.score.vertex_mean_cm == pytest.approx(-LOWER[1], abs=1.5)
+        assert found.score.vertex_mean_cm == pytest.approx(-LOWER[1], abs=2.0)
         assert found.score.seam_gap_median_cm is not None and found.score.seconds is not None
         assert found.score.sound and found.score.inside <= 0.02
     alone = sew_split(sewer, reader, [1])

@@ -38,7 +38,7 @@ def edge_lengths(mesh, vertices):
 def test_what_fits_already_stays(mesh, garment, body_distance):
     closed = close_seams(mesh, garment[mesh.weld], body_distance, ClosingSettings(longest=np.inf))
     moved = np.abs(closed - garment).max(axis=1) > 1e-6
-    assert moved.mean() < 0.02  # in the hollow of the armpit, where edges pass through the body
+    assert moved.mean() < 0.03  # in the hollow of the armpit, where edges pass through the body
     assert not depths(mesh, closed, body_distance)[0].any() and depths(mesh, garment, body_distance)[0].any()
 
 

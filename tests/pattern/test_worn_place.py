@@ -38,7 +38,7 @@ def places(pattern):
 
 
 BARE = {
-    *("bandeau", "bustier", "strapless-dress", "halter-top", "halter-dress"),
+    *("bandeau", "bustier", "strapless-dress", "strapless-jumpsuit", "halter-top", "halter-dress"),
     *("halter-jumpsuit", "off-shoulder-top", "off-shoulder-dress"),
 }
 """What has no shoulders may be a skirt that stands anywhere: only names tell."""

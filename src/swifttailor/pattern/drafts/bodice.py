@@ -152,6 +152,7 @@ def lay_torso_half(
     balance: float,
     scoop: float,
     slit: float = 0.0,
+    blade: float = BLADE_FULLNESS,
 ) -> None:
     """Draws the upper end of a left front or back, and lays it.
 
@@ -165,8 +166,9 @@ def lay_torso_half(
         balance: Length of the front over the back, as a part of the body's extra length there.
         scoop: Of the armhole.
         slit: Length of the lower end of the centre that is left open, cm; less where the centre is short.
+        blade: Extra length of the back over the shoulder blades, as a part of the waist line.
     """
-    lift = balance * figure.front_fullness if front else BLADE_FULLNESS * (figure.neck_y - figure.waist_y)
+    lift = balance * figure.front_fullness if front else blade * (figure.neck_y - figure.waist_y)
     neck, tip = ((x, figure.shoulder_line(x) + lift) for x in shoulder)
     armhole(outline, tip, figure.slope, scoop)
     outline.line("shoulder", *neck)

@@ -12,8 +12,9 @@ from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.outline import Dart, Outline, Point
 from swifttailor.pattern.drafts.suppression import dart_places, suppress
 
-FRONT_BALANCE = 0.9
-"""Length of the front over the back of a straight fall, as a part of the body's extra length there."""
+FRONT_BALANCE, BLADE_FULLNESS = 1.0, 0.04
+"""Length of the front over the back of a straight fall, as a part of the body's extra length there; and of
+the back over the shoulder blades, as a part of the waist line."""
 SIDE_MINIMUM = 8.0
 """Shortest side seam, cm."""
 
@@ -68,7 +69,15 @@ def lay_fitted_bodice(table: CuttingTable, figure: Figure, shape: FittedBodice) 
         scoop = 0.66 if front else 0.5
         shoulder = (neck_x, tip_x)
         lay_torso_half(
-            table, figure, outline, shape.neckline, shoulder, front=front, balance=FRONT_BALANCE, scoop=scoop
+            table,
+            figure,
+            outline,
+            shape.neckline,
+            shoulder,
+            front=front,
+            balance=FRONT_BALANCE,
+            scoop=scoop,
+            blade=BLADE_FULLNESS,
         )
     sew_torso(table)
     return waist

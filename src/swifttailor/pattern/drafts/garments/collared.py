@@ -23,7 +23,7 @@ from swifttailor.pattern.pattern import Pattern
 class PoloShirtOptions:
     """Options of the polo shirt."""
 
-    length: declared.TopLength = 20.0
+    length: declared.TopLength = 22.0
     chest_ease: declared.ChestEase = 10.0
     flare: declared.HemFlare = 0.0
     neck_widening: declared.CloseNeckWidening = 0.0

@@ -21,7 +21,7 @@ from swifttailor.pattern.pattern import Pattern
 class TShirtOptions:
     """Options of the t-shirt."""
 
-    length: declared.TopLength = 20.0
+    length: declared.TopLength = 22.0
     chest_ease: declared.ChestEase = 10.0
     flare: declared.HemFlare = 0.0
     neckline: declared.NeckShapeOption = "round"
@@ -61,7 +61,7 @@ def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern
 class TankTopOptions:
     """Options of the tank top."""
 
-    length: declared.TopLength = 18.0
+    length: declared.TopLength = 20.0
     chest_ease: declared.ChestEase = 5.0
     flare: declared.HemFlare = 0.0
     neckline: declared.NeckShapeOption = "round"
@@ -97,7 +97,7 @@ def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Patte
 class TurtleneckOptions:
     """Options of the turtleneck."""
 
-    length: declared.TopLength = 20.0
+    length: declared.TopLength = 22.0
     chest_ease: declared.ChestEase = 8.0
     flare: declared.HemFlare = 0.0
     neck_widening: Annotated[
