@@ -131,7 +131,7 @@ def texture(garment: Garment, side: int = TEXTURE_SIDE) -> Array:
 
     assert garment.print is not None
     across = (np.arange(side) + 0.5) / side
-    points = np.stack(np.meshgrid(across, across[::-1]), axis=2)
+    points: Array = np.stack(np.meshgrid(across, across[::-1]), axis=2).astype(np.float64)
     for low, high in zip(*_boxes(garment), strict=True):
         left, right = np.searchsorted(across, [low[0] - GUTTER / 2, high[0] + GUTTER / 2])
         lower, upper = np.searchsorted(across, [low[1] - GUTTER / 2, high[1] + GUTTER / 2])
