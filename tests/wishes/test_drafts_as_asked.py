@@ -35,6 +35,8 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("tank-top(length=-3)", [Claim("straps", "narrow")], None),
         ("jumpsuit", [Claim("legs", "wide")], "jumpsuit(leg_ease=40;flare=8)"),
         ("trousers", [Claim("legs", "wide")], "trousers"),
+        ("trousers(hip_ease=7)", [Claim("hips", "loose")], "trousers(hip_ease=12)"),
+        ("t-shirt(length=38;neck_widening=1)", [STAND], "turtleneck(length=38;collar_height=4)"),
         ("tiered-skirt", [Claim("tiers", 4.0)], "tiered-skirt(tiers=4)"),
         ("tiered-skirt", [Claim("tiers", 9.0)], "tiered-skirt"),
     ],

@@ -16,12 +16,12 @@ from swifttailor.pattern.drafts.draft_names import (
 )
 
 _BARE = Claim("shoulders", "strapless")
-_STAND = Claim("collar", "stand")
+_STAND, _ROLLED = Claim("collar", "stand"), Claim("collar", "turtleneck")
 _OF_LAPELS = frozenset({Claim("collar", "lapel")})
 _OF_STANDS = frozenset(
     {
         _STAND,
-        Claim("collar", "turtleneck"),
+        _ROLLED,
         Claim("neck_depth", "high"),
         Claim("shoulders", "both"),
     }
@@ -41,6 +41,9 @@ _LEGS: Mapping[str, Mapping[str, float]] = {
     "tapered": {"hip_ease": 9.0, "leg_ease": 12.0, "flare": -7.0},
     "slim": {"leg_ease": 6.0, "flare": -4.0},
 }
+_LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
+_OF_TORSO = ("length", "chest_ease", "flare", "sleeve_length", "arm_ease", "sleeve_end", "side_slits")
+"""Options of T-shirts that turtlenecks have as well."""
 _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
 _SLIT_AT_THE_SIDES = ("t-shirt", "turtleneck", "shift-dress")
 _SLIT_CM = 14.0
@@ -65,6 +68,8 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, _SLIT_CM)))
     draft = _with_tiers(_with_legs(draft, claims), claims)
+    if draft.name == "t-shirt" and (_STAND in claims or _ROLLED in claims):
+        draft = _with_stand(draft, 10.0 if _ROLLED in claims else 4.0)
     if draft.name in _ON_SHOULDERS and _THIN_STRAPS in claims:
         return None
     if _BARE in claims and draft.name not in BARE_SHOULDERED:
@@ -84,12 +89,15 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
 
 
 def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """A jumpsuit with the legs that are asked for; trousers have drafts for each shape."""
-    if DRAFT_KINDS[draft.name] != "jumpsuit":
+    """Legs with room, and a jumpsuit with the legs that are asked for; trousers have drafts for each shape."""
+    if DRAFT_KINDS[draft.name] not in ("jumpsuit", "trousers"):
         return draft
     options = dict(draft.options)
-    for claim in claims:
-        options |= _LEGS.get(str(claim.value), {}) if claim.name == "legs" else {}
+    if DRAFT_KINDS[draft.name] == "jumpsuit":
+        for claim in claims:
+            options |= _LEGS.get(str(claim.value), {}) if claim.name == "legs" else {}
+    if _LOOSE in claims:
+        options["hip_ease"] = _LOOSE_CM
     return replace(draft, options=tuple(options.items()))
 
 
@@ -99,6 +107,11 @@ def _with_tiers(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name != "tiered-skirt" or not counts or not 2 <= counts[0] <= 6:
         return draft
     return replace(draft, options=(*[o for o in draft.options if o[0] != "tiers"], ("tiers", counts[0])))
+
+
+def _with_stand(draft: NamedDraft, height: float) -> NamedDraft:
+    kept = tuple([option for option in draft.options if option[0] in _OF_TORSO])
+    return NamedDraft("turtleneck", (*kept, ("collar_height", height)))
 
 
 def _covers(claim: Claim) -> bool:
