@@ -89,7 +89,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
 
 
 def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """Legs with room, and a jumpsuit with the legs that are asked for; trousers have drafts for each shape."""
+    """Legs with room, and of jumpsuits the legs that are asked for: trousers have drafts for each shape."""
     if DRAFT_KINDS[draft.name] not in ("jumpsuit", "trousers"):
         return draft
     options = dict(draft.options)
