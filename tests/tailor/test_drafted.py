@@ -124,3 +124,9 @@ def test_a_gown_is_as_long_as_asked_and_its_change_is_told_once(tailor):
     assert told.endswith("cm longer")
     hem = measure_facts(answer.pattern).hem
     assert hem is not None and FLOOR_AT_LEAST_CM <= hem.level < 6.5
+
+
+@pytest.mark.parametrize("text", ["halter neck dress, backless", "a long tunic with side slits"])
+def test_what_a_draft_shows_to_the_eye_is_not_told_to_be_missing(tailor, text):
+    (answer,) = tailor.write([Order(text)])
+    assert answer.draft and answer.not_so == ()

@@ -40,7 +40,7 @@ def said_and_not_so(answer: Answer) -> tuple[tuple[str, Change], ...]:
     facts = facts_of(answer.pattern)
     if facts is None:
         return ()
-    told = {*answer.verdict.open, *[wish.change for wish in answer.not_done]}
+    told = {*answer.verdict.open, *[wish.change for wish in answer.not_done], *wanted.shown}
     opposed = [mark for pair in words.contradictions for mark in (pair.first, pair.second)]
     gains = [wish.change for wish in wanted.wishes if isinstance(wish.change, Gain)]
     so = {gain.claim.name for gain in gains if gain.holds(facts, facts)}

@@ -100,6 +100,8 @@ class Wanted:
     """Tells of its words which panels the garment may have; None where that is not asked."""
     least_cut: float = LEAST_CUT
     """What the pictures show less surely is not cut."""
+    shown: frozenset[Change] = frozenset()
+    """What is true to the eye of the draft that it begins from, though not as it is measured."""
 
     @property
     def said(self) -> tuple[Wish, ...]:
@@ -124,7 +126,8 @@ class Wanted:
         near = shown | {Gain(Claim(name, value)) for name, value in draft.has_in_spirit}
         wishes = tuple([w for w in self.wishes if w.change not in shown])
         likely = tuple([w for w in self.likely if w.change not in near])
-        return replace(self, wishes=wishes, likely=likely, heard=self.heard.made_as(draft))
+        heard = self.heard.made_as(draft)
+        return replace(self, wishes=wishes, likely=likely, heard=heard, shown=frozenset(shown))
 
     @property
     def color(self) -> str | None:
