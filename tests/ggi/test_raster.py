@@ -62,8 +62,10 @@ def assert_drawn_as_promised(layout):
         assert (np.abs(np.diff(place, axis=0)).max(axis=1, initial=0) == 1).all() or len(chain) == 1
         panel = int(outlines.edge_panel[number])
         ends = layout.pattern.panels[panel].chord(number - outlines.first_edge[panel])
-        expected = np.floor(layout.to_pixels(panel, ends)).astype(int)[:, ::-1]
-        assert place[0].tolist() in expected.tolist() and place[-1].tolist() in expected.tolist()
+        corners = layout.to_pixels(panel, ends)[:, ::-1]  # one on a border of pixels may be in either
+        near = [corners + [row, column] for row in (-1e-9, 1e-9) for column in (-1e-9, 1e-9)]
+        expected = np.floor(np.concatenate(near)).astype(int).tolist()
+        assert place[0].tolist() in expected and place[-1].tolist() in expected
         assert drawn.occupancy.ravel()[chain].all()
     assert len(drawn.contour_pixels) == drawn.contour_start[-1]
     assert np.array_equal(drawn.occupancy, drawn.panel >= 0)
