@@ -63,7 +63,7 @@ def assert_drawn_as_promised(layout):
         panel = int(outlines.edge_panel[number])
         ends = layout.pattern.panels[panel].chord(number - outlines.first_edge[panel])
         corners = layout.to_pixels(panel, ends)[:, ::-1]  # one on a border of pixels may be in either
-        near = [corners + [row, column] for row in (-1e-9, 1e-9) for column in (-1e-9, 1e-9)]
+        near = [corners + np.array([row, column]) for row in (-1e-9, 1e-9) for column in (-1e-9, 1e-9)]
         expected = np.floor(np.concatenate(near)).astype(int).tolist()
         assert place[0].tolist() in expected and place[-1].tolist() in expected
         assert drawn.occupancy.ravel()[chain].all()
