@@ -108,7 +108,7 @@ def make(tailor: Any, prompt: str, temperature: float) -> Run | None:
         return None
     wall, processor = time.perf_counter() - wall, time.process_time() - processor
     writing = tailored.report["writing"]
-    return Run(tailored.seconds, wall, processor, writing["tokens"], writing["attempt"])
+    return Run(tailored.seconds, wall, processor, writing.get("tokens", 0), writing["attempt"])
 
 
 def cold(options: argparse.Namespace, prompt: str, more: list[str]) -> None:
