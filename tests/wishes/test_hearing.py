@@ -49,6 +49,7 @@ def claims(wishes):
         ("skinny jeans", "trousers", set()),
         ("one shoulder top", "top", set()),
         ("polo shirt", "top", set()),
+        ("a pinny with an A-line skirt", "dress", {Claim("skirt", "a-line")}),
         ("ein knielanger Rock mit Schlitz", "skirt", {Claim("skirt_hem", "knee")}),
         ("une robe longue sans manches", "dress", {Claim("sleeves", "none")}),
     ],

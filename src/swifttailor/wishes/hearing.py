@@ -159,7 +159,9 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
 
 def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
     """The kind of the one garment that is named, where nothing says that another is meant ("over jeans")."""
-    names = [mark for mark in words.marks if any(e.category in _NAMES_THINGS for e in mark.entries)]
+    names = [
+        m for m in words.marks if m.role != "part" and any(e.category in _NAMES_THINGS for e in m.entries)
+    ]
     kinds = [i for i in words.implications if i.claim.name == "kind" and i.mark.role == "garment"]
     alone = len(words.marks) <= _NO_STORY and len(names) == 1
     alone = alone and not _BESIDE.search(text[: names[0].start])
