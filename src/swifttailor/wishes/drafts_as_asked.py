@@ -1,4 +1,4 @@
-"""Named drafts with the collar, the shoulders and the slits that a text asks for."""
+"""Named drafts with the collar, shoulders, slits, legs and tiers that a text asks for."""
 
 from __future__ import annotations
 
@@ -18,14 +18,7 @@ from swifttailor.pattern.drafts.draft_names import (
 _BARE = Claim("shoulders", "strapless")
 _STAND, _ROLLED = Claim("collar", "stand"), Claim("collar", "turtleneck")
 _OF_LAPELS = frozenset({Claim("collar", "lapel")})
-_OF_STANDS = frozenset(
-    {
-        _STAND,
-        _ROLLED,
-        Claim("neck_depth", "high"),
-        Claim("shoulders", "both"),
-    }
-)
+_OF_STANDS = frozenset({_STAND, _ROLLED, Claim("neck_depth", "high"), Claim("shoulders", "both")})
 """What may be asked for of the neck of a draft with such a collar."""
 _AT_THE_NECK = frozenset(
     {"neckline", "neck_depth", "back_depth", "back_neckline", "shoulders", "straps", "collar", "hood"}
@@ -58,8 +51,8 @@ _OF_SKIRTS = {
 def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | None:
     """A named draft as it goes with what is asked for; None where it does not.
 
-    Shirts get the collar that is asked for, dresses that there are without shoulders lose theirs, and what
-    falls straight gets slits in its side seams.
+    Shirts get the collar that is asked for, dresses that there are without shoulders lose theirs, what
+    falls straight gets slits in its side seams, jumpsuits get legs, and skirts their number of tiers.
 
     Args:
         draft: As a table names it.

@@ -11,12 +11,11 @@ _FIRST = ("accessories", "occasions")
 """A tuxedo says more of what is worn than the evening does, and that more than "comfy"."""
 _NAMES = ("garment", "like")
 """Roles of words that name the garment."""
-
-
 _OF_LOWER = frozenset(
     {"rise", "waistband", "waistband_cm", "skirt", "skirt_length_cm", "legs", "inseam_cm", "hips"}
 )
 _DRESS_LENGTHS = frozenset({"midi", "maxi", "ankle", "floor"})
+"""What belongs to skirts and trousers alone, and lengths that tell of a dress where none of it is named."""
 
 
 def worn_for(heard: Heard) -> str | None:

@@ -111,11 +111,12 @@ STANDING = ("collar", "standing")
 """The option of a collar that stands."""
 SIDE_SLITS = "side_slits"
 """The option of slits in garments that have no skirt of their own to be measured."""
-_OF_STANDS = (("neck_depth", "high"),)
 ROOMY_CM = 7.0
 """With so much room on top of the hips drafts look loose there; with more, they stand off at the sides."""
-_OF_ROOM = (("hips", "loose"),)
+_OF_STANDS = (("neck_depth", "high"),)
 _OF_SLITS = (("slit", "left"), ("slit", "right"))
+_OF_ROOM = (("hips", "loose"),)
+"""Claims, by name and value, that such options make true to the eye."""
 
 
 def _value(text: str) -> float | bool | str:

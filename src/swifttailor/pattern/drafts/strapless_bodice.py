@@ -13,8 +13,6 @@ from swifttailor.pattern.drafts.suppression import dart_places, suppress
 
 OVER_BUST = 8.0
 """Height of the front's upper edge over the fullest part of the bust, cm."""
-
-
 TAKEN_IN, TAKEN_IN_BEHIND = 1.5, 1.0
 """So far the middle of the upper edge is taken in, on either side, cm: the body is narrower over the bust."""
 
