@@ -182,7 +182,7 @@ def test_other_scripts_are_answered_with_a_warning(sewer):
 
 def test_a_pattern_that_cannot_be_sewn_is_written_again(sewer):
     maker = scripted_maker([crossed(SHIRT)], [crossed(SKIRT)], [SHIRT])
-    made = Tailor.load(maker, sewer).generate("a top")
+    made = Tailor.load(maker, sewer).generate("a top", source="writer")
     assert like(made.pattern, SHIRT)
     assert maker.model.runtime.asked == [1, 1, 1]
     assert made.report["writing"]["attempt"] == 3
@@ -194,10 +194,12 @@ def test_a_pattern_that_cannot_be_sewn_is_written_again(sewer):
 def test_attempts_have_an_end_and_the_reason_is_told(sewer):
     maker = scripted_maker([crossed(SHIRT)])
     with pytest.raises(PatternError, match=r"None of the 3 patterns .* crosses itself .* seed than 5"):
-        Tailor.load(maker, sewer).generate("a top", seed=5, attempts=3)
+        Tailor.load(maker, sewer).generate("a top", seed=5, attempts=3, source="writer")
     assert maker.model.runtime.asked == [1, 1, 1]
     with pytest.raises(PatternError, match="The pattern that was written cannot be sewn: self-crossing"):
-        Tailor.load(scripted_maker([crossed(SHIRT)]), sewer).generate("a top", temperature=0.0)
+        Tailor.load(scripted_maker([crossed(SHIRT)]), sewer).generate(
+            "a top", temperature=0.0, source="writer"
+        )
     for wrong in (0, 65):
         with pytest.raises(InputError, match=f"attempts is {wrong}"):
             Tailor.load(maker, sewer).generate("a top", attempts=wrong)
@@ -212,7 +214,7 @@ def test_one_that_passes_the_check_and_cannot_be_drawn_is_written_again(sewer, m
         return real(self, pattern, **options)
 
     monkeypatch.setattr(sewer_module.GarmentSewer, "prepare", prepare)
-    made = Tailor.load(scripted_maker([SKIRT], [SHIRT]), sewer).generate("a top")
+    made = Tailor.load(scripted_maker([SKIRT], [SHIRT]), sewer).generate("a top", source="writer")
     assert like(made.pattern, SHIRT)
     assert made.report["writing"]["failed_attempts"] == ["no room in the images"]
 
@@ -355,7 +357,9 @@ def test_an_edit_recuts_the_pattern_that_was_given(sewer):
 
 
 def test_what_cannot_be_cut_is_told(sewer):
-    made = Tailor.load(scripted_maker([SHIRT]), sewer).generate("a top with darts", attempts=1)
+    made = Tailor.load(scripted_maker([SHIRT]), sewer).generate(
+        "a top with darts", attempts=1, source="writer"
+    )
     assert like(made.pattern, SHIRT)
     assert made.notes == ("Requested but not met: how the upper part is shaped: darted.",)
     assert {w["wish"]: w["holds"] for w in made.report["wishes"]}[

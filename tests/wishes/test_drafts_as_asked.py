@@ -13,6 +13,11 @@ from swifttailor.wishes.drafts_as_asked import draft_as_asked
 
 BARE = Claim("shoulders", "strapless")
 STAND = Claim("collar", "stand")
+THIN, CUFFED = Claim("straps", "narrow"), Claim("leg_cuffs", "band")
+FLOUNCE = Claim("skirt", "fitted base")
+LOOSE = Claim("fit", "loose")
+SLEEVELESS = "tank-top(strap_width=8;neck_widening=2;neck_depth=10;back_neck_depth=3;length=6)"
+LOOSE_DRESS = "shift-dress(length=50;chest_ease=18;flare=16;neck_widening=1.5;sleeves=false)"
 SLITS = [Claim("slit", "left"), Claim("slit", "right")]
 
 
@@ -24,11 +29,30 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("shirt", [Claim("neckline", "v")], None),
         ("shirt-dress(collar=folded;cuffs=false)", [STAND], "shirt-dress(cuffs=false;collar=standing)"),
         ("fitted-dress(collar=standing)", [Claim("neckline", "square")], None),
-        ("fitted-dress(hip_ease=3;neck_depth=13)", [BARE], "strapless-dress(hip_ease=3;fitted=true)"),
+        ("fitted-dress(neck_depth=13)", [BARE], "strapless-dress(skirt_length=60;fitted=true)"),
         ("sweatshirt", [BARE], None),
         ("off-shoulder-top", [BARE], "off-shoulder-top"),
         ("strapless-dress", [Claim("sleeves", "long")], "skater-dress(skirt_length=98;skirt_fraction=0.5)"),
         ("strapless-dress", [Claim("sleeves", "none")], "strapless-dress"),
+        ("strapless-dress", [FLOUNCE], "strapless-dress(skirt_length=98;flounce=true)"),
+        ("mermaid-dress(close=50)", [BARE], "strapless-dress(close=50;skirt_length=100;flounce=true)"),
+        ("mermaid-dress(close=50)", [Claim("skirt", "flared")], "mermaid-dress(close=50)"),
+        ("skater-dress(skirt_length=62)", [THIN], "strappy-dress(skirt_length=62;skirt_fraction=0.5)"),
+        ("skater-dress(skirt_fraction=1)", [Claim("skirt", "flared")], "skater-dress(skirt_fraction=1)"),
+        ("skater-dress", [Claim("skirt", "pencil")], "fitted-dress(skirt_length=50)"),
+        ("slip-dress(length=44)", [THIN], "slip-dress(length=44)"),
+        ("slip-dress", [Claim("skirt", "circle")], "strappy-dress(skirt_length=56;skirt_fraction=1)"),
+        ("jumpsuit(neck_depth=18;leg_ease=30)", [THIN], "strappy-jumpsuit(leg_ease=30)"),
+        ("strapless-jumpsuit(length=96)", [Claim("sleeves", "short")], "jumpsuit(length=96)"),
+        ("trousers(length=102;leg_ease=20)", [CUFFED], "joggers(length=98;leg_ease=20)"),
+        ("trousers(length=42)", [CUFFED], "trousers(length=42)"),
+        ("joggers", [Claim("leg_cuffs", "none")], None),
+        ("t-shirt(length=6)", [Claim("fit", "close")], "t-shirt(length=6;chest_ease=3;waist_shaping=3)"),
+        ("t-shirt(length=6)", [Claim("sleeves", "none")], SLEEVELESS),
+        ("halter-dress", SLITS[:1], "halter-dress(skirt_fraction=0.3;length=72)"),
+        ("skater-dress", [LOOSE], LOOSE_DRESS),
+        ("skater-dress", [LOOSE, Claim("waist_seam", "natural")], "skater-dress"),
+        ("joggers(hip_ease=24)", [Claim("hips", "loose")], "joggers(hip_ease=24)"),
         ("t-shirt(length=38)", SLITS, "t-shirt(length=38;side_slits=14)"),
         ("t-shirt(length=38)", SLITS[:1], "t-shirt(length=38)"),
         ("skater-dress", SLITS[:1], "fitted-dress(skirt_length=72)"),

@@ -27,6 +27,7 @@ UNUSUAL = {
     "off-shoulder-top": {("top_hem", "hip")},
     "bomber-jacket": {("top_hem", "hip")},
     "denim-jacket": {("top_hem", "hip")},
+    "joggers": {("leg_cuffs", "none")},
     "wrap-skirt": {("slit", "none")},
     "sarong": {("slit", "none")},
 }

@@ -178,9 +178,11 @@ def _finished(
     pattern, level = level_hem(before.pattern) if level else (before.pattern, "")
     more = (*maybe, *(unsaid_wishes(said, before.facts) if unsaid else ()))
     if unsaid:
-        asked = (*said, *more)
-        more = (*more, *well_within(asked, before.facts), *within_usual(said, before.facts))
+        more = (*more, *well_within((*said, *more), before.facts), *within_usual(said, before.facts))
         more = (*more, *loosened(said, before.facts))
+    asked = (*said, *more)
+    if described and not unsaid:
+        more = (*more, *well_within(said, before.facts))
     after = altered(pattern, (*changes, *more))
     if not _costs_nothing(after, before, changes):
         # One of them spoils it: as many as can be had, one after the other.
@@ -195,7 +197,7 @@ def _finished(
         missing = tuple(wish for wish in after.open if wish in changes)
         cuts = (*before.cuts, *filter(None, [level]), *after.cuts)
         done = replace(after, open=missing, done=before.done, cuts=cuts)
-    return _walked_in(done, changes, (*said, *more)) if described else done
+    return _walked_in(done, changes, asked) if described else done
 
 
 def _walked_in(before: Alteration, changes: tuple[Change, ...], said: tuple[Change, ...]) -> Alteration:

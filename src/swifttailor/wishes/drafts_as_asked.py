@@ -14,6 +14,7 @@ from swifttailor.pattern.drafts.draft_names import (
     STANDING,
     NamedDraft,
 )
+from swifttailor.wishes.held_drafts import held_as_asked
 
 _BARE = Claim("shoulders", "strapless")
 _STAND, _ROLLED = Claim("collar", "stand"), Claim("collar", "turtleneck")
@@ -34,6 +35,20 @@ _LEGS: Mapping[str, Mapping[str, float]] = {
     "tapered": {"hip_ease": 9.0, "leg_ease": 12.0, "flare": -7.0},
     "slim": {"leg_ease": 6.0, "flare": -4.0},
 }
+_LOOSE_DRESS_CM: Mapping[str, float] = {"loose": 18.0, "oversized": 28.0}
+"""Room on top of the bust girth of dresses that are to be so, all around."""
+_WAISTED = frozenset({"skirt", "waist_seam", "hips", "bodice", "shoulders", "straps", "slit", "waistband"})
+_SKATER_CM = 50.0
+_SHAPED = ("t-shirt", "tank-top", "turtleneck")
+_CLOSE_CM, _SHAPING_CM = 3.0, 3.0
+"""Of close tops: room on top of the bust girth, and how far each side bends in at the waist."""
+_SLEEVELESS = {"strap_width": 8.0, "neck_widening": 2.0, "neck_depth": 10.0, "back_neck_depth": 3.0}
+_JOGGERS = "joggers"
+_OF_JOGGERS = ("wide", "straight", "slim")
+"""Legs that joggers have as well; they are tapered as they are, and nothing flares into a cuff."""
+_CUFFED = frozenset({Claim("leg_cuffs", "band"), Claim("leg_cuffs", "gathered")})
+_NOT_CUFFED = frozenset({Claim("leg_cuffs", "none"), Claim("leg_cuffs", "flounce"), Claim("legs", "flared")})
+_SHORTEST_JOGGERS, _LONGEST_JOGGERS = 44.0, 98.0
 _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
 _OF_TORSO = ("length", "chest_ease", "flare", "sleeve_length", "arm_ease", "sleeve_end", "side_slits")
 """Options of T-shirts that turtlenecks have as well."""
@@ -41,18 +56,13 @@ _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
 _SLIT_AT_THE_SIDES = ("t-shirt", "turtleneck", "shift-dress")
 _SLIT_CM = 14.0
 _SLIT_SKIRT_CM = 72.0
-_OF_SKIRTS = {
-    "fitted-dress": ("skirt_length", "skirt_flare", "hip_ease"),
-    "skater-dress": ("skirt_length", "skirt_fraction"),
-}
-"""By drafts that there are without shoulders, too: the options of their skirts."""
 
 
 def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | None:
     """A named draft as it goes with what is asked for; None where it does not.
 
-    Shirts get the collar that is asked for, dresses that there are without shoulders lose theirs, what
-    falls straight gets slits in its side seams, jumpsuits get legs, and skirts their number of tiers.
+    Shirts get the collar that is asked for, dresses and jumpsuits shoulders, straps or none, what falls
+    straight gets slits in its side seams, jumpsuits get legs, and skirts their number of tiers.
 
     Args:
         draft: As a table names it.
@@ -60,17 +70,19 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     """
     if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, _SLIT_CM)))
-    draft = _with_tiers(_with_legs(draft, claims), claims)
+    draft = _with_tiers(_with_legs(_with_leg_cuffs(draft, claims), claims), claims)
+    if draft.name == _JOGGERS and _NOT_CUFFED.intersection(claims):
+        return None
     if draft.name == "t-shirt" and (_STAND in claims or _ROLLED in claims):
         draft = _with_stand(draft, 10.0 if _ROLLED in claims else 4.0)
+    draft = _without_sleeves(draft, claims)
+    if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
+        draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
+    draft = held_as_asked(_hanging_loose(_close(draft, claims), claims), claims)
     if draft.name in _ON_SHOULDERS and _THIN_STRAPS in claims:
         return None
     if _BARE in claims and draft.name not in BARE_SHOULDERED:
-        return _without_shoulders(draft)
-    if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
-        draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
-    if draft.name == "strapless-dress" and any(_covers(claim) for claim in claims):
-        return _with_shoulders(draft)
+        return None
     if draft.name in COLLARED and _STAND in claims:
         draft = replace(draft, options=(*[o for o in draft.options if o[0] != "collar"], STANDING))
     stands = STANDING in draft.options
@@ -81,16 +93,67 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     return None if others else draft
 
 
+def _without_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """T-shirts lose their sleeves; halter dresses with a slit have skirts in which it is seen."""
+    options = dict(draft.options)
+    if draft.name == "t-shirt" and Claim("sleeves", "none") in claims:
+        kept = {name: options[name] for name in ("length", "chest_ease", "neck_depth") if name in options}
+        return NamedDraft("tank-top", tuple({**_SLEEVELESS, **kept}.items()))
+    if draft.name == "halter-dress" and any(claim.name == "slit" for claim in claims):
+        return replace(
+            draft, options=tuple({**options, "skirt_fraction": 0.3, "length": _SLIT_SKIRT_CM}.items())
+        )
+    return draft
+
+
+def _close(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A top that is to be close, its sides bent in at the waist."""
+    options = dict(draft.options)
+    if draft.name not in _SHAPED or Claim("fit", "close") not in claims or SIDE_SLITS in options:
+        return draft
+    options["chest_ease"] = min(float(options.get("chest_ease", _CLOSE_CM)), _CLOSE_CM)
+    return replace(draft, options=tuple({**options, "waist_shaping": _SHAPING_CM}.items()))
+
+
+def _hanging_loose(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A dress that is to be loose, and of whose skirt and waist nothing is said, hangs from the shoulders."""
+    ease = next(
+        (_LOOSE_DRESS_CM[str(c.value)] for c in claims if c.name == "fit" and c.value in _LOOSE_DRESS_CM),
+        None,
+    )
+    if draft.name != "skater-dress" or ease is None or any(claim.name in _WAISTED for claim in claims):
+        return draft
+    length = float(dict(draft.options).get("skirt_length", _SKATER_CM))
+    sleeves = any(claim.name == "sleeves" and claim.value != "none" for claim in claims)
+    options = {"length": length, "chest_ease": ease, "flare": 16.0, "neck_widening": 1.5}
+    return NamedDraft("shift-dress", tuple({**options, "sleeves": sleeves}.items()))
+
+
+def _with_leg_cuffs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """Trousers that end in cuffs are joggers, as long and as wide."""
+    options = dict(draft.options)
+    length = options.get("length", _LONGEST_JOGGERS)
+    if (
+        draft.name not in ("trousers", "pull-on-trousers")
+        or not _CUFFED.intersection(claims)
+        or float(length) < _SHORTEST_JOGGERS
+    ):
+        return draft
+    kept = {name: options[name] for name in ("hip_ease", "leg_ease") if name in options}
+    return NamedDraft(_JOGGERS, tuple({"length": min(float(length), _LONGEST_JOGGERS), **kept}.items()))
+
+
 def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """Legs with room, and of jumpsuits the legs that are asked for: trousers have drafts for each shape."""
     if DRAFT_KINDS[draft.name] not in ("jumpsuit", "trousers"):
         return draft
     options = dict(draft.options)
-    if DRAFT_KINDS[draft.name] == "jumpsuit":
+    known = _OF_JOGGERS if draft.name == _JOGGERS else tuple(_LEGS)
+    if DRAFT_KINDS[draft.name] == "jumpsuit" or draft.name == _JOGGERS:
         for claim in claims:
-            options |= _LEGS.get(str(claim.value), {}) if claim.name == "legs" else {}
+            options |= _LEGS[str(claim.value)] if claim.name == "legs" and claim.value in known else {}
     if _LOOSE in claims:
-        options["hip_ease"] = _LOOSE_CM
+        options["hip_ease"] = max(_LOOSE_CM, float(options.get("hip_ease", 0.0)))
     return replace(draft, options=tuple(options.items()))
 
 
@@ -105,27 +168,3 @@ def _with_tiers(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 def _with_stand(draft: NamedDraft, height: float) -> NamedDraft:
     kept = tuple([option for option in draft.options if option[0] in _OF_TORSO])
     return NamedDraft("turtleneck", (*kept, ("collar_height", height)))
-
-
-def _covers(claim: Claim) -> bool:
-    """Whether what has this has shoulders: sleeves, a neckline between them, a collar."""
-    if claim.name in ("sleeves", "left_sleeve", "right_sleeve", "collar", "hood"):
-        return claim.value != "none"
-    return claim.name == "neckline" or claim == Claim("shoulders", "both")
-
-
-def _with_shoulders(draft: NamedDraft) -> NamedDraft:
-    options = dict(draft.options)
-    other = "fitted-dress" if options.get("fitted") else "skater-dress"
-    skirt = {"skirt_length": 98.0} | ({} if options.get("fitted") else {"skirt_fraction": 0.5})
-    skirt |= {name: float(options[name]) for name in _OF_SKIRTS[other] if name in options}
-    skirt["skirt_length"] = min(skirt["skirt_length"], 100.0)
-    return NamedDraft(other, tuple(skirt.items()))
-
-
-def _without_shoulders(draft: NamedDraft) -> NamedDraft | None:
-    if draft.name not in _OF_SKIRTS:
-        return None
-    kept = tuple([option for option in draft.options if option[0] in _OF_SKIRTS[draft.name]])
-    fitted = (("fitted", True),) if draft.name == "fitted-dress" else ()
-    return NamedDraft("strapless-dress", (*kept, *fitted))

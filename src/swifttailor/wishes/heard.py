@@ -21,6 +21,8 @@ MOST_OF_KINDS, MOST_OF_NAMES = 3, 4
 where they say more."""
 _NOT_TOLD = ("kind", "shoulders")
 """What goes with other claims: what has no sleeves covers both shoulders or none."""
+_AT_SHOULDERS = ("shoulders", "straps", "sleeves", "neckline", "collar", "hood")
+_BARE = Claim("shoulders", "strapless")
 _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 """Kinds that are drafted as others."""
 _COLOR_OF_CLOTH = {"denim": "3b5578"}
@@ -93,18 +95,26 @@ class Heard:
         kind = _CUT_AS.get(self.kind or "", self.kind)
         order = _names_first if self.kind in ("shorts", "playsuit") else _says_less
         entries = sorted(self._meant, key=order)
-        told = [w for w in self.sure if not (isinstance(w.change, Gain) and w.change.claim.name in _NOT_TOLD)]
-        count = len(told)  # known patterns have more of what is told at length
+        told = [w.change for w in self.sure if isinstance(w.change, Gain)]
+        names = {change.claim.name for change in told if change.claim.name not in _NOT_TOLD}
+        count = len(names) + len(self.sure) - len(told)  # known patterns have more of what is told at length
         entries = [e for e in entries if count <= (MOST_OF_KINDS if _says_less(e) == 2 else MOST_OF_NAMES)]
         named = [draft for entry in entries for draft in entry.drafts]
         named = [draft for draft in named if DRAFT_KINDS[draft.name] == kind]
         sure = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
+        sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else self._likely_bare
         named = [draft_as_asked(draft, sure) for draft in named]
         return tuple(dict.fromkeys([draft for draft in named if draft is not None]))
 
     def made_as(self, draft: NamedDraft) -> Heard:
         """The same, where the garment begins from a draft: what that shows is no longer lacking."""
         return replace(self, lacks=tuple([lack for lack in self.lacks if lack.what not in draft.shows]))
+
+    @property
+    def _likely_bare(self) -> list[Claim]:
+        """That nothing covers the shoulders, where that is likely: a "fit and flare wedding dress"."""
+        likely = [w.change.claim for w in self.likely if isinstance(w.change, Gain)]
+        return [claim for claim in likely if claim == _BARE]
 
     @property
     def _meant(self) -> list[Entry]:
@@ -155,10 +165,15 @@ def _names_first(entry: Entry) -> bool:
     return entry.category != "garments"
 
 
+_WHOLE_LEGS = ("joggers", "leggings")
+"""Drafts that are more than a shape of legs."""
+
+
 def _says_less(entry: Entry) -> int:
     """Smaller for what says more of the whole garment; most names of trousers say little of legs."""
     if entry.category != "garments":
         return 1
     definite = any(claim.name != "kind" for claim in entry.claims("certain"))
     with_legs = bool(entry.kinds & {"trousers", "jumpsuit", "playsuit"})
+    definite = definite or any(draft.name in _WHOLE_LEGS for draft in entry.drafts)
     return 2 if entry.is_mere_kind or (with_legs and not definite) else 0

@@ -16,6 +16,7 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.deep_cuffs import without_deep_cuffs
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
+from swifttailor.wishes.kind_of_details import with_one_band, without_wrong_kind
 from swifttailor.wishes.lexicon_spelling import guessed_name
 from swifttailor.wishes.long_names import against_names, is_against_phrase, is_long_name
 from swifttailor.wishes.mentions import find_mentions
@@ -132,7 +133,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             never=never,
             subjects=_only_subjects(words),
         )
-    found = _loose_alone(_within_figures(found))
+    found = without_wrong_kind(found, said, words)
+    found = _loose_alone(_within_figures(with_one_band(found, words)))
     found = (*without_deep_cuffs(text, words, _without_flare(found)), *_of_both_faces(text, found))
     if any(claim == _BARE_ARMS for claim in never) and not any(
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve", "sleeve_cm")
@@ -160,7 +162,9 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
 def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
     """The kind of the one garment that is named, where nothing says that another is meant ("over jeans")."""
     names = [
-        m for m in words.marks if m.role != "part" and any(e.category in _NAMES_THINGS for e in m.entries)
+        m
+        for m in words.marks
+        if m.role not in ("part", "theirs") and any(e.category in _NAMES_THINGS for e in m.entries)
     ]
     kinds = [i for i in words.implications if i.claim.name == "kind" and i.mark.role == "garment"]
     alone = len(words.marks) <= _NO_STORY and len(names) == 1

@@ -38,6 +38,9 @@ _OUTSEAM = "outseam_cm"
 _LEAST, _MOST = 1.1, 0.95
 _INCHES_BELOW = 40.0
 """An inseam of a smaller number without unit is in inches."""
+_AT_ONCE = -20
+"""What stands right before a number comes first: a "sleeve 25 cm long from the shoulder"."""
+_OF_ENDS = ("sleeve_cm", "cuff_cm", "collar_cm")
 _NEAR = 26
 """Characters between a number and what it is said of."""
 _BOUNDS = {
@@ -185,10 +188,14 @@ def _said_of(
             if 0 <= gap <= _NEAR:
                 behind = match.start() >= mention.end
                 words = len(text[mention.end : match.start()].split()) if behind else 0
-                near.append((gap - len(match[0]) + (3 * words if behind else 0), claim, rank))
+                at_once = _AT_ONCE if claim in _OF_ENDS and not behind and gap <= 1 else 0
+                near.append((gap - len(match[0]) + (3 * words if behind else at_once), claim, rank))
+    comma = text.rfind(", ", start, mention.start)
+    piece = text[start if comma < 0 else comma + 1 : end].strip(" .,!?")
+    if comma >= 0 and piece == text[mention.start : mention.end]:
+        near = [one for one in near if one[1] != "none"]  # "fitted to the thigh, 75 cm" measures no thigh
     if not near:
-        whole = text[start:end].strip(" .,!?")
-        alone = mention.is_length and len(re.findall(r"[^\W\d_]{3,}", whole)) <= 2
+        alone = mention.is_length and len(re.findall(r"[^\W\d_]{3,}", piece)) <= 2
         if alone and kind in ("skirt", "dress", "top", "tunic") and mention.value >= 20:
             if _RELATIVE.match(text, mention.end) is None:
                 return Claim(

@@ -85,7 +85,11 @@ def _turned(text: str) -> str:
 
     def turned(found: re.Match[str]) -> str:
         name = f"{found[2]} {found[1]}"
-        return name if is_garment(name.lower()) and found[2].lower() not in _SEEN_BY_GUESTS else found[0]
+        before = found.string[: found.start()].split()[-1:]
+        longer = is_garment(" ".join([*before, found[1]]).lower()) if before else False
+        if longer or not is_garment(name.lower()) or found[2].lower() in _SEEN_BY_GUESTS:
+            return found[0]
+        return name
 
     text = _NONE_OF.sub(r"no \1", text)
     text = _without_list_numbers(_CORRECTED.sub("", _WITHDRAWN.sub("", text)))

@@ -35,6 +35,17 @@ _METRES_AND = re.compile(
     r"(?<![\w.,])([12]) ?m(?:et(?:er|re)s?)? ?(\d\d)(?: ?cm)?(?![\w.,]\d|\w)", re.IGNORECASE
 )
 """A height in metres and centimetres: "1 m 20", "1m65"."""
+_TALL = r"(?: (?:tall|high|in height))?"
+_FEET_AND_INCHES = re.compile(
+    r"(?<![\w.,'’])([4-6]) ?(?:['’′]|ft\.?|feet|foot) ?(1[01]|\d)(?: ?(?:\"|”|″|''|in(?:ch(?:es)?)?(?!\w)))?"
+    rf"(?![\w.,]\d|\w){_TALL}",
+    re.IGNORECASE,
+)
+"""A height in feet and inches: 5'4", "5 foot 4", "5ft4"."""
+_PERSON = r"(?<!\w)(i['’]?m|i am|she['’]?s|he['’]?s|she is|he is|someone|somebody|(?:a )?(?:wo)?man of)"
+_FEET = re.compile(rf"{_PERSON} ([4-6]) ?(?:ft|feet|foot)(?!\w){_TALL}", re.IGNORECASE)
+_METRIC = re.compile(rf"{_PERSON} (\d{{3}} ?cm|[12]\.\d{{1,2}} ?m)(?!\w){_TALL}", re.IGNORECASE)
+"""Heights of people: "I'm 6ft", "someone 1.80 m"."""
 
 
 _OF_GARMENT = re.compile(r"(?<!\w)finished\s*$", re.IGNORECASE)
@@ -62,7 +73,7 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
     """
     found: dict[str, str] = {}
     measures: dict[str, float] = {}
-    text = _METRES_AND.sub(r"\1.\2 m", text)
+    text = _with_metric_heights(text)
     hidden = hide_others(text if instruction else with_finished_chest(text))
     rest = text = hidden.text
     for pattern, take in _PHRASES:
@@ -81,6 +92,18 @@ def hear_wearer(text: str, *, instruction: bool = False) -> HeardWearer:
     rest = re.sub(r"\s+([,.;])", r"\1", " ".join(rest.split()))
     rest = re.sub(r"(?:[,;]\s*)+(?=[,;.]|$)", "", rest).strip(" ,;")
     return HeardWearer(wearer, hidden.shown(rest))
+
+
+def _with_metric_heights(text: str) -> str:
+    """The text with the heights of people as "160 cm tall"."""
+
+    def metric(feet: str, inches: str) -> str:
+        return f"{CM_PER_INCH * (12 * int(feet) + int(inches)):.0f} cm tall"
+
+    text = _METRES_AND.sub(r"\1.\2 m", text)
+    text = _FEET_AND_INCHES.sub(lambda found: metric(found[1], found[2]), text)
+    text = _FEET.sub(lambda found: f"{found[1]} {metric(found[2], '0')}", text)
+    return _METRIC.sub(r"\1 \2 tall", text)
 
 
 def _without_children(text: str) -> str:

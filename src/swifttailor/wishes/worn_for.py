@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from swifttailor.describing.differences import Gain
 from swifttailor.wishes.heard import Heard
-from swifttailor.wording.claim_kinds import fits_kind
+from swifttailor.wording.claim_kinds import fits_kind, implied_kind
 from swifttailor.wording.lexicon import Entry, read_words
 
 _FIRST = ("accessories", "occasions")
@@ -14,6 +14,10 @@ _NAMES = ("garment", "like")
 _OF_LOWER = frozenset(
     {"rise", "waistband", "waistband_cm", "skirt", "skirt_length_cm", "legs", "inseam_cm", "hips"}
 )
+_DETAILS = 2
+"""So many different things have to be said before they tell what a garment is."""
+_SHORTEST_DRESS_CM = 75.0
+"""From the shoulder to the hem; what is shorter is a top."""
 _DRESS_LENGTHS = frozenset({"midi", "maxi", "ankle", "floor"})
 """What belongs to skirts and trousers alone, and lengths that tell of a dress where none of it is named."""
 
@@ -25,7 +29,19 @@ def worn_for(heard: Heard) -> str | None:
     is asked for is not suggested: no dress where legs are spoken of. What reaches the calves or beyond,
     without legs or a waistband, is a dress.
     """
-    return _worn_for(heard) or ("dress" if _is_likely_a_dress(heard) else None)
+    return _worn_for(heard) or ("dress" if _is_likely_a_dress(heard) else _told_by_details(heard))
+
+
+def _told_by_details(heard: Heard) -> str | None:
+    """The kind that several details tell: what has sleeves and a neckline, and no skirt, is a top."""
+    words = heard.words
+    if words is None or any(mark.role in (*_NAMES, "second", "theirs") for mark in words.marks):
+        return None
+    said = {i.claim for i in words.implications if i.said and i.certainty == "certain"}
+    asked = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
+    details = [claim for claim in asked if claim in said or claim.name.endswith("_cm")]
+    kind = next(iter(implied_kind(details)), None)
+    return kind if heard.kind in (None, kind) and len({claim.name for claim in details}) >= _DETAILS else None
 
 
 def _worn_for(heard: Heard) -> str | None:
@@ -33,7 +49,9 @@ def _worn_for(heard: Heard) -> str | None:
     if any(mark.role in _NAMES for mark in marks):
         return None
     entries = [entry for mark in marks for entry in mark.entries if entry.worn]
+    named = () if heard.words is None else [i.claim for i in heard.words.implications]
     details = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
+    details = [claim for claim in details if claim.name != "kind" or claim in named]  # a network guesses
     for entry in sorted(entries, key=_order):
         assert entry.worn is not None
         kinds = [str(i.claim.value) for i in read_words(entry.worn).implications if i.claim.name == "kind"]
@@ -48,6 +66,8 @@ def _is_likely_a_dress(heard: Heard) -> bool:
     if any(mark.role in (*_NAMES, "second") for mark in marks) or heard.kind == "dress":
         return False
     if any(claim.name in ("kind", *_OF_LOWER) for claim in claims) or (heard.unread and not claims):
+        return False
+    if any(claim.name == "length_cm" and float(claim.value) < _SHORTEST_DRESS_CM for claim in claims):
         return False
     guessed = [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
     return any(claim.name == "skirt_hem" and claim.value in _DRESS_LENGTHS for claim in (*claims, *guessed))

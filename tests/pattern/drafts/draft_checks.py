@@ -21,13 +21,16 @@ FOLDED_OR_NOT = {"shirt", "shirt-dress", "fitted-dress", "mermaid-dress"}
 """Theirs may also stand."""
 
 
+GATHERED_AT_THE_BAND = ("gathered-skirt", "tiered-skirt", "pull-on-trousers", "joggers")
+
+
 def is_gathered(pattern: Pattern, stitch: Stitch) -> bool:
     """Whether the draft declares fullness in this seam: sleeve caps, cuffs, hem bands, gathered skirts."""
     names = {stitch.first.panel, stitch.second.panel}
     cap = any("torso" in n for n in names) and any("sleeve" in n for n in names)
-    cuff = any("sleeve" in n for n in names) and any("cuff" in n for n in names)
+    cuff = any("sleeve" in n or "pant_" in n for n in names) and sum("cuff" in n for n in names) == 1
     band = any(n.startswith("wb_") for n in names) and (
-        any("torso" in n for n in names) or pattern.name in ("gathered-skirt", "tiered-skirt")
+        any("torso" in n for n in names) or pattern.name in GATHERED_AT_THE_BAND
     )
     if pattern.name == "tiered-skirt" and all(n.startswith("skirt") for n in names):
         return True

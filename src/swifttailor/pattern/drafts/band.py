@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, turned
-from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.figure import ANKLE_X_PER_HIPS, Figure, Halves
 from swifttailor.pattern.drafts.joins import sew_sides
 from swifttailor.pattern.drafts.outline import Outline, annular_sector
 from swifttailor.pattern.drafts.sleeve import place_on_arm
@@ -14,6 +14,10 @@ BAND_FRONT_Z = 24.0
 """Where front bands stand before draping, cm."""
 BAND_BACK_Z = -20.0
 """Where back bands stand before draping, cm."""
+LEG_CUFF_GAP = 2.0
+"""Between a leg and its cuff before draping, cm."""
+LEG_CUFF_FRONT_Z, LEG_CUFF_BACK_Z = 17.0, -20.0
+"""Where the cuffs of legs stand before draping, cm: near the ankles, so that they close around them."""
 
 
 def lay_waist_band(
@@ -85,3 +89,33 @@ def lay_sleeve_cuff(table: CuttingTable, figure: Figure, at: float, ease: float,
         table.seam(f"left_sleeve_{side}.hem", f"{name}.join", gathered=True)
     table.seam("sl_left_cuff_f.top", "sl_left_cuff_b.top")
     table.seam("sl_left_cuff_f.under", "sl_left_cuff_b.under")
+
+
+def lay_leg_cuff(table: CuttingTable, figure: Figure, ease: float, height: float) -> None:
+    """Lays the left leg's cuff below it and sews it on; the leg may be gathered into it.
+
+    Edges of ``pant_l_cuff_f`` and ``pant_l_cuff_b``: end, outer, join, inner.
+
+    Args:
+        table: Must already hold the left leg.
+        figure: Gives the leg's girth.
+        ease: Room on top of the leg's girth where the cuff ends, cm; the cuff is no wider than the leg's
+            hem, and split like it.
+        height: Of the cuff, cm.
+    """
+    total = table.length("pant_f_l.hem", "pant_b_l.hem")
+    hem_y = table.pieces["pant_f_l"].find("hem")[0].end[1]
+    width = min(figure.close_leg_girth(hem_y - height) + ease, total)
+    for side in "fb":
+        leg, name = f"pant_{side}_l", f"pant_l_cuff_{side}"
+        (hem,) = table.pieces[leg].find("hem")
+        half = width * hem.length / total / 2
+        outline = Outline(-half, hem_y - height).line("end", half, hem_y - height)
+        outline.line("outer", half, hem_y).line("join", -half, hem_y).line("inner", -half, hem_y - height)
+        ankle = ANKLE_X_PER_HIPS * figure.hips.girth
+        z = LEG_CUFF_FRONT_Z if side == "f" else LEG_CUFF_BACK_Z
+        at = (ankle, -LEG_CUFF_GAP, z)
+        table.lay(name, outline.closed(), label="leg", at=at, back=side == "b")
+        table.seam(f"{leg}.hem", f"{name}.join", gathered=True)
+    table.seam("pant_l_cuff_f.outer", "pant_l_cuff_b.outer")
+    table.seam("pant_l_cuff_f.inner", "pant_l_cuff_b.inner")

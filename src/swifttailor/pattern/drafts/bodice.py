@@ -24,6 +24,8 @@ LOOSE_HEM_BALANCE = 0.6
 BLADE_FULLNESS = 0.01
 """Extra length of the back over the shoulder blades, as a part of the waist line; with more, the nape
 stands off."""
+SHORT_CM = 12.0
+"""Shaped tops that end less far below the waist have no room to widen again."""
 SIDE_MINIMUM = 4.0
 """Shortest side seam and shortest centre, cm."""
 POINT_X = 5.0
@@ -92,8 +94,12 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     body = figure.girth_below_waist(shape.length).eased(shape.hip_ease)
     # Front and back side seams slant alike, so that they are equally long.
     widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
+    shaping = shape.waist_shaping
+    if shaping and shape.length < SHORT_CM:  # what ends at the waist narrows down to it
+        widening = min(max((body.girth - chest.girth) / 4, -shaping), widening)
+        shaping = 0.0
     widening += shape.flare / 4
-    rise = _hem_rise(widening, under_y - hem_y, chest.girth / 4 + widening)
+    rise = _hem_rise(max(widening, 0.0), under_y - hem_y, chest.girth / 4 + widening)
     tip_x = shoulder_tip_x(figure, shape.neckline, shape.shoulder_extension)
     neck_x = shape.neckline.start_x(figure)
     for side, half in (("f", chest.front), ("b", chest.back)):
@@ -108,7 +114,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             outline.quadratic("hem", middle, (half + widening, hem_y + rise))
         else:
             outline.line("hem", half + widening, hem_y)
-        _draw_side(outline, (half, under_y), shape.waist_shaping, shape.side_slits)
+        _draw_side(outline, (half, under_y), shaping, shape.side_slits)
         scoop = 0.72 if front else 0.5
         shoulder = (neck_x, tip_x)
         lay_torso_half(

@@ -34,6 +34,7 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "wrap-dress": "dress",
     "slip-dress": "dress",
     "strapless-dress": "dress",
+    "strappy-dress": "dress",
     "halter-dress": "dress",
     "off-shoulder-dress": "dress",
     "empire-dress": "dress",
@@ -44,10 +45,13 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "robe": "dress",
     "jumpsuit": "jumpsuit",
     "strapless-jumpsuit": "jumpsuit",
+    "strappy-jumpsuit": "jumpsuit",
     "halter-jumpsuit": "jumpsuit",
     "trousers": "trousers",
     "jeans": "trousers",
     "leggings": "trousers",
+    "pull-on-trousers": "trousers",
+    "joggers": "trousers",
     "flares": "trousers",
     "fitted-skirt": "skirt",
     "mermaid-skirt": "skirt",
@@ -98,7 +102,10 @@ class NamedDraft:
         """Claims, by name and value, that are true of it to the eye, though not as they are measured."""
         stands = STANDING in self.options or self.name == "turtleneck"
         slits = _OF_SLITS if any(name == SIDE_SLITS for name, _ in self.options) else ()
-        return (*DRAFTS_ARE.get(self.name, ()), *(_OF_STANDS if stands else ()), *slits)
+        flare = dict(self.options).get("flare", 0.0)
+        widens = self.name == "shift-dress" and float(flare) >= A_LINE_CM
+        shown = (_OF_STANDS if stands else (), slits, _OF_FLARE if widens else ())
+        return (*DRAFTS_ARE.get(self.name, ()), *[claim for claims in shown for claim in claims])
 
     @property
     def has_in_spirit(self) -> tuple[tuple[str, str], ...]:
@@ -113,7 +120,10 @@ SIDE_SLITS = "side_slits"
 """The option of slits in garments that have no skirt of their own to be measured."""
 ROOMY_CM = 7.0
 """With so much room on top of the hips drafts look loose there; with more, they stand off at the sides."""
+A_LINE_CM = 12.0
+"""Shift dresses with hems so much wider than straight ones are A-line."""
 _OF_STANDS = (("neck_depth", "high"),)
+_OF_FLARE = (("skirt", "a-line"),)
 _OF_SLITS = (("slit", "left"), ("slit", "right"))
 _OF_ROOM = (("hips", "loose"),)
 """Claims, by name and value, that such options make true to the eye."""

@@ -15,6 +15,12 @@ KNEE_PER_CROTCH = 0.6
 """Height of the knee over the height of the crotch."""
 CALF_PER_THIGH = 0.61
 """Calf girth over thigh girth; the knee is about as wide."""
+ANKLE_PER_CALF = 0.66
+"""Ankle girth over calf girth."""
+ANKLE_X_PER_HIPS = 0.103
+"""How far from the middle the ankles stand over the hip girth; GarmentCode does not measure it."""
+_CALF_PER_KNEE, _ANKLE_PER_KNEE = 0.7, 0.25
+"""Heights of calf and ankle over the height of the knee."""
 
 
 @dataclass(frozen=True)
@@ -124,6 +130,12 @@ class Figure:
         """Girth of one leg at height `y`: thinning from thigh to knee, as wide as the calf below."""
         t = min(max((self.crotch_y - y) / (self.crotch_y - self.knee_y), 0.0), 1.0)
         return self.thigh * (1 - t + CALF_PER_THIGH * t)
+
+    def close_leg_girth(self, y: float) -> float:
+        """As `leg_girth`, but thinning from calf to ankle: of what is close there."""
+        calf, ankle = _CALF_PER_KNEE * self.knee_y, _ANKLE_PER_KNEE * self.knee_y
+        t = min(max((calf - y) / (calf - ankle), 0.0), 1.0)
+        return self.leg_girth(y) * (1 - t + ANKLE_PER_CALF * t)
 
 
 def _halves(girth: float, back: float) -> Halves:

@@ -38,10 +38,10 @@ def sew_skirt_to_band(table: CuttingTable, edges: tuple[str, ...], *, gathered: 
         table.seam(f"wb_{part}.bottom", skirt, gathered=gathered)
 
 
-def sew_trousers_to_band(table: CuttingTable) -> None:
+def sew_trousers_to_band(table: CuttingTable, *, gathered: bool = False) -> None:
     """Sews the waists of both legs to the lower edge of the waistband."""
-    table.seam("wb_front.bottom", ["pant_f_r.waist", "pant_f_l.waist"])
-    table.seam("wb_back.bottom", ["pant_b_l.waist", "pant_b_r.waist"])
+    table.seam("wb_front.bottom", ["pant_f_r.waist", "pant_f_l.waist"], gathered=gathered)
+    table.seam("wb_back.bottom", ["pant_b_l.waist", "pant_b_r.waist"], gathered=gathered)
 
 
 def sew_trousers_to_bodice(table: CuttingTable) -> None:

@@ -16,6 +16,7 @@ from swifttailor.pattern.drafts.garments import (
     high_waisted,
     long_garments,
     pleated_skirts,
+    pull_on,
     skirts,
     strappy,
     tiered_skirts,
@@ -108,6 +109,11 @@ _DRAFTS = (
         strappy.draft_strapless_dress,
     ),
     DraftInfo(
+        "strappy-dress",
+        "Darted bodice on thin straps, a skirt sewn to its waist",
+        strappy.draft_strappy_dress,
+    ),
+    DraftInfo(
         "halter-dress",
         "Dress held behind the neck, back and shoulders bare",
         bare_shoulders.draft_halter_dress,
@@ -128,6 +134,9 @@ _DRAFTS = (
     DraftInfo("jumpsuit", "Bodice and trousers joined at the waist", fitted_garments.draft_jumpsuit),
     DraftInfo("strapless-jumpsuit", "Bustier and trousers in one", strappy.draft_strapless_jumpsuit),
     DraftInfo(
+        "strappy-jumpsuit", "Bodice on thin straps and trousers in one", strappy.draft_strappy_jumpsuit
+    ),
+    DraftInfo(
         "halter-jumpsuit",
         "Jumpsuit held behind the neck, back and shoulders bare",
         bare_shoulders.draft_halter_jumpsuit,
@@ -135,6 +144,10 @@ _DRAFTS = (
     DraftInfo("trousers", "Long or short legs, back darts, waistband", trousers.draft_trousers),
     DraftInfo("jeans", "Slim legs, back darts, waistband", trousers.draft_jeans),
     DraftInfo("leggings", "The closest legs, high waistband", trousers.draft_leggings),
+    DraftInfo(
+        "pull-on-trousers", "Long or short legs gathered into the waistband", pull_on.draft_pull_on_trousers
+    ),
+    DraftInfo("joggers", "Gathered into the waistband and into cuffs at the ankles", pull_on.draft_joggers),
     DraftInfo("flares", "Close to the knee, wide at the hem, waistband", trousers.draft_flares),
     DraftInfo("fitted-skirt", "Pencil or A-line skirt, waistband", skirts.draft_fitted_skirt),
     DraftInfo("mermaid-skirt", "Close to the knee, a flounce below, waistband", skirts.draft_mermaid_skirt),

@@ -48,9 +48,6 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
     body = figure.girth_below_waist(shape.length).eased(6.0)
     widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
     widening += shape.flare / 4
-    middle_x = figure.neck_x + STRAP_PLACE * (figure.shoulder_x - figure.neck_x)
-    middle_x = min(middle_x, figure.shoulder_x - shape.strap)
-    inner, outer = middle_x - shape.strap / 2, middle_x + shape.strap / 2
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
         drop = HEM_BALANCE * figure.front_fullness if front else 0.0
@@ -60,14 +57,8 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
         outline = Outline(0.0, hem_y - drop)
         outline.quadratic("hem", ((half + widening) * 0.6, hem_y - drop), (half + widening, hem_y + 0.5))
         outline.line("side", half, under_y)
-        run = half - outer
-        outline.quadratic("armhole", (outer + 0.35 * run, under_y + 0.1), (outer, base_y))
-        outline.line("armhole", outer, figure.shoulder_line(outer) + lift)
-        outline.line("shoulder", inner, figure.shoulder_line(inner) + lift)
-        outline.line("neck", inner, base_y)
-        low = base_y - (shape.dip if front else 0.0)
-        low = max(low, hem_y - drop + SIDE_MINIMUM)
-        outline.quadratic("neck", (0.5 * inner, low if front else base_y), (TAKEN_IN, low))
+        low = max(base_y - (shape.dip if front else 0.0), hem_y - drop + SIDE_MINIMUM)
+        draw_top_on_strap(outline, figure, shape.strap, base_y=base_y, low=low, lift=lift)
         outline.line("centre", *outline.sides[0].start).closed()
         table.lay(
             f"left_{side}torso",
@@ -77,3 +68,27 @@ def lay_strap_bodice(table: CuttingTable, figure: Figure, shape: StrapBodice) ->
             back=not front,
         )
     sew_torso(table)
+
+
+def draw_top_on_strap(
+    outline: Outline, figure: Figure, strap: float, *, base_y: float, low: float, lift: float
+) -> None:
+    """Draws from the underarm up to the strap, over the shoulder, and across to the middle.
+
+    Args:
+        outline: Ends at the underarm.
+        figure: The body.
+        strap: Width of the strap, cm.
+        base_y: World height where the strap begins, cm.
+        low: World height of the upper edge in the middle, cm.
+        lift: By how much the strap is longer than the shoulder is high, cm.
+    """
+    middle_x = figure.neck_x + STRAP_PLACE * (figure.shoulder_x - figure.neck_x)
+    middle_x = min(middle_x, figure.shoulder_x - strap)
+    inner, outer = middle_x - strap / 2, middle_x + strap / 2
+    x, y = outline.sides[-1].end
+    outline.quadratic("armhole", (outer + 0.35 * (x - outer), y + 0.1), (outer, base_y))
+    outline.line("armhole", outer, figure.shoulder_line(outer) + lift)
+    outline.line("shoulder", inner, figure.shoulder_line(inner) + lift)
+    outline.line("neck", inner, base_y)
+    outline.quadratic("neck", (0.5 * inner, low), (TAKEN_IN, low))

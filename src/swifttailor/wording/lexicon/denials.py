@@ -86,6 +86,8 @@ def _begin(words: Sequence[Meaning], k: int, near: int) -> int | None:
             return None
         if words[j].category == "negations" or not words[j].entries:
             return None
+        if words[j].category == "garments" and words[j - 1].found.gap == "pause":
+            return None  # "nothing on top, a long dress" asks for the dress
         if j > k and words[j - 1].found.gap == "pause" and words[j].found.word in _AND:
             return None  # "not sad, and with sleeves" goes on to what is wanted
         if not words[j].holds_together:

@@ -298,10 +298,19 @@ def _contradictions(text: str, implied: Sequence[Implication]) -> tuple[Contradi
         for other in sure[k + 1 :]:
             if one.mark is other.mark or not (opposed(one.claim, other.claim) or _against(one, other)):
                 continue
+            if _only_usual(one, other) or _only_usual(other, one):
+                continue
             first, second = sorted((one.mark, other.mark), key=lambda mark: mark.start)
             if not of_two_places(text, (first.start, first.end), (second.start, second.end)):
                 found.setdefault((first.start, second.start), Contradiction(first, second))
     return tuple(found.values())
+
+
+def _only_usual(named: Implication, said: Implication) -> bool:
+    """Whether the name of a garment has other sleeves than are said: coats may be had without any."""
+    if named.said or not said.said or named.claim.name != "sleeves":
+        return False
+    return "sleeve" not in named.mark.word.lower()
 
 
 def _against(one: Implication, other: Implication) -> bool:

@@ -1,4 +1,4 @@
-"""Garments on thin straps or on none: camisole, slip dress, strapless dress and jumpsuit."""
+"""Garments on thin straps or on none: camisole, slip dress, dresses and jumpsuits with a waist seam."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from typing import Annotated
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.bodice import sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
-from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
-from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt
+from swifttailor.pattern.drafts.fitted_strap_bodice import FittedStrapBodice, lay_fitted_strap_bodice
+from swifttailor.pattern.drafts.flared_skirt import SHORTEST_FLOUNCE, lay_flared_skirt, lay_flounce
 from swifttailor.pattern.drafts.joins import (
     SKIRT_HALVES,
     SKIRT_WHOLE,
@@ -105,17 +106,26 @@ def _strapless(name: str, bodice: StraplessBodice, measurements: Measurements) -
 
 
 @dataclass(frozen=True)
-class StraplessDressOptions:
-    """Options of the strapless dress."""
+class HeldDressOptions:
+    """Options of the skirts of dresses on straps or none."""
 
-    bust_ease: StraplessEase = 1.0
     waist_ease: HeldWaistEase = 0.0
-    dip: HeartDip = 4.5
-    skirt_length: Annotated[float, Option("Body's waist to the hem.", "cm", 36.0, 104.0)] = 98.0
+    skirt_length: Annotated[float, Option("Body's waist to the hem.", "cm", 36.0, 104.0)] = 62.0
     skirt_fraction: declared.CircleFraction = 0.5
     fitted: Annotated[bool, Option("Cut the skirt close, with darts, instead of from a circle.")] = False
     hip_ease: declared.HipEase = 4.0
     skirt_flare: declared.SkirtFlare = 1.0
+    flounce: Annotated[bool, Option("End the close skirt at a flounce cut from a circle.")] = False
+    close: declared.FlounceSeam = 58.0
+
+
+@dataclass(frozen=True)
+class StraplessDressOptions(HeldDressOptions):
+    """Options of the strapless dress."""
+
+    bust_ease: StraplessEase = 1.0
+    dip: HeartDip = 4.5
+    skirt_length: Annotated[float, Option("Body's waist to the hem.", "cm", 36.0, 104.0)] = 98.0
 
 
 def draft_strapless_dress(options: StraplessDressOptions, measurements: Measurements) -> Pattern:
@@ -124,12 +134,40 @@ def draft_strapless_dress(options: StraplessDressOptions, measurements: Measurem
     table = CuttingTable("strapless-dress")
     bodice = StraplessBodice(options.bust_ease, options.waist_ease, options.dip)
     waist = lay_strapless_bodice(table, figure, bodice)
+    return _with_skirt(table, figure, options, waist)
+
+
+@dataclass(frozen=True)
+class StrappyDressOptions(HeldDressOptions):
+    """Options of the strappy dress."""
+
+    bust_ease: declared.BustEase = 3.0
+    waist_ease: declared.WaistEase = 2.0
+    strap_width: StrapWidth = 1.5
+    dip: FrontDip = 3.0
+
+
+def draft_strappy_dress(options: StrappyDressOptions, measurements: Measurements) -> Pattern:
+    """Drafts the strappy dress for a body: a darted bodice on thin straps, a skirt sewn to its waist."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("strappy-dress")
+    bodice = FittedStrapBodice(options.strap_width, options.bust_ease, options.waist_ease, options.dip)
+    waist = lay_fitted_strap_bodice(table, figure, bodice)
+    return _with_skirt(table, figure, options, waist)
+
+
+def _with_skirt(table: CuttingTable, figure: Figure, options: HeldDressOptions, waist: Halves) -> Pattern:
     table.mirror()
     sew_centres(table)
-    if options.fitted:
-        skirt = FittedSkirt(options.skirt_length, options.hip_ease, options.skirt_flare)
-        lay_fitted_skirt(table, figure, skirt, waist, figure.waist_y)
+    if options.fitted or options.flounce:
+        close = min(options.close, options.skirt_length - SHORTEST_FLOUNCE)
+        length = close if options.flounce else options.skirt_length
+        flare = min(options.skirt_flare, -1.5) if options.flounce else options.skirt_flare
+        lay_fitted_skirt(table, figure, FittedSkirt(length, options.hip_ease, flare), waist, figure.waist_y)
         sew_skirt_to_bodice(table, SKIRT_HALVES)
+        if options.flounce:
+            y = figure.waist_y - close - 3.0
+            lay_flounce(table, options.skirt_length - close, y, options.skirt_fraction)
     else:
         lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
         sew_skirt_to_bodice(table, SKIRT_WHOLE)
@@ -137,16 +175,22 @@ def draft_strapless_dress(options: StraplessDressOptions, measurements: Measurem
 
 
 @dataclass(frozen=True)
-class StraplessJumpsuitOptions:
-    """Options of the strapless jumpsuit."""
+class HeldJumpsuitOptions:
+    """Options of the legs of jumpsuits on straps or none."""
 
-    bust_ease: StraplessEase = 1.0
     waist_ease: HeldWaistEase = 0.0
-    dip: HeartDip = 0.0
     hip_ease: declared.HipEase = 6.0
     length: declared.TrouserLength = 101.0
     leg_ease: declared.LegEase = 14.0
     flare: declared.LegFlare = 4.0
+
+
+@dataclass(frozen=True)
+class StraplessJumpsuitOptions(HeldJumpsuitOptions):
+    """Options of the strapless jumpsuit."""
+
+    bust_ease: StraplessEase = 1.0
+    dip: HeartDip = 0.0
 
 
 def draft_strapless_jumpsuit(options: StraplessJumpsuitOptions, measurements: Measurements) -> Pattern:
@@ -154,7 +198,28 @@ def draft_strapless_jumpsuit(options: StraplessJumpsuitOptions, measurements: Me
     figure = Figure.of(measurements)
     table = CuttingTable("strapless-jumpsuit")
     bodice = StraplessBodice(options.bust_ease, options.waist_ease, options.dip)
-    waist = lay_strapless_bodice(table, figure, bodice)
+    return _with_legs(table, figure, options, lay_strapless_bodice(table, figure, bodice))
+
+
+@dataclass(frozen=True)
+class StrappyJumpsuitOptions(HeldJumpsuitOptions):
+    """Options of the strappy jumpsuit."""
+
+    bust_ease: declared.BustEase = 3.0
+    waist_ease: declared.WaistEase = 3.0
+    strap_width: StrapWidth = 1.5
+    dip: FrontDip = 3.0
+
+
+def draft_strappy_jumpsuit(options: StrappyJumpsuitOptions, measurements: Measurements) -> Pattern:
+    """Drafts the strappy jumpsuit for a body: a darted bodice on thin straps, trousers sewn to its waist."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("strappy-jumpsuit")
+    bodice = FittedStrapBodice(options.strap_width, options.bust_ease, options.waist_ease, options.dip)
+    return _with_legs(table, figure, options, lay_fitted_strap_bodice(table, figure, bodice))
+
+
+def _with_legs(table: CuttingTable, figure: Figure, options: HeldJumpsuitOptions, waist: Halves) -> Pattern:
     legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, _CROTCH_DROP)
     lay_trousers(table, figure, legs, waist, figure.waist_y)
     table.mirror()

@@ -34,6 +34,7 @@ class TShirtOptions:
     sleeve_end: declared.SleeveEnd = 34.0
     cap_ease: declared.CapEase = 1.0
     side_slits: declared.SideSlits = 0.0
+    waist_shaping: declared.WaistShaping = 0.0
 
 
 def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern:
@@ -48,6 +49,7 @@ def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern
         options.armhole_drop,
         flare=options.flare,
         side_slits=options.side_slits,
+        waist_shaping=options.waist_shaping,
     )
     lay_loose_bodice(table, figure, bodice)
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
@@ -70,6 +72,7 @@ class TankTopOptions:
     back_neck_depth: declared.BackNeckDepth = 7.0
     strap_width: Annotated[float, Option("Width of the straps on the shoulder.", "cm", 3.0, 9.0)] = 4.0
     armhole_drop: declared.ArmholeDrop = 2.0
+    waist_shaping: declared.WaistShaping = 0.0
 
 
 def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Pattern:
@@ -86,6 +89,7 @@ def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Patte
         flare=options.flare,
         hip_ease=6.0,
         shoulder_extension=min(strap_end - figure.shoulder_x, 0.0),
+        waist_shaping=options.waist_shaping,
     )
     lay_loose_bodice(table, figure, bodice)
     table.mirror()
@@ -112,6 +116,7 @@ class TurtleneckOptions:
     arm_ease: declared.ArmEase = 6.0
     sleeve_end: declared.SleeveEnd = 22.0
     side_slits: declared.SideSlits = 0.0
+    waist_shaping: declared.WaistShaping = 0.0
 
 
 def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> Pattern:
@@ -125,6 +130,7 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
         options.armhole_drop,
         flare=options.flare,
         side_slits=options.side_slits,
+        waist_shaping=options.waist_shaping,
     )
     lay_loose_bodice(table, figure, bodice)
     lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01))

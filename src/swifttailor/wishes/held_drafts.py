@@ -1,0 +1,146 @@
+"""Named drafts of dresses and jumpsuits, held as a text asks for and with the skirt that it asks for.
+
+On shoulders, on thin straps, or by the waist alone; cut from a circle, close, or close with a flounce.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Literal
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+
+Hold = Literal["shoulders", "straps", "waist"]
+Skirt = Literal["circle", "close", "flounce"]
+_BARE, _THIN_STRAPS = Claim("shoulders", "strapless"), Claim("straps", "narrow")
+_JUMPSUITS: Mapping[Hold, str] = {
+    "shoulders": "jumpsuit",
+    "straps": "strappy-jumpsuit",
+    "waist": "strapless-jumpsuit",
+}
+_OF_LEGS = ("length", "hip_ease", "leg_ease", "flare")
+_ON_SHOULDERS: Mapping[Skirt, str] = {
+    "circle": "skater-dress",
+    "close": "fitted-dress",
+    "flounce": "mermaid-dress",
+}
+_WITHOUT: Mapping[Hold, str] = {"straps": "strappy-dress", "waist": "strapless-dress"}
+_FLAGS: Mapping[Skirt, tuple[tuple[str, bool], ...]] = {
+    "circle": (),
+    "close": (("fitted", True),),
+    "flounce": (("flounce", True),),
+}
+"""What makes the skirt of a dress without shoulders."""
+_OF_SKIRT: Mapping[Skirt, tuple[str, ...]] = {
+    "circle": ("skirt_length", "skirt_fraction"),
+    "close": ("skirt_length", "skirt_flare", "hip_ease"),
+    "flounce": ("skirt_length", "hip_ease", "close"),
+}
+"""Options that mean the same in all of these dresses."""
+_LENGTHS: Mapping[str, float] = {
+    "skater-dress": 50.0,
+    "fitted-dress": 60.0,
+    "mermaid-dress": 100.0,
+    "strapless-dress": 98.0,
+    "strappy-dress": 62.0,
+    "slip-dress": 56.0,
+}
+"""Of skirts, where no option says otherwise, cm."""
+_LONGEST_CM, _SHORTEST_CM = 100.0, 36.0
+_SLIP = "slip-dress"
+_CIRCLES: Mapping[str, float] = {
+    "a-line": 0.3,
+    "flared": 0.5,
+    "half circle": 0.5,
+    "three-quarter circle": 0.75,
+    "circle": 1.0,
+    "more than a circle": 1.25,
+}
+"""Parts of a circle, by what a skirt is called."""
+_CLOSE = ("pencil", "narrowing", "straight")
+_FLOUNCE = "fitted base"
+
+
+def held_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A dress or jumpsuit held as is asked for, its skirt of the shape that is asked for; others as they are.
+
+    Args:
+        draft: As a table names it.
+        claims: What is asked for, all of it.
+    """
+    own = _own_hold(draft)
+    if own is None:
+        return draft
+    hold = _asked_hold(claims) or own
+    if draft.name in _JUMPSUITS.values():
+        return draft if hold == own else _with(_JUMPSUITS[hold], draft, _OF_LEGS)
+    options, skirt = dict(draft.options), _own_skirt(draft)
+    for claim in claims:
+        shape = _asked_skirt(claim)
+        if shape == "circle" and skirt == "flounce":
+            continue  # it flares from the knee
+        skirt = shape or skirt
+        if claim.value == "flared" and shape == "circle":
+            options.setdefault("skirt_fraction", _CIRCLES["flared"])
+        elif shape == "circle":
+            options["skirt_fraction"] = _CIRCLES[str(claim.value)]
+    if draft.name == _SLIP:
+        waisted = any(_asked_skirt(claim) or claim == Claim("waist_seam", "natural") for claim in claims)
+        if hold == "straps" and not waisted:
+            return draft
+        options = {"skirt_length": options.get("length", _LENGTHS[_SLIP]), **options}
+    name = _ON_SHOULDERS[skirt] if hold == "shoulders" else _WITHOUT[hold]
+    if name == draft.name and skirt == _own_skirt(draft):
+        return NamedDraft(name, tuple(options.items()))
+    length = float(options.get("skirt_length", _LENGTHS[draft.name]))
+    options |= {"skirt_length": min(max(length, _SHORTEST_CM), _LONGEST_CM)}
+    options.setdefault("skirt_fraction", _CIRCLES["flared"])
+    kept = [(key, value) for key, value in options.items() if key in _OF_SKIRT[skirt]]
+    return NamedDraft(name, (*kept, *(() if hold == "shoulders" else _FLAGS[skirt])))
+
+
+def _with(name: str, draft: NamedDraft, kept: Sequence[str]) -> NamedDraft:
+    return NamedDraft(name, tuple([option for option in draft.options if option[0] in kept]))
+
+
+def _own_hold(draft: NamedDraft) -> Hold | None:
+    """How a draft is held; None of those that there are in one way alone."""
+    if draft.name in _ON_SHOULDERS.values() and not any(name == "collar" for name, _ in draft.options):
+        return "shoulders"
+    if draft.name == _SLIP:
+        return "straps"
+    found = [hold for names in (_JUMPSUITS, _WITHOUT) for hold, name in names.items() if name == draft.name]
+    return found[0] if found else None
+
+
+def _own_skirt(draft: NamedDraft) -> Skirt:
+    options = dict(draft.options)
+    if options.get("flounce") or draft.name == _ON_SHOULDERS["flounce"]:
+        return "flounce"
+    return "close" if options.get("fitted") or draft.name == _ON_SHOULDERS["close"] else "circle"
+
+
+def _asked_hold(claims: Sequence[Claim]) -> Hold | None:
+    if _BARE in claims:
+        return "waist"
+    if _THIN_STRAPS in claims:
+        return "straps"
+    return "shoulders" if any(_covers(claim) for claim in claims) else None
+
+
+def _asked_skirt(claim: Claim) -> Skirt | None:
+    if claim.name != "skirt":
+        return None
+    if claim.value in _CIRCLES:
+        return "circle"
+    if claim.value == _FLOUNCE:
+        return "flounce"
+    return "close" if claim.value in _CLOSE else None
+
+
+def _covers(claim: Claim) -> bool:
+    """Whether what has this has shoulders: sleeves, a neckline between them, a collar."""
+    if claim.name in ("sleeves", "left_sleeve", "right_sleeve", "collar", "hood"):
+        return claim.value != "none"
+    return claim.name == "neckline" or claim == Claim("shoulders", "both")

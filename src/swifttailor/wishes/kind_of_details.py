@@ -1,0 +1,53 @@
+"""What details tell of the kind of a garment that no word names, and bands called after another place."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.wishes.reader import Wish
+from swifttailor.wording.claim_kinds import fits_kind, implied_kind
+from swifttailor.wording.lexicon import WordReading
+
+_NAMES = ("garment", "like", "second")
+_WAISTBAND, _HEM_BAND = Claim("waistband", "waist"), Claim("waistband", "hem")
+
+
+def without_wrong_kind(
+    found: Sequence[Wish], measured: Sequence[Claim], words: WordReading
+) -> tuple[Wish, ...]:
+    """Without a kind that a network guesses and that cannot have what is said: no top has gores.
+
+    Args:
+        found: What was understood of a text.
+        measured: What its numbers say.
+        words: By the lexicon; where one of them names a garment, nothing is left out.
+    """
+    if any(mark.role in _NAMES for mark in words.marks):
+        return tuple(found)
+    details = [*measured, *[i.claim for i in words.implications if i.said and i.certainty == "certain"]]
+    guessed = {w.change.claim.value for w in found if isinstance(w.change, Gain) and _is_kind(w.change)}
+    wrong = {k for k in guessed if any(not fits_kind(claim.name, str(k)) for claim in details)}
+    if not wrong:
+        return tuple(found)
+    meant = next(iter(implied_kind(details)), None)
+    return tuple([w for w in found if not isinstance(w.change, Gain) or _fits(w.change, wrong, meant)])
+
+
+def with_one_band(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:
+    """Without a band at the waist where that of a jacket's hem is called a waistband."""
+    said = {i.claim for i in words.implications if i.said and i.claim.name == "waistband"}
+    if _HEM_BAND not in said or _WAISTBAND in said:
+        return tuple(found)
+    return tuple([wish for wish in found if wish.change != Gain(_WAISTBAND)])
+
+
+def _is_kind(gain: Gain) -> bool:
+    return gain.claim.name == "kind"
+
+
+def _fits(gain: Gain, wrong: set[str | float], meant: str | None) -> bool:
+    if _is_kind(gain):
+        return gain.claim.value not in wrong
+    return meant is None or fits_kind(gain.claim.name, meant)
