@@ -14,10 +14,14 @@ from swifttailor.wishes.drafts_as_asked import draft_as_asked
 BARE = Claim("shoulders", "strapless")
 STAND = Claim("collar", "stand")
 THIN, CUFFED = Claim("straps", "narrow"), Claim("leg_cuffs", "band")
+GATHERED_LEGS, LAPEL = Claim("leg_cuffs", "gathered"), Claim("collar", "lapel")
 FLOUNCE = Claim("skirt", "fitted base")
+GATHERED, PUFFED = Claim("skirt", "gathered"), Claim("sleeve_shape", "puffed")
+BELLS = "swing-dress(sleeve_shape=bell;sleeve_length=60;sleeves=true)"
 LOOSE = Claim("fit", "loose")
 SLEEVELESS = "tank-top(strap_width=8;neck_widening=2;neck_depth=10;back_neck_depth=3;length=6)"
-LOOSE_DRESS = "shift-dress(length=50;chest_ease=18;flare=16;neck_widening=1.5;sleeves=false)"
+TENT_DRESS = "swing-dress(length=50;neck_widening=1.5;sleeves=false)"
+LOOSE_DRESS = "shift-dress(length=50;neck_widening=1.5;chest_ease=13;flare=24;sleeves=false)"
 SLITS = [Claim("slit", "left"), Claim("slit", "right")]
 
 
@@ -34,7 +38,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("off-shoulder-top", [BARE], "off-shoulder-top"),
         ("strapless-dress", [Claim("sleeves", "long")], "skater-dress(skirt_length=98;skirt_fraction=0.5)"),
         ("strapless-dress", [Claim("sleeves", "none")], "strapless-dress"),
-        ("strapless-dress", [FLOUNCE], "strapless-dress(skirt_length=98;flounce=true)"),
+        ("strapless-dress", [FLOUNCE], "strapless-dress(flounce=true)"),
         ("mermaid-dress(close=50)", [BARE], "strapless-dress(close=50;skirt_length=100;flounce=true)"),
         ("mermaid-dress(close=50)", [Claim("skirt", "flared")], "mermaid-dress(close=50)"),
         ("skater-dress(skirt_length=62)", [THIN], "strappy-dress(skirt_length=62;skirt_fraction=0.5)"),
@@ -44,13 +48,25 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("slip-dress", [Claim("skirt", "circle")], "strappy-dress(skirt_length=56;skirt_fraction=1)"),
         ("jumpsuit(neck_depth=18;leg_ease=30)", [THIN], "strappy-jumpsuit(leg_ease=30)"),
         ("strapless-jumpsuit(length=96)", [Claim("sleeves", "short")], "jumpsuit(length=96)"),
-        ("trousers(length=102;leg_ease=20)", [CUFFED], "joggers(length=98;leg_ease=20)"),
-        ("trousers(length=42)", [CUFFED], "trousers(length=42)"),
+        ("trousers(length=102;leg_ease=20)", [CUFFED], "trousers(length=102;leg_ease=20)"),
+        ("trousers(length=102;leg_ease=20)", [GATHERED_LEGS], "joggers(length=98;leg_ease=20)"),
+        ("trousers(length=42)", [GATHERED_LEGS], "trousers(length=42)"),
         ("joggers", [Claim("leg_cuffs", "none")], None),
         ("t-shirt(length=6)", [Claim("fit", "close")], "t-shirt(length=6;chest_ease=3;waist_shaping=3)"),
         ("t-shirt(length=6)", [Claim("sleeves", "none")], SLEEVELESS),
+        ("t-shirt(length=30)", [LAPEL], "shirt(length=30)"),
+        ("tank-top", [LAPEL, Claim("sleeves", "none")], "shirt(sleeves=false)"),
+        ("t-shirt", [Claim("bodice", "flared")], "t-shirt(flare=28)"),
+        ("skater-dress", [Claim("bodice", "flared")], TENT_DRESS),
+        ("circle-skirt", SLITS[:1], "fitted-skirt(flare=6)"),
         ("halter-dress", SLITS[:1], "halter-dress(skirt_fraction=0.3;length=72)"),
         ("skater-dress", [LOOSE], LOOSE_DRESS),
+        ("skater-dress(neck_depth=9)", [GATHERED], "skater-dress(neck_depth=9;gathers=2)"),
+        ("fitted-dress", [GATHERED, BARE], "strapless-dress(gathers=2;skirt_length=60)"),
+        ("t-shirt", [PUFFED], "t-shirt(sleeve_shape=puffed;sleeve_length=22;sleeve_end=24)"),
+        ("t-shirt", [PUFFED, Claim("sleeves", "none")], SLEEVELESS.replace(";length=6", "")),
+        ("swing-dress", [Claim("sleeve_shape", "bell"), Claim("sleeves", "long")], BELLS),
+        ("shirt", [Claim("sleeve_shape", "balloon")], "shirt(arm_ease=16;sleeve_end=46)"),
         ("skater-dress", [LOOSE, Claim("waist_seam", "natural")], "skater-dress"),
         ("joggers(hip_ease=24)", [Claim("hips", "loose")], "joggers(hip_ease=24)"),
         ("t-shirt(length=38)", SLITS, "t-shirt(length=38;side_slits=14)"),

@@ -15,6 +15,7 @@ from swifttailor.pattern.drafts.draft_names import (
     NamedDraft,
 )
 from swifttailor.wishes.held_drafts import held_as_asked
+from swifttailor.wishes.sleeved_drafts import sleeves_as_asked
 
 _BARE = Claim("shoulders", "strapless")
 _STAND, _ROLLED = Claim("collar", "stand"), Claim("collar", "turtleneck")
@@ -35,18 +36,29 @@ _LEGS: Mapping[str, Mapping[str, float]] = {
     "tapered": {"hip_ease": 9.0, "leg_ease": 12.0, "flare": -7.0},
     "slim": {"leg_ease": 6.0, "flare": -4.0},
 }
-_LOOSE_DRESS_CM: Mapping[str, float] = {"loose": 18.0, "oversized": 28.0}
-"""Room on top of the bust girth of dresses that are to be so, all around."""
+_LOOSE_DRESS_CM: Mapping[str, tuple[float, float]] = {
+    "easy": (8.0, 10.0),
+    "loose": (13.0, 18.0),
+    "oversized": (20.0, 26.0),
+}
+"""Room on top of the bust girth of dresses that are to be so, all around, without sleeves and with them:
+the wide armholes of what has more catch the arms."""
 _WAISTED = frozenset({"skirt", "waist_seam", "hips", "bodice", "shoulders", "straps", "slit", "waistband"})
+_STRAIGHT, _TENT = Claim("bodice", "undarted"), Claim("bodice", "flared")
+_STRAIGHT_CM, _TENT_CM = 10.0, 28.0
+"""Room up to which a dress falls straight, and by how much the hem of a tent top is wider, all around."""
 _SKATER_CM = 50.0
 _SHAPED = ("t-shirt", "tank-top", "turtleneck")
 _CLOSE_CM, _SHAPING_CM = 3.0, 3.0
 """Of close tops: room on top of the bust girth, and how far each side bends in at the waist."""
+_SHORT = ("cap", "short", "elbow")
 _SLEEVELESS = {"strap_width": 8.0, "neck_widening": 2.0, "neck_depth": 10.0, "back_neck_depth": 3.0}
 _JOGGERS = "joggers"
 _OF_JOGGERS = ("wide", "straight", "slim")
 """Legs that joggers have as well; they are tapered as they are, and nothing flares into a cuff."""
-_CUFFED = frozenset({Claim("leg_cuffs", "band"), Claim("leg_cuffs", "gathered")})
+_GATHERED, _BANDED = Claim("leg_cuffs", "gathered"), Claim("leg_cuffs", "band")
+_FULL = frozenset({Claim("legs", "tapered"), Claim("legs", "wide"), Claim("hips", "loose")})
+"""Legs of which there is something to gather into a band; turn-ups are called cuffs as well."""
 _NOT_CUFFED = frozenset({Claim("leg_cuffs", "none"), Claim("leg_cuffs", "flounce"), Claim("legs", "flared")})
 _SHORTEST_JOGGERS, _LONGEST_JOGGERS = 44.0, 98.0
 _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
@@ -75,10 +87,13 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         return None
     if draft.name == "t-shirt" and (_STAND in claims or _ROLLED in claims):
         draft = _with_stand(draft, 10.0 if _ROLLED in claims else 4.0)
-    draft = _without_sleeves(draft, claims)
+    draft = _without_sleeves(_with_collar(draft, claims), claims)
+    if draft.name == "circle-skirt" and any(claim.name == "slit" for claim in claims):
+        draft = NamedDraft("fitted-skirt", (("flare", 6.0),))
     if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
         draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
     draft = held_as_asked(_hanging_loose(_close(draft, claims), claims), claims)
+    draft = sleeves_as_asked(draft, claims)
     if draft.name in _ON_SHOULDERS and _THIN_STRAPS in claims:
         return None
     if _BARE in claims and draft.name not in BARE_SHOULDERED:
@@ -91,6 +106,22 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     own = _OF_STANDS if stands else _OF_LAPELS
     others = [claim for claim in claims if claim.name in _AT_THE_NECK and claim not in own]
     return None if others else draft
+
+
+def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """Tops and dresses with a collar that is folded down are shirts and shirt dresses."""
+    if Claim("collar", "lapel") not in claims:
+        return draft
+    options = dict(draft.options)
+    sleeves = [] if Claim("sleeves", "none") not in claims else [("sleeves", False)]
+    if draft.name in ("t-shirt", "tank-top"):
+        kept = [(name, options[name]) for name in ("length", "chest_ease") if name in options]
+        short = any(claim.name == "sleeves" and claim.value in _SHORT for claim in claims)
+        return NamedDraft("polo-shirt" if short else "shirt", (*kept, *sleeves))
+    if draft.name == "skater-dress":
+        kept = [(name, options[name]) for name in ("skirt_length", "skirt_fraction") if name in options]
+        return NamedDraft("shirt-dress", (*kept, ("collar", "folded"), *sleeves))
+    return draft
 
 
 def _without_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -117,30 +148,32 @@ def _close(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 def _hanging_loose(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """A dress that is to be loose, and of whose skirt and waist nothing is said, hangs from the shoulders."""
-    ease = next(
-        (_LOOSE_DRESS_CM[str(c.value)] for c in claims if c.name == "fit" and c.value in _LOOSE_DRESS_CM),
-        None,
-    )
-    if draft.name != "skater-dress" or ease is None or any(claim.name in _WAISTED for claim in claims):
+    options = dict(draft.options)
+    if draft.name == "t-shirt" and _TENT in claims:
+        return replace(draft, options=tuple({**options, "flare": _TENT_CM}.items()))
+    straight = _STRAIGHT in claims or _TENT in claims
+    fits = [str(claim.value) for claim in claims if claim.name == "fit" and claim.value in _LOOSE_DRESS_CM]
+    waisted = any(claim.name in _WAISTED and claim not in (_STRAIGHT, _TENT) for claim in claims)
+    if draft.name != "skater-dress" or waisted or not (straight or {"loose", "oversized"}.intersection(fits)):
         return draft
-    length = float(dict(draft.options).get("skirt_length", _SKATER_CM))
     sleeves = any(claim.name == "sleeves" and claim.value != "none" for claim in claims)
-    options = {"length": length, "chest_ease": ease, "flare": 16.0, "neck_widening": 1.5}
-    return NamedDraft("shift-dress", tuple({**options, "sleeves": sleeves}.items()))
+    kept = {"length": float(options.get("skirt_length", _SKATER_CM)), "neck_widening": 1.5}
+    if _TENT in claims:
+        return NamedDraft("swing-dress", tuple({**kept, "sleeves": sleeves}.items()))
+    ease = _LOOSE_DRESS_CM[fits[0] if fits else "easy"][sleeves]
+    wide = {"chest_ease": ease, "flare": 24.0 if ease > _STRAIGHT_CM else 8.0}
+    return NamedDraft("shift-dress", tuple({**kept, **wide, "sleeves": sleeves}.items()))
 
 
 def _with_leg_cuffs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """Trousers that end in cuffs are joggers, as long and as wide."""
+    """Full trousers that end in cuffs are joggers, as long and as wide."""
     options = dict(draft.options)
-    length = options.get("length", _LONGEST_JOGGERS)
-    if (
-        draft.name not in ("trousers", "pull-on-trousers")
-        or not _CUFFED.intersection(claims)
-        or float(length) < _SHORTEST_JOGGERS
-    ):
+    length = float(options.get("length", _LONGEST_JOGGERS))
+    cuffed = _GATHERED in claims or (_BANDED in claims and bool(_FULL.intersection(claims)))
+    if draft.name not in ("trousers", "pull-on-trousers") or not cuffed or length < _SHORTEST_JOGGERS:
         return draft
     kept = {name: options[name] for name in ("hip_ease", "leg_ease") if name in options}
-    return NamedDraft(_JOGGERS, tuple({"length": min(float(length), _LONGEST_JOGGERS), **kept}.items()))
+    return NamedDraft(_JOGGERS, tuple({"length": min(length, _LONGEST_JOGGERS), **kept}.items()))
 
 
 def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

@@ -10,6 +10,7 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
+from swifttailor.wishes.drafts_of_names import draft_of_name
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.lexicon_spelling import near_names
 from swifttailor.wishes.reader import Wish
@@ -95,20 +96,27 @@ class Heard:
         kind = _CUT_AS.get(self.kind or "", self.kind)
         order = _names_first if self.kind in ("shorts", "playsuit") else _says_less
         entries = sorted(self._meant, key=order)
-        told = [w.change for w in self.sure if isinstance(w.change, Gain)]
-        names = {change.claim.name for change in told if change.claim.name not in _NOT_TOLD}
-        count = len(names) + len(self.sure) - len(told)  # known patterns have more of what is told at length
-        entries = [e for e in entries if count <= (MOST_OF_KINDS if _says_less(e) == 2 else MOST_OF_NAMES)]
+        entries = [e for e in entries if self._told_beside(e) <= _most_told(e)]  # known patterns have more
         named = [draft for entry in entries for draft in entry.drafts]
         named = [draft for draft in named if DRAFT_KINDS[draft.name] == kind]
         sure = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
         sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else self._likely_bare
         named = [draft_as_asked(draft, sure) for draft in named]
+        if not named:
+            kinds = [e for e in entries if self.kind in e.kinds and not e.drafts]
+            named = [draft_of_name(entry, self.kind or "", sure) for entry in kinds]
         return tuple(dict.fromkeys([draft for draft in named if draft is not None]))
 
     def made_as(self, draft: NamedDraft) -> Heard:
         """The same, where the garment begins from a draft: what that shows is no longer lacking."""
         return replace(self, lacks=tuple([lack for lack in self.lacks if lack.what not in draft.shows]))
+
+    def _told_beside(self, entry: Entry) -> int:
+        """How many things are told of the garment that the name of it does not mean anyway."""
+        told = [w.change for w in self.sure if isinstance(w.change, Gain)]
+        meant = {each.claim.name for each in entry.implied}
+        names = {change.claim.name for change in told if change.claim.name not in _NOT_TOLD}
+        return len(names - meant) + len(self.sure) - len(told)
 
     @property
     def _likely_bare(self) -> list[Claim]:
@@ -163,6 +171,10 @@ HEARD_NOTHING = Heard("")
 def _names_first(entry: Entry) -> bool:
     """Of what is shorter than the drafts of details are."""
     return entry.category != "garments"
+
+
+def _most_told(entry: Entry) -> int:
+    return MOST_OF_KINDS if _says_less(entry) == 2 else MOST_OF_NAMES
 
 
 _WHOLE_LEGS = ("joggers", "leggings")

@@ -12,7 +12,7 @@ from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 Hold = Literal["shoulders", "straps", "waist"]
-Skirt = Literal["circle", "close", "flounce"]
+Skirt = Literal["circle", "gathered", "close", "flounce"]
 _BARE, _THIN_STRAPS = Claim("shoulders", "strapless"), Claim("straps", "narrow")
 _JUMPSUITS: Mapping[Hold, str] = {
     "shoulders": "jumpsuit",
@@ -22,18 +22,23 @@ _JUMPSUITS: Mapping[Hold, str] = {
 _OF_LEGS = ("length", "hip_ease", "leg_ease", "flare")
 _ON_SHOULDERS: Mapping[Skirt, str] = {
     "circle": "skater-dress",
+    "gathered": "skater-dress",
     "close": "fitted-dress",
     "flounce": "mermaid-dress",
 }
 _WITHOUT: Mapping[Hold, str] = {"straps": "strappy-dress", "waist": "strapless-dress"}
+_GATHERS = 2.0
+"""Width of a gathered skirt over the waist."""
 _FLAGS: Mapping[Skirt, tuple[tuple[str, bool], ...]] = {
     "circle": (),
+    "gathered": (),
     "close": (("fitted", True),),
     "flounce": (("flounce", True),),
 }
 """What makes the skirt of a dress without shoulders."""
 _OF_SKIRT: Mapping[Skirt, tuple[str, ...]] = {
     "circle": ("skirt_length", "skirt_fraction"),
+    "gathered": ("skirt_length", "gathers"),
     "close": ("skirt_length", "skirt_flare", "hip_ease"),
     "flounce": ("skirt_length", "hip_ease", "close"),
 }
@@ -78,10 +83,12 @@ def held_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     options, skirt = dict(draft.options), _own_skirt(draft)
     for claim in claims:
         shape = _asked_skirt(claim)
-        if shape == "circle" and skirt == "flounce":
-            continue  # it flares from the knee
+        if shape == "circle" and skirt in ("flounce", "gathered"):
+            continue  # it flares from the knee, or is full as it is
         skirt = shape or skirt
-        if claim.value == "flared" and shape == "circle":
+        if shape == "gathered":
+            options.setdefault("gathers", _GATHERS)
+        elif claim.value == "flared" and shape == "circle":
             options.setdefault("skirt_fraction", _CIRCLES["flared"])
         elif shape == "circle":
             options["skirt_fraction"] = _CIRCLES[str(claim.value)]
@@ -91,13 +98,15 @@ def held_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             return draft
         options = {"skirt_length": options.get("length", _LENGTHS[_SLIP]), **options}
     name = _ON_SHOULDERS[skirt] if hold == "shoulders" else _WITHOUT[hold]
-    if name == draft.name and skirt == _own_skirt(draft):
-        return NamedDraft(name, tuple(options.items()))
+    flags = () if hold == "shoulders" else _FLAGS[skirt]
+    if name == draft.name:
+        own_options = {key: value for key, value in options.items() if key not in ("fitted", "flounce")}
+        return NamedDraft(name, (*own_options.items(), *flags))
     length = float(options.get("skirt_length", _LENGTHS[draft.name]))
     options |= {"skirt_length": min(max(length, _SHORTEST_CM), _LONGEST_CM)}
     options.setdefault("skirt_fraction", _CIRCLES["flared"])
     kept = [(key, value) for key, value in options.items() if key in _OF_SKIRT[skirt]]
-    return NamedDraft(name, (*kept, *(() if hold == "shoulders" else _FLAGS[skirt])))
+    return NamedDraft(name, (*kept, *flags))
 
 
 def _with(name: str, draft: NamedDraft, kept: Sequence[str]) -> NamedDraft:
@@ -116,6 +125,8 @@ def _own_hold(draft: NamedDraft) -> Hold | None:
 
 def _own_skirt(draft: NamedDraft) -> Skirt:
     options = dict(draft.options)
+    if float(options.get("gathers", 1.0)) > 1:
+        return "gathered"
     if options.get("flounce") or draft.name == _ON_SHOULDERS["flounce"]:
         return "flounce"
     return "close" if options.get("fitted") or draft.name == _ON_SHOULDERS["close"] else "circle"
@@ -134,8 +145,8 @@ def _asked_skirt(claim: Claim) -> Skirt | None:
         return None
     if claim.value in _CIRCLES:
         return "circle"
-    if claim.value == _FLOUNCE:
-        return "flounce"
+    if claim.value in ("gathered", _FLOUNCE):
+        return "gathered" if claim.value == "gathered" else "flounce"
     return "close" if claim.value in _CLOSE else None
 
 

@@ -23,6 +23,8 @@ _HIDDEN = tuple(
             rf"(?<![\w-]){_OTHERS}(?:'?s'?|s')? (?:\w+ )?(?:{_EVENTS})(?!\w)",
             rf"(?<![\w-]){_OTHERS}s? (?:gets?|is getting|are getting|getting|marr(?:y|ies)|graduates?)(?!\w)",
             rf"(?<![\w-]){_OTHERS} (?:shorts?|boss|energy|power|next door|band|scout leader)(?!\w)",
+            r"(?<![\w-])(?:land|factory|shop|call|dream|cover|career|party|city) ?girls?(?!\w)",
+            r"(?<!\w)(?:une?|la|le|ma|mon|cette|ce) petite?(?!\w)",
             rf"(?<![\w-])(?:the|that|this) {_OTHERS}s? (?:in|from|on|of|with)(?!\w)",
             rf"(?<![\w-])(?:petite|curvy|plus[- ]sized?|XXS|XS|XL|XXL|2XL) (?:{_DETAILS})(?!\w)",
             r"(?<![\w-])size \d{1,3} (?:buttons?|needles?|hooks?|zips?|snaps?|yarn|thread)(?!\w)",

@@ -41,6 +41,9 @@ _INCHES_BELOW = 40.0
 _AT_ONCE = -20
 """What stands right before a number comes first: a "sleeve 25 cm long from the shoulder"."""
 _OF_ENDS = ("sleeve_cm", "cuff_cm", "collar_cm")
+_NUMBERED = re.compile(r"(?<!\w)(?:\d+|two|three|four|five|six|zwei|drei|vier|deux|trois|dos|tres) $")
+"""Before what is counted already: "three tiers: 20, 25, 30"."""
+_ACROSS = re.compile(r"\s*(?:across|wide|in width|breit|de large|de ancho)(?!\w)")
 _NEAR = 26
 """Characters between a number and what it is said of."""
 _BOUNDS = {
@@ -139,6 +142,7 @@ def _count(text: str, mention: Mention) -> SpokenMeasure | None:
     for claim, pattern in _counts():
         after = pattern.match(text, place)
         before = re.search(rf"(?:{pattern.pattern})\s*[,:]?\s*$", text[: mention.start])
+        before = None if before and _NUMBERED.search(text, 0, before.start()) else before
         if (after or before) and 1 < mention.value <= 40 and mention.value == int(mention.value):
             return SpokenMeasure(mention, None if claim == "none" else Claim(claim, mention.value))
     return None
@@ -205,6 +209,8 @@ def _said_of(
             return Claim("inseam_cm", round(_exact(text, mention) - _CROTCH_CM, 2)), True
         return None, False
     _, claim, _ = min(near)
+    if claim in ("neck_depth_cm", "back_depth_cm") and _ACROSS.match(text, mention.end):
+        return None, mention.is_length
     if claim == "none":
         return None, mention.is_length
     value = _exact(text, mention)

@@ -10,6 +10,8 @@ from swifttailor.describing.facts import GarmentFacts
 
 FULL_LEGS_CM, FULL_LEGS_AT_MOST_CM = 5.0, 8.0
 """Where full legs end above the floor, and what is left as it is."""
+OVER_THE_FOOT_CM = 36.0
+"""Around; legs with narrower ends stay above the instep, on which they would be torn open."""
 LONG_SLEEVES, LONG_SLEEVES_AT_LEAST = 0.98, 0.93
 """Parts of the arm's length."""
 MAXI, MAXI_AT_MOST = 0.22, 0.3
@@ -69,7 +71,7 @@ def _legs(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
     legs, hem = facts.trousers, facts.hem
     if legs is None or hem is None or ("leg_hem", "full") not in words or names & {"inseam_cm", "length_cm"}:
         return None
-    if hem.level <= FULL_LEGS_AT_MOST_CM:
+    if hem.level <= FULL_LEGS_AT_MOST_CM or legs.hem < OVER_THE_FOOT_CM:
         return None
     return Claim("inseam_cm", round(legs.inseam + hem.level - FULL_LEGS_CM, 1))
 

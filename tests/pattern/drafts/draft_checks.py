@@ -21,6 +21,7 @@ FOLDED_OR_NOT = {"shirt", "shirt-dress", "fitted-dress", "mermaid-dress"}
 """Theirs may also stand."""
 
 
+GATHERED_AT_THE_WAIST = ("empire-dress", "skater-dress", "strappy-dress", "strapless-dress")
 GATHERED_AT_THE_BAND = ("gathered-skirt", "tiered-skirt", "pull-on-trousers", "joggers")
 
 
@@ -34,7 +35,7 @@ def is_gathered(pattern: Pattern, stitch: Stitch) -> bool:
     )
     if pattern.name == "tiered-skirt" and all(n.startswith("skirt") for n in names):
         return True
-    if pattern.name == "empire-dress" and any(n.startswith("skirt") for n in names):
+    if pattern.name in GATHERED_AT_THE_WAIST and any(n.startswith("skirt") for n in names):
         return any("torso" in n for n in names)
     return cap or cuff or (band and len(names) == 2 and not all(n.startswith("wb_") for n in names))
 

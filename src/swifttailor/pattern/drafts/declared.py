@@ -52,6 +52,10 @@ LegEase = Annotated[float, Option("Room on top of the leg's girth at knee and he
 LegFlare = Annotated[
     float, Option("Extra width of the hem over the knee; negative narrows it.", "cm", -8.0, 30.0)
 ]
+SkirtGathers = Annotated[
+    float,
+    Option("Width of a gathered skirt over the waist's; 1 cuts it from a circle.", "times", 1.0, 2.6),
+]
 CircleFraction = Annotated[
     float, Option("Part of a full circle that the skirt is cut from.", "circles", 0.3, 1.5)
 ]

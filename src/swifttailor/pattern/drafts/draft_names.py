@@ -20,6 +20,7 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "off-shoulder-top": "top",
     "turtleneck": "top",
     "wrap-top": "top",
+    "peplum-top": "top",
     "blazer": "top",
     "poncho": "top",
     "waistcoat": "top",

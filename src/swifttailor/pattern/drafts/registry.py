@@ -70,6 +70,9 @@ _DRAFTS = (
         "turtleneck", "Long sleeves, a collar that stands close around the neck", tops.draft_turtleneck
     ),
     DraftInfo("wrap-top", "V neck whose right edge runs on to the left side", wrap.draft_wrap_top),
+    DraftInfo(
+        "peplum-top", "Darted bodice, a short flared piece from the waist", fitted_garments.draft_peplum_top
+    ),
     DraftInfo("blazer", "Shaped sides, long sleeves, deep V neck with lapels", collared.draft_blazer),
     DraftInfo("poncho", "Wide cloth over body and arms", long_garments.draft_poncho),
     DraftInfo("waistcoat", "Sleeveless top, deep V neck, pointed front hem", tops.draft_waistcoat),

@@ -38,6 +38,8 @@ class Sleeve:
     """Part by which the cap is longer than the armhole, such as 0.03."""
     shoulder_extension: float = 0.0
     """How far the armhole already lies beyond the shoulder tip, cm."""
+    flare: float = 0.0
+    """By how much the end is wider than the underarm, cm around, whatever `end_width` says; 0 for nothing."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +60,7 @@ def lay_sleeve(table: CuttingTable, figure: Figure, shape: Sleeve) -> None:
     holes = [(1 + shape.cap_ease) * table.length(f"left_{side}torso.armhole") for side in "fb"]
     cap = fit_cap(holes[0], holes[1], figure.upper_arm + shape.arm_ease, min(HIGHEST_CAP, length - 3.0))
     narrowing = max((cap.front + cap.back - shape.end_width) / 2, 0.0)
-    narrowing = min(narrowing, min(cap.front, cap.back) - 3.0)
+    narrowing = -shape.flare / 2 if shape.flare else min(narrowing, min(cap.front, cap.back) - 3.0)
     for side in "fb":
         outline = sleeve_outline(cap, length, narrowing, front=side == "f")
         place_on_arm(table, figure, f"left_sleeve_{side}", outline)

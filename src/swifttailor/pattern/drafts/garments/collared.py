@@ -18,6 +18,9 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 from swifttailor.pattern.pattern import Pattern
 
+_INSET_CM = 1.5
+"""How far the armholes of a sleeveless shirt lie inside the shoulder tips."""
+
 
 @dataclass(frozen=True)
 class PoloShirtOptions:
@@ -57,6 +60,7 @@ class ShirtOptions(PoloShirtOptions):
     sleeve_end: declared.SleeveEnd = 27.0
     collar: SewnCollarOption = "folded"
     collar_height: CollarHeight = 4.0
+    sleeves: declared.Sleeves = True
     cuffs: Annotated[bool, Option("Sew cuffs to the sleeves.")] = True
     cuff_height: declared.CuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
@@ -65,27 +69,30 @@ class ShirtOptions(PoloShirtOptions):
 def draft_shirt(options: ShirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the shirt for a body: buttoned up, so closed in front; long sleeves, its collar folded down."""
     figure, table = Figure.of(measurements), CuttingTable("shirt")
-    cuff = min(options.cuff_height, options.sleeve_length - 9.0) if options.cuffs else 0.0
+    cuffs = options.cuffs and options.sleeves
+    cuff = min(options.cuff_height, options.sleeve_length - 9.0) if cuffs else 0.0
     collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
-    _lay_left(table, figure, options, options.sleeve_length - cuff, collar)
-    if options.cuffs:
+    _lay_left(table, figure, options, options.sleeve_length - cuff if options.sleeves else None, collar)
+    if cuffs:
         lay_sleeve_cuff(table, figure, options.sleeve_length - cuff, options.cuff_ease, cuff)
     return _finished(table, collar)
 
 
 def _lay_left(
-    table: CuttingTable, figure: Figure, options: PoloShirtOptions, sleeve: float, collar: NeckCollar
+    table: CuttingTable, figure: Figure, options: PoloShirtOptions, sleeve: float | None, collar: NeckCollar
 ) -> None:
-    """Lays the left half of torso, sleeve and collar; `sleeve` is the length of the sleeve alone, cm."""
+    """Lays the left half of torso, sleeve and collar; `sleeve` is its length alone, cm, None without one."""
     bodice = LooseBodice(
         collar.neckline(Neckline("v", options.neck_widening, options.neck_depth, 1.5)),
         options.chest_ease,
         options.length,
         options.armhole_drop,
         flare=options.flare,
+        shoulder_extension=0.0 if sleeve is not None else -_INSET_CM,
     )
     lay_loose_bodice(table, figure, bodice)
-    lay_sleeve(table, figure, Sleeve(sleeve, options.arm_ease, options.sleeve_end, 0.01))
+    if sleeve is not None:
+        lay_sleeve(table, figure, Sleeve(sleeve, options.arm_ease, options.sleeve_end, 0.01))
     collar.lay(table, figure)
 
 

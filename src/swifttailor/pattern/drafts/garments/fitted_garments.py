@@ -23,13 +23,30 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import CollarHeight, CollarOption, NeckCollar
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.round_skirt import RoundSkirt, lay_round_skirt
+from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 from swifttailor.pattern.drafts.trousers import SIDE_SHARE, Trousers, lay_trousers, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
+_INSET_CM = 1.5
+"""How far the armholes of a sleeveless shirt dress lie inside the shoulder tips."""
+
 
 @dataclass(frozen=True)
-class FittedDressOptions:
+class SetInSleeveOptions:
+    """Options of sleeves that may be set into a darted bodice."""
+
+    sleeves: declared.Sleeves = False
+    sleeve_length: declared.SleeveLength = 24.0
+    arm_ease: declared.ArmEase = 6.0
+    sleeve_end: declared.SleeveEnd = 33.0
+    cap_ease: declared.CapEase = 3.0
+    sleeve_shape: SleeveShapeOption = "plain"
+
+
+@dataclass(frozen=True)
+class FittedDressOptions(SetInSleeveOptions):
     """Options of the fitted dress."""
 
     bust_ease: declared.BustEase = 5.0
@@ -86,9 +103,10 @@ def _lay_fitted_dress(
         options.bust_ease,
         options.waist_ease,
         options.armhole_drop,
-        -options.shoulder_inset,
+        0.0 if options.sleeves else -options.shoulder_inset,
     )
     waist = lay_fitted_bodice(table, figure, bodice)
+    _set_in_sleeves(table, figure, options)
     collar.lay(table, figure)
     table.mirror()
     sew_centres(table)
@@ -110,6 +128,7 @@ class ShirtDressOptions:
     neck_depth: declared.NeckDepth = 15.0
     back_neck_depth: declared.BackNeckDepth = 2.0
     armhole_drop: declared.ArmholeDrop = 3.5
+    sleeves: declared.Sleeves = True
     sleeve_length: declared.SleeveLength = 56.0
     arm_ease: declared.ArmEase = 7.0
     sleeve_end: declared.SleeveEnd = 27.0
@@ -128,15 +147,17 @@ def draft_shirt_dress(options: ShirtDressOptions, measurements: Measurements) ->
     table = CuttingTable("shirt-dress")
     collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
     neckline = collar.neckline(_neckline(options))
-    bodice = FittedBodice(neckline, options.bust_ease, options.waist_ease, options.armhole_drop)
+    inset = 0.0 if options.sleeves else _INSET_CM
+    bodice = FittedBodice(neckline, options.bust_ease, options.waist_ease, options.armhole_drop, -inset)
     waist = lay_fitted_bodice(table, figure, bodice)
-    cuff = min(options.cuff_height, options.sleeve_length - 9.0) if options.cuffs else 0.0
-    sleeve = Sleeve(
-        options.sleeve_length - cuff, options.arm_ease, options.sleeve_end, options.cap_ease / 100
-    )
-    lay_sleeve(table, figure, sleeve)
-    if options.cuffs:
-        lay_sleeve_cuff(table, figure, options.sleeve_length - cuff, options.cuff_ease, cuff)
+    if options.sleeves:
+        cuff = min(options.cuff_height, options.sleeve_length - 9.0) if options.cuffs else 0.0
+        length = options.sleeve_length - cuff
+        lay_sleeve(
+            table, figure, Sleeve(length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
+        )
+        if options.cuffs:
+            lay_sleeve_cuff(table, figure, length, options.cuff_ease, cuff)
     collar.lay(table, figure)
     table.mirror()
     sew_centres(table)
@@ -147,7 +168,7 @@ def draft_shirt_dress(options: ShirtDressOptions, measurements: Measurements) ->
 
 
 @dataclass(frozen=True)
-class SleevedBodiceOptions:
+class SleevedBodiceOptions(SetInSleeveOptions):
     """Options of garments with a darted bodice that sleeves may be set into."""
 
     bust_ease: declared.BustEase = 5.0
@@ -157,11 +178,6 @@ class SleevedBodiceOptions:
     neck_depth: declared.NeckDepth = 11.0
     back_neck_depth: declared.BackNeckDepth = 4.0
     armhole_drop: declared.ArmholeDrop = 2.0
-    sleeves: declared.Sleeves = False
-    sleeve_length: declared.SleeveLength = 24.0
-    arm_ease: declared.ArmEase = 6.0
-    sleeve_end: declared.SleeveEnd = 33.0
-    cap_ease: declared.CapEase = 3.0
 
 
 @dataclass(frozen=True)
@@ -170,6 +186,7 @@ class SkaterDressOptions(SleevedBodiceOptions):
 
     skirt_length: declared.SkirtLength = 50.0
     skirt_fraction: declared.CircleFraction = 0.75
+    gathers: declared.SkirtGathers = 1.0
 
 
 def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) -> Pattern:
@@ -179,8 +196,27 @@ def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) 
     waist = lay_sleeved_bodice(table, figure, options)
     table.mirror()
     sew_centres(table)
-    lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
-    sew_skirt_to_bodice(table, SKIRT_WHOLE)
+    skirt = RoundSkirt(options.skirt_length, options.skirt_fraction, options.gathers)
+    lay_round_skirt(table, figure, skirt, waist)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class PeplumTopOptions(SleevedBodiceOptions):
+    """Options of the peplum top."""
+
+    length: Annotated[float, Option("Waist seam to the hem of the peplum.", "cm", 10.0, 30.0)] = 18.0
+    fraction: declared.CircleFraction = 0.8
+
+
+def draft_peplum_top(options: PeplumTopOptions, measurements: Measurements) -> Pattern:
+    """Drafts the peplum top for a body: the skater dress with a skirt that ends at the hips."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("peplum-top")
+    waist = lay_sleeved_bodice(table, figure, options)
+    table.mirror()
+    sew_centres(table)
+    lay_round_skirt(table, figure, RoundSkirt(options.length, options.fraction, 1.0), waist)
     return table.finish()
 
 
@@ -225,10 +261,15 @@ def lay_sleeved_bodice(table: CuttingTable, figure: Figure, options: SleevedBodi
         _neckline(options), options.bust_ease, options.waist_ease, options.armhole_drop, -inset
     )
     waist = lay_fitted_bodice(table, figure, bodice)
-    if options.sleeves:
-        sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
-        lay_sleeve(table, figure, sleeve)
+    _set_in_sleeves(table, figure, options)
     return waist
+
+
+def _set_in_sleeves(table: CuttingTable, figure: Figure, options: SetInSleeveOptions) -> None:
+    """Lays the left sleeve and sews it in, where there are to be any."""
+    if options.sleeves:
+        plain = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
+        lay_shaped_sleeve(table, figure, options.sleeve_shape, plain)
 
 
 def _neckline(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
@@ -12,7 +12,8 @@ from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.drafts.shaped_sleeve import SleeveShape, SleeveShapeOption, lay_shaped_sleeve
+from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.pattern import Pattern
 
 LongNeckDepth = Annotated[
@@ -63,7 +64,8 @@ def draft_robe(options: RobeOptions, measurements: Measurements) -> Pattern:
         shoulder_extension=options.shoulder_extension,
         front_slit=options.front_slit,
     )
-    return _with_sleeves(table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end)
+    sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
+    return _with_sleeves(table, figure, bodice, sleeve)
 
 
 @dataclass(frozen=True)
@@ -100,7 +102,8 @@ def draft_kaftan(options: KaftanOptions, measurements: Measurements) -> Pattern:
         flare=options.flare,
         shoulder_extension=options.shoulder_extension,
     )
-    return _with_sleeves(table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end)
+    sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
+    return _with_sleeves(table, figure, bodice, sleeve)
 
 
 @dataclass(frozen=True)
@@ -130,7 +133,7 @@ def draft_poncho(options: PonchoOptions, measurements: Measurements) -> Pattern:
         shoulder_extension=6.0,
     )
     figure, table = Figure.of(measurements), CuttingTable("poncho")
-    return _with_sleeves(table, figure, bodice, options.sleeve_length, 50.0, 78.0)
+    return _with_sleeves(table, figure, bodice, Sleeve(options.sleeve_length, 50.0, 78.0, 0.01))
 
 
 @dataclass(frozen=True)
@@ -149,6 +152,7 @@ class SwingDressOptions:
     sleeve_length: declared.SleeveLength = 24.0
     arm_ease: declared.ArmEase = 6.0
     sleeve_end: declared.SleeveEnd = 33.0
+    sleeve_shape: SleeveShapeOption = "plain"
 
 
 def draft_swing_dress(options: SwingDressOptions, measurements: Measurements) -> Pattern:
@@ -172,6 +176,7 @@ class ShiftDressOptions:
     sleeve_length: declared.SleeveLength = 24.0
     arm_ease: declared.ArmEase = 7.0
     sleeve_end: declared.SleeveEnd = 33.0
+    sleeve_shape: SleeveShapeOption = "plain"
     side_slits: declared.SideSlits = 0.0
 
 
@@ -199,15 +204,17 @@ def _from_the_shoulders(
         table.mirror()
         sew_centres(table)
         return table.finish()
-    return _with_sleeves(table, figure, bodice, options.sleeve_length, options.arm_ease, options.sleeve_end)
+    sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
+    return _with_sleeves(table, figure, bodice, sleeve, options.sleeve_shape)
 
 
 def _with_sleeves(
-    table: CuttingTable, figure: Figure, bodice: LooseBodice, length: float, ease: float, end: float
+    table: CuttingTable, figure: Figure, bodice: LooseBodice, sleeve: Sleeve, shape: SleeveShape = "plain"
 ) -> Pattern:
     """Lays a loose bodice with sleeves, and sews everything."""
     lay_loose_bodice(table, figure, bodice)
-    lay_sleeve(table, figure, Sleeve(length, ease, end, 0.01, max(bodice.shoulder_extension, 0.0)))
+    sleeve = replace(sleeve, shoulder_extension=max(bodice.shoulder_extension, 0.0))
+    lay_shaped_sleeve(table, figure, shape, sleeve)
     table.mirror()
     sew_centres(table)
     return table.finish()

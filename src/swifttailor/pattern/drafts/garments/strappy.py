@@ -11,15 +11,15 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
 from swifttailor.pattern.drafts.fitted_strap_bodice import FittedStrapBodice, lay_fitted_strap_bodice
-from swifttailor.pattern.drafts.flared_skirt import SHORTEST_FLOUNCE, lay_flared_skirt, lay_flounce
+from swifttailor.pattern.drafts.flared_skirt import SHORTEST_FLOUNCE, lay_flounce
 from swifttailor.pattern.drafts.joins import (
     SKIRT_HALVES,
-    SKIRT_WHOLE,
     sew_skirt_to_bodice,
     sew_trousers_to_bodice,
 )
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.round_skirt import RoundSkirt, lay_round_skirt
 from swifttailor.pattern.drafts.strap_bodice import StrapBodice, lay_strap_bodice
 from swifttailor.pattern.drafts.strapless_bodice import StraplessBodice, lay_strapless_bodice
 from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
@@ -112,6 +112,7 @@ class HeldDressOptions:
     waist_ease: HeldWaistEase = 0.0
     skirt_length: Annotated[float, Option("Body's waist to the hem.", "cm", 36.0, 104.0)] = 62.0
     skirt_fraction: declared.CircleFraction = 0.5
+    gathers: declared.SkirtGathers = 1.0
     fitted: Annotated[bool, Option("Cut the skirt close, with darts, instead of from a circle.")] = False
     hip_ease: declared.HipEase = 4.0
     skirt_flare: declared.SkirtFlare = 1.0
@@ -169,8 +170,8 @@ def _with_skirt(table: CuttingTable, figure: Figure, options: HeldDressOptions, 
             y = figure.waist_y - close - 3.0
             lay_flounce(table, options.skirt_length - close, y, options.skirt_fraction)
     else:
-        lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
-        sew_skirt_to_bodice(table, SKIRT_WHOLE)
+        skirt = RoundSkirt(options.skirt_length, options.skirt_fraction, options.gathers)
+        lay_round_skirt(table, figure, skirt, waist)
     return table.finish()
 
 

@@ -12,6 +12,7 @@ from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.pattern import Pattern
@@ -33,6 +34,7 @@ class TShirtOptions:
     arm_ease: declared.ArmEase = 7.0
     sleeve_end: declared.SleeveEnd = 34.0
     cap_ease: declared.CapEase = 1.0
+    sleeve_shape: SleeveShapeOption = "plain"
     side_slits: declared.SideSlits = 0.0
     waist_shaping: declared.WaistShaping = 0.0
 
@@ -53,7 +55,7 @@ def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern
     )
     lay_loose_bodice(table, figure, bodice)
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
-    lay_sleeve(table, figure, sleeve)
+    lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
     table.mirror()
     sew_centres(table)
     return table.finish()

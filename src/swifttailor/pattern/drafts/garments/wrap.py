@@ -16,7 +16,8 @@ from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_bodice
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
+from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.pattern import Pattern
 
 CrossDepth = Annotated[
@@ -43,6 +44,7 @@ class WrapDressOptions:
     sleeve_length: declared.SleeveLength = 58.0
     arm_ease: declared.ArmEase = 6.0
     sleeve_end: declared.SleeveEnd = 23.0
+    sleeve_shape: SleeveShapeOption = "plain"
 
 
 def draft_wrap_dress(options: WrapDressOptions, measurements: Measurements) -> Pattern:
@@ -79,6 +81,7 @@ class WrapTopOptions:
     sleeve_length: declared.SleeveLength = 58.0
     arm_ease: declared.ArmEase = 5.0
     sleeve_end: declared.SleeveEnd = 22.0
+    sleeve_shape: SleeveShapeOption = "plain"
 
 
 def draft_wrap_top(options: WrapTopOptions, measurements: Measurements) -> Pattern:
@@ -109,7 +112,7 @@ def _finish_bodice(
     """Sets the sleeves in, lays the right half, and lets the fronts cross."""
     if options.sleeves:
         sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.015)
-        lay_sleeve(table, figure, sleeve)
+        lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
     table.mirror()
     table.seam("left_btorso.centre", "right_btorso.centre")
     cross_fronts(table, above_hem)

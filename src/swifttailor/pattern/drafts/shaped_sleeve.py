@@ -1,0 +1,64 @@
+"""Sleeves of the shapes that people name: puffed, balloon and bell beside plain ones."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Annotated, Literal
+
+from swifttailor.pattern.drafts.band import lay_sleeve_cuff
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+
+SleeveShape = Literal["plain", "puffed", "balloon", "bell"]
+SleeveShapeOption = Annotated[
+    SleeveShape,
+    Option("Puffed: gathered at the shoulder. Balloon: full, gathered into a cuff. Bell: widens to the end."),
+]
+LONG_CM = 45.0
+"""Longer puffed sleeves are close below their heads; shorter ones are gathered into a band."""
+SHORTEST_CM = 16.0
+"""Puffs are no shorter, band included."""
+PUFF_EASE, PUFF_CAP = 30.0, 0.6
+"""Room around the arm, cm, and by which part the cap of a puffed sleeve is longer than the armhole."""
+LEG_OF_MUTTON_EASE, LEG_OF_MUTTON_CAP = 24.0, 0.5
+"""The same of long ones, which end as plain ones do."""
+BALLOON_EASE, BALLOON_CAP = 18.0, 0.03
+BAND_CM, BAND_EASE = 3.0, 3.0
+"""Height of the band of a short sleeve and its room around the arm, cm."""
+CUFF_CM, CUFF_EASE = 6.0, 4.0
+"""The same of the cuff of a long one."""
+BELL_SHARE, LARGEST_BELL_CM = 0.5, 26.0
+"""By which part of its length a bell sleeve is wider at its end than at the underarm, and the most."""
+
+
+def lay_shaped_sleeve(table: CuttingTable, figure: Figure, shape: SleeveShape, plain: Sleeve) -> None:
+    """Lays the left sleeve and sews it to the left torso, which must already lie on the table.
+
+    Args:
+        table: Where it goes.
+        figure: Gives the arm's direction and girths.
+        shape: Of the sleeve.
+        plain: What a plain one would be; its length counts, and its widths where the shape says nothing else.
+    """
+    if shape == "plain":
+        lay_sleeve(table, figure, plain)
+    elif shape == "bell":
+        lay_sleeve(table, figure, replace(plain, flare=min(BELL_SHARE * plain.length, LARGEST_BELL_CM)))
+    elif shape == "puffed" and plain.length >= LONG_CM:
+        full = replace(plain, arm_ease=LEG_OF_MUTTON_EASE, cap_ease=LEG_OF_MUTTON_CAP)
+        lay_sleeve(table, figure, full)
+    else:
+        _lay_gathered(table, figure, shape, plain)
+
+
+def _lay_gathered(table: CuttingTable, figure: Figure, shape: SleeveShape, plain: Sleeve) -> None:
+    """Lays a sleeve that is as wide at its end as at the underarm, and gathered into a band or cuff."""
+    length = max(plain.length, SHORTEST_CM)
+    height, ease = (CUFF_CM, CUFF_EASE) if length >= LONG_CM else (BAND_CM, BAND_EASE)
+    room, cap = (PUFF_EASE, PUFF_CAP) if shape == "puffed" else (BALLOON_EASE, BALLOON_CAP)
+    wide = figure.upper_arm + room
+    full = replace(plain, length=length - height, arm_ease=room, cap_ease=cap, end_width=wide)
+    lay_sleeve(table, figure, full)
+    lay_sleeve_cuff(table, figure, length - height, ease, height)

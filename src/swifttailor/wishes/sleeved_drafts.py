@@ -1,0 +1,78 @@
+"""Named drafts with sleeves of the shape that a text asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+
+_SET_IN = (
+    "skater-dress",
+    "fitted-dress",
+    "mermaid-dress",
+    "empire-dress",
+    "shift-dress",
+    "swing-dress",
+    "jumpsuit",
+    "peplum-top",
+    "wrap-top",
+    "wrap-dress",
+)
+"""Drafts that have sleeves where an option says so."""
+_ALWAYS = ("t-shirt",)
+_CUFFED = ("shirt", "shirt-dress", "sweatshirt", "hoodie", "bomber-jacket", "denim-jacket")
+"""Their sleeves end in cuffs, into which full ones are gathered."""
+_SHAPES: Mapping[str, str] = {
+    "puffed": "puffed",
+    "bell": "bell",
+    "balloon": "balloon",
+    "gathered end": "balloon",
+    "wide": "plain",
+}
+"""Of several that are asked for, the first decides."""
+_LENGTHS: Mapping[str, float] = {
+    "cap": 16.0,
+    "short": 22.0,
+    "elbow": 32.0,
+    "three-quarter": 44.0,
+    "long": 60.0,
+    "extra-long": 64.0,
+}
+_USUAL = {"puffed": 22.0, "bell": 44.0, "balloon": 60.0, "plain": 44.0}
+"""From the shoulder tip, cm, where nothing is said of the length."""
+_SLIM_END = 24.0
+"""Width around at the end of long puffed sleeves, cm."""
+_WIDE = {"arm_ease": 18.0, "sleeve_end": 46.0}
+"""Of sleeves that are to be wide."""
+_FULL_ARM, _FULL_END = 16.0, 46.0
+"""Room around the arm and width at the cuff of the full sleeves of shirts, cm."""
+
+
+def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A draft with puffed, balloon or bell sleeves where those are asked for; others as they are.
+
+    Args:
+        draft: As a table names it.
+        claims: What is asked for, all of it.
+    """
+    asked = {claim.value for claim in claims if claim.name == "sleeve_shape"}
+    shape = next((made for named, made in _SHAPES.items() if named in asked), None)
+    if shape is None or Claim("sleeves", "none") in claims:
+        return draft
+    options = dict(draft.options)
+    if draft.name in _CUFFED and shape == "balloon":
+        return replace(
+            draft, options=tuple({**options, "arm_ease": _FULL_ARM, "sleeve_end": _FULL_END}.items())
+        )
+    if draft.name not in (*_SET_IN, *_ALWAYS):
+        return draft
+    told = [_LENGTHS[str(c.value)] for c in claims if c.name == "sleeves" and c.value in _LENGTHS]
+    options |= {"sleeve_shape": shape, "sleeve_length": told[0] if told else _USUAL[shape]}
+    options |= _WIDE if shape == "plain" else {}
+    if shape == "puffed":
+        options["sleeve_end"] = _SLIM_END
+    if draft.name in _SET_IN:
+        options["sleeves"] = True
+    return replace(draft, options=tuple(options.items()))
