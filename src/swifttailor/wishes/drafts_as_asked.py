@@ -19,7 +19,7 @@ from swifttailor.wishes.sleeved_drafts import sleeves_as_asked
 
 _BARE = Claim("shoulders", "strapless")
 _STAND, _ROLLED = Claim("collar", "stand"), Claim("collar", "turtleneck")
-_OF_LAPELS = frozenset({Claim("collar", "lapel")})
+_OF_LAPELS = frozenset({Claim("collar", "lapel"), Claim("shoulders", "both")})
 _OF_STANDS = frozenset({_STAND, _ROLLED, Claim("neck_depth", "high"), Claim("shoulders", "both")})
 """What may be asked for of the neck of a draft with such a collar."""
 _AT_THE_NECK = frozenset(

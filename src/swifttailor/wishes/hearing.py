@@ -16,7 +16,7 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.deep_cuffs import without_deep_cuffs
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
-from swifttailor.wishes.kind_of_details import with_one_band, without_wrong_kind
+from swifttailor.wishes.kind_of_details import with_one_band, within_the_name, without_wrong_kind
 from swifttailor.wishes.lexicon_spelling import guessed_name
 from swifttailor.wishes.long_names import against_names, is_against_phrase, is_long_name
 from swifttailor.wishes.mentions import find_mentions
@@ -133,7 +133,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             never=never,
             subjects=_only_subjects(words),
         )
-    found = without_wrong_kind(found, said, words)
+    found = within_the_name(without_wrong_kind(found, said, words), words)
     found = _loose_alone(_within_figures(with_one_band(found, words)))
     found = (*without_deep_cuffs(text, words, _without_flare(found)), *_of_both_faces(text, found))
     if any(claim == _BARE_ARMS for claim in never) and not any(

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
+from swifttailor.wishes.accounting import subjects_spoken_of
 from swifttailor.wishes.reader import Wish
 from swifttailor.wording.claim_kinds import fits_kind, implied_kind
-from swifttailor.wording.lexicon import WordReading
+from swifttailor.wording.lexicon import WordReading, exclude
 
 _NAMES = ("garment", "like", "second")
 _WAISTBAND, _HEM_BAND = Claim("waistband", "waist"), Claim("waistband", "hem")
@@ -33,6 +34,25 @@ def without_wrong_kind(
         return tuple(found)
     meant = next(iter(implied_kind(details)), None)
     return tuple([w for w in found if not isinstance(w.change, Gain) or _fits(w.change, wrong, meant)])
+
+
+def within_the_name(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:
+    """Without what a network reads against the name of the garment, where no word speaks of it.
+
+    A coverall has sleeves unless somebody says otherwise, whatever stands around it.
+    """
+    meant = [i.claim for i in words.implications if not i.said and i.certainty != "likely"]
+    implied, spoken = {i.claim for i in words.implications}, subjects_spoken_of(words)
+    return tuple(
+        [
+            wish
+            for wish in found
+            if not isinstance(wish.change, Gain)
+            or wish.change.claim in implied
+            or wish.change.claim.name in spoken
+            or not any(exclude(wish.change.claim, other) for other in meant)
+        ]
+    )
 
 
 def with_one_band(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:

@@ -10,7 +10,7 @@ from swifttailor.describing.facts import GarmentFacts
 
 FULL_LEGS_CM, FULL_LEGS_AT_MOST_CM = 5.0, 8.0
 """Where full legs end above the floor, and what is left as it is."""
-OVER_THE_FOOT_CM = 36.0
+OVER_THE_FOOT_CM = 43.0
 """Around; legs with narrower ends stay above the instep, on which they would be torn open."""
 LONG_SLEEVES, LONG_SLEEVES_AT_LEAST = 0.98, 0.93
 """Parts of the arm's length."""

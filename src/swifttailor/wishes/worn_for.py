@@ -27,7 +27,7 @@ def worn_for(heard: Heard) -> str | None:
 
     Of several occasions the one that stands first in `occasions.txt` decides. What contradicts a detail that
     is asked for is not suggested: no dress where legs are spoken of. What reaches the calves or beyond,
-    without legs or a waistband, is a dress.
+    without legs or a waistband, is a dress, and what details tell by themselves is that kind.
     """
     return _worn_for(heard) or ("dress" if _is_likely_a_dress(heard) else _told_by_details(heard))
 

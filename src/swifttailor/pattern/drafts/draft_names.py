@@ -104,8 +104,9 @@ class NamedDraft:
         stands = STANDING in self.options or self.name == "turtleneck"
         slits = _OF_SLITS if any(name == SIDE_SLITS for name, _ in self.options) else ()
         flare = dict(self.options).get("flare", 0.0)
-        widens = self.name == "shift-dress" and float(flare) >= A_LINE_CM
-        shown = (_OF_STANDS if stands else (), slits, _OF_FLARE if widens else ())
+        straight = _OF_FLARE if float(flare) >= A_LINE_CM else _OF_NO_FLARE
+        falls = straight if self.name == "shift-dress" else ()
+        shown = (_OF_STANDS if stands else (), slits, falls)
         return (*DRAFTS_ARE.get(self.name, ()), *[claim for claims in shown for claim in claims])
 
     @property
@@ -124,7 +125,7 @@ ROOMY_CM = 7.0
 A_LINE_CM = 12.0
 """Shift dresses with hems so much wider than straight ones are A-line."""
 _OF_STANDS = (("neck_depth", "high"),)
-_OF_FLARE = (("skirt", "a-line"),)
+_OF_FLARE, _OF_NO_FLARE = (("skirt", "a-line"),), (("skirt", "straight"),)
 _OF_SLITS = (("slit", "left"), ("slit", "right"))
 _OF_ROOM = (("hips", "loose"),)
 """Claims, by name and value, that such options make true to the eye."""

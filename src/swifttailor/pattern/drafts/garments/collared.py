@@ -15,6 +15,7 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import CollarHeight, NeckCollar, SewnCollarOption
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 from swifttailor.pattern.pattern import Pattern
 
@@ -64,12 +65,13 @@ class ShirtOptions(PoloShirtOptions):
     cuffs: Annotated[bool, Option("Sew cuffs to the sleeves.")] = True
     cuff_height: declared.CuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
+    sleeve_shape: SleeveShapeOption = "plain"
 
 
 def draft_shirt(options: ShirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the shirt for a body: buttoned up, so closed in front; long sleeves, its collar folded down."""
     figure, table = Figure.of(measurements), CuttingTable("shirt")
-    cuffs = options.cuffs and options.sleeves
+    cuffs = options.cuffs and options.sleeves and options.sleeve_shape == "plain"
     cuff = min(options.cuff_height, options.sleeve_length - 9.0) if cuffs else 0.0
     collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
     _lay_left(table, figure, options, options.sleeve_length - cuff if options.sleeves else None, collar)
@@ -92,7 +94,9 @@ def _lay_left(
     )
     lay_loose_bodice(table, figure, bodice)
     if sleeve is not None:
-        lay_sleeve(table, figure, Sleeve(sleeve, options.arm_ease, options.sleeve_end, 0.01))
+        shape = options.sleeve_shape if isinstance(options, ShirtOptions) else "plain"
+        plain = Sleeve(sleeve, options.arm_ease, options.sleeve_end, 0.01)
+        lay_shaped_sleeve(table, figure, shape, plain)
     collar.lay(table, figure)
 
 
