@@ -20,6 +20,8 @@ from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, 
 MOST_OF_KINDS, MOST_OF_NAMES = 3, 4
 """Up to so many things may be told of a garment that begins from a draft: where words name a mere kind, and
 where they say more."""
+_TOLD_AS_ONE = {"sleeve_shape": "sleeves", "cuffs": "sleeves", "straps": "sleeves", "neck_depth": "neckline"}
+"""What one word tells together: "bishop sleeves" are long, full and end in cuffs."""
 _NOT_TOLD = ("kind", "shoulders")
 """What goes with other claims: what has no sleeves covers both shoulders or none."""
 _AT_SHOULDERS = ("shoulders", "straps", "sleeves", "neckline", "collar", "hood")
@@ -114,8 +116,9 @@ class Heard:
     def _told_beside(self, entry: Entry) -> int:
         """How many things are told of the garment that the name of it does not mean anyway."""
         told = [w.change for w in self.sure if isinstance(w.change, Gain)]
-        meant = {each.claim.name for each in entry.implied}
+        meant = {_TOLD_AS_ONE.get(each.claim.name, each.claim.name) for each in entry.implied}
         names = {change.claim.name for change in told if change.claim.name not in _NOT_TOLD}
+        names = {_TOLD_AS_ONE.get(name, name) for name in names}
         return len(names - meant) + len(self.sure) - len(told)
 
     @property

@@ -39,8 +39,11 @@ def without_wrong_kind(
 def within_the_name(found: Sequence[Wish], words: WordReading) -> tuple[Wish, ...]:
     """Without what a network reads against the name of the garment, where no word speaks of it.
 
-    A coverall has sleeves unless somebody says otherwise, whatever stands around it.
+    A coverall has sleeves unless somebody says otherwise, whose it ever was. Words that nobody knows may be
+    about sleeves, too, unless they are names.
     """
+    if any(not word[:1].isupper() for word in words.unknown):
+        return tuple(found)
     meant = [i.claim for i in words.implications if not i.said and i.certainty != "likely"]
     implied, spoken = {i.claim for i in words.implications}, subjects_spoken_of(words)
     return tuple(

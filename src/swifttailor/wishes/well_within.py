@@ -23,6 +23,8 @@ SKIRT_FLOOR_CM, SKIRT_FLOOR_AT_MOST_CM = 2.5, 4.5
 MINI_CM, MINI_AT_MOST_CM = 13.0, 17.0
 """How far below the crotch a mini ends, and what is left as it is."""
 ABOVE_KNEE_CM, ABOVE_KNEE_AT_LEAST_CM = 10.0, 7.0
+ABOVE_THE_KNEE_CM, SLIT_SHARE = 6.0, 0.8
+"""How far above the knee a slit ends, and the part of that height that is left as it is."""
 BELOW_CROTCH_CM, BELOW_CROTCH_AT_MOST_CM = 16.0, 22.0
 """Where a high slit in a long skirt begins."""
 WIDE_LEGS, WIDE_LEGS_AT_LEAST = 1.3, 1.2
@@ -48,6 +50,7 @@ def well_within(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ..
         _sleeves(words, names, facts),
         _skirt(words, names, facts),
         _high_slit(words, names, facts),
+        _slit(words, names, facts),
     ]
     return tuple([Gain(claim) for claim in found if claim is not None])
 
@@ -114,6 +117,18 @@ def _skirt(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
         return Claim("length_cm", round(facts.length + hem.level - level, 1)) if facts.length else None
     length = facts.length if facts.kind == "skirt" else skirt.length
     return Claim("skirt_length_cm", round(length + hem.level - level, 1))
+
+
+def _slit(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
+    """A slit of no stated size in a long skirt opens to above the knee; a vent behind is left as it is."""
+    hem, skirt = facts.hem, facts.skirt
+    if hem is None or skirt is None or not skirt.slits or names & {"slit_cm", "slit_size"}:
+        return None
+    asked = any((("slit", place) in words) for place in ("left", "right", "front"))
+    above = facts.body.knee + ABOVE_THE_KNEE_CM - hem.level
+    if not asked or max(slit.height for slit in skirt.slits) >= SLIT_SHARE * above:
+        return None
+    return Claim("slit_cm", round(above))
 
 
 def _high_slit(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:

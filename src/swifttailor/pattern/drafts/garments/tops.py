@@ -13,7 +13,7 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
-from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.pattern import Pattern
 
@@ -117,6 +117,7 @@ class TurtleneckOptions:
     sleeve_length: declared.SleeveLength = 60.0
     arm_ease: declared.ArmEase = 6.0
     sleeve_end: declared.SleeveEnd = 22.0
+    sleeve_shape: SleeveShapeOption = "plain"
     side_slits: declared.SideSlits = 0.0
     waist_shaping: declared.WaistShaping = 0.0
 
@@ -135,7 +136,8 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
         waist_shaping=options.waist_shaping,
     )
     lay_loose_bodice(table, figure, bodice)
-    lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01))
+    sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
+    lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
     lay_stand_collar(table, figure, options.collar_height)
     table.mirror()
     sew_centres(table)
