@@ -436,3 +436,48 @@ def test_what_says_more_of_a_garment_gives_the_draft(text, first):
 def test_shorts_begin_from_a_draft_of_their_length():
     (draft, *_) = hear_description("wide shorts", Saying()).drafts
     assert dict(draft.options)["length"] < 60.0
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("bolero to wear over my wedding dress", "top"),
+        ("waist to hem 48 cm, eight gores, flat across the hip", "skirt"),
+        ("trumpet sleeves, boat neckline, 60 cm long", "top"),
+        ("nothing on top, long dress, slinky", "dress"),
+        ("what would you wear to a ceilidh? it needs to twirl", "dress"),
+        ("harem pants for yoga", "trousers"),
+    ],
+)
+def test_the_kind_is_that_of_what_is_asked_for(reader, text, kind):
+    assert hear_description(text, reader).kind == kind
+
+
+def test_the_band_of_a_jackets_hem_may_be_called_a_waistband(reader):
+    heard = claims(hear_description("bomber jacket with ribbed cuffs and waistband", reader).sure)
+    assert Claim("waistband", "hem") in heard and Claim("waistband", "waist") not in heard
+
+
+@pytest.mark.parametrize(
+    ("text", "draft"),
+    [
+        ("prom dress, mermaid, strapless", "strapless-dress(flounce=true)"),
+        ("playsuit with cami straps", "strappy-jumpsuit(length=48;leg_ease=24;flare=4)"),
+        ("joggers", "joggers"),
+        ("square neck dress with puff sleeves", None),
+    ],
+)
+def test_drafts_are_held_and_sleeved_as_asked(reader, text, draft):
+    drafts = hear_description(text, reader).drafts
+    assert drafts
+    if draft is not None:
+        assert drafts[0].name == NamedDraft.parse(draft).name
+        assert dict(NamedDraft.parse(draft).options).get("flounce") == dict(drafts[0].options).get("flounce")
+    else:
+        assert dict(drafts[0].options)["sleeve_shape"] == "puffed"
+
+
+def test_what_one_word_tells_of_sleeves_counts_once(reader):
+    heard = hear_description("a dress with bishop sleeves and a waist seam", reader)
+    assert {"sleeves", "sleeve_shape", "cuffs", "waist_seam"} <= {c.name for c in claims(heard.sure)}
+    assert dict(heard.drafts[0].options)["sleeve_shape"] == "balloon"

@@ -20,6 +20,10 @@ from swifttailor.wishes.wearer_words import hear_wearer
         ("a dress for a woman of 160 cm", "a dress", None, {"height": 160.0}, "women"),
         ("trousers for a man who is 1.9 m tall", "trousers", None, {"height": 190.0}, "men"),
         ("a petite midi dress", "a midi dress", None, {"height": 157.0}, "women"),
+        ("I'm 6ft, a maxi dress", "I'm, a maxi dress", None, {"height": 183.0}, None),
+        ("for a 5'10\" woman, a jumpsuit", "for a woman, a jumpsuit", None, {"height": 178.0}, "women"),
+        ("5 foot 4 tall, trousers", "trousers", None, {"height": 163.0}, None),
+        ("for someone 1.80 m, a coat", "for someone, a coat", None, {"height": 180.0}, None),
         ("a plus-size jumpsuit", "a jumpsuit", "women EU 50", None, None),
         ("a dress for a girl", "a dress", "children EU 128", None, None),
         ('fitted top, 36" bust', "fitted top", None, {"bust": 36 * 2.54}, None),
@@ -89,3 +93,12 @@ def test_any_text_is_read(text):
 @pytest.mark.parametrize("text", ["farm girl dress", "a soft girl top", "a dress with a 10 inch waistband"])
 def test_looks_and_inches_of_garments_are_no_wearers(text):
     assert hear_wearer(text).wearer is None
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["a skirt 6 ft wide at the hem", 'a hem 4" above the knee', "land girl breeches", "une petite veste"],
+)
+def test_other_feet_and_other_small_things_are_nobodys_height(text):
+    heard = hear_wearer(text)
+    assert heard.wearer is None and heard.rest == text

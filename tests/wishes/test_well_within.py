@@ -74,3 +74,22 @@ def alter_to_level(level: float):
     dress = swifttailor.draft("fitted-dress", skirt_length=100.0)
     facts = measure_facts(dress)
     return alter(dress, [Step("length", 1, facts.hem.level - level)]).facts
+
+
+def test_a_slit_in_a_long_skirt_opens_to_above_the_knee():
+    pattern = swifttailor.draft("fitted-skirt", length=95.0)
+    said = Gain(Claim("slit", "left"))
+    cut = alter(pattern, [said])
+    (wish,) = well_within([said], cut.facts)
+    assert isinstance(wish, Gain) and wish.claim.name == "slit_cm"
+    again = alter(cut.pattern, [said, wish]).facts
+    assert again.skirt is not None and again.hem is not None
+    top = again.hem.level + max(slit.height for slit in again.skirt.slits)
+    assert again.body.knee < top < again.body.knee + 12.0
+    assert well_within([Gain(Claim("slit", "back"))], cut.facts) == ()
+
+
+def test_slim_legs_stay_above_the_instep():
+    facts = measure_facts(swifttailor.draft("leggings"))
+    assert facts.hem is not None and facts.hem.level > 8.0
+    assert well_within([Gain(Claim("leg_hem", "full"))], facts) == ()
