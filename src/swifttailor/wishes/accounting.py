@@ -37,6 +37,12 @@ _ABOUT = {
     "darts": "bodice",
 }
 """Claims that are about a part; parts that are named only to say where something is are left out."""
+_HIGH_NECKS = frozenset(
+    {Claim("collar", "stand"), Claim("collar", "turtleneck"), Claim("neck_depth", "high")}
+)
+_HIGH_WAISTS = frozenset({Claim("waist_seam", "empire"), Claim("rise", "high")})
+_SAME = {claim: group for group in (_HIGH_NECKS, _HIGH_WAISTS) for claim in group}
+"""What one word may mean of one garment or another: a "high neck", a "high waist"."""
 _OF_THE_CUT = frozenset(["fits", "lengths", "styles", "parts"])
 _COMPARED = frozenset(
     "longer shorter wider narrower tighter looser bigger smaller deeper higher lower shallower fuller "
@@ -123,7 +129,7 @@ def _is_answered(
     if mark.denied:
         gone = [claim for one in mark.entries for claim in one.without]
         return any(claim in claims for claim in gone) or any(claim in refused for claim in said)
-    if any(claim in claims for claim in said):
+    if any(claim in claims or not _SAME.get(claim, frozenset()).isdisjoint(claims) for claim in said):
         return True
     about = [claim for claim in claims for one in said if claim.name == one.name]
     stepped = {claim.name for claim in said} & (subjects - {claim.name for claim in claims})

@@ -62,6 +62,7 @@ _FULL = frozenset({Claim("legs", "tapered"), Claim("legs", "wide"), Claim("hips"
 _NOT_CUFFED = frozenset({Claim("leg_cuffs", "none"), Claim("leg_cuffs", "flounce"), Claim("legs", "flared")})
 _SHORTEST_JOGGERS, _LONGEST_JOGGERS = 44.0, 98.0
 _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
+_OF_NECKLINES = frozenset({"neckline", "collar", "hood", "straps"})
 _OF_TORSO = ("length", "chest_ease", "flare", "sleeve_length", "arm_ease", "sleeve_end", "side_slits")
 """Options of T-shirts that turtlenecks have as well."""
 _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
@@ -85,8 +86,10 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = _with_tiers(_with_legs(_with_leg_cuffs(draft, claims), claims), claims)
     if draft.name == _JOGGERS and _NOT_CUFFED.intersection(claims):
         return None
-    if draft.name == "t-shirt" and (_STAND in claims or _ROLLED in claims):
-        draft = _with_stand(draft, 10.0 if _ROLLED in claims else 4.0)
+    if draft.name in ("t-shirt", "tank-top") and _stands(claims):
+        draft = _with_stand(draft, claims)
+    if draft.name == "turtleneck" and Claim("sleeves", "none") in claims:
+        draft = replace(draft, options=tuple({**dict(draft.options), "sleeves": False}.items()))
     draft = _without_sleeves(_with_collar(draft, claims), claims)
     if draft.name == "circle-skirt" and any(claim.name == "slit" for claim in claims):
         draft = NamedDraft("fitted-skirt", (("flare", 6.0),))
@@ -198,6 +201,15 @@ def _with_tiers(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     return replace(draft, options=(*[o for o in draft.options if o[0] != "tiers"], ("tiers", counts[0])))
 
 
-def _with_stand(draft: NamedDraft, height: float) -> NamedDraft:
-    kept = tuple([option for option in draft.options if option[0] in _OF_TORSO])
-    return NamedDraft("turtleneck", (*kept, ("collar_height", height)))
+def _stands(claims: Sequence[Claim]) -> bool:
+    """Whether a collar is to stand; a high neck of which no more is said is such a one."""
+    if _STAND in claims or _ROLLED in claims:
+        return True
+    return Claim("neck_depth", "high") in claims and not any(c.name in _OF_NECKLINES for c in claims)
+
+
+def _with_stand(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    bare = draft.name == "tank-top" or Claim("sleeves", "none") in claims
+    kept = [option for option in draft.options if option[0] in _OF_TORSO]
+    kept += [("collar_height", 10.0 if _ROLLED in claims else 4.0), *([("sleeves", False)] if bare else [])]
+    return NamedDraft("turtleneck", tuple(kept))

@@ -25,7 +25,8 @@ _TOLD_AS_ONE = {"sleeve_shape": "sleeves", "cuffs": "sleeves", "straps": "sleeve
 _NOT_TOLD = ("kind", "shoulders")
 """What goes with other claims: what has no sleeves covers both shoulders or none."""
 _AT_SHOULDERS = ("shoulders", "straps", "sleeves", "neckline", "collar", "hood")
-_BARE = Claim("shoulders", "strapless")
+_BARE, _STAND, _TURTLENECK = Claim("shoulders", "strapless"), Claim("collar", "stand"), "turtleneck"
+_NECKS = ("neckline", "collar", "hood", "straps")
 _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 """Kinds that are drafted as others."""
 _COLOR_OF_CLOTH = {"denim": "3b5578"}
@@ -103,6 +104,7 @@ class Heard:
         named = [draft for draft in named if DRAFT_KINDS[draft.name] == kind]
         sure = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
         sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else self._likely_bare
+        sure += self._standing_necks if not any(claim.name in _NECKS for claim in sure) else []
         named = [draft_as_asked(draft, sure) for draft in named]
         if not named:
             kinds = [e for e in entries if self.kind in e.kinds and not e.drafts]
@@ -120,6 +122,12 @@ class Heard:
         names = {change.claim.name for change in told if change.claim.name not in _NOT_TOLD}
         names = {_TOLD_AS_ONE.get(name, name) for name in names}
         return len(names - meant) + len(self.sure) - len(told)
+
+    @property
+    def _standing_necks(self) -> list[Claim]:
+        """A collar that stands, where a word about the neck begins from such a draft: "a high neck"."""
+        stands = [e for e in self._meant if e.category == "styles" and e.drafts]
+        return [_STAND] if any(draft.name == _TURTLENECK for e in stands for draft in e.drafts) else []
 
     @property
     def _likely_bare(self) -> list[Claim]:

@@ -17,6 +17,9 @@ from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.pattern import Pattern
 
+_INSET_CM = 1.5
+"""How far the armholes of a sleeveless turtleneck lie inside the shoulder tips."""
+
 
 @dataclass(frozen=True)
 class TShirtOptions:
@@ -114,6 +117,7 @@ class TurtleneckOptions:
     ] = 6.5
     collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 14.0)] = 10.0
     armhole_drop: declared.ArmholeDrop = 2.5
+    sleeves: declared.Sleeves = True
     sleeve_length: declared.SleeveLength = 60.0
     arm_ease: declared.ArmEase = 6.0
     sleeve_end: declared.SleeveEnd = 22.0
@@ -132,12 +136,14 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
         options.length,
         options.armhole_drop,
         flare=options.flare,
+        shoulder_extension=0.0 if options.sleeves else -_INSET_CM,
         side_slits=options.side_slits,
         waist_shaping=options.waist_shaping,
     )
     lay_loose_bodice(table, figure, bodice)
-    sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
-    lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
+    if options.sleeves:
+        sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
+        lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
     lay_stand_collar(table, figure, options.collar_height)
     table.mirror()
     sew_centres(table)
