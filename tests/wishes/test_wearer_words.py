@@ -97,7 +97,13 @@ def test_looks_and_inches_of_garments_are_no_wearers(text):
 
 @pytest.mark.parametrize(
     "text",
-    ["a skirt 6 ft wide at the hem", 'a hem 4" above the knee', "land girl breeches", "une petite veste"],
+    [
+        "My daughter is nineteen: a dress",
+        "a skirt 6 ft wide at the hem",
+        'a hem 4" above the knee',
+        "land girl breeches",
+        "une petite veste",
+    ],
 )
 def test_other_feet_and_other_small_things_are_nobodys_height(text):
     heard = hear_wearer(text)

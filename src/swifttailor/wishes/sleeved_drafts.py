@@ -21,8 +21,8 @@ _SET_IN = (
     "wrap-dress",
 )
 """Drafts that have sleeves where an option says so."""
-_ALWAYS = ("t-shirt", "shirt", "turtleneck")
-_CUFFED = ("shirt-dress", "sweatshirt", "hoodie", "bomber-jacket", "denim-jacket")
+_ALWAYS = ("t-shirt", "shirt", "turtleneck", "shirt-dress")
+_CUFFED = ("sweatshirt", "hoodie", "bomber-jacket", "denim-jacket")
 """Their sleeves end in cuffs, into which full ones are gathered."""
 _SHAPES: Mapping[str, str] = {
     "puffed": "puffed",

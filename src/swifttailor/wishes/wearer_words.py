@@ -27,6 +27,13 @@ _FIGURES = {
     "men": r"men'?s?|man'?s?|gent(?:s|lemen|leman)?'?s?|him|husband|father|dad|boyfriend",
     "children": r"child(?:ren)?'?s?|kid'?s?|girl'?s?|boy'?s?|daughter|son|toddler",
 }
+_CHILD = rf"(?<![\w-])(?:{_FIGURES['children']})(?![\w-])"
+_GROWN = re.compile(
+    r"(?<!\w)(?:grown[- ]?up|adult|teen(?:age)?r?|(?:1[4-9]|[2-9]\d)[- ]?(?:years?|yrs?)[- ]?olds?"
+    r"|is (?:1[4-9]|[2-9]\d|fourteen|fifteen|sixteen|seventeen|eighteen|nineteen|(?:twen|thir|for)ty\S*))(?!\w)",
+    re.IGNORECASE,
+)
+"""What says that a daughter or a son is no child."""
 _ANYBODY = "|".join(_FIGURES.values())
 _TALL_OR = r"(?:tall|petite|short|plus[- ]size[d]?|curvy)"
 
@@ -128,6 +135,8 @@ def _without_looks(text: str) -> str:
 
 
 def _figure(text: str) -> str | None:
+    if _GROWN.search(text):
+        text = re.sub(_CHILD, " ", text, flags=re.IGNORECASE)
     for figure in ("children", "men", "women"):
         if re.search(rf"(?<![\w-])(?:{_FIGURES[figure]})(?![\w-])", text, re.IGNORECASE):
             return figure

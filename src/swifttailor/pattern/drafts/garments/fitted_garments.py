@@ -25,7 +25,7 @@ from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.round_skirt import RoundSkirt, lay_round_skirt
 from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
-from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.drafts.trousers import SIDE_SHARE, Trousers, lay_trousers, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
@@ -136,6 +136,7 @@ class ShirtDressOptions:
     cuffs: Annotated[bool, Option("Sew cuffs to the sleeves.")] = True
     cuff_height: declared.CuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
+    sleeve_shape: SleeveShapeOption = "plain"
     collar: CollarOption = "none"
     collar_width: declared.CollarWidth = 5.5
     collar_height: CollarHeight = 4.0
@@ -151,12 +152,12 @@ def draft_shirt_dress(options: ShirtDressOptions, measurements: Measurements) ->
     bodice = FittedBodice(neckline, options.bust_ease, options.waist_ease, options.armhole_drop, -inset)
     waist = lay_fitted_bodice(table, figure, bodice)
     if options.sleeves:
-        cuff = min(options.cuff_height, options.sleeve_length - 9.0) if options.cuffs else 0.0
+        cuffs = options.cuffs and options.sleeve_shape == "plain"
+        cuff = min(options.cuff_height, options.sleeve_length - 9.0) if cuffs else 0.0
         length = options.sleeve_length - cuff
-        lay_sleeve(
-            table, figure, Sleeve(length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
-        )
-        if options.cuffs:
+        plain = Sleeve(length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
+        lay_shaped_sleeve(table, figure, options.sleeve_shape, plain)
+        if cuffs:
             lay_sleeve_cuff(table, figure, length, options.cuff_ease, cuff)
     collar.lay(table, figure)
     table.mirror()
