@@ -21,7 +21,7 @@ _SET_IN = (
     "wrap-dress",
 )
 """Drafts that have sleeves where an option says so."""
-_ALWAYS = ("t-shirt", "shirt", "turtleneck", "shirt-dress")
+_ALWAYS = ("t-shirt", "shirt", "turtleneck", "shirt-dress", "cardigan")
 _CUFFED = ("sweatshirt", "hoodie", "bomber-jacket", "denim-jacket")
 """Their sleeves end in cuffs, into which full ones are gathered."""
 _SHAPES: Mapping[str, str] = {

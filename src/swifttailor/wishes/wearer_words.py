@@ -30,7 +30,7 @@ _FIGURES = {
 _CHILD = rf"(?<![\w-])(?:{_FIGURES['children']})(?![\w-])"
 _GROWN = re.compile(
     r"(?<!\w)(?:grown[- ]?up|adult|teen(?:age)?r?|(?:1[4-9]|[2-9]\d)[- ]?(?:years?|yrs?)[- ]?olds?"
-    r"|is (?:1[4-9]|[2-9]\d|fourteen|fifteen|sixteen|seventeen|eighteen|nineteen|(?:twen|thir|for)ty\S*))(?!\w)",
+    r"|is (?:1[4-9]|[2-9]\d|fourteen|fifteen|sixteen|seventeen|eighteen|nineteen|(?:twen|thir)ty\S*))(?!\w)",
     re.IGNORECASE,
 )
 """What says that a daughter or a son is no child."""

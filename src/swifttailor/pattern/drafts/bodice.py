@@ -30,6 +30,8 @@ SIDE_MINIMUM = 4.0
 """Shortest side seam and shortest centre, cm."""
 POINT_X = 5.0
 """Distance of the point of a pointed front hem from the middle, cm."""
+OPEN_CM = 200.0
+"""Longer than any front: what is open to this leaves as much sewn as a button or two would hold."""
 SHORTEST_SLIT, _OPEN_SHARE = 1.0, 0.8
 """What would be open for less is closed, cm; the share of the centre that may be open."""
 
@@ -57,6 +59,8 @@ class LooseBodice:
     """How far the front hem falls to a point beside the middle, cm."""
     front_slit: float = 0.0
     """Length of the lower end of the centre front that is left open, cm."""
+    front_opening: float = 0.0
+    """How far the edge of an open front has moved back from the middle at the hem, cm."""
     side_slits: float = 0.0
     """Length of the lower end of straight side seams that is left open, cm."""
 
@@ -105,7 +109,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
         drop = LOOSE_HEM_BALANCE * figure.front_fullness if front else 0.0
-        outline = Outline(0.0, hem_y - drop)
+        outline = Outline(shape.front_opening if front else 0.0, hem_y - drop)
         if front and shape.front_point:
             outline.line("hem", POINT_X, hem_y - drop - shape.front_point)
             outline.line("hem", half + widening, hem_y + rise)
@@ -185,7 +189,7 @@ def lay_torso_half(
     draw_neckline(outline, neck, depth, figure.slope, neckline.shape if front else "round")
     slit = min(slit, _OPEN_SHARE * (outline.sides[-1].end[1] - low[1]))
     if slit >= SHORTEST_SLIT:
-        outline.line("centre", low[0], low[1] + slit).line("slit", *low)
+        outline.line("centre", outline.sides[-1].end[0], low[1] + slit).line("slit", *low)
     else:
         outline.line("centre", *low)
     outline.closed()

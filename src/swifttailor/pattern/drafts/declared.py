@@ -68,6 +68,15 @@ FlounceSeam = Annotated[float, Option("Body's waist to the seam of the flounce."
 FlounceFraction = Annotated[
     float, Option("Part of a full circle that the flounce is cut from.", "circles", 0.2, 1.0)
 ]
+Opening = Annotated[
+    float,
+    Option(
+        "How far each front edge has moved back from the middle at the hem; 0 sews the front together.",
+        "cm",
+        0.0,
+        14.0,
+    ),
+]
 LapelDepth = Annotated[
     float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 18.0, 34.0)
 ]

@@ -74,6 +74,7 @@ _DRAFTS = (
         "peplum-top", "Darted bodice, a short flared piece from the waist", fitted_garments.draft_peplum_top
     ),
     DraftInfo("blazer", "Shaped sides, long sleeves, deep V neck with lapels", collared.draft_blazer),
+    DraftInfo("cardigan", "Long sleeves, V neck, open in front below a button", tops.draft_cardigan),
     DraftInfo("poncho", "Wide cloth over body and arms", long_garments.draft_poncho),
     DraftInfo("waistcoat", "Sleeveless top, deep V neck, pointed front hem", tops.draft_waistcoat),
     DraftInfo("sweatshirt", "Wide top, long sleeves, cuffs and hem band", banded.draft_sweatshirt),

@@ -7,7 +7,7 @@ from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.band import lay_sleeve_cuff
-from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.bodice import OPEN_CM, LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.fold_collar import FoldCollar, FrontShape, lay_fold_collar
@@ -120,6 +120,7 @@ class BlazerOptions:
     lapels: Annotated[FrontShape, Option("Shape of the collar in front.")] = "notched"
     collar_width: declared.LapelCollarWidth = 5.0
     lapel_width: declared.LapelWidth = 7.5
+    opening: declared.Opening = 5.0
     armhole_drop: declared.ArmholeDrop = 3.0
     sleeve_length: declared.SleeveLength = 59.0
     arm_ease: declared.ArmEase = 8.0
@@ -127,7 +128,7 @@ class BlazerOptions:
 
 
 def draft_blazer(options: BlazerOptions, measurements: Measurements) -> Pattern:
-    """Drafts the blazer for a body: buttoned up, so closed in front below the lapels."""
+    """Drafts the blazer for a body: closed for a little below the lapels, as by a button, and open below."""
     return _with_lapels("blazer", options, measurements)
 
 
@@ -140,6 +141,7 @@ class CoatOptions(BlazerOptions):
     waist_shaping: declared.WaistShaping = 0.0
     flare: declared.DressFlare = 10.0
     neck_depth: declared.LapelDepth = 24.0
+    opening: declared.Opening = 10.0
     collar_width: declared.LapelCollarWidth = 6.0
     lapel_width: declared.LapelWidth = 8.5
     armhole_drop: declared.ArmholeDrop = 3.5
@@ -164,6 +166,8 @@ def _with_lapels(name: str, options: BlazerOptions, measurements: Measurements) 
         hip_ease=7.0,
         flare=options.flare,
         waist_shaping=options.waist_shaping,
+        front_slit=OPEN_CM if options.opening else 0.0,
+        front_opening=options.opening,
     )
     lay_loose_bodice(table, figure, bodice)
     lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.02))

@@ -45,6 +45,7 @@ class RobeOptions:
     front_slit: Annotated[
         float, Option("Length of the front that is open from the hem up.", "cm", 0.0, 70.0)
     ] = 52.0
+    opening: declared.Opening = 13.0
     sleeve_length: declared.SleeveLength = 54.0
     arm_ease: WideArmEase = 30.0
     sleeve_end: WideSleeveEnd = 54.0
@@ -63,6 +64,7 @@ def draft_robe(options: RobeOptions, measurements: Measurements) -> Pattern:
         flare=options.flare,
         shoulder_extension=options.shoulder_extension,
         front_slit=options.front_slit,
+        front_opening=options.opening if options.front_slit else 0.0,
     )
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
     return _with_sleeves(table, figure, bodice, sleeve)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.bodice import OPEN_CM, LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.measurements import Measurements
@@ -148,6 +148,46 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
     table.mirror()
     sew_centres(table)
     sew_collar(table)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class CardiganOptions:
+    """Options of the cardigan."""
+
+    length: Annotated[float, Option("Hem below the waist; negative ends above it.", "cm", -6.0, 40.0)] = 24.0
+    chest_ease: declared.ChestEase = 12.0
+    flare: declared.HemFlare = 0.0
+    neck_widening: declared.CloseNeckWidening = 1.0
+    neck_depth: Annotated[
+        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 12.0, 34.0)
+    ] = 26.0
+    opening: declared.Opening = 8.0
+    armhole_drop: declared.ArmholeDrop = 2.5
+    sleeve_length: declared.SleeveLength = 60.0
+    arm_ease: declared.ArmEase = 8.0
+    sleeve_end: declared.SleeveEnd = 25.0
+    sleeve_shape: SleeveShapeOption = "plain"
+
+
+def draft_cardigan(options: CardiganOptions, measurements: Measurements) -> Pattern:
+    """Drafts the cardigan for a body: held together below its V, as by a button, and open below."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("cardigan")
+    bodice = LooseBodice(
+        Neckline("v", options.neck_widening, options.neck_depth, 2.0),
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        flare=options.flare,
+        front_slit=OPEN_CM if options.opening else 0.0,
+        front_opening=options.opening,
+    )
+    lay_loose_bodice(table, figure, bodice)
+    sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
+    lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
+    table.mirror()
+    sew_centres(table)
     return table.finish()
 
 
