@@ -80,6 +80,9 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("t-shirt(length=38;neck_widening=1)", [STAND], "turtleneck(length=38;collar_height=4)"),
         ("tiered-skirt", [Claim("tiers", 4.0)], "tiered-skirt(tiers=4)"),
         ("tiered-skirt", [Claim("tiers", 9.0)], "tiered-skirt"),
+        ("coat(length=80;flare=0)", [Claim("hood", "hood")], "hooded-coat(length=80;chest_ease=20)"),
+        ("hooded-coat(length=42)", [Claim("hood", "none")], "coat(length=42)"),
+        ("hooded-coat(length=42)", [Claim("collar", "lapel")], "coat(length=42)"),
     ],
 )  # fmt: skip
 def test_a_draft_is_begun_as_it_is_asked_for(named, claims, begun):

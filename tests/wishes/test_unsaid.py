@@ -21,6 +21,7 @@ def wished(name: str, *said: Claim) -> set[tuple[str, object]]:
 
 UNUSUAL = {
     "hoodie": {("hood", "none")},
+    "hooded-coat": {("hood", "none")},
     "waistcoat": {("top_hem", "hip")},
     "bandeau": {("top_hem", "hip")},
     "bustier": {("top_hem", "hip")},

@@ -71,6 +71,21 @@ _SLIT_CM = 14.0
 _SLIT_SKIRT_CM = 72.0
 
 
+_HOODED, _COATS = "hooded-coat", ("coat", "robe")
+_OF_COATS: Mapping[str, Mapping[str, float]] = {
+    "coat": {"length": 56.0, "chest_ease": 20.0},
+    "robe": {
+        "length": 72.0,
+        "chest_ease": 24.0,
+        "flare": 12.0,
+        "opening": 13.0,
+        "arm_ease": 18.0,
+        "sleeve_end": 46.0,
+    },
+}
+"""What hooded ones keep of coats and robes."""
+
+
 def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | None:
     """A named draft as it goes with what is asked for; None where it does not.
 
@@ -81,6 +96,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft: As a table names it.
         claims: What is asked for, all of it.
     """
+    draft = _with_hood(draft, claims)
     if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, _SLIT_CM)))
     draft = _with_tiers(_with_legs(_with_leg_cuffs(draft, claims), claims), claims)
@@ -125,6 +141,18 @@ def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         kept = [(name, options[name]) for name in ("skirt_length", "skirt_fraction") if name in options]
         return NamedDraft("shirt-dress", (*kept, ("collar", "folded"), *sleeves))
     return draft
+
+
+def _with_hood(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """Coats and robes with a hood are hooded coats; these without, or with a collar, are coats."""
+    options = dict(draft.options)
+    if draft.name in _COATS and Claim("hood", "hood") in claims:
+        kept = {"length": options["length"]} if "length" in options else {}
+        return NamedDraft(_HOODED, tuple({**_OF_COATS[draft.name], **kept}.items()))
+    unhooded = Claim("hood", "none") in claims or any(
+        c.name == "collar" and c.value != "none" for c in claims
+    )
+    return NamedDraft("coat", draft.options) if draft.name == _HOODED and unhooded else draft
 
 
 def _without_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

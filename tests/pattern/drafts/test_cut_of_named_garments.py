@@ -85,6 +85,20 @@ def test_robe_is_open_below_its_closed_front():
     assert sum(whole.edge_length(s.first) for s in joined) == pytest.approx(closed + 40.0)
 
 
+def test_hooded_coat_is_closed_for_a_little_below_the_neck_and_has_a_hood():
+    def sewn(opening: float) -> float:
+        pattern = draft("hooded-coat", opening=opening)
+        halves = {"left_ftorso", "right_ftorso"}
+        return sum(
+            pattern.edge_length(s.first) for s in pattern.stitches if {x.panel for x in s.sides} == halves
+        )
+
+    assert sewn(10.0) == pytest.approx(0.2 * sewn(0.0), rel=0.05)
+    facts = measure_facts(draft("hooded-coat", hood_height=9.0)), measure_facts(draft("hooded-coat"))
+    assert facts[0].hood and facts[1].hood
+    assert facts[0].hood.height - facts[1].hood.height == pytest.approx(3.0, abs=0.5)
+
+
 def test_swing_dress_widens_by_its_flare():
     narrow, wide = (measure_facts(draft("swing-dress", flare=f)).hem for f in (30.0, 90.0))
     assert narrow and wide

@@ -60,6 +60,14 @@ CircleFraction = Annotated[
     float, Option("Part of a full circle that the skirt is cut from.", "circles", 0.3, 1.5)
 ]
 BandedLength = Annotated[float, Option("Hem below the waist, band included.", "cm", 6.0, 50.0)]
+HighNeckWidening = Annotated[
+    float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 1.0, 5.0)
+]
+HighNeckDepth = Annotated[
+    float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 14.0)
+]
+HoodHeight = Annotated[float, Option("Height of the hood over the head length.", "cm", 4.0, 18.0)]
+HoodDepth = Annotated[float, Option("Depth of the hood on top of the head's own.", "cm", 2.0, 14.0)]
 CollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 7.0)]
 CollarNeckDepth = Annotated[
     float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 16.0)

@@ -129,6 +129,7 @@ _DRAFTS = (
     ),
     DraftInfo("empire-dress", "Dress gathered under the bust", high_waisted.draft_empire_dress),
     DraftInfo("coat", "Coat with notched lapels or a shawl collar", collared.draft_coat),
+    DraftInfo("hooded-coat", "Wide coat with a hood, open in front", long_garments.draft_hooded_coat),
     DraftInfo("shift-dress", "Straight dress without a waist", long_garments.draft_shift_dress),
     DraftInfo("swing-dress", "Dress that widens from bust to hem", long_garments.draft_swing_dress),
     DraftInfo("kaftan", "Long and wide, with wide sleeves", long_garments.draft_kaftan),

@@ -20,13 +20,6 @@ from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.pattern import Pattern
 
-NeckWidening = Annotated[
-    float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 1.0, 5.0)
-]
-NeckDepth = Annotated[
-    float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 14.0)
-]
-
 
 @dataclass(frozen=True)
 class SweatshirtOptions:
@@ -34,8 +27,8 @@ class SweatshirtOptions:
 
     length: declared.BandedLength = 22.0
     chest_ease: declared.ChestEase = 16.0
-    neck_widening: NeckWidening = 2.0
-    neck_depth: NeckDepth = 9.5
+    neck_widening: declared.HighNeckWidening = 2.0
+    neck_depth: declared.HighNeckDepth = 9.5
     armhole_drop: declared.ArmholeDrop = 4.5
     shoulder_extension: Annotated[
         float, Option("How far the shoulder seam reaches over the shoulder tip.", "cm", 0.0, 5.0)
@@ -68,7 +61,7 @@ class BomberJacketOptions(SweatshirtOptions):
     length: declared.BandedLength = 14.0
     chest_ease: declared.ChestEase = 18.0
     neck_widening: declared.CloseNeckWidening = 0.0
-    neck_depth: NeckDepth = 8.0
+    neck_depth: declared.HighNeckDepth = 8.0
     collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 6.0)] = 4.0
 
 
@@ -111,10 +104,10 @@ class HoodieOptions(SweatshirtOptions):
 
     length: declared.BandedLength = 24.0
     chest_ease: declared.ChestEase = 18.0
-    neck_widening: NeckWidening = 2.5
-    neck_depth: NeckDepth = 10.0
-    hood_height: Annotated[float, Option("Height of the hood over the head length.", "cm", 4.0, 18.0)] = 6.0
-    hood_depth: Annotated[float, Option("Depth of the hood on top of the head's own.", "cm", 2.0, 14.0)] = 5.0
+    neck_widening: declared.HighNeckWidening = 2.5
+    neck_depth: declared.HighNeckDepth = 10.0
+    hood_height: declared.HoodHeight = 6.0
+    hood_depth: declared.HoodDepth = 5.0
 
 
 def draft_hoodie(options: HoodieOptions, measurements: Measurements) -> Pattern:

@@ -1,4 +1,4 @@
-"""Garments that hang from the shoulders without a waist seam: robe, kaftan, poncho, swing dress."""
+"""Garments that hang from the shoulders: robe, hooded coat, kaftan, poncho, swing and shift dress."""
 
 from __future__ import annotations
 
@@ -6,14 +6,15 @@ from dataclasses import dataclass, replace
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.bodice import OPEN_CM, LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.hood import Hood, lay_hood, sew_hood
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.shaped_sleeve import SleeveShape, SleeveShapeOption, lay_shaped_sleeve
-from swifttailor.pattern.drafts.sleeve import Sleeve
+from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 from swifttailor.pattern.pattern import Pattern
 
 LongNeckDepth = Annotated[
@@ -68,6 +69,53 @@ def draft_robe(options: RobeOptions, measurements: Measurements) -> Pattern:
     )
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
     return _with_sleeves(table, figure, bodice, sleeve)
+
+
+@dataclass(frozen=True)
+class HoodedCoatOptions:
+    """Options of the hooded coat."""
+
+    length: declared.LongLength = 48.0
+    chest_ease: declared.ChestEase = 20.0
+    flare: declared.HemFlare = 8.0
+    neck_widening: declared.HighNeckWidening = 2.5
+    neck_depth: declared.HighNeckDepth = 10.0
+    hood_height: declared.HoodHeight = 6.0
+    hood_depth: declared.HoodDepth = 5.0
+    opening: declared.Opening = 10.0
+    armhole_drop: declared.ArmholeDrop = 4.5
+    shoulder_extension: Annotated[
+        float, Option("How far the shoulder seam reaches over the shoulder tip.", "cm", 0.0, 5.0)
+    ] = 2.0
+    sleeve_length: declared.SleeveLength = 60.0
+    arm_ease: declared.ArmEase = 13.0
+    sleeve_end: declared.SleeveEnd = 32.0
+
+
+def draft_hooded_coat(options: HoodedCoatOptions, measurements: Measurements) -> Pattern:
+    """Drafts the hooded coat for a body: closed below the neck, as by a toggle, and open below."""
+    figure, table = Figure.of(measurements), CuttingTable("hooded-coat")
+    bodice = LooseBodice(
+        Neckline("round", options.neck_widening, options.neck_depth, 2.0),
+        options.chest_ease,
+        options.length,
+        options.armhole_drop,
+        hip_ease=10.0,
+        flare=options.flare,
+        shoulder_extension=options.shoulder_extension,
+        front_slit=OPEN_CM if options.opening else 0.0,
+        front_opening=options.opening,
+    )
+    sleeve = Sleeve(
+        options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01, options.shoulder_extension
+    )
+    lay_loose_bodice(table, figure, bodice)
+    lay_sleeve(table, figure, sleeve)
+    lay_hood(table, figure, Hood(options.hood_height, options.hood_depth))
+    table.mirror()
+    sew_centres(table)
+    sew_hood(table)
+    return table.finish()
 
 
 @dataclass(frozen=True)
