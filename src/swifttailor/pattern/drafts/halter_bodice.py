@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from swifttailor.pattern.drafts import fitted_bodice
+from swifttailor.pattern.drafts import darted_block
 from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z, HEM_BALANCE, SIDE_MINIMUM
+from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.neckline import Neckline, draw_neckline
@@ -85,7 +86,7 @@ def _lay_to_hem(table: CuttingTable, figure: Figure, shape: HalterBodice) -> Non
 def _lay_to_waist(table: CuttingTable, figure: Figure, shape: HalterBodice, waist: Halves) -> None:
     taken = suppress(figure.bust.eased(shape.chest_ease), waist, 0.45, 3.0)
     chest = taken.wide(waist)
-    under_y = max(figure.armpit_y - 1.0, figure.waist_y + fitted_bodice.SIDE_MINIMUM)
+    under_y = max(figure.armpit_y - 1.0, figure.waist_y + darted_block.SIDE_MINIMUM)
     room = under_y - figure.waist_y
     places = dart_places(figure, waist)
     for front, half, narrow, lost, place in (
@@ -98,7 +99,7 @@ def _lay_to_waist(table: CuttingTable, figure: Figure, shape: HalterBodice, wais
         outline = Outline(0.0, figure.waist_y)
         outline.darted_line("waist", (narrow + lost, figure.waist_y), darts)
         if front:
-            fitted_bodice.draw_side_with_bust_dart(outline, figure, (half, under_y))
+            draw_side_with_bust_dart(outline, figure, (half, under_y))
         else:
             outline.line("side", half, under_y)
         _lay_half(table, figure, shape, outline, front=front)

@@ -6,10 +6,8 @@ from dataclasses import dataclass
 
 from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.darted_block import DartedBlock
 from swifttailor.pattern.drafts.figure import Figure, Halves
-from swifttailor.pattern.drafts.fitted_bodice import SIDE_MINIMUM, draw_side_with_bust_dart
-from swifttailor.pattern.drafts.outline import Dart, Outline
-from swifttailor.pattern.drafts.suppression import dart_places, suppress
 
 OVER_BUST = 8.0
 """Height of the front's upper edge over the fullest part of the bust, cm."""
@@ -37,25 +35,11 @@ def lay_strapless_bodice(table: CuttingTable, figure: Figure, shape: StraplessBo
     Returns:
         The sewn half widths at the waist, cm.
     """
-    waist = figure.waist.eased(shape.waist_ease)
-    taken = suppress(figure.bust.eased(shape.bust_ease), waist, 0.45, 3.0)
-    chest = taken.wide(waist)
-    under_y = max(figure.armpit_y - 1.0, figure.waist_y + SIDE_MINIMUM)
-    room = under_y - figure.waist_y
-    places = dart_places(figure, waist)
+    block = DartedBlock.of(figure, bust_ease=shape.bust_ease, waist_ease=shape.waist_ease, drop=1.0)
     for side in "fb":
         front = side == "f"
-        half, narrow, width, place = (
-            (chest.front, waist.front, taken.front, places.front)
-            if front
-            else (chest.back, waist.back, taken.back, places.back)
-        )
-        reach = min(figure.bust_y - 3.0 - figure.waist_y if front else room - 2.0, room - 1.5)
-        darts = [Dart(place, width, max(reach, 5.0))] if width else []
-        outline = Outline(0.0, figure.waist_y)
-        outline.darted_line("waist", (narrow + width, figure.waist_y), darts)
+        outline = block.begin_half(front=front)
         if front:
-            draw_side_with_bust_dart(outline, figure, (half, under_y))
             x, y = outline.sides[-1].end
             peak = (min(figure.bust_x, 0.6 * x), max(figure.bust_y + OVER_BUST, y + 1.0))
             middle = max(peak[1] - shape.dip, figure.waist_y + 6.0)
@@ -69,11 +53,11 @@ def lay_strapless_bodice(table: CuttingTable, figure: Figure, shape: StraplessBo
             if middle > figure.bust_y + 1.0:
                 outline.line("centre", 0.0, figure.bust_y)
         else:
-            outline.line("side", half, under_y)
-            outline.quadratic("top", (0.5 * half, under_y - 0.5), (TAKEN_IN_BEHIND, under_y - 0.5))
+            y = block.under_y - 0.5
+            outline.quadratic("top", (0.5 * block.chest.back, y), (TAKEN_IN_BEHIND, y))
         outline.line("centre", 0.0, figure.waist_y).closed()
         z = FRONT_Z if front else BACK_Z
         table.lay(f"left_{side}torso", outline, label="body", at=(0.0, 0.0, z), back=not front)
         table.label(f"left_{side}torso.top", "strapless_top")
     table.seam("left_ftorso.side", "left_btorso.side")
-    return waist
+    return block.waist

@@ -1,0 +1,63 @@
+"""What fitted bodices begin with: widths, waist darts, and side seams with a bust dart in front."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart
+from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.outline import Dart, Outline
+from swifttailor.pattern.drafts.suppression import Suppression, dart_places, suppress
+
+SIDE_MINIMUM = 8.0
+"""Shortest side seam, cm."""
+
+
+@dataclass(frozen=True)
+class DartedBlock:
+    """The widths of a fitted bodice from the underarm to the waist."""
+
+    figure: Figure
+    waist: Halves
+    """Sewn half widths at the waist, cm."""
+    chest: Halves
+    """Half widths at the underarm, cm."""
+    taken: Suppression
+    places: Halves
+    """Of the waist darts, from the middle, cm."""
+    under_y: float
+    """Height of the underarm, cm."""
+
+    @staticmethod
+    def of(figure: Figure, *, bust_ease: float, waist_ease: float, drop: float) -> DartedBlock:
+        """The block for a body.
+
+        Args:
+            figure: Of the body.
+            bust_ease: On top of the bust girth, cm around.
+            waist_ease: On top of the waist girth, cm around.
+            drop: Underarm below the armpit, cm.
+        """
+        waist = figure.waist.eased(waist_ease)
+        taken = suppress(figure.bust.eased(bust_ease), waist, 0.45, 3.0)
+        under_y = max(figure.armpit_y - drop, figure.waist_y + SIDE_MINIMUM)
+        return DartedBlock(figure, waist, taken.wide(waist), taken, dart_places(figure, waist), under_y)
+
+    def begin_half(self, *, front: bool) -> Outline:
+        """Draws the waist, from the middle outward, and the side seam up to the underarm."""
+        half, narrow, width, place = (
+            (self.chest.front, self.waist.front, self.taken.front, self.places.front)
+            if front
+            else (self.chest.back, self.waist.back, self.taken.back, self.places.back)
+        )
+        waist_y = self.figure.waist_y
+        room = self.under_y - waist_y
+        reach = min(self.figure.bust_y - 3.0 - waist_y if front else room - 2.0, room - 1.5)
+        darts = [Dart(place, width, max(reach, 5.0))] if width else []
+        outline = Outline(0.0, waist_y)
+        outline.darted_line("waist", (narrow + width, waist_y), darts)
+        if front:
+            draw_side_with_bust_dart(outline, self.figure, (half, self.under_y))
+        else:
+            outline.line("side", half, self.under_y)
+        return outline
