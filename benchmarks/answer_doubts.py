@@ -39,3 +39,9 @@ def doubts(answer: Answer) -> list[str]:
     missing = [wish.change for wish in answer.not_done if wish.certainty >= USUAL]
     found += [f"not done: {wish_line(change)}" for change in missing]
     return [*found, "nothing was changed"] if answer.is_given else found
+
+
+def left_out(answer: Answer) -> list[str]:
+    """What the names of garments in the text mean and cannot be made, as the terminal says it."""
+    wanted = answer.wanted
+    return [] if wanted is None else [f"usual, and left out: {what}" for what in wanted.heard.left_out]

@@ -15,7 +15,7 @@ from pathlib import Path
 from PIL import Image, ImageDraw
 
 import swifttailor
-from answer_doubts import doubts
+from answer_doubts import doubts, left_out
 from people_prompts import WORDS, read_people_prompts
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.preview import draw_preview
@@ -51,7 +51,7 @@ def main() -> None:
                     ),
                     (x, y + _TEXT),
                 )
-                said = "; ".join(doubts(made.answer))
+                said = "; ".join([*doubts(made.answer), *left_out(made.answer)])
             except SwiftTailorError as error:
                 said = str(error)
             lines = (

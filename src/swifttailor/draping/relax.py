@@ -16,10 +16,11 @@ from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
 from swifttailor.progress import StageProgress
 
-FRAMES = 8
+FRAMES = 14
 """Of a sixtieth of a second: seams that were predicted rippled are smooth after these, and collars lie."""
 GROWING_FRAMES = 16
-SUBSTEPS = 12
+SUBSTEPS = 18
+"""As many as in a drape: with fewer, cloth hangs longer than it is (docs/LOG.md)."""
 DAMPING = 4.0
 """Per second, as in the third second of a drape: what falls slowly does not pass through itself."""
 

@@ -18,6 +18,7 @@ from swifttailor.wishes.held_drafts import held_as_asked
 from swifttailor.wishes.sleeved_drafts import sleeves_as_asked
 
 _BARE = Claim("shoulders", "strapless")
+_ROLLED_CM = 8.0
 _STAND, _ROLLED = Claim("collar", "stand"), Claim("collar", "turtleneck")
 _OF_LAPELS = frozenset({Claim("collar", "lapel"), Claim("shoulders", "both")})
 _OF_STANDS = frozenset({_STAND, _ROLLED, Claim("neck_depth", "high"), Claim("shoulders", "both")})
@@ -52,6 +53,10 @@ _SHAPED = ("t-shirt", "tank-top", "turtleneck")
 _CLOSE_CM, _SHAPING_CM = 3.0, 3.0
 """Of close tops: room on top of the bust girth, and how far each side bends in at the waist."""
 _SHORT = ("cap", "short", "elbow")
+_GATHERED_SKIRT = Claim("skirt", "gathered")
+_DEPTHS = frozenset({"neck_depth", "neck_depth_cm", "collar", "hood"})
+_V_NECKED = ("t-shirt", "tank-top", "fitted-dress", "skater-dress", "shift-dress", "jumpsuit", "empire-dress")
+_V_WIDENING_CM, _V_DEPTH_CM = 1.0, 16.0
 _SLEEVELESS = {"strap_width": 8.0, "neck_widening": 2.0, "neck_depth": 10.0, "back_neck_depth": 3.0}
 _JOGGERS = "joggers"
 _OF_JOGGERS = ("wide", "straight", "slim")
@@ -61,6 +66,9 @@ _FULL = frozenset({Claim("legs", "tapered"), Claim("legs", "wide"), Claim("hips"
 """Legs of which there is something to gather into a band; turn-ups are called cuffs as well."""
 _NOT_CUFFED = frozenset({Claim("leg_cuffs", "none"), Claim("leg_cuffs", "flounce"), Claim("legs", "flared")})
 _SHORTEST_JOGGERS, _LONGEST_JOGGERS = 44.0, 98.0
+_SLIM, _CLOSEST = Claim("legs", "slim"), 100.0
+_BELOW_WAIST: Mapping[Claim, float] = {Claim("rise", "mid"): 5.0, Claim("rise", "low"): 14.0}
+"""How far below the waist trousers begin, cm."""
 _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
 _OF_NECKLINES = frozenset({"neckline", "collar", "hood", "straps"})
 _OF_TORSO = ("length", "chest_ease", "flare", "sleeve_length", "arm_ease", "sleeve_end", "side_slits")
@@ -96,7 +104,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft: As a table names it.
         claims: What is asked for, all of it.
     """
-    draft = _with_hood(draft, claims)
+    draft = _with_v_neck(_with_hood(draft, claims), claims)
     if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, _SLIT_CM)))
     draft = _with_tiers(_with_legs(_with_leg_cuffs(draft, claims), claims), claims)
@@ -109,6 +117,8 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = _without_sleeves(_with_collar(draft, claims), claims)
     if draft.name == "circle-skirt" and any(claim.name == "slit" for claim in claims):
         draft = NamedDraft("fitted-skirt", (("flare", 6.0),))
+    if draft.name == "circle-skirt" and _GATHERED_SKIRT in claims:
+        draft = NamedDraft("gathered-skirt", tuple([o for o in draft.options if o[0] == "length"]))
     if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
         draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
     draft = held_as_asked(_hanging_loose(_close(draft, claims), claims), claims)
@@ -153,6 +163,15 @@ def _with_hood(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         c.name == "collar" and c.value != "none" for c in claims
     )
     return NamedDraft("coat", draft.options) if draft.name == _HOODED and unhooded else draft
+
+
+def _with_v_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A V that is seen for one, where nothing is said of its depth: a shallow one looks like a boat neck."""
+    said = {claim.name for claim in claims} & _DEPTHS
+    if Claim("neckline", "v") not in claims or said or draft.name not in _V_NECKED:
+        return draft
+    options = {"neckline": "v", "neck_widening": _V_WIDENING_CM, "neck_depth": _V_DEPTH_CM}
+    return replace(draft, options=tuple({**dict(draft.options), **options}.items()))
 
 
 def _without_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -215,7 +234,12 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     known = _OF_JOGGERS if draft.name == _JOGGERS else tuple(_LEGS)
     if DRAFT_KINDS[draft.name] == "jumpsuit" or draft.name == _JOGGERS:
         for claim in claims:
-            options |= _LEGS[str(claim.value)] if claim.name == "legs" and claim.value in known else {}
+            asked = _LEGS[str(claim.value)] if claim.name == "legs" and claim.value in known else {}
+            closer = float(options.get("leg_ease", _CLOSEST)) < _LEGS["slim"]["leg_ease"]
+            options |= {} if claim == _SLIM and closer else asked
+    if DRAFT_KINDS[draft.name] == "trousers":
+        for claim in claims:
+            options |= {"below_waist": _BELOW_WAIST[claim]} if claim in _BELOW_WAIST else {}
     if _LOOSE in claims:
         options["hip_ease"] = max(_LOOSE_CM, float(options.get("hip_ease", 0.0)))
     return replace(draft, options=tuple(options.items()))
@@ -239,5 +263,8 @@ def _stands(claims: Sequence[Claim]) -> bool:
 def _with_stand(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     bare = draft.name == "tank-top" or Claim("sleeves", "none") in claims
     kept = [option for option in draft.options if option[0] in _OF_TORSO]
-    kept += [("collar_height", 10.0 if _ROLLED in claims else 4.0), *([("sleeves", False)] if bare else [])]
+    kept += [
+        ("collar_height", _ROLLED_CM if _ROLLED in claims else 4.0),
+        *([("sleeves", False)] if bare else []),
+    ]
     return NamedDraft("turtleneck", tuple(kept))

@@ -39,7 +39,7 @@ _OF_LEGS: Mapping[str, _Values] = {
     "leg_hem": _ANY,
     "hips": _ANY,
     "leg_cuffs": ("none", "gathered", "band"),
-    "rise": ("high",),
+    "rise": ("high", "mid", "low"),
     "waistband": ("waist",),
 }
 _COVERED: Mapping[str, Mapping[str, _Values]] = {

@@ -17,7 +17,7 @@ from swifttailor.wishes.reader import Wish
 from swifttailor.wording.claim_kinds import implied_kind
 from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, foreign_language
 
-MOST_OF_KINDS, MOST_OF_NAMES = 3, 4
+MOST_OF_KINDS, MOST_OF_NAMES = 6, 7
 """Up to so many things may be told of a garment that begins from a draft: where words name a mere kind, and
 where they say more."""
 _TOLD_AS_ONE = {"sleeve_shape": "sleeves", "cuffs": "sleeves", "straps": "sleeves", "neck_depth": "neckline"}
@@ -94,7 +94,8 @@ class Heard:
     def drafts(self) -> tuple[NamedDraft, ...]:
         """Drafts that show what it names, for the kind of garment that is asked for.
 
-        First those of names that say more than the kind, then of details, then of mere kinds: trousers.
+        First those that show what nothing else can (halter necks), then those of names that say more than the
+        kind, then of details, then of mere kinds: trousers.
         """
         kind = _CUT_AS.get(self.kind or "", self.kind)
         order = _names_first if self.kind in ("shorts", "playsuit") else _says_less
@@ -109,7 +110,9 @@ class Heard:
         if not named:
             kinds = [e for e in entries if self.kind in e.kinds and not e.drafts]
             named = [draft_of_name(entry, self.kind or "", sure) for entry in kinds]
-        return tuple(dict.fromkeys([draft for draft in named if draft is not None]))
+        found = dict.fromkeys([draft for draft in named if draft is not None])
+        wanted = {lack.what for lack in self.lacks if lack.said}
+        return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
 
     def made_as(self, draft: NamedDraft) -> Heard:
         """The same, where the garment begins from a draft: what that shows is no longer lacking."""

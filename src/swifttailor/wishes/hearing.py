@@ -18,7 +18,7 @@ from swifttailor.wishes.deep_cuffs import without_deep_cuffs
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.kind_of_details import with_one_band, within_the_name, without_wrong_kind
 from swifttailor.wishes.lexicon_spelling import guessed_name
-from swifttailor.wishes.long_names import against_names, is_against_phrase, is_long_name
+from swifttailor.wishes.long_names import against_names, hangs_so, is_against_phrase, is_long_name
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.one_arm import of_one_arm, of_two_arms
 from swifttailor.wishes.reader import SURE, Wish, WishReader
@@ -100,7 +100,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     network = [w for w in network if not is_against_phrase(w, words)]
     against = against_names(words)
     refused = (*words.never, *_with_parts(words), *against.values())
-    never = tuple([claim for claim in refused if claim not in said])
+    never = tuple([claim for claim in refused if claim not in said and not hangs_so(claim, words)])
     never = (*never, *_other_slits(text, [*said, *[i.claim for i in words.implications]]))
     network = [w for w in network if not _is_measured(w, measures) and not _is_outdone(w, said, never)]
     network = _within_names(network, words)

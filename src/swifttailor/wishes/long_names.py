@@ -8,6 +8,9 @@ from swifttailor.wishes.reader import Wish
 from swifttailor.wording.lexicon import WordReading
 from swifttailor.wording.lexicon.reading import Implication
 
+_STRAIGHT, _GATHERED = Claim("skirt", "straight"), Claim("skirt", "gathered")
+_PART = 3
+"""Words of a long name of a part: a "full gathered skirt" is no full circle."""
 _PHRASE = 4
 """Words of an entry of the lexicon that is surer than anything a network reads in it."""
 
@@ -20,7 +23,9 @@ def is_against_phrase(wish: Wish, words: WordReading) -> bool:
     long = [
         i.claim
         for i in words.implications
-        if is_long_name(i) or (i.said and len(i.mark.word.split()) >= _PHRASE)
+        if is_long_name(i)
+        or (i.said and len(i.mark.word.split()) >= _PHRASE)
+        or (i.mark.role == "part" and _words(i) >= _PART)
     ]
     return claim not in long and any(claim.name == other.name for other in long)
 
@@ -33,6 +38,11 @@ def is_long_name(implied: Implication) -> bool:
 
 def _words(implied: Implication) -> int:
     return len(implied.mark.word.replace("-", " ").split())
+
+
+def hangs_so(refused: Claim, words: WordReading) -> bool:
+    """Whether what is refused may be true of what is asked for: a gathered skirt may hang straight."""
+    return refused == _STRAIGHT and any(i.claim == _GATHERED and i.said for i in words.implications)
 
 
 def against_names(words: WordReading) -> dict[Claim, Claim]:

@@ -10,16 +10,18 @@ from swifttailor.describing.facts import GarmentFacts
 
 FULL_LEGS_CM, FULL_LEGS_AT_MOST_CM = 5.0, 8.0
 """Where full legs end above the floor, and what is left as it is."""
+JUMPSUIT_CM, JUMPSUIT_AT_MOST_CM = 7.5, 9.0
+"""The same of jumpsuits, whose bodice gives: on the body they hang some three centimetres lower."""
 OVER_THE_FOOT_CM = 43.0
 """Around; legs with narrower ends stay above the instep, on which they would be torn open."""
 LONG_SLEEVES, LONG_SLEEVES_AT_LEAST = 0.98, 0.93
 """Parts of the arm's length."""
 MAXI, MAXI_AT_MOST = 0.22, 0.3
 """Parts of the height of the knee at which the hem hangs."""
-FLOOR_CM, FLOOR_AT_LEAST_CM, FLOOR_AT_MOST_CM = 6.0, 4.5, 6.4
+FLOOR_CM, FLOOR_AT_LEAST_CM, FLOOR_AT_MOST_CM = 7.0, 5.5, 7.5
 """Where the hem of a gown is measured on its pattern. On the body long dresses hang half a dozen
 centimetres lower (median of 28 drapes, `benchmarks/hem_levels.py`); skirts do not."""
-SKIRT_FLOOR_CM, SKIRT_FLOOR_AT_MOST_CM = 2.5, 4.5
+SKIRT_FLOOR_CM, SKIRT_FLOOR_AT_LEAST_CM, SKIRT_FLOOR_AT_MOST_CM = 4.5, 3.5, 5.5
 MINI_CM, MINI_AT_MOST_CM = 13.0, 17.0
 """How far below the crotch a mini ends, and what is left as it is."""
 ABOVE_KNEE_CM, ABOVE_KNEE_AT_LEAST_CM = 10.0, 7.0
@@ -56,15 +58,16 @@ def well_within(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ..
 
 
 def off_the_floor(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ...]:
-    """By how much a gown is too long to walk in: centimetres, too few to show in a length that is stated."""
+    """By how much a gown or skirt is too long to walk in: too few cm to show in a stated length."""
     claims = [wish.claim for wish in said if isinstance(wish, Gain)]
     words, hem = {(claim.name, claim.value) for claim in claims}, facts.hem
-    if hem is None or facts.kind != "dress" or ("skirt_hem", "floor") not in words:
+    if hem is None or facts.kind not in ("dress", "skirt") or ("skirt_hem", "floor") not in words:
         return ()
     stated = {claim.name for claim in claims} & {"length_cm", "skirt_length_cm", "hem_shape"}
-    if stated or hem.level >= FLOOR_AT_LEAST_CM:
+    gown = facts.kind == "dress"
+    if stated or hem.level >= (FLOOR_AT_LEAST_CM if gown else SKIRT_FLOOR_AT_LEAST_CM):
         return ()
-    return (Step("length", -1, round(FLOOR_CM - hem.level, 1)),)
+    return (Step("length", -1, round((FLOOR_CM if gown else SKIRT_FLOOR_CM) - hem.level, 1)),)
 
 
 _Words = set[tuple[str, str | float]]
@@ -74,9 +77,11 @@ def _legs(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:
     legs, hem = facts.trousers, facts.hem
     if legs is None or hem is None or ("leg_hem", "full") not in words or names & {"inseam_cm", "length_cm"}:
         return None
-    if hem.level <= FULL_LEGS_AT_MOST_CM or legs.hem < OVER_THE_FOOT_CM:
+    whole = facts.kind == "jumpsuit"
+    most = JUMPSUIT_AT_MOST_CM if whole else FULL_LEGS_AT_MOST_CM
+    if hem.level <= most or legs.hem < OVER_THE_FOOT_CM:
         return None
-    return Claim("inseam_cm", round(legs.inseam + hem.level - FULL_LEGS_CM, 1))
+    return Claim("inseam_cm", round(legs.inseam + hem.level - (JUMPSUIT_CM if whole else FULL_LEGS_CM), 1))
 
 
 def _wide_legs(words: _Words, names: set[str], facts: GarmentFacts) -> Claim | None:

@@ -85,15 +85,18 @@ def test_robe_is_open_below_its_closed_front():
     assert sum(whole.edge_length(s.first) for s in joined) == pytest.approx(closed + 40.0)
 
 
-def test_hooded_coat_is_closed_for_a_little_below_the_neck_and_has_a_hood():
-    def sewn(opening: float) -> float:
-        pattern = draft("hooded-coat", opening=opening)
+def test_hooded_coat_is_closed_as_far_as_is_asked_and_has_a_hood():
+    def sewn(**options: float) -> float:
+        pattern = draft("hooded-coat", **options)
         halves = {"left_ftorso", "right_ftorso"}
         return sum(
             pattern.edge_length(s.first) for s in pattern.stitches if {x.panel for x in s.sides} == halves
         )
 
-    assert sewn(10.0) == pytest.approx(0.2 * sewn(0.0), rel=0.05)
+    whole = sewn(opening=0.0)
+    assert sewn(closed_to=-30.0) == pytest.approx(0.2 * whole, rel=0.05), "as much as a toggle would hold"
+    assert sewn(closed_to=6.0) - sewn(closed_to=0.0) == pytest.approx(6.0, abs=0.2)
+    assert sewn() < 0.5 * whole
     facts = measure_facts(draft("hooded-coat", hood_height=9.0)), measure_facts(draft("hooded-coat"))
     assert facts[0].hood and facts[1].hood
     assert facts[0].hood.height - facts[1].hood.height == pytest.approx(3.0, abs=0.5)
@@ -114,3 +117,29 @@ def test_waistcoat_is_shaped_at_the_waist_and_pointed_in_front():
     sides = [max(seam_length(p, "left_ftorso", "left_btorso")) for p in (pattern, straight)]
     assert sides[0] > sides[1]
     np.testing.assert_allclose(*seam_length(pattern, "left_ftorso", "left_btorso"), rtol=1e-3)
+
+
+def test_shirt_opens_below_its_last_button_and_can_be_closed():
+    def slits(**options: float) -> float:
+        pattern = draft("shirt", **options)
+        stitched = {ref for stitch in pattern.stitches for ref in stitch.sides}
+        panel = pattern.panel("left_ftorso")
+        ends = [
+            (k, panel.vertices[k], panel.vertices[(k + 1) % len(panel.vertices)])
+            for k in range(len(panel.edges))
+        ]
+        free = [
+            abs(b[1] - a[1])
+            for k, a, b in ends
+            if ("left_ftorso", k) not in stitched and abs(b[0] - a[0]) < 4.0
+        ]
+        return float(max(free, default=0.0))
+
+    assert slits(hem_opening=0.0) < 5.0
+    assert slits(hem_opening=14.0) == pytest.approx(14.0, abs=0.5)
+
+
+def test_low_rises_begin_below_the_waist():
+    tops = [measure_facts(draft("jeans", below_waist=b)).top_level for b in (0.0, 8.0)]
+    assert tops[0] - tops[1] == pytest.approx(8.0, abs=4.0)
+    assert not measure_facts(draft("leggings")).trousers.darts

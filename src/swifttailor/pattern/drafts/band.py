@@ -48,19 +48,21 @@ def lay_waist_band(
     sew_sides(table, "wb")
 
 
-def lay_body_waist_band(table: CuttingTable, figure: Figure, height: float, ease: float) -> Halves:
-    """Lays a waistband shaped to the body, its upper edge at the waist.
+def lay_body_waist_band(
+    table: CuttingTable, figure: Figure, height: float, ease: float, below_waist: float = 0.0
+) -> Halves:
+    """Lays a waistband shaped to the body, its upper edge at the waist or some centimetres below it.
 
     Returns:
         Half widths of its lower edge, cm: what is sewn to it.
     """
-    upper = figure.waist.eased(ease)
-    below = figure.girth_below_waist(height).eased(ease)
+    upper = (figure.girth_below_waist(below_waist) if below_waist else figure.waist).eased(ease)
+    below = figure.girth_below_waist(below_waist + height).eased(ease)
     lower = Halves(
         upper.front + CONTOUR * max(below.front - upper.front, 0.0),
         upper.back + CONTOUR * max(below.back - upper.back, 0.0),
     )
-    lay_waist_band(table, upper, lower, height, figure.waist_y, at_waist=True)
+    lay_waist_band(table, upper, lower, height, figure.waist_y - below_waist, at_waist=True)
     return lower
 
 

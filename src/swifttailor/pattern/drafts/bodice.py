@@ -30,8 +30,6 @@ SIDE_MINIMUM = 4.0
 """Shortest side seam and shortest centre, cm."""
 POINT_X = 5.0
 """Distance of the point of a pointed front hem from the middle, cm."""
-OPEN_CM = 200.0
-"""Longer than any front: what is open to this leaves as much sewn as a button or two would hold."""
 SHORTEST_SLIT, _OPEN_SHARE = 1.0, 0.8
 """What would be open for less is closed, cm; the share of the centre that may be open."""
 
@@ -61,6 +59,8 @@ class LooseBodice:
     """Length of the lower end of the centre front that is left open, cm."""
     front_opening: float = 0.0
     """How far the edge of an open front has moved back from the middle at the hem, cm."""
+    front_closed_to: float | None = None
+    """How far below the waist a front that opens is sewn together, cm; instead of `front_slit`."""
     side_slits: float = 0.0
     """Length of the lower end of straight side seams that is left open, cm."""
 
@@ -106,6 +106,9 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     rise = _hem_rise(max(widening, 0.0), under_y - hem_y, chest.girth / 4 + widening)
     tip_x = shoulder_tip_x(figure, shape.neckline, shape.shoulder_extension)
     neck_x = shape.neckline.start_x(figure)
+    slit = shape.front_slit
+    if shape.front_closed_to is not None:
+        slit = max(shape.length - shape.front_closed_to, 0.0) if shape.front_opening else 0.0
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
         drop = LOOSE_HEM_BALANCE * figure.front_fullness if front else 0.0
@@ -130,7 +133,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
             front=front,
             balance=FRONT_BALANCE,
             scoop=scoop,
-            slit=shape.front_slit if front else 0.0,
+            slit=slit if front else 0.0,
         )
     sew_torso(table)
 

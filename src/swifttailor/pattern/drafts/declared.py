@@ -23,7 +23,7 @@ BackNeckDepth = Annotated[
 ChestEase = Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 2.0, 36.0)]
 BustEase = Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 1.0, 16.0)]
 WaistEase = Annotated[float, Option("Room on top of the waist girth, all around.", "cm", 0.0, 16.0)]
-HipEase = Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 1.0, 20.0)]
+HipEase = Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 0.5, 20.0)]
 ArmholeDrop = Annotated[float, Option("How far the underarm lies below the armpit.", "cm", 0.5, 8.0)]
 LongLength = Annotated[float, Option("Hem below the waist.", "cm", 25.0, 100.0)]
 TopLength = Annotated[float, Option("Hem below the waist; negative ends above it.", "cm", -12.0, 60.0)]
@@ -47,10 +47,10 @@ SkirtFlare = Annotated[
     float, Option("Slant of the side seams below the hips; negative narrows the hem.", "degrees", -4.0, 18.0)
 ]
 BandHeight = Annotated[float, Option("Height of the waistband.", "cm", 2.0, 9.0)]
-TrouserLength = Annotated[float, Option("Body's waist to the hem, down the side.", "cm", 42.0, 106.0)]
-LegEase = Annotated[float, Option("Room on top of the leg's girth at knee and hem.", "cm", 3.0, 60.0)]
+TrouserLength = Annotated[float, Option("Body's waist to the hem, down the side.", "cm", 36.0, 106.0)]
+LegEase = Annotated[float, Option("Room on top of the leg's girth at knee and hem.", "cm", 0.5, 60.0)]
 LegFlare = Annotated[
-    float, Option("Extra width of the hem over the knee; negative narrows it.", "cm", -8.0, 30.0)
+    float, Option("Extra width of the hem over the knee; negative narrows it.", "cm", -12.0, 30.0)
 ]
 SkirtGathers = Annotated[
     float,
@@ -76,6 +76,19 @@ FlounceSeam = Annotated[float, Option("Body's waist to the seam of the flounce."
 FlounceFraction = Annotated[
     float, Option("Part of a full circle that the flounce is cut from.", "circles", 0.2, 1.0)
 ]
+ClosedTo = Annotated[
+    float,
+    Option(
+        "Where a front that opens is sewn together to: below the waist; negative ends above it.",
+        "cm",
+        -30.0,
+        40.0,
+    ),
+]
+HemOpening = Annotated[
+    float,
+    Option("Length of the front that is open from the hem up, as below the last button.", "cm", 0.0, 30.0),
+]
 Opening = Annotated[
     float,
     Option(
@@ -91,4 +104,5 @@ LapelDepth = Annotated[
 LapelCollarWidth = Annotated[float, Option("Width of the collar on the shoulder.", "cm", 3.0, 6.0)]
 LapelWidth = Annotated[float, Option("Width of the lapels where they are widest.", "cm", 4.0, 11.0)]
 SideSlits = Annotated[float, Option("Length of the side seams left open above the hem.", "cm", 0.0, 40.0)]
+BelowWaist = Annotated[float, Option("Upper edge below the body's waist.", "cm", 0.0, 16.0)]
 BandEase = Annotated[float, Option("Room of the waistband on top of the waist girth.", "cm", -2.0, 4.0)]

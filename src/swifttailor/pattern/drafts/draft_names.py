@@ -98,7 +98,9 @@ class NamedDraft:
     @property
     def shows(self) -> tuple[str, ...]:
         """What it shows that no way to cut makes: keys of the lexicon's ``cannot.txt``."""
-        return () if STANDING in self.options else DRAFTS_SHOW.get(self.name, ())
+        opens = self.name == "turtleneck" and dict(self.options).get("opening", 0.0)
+        shown = () if STANDING in self.options else DRAFTS_SHOW.get(self.name, ())
+        return (*shown, "open_front") if opens else shown
 
     @property
     def is_to_the_eye(self) -> tuple[tuple[str, str], ...]:
@@ -147,7 +149,8 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "strapless-dress": ("sweetheart",),
     "bustier": ("sweetheart",),
     "polo-shirt": ("shirt_collar", "flat_collar"),
-    "shirt": ("shirt_collar", "flat_collar"),
+    "shirt": ("shirt_collar", "flat_collar", "open_front"),
+    "waistcoat": ("open_front",),
     "shirt-dress": ("shirt_collar", "flat_collar"),
     "denim-jacket": ("shirt_collar", "flat_collar"),
     "cardigan": ("open_front",),
@@ -195,10 +198,14 @@ COLLARED = frozenset({"shirt", "shirt-dress"})
 """Begun from only where nothing else is said of the neck: many call any top a shirt."""
 _CROSSED = "Its fronts do not overlap: a seam runs where the edge of the upper one would lie."
 _OPEN = "Its front is open below where the edges of a wound skirt would part; nothing overlaps."
+_BUTTONED = "Its front is sewn together where buttons would close it, and open below."
 STANDS_IN: Mapping[str, str] = {
     "wrap-dress": _CROSSED,
     "wrap-top": _CROSSED,
     "wrap-skirt": _OPEN,
     "sarong": _OPEN,
+    "shirt": _BUTTONED,
+    "waistcoat": _BUTTONED,
+    "polo-shirt": "Its V stands for the buttoned slit below its collar.",
 }
 """What a draft has in place of what cannot be made, for people."""

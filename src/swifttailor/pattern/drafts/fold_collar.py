@@ -15,9 +15,9 @@ from swifttailor.pattern.drafts.outline import Outline, Point, Side
 FrontShape = Literal["notched", "shawl"]
 _OUTSIDE = 4.0
 """How far outside the torso it stands before draping, cm."""
-_POINT_OUT = 0.45
+_POINT_OUT = 0.55
 """Distance of a point from the middle, over the width of the collar."""
-_POINT_DOWN = 1.15
+_POINT_DOWN = 1.45
 """Fall of a point below the end of the neckline, over the width of the collar."""
 _GORGE = 0.6
 """Height of the points of lapels, as a part of the neckline's."""

@@ -17,8 +17,16 @@ BACK_Z = -22.0
 STEP = 1.2
 """At knee and below, the back is this much wider than half of the leg, the front this much narrower, cm."""
 
+NARROWEST = 0.4
+"""Least width of the hem of slim legs over the girth of the thigh."""
+CLOSE_REACH = 0.8
+"""Of slim legs, which have less cloth at the thigh."""
 SIDE_SHARE = 0.27
 """Slim legs narrow at the side seams as much as at the inseams, so that they hang around the calves."""
+CLOSE_LEGS_CM = 3.5
+"""Legs with less room than this lie close all the way down, as of jersey."""
+SLANT = 2.0
+"""Without darts the slant of the centre back takes no more than this, cm."""
 SHORTEST_INSEAM = 8.0
 """Hem below the crotch at least, cm."""
 
@@ -39,8 +47,32 @@ class Trousers:
     """Crotch of the garment below the body's, cm."""
     narrowest: float = 0.55
     """Least width of the hem over the girth of the thigh."""
+    reach: float = 1.0
+    """How far front and back reach under the crotch, as a part of what roomy trousers have."""
+    darts: bool = True
+    """Whether darts take what the waist is narrower; else the side seams and the centre back do."""
     side_share: float = 0.18
     """Part of what the leg loses from thigh to knee that each side seam takes; the inseams take the rest."""
+
+
+def legs_of_bodice(
+    length: float, hip_ease: float, leg_ease: float, flare: float, crotch_drop: float
+) -> Trousers:
+    """Legs sewn to a bodice, measured as in `Trousers`; those with next to no room have no darts."""
+    share = SIDE_SHARE if flare < 0 else Trousers.side_share
+    if leg_ease >= CLOSE_LEGS_CM:
+        return Trousers(length, hip_ease, leg_ease, flare, crotch_drop, side_share=share)
+    return Trousers(
+        length,
+        hip_ease,
+        leg_ease,
+        flare,
+        crotch_drop,
+        narrowest=NARROWEST,
+        darts=False,
+        reach=CLOSE_REACH,
+        side_share=share,
+    )
 
 
 @dataclass(frozen=True)
@@ -60,6 +92,8 @@ class LegLines:
     hem_width: float
     side_shift: float
     """How far the side seam moves inward from hip to knee."""
+    reach: tuple[float, float]
+    """How far front and back reach under the crotch."""
     step: float
     """By how much the back of the hem is wider than half of the leg, and the front narrower."""
 
@@ -76,15 +110,16 @@ def lay_trousers(table: CuttingTable, figure: Figure, shape: Trousers, waist: Ha
         waist: Sewn half widths of the upper edge, cm.
         top_y: World height of the upper edge, cm.
     """
-    taken = suppress(figure.hips.eased(shape.hip_ease), waist, 1.0, 3.5)
+    hips = figure.hips.eased(shape.hip_ease)
+    taken = suppress(hips, waist, 1.0, 3.5) if shape.darts else _without_darts(hips, waist)
     hips = taken.wide(waist)
     lines = _leg_lines(figure, shape, hips, taken, top_y)
     places = dart_places(figure, waist)
-    front = _front(lines, figure, hips.front, waist.front, taken.front, places.front)
+    front = _front(lines, hips.front, waist.front, taken.front, places.front)
     inseam = sum(s.length for s in front.sides if s.name == "inseam")
 
     def back_leg(drop: float) -> Outline:
-        return _back(lines, figure, hips.back, waist.back, taken.back, places.back, drop)
+        return _back(lines, hips.back, waist.back, taken.back, places.back, drop)
 
     def excess(drop: float) -> float:
         back = back_leg(drop)
@@ -116,7 +151,7 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
     knee_y = figure.knee_y if hem_y < figure.knee_y - 10.0 else None
     knee = figure.leg_girth(hem_y if knee_y is None else knee_y) + shape.leg_ease
     hem = figure.leg_girth(hem_y) + shape.leg_ease
-    front_reach, back_reach = _reach(figure)
+    front_reach, back_reach = _reach(figure, shape.reach)
     front_thigh, back_thigh = hips.front + front_reach, hips.back + back_reach
     thigh = front_thigh + back_thigh
     wide = knee > thigh - 2.0
@@ -137,21 +172,29 @@ def _leg_lines(figure: Figure, shape: Trousers, hips: Halves, taken: Suppression
         knee_width=(hem if knee_y is None else knee) / 2,
         hem_width=hem / 2,
         side_shift=shape.side_share * (thigh - (hem if knee_y is None else knee)),
+        reach=_reach(figure, shape.reach),
         step=step,
     )
 
 
-def _reach(figure: Figure) -> tuple[float, float]:
+def _without_darts(wide: Halves, narrow: Halves) -> Suppression:
+    """All that the waist is narrower, lost at the side seams and in the slant of the centre back."""
+    total = max(wide.girth - narrow.girth, 0.0) / 2
+    back = min(SLANT, total / 3)
+    return Suppression((total - back) / 2, 0.0, back)
+
+
+def _reach(figure: Figure, share: float) -> tuple[float, float]:
     """How far front and back reach under the crotch, cm."""
-    return 0.052 * figure.hips.girth, 0.092 * figure.hips.girth
+    return share * 0.052 * figure.hips.girth, share * 0.092 * figure.hips.girth
 
 
-def _front(lines: LegLines, figure: Figure, hip: float, waist: float, lost: float, place: float) -> Outline:
+def _front(lines: LegLines, hip: float, waist: float, lost: float, place: float) -> Outline:
     outline = _leg_and_side(lines, hip, -lines.step)
     side_x = outline.sides[-1].end[0]
     end = (side_x - math.sqrt((waist + lost) ** 2 - _rise(lines) ** 2), lines.top_y)
     outline.darted_line("waist", end, waist_darts(waist, lost, place, 9.0))
-    reach = _reach(figure)[0]
+    reach = lines.reach[0]
     outline.line("centre", 0.0, lines.hip_y)
     drop = lines.hip_y - lines.crotch_y
     outline.cubic(
@@ -163,19 +206,17 @@ def _front(lines: LegLines, figure: Figure, hip: float, waist: float, lost: floa
     return _inseam(outline, lines)
 
 
-def _back(
-    lines: LegLines, figure: Figure, hip: float, waist: float, lost: float, place: float, drop: float
-) -> Outline:
+def _back(lines: LegLines, hip: float, waist: float, lost: float, place: float, drop: float) -> Outline:
     outline = _leg_and_side(lines, hip, lines.step)
     side_x, side_y = outline.sides[-1].end
     # Part of what the back loses goes into the slant of the centre back, which also rises for sitting.
     darts = lost - min(0.4 * lost, 3.2)
-    darts = darts if darts >= 1.2 else 0.0
+    darts = darts if darts >= 1.2 and lost > SLANT else 0.0
     raised = lines.top_y + 2.0
     length = waist + darts
     end = (side_x - math.sqrt(length**2 - (raised - side_y) ** 2), raised)
     outline.darted_line("waist", end, waist_darts(waist, darts, place, 0.55 * (lines.top_y - lines.hip_y)))
-    reach = _reach(figure)[1]
+    reach = lines.reach[1]
     outline.line("centre", 0.0, lines.hip_y)
     low = lines.crotch_y - drop
     fall = lines.hip_y - low

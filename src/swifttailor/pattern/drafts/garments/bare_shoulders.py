@@ -16,7 +16,7 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.off_shoulder_bodice import OffShoulderBodice, lay_off_shoulder_bodice
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
+from swifttailor.pattern.drafts.trousers import lay_trousers, legs_of_bodice, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
 HalterStrap = Annotated[float, Option("Width of the front at the neck, and of the strap.", "cm", 1.5, 6.0)]
@@ -96,7 +96,7 @@ def draft_halter_jumpsuit(options: HalterJumpsuitOptions, measurements: Measurem
     halter = HalterBodice(options.chest_ease, 0.0, options.strap_width, neckline, 0.0, options.waist_ease)
     waist = lay_halter_bodice(table, figure, halter)
     assert waist is not None
-    legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, _CROTCH_DROP)
+    legs = legs_of_bodice(options.length, options.hip_ease, options.leg_ease, options.flare, _CROTCH_DROP)
     lay_trousers(table, figure, legs, waist, figure.waist_y)
     return _sewn_halter(table, "trousers")
 

@@ -7,7 +7,7 @@ from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.band import lay_sleeve_cuff
-from swifttailor.pattern.drafts.bodice import OPEN_CM, LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.fold_collar import FoldCollar, FrontShape, lay_fold_collar
@@ -19,6 +19,8 @@ from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shap
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 from swifttailor.pattern.pattern import Pattern
 
+_HEM_OPENING_CM = 3.0
+"""How far the front edges of a shirt have moved back from the middle at the hem, below the last button."""
 _INSET_CM = 1.5
 """How far the armholes of a sleeveless shirt lie inside the shoulder tips."""
 
@@ -31,8 +33,8 @@ class PoloShirtOptions:
     chest_ease: declared.ChestEase = 10.0
     flare: declared.HemFlare = 0.0
     neck_widening: declared.CloseNeckWidening = 0.0
-    neck_depth: declared.CollarNeckDepth = 10.0
-    collar_width: declared.CollarWidth = 4.0
+    neck_depth: declared.CollarNeckDepth = 14.0
+    collar_width: declared.CollarWidth = 5.0
     armhole_drop: declared.ArmholeDrop = 2.5
     sleeve_length: declared.SleeveLength = 22.0
     arm_ease: declared.ArmEase = 7.0
@@ -53,8 +55,8 @@ class ShirtOptions(PoloShirtOptions):
 
     length: declared.TopLength = 24.0
     chest_ease: declared.ChestEase = 12.0
-    neck_depth: declared.CollarNeckDepth = 9.0
-    collar_width: declared.CollarWidth = 4.5
+    neck_depth: declared.CollarNeckDepth = 13.0
+    collar_width: declared.CollarWidth = 5.5
     armhole_drop: declared.ArmholeDrop = 3.0
     sleeve_length: declared.SleeveLength = 60.0
     arm_ease: declared.ArmEase = 8.0
@@ -66,10 +68,11 @@ class ShirtOptions(PoloShirtOptions):
     cuff_height: declared.CuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
     sleeve_shape: SleeveShapeOption = "plain"
+    hem_opening: declared.HemOpening = 14.0
 
 
 def draft_shirt(options: ShirtOptions, measurements: Measurements) -> Pattern:
-    """Drafts the shirt for a body: buttoned up, so closed in front; long sleeves, its collar folded down."""
+    """Drafts the shirt for a body: buttoned, so sewn from the V to the last button, and open below it."""
     figure, table = Figure.of(measurements), CuttingTable("shirt")
     cuffs = options.cuffs and options.sleeves and options.sleeve_shape == "plain"
     cuff = min(options.cuff_height, options.sleeve_length - 9.0) if cuffs else 0.0
@@ -84,6 +87,7 @@ def _lay_left(
     table: CuttingTable, figure: Figure, options: PoloShirtOptions, sleeve: float | None, collar: NeckCollar
 ) -> None:
     """Lays the left half of torso, sleeve and collar; `sleeve` is its length alone, cm, None without one."""
+    opening = options.hem_opening if isinstance(options, ShirtOptions) else 0.0
     bodice = LooseBodice(
         collar.neckline(Neckline("v", options.neck_widening, options.neck_depth, 1.5)),
         options.chest_ease,
@@ -91,6 +95,8 @@ def _lay_left(
         options.armhole_drop,
         flare=options.flare,
         shoulder_extension=0.0 if sleeve is not None else -_INSET_CM,
+        front_slit=opening,
+        front_opening=_HEM_OPENING_CM if opening else 0.0,
     )
     lay_loose_bodice(table, figure, bodice)
     if sleeve is not None:
@@ -121,6 +127,7 @@ class BlazerOptions:
     collar_width: declared.LapelCollarWidth = 5.0
     lapel_width: declared.LapelWidth = 7.5
     opening: declared.Opening = 5.0
+    closed_to: declared.ClosedTo = -3.0
     armhole_drop: declared.ArmholeDrop = 3.0
     sleeve_length: declared.SleeveLength = 59.0
     arm_ease: declared.ArmEase = 8.0
@@ -142,6 +149,7 @@ class CoatOptions(BlazerOptions):
     flare: declared.DressFlare = 10.0
     neck_depth: declared.LapelDepth = 24.0
     opening: declared.Opening = 10.0
+    closed_to: declared.ClosedTo = 4.0
     collar_width: declared.LapelCollarWidth = 6.0
     lapel_width: declared.LapelWidth = 8.5
     armhole_drop: declared.ArmholeDrop = 3.5
@@ -166,8 +174,8 @@ def _with_lapels(name: str, options: BlazerOptions, measurements: Measurements) 
         hip_ease=7.0,
         flare=options.flare,
         waist_shaping=options.waist_shaping,
-        front_slit=OPEN_CM if options.opening else 0.0,
         front_opening=options.opening,
+        front_closed_to=options.closed_to,
     )
     lay_loose_bodice(table, figure, bodice)
     lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.02))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
@@ -26,7 +26,7 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.round_skirt import RoundSkirt, lay_round_skirt
 from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
 from swifttailor.pattern.drafts.sleeve import Sleeve
-from swifttailor.pattern.drafts.trousers import SIDE_SHARE, Trousers, lay_trousers, sew_legs
+from swifttailor.pattern.drafts.trousers import lay_trousers, legs_of_bodice, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
 _INSET_CM = 1.5
@@ -245,8 +245,9 @@ def draft_jumpsuit(options: JumpsuitOptions, measurements: Measurements) -> Patt
     figure = Figure.of(measurements)
     table = CuttingTable("jumpsuit")
     waist = lay_sleeved_bodice(table, figure, options)
-    legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
-    legs = replace(legs, side_share=SIDE_SHARE) if options.flare < 0 else legs
+    legs = legs_of_bodice(
+        options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop
+    )
     lay_trousers(table, figure, legs, waist, figure.waist_y)
     table.mirror()
     sew_centres(table)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.bodice import OPEN_CM, LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.hood import Hood, lay_hood, sew_hood
@@ -83,6 +83,7 @@ class HoodedCoatOptions:
     hood_height: declared.HoodHeight = 6.0
     hood_depth: declared.HoodDepth = 5.0
     opening: declared.Opening = 10.0
+    closed_to: declared.ClosedTo = 2.0
     armhole_drop: declared.ArmholeDrop = 4.5
     shoulder_extension: Annotated[
         float, Option("How far the shoulder seam reaches over the shoulder tip.", "cm", 0.0, 5.0)
@@ -103,8 +104,8 @@ def draft_hooded_coat(options: HoodedCoatOptions, measurements: Measurements) ->
         hip_ease=10.0,
         flare=options.flare,
         shoulder_extension=options.shoulder_extension,
-        front_slit=OPEN_CM if options.opening else 0.0,
         front_opening=options.opening,
+        front_closed_to=options.closed_to,
     )
     sleeve = Sleeve(
         options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01, options.shoulder_extension

@@ -33,6 +33,7 @@ class PullOnTrousersOptions:
     crotch_drop: Annotated[float, Option("Crotch of the trousers below the body's.", "cm", 0.5, 14.0)] = 2.0
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
+    below_waist: declared.BelowWaist = 0.0
 
 
 def draft_pull_on_trousers(options: PullOnTrousersOptions, measurements: Measurements) -> Pattern:
@@ -69,12 +70,13 @@ def draft_joggers(options: JoggersOptions, measurements: Measurements) -> Patter
 
 def _lay_legs(table: CuttingTable, figure: Figure, options: PullOnTrousersOptions, length: float) -> None:
     """Lays the waistband and the left leg; `length` from the body's waist to the leg's end, cm."""
-    lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
+    low = options.below_waist
+    lay_body_waist_band(table, figure, options.band_height, options.waist_ease, low)
     wide = figure.hips.eased(options.hip_ease - _SHAPED_CM)
     inseam = figure.crotch_y - (figure.waist_y - length)
     drop = min(options.crotch_drop, max(_LEAST_DROP_CM, _DROP_SHARE * inseam))
     legs = Trousers(length, options.hip_ease, options.leg_ease, options.flare, drop)
-    lay_trousers(table, figure, legs, wide, figure.waist_y - options.band_height)
+    lay_trousers(table, figure, legs, wide, figure.waist_y - low - options.band_height)
 
 
 def _sewn(table: CuttingTable) -> Pattern:

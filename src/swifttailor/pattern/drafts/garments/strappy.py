@@ -22,7 +22,7 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.round_skirt import RoundSkirt, lay_round_skirt
 from swifttailor.pattern.drafts.strap_bodice import StrapBodice, lay_strap_bodice
 from swifttailor.pattern.drafts.strapless_bodice import StraplessBodice, lay_strapless_bodice
-from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
+from swifttailor.pattern.drafts.trousers import lay_trousers, legs_of_bodice, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
 StrapWidth = Annotated[float, Option("Width of the straps.", "cm", 1.0, 4.0)]
@@ -221,7 +221,7 @@ def draft_strappy_jumpsuit(options: StrappyJumpsuitOptions, measurements: Measur
 
 
 def _with_legs(table: CuttingTable, figure: Figure, options: HeldJumpsuitOptions, waist: Halves) -> Pattern:
-    legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, _CROTCH_DROP)
+    legs = legs_of_bodice(options.length, options.hip_ease, options.leg_ease, options.flare, _CROTCH_DROP)
     lay_trousers(table, figure, legs, waist, figure.waist_y)
     table.mirror()
     sew_centres(table)

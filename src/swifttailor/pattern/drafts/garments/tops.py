@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.bodice import OPEN_CM, LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.measurements import Measurements
@@ -17,6 +17,8 @@ from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.pattern import Pattern
 
+_WAISTCOAT_OPENING_CM = 3.0
+"""How far the front edges of a waistcoat have moved back from the middle at the hem."""
 _INSET_CM = 1.5
 """How far the armholes of a sleeveless turtleneck lie inside the shoulder tips."""
 
@@ -115,15 +117,17 @@ class TurtleneckOptions:
     neck_depth: Annotated[
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 5.0, 10.0)
     ] = 6.5
-    collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 14.0)] = 10.0
+    collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 14.0)] = 8.0
     armhole_drop: declared.ArmholeDrop = 2.5
     sleeves: declared.Sleeves = True
-    sleeve_length: declared.SleeveLength = 60.0
+    sleeve_length: declared.SleeveLength = 58.5
     arm_ease: declared.ArmEase = 6.0
     sleeve_end: declared.SleeveEnd = 22.0
     sleeve_shape: SleeveShapeOption = "plain"
     side_slits: declared.SideSlits = 0.0
     waist_shaping: declared.WaistShaping = 0.0
+    opening: declared.Opening = 0.0
+    closed_to: declared.ClosedTo = 0.0
 
 
 def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> Pattern:
@@ -139,6 +143,8 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
         shoulder_extension=0.0 if options.sleeves else -_INSET_CM,
         side_slits=options.side_slits,
         waist_shaping=options.waist_shaping,
+        front_opening=options.opening,
+        front_closed_to=options.closed_to,
     )
     lay_loose_bodice(table, figure, bodice)
     if options.sleeves:
@@ -163,8 +169,9 @@ class CardiganOptions:
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 12.0, 34.0)
     ] = 26.0
     opening: declared.Opening = 8.0
+    closed_to: declared.ClosedTo = -30.0
     armhole_drop: declared.ArmholeDrop = 2.5
-    sleeve_length: declared.SleeveLength = 60.0
+    sleeve_length: declared.SleeveLength = 58.5
     arm_ease: declared.ArmEase = 8.0
     sleeve_end: declared.SleeveEnd = 25.0
     sleeve_shape: SleeveShapeOption = "plain"
@@ -180,8 +187,8 @@ def draft_cardigan(options: CardiganOptions, measurements: Measurements) -> Patt
         options.length,
         options.armhole_drop,
         flare=options.flare,
-        front_slit=OPEN_CM if options.opening else 0.0,
         front_opening=options.opening,
+        front_closed_to=options.closed_to,
     )
     lay_loose_bodice(table, figure, bodice)
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
@@ -204,10 +211,11 @@ class WaistcoatOptions:
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 10.0, 30.0)
     ] = 26.0
     armhole_drop: declared.ArmholeDrop = 3.0
+    hem_opening: declared.HemOpening = 10.0
 
 
 def draft_waistcoat(options: WaistcoatOptions, measurements: Measurements) -> Pattern:
-    """Drafts the waistcoat for a body: buttoned up, so closed in front."""
+    """Drafts the waistcoat for a body: buttoned, so sewn from the V to the last button, and open below it."""
     figure = Figure.of(measurements)
     table = CuttingTable("waistcoat")
     bodice = LooseBodice(
@@ -218,6 +226,8 @@ def draft_waistcoat(options: WaistcoatOptions, measurements: Measurements) -> Pa
         shoulder_extension=-3.0,
         waist_shaping=options.waist_shaping,
         front_point=options.point,
+        front_slit=options.hem_opening,
+        front_opening=_WAISTCOAT_OPENING_CM if options.hem_opening else 0.0,
     )
     lay_loose_bodice(table, figure, bodice)
     table.mirror()

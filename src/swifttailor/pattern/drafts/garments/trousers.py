@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
@@ -12,11 +12,16 @@ from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.joins import sew_trousers_to_band
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.trousers import SIDE_SHARE, Trousers, lay_trousers, sew_legs
+from swifttailor.pattern.drafts.trousers import (
+    CLOSE_REACH,
+    NARROWEST,
+    SIDE_SHARE,
+    Trousers,
+    lay_trousers,
+    sew_legs,
+)
 from swifttailor.pattern.pattern import Pattern
 
-NARROWEST = 0.4
-"""Least width of the hem of slim legs over the girth of the thigh."""
 SlimLegEase = Annotated[float, Option("Room on top of the leg's girth at the knee.", "cm", 0.0, 8.0)]
 Taper = Annotated[float, Option("How much narrower the hem is than the knee.", "cm", 0.0, 12.0)]
 CrotchDrop = Annotated[float, Option("Crotch of the trousers below the body's.", "cm", 0.0, 5.0)]
@@ -33,12 +38,13 @@ class TrousersOptions:
     crotch_drop: Annotated[float, Option("Crotch of the trousers below the body's.", "cm", 0.5, 5.0)] = 1.0
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
+    below_waist: declared.BelowWaist = 0.0
 
 
 def draft_trousers(options: TrousersOptions, measurements: Measurements) -> Pattern:
     """Drafts the trousers for a body."""
     legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
-    return _on_band("trousers", legs, options.band_height, options.waist_ease, measurements)
+    return _on_band("trousers", legs, options, options.waist_ease, measurements)
 
 
 @dataclass(frozen=True)
@@ -51,11 +57,12 @@ class JeansOptions:
     taper: Taper = 4.0
     crotch_drop: CrotchDrop = 0.5
     band_height: declared.BandHeight = 4.0
+    below_waist: declared.BelowWaist = 0.0
 
 
 def draft_jeans(options: JeansOptions, measurements: Measurements) -> Pattern:
     """Drafts slim jeans for a body."""
-    return _on_band("jeans", _slim_legs(options), options.band_height, 0.0, measurements)
+    return _on_band("jeans", _slim_legs(options), options, 0.0, measurements)
 
 
 @dataclass(frozen=True)
@@ -63,16 +70,17 @@ class LeggingsOptions:
     """Options of the leggings."""
 
     length: declared.TrouserLength = 95.0
-    hip_ease: Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 0.0, 20.0)] = 0.5
-    leg_ease: SlimLegEase = 0.5
+    hip_ease: Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 0.0, 20.0)] = 1.5
+    leg_ease: SlimLegEase = 1.5
     taper: Taper = 10.0
     crotch_drop: CrotchDrop = 0.0
     band_height: declared.BandHeight = 6.0
+    below_waist: declared.BelowWaist = 0.0
 
 
 def draft_leggings(options: LeggingsOptions, measurements: Measurements) -> Pattern:
-    """Drafts leggings for a body: as close as cloth that does not stretch can be cut."""
-    return _on_band("leggings", _slim_legs(options), options.band_height, 0.0, measurements)
+    """Drafts leggings for a body: without darts, as close as cloth that does not stretch can be cut."""
+    return _on_band("leggings", replace(_slim_legs(options), darts=False), options, 0.0, measurements)
 
 
 @dataclass(frozen=True)
@@ -85,12 +93,16 @@ class FlaresOptions:
     flare: Annotated[float, Option("Extra width of the hem over the knee.", "cm", 8.0, 40.0)] = 26.0
     crotch_drop: CrotchDrop = 0.5
     band_height: declared.BandHeight = 4.0
+    below_waist: declared.BelowWaist = 0.0
 
 
 def draft_flares(options: FlaresOptions, measurements: Measurements) -> Pattern:
     """Drafts flares for a body: close to the knee, and wider from there to the hem."""
     legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
-    return _on_band("flares", legs, options.band_height, 0.0, measurements)
+    return _on_band("flares", legs, options, 0.0, measurements)
+
+
+_OnBand = TrousersOptions | JeansOptions | LeggingsOptions | FlaresOptions
 
 
 def _slim_legs(options: JeansOptions | LeggingsOptions) -> Trousers:
@@ -101,16 +113,18 @@ def _slim_legs(options: JeansOptions | LeggingsOptions) -> Trousers:
         -options.taper,
         options.crotch_drop,
         narrowest=NARROWEST,
+        reach=CLOSE_REACH,
         side_share=SIDE_SHARE,
     )
 
 
-def _on_band(name: str, legs: Trousers, height: float, ease: float, measurements: Measurements) -> Pattern:
+def _on_band(name: str, legs: Trousers, options: _OnBand, ease: float, measurements: Measurements) -> Pattern:
     """Lays and sews legs on a waistband."""
     figure = Figure.of(measurements)
     table = CuttingTable(name)
-    lower = lay_body_waist_band(table, figure, height, ease)
-    lay_trousers(table, figure, legs, lower, figure.waist_y - height)
+    low, height = options.below_waist, options.band_height
+    lower = lay_body_waist_band(table, figure, height, ease, low)
+    lay_trousers(table, figure, legs, lower, figure.waist_y - low - height)
     table.mirror()
     sew_legs(table)
     sew_trousers_to_band(table)
