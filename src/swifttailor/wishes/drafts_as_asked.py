@@ -33,7 +33,7 @@ _ON_SHOULDERS = ("t-shirt", "tank-top", "fitted-dress", "shift-dress", "skater-d
 _LEGS: Mapping[str, Mapping[str, float]] = {
     "wide": {"leg_ease": 40.0, "flare": 8.0},
     "flared": {"leg_ease": 8.0, "flare": 26.0},
-    "straight": {"leg_ease": 18.0, "flare": 2.0},
+    "straight": {"leg_ease": 17.0, "flare": 1.0},
     "tapered": {"hip_ease": 9.0, "leg_ease": 12.0, "flare": -7.0},
     "slim": {"leg_ease": 6.0, "flare": -4.0},
 }
@@ -79,6 +79,9 @@ _SLIT_CM = 14.0
 _SLIT_SKIRT_CM = 72.0
 
 
+_PULLED_ON = ("t-shirt", "tank-top", "shift-dress")
+_OF_PULLED_ON = ("length", "chest_ease", "flare", "sleeve_length", "arm_ease", "sleeve_end")
+_SHORTEST_HOODED_CM, _HOODED_EASE_CM = 25.0, 14.0
 _HOODED, _COATS = "hooded-coat", ("coat", "robe")
 _OF_COATS: Mapping[str, Mapping[str, float]] = {
     "coat": {"length": 56.0, "chest_ease": 20.0},
@@ -154,8 +157,18 @@ def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 
 def _with_hood(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """Coats and robes with a hood are hooded coats; these without, or with a collar, are coats."""
+    """Coats and robes with a hood are hooded coats; these without, or with a collar, are coats.
+
+    Tops and dresses that hang from the shoulders are hooded coats that do not open.
+    """
     options = dict(draft.options)
+    if draft.name in _PULLED_ON and Claim("hood", "hood") in claims:
+        hooded = {name: options[name] for name in _OF_PULLED_ON if name in options}
+        hooded["length"] = max(float(hooded.get("length", 0.0)), _SHORTEST_HOODED_CM)
+        hooded["chest_ease"] = max(float(hooded.get("chest_ease", 0.0)), _HOODED_EASE_CM)
+        hooded["arm_ease"] = min(max(float(hooded.get("arm_ease", 0.0)), 10.0), 18.0)
+        bare = draft.name == "tank-top" or Claim("sleeves", "none") in claims
+        return NamedDraft(_HOODED, tuple({**hooded, "opening": 0.0, "sleeves": not bare}.items()))
     if draft.name in _COATS and Claim("hood", "hood") in claims:
         kept = {"length": options["length"]} if "length" in options else {}
         return NamedDraft(_HOODED, tuple({**_OF_COATS[draft.name], **kept}.items()))

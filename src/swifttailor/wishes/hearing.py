@@ -342,7 +342,11 @@ def united(text: str, words: WordReading, network: Iterable[Wish]) -> tuple[Wish
     kind = next((str(claim.value) for claim in told if claim.name == "kind"), None)
     if kind == "skirt":  # "a skirt, no darts" asks for nothing of a bodice
         found = [w for w in found if not (isinstance(w.change, Gain) and w.change.claim.name == "bodice")]
-    names = [Wish(Gain(each.claim), SURENESS[each.certainty]) for each in implied if each.claim not in told]
+    legs = any(claim.name == "legs" for claim in told)  # tight jeans are not straight ones
+    implied = [
+        each for each in implied if each.claim not in told and not (legs and each.claim.name == "legs")
+    ]
+    names = [Wish(Gain(each.claim), SURENESS[each.certainty]) for each in implied]
     network = tuple(network)
     guessed = [wish for wish in network if wish.certainty <= SURENESS["likely"]]
     for wish in (*[wish for wish in network if wish not in guessed], *names, *guessed):

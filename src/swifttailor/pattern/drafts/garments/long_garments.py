@@ -26,6 +26,8 @@ WideSleeveEnd = Annotated[
     float, Option("Width around at the sleeve's end; at most that at the underarm.", "cm", 24.0, 80.0)
 ]
 
+_INSET_CM = 1.5
+"""How far the armholes of a sleeveless hooded coat lie inside the shoulder tips."""
 _UNDER_PONCHO = 18.0
 """How far the underarm of a poncho lies below the armpit, cm."""
 
@@ -88,6 +90,7 @@ class HoodedCoatOptions:
     shoulder_extension: Annotated[
         float, Option("How far the shoulder seam reaches over the shoulder tip.", "cm", 0.0, 5.0)
     ] = 2.0
+    sleeves: declared.Sleeves = True
     sleeve_length: declared.SleeveLength = 60.0
     arm_ease: declared.ArmEase = 13.0
     sleeve_end: declared.SleeveEnd = 32.0
@@ -103,15 +106,14 @@ def draft_hooded_coat(options: HoodedCoatOptions, measurements: Measurements) ->
         options.armhole_drop,
         hip_ease=10.0,
         flare=options.flare,
-        shoulder_extension=options.shoulder_extension,
+        shoulder_extension=options.shoulder_extension if options.sleeves else -_INSET_CM,
         front_opening=options.opening,
         front_closed_to=options.closed_to,
     )
-    sleeve = Sleeve(
-        options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01, options.shoulder_extension
-    )
     lay_loose_bodice(table, figure, bodice)
-    lay_sleeve(table, figure, sleeve)
+    if options.sleeves:
+        shape = (options.arm_ease, options.sleeve_end, 0.01, options.shoulder_extension)
+        lay_sleeve(table, figure, Sleeve(options.sleeve_length, *shape))
     lay_hood(table, figure, Hood(options.hood_height, options.hood_depth))
     table.mirror()
     sew_centres(table)
