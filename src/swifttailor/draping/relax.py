@@ -16,7 +16,7 @@ from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
 from swifttailor.progress import StageProgress
 
-FRAMES = 14
+FRAMES = 8
 """Of a sixtieth of a second: seams that were predicted rippled are smooth after these, and collars lie."""
 GROWING_FRAMES = 16
 SUBSTEPS = 18
