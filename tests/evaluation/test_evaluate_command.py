@@ -45,9 +45,10 @@ def test_a_network_that_predicts_the_prior_is_as_far_off_as_the_drape_was_moved(
     made = sew_split(sewer, reader, [0, 1, 2], progress=done.append)
     assert sum(done) == 3 and not made.errors and list(made.vertices) == [0, 1, 2]
     assert [s.score.id for s in made.scored] == list(reader.ids)
+    # The network sees 64 x 64 pixels, so that its prior is rough, and grows to its lengths as it relaxes.
+    distances = [found.score.vertex_mean_cm for found in made.scored]
+    assert min(distances) > 2.0 and np.mean(distances) == pytest.approx(-LOWER[1], abs=2.5)
     for found in made.scored:
-        # The network sees 64 x 64 pixels, so that its prior is rough, and grows to its lengths as it relaxes.
-        assert found.score.vertex_mean_cm == pytest.approx(-LOWER[1], abs=3.0)
         assert found.score.seam_gap_median_cm is not None and found.score.seconds is not None
         assert found.score.sound and found.score.inside <= 0.02
     alone = sew_split(sewer, reader, [1])
