@@ -154,6 +154,8 @@ def test_attachments():
     assert neck.at_first.all() and neck.levels.min() > m.armpit_level
     held = find_attachment(mesh_pattern(trousers, 5.0), m)
     assert len(held.vertices) > 10 and (held.levels == m.waist_level).all() and not held.at_first.any()
+    low = find_attachment(mesh_pattern(draft("jeans", below_waist=8.0), 5.0), m)
+    assert low.levels.max() <= m.waist_level - 6.0 and low.levels.min() > m.hips_level
     # Without labels the topmost free edges are held instead.
     from dataclasses import replace
 
