@@ -31,11 +31,16 @@ def tailor(tmp_path, sewer):
         ("a bathrobe", "robe", 8),
         ("a kaftan", "kaftan", 8),
         ("a crop top with spaghetti straps", "camisole", 4),
-        ("ein Faltenrock", "pleated-skirt", 4),
+        ("ein Faltenrock", "pleated-skirt", 24),
         ("a wrap dress", "wrap-dress", 10),
         ("a short-sleeved wrap top", "wrap-top", 8),
-        ("a polo shirt", "polo-shirt", 12),
+        ("a polo shirt", "polo-shirt", 16),
         ("a blazer", "blazer", 12),
+        ("bodysuits", "bodysuit", 12),
+        ("a red swimsuit", "swimsuit", 8),
+        ("dungarees", "dungarees", 10),
+        ("a pinafore dress", "pinafore", 8),
+        ("a hooded cloak", "cape", 6),
         ("a knee-length sarong", "sarong", 4),
         ("a halter dress with a straight skirt", "halter-dress", 8),
         ("halter neck dress, backless", "halter-dress", 8),
@@ -53,7 +58,7 @@ def test_report_and_notes_name_the_draft(tailor):
     assert made.report["writing"]["source"] == "draft"
     assert made.report["writing"]["draft"] == "pleated-skirt"
     assert "Begun from a draft of ours: pleated-skirt." in made.notes
-    assert any("--finish" in note and "pleats" in note for note in made.notes)
+    assert any("pleat" in note and "fold" in note for note in made.notes)
     assert made.report["heard"]["cannot"] == []
     assert "pattern_maker" not in made.report["weights"]
 

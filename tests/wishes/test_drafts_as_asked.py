@@ -81,7 +81,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("jumpsuit", [Claim("legs", "wide")], "jumpsuit(leg_ease=40;flare=8)"),
         ("trousers", [Claim("legs", "wide")], "trousers"),
         ("trousers(hip_ease=7)", [Claim("hips", "loose")], "trousers(hip_ease=12)"),
-        ("t-shirt(length=38;neck_widening=1)", [STAND], "turtleneck(length=38;collar_height=4)"),
+        ("t-shirt(length=38;neck_widening=1)", [STAND], "turtleneck(length=38;collar_height=4;rolled=false)"),
         ("tiered-skirt", [Claim("tiers", 4.0)], "tiered-skirt(tiers=4)"),
         ("tiered-skirt", [Claim("tiers", 9.0)], "tiered-skirt"),
         ("coat(length=80;flare=0)", [Claim("hood", "hood")], "hooded-coat(length=80;chest_ease=20)"),

@@ -29,6 +29,8 @@ UNUSUAL = {
     "bomber-jacket": {("top_hem", "hip")},
     "denim-jacket": {("top_hem", "hip")},
     "joggers": {("leg_cuffs", "none")},
+    "bodysuit": {("leg_hem", "full")},
+    "swimsuit": {("leg_hem", "full")},
     "wrap-skirt": {("slit", "none")},
     "sarong": {("slit", "none")},
 }

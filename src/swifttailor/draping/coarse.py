@@ -144,10 +144,13 @@ def drape_coarsely(
 
 
 def _lies_folded(pattern: Pattern) -> bool:
-    """Whether its collar lies on the torso all around.
+    """Whether its collar lies on the torso all around, or is turned down over itself.
 
     Those of GarmentCode are folded in front and stand behind. GarmentSewer has learnt from drapes in which
     they spring up, so that what it begins from must, too.
     """
-    seams = [s for s in pattern.stitches if len([r for r in s.sides if "collar" in r.panel]) == 1]
-    return bool(seams) and all(s.right_wrong for s in seams)
+    collars = [(len([r for r in s.sides if "collar" in r.panel]), s.right_wrong) for s in pattern.stitches]
+    if any(both == 2 and folded for both, folded in collars):
+        return True
+    seams = [folded for sides, folded in collars if sides == 1]
+    return bool(seams) and all(seams)

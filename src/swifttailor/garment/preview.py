@@ -52,6 +52,9 @@ def cloth_surface(
         # Golden-ratio steps keep consecutive panels apart whatever their number.
         step = (np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0
         right = base * (0.90 + 0.20 * step)[garment.mesh.face_panel][:, None]
+    printed = garment.print if color is None else None
+    if printed is not None:  # its wrong side has the colour of its ground
+        base = np.maximum(to_linear(printed.colors[0]), DARKEST)
     grey = float(base @ (0.2126, 0.7152, 0.0722))
     inside = 0.78 * (0.75 * base + 0.25 * grey) + 0.002
     drawn = ()
@@ -60,7 +63,6 @@ def cloth_surface(
             LineSet(_seam_edges(garment), strength=0.42, width=1.1),
             LineSet(border_edges(garment.faces), strength=0.30, width=1.2),
         )
-    printed = garment.print if color is None else None
     return Surface(
         garment.vertices,
         garment.faces,

@@ -27,7 +27,7 @@ from swifttailor.tailor.sitting import sits_badly
 from swifttailor.tailor.verdict import Verdict
 from swifttailor.wishes.loose_wholes import loosened
 from swifttailor.wishes.unsaid import leaves_hem_unsaid, unsaid_wishes
-from swifttailor.wishes.well_within import off_the_floor, well_within
+from swifttailor.wishes.well_within import as_stated, off_the_floor, well_within
 from swifttailor.wishes.within_usual import beyond_usual, within_usual
 
 NARROWEST_SLEEVE_CM, NARROWEST_HEM_CM = 14.0, 60.0
@@ -201,8 +201,8 @@ def _finished(
 
 
 def _walked_in(before: Alteration, changes: tuple[Change, ...], said: tuple[Change, ...]) -> Alteration:
-    """A gown shortened so that it does not lie on the floor, where that costs nothing asked for."""
-    steps = off_the_floor(said, before.facts)
+    """Made as long as was stated, and gowns to clear the floor, where that costs nothing asked for."""
+    steps = (*off_the_floor(said, before.facts), *as_stated(said, before.facts))
     after = altered(before.pattern, (*changes, *steps)) if steps else None
     if after is None or not after.cuts or not _costs_nothing(after, before, changes):
         return before

@@ -12,7 +12,7 @@ from swifttailor.garment.cloth_print import PRINT
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.crumpling import CRUMPLED
 from swifttailor.pattern.check import Change as Mending
-from swifttailor.pattern.drafts.draft_names import DRAFTS_SHOW, STANDS_IN
+from swifttailor.pattern.drafts.draft_names import STANDS_IN
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fabric_asked import fabric_unmet, fabric_warning
 from swifttailor.tailor.heard_notes import heard_notes, heard_report
@@ -33,11 +33,6 @@ NOTHING_UNDERSTOOD = "Nothing measurable was understood from the text with certa
 AS_IT_WAS = (
     "Nothing was understood of what to change, so the pattern is the one that was given. Lengths, widths, "
     "necklines, sleeves, collars, hoods, waistbands, slits and tiers can be changed (docs/edits.md)."
-)
-
-
-FOLDS_UNSEEN = (
-    "Its pleats are in the pattern; without --finish the network hangs the cloth without their folds."
 )
 
 
@@ -202,8 +197,6 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
         )
     if answer.draft:
         found.append(f"Begun from a draft of ours: {answer.draft}.")
-        if "pleats" in DRAFTS_SHOW.get(answer.draft, ()) and not order.finish:
-            found.append(FOLDS_UNSEEN)
         if answer.draft in STANDS_IN:
             found.append(STANDS_IN[answer.draft])
     if wanted.part is not None:

@@ -10,6 +10,7 @@ from swifttailor.pattern.drafts.draft_names import (
     BARE_SHOULDERED,
     COLLARED,
     DRAFT_KINDS,
+    ROLLED,
     SIDE_SLITS,
     STANDING,
     NamedDraft,
@@ -18,7 +19,8 @@ from swifttailor.wishes.held_drafts import held_as_asked
 from swifttailor.wishes.sleeved_drafts import sleeves_as_asked
 
 _BARE = Claim("shoulders", "strapless")
-_ROLLED_CM = 8.0
+_ROLLED_CM, _STANDS_CM = 4.5, 4.0
+"""Height of collars when they are worn."""
 _STAND, _ROLLED = Claim("collar", "stand"), Claim("collar", "turtleneck")
 _OF_LAPELS = frozenset({Claim("collar", "lapel"), Claim("shoulders", "both")})
 _OF_STANDS = frozenset({_STAND, _ROLLED, Claim("neck_depth", "high"), Claim("shoulders", "both")})
@@ -33,7 +35,7 @@ _ON_SHOULDERS = ("t-shirt", "tank-top", "fitted-dress", "shift-dress", "skater-d
 _LEGS: Mapping[str, Mapping[str, float]] = {
     "wide": {"leg_ease": 40.0, "flare": 8.0},
     "flared": {"leg_ease": 8.0, "flare": 26.0},
-    "straight": {"leg_ease": 17.0, "flare": 1.0},
+    "straight": {"leg_ease": 21.0, "flare": -3.5},
     "tapered": {"hip_ease": 9.0, "leg_ease": 12.0, "flare": -7.0},
     "slim": {"leg_ease": 6.0, "flare": -4.0},
 }
@@ -55,9 +57,20 @@ _CLOSE_CM, _SHAPING_CM = 3.0, 3.0
 _SHORT = ("cap", "short", "elbow")
 _GATHERED_SKIRT = Claim("skirt", "gathered")
 _DEPTHS = frozenset({"neck_depth", "neck_depth_cm", "collar", "hood"})
-_V_NECKED = ("t-shirt", "tank-top", "fitted-dress", "skater-dress", "shift-dress", "jumpsuit", "empire-dress")
+_V_NECKED = (
+    "t-shirt",
+    "sweatshirt",
+    "tank-top",
+    "fitted-dress",
+    "skater-dress",
+    "shift-dress",
+    "jumpsuit",
+    "empire-dress",
+)
 _V_WIDENING_CM, _V_DEPTH_CM = 1.0, 16.0
 _SLEEVELESS = {"strap_width": 8.0, "neck_widening": 2.0, "neck_depth": 10.0, "back_neck_depth": 3.0}
+_SWEATSHIRT = "sweatshirt"
+_WITHOUT_LEGS = ("bodysuit", "swimsuit")
 _JOGGERS = "joggers"
 _OF_JOGGERS = ("wide", "straight", "slim")
 """Legs that joggers have as well; they are tapered as they are, and nothing flares into a cuff."""
@@ -110,12 +123,14 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = _with_v_neck(_with_hood(draft, claims), claims)
     if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, _SLIT_CM)))
+    if draft.name in _WITHOUT_LEGS and any(_has_legs(claim) for claim in claims):
+        return None
     draft = _with_tiers(_with_legs(_with_leg_cuffs(draft, claims), claims), claims)
     if draft.name == _JOGGERS and _NOT_CUFFED.intersection(claims):
         return None
-    if draft.name in ("t-shirt", "tank-top") and _stands(claims):
+    if draft.name in ("t-shirt", "tank-top", _SWEATSHIRT) and _stands(claims):
         draft = _with_stand(draft, claims)
-    if draft.name == "turtleneck" and Claim("sleeves", "none") in claims:
+    if draft.name in ("turtleneck", _SWEATSHIRT) and Claim("sleeves", "none") in claims:
         draft = replace(draft, options=tuple({**dict(draft.options), "sleeves": False}.items()))
     draft = _without_sleeves(_with_collar(draft, claims), claims)
     if draft.name == "circle-skirt" and any(claim.name == "slit" for claim in claims):
@@ -132,7 +147,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         return None
     if draft.name in COLLARED and _STAND in claims:
         draft = replace(draft, options=(*[o for o in draft.options if o[0] != "collar"], STANDING))
-    stands = STANDING in draft.options
+    stands = draft.stands
     if not stands and draft.name not in COLLARED:
         return draft
     own = _OF_STANDS if stands else _OF_LAPELS
@@ -152,7 +167,7 @@ def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return NamedDraft("polo-shirt" if short else "shirt", (*kept, *sleeves))
     if draft.name == "skater-dress":
         kept = [(name, options[name]) for name in ("skirt_length", "skirt_fraction") if name in options]
-        return NamedDraft("shirt-dress", (*kept, ("collar", "folded"), *sleeves))
+        return NamedDraft("shirt-dress", (*kept, ("collar", "shirt"), *sleeves))
     return draft
 
 
@@ -169,6 +184,8 @@ def _with_hood(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         hooded["arm_ease"] = min(max(float(hooded.get("arm_ease", 0.0)), 10.0), 18.0)
         bare = draft.name == "tank-top" or Claim("sleeves", "none") in claims
         return NamedDraft(_HOODED, tuple({**hooded, "opening": 0.0, "sleeves": not bare}.items()))
+    if draft.name == "cape":
+        return replace(draft, options=tuple({**options, "hood": Claim("hood", "hood") in claims}.items()))
     if draft.name in _COATS and Claim("hood", "hood") in claims:
         kept = {"length": options["length"]} if "length" in options else {}
         return NamedDraft(_HOODED, tuple({**_OF_COATS[draft.name], **kept}.items()))
@@ -241,7 +258,7 @@ def _with_leg_cuffs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
 
 def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """Legs with room, and of jumpsuits the legs that are asked for: trousers have drafts for each shape."""
-    if DRAFT_KINDS[draft.name] not in ("jumpsuit", "trousers"):
+    if DRAFT_KINDS[draft.name] not in ("jumpsuit", "trousers") or draft.name in _WITHOUT_LEGS:
         return draft
     options = dict(draft.options)
     known = _OF_JOGGERS if draft.name == _JOGGERS else tuple(_LEGS)
@@ -256,6 +273,15 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if _LOOSE in claims:
         options["hip_ease"] = max(_LOOSE_CM, float(options.get("hip_ease", 0.0)))
     return replace(draft, options=tuple(options.items()))
+
+
+def _has_legs(claim: Claim) -> bool:
+    if claim.name == "leg_hem":
+        return claim.value != "very short"
+    return claim.name in ("legs", "leg_cuffs", "inseam_cm", "leg_width_cm") and claim.value not in (
+        "slim",
+        "none",
+    )
 
 
 def _with_tiers(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
@@ -274,10 +300,14 @@ def _stands(claims: Sequence[Claim]) -> bool:
 
 
 def _with_stand(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    if draft.name == _SWEATSHIRT:
+        collar = ROLLED if _ROLLED in claims else STANDING
+        return replace(draft, options=tuple({**dict(draft.options), collar[0]: collar[1]}.items()))
     bare = draft.name == "tank-top" or Claim("sleeves", "none") in claims
     kept = [option for option in draft.options if option[0] in _OF_TORSO]
     kept += [
-        ("collar_height", _ROLLED_CM if _ROLLED in claims else 4.0),
+        ("collar_height", _ROLLED_CM if _ROLLED in claims else _STANDS_CM),
+        ("rolled", _ROLLED in claims),
         *([("sleeves", False)] if bare else []),
     ]
     return NamedDraft("turtleneck", tuple(kept))

@@ -61,7 +61,7 @@ _DRAFTS: Mapping[str, NamedDraft] = {
     "empire": NamedDraft.parse("empire-dress"),
     "jumpsuit": NamedDraft.parse("jumpsuit(hip_ease=7;leg_ease=14)"),
     "playsuit": NamedDraft.parse("jumpsuit(length=50;leg_ease=16;flare=4)"),
-    "trousers": NamedDraft.parse("trousers(length=100;leg_ease=17;flare=1)"),
+    "trousers": NamedDraft.parse("trousers(length=100;leg_ease=21;flare=-3.5)"),
     "shorts": NamedDraft.parse("trousers(length=50;hip_ease=5;leg_ease=14)"),
 }
 _SHAPED_LEGS: Mapping[str, NamedDraft] = {

@@ -31,6 +31,8 @@ _RELATIVE = re.compile(
 _OFF = re.compile(r"\s*(?:off|more|less|extra|plus|minus)(?!\w)", re.IGNORECASE)
 _KNEE_CM, _SHOULDER_CM, _WAIST_CM = 45.9, 144.5, 108.8
 """Heights of the default body."""
+_HANGS_CM = 2.5
+"""So much lower than on their patterns dresses end on the body."""
 _CROTCH_CM = 32.0
 """How far below the waist its crotch is."""
 _OUTSEAM = "outseam_cm"
@@ -162,7 +164,7 @@ def _relative(text: str, mention: Mention, kind: str | None) -> SpokenMeasure | 
     if kind == "skirt":
         return SpokenMeasure(mention, Claim("skirt_length_cm", round(_WAIST_CM - level, 1)))
     if kind == "dress":
-        return SpokenMeasure(mention, Claim("length_cm", round(_SHOULDER_CM - level, 1)))
+        return SpokenMeasure(mention, Claim("length_cm", round(_SHOULDER_CM - level - _HANGS_CM, 1)))
     return SpokenMeasure(mention, None)
 
 

@@ -29,6 +29,8 @@ ABOVE_THE_KNEE_CM, SLIT_SHARE = 6.0, 0.8
 """How far above the knee a slit ends, and the part of that height that is left as it is."""
 BELOW_CROTCH_CM, BELOW_CROTCH_AT_MOST_CM = 16.0, 22.0
 """Where a high slit in a long skirt begins."""
+AS_STATED_CM = 1.5
+"""By so much a hem may end elsewhere than was stated."""
 WIDE_LEGS, WIDE_LEGS_AT_LEAST = 1.3, 1.2
 """Ends of wide legs in girths of the thigh."""
 
@@ -68,6 +70,21 @@ def off_the_floor(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, 
     if stated or hem.level >= (FLOOR_AT_LEAST_CM if gown else SKIRT_FLOOR_AT_LEAST_CM):
         return ()
     return (Step("length", -1, round((FLOOR_CM if gown else SKIRT_FLOOR_CM) - hem.level, 1)),)
+
+
+def as_stated(said: Sequence[Change], facts: GarmentFacts) -> tuple[Change, ...]:
+    """By how much a garment is longer or shorter than was stated, where that shows: words forgive more."""
+    claims = {wish.claim.name: wish.claim.value for wish in said if isinstance(wish, Gain)}
+    if "hem_shape" in claims:
+        return ()
+    skirt = facts.length if facts.kind == "skirt" else facts.skirt.length if facts.skirt else None
+    long = facts.length if facts.kind in ("top", "dress") else None
+    for name, length in (("length_cm", long), ("skirt_length_cm", skirt)):
+        stated = claims.get(name)
+        if length is not None and isinstance(stated, float | int) and abs(stated - length) > AS_STATED_CM:
+            by = round(float(stated) - length, 1)
+            return (Step("length", 1 if by > 0 else -1, abs(by)),)
+    return ()
 
 
 _Words = set[tuple[str, str | float]]

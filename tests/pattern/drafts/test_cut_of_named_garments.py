@@ -17,25 +17,45 @@ def test_every_draft_has_its_kind():
     assert {name: measure_facts(draft(name)).kind for name in DRAFT_NAMES} == dict(DRAFT_KINDS)
 
 
-@pytest.mark.parametrize("pleats", [2, 5, 8])
-@pytest.mark.parametrize("fraction", [0.0, 0.6, 1.0])
-def test_laid_pleats_are_as_long_as_the_waistband(pleats, fraction):
-    pattern = draft("pleated-skirt", pleats=pleats, depth=3.0, fraction=fraction)
+@pytest.mark.parametrize("strips", [2, 5, 8])
+@pytest.mark.parametrize("flare", [20.0, 52.0, 120.0])
+def test_strips_of_pleats_are_as_long_as_the_waistband(strips, flare):
+    pattern = draft("pleated-skirt", strips=strips, depth=3.0, flare=flare)
     for part in ("front", "back"):
-        band, skirt = seam_length(pattern, f"wb_{part}", f"skirt_{part}")
-        assert skirt == pytest.approx(band, rel=1e-3)
-        folds = [s for s in pattern.stitches if {side.panel for side in s.sides} == {f"skirt_{part}"}]
-        assert len(folds) == pleats
+        sewn = [s for s in pattern.stitches if f"wb_{part}" in {side.panel for side in s.sides}]
+        above = [s for s in sewn if any("pleat" in side.panel for side in s.sides)]
+        assert len(above) == strips
+        lengths = {round(pattern.edge_length(side), 3) for s in above for side in s.sides}
+        assert max(lengths) - min(lengths) < 0.02
+    assert sum("under" in p.name for p in pattern.panels) == 2 * (strips - 1)
     assert labelled_length(pattern, "lower_interface") == pytest.approx(BODY.waist)
 
 
-@pytest.mark.parametrize("depth", [1.0, 4.0])
-def test_pleats_fold_their_depth_away(depth):
-    straight = draft("pleated-skirt", pleats=4, depth=depth, fraction=0.0)
-    plain = draft("pleated-skirt", pleats=4, depth=depth + 2, fraction=0.0)
-    hems = [measure_facts(p).hem for p in (straight, plain)]
+@pytest.mark.parametrize("depth", [2.0, 4.0])
+def test_pleats_fold_their_depth_away_twice(depth):
+    pattern, deeper = (draft("pleated-skirt", strips=4, depth=d) for d in (depth, depth + 1.5))
+    hems = [measure_facts(p).hem for p in (pattern, deeper)]
     assert hems[0] and hems[1]
-    assert hems[1].length - hems[0].length == pytest.approx(2 * 4 * 2.0, rel=0.05)
+    assert hems[1].length - hems[0].length == pytest.approx(2 * 3 * 2 * 1.5, rel=0.05)
+
+
+def test_cloth_that_is_folded_away_stands_inside_the_strip_that_covers_it():
+    pattern = draft("pleated-skirt")
+    for part in ("front", "back"):
+        for k in range(1, 6):
+            over, under = f"skirt_pleat_{k - 1}_{part}", f"skirt_under_{k}_{part}"
+            (fold,) = [s for s in pattern.stitches if {side.panel for side in s.sides} == {over, under}]
+            seen, hidden = (next(x for x in fold.sides if x.panel == name) for name in (over, under))
+            outward = pattern.panel(over).normal()
+            depth = (place(pattern, seen) - place(pattern, hidden)) @ outward
+            assert 0.1 < depth < 0.4 and fold.right_wrong
+
+
+def place(pattern, side) -> np.ndarray:
+    """Upper end of an edge before draping, cm."""
+    panel = pattern.panel(side.panel)
+    ends = panel.to_world(np.roll(panel.vertices, -side.edge, axis=0)[:2])
+    return ends[ends[:, 1].argmax()]
 
 
 @pytest.mark.parametrize("width", [1.0, 1.5, 4.0])
@@ -50,13 +70,72 @@ def test_straps_are_as_wide_as_asked(name, width):
 
 @pytest.mark.parametrize("height", [2.0, 10.0, 14.0])
 def test_a_turtleneck_s_collar_is_as_long_as_its_neckline_and_as_high_as_asked(height):
-    pattern = draft("turtleneck", collar_height=height)
+    pattern = draft("turtleneck", collar_height=height, rolled=False)
     for face in ("front", "back"):
         neck, collar = seam_length(pattern, f"left_{face[0]}torso", f"left_collar_{face}")
         assert collar == pytest.approx(neck, rel=1e-3)
     facts = measure_facts(pattern)
     assert facts.collar is not None and facts.collar.height == pytest.approx(height, abs=0.1)
     assert Claim("collar", "turtleneck").holds(facts) == (height > 4.0)
+
+
+@pytest.mark.parametrize("name", ["turtleneck", "sweatshirt"])
+@pytest.mark.parametrize("height", [3.0, 4.5])
+def test_a_roll_neck_covers_its_stand(name, height):
+    options = {"rolled": True} if name == "turtleneck" else {"collar": "rolled"}
+    pattern = draft(name, collar_height=height, **options)
+    for face in ("front", "back"):
+        fold = seam_length(pattern, f"left_collar_{face}", f"left_collar_fall_{face}")
+        assert fold[0] == pytest.approx(fold[1], rel=1e-9)
+    facts = measure_facts(pattern)
+    assert facts.collar is not None and facts.collar.kind == "stand"
+    assert 2 * height < facts.collar.height < 2 * height + 2.0
+    joined = {frozenset(side.panel for side in s.sides) for s in pattern.stitches}
+    assert {"left_collar_fall_front", "right_collar_fall_front"} in joined
+
+
+@pytest.mark.parametrize("name", ["shirt", "polo-shirt", "denim-jacket", "shirt-dress"])
+def test_a_shirt_collar_is_turned_down_over_a_stand_and_ends_in_points(name):
+    pattern = draft(name, collar="shirt", collar_width=5.0)
+    assert Claim("collar", "lapel").holds(measure_facts(pattern))
+    joined = {frozenset(side.panel for side in s.sides) for s in pattern.stitches}
+    assert frozenset({"left_collar_fall_front", "right_collar_fall_front"}) not in joined
+    front, back = (extent(pattern, f"left_collar_fall_{face}") for face in ("front", "back"))
+    assert front[0, 1] == pytest.approx(back[0, 1] - 3.0), "points hang lower"
+    folded = [s for s in pattern.stitches if s.right_wrong]
+    assert len(folded) == 4 and all("fall" in s.first.panel + s.second.panel for s in folded)
+
+
+@pytest.mark.parametrize("name", ["dungarees", "pinafore"])
+@pytest.mark.parametrize("strap", [2.0, 3.5, 6.0])
+def test_a_bib_and_its_straps_are_sewn_to_the_waistband(name, strap):
+    pattern = draft(name, strap_width=strap)
+    for side in ("left", "right"):
+        assert seam_length(pattern, f"{side}_btorso", "wb_back") == pytest.approx((strap, strap), rel=1e-3)
+        bib, band = seam_length(pattern, f"{side}_ftorso", "wb_front")
+        assert bib == pytest.approx(band, rel=1e-3) and bib > strap
+    facts = measure_facts(pattern)
+    assert Claim("sleeves", "none").holds(facts) and Claim("neckline", "square").holds(facts)
+
+
+@pytest.mark.parametrize("name", ["bodysuit", "swimsuit"])
+def test_one_pieces_are_cut_out_over_the_legs(name):
+    heights = [2.0, 8.0]
+    low, high = (draft(name, leg_height=h) for h in heights)
+    sides = [seam_length(p, "pant_f_l", "pant_b_l")[0] for p in (low, high)]
+    assert sides[0] - sides[1] == pytest.approx(heights[1] - heights[0], abs=1.0)
+    assert Claim("leg_hem", "very short").holds(measure_facts(low))
+
+
+@pytest.mark.parametrize("length", [0.0, 55.0, 90.0])
+@pytest.mark.parametrize("hood", [False, True])
+def test_a_cape_covers_the_arms_and_opens_in_front(length, hood):
+    pattern = draft("cape", length=length, hood=hood, closed=6.0)
+    front = extent(pattern, "left_ftorso")
+    assert front[0, 1] == pytest.approx(WAIST_Y - length, abs=1.0)
+    assert front[1, 0] > 30.0, "wider than the shoulders"
+    assert seam_length(pattern, "left_ftorso", "right_ftorso")[0] == pytest.approx(6.0, abs=0.5)
+    assert Claim("hood", "hood").holds(measure_facts(pattern)) == hood
 
 
 @pytest.mark.parametrize("name", ["jeans", "leggings"])

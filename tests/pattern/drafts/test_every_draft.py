@@ -28,7 +28,7 @@ def inside_points(panel: Panel) -> np.ndarray:
 def inside_body(points: np.ndarray) -> np.ndarray:
     """Whether points lie in a coarse hull of the default body: torso and legs, head, arms."""
     x, y, z = points.T
-    trunk = (np.abs(x) < 19.5) & (np.abs(z) < 15.5) & (y < 142)
+    trunk = ((x / 19.5) ** 4 + (z / 15.5) ** 4 < 1) & (y < 142)  # its corners are round
     head = np.linalg.norm((points - [0.0, 160.0, 2.5]) / [9.5, 13.5, 13.0], axis=1) < 1
     start, end = np.array([18.0, 137.0, -2.5]), np.array([60.0, 95.0, 4.0])
     mirrored = np.stack([np.abs(x), y, z], axis=1)
@@ -83,14 +83,16 @@ def test_left_and_right_are_mirror_images(name):
     assert pairs > 0 or name.endswith(("skirt", "sarong"))
 
 
-NO_GARMENTCODE = {"left_btorso_strap", "right_btorso_strap"}
-"""Of halters, which GarmentCode does not make."""
+NO_GARMENTCODE = re.compile(
+    r"(left|right)_(btorso_strap|collar_fall_(front|back))|skirt_(pleat|under)_\d_(front|back)"
+)
+"""Of halters, of collars that are turned down, and of pleats, which GarmentCode does not make."""
 
 
 @EVERY
 def test_names_labels_and_origins_are_garmentcodes(name):
     pattern = draft(name)
-    assert {p.name for p in pattern.panels} - NO_GARMENTCODE <= set(PANEL_NAMES)
+    assert {p.name for p in pattern.panels if not NO_GARMENTCODE.fullmatch(p.name)} <= set(PANEL_NAMES)
     for panel in pattern.panels:
         assert panel.label in ("body", "arm", "leg")
         np.testing.assert_array_equal(panel.vertices[0], [0.0, 0.0])

@@ -17,7 +17,7 @@ from swifttailor.recutting import alter
 from swifttailor.recutting.holes import has_holes
 
 WRAPS = ("wrap-dress", "wrap-top")
-COLLARED = ("polo-shirt", "blazer")
+COLLARED = {"polo-shirt": {"collar": "folded"}, "shirt": {"collar": "flat"}, "blazer": {}}
 WOUND = ("wrap-skirt", "sarong")
 
 
@@ -80,7 +80,7 @@ def test_wraps_lose_their_sleeves_by_option_and_by_the_knife(name):
 
 @pytest.mark.parametrize("name", COLLARED)
 def test_a_folded_collar_is_as_long_as_the_neckline_and_lies_on_the_torso(name):
-    pattern = draft(name)
+    pattern = draft(name, **COLLARED[name])
     for face, torso in (("front", "left_ftorso"), ("back", "left_btorso")):
         collar, neck = seam_length(pattern, f"left_collar_{face}", torso)
         assert collar == pytest.approx(neck, rel=1e-9)

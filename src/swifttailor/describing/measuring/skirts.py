@@ -56,7 +56,7 @@ def measure_skirt(anatomy: Anatomy, worn: Worn, hem: HemLine) -> Skirt | None:
         hips=_hips(anatomy, top, base, base_length, own_upper, base_lower, level),
         hem=hem_length,
         circle=circle,
-        gores=len(base),
+        gores=_gores(anatomy, base),
         tiers=tiers,
         tier_gather=_tier_gather(anatomy, rows),
         base_length=base_length,
@@ -67,6 +67,17 @@ def measure_skirt(anatomy: Anatomy, worn: Worn, hem: HemLine) -> Skirt | None:
         darts=anatomy.darts(Part.SKIRT),
         slits=tuple(s for s in hem.slits),
     )
+
+
+def _gores(anatomy: Anatomy, base: Sequence[str]) -> int:
+    """Pieces side by side; those that are folded upon each other, as in pleats, count as one."""
+    group = {name: name for name in base}
+    for stitch in anatomy.cloth.stitches:
+        one, other = stitch.first.panel, stitch.second.panel
+        if stitch.right_wrong and one in group and other in group:
+            joined = group[one]
+            group = {name: group[other] if g == joined else g for name, g in group.items()}
+    return len(set(group.values()))
 
 
 def _fall(anatomy: Anatomy, top: Sequence[EdgeRef]) -> Floats:

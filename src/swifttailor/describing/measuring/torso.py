@@ -74,7 +74,8 @@ def measure_collar(anatomy: Anatomy) -> Collar | None:
     """Measures the collar: its width behind the neck; None without one.
 
     A stand continues all the way around the neckline with its upper edge free. What lies open on the
-    front, its front edges sewn far down the neckline or its wrong side turned out, is a lapel.
+    front, its front edges sewn far down the neckline or its wrong side turned out, is a lapel; so is one
+    that is turned down over a stand, but where it goes all around, as roll necks do.
     """
     panels = anatomy.panels(Part.COLLAR)
     seam = anatomy.seam(Part.COLLAR, Part.TORSO)
@@ -86,7 +87,7 @@ def measure_collar(anatomy: Anatomy) -> Collar | None:
     if not free:
         return None
     names = {p.name for p in panels}
-    turned = any(s.right_wrong and {r.panel for r in s.sides} & names for s in cloth.stitches)
+    turned = any(s.right_wrong and len({r.panel for r in s.sides} & names) == 1 for s in cloth.stitches)
     upper = sum(map(anatomy.edge_length, free))
     behind = [r for r in free if anatomy.parts[r.panel].face == "back"] or list(free)
     height = float(cloth.distances(sewn)[cloth.nodes(behind)].max())

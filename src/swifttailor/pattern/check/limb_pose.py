@@ -29,6 +29,8 @@ _APART_CM = 6.0
 """The middle of a leg's hem is further from the middle of the body; that of a skirt's is nearer."""
 _LEVEL = 0.4
 """A waist or neck is less high, at most this share of the way down to the hems; an open front is higher."""
+_BELOW_HIPS_CM = 4.0
+"""What ends above this, below the hips, is cut out over the legs: it has none that could stand apart."""
 _STRAIGHT = 0.5
 """Share of the length of an opening's edges that must run one way for it to be a straight one."""
 
@@ -80,6 +82,8 @@ def _pose(
         x, y, down = levels.shoulder_x, levels.shoulder, levels.arm_angle
     else:
         x, y, down = levels.hip_x, levels.hips, 90.0
+        if opening[..., 1].max() + shift[1] > levels.hips - _BELOW_HIPS_CM:
+            return None
     angle = _angle_below_horizontal(opening, side, limb)
     if angle is None or down - angle <= _OTHER_POSE_DEGREES[limb]:
         return None

@@ -39,9 +39,11 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "strappy-dress": "dress",
     "halter-dress": "dress",
     "off-shoulder-dress": "dress",
+    "pinafore": "dress",
     "empire-dress": "dress",
     "coat": "dress",
     "hooded-coat": "dress",
+    "cape": "dress",
     "shift-dress": "dress",
     "swing-dress": "dress",
     "kaftan": "dress",
@@ -50,6 +52,9 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "strapless-jumpsuit": "jumpsuit",
     "strappy-jumpsuit": "jumpsuit",
     "halter-jumpsuit": "jumpsuit",
+    "bodysuit": "jumpsuit",
+    "swimsuit": "jumpsuit",
+    "dungarees": "jumpsuit",
     "trousers": "trousers",
     "jeans": "trousers",
     "leggings": "trousers",
@@ -99,13 +104,21 @@ class NamedDraft:
     def shows(self) -> tuple[str, ...]:
         """What it shows that no way to cut makes: keys of the lexicon's ``cannot.txt``."""
         opens = self.name == "turtleneck" and dict(self.options).get("opening", 0.0)
-        shown = () if STANDING in self.options else DRAFTS_SHOW.get(self.name, ())
+        collar = _COLLARS_SHOW.get(str(dict(self.options).get("collar", "")))
+        shown = DRAFTS_SHOW.get(self.name, ())
+        if collar is not None:
+            shown = (*[key for key in shown if key not in _COLLAR_KEYS], *collar)
         return (*shown, "open_front") if opens else shown
+
+    @property
+    def stands(self) -> bool:
+        """Whether it has a collar that stands on a close neck instead of the one that it has by itself."""
+        return STANDING in self.options or ROLLED in self.options
 
     @property
     def is_to_the_eye(self) -> tuple[tuple[str, str], ...]:
         """Claims, by name and value, that are true of it to the eye, though not as they are measured."""
-        stands = STANDING in self.options or self.name == "turtleneck"
+        stands = self.stands or self.name == "turtleneck"
         slits = _OF_SLITS if any(name == SIDE_SLITS for name, _ in self.options) else ()
         flare = dict(self.options).get("flare", 0.0)
         straight = _OF_FLARE if float(flare) >= A_LINE_CM else _OF_NO_FLARE
@@ -122,6 +135,8 @@ class NamedDraft:
 
 STANDING = ("collar", "standing")
 """The option of a collar that stands."""
+ROLLED = ("collar", "rolled")
+"""The option of one that is turned down over itself."""
 SIDE_SLITS = "side_slits"
 """The option of slits in garments that have no skirt of their own to be measured."""
 ROOMY_CM = 7.0
@@ -148,16 +163,21 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "pleated-skirt": ("pleats",),
     "strapless-dress": ("sweetheart",),
     "bustier": ("sweetheart",),
-    "polo-shirt": ("shirt_collar", "flat_collar"),
-    "shirt": ("shirt_collar", "flat_collar", "open_front"),
+    "polo-shirt": ("shirt_collar",),
+    "shirt": ("shirt_collar", "open_front"),
     "waistcoat": ("open_front",),
-    "shirt-dress": ("shirt_collar", "flat_collar"),
-    "denim-jacket": ("shirt_collar", "flat_collar"),
+    "shirt-dress": ("shirt_collar",),
+    "denim-jacket": ("shirt_collar",),
     "cardigan": ("open_front",),
     "blazer": ("open_front",),
     "coat": ("open_front",),
     "hooded-coat": ("open_front",),
     "robe": ("open_front",),
+    "cape": ("cape", "open_front"),
+    "bodysuit": ("swim",),
+    "swimsuit": ("swim",),
+    "dungarees": ("bib",),
+    "pinafore": ("bib",),
     "halter-top": ("halter",),
     "halter-dress": ("halter",),
     "halter-jumpsuit": ("halter",),
@@ -166,6 +186,15 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
 }
 """What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``. Where it
 names a shirt dress, that has its collar."""
+_COLLAR_KEYS = ("shirt_collar", "flat_collar")
+_COLLARS_SHOW: Mapping[str, tuple[str, ...]] = {
+    "shirt": ("shirt_collar",),
+    "folded": ("flat_collar", "shirt_collar"),
+    "flat": ("flat_collar",),
+    "standing": (),
+    "rolled": (),
+}
+"""What a collar shows in place of the one that a draft has by itself."""
 _HALTER = (
     ("back_depth", "open"),
     ("back_depth", "low"),
@@ -175,6 +204,8 @@ _HALTER = (
 DRAFTS_ARE: Mapping[str, tuple[tuple[str, str], ...]] = {
     "blazer": (("bodice", "darted"),),
     "waistcoat": (("bodice", "darted"),),
+    "cape": (("fit", "oversized"), ("fit", "loose")),
+    "pleated-skirt": (("skirt", "flared"), ("skirt", "a-line")),
     "halter-top": _HALTER,
     "halter-dress": _HALTER,
     "halter-jumpsuit": _HALTER,
@@ -204,8 +235,9 @@ STANDS_IN: Mapping[str, str] = {
     "wrap-top": _CROSSED,
     "wrap-skirt": _OPEN,
     "sarong": _OPEN,
+    "pleated-skirt": "Each pleat is cut as strips; where they meet in a fold, cut them in one.",
     "shirt": _BUTTONED,
     "waistcoat": _BUTTONED,
-    "polo-shirt": "Its V stands for the buttoned slit below its collar.",
+    "polo-shirt": "The slit below its collar is closed, and has no buttons.",
 }
 """What a draft has in place of what cannot be made, for people."""

@@ -12,13 +12,15 @@ from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.outline import Outline, Point, Side
 
-FrontShape = Literal["notched", "shawl"]
+FrontShape = Literal["notched", "shawl", "rounded"]
 _OUTSIDE = 4.0
 """How far outside the torso it stands before draping, cm."""
 _POINT_OUT = 0.55
 """Distance of a point from the middle, over the width of the collar."""
 _POINT_DOWN = 1.45
 """Fall of a point below the end of the neckline, over the width of the collar."""
+_ROUND_DOWN, _ROUND_OUT = 1.5, 0.8
+"""How far rounded ends are pulled down and out, over the width and over how far out the shoulder is."""
 _GORGE = 0.6
 """Height of the points of lapels, as a part of the neckline's."""
 
@@ -30,7 +32,7 @@ class FoldCollar:
     width: float
     """Neckline to outer edge at the shoulder, cm."""
     lapels: FrontShape | None = None
-    """What it has in front; None for two points at the end of the neckline."""
+    """What it has in front; None for two points at the end of the neckline. Rounded ends are no lapels."""
     lapel_width: float = 0.0
     """Neckline to outer edge where lapels are widest, cm."""
 
@@ -53,6 +55,12 @@ def lay_fold_collar(table: CuttingTable, shape: FoldCollar) -> None:
             outline.cubic("outer", across, down, outer)
         elif shape.lapels is None:
             _draw_points(outline, neck, shape.width, outer)
+        elif shape.lapels == "rounded":
+            across, down = (
+                (_ROUND_OUT * outer[0], outer[1] - 1.2 * shape.width),
+                (0.0, low - _ROUND_DOWN * shape.width),
+            )
+            outline.cubic("outer", down, across, outer)
         else:
             _draw_lapels(outline, neck, shape, outer)
         outline.line("shoulder", *neck[0].start)

@@ -1,4 +1,4 @@
-"""Which collar a garment's neckline is cut for: none, one folded down, or one that stands."""
+"""Which collar a garment's neckline is cut for: none, a shirt's, one that lies flat, or one that stands."""
 
 from __future__ import annotations
 
@@ -7,24 +7,36 @@ from typing import Annotated, Literal
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
-from swifttailor.pattern.drafts.fold_collar import FoldCollar, lay_fold_collar, sew_fold_collar
+from swifttailor.pattern.drafts.fold_collar import (
+    FoldCollar,
+    FrontShape,
+    lay_fold_collar,
+    sew_fold_collar,
+)
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
+from swifttailor.pattern.drafts.turned_collar import TurnedCollar, lay_turned_collar, sew_turned_collar
 
-CollarShape = Literal["none", "folded", "standing"]
-CollarOption = Annotated[
-    CollarShape,
-    Option("Collar: folded down over a V neck 7 to 16 cm deep, or standing on a close neck."),
-]
-SewnCollarOption = Annotated[
-    Literal["folded", "standing"], Option("Collar: folded down, or standing on a close neck.")
-]
+SewnCollarShape = Literal["shirt", "folded", "flat", "standing", "rolled"]
+CollarShape = Literal["none", SewnCollarShape]
+_SHAPES = (
+    "shirt: a stand on a close neck, turned down over itself; folded: flat over a V neck 7 to 16 cm deep; "
+    "flat: with rounded ends on a close neck; standing: on a close neck; "
+    "rolled: the same, turned down over itself."
+)
+CollarOption = Annotated[CollarShape, Option(f"Collar. {_SHAPES}")]
+SewnCollarOption = Annotated[SewnCollarShape, Option(f"Collar. {_SHAPES}")]
 CollarHeight = Annotated[float, Option("Height of a collar that stands.", "cm", 2.0, 14.0)]
 _CLOSE, _BEHIND = 1.0, 1.5
 """Widest and lowest behind, cm, that a neckline may be to carry a collar."""
 _FOLDED_DEPTH = 7.0, 16.0
 _STANDING_WIDENING, _STANDING_DEPTH = 0.5, 6.5
+_FLAT_DEPTH = 8.0
+_STAND_CM, _FALL_OVER_WIDTH = 2.5, 0.85
+"""Height of the stand of a shirt collar; what is turned down over the width of one that lies flat."""
+_OVER_SEAM_CM, _ROLL_FLARE_CM = 0.3, 1.2
+"""How far what is turned down of a roll neck covers its seam, and its room around the stand, a quarter."""
 
 
 @dataclass(frozen=True)
@@ -33,29 +45,39 @@ class NeckCollar:
 
     shape: CollarShape
     width: float
-    """Of one folded down, on the shoulder, cm."""
+    """Of one folded down, on the shoulder, cm; a shirt's is a little narrower."""
     height: float
-    """Of one that stands, cm."""
+    """Of one that stands, turned down or not, cm."""
 
     def neckline(self, asked: Neckline) -> Neckline:
         """The neckline that it is sewn to; the one that is asked for where there is no collar."""
         if self.shape == "folded":
             low, high = _FOLDED_DEPTH
             return Neckline("v", min(asked.widening, _CLOSE), min(max(asked.front_depth, low), high), _BEHIND)
-        if self.shape == "standing":
+        if self.shape == "flat":
+            return Neckline("round", min(asked.widening, _CLOSE), _FLAT_DEPTH, _BEHIND)
+        if self.shape in ("standing", "rolled", "shirt"):
             return Neckline("round", _STANDING_WIDENING, _STANDING_DEPTH, _BEHIND)
         return asked
 
     def lay(self, table: CuttingTable, figure: Figure) -> None:
         """Lays its left half on the left torso; call before `CuttingTable.mirror`."""
-        if self.shape == "folded":
-            lay_fold_collar(table, FoldCollar(self.width))
+        if self.shape in ("folded", "flat"):
+            ends: FrontShape | None = "rounded" if self.shape == "flat" else None
+            lay_fold_collar(table, FoldCollar(self.width, ends))
+        elif self.shape == "shirt":
+            lay_turned_collar(table, figure, TurnedCollar(_STAND_CM, _FALL_OVER_WIDTH * self.width))
+        elif self.shape == "rolled":
+            rolled = TurnedCollar(self.height, self.height + _OVER_SEAM_CM, _ROLL_FLARE_CM, points=None)
+            lay_turned_collar(table, figure, rolled)
         elif self.shape == "standing":
             lay_stand_collar(table, figure, self.height)
 
     def sew(self, table: CuttingTable) -> None:
         """Joins its halves, after `CuttingTable.mirror`."""
-        if self.shape == "folded":
+        if self.shape in ("folded", "flat"):
             sew_fold_collar(table)
-        elif self.shape == "standing":
+        elif self.shape != "none":
             sew_collar(table)
+        if self.shape in ("shirt", "rolled"):
+            sew_turned_collar(table, joined=self.shape == "rolled")

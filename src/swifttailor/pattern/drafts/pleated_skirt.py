@@ -1,88 +1,162 @@
-"""Skirts laid in pleats: at the upper edge the cloth of each pleat is sewn to itself."""
+"""Skirts laid in knife pleats: strips that overlap, joined by the cloth that is folded away between them.
+
+Cloth does not keep a crease, so folds are seams: like those of collars that lie folded, nothing unbends them.
+"""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from typing import Literal
 
+import numpy as np
+
+from swifttailor.arrays import Floats
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Halves
-from swifttailor.pattern.drafts.fitted_skirt import SKIRT_BACK_Z, SKIRT_FRONT_Z
-from swifttailor.pattern.drafts.joins import sew_sides
-from swifttailor.pattern.drafts.outline import Outline, Point
+from swifttailor.pattern.drafts.outline import Outline
 
-SEWN_DOWN = 0.6
-"""Depth of the notch in which a pleat is sewn to itself: two edges on one line are no corner, cm."""
-STRAIGHT = 0.02
-"""Part of a circle; below it a skirt is cut straight, from a circle of so little."""
+_AROUND_X, _AROUND_Z = 28.0, 23.0
+"""Half axes of the ellipse around the body on which the folds stand before draping, cm."""
+_INSIDE_CM = 0.3
+"""How far inside the strips the cloth between them stands."""
+_LIFT_CM = 2.0
+"""How much further in the hidden edge of a strip stands than the one that is seen."""
+_TUCK_DROP_CM = 2.0
+"""How far below the waist hidden edges begin: cut away, they do not stand out below the band."""
+_DEEPEST = 0.85
+"""Depth of a pleat over the width of a strip at the waist, at most."""
+_OF_HIPS = 0.6
+"""Part of what the waist is narrower than the hips that the strips widen by there, at least."""
+_EDGE, _STEPS = 0.012, 720
+
+Face = Literal["front", "back"]
+
+
+@dataclass(frozen=True)
+class KnifePleats:
+    """How the skirt is cut."""
+
+    length: float
+    """Upper edge to hem, cm."""
+    strips: int
+    """Seen in front, and as many behind: one more than there are pleats."""
+    depth: float
+    """Cloth that is folded under each strip, twice, cm; less where strips are narrow."""
+    flare: float
+    """Width of the hem over that of the waist as it hangs, cm around."""
 
 
 def lay_pleated_skirt(
-    table: CuttingTable,
-    waist: Halves,
-    length: float,
-    top_y: float,
-    *,
-    pleats: int,
-    depth: float,
-    fraction: float,
+    table: CuttingTable, waist: Halves, shape: KnifePleats, top_y: float, *, hips: Halves, to_hips: float
 ) -> None:
-    """Lays two panels whose upper edges are as long as the waist once their pleats are laid.
+    """Lays the strips ``skirt_pleat_0_front`` ... and what is folded away, ``skirt_under_1_front`` ...
 
-    Edges: bottom, left_side, waist, dart, right_side.
+    Edges: hem, right, top, tuck, left; `sew_pleats_to_band` sews the upper ones.
 
     Args:
         table: Where they go.
         waist: Half widths of the upper edge, cm.
-        length: Upper edge to hem, cm.
-        top_y: World height of the middle of the upper edge, cm.
-        pleats: How many on each panel.
-        depth: Cloth of each pleat that is folded away at the upper edge, cm.
-        fraction: Part of a circle that both panels make together; pleats of a circle deepen to the hem.
+        shape: The cut.
+        top_y: World height of the upper edge, cm.
+        hips: Half widths that it must have there, cm.
+        to_hips: Upper edge to the hips, cm.
     """
-    for name, half in (("skirt_front", waist.front), ("skirt_back", waist.back)):
-        outline = _pleated_panel(2 * half, length, top_y, pleats, depth, max(fraction, STRAIGHT) / 2)
-        front = name == "skirt_front"
-        at = (0.0, 0.0, SKIRT_FRONT_Z if front else SKIRT_BACK_Z)
-        table.lay(name, outline, label="leg", at=at, back=not front)
-    sew_sides(table, "skirt")
+    # Front and back widen alike, so that their sides are equally long; pleats that open give room as well.
+    lacking = max(hips.front - waist.front, hips.back - waist.back) * shape.length / to_hips
+    wider = max(shape.flare / 2, 2 * _OF_HIPS * lacking)
+    faces: tuple[tuple[Face, float], ...] = (("front", 2 * waist.front), ("back", 2 * waist.back))
+    for face, width in faces:
+        panel = _Half(face, width, width + wider, shape)
+        for k in range(shape.strips):
+            panel.lay(table, k, top_y)
+        for k in range(1, shape.strips):
+            panel.lay(table, k, top_y, under=True)
+            before, under, after = panel.name(k - 1), panel.name(k, under=True), panel.name(k)
+            table.seam(f"{before}.right", f"{under}.right", folded=True)
+            table.seam(f"{under}.left", f"{after}.left", folded=True)
+            table.seam(f"{under}.tuck", f"{after}.tuck", folded=True)
+    last = shape.strips - 1
+    table.seam("skirt_pleat_0_front.left", "skirt_pleat_0_back.left")
+    table.seam(f"skirt_pleat_{last}_front.right", f"skirt_pleat_{last}_back.right")
 
 
-def _pleated_panel(
-    width: float, length: float, top_y: float, pleats: int, depth: float, turn: float
-) -> Outline:
-    """Draws `turn` of a circle, `width` cm wide at the top once its pleats, `depth` cm each, are laid."""
-    # Between pleats runs a chord, half a one at either side; a chord of each pleat is folded away.
-    each = width / pleats
-    steps = [each / 2, *([depth, each] * (pleats - 1)), depth, each / 2]
-    angle = 2 * math.pi * turn
-    radius = _radius(steps, angle)
-    center = top_y + radius
-
-    def at(a: float, r: float) -> Point:
-        return r * math.sin(a), center - r * math.cos(a)
-
-    far = radius + length
-    outline = Outline(*at(-angle / 2, far))
-    outline.arc("bottom", at(angle / 2, far), far, right=True, large=angle > math.pi)
-    outline.line("left_side", *at(angle / 2, radius))
-    a = angle / 2
-    for k, step in enumerate(steps):
-        before, a = a, a - 2 * math.asin(step / (2 * radius))
-        if k % 2:
-            outline.dart(at((before + a) / 2, radius + SEWN_DOWN), at(a, radius))
-        elif k < len(steps) - 1:
-            outline.line("waist", *at(a, radius))
-        else:
-            outline.line("waist", *at(-angle / 2, radius))
-    outline.line("right_side", *at(-angle / 2, far))
-    return outline.closed()
+def sew_pleats_to_band(table: CuttingTable, strips: int) -> None:
+    """Sews what is seen of the strips to the lower edge of the waistband."""
+    for face in ("front", "back"):
+        edges = [f"skirt_pleat_{k}_{face}.top" for k in range(strips)]
+        table.seam(f"wb_{face}.bottom", edges if face == "front" else edges[::-1])
 
 
-def _radius(steps: list[float], angle: float) -> float:
-    """Of the circle on which chords of these lengths, one after the other, span an angle."""
-    low, high = 0.8 * sum(steps) / angle, 1.2 * sum(steps) / angle
-    for _ in range(80):
-        middle = (low + high) / 2
-        spanned = sum(2 * math.asin(min(step / (2 * middle), 1.0)) for step in steps)
-        low, high = (middle, high) if spanned > angle else (low, middle)
-    return (low + high) / 2
+@dataclass(frozen=True)
+class _Half:
+    """Front or back, from the wearer's right (-x) to the left."""
+
+    face: Face
+    top: float
+    hem: float
+    """Widths as it hangs, cm."""
+    shape: KnifePleats
+
+    def name(self, k: int, *, under: bool = False) -> str:
+        return f"skirt_{'under' if under else 'pleat'}_{k}_{self.face}"
+
+    def lay(self, table: CuttingTable, k: int, top_y: float, *, under: bool = False) -> None:
+        """Lays strip `k`, or what is folded away between it and the one before."""
+        length, hidden = self.shape.length, k > 0
+        depth = min(self.shape.depth, _DEEPEST * self.top / self.shape.strips) if hidden else 0.0
+        drop = _TUCK_DROP_CM if hidden else 0.0
+        left = (self._fold(k, drop) - depth, -drop)
+        below = self._fold(k, length) - depth
+        right = k if under else k + 1
+        outline = Outline(below, -length).line("hem", self._fold(right, length), -length)
+        outline.line("right", self._fold(right, 0.0), 0.0)
+        if not under:
+            outline.line("top", self._fold(k, 0.0), 0.0)
+        if hidden:
+            outline.line("tuck", *left)
+        outline.line("left", below, -length)
+        ends = (left[0], self._fold(right, 0.0))
+        place, turn = self._place(
+            *ends, lift=_LIFT_CM if hidden else 0.0, inside=_INSIDE_CM if under else 0.0
+        )
+        table.lay(
+            self.name(k, under=under),
+            outline.closed(),
+            label="leg",
+            at=(place[0], top_y, place[1]),
+            rotation=(0.0, turn, 0.0),
+            back=self.face == "back",
+        )
+
+    def _fold(self, k: int, down: float) -> float:
+        """X of fold `k` so far below the waist, cm."""
+        start, end = ((k / self.shape.strips - 0.5) * width for width in (self.top, self.hem))
+        return start + (end - start) * down / self.shape.length
+
+    def _place(self, left: float, right: float, *, lift: float, inside: float) -> tuple[Floats, float]:
+        """Where (x, z) the local origin of a strip goes, and how far it is turned about y, degrees."""
+        middle = (max(left, -self.top / 2) + right) / 2
+        at, _ = _around(right / self.top + 0.5)
+        _, along = _around(middle / self.top + 0.5)
+        outward = np.array([-along[1], along[0]])
+        tilt = math.asin(min(lift / (right - left), 0.9))
+        axis = math.cos(tilt) * along + math.sin(tilt) * outward
+        at = at - inside * outward
+        if self.face == "back":
+            axis, at = axis * [1.0, -1.0], at * [1.0, -1.0]
+        return at - right * axis, math.degrees(math.atan2(-axis[1], axis[0]))
+
+
+def _around(share: float) -> tuple[Floats, Floats]:
+    """Point and direction (2,), x and z, on the front half of the ellipse, at a share of it from -x on."""
+    angles = np.linspace(math.pi, 0.0, _STEPS + 1)
+    points = np.stack([_AROUND_X * np.cos(angles), _AROUND_Z * np.sin(angles)], axis=1)
+    reached = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    share = min(max(share, _EDGE), 1.0 - _EDGE)
+
+    def at(part: float) -> Floats:
+        return np.array([np.interp(part * reached[-1], reached, points[:, axis]) for axis in (0, 1)])
+
+    along = at(share + _EDGE) - at(share - _EDGE)
+    return at(share), along / np.linalg.norm(along)

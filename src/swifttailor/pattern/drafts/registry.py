@@ -11,10 +11,13 @@ from swifttailor.errors import PatternError
 from swifttailor.pattern.drafts.garments import (
     banded,
     bare_shoulders,
+    bibbed,
+    capes,
     collared,
     fitted_garments,
     high_waisted,
     long_garments,
+    one_pieces,
     pleated_skirts,
     pull_on,
     skirts,
@@ -54,8 +57,8 @@ class DraftInfo:
 
 _DRAFTS = (
     DraftInfo("t-shirt", "Loose top with set-in sleeves", tops.draft_t_shirt),
-    DraftInfo("polo-shirt", "Loose top with short sleeves, a collar folded down", collared.draft_polo_shirt),
-    DraftInfo("shirt", "Loose top, long sleeves with cuffs, a collar folded down", collared.draft_shirt),
+    DraftInfo("polo-shirt", "Loose top with short sleeves, a shirt collar", collared.draft_polo_shirt),
+    DraftInfo("shirt", "Loose top, long sleeves with cuffs, a shirt collar", collared.draft_shirt),
     DraftInfo("tank-top", "Sleeveless top with straps", tops.draft_tank_top),
     DraftInfo("camisole", "Top on thin straps", strappy.draft_camisole),
     DraftInfo("bandeau", "Strapless top to the waist, its upper edge straight", strappy.draft_bandeau),
@@ -66,9 +69,7 @@ _DRAFTS = (
     DraftInfo(
         "off-shoulder-top", "Neckline level around body and arms", bare_shoulders.draft_off_shoulder_top
     ),
-    DraftInfo(
-        "turtleneck", "Long sleeves, a collar that stands close around the neck", tops.draft_turtleneck
-    ),
+    DraftInfo("turtleneck", "Long sleeves, a high collar turned down over itself", tops.draft_turtleneck),
     DraftInfo("wrap-top", "V neck whose right edge runs on to the left side", wrap.draft_wrap_top),
     DraftInfo(
         "peplum-top", "Darted bodice, a short flared piece from the waist", fitted_garments.draft_peplum_top
@@ -79,7 +80,7 @@ _DRAFTS = (
     DraftInfo("waistcoat", "Sleeveless top, deep V neck, pointed front hem", tops.draft_waistcoat),
     DraftInfo("sweatshirt", "Wide top, long sleeves, cuffs and hem band", banded.draft_sweatshirt),
     DraftInfo("bomber-jacket", "Short, with a stand collar, cuffs and hem band", banded.draft_bomber_jacket),
-    DraftInfo("denim-jacket", "Short, a collar folded down, cuffs and hem band", banded.draft_denim_jacket),
+    DraftInfo("denim-jacket", "Short, a shirt collar, cuffs and hem band", banded.draft_denim_jacket),
     DraftInfo("hoodie", "Wide top, long sleeves, hood, cuffs and hem band", banded.draft_hoodie),
     DraftInfo(
         "fitted-dress",
@@ -127,9 +128,11 @@ _DRAFTS = (
         "Dress with a neckline level around body and arms",
         bare_shoulders.draft_off_shoulder_dress,
     ),
+    DraftInfo("pinafore", "Skirt with a bib held by straps", bibbed.draft_pinafore),
     DraftInfo("empire-dress", "Dress gathered under the bust", high_waisted.draft_empire_dress),
     DraftInfo("coat", "Coat with notched lapels or a shawl collar", collared.draft_coat),
     DraftInfo("hooded-coat", "Wide coat with a hood, open in front", long_garments.draft_hooded_coat),
+    DraftInfo("cape", "Wide cloth from the neck over body and arms, open in front", capes.draft_cape),
     DraftInfo("shift-dress", "Straight dress without a waist", long_garments.draft_shift_dress),
     DraftInfo("swing-dress", "Dress that widens from bust to hem", long_garments.draft_swing_dress),
     DraftInfo("kaftan", "Long and wide, with wide sleeves", long_garments.draft_kaftan),
@@ -146,6 +149,9 @@ _DRAFTS = (
         "Jumpsuit held behind the neck, back and shoulders bare",
         bare_shoulders.draft_halter_jumpsuit,
     ),
+    DraftInfo("bodysuit", "Darted bodice, sleeves or none, cut out over the legs", one_pieces.draft_bodysuit),
+    DraftInfo("swimsuit", "Darted bodice on straps, cut out over the legs", one_pieces.draft_swimsuit),
+    DraftInfo("dungarees", "Trousers with a bib held by straps", bibbed.draft_dungarees),
     DraftInfo("trousers", "Long or short legs, back darts, waistband", trousers.draft_trousers),
     DraftInfo("jeans", "Slim legs, back darts, waistband", trousers.draft_jeans),
     DraftInfo("leggings", "The closest legs, high waistband", trousers.draft_leggings),

@@ -8,9 +8,10 @@ from swifttailor.pattern.drafts.outline import Outline
 
 CLOSER_CM = 0.5
 """So much shorter is the upper edge of each quarter than the lower one: it leans to the neck."""
-_FRONT_Z, _BACK_Z = 18.0, -17.0
+CLOSE_FRONT_Z, CLOSE_BACK_Z = 18.0, -17.0
 """Where its halves stand before draping, cm."""
-_ABOVE_NECK = 2.0
+ABOVE_NECK = 2.0
+"""How far above the neck it begins before draping, cm."""
 
 
 def lay_stand_collar(table: CuttingTable, figure: Figure, height: float) -> None:
@@ -30,7 +31,7 @@ def lay_stand_collar(table: CuttingTable, figure: Figure, height: float) -> None
             f"left_collar_{face}",
             outline.closed(),
             label="body",
-            at=(0.0, figure.neck_y + _ABOVE_NECK, _FRONT_Z if face == "front" else _BACK_Z),
+            at=(0.0, figure.neck_y + ABOVE_NECK, CLOSE_FRONT_Z if face == "front" else CLOSE_BACK_Z),
             back=face == "back",
         )
         table.seam(f"{torso}.neck", f"left_collar_{face}.neck")

@@ -14,6 +14,8 @@ FRONT_Z = 25.0
 """Where front leg panels stand before draping, cm."""
 BACK_Z = -22.0
 """Where back leg panels stand before draping, cm."""
+LEGS_APART_X = 0.5
+"""Distance of the innermost points of legs from the middle before draping, cm."""
 STEP = 1.2
 """At knee and below, the back is this much wider than half of the leg, the front this much narrower, cm."""
 
@@ -133,7 +135,7 @@ def lay_trousers(table: CuttingTable, figure: Figure, shape: Trousers, waist: Ha
     back = back_leg(drop)
     # The legs stand apart so far that the crotch points of both sides do not overlap.
     for name, outline, z in (("pant_f_l", front, FRONT_Z), ("pant_b_l", back, BACK_Z)):
-        x = 0.5 - min(s.start[0] for s in outline.sides)
+        x = LEGS_APART_X - min(s.start[0] for s in outline.sides)
         table.lay(name, outline.closed(), label="leg", at=(x, 0.0, z), back=name == "pant_b_l")
     table.seam("pant_f_l.side", "pant_b_l.side")
     table.seam("pant_b_l.inseam", "pant_f_l.inseam")

@@ -20,8 +20,9 @@ NEARLY_CM = 6.0
 of panels are alike to 0.05 cm and 16 differ by more than this; of 146 skirt panels in the middle it is 102
 and 44."""
 SEEN_CM = 0.05
-_ANY_SHAPE = "skirt_panel_"
-"""Panels of skirts of many gores stand all around the body: theirs need not be symmetric."""
+_ANY_SHAPE = ("skirt_panel_", "skirt_pleat_", "skirt_under_")
+"""Panels of skirts of many gores, and strips of pleats, stand all around the body: theirs need not be
+symmetric."""
 
 
 def even_sides(pattern: Pattern, nearly: float = NEARLY_CM) -> tuple[Pattern, tuple[Change, ...]]:

@@ -18,6 +18,10 @@ from swifttailor.pattern.panel import Panel, Placement
 
 OTHER_SIDE: dict[str, str] = {
     PANEL_NAMES[a]: PANEL_NAMES[b] for pair in TWINS.items() for a, b in (pair, (pair[1], pair[0]))
+} | {
+    f"{one}_collar_fall_{face}": f"{other}_collar_fall_{face}"
+    for one, other in (("left", "right"), ("right", "left"))
+    for face in ("front", "back")
 }
 """Names of panels and of those on the other side of the body."""
 LEAST_CURVATURE = 1e-6

@@ -4,26 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Literal
 
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.band import lay_sleeve_cuff, lay_waist_band
 from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
-from swifttailor.pattern.drafts.fold_collar import FoldCollar, lay_fold_collar, sew_fold_collar
 from swifttailor.pattern.drafts.hood import Hood, lay_hood, sew_hood
 from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neck_collar import CollarHeight, NeckCollar, SewnCollarOption
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.pattern import Pattern
 
+_INSET_CM = 2.0
+"""How far armholes without sleeves lie inside the shoulder tips."""
+
 
 @dataclass(frozen=True)
-class SweatshirtOptions:
-    """Options of the sweatshirt."""
+class BandedOptions:
+    """What all of these have."""
 
     length: declared.BandedLength = 22.0
     chest_ease: declared.ChestEase = 16.0
@@ -33,7 +36,7 @@ class SweatshirtOptions:
     shoulder_extension: Annotated[
         float, Option("How far the shoulder seam reaches over the shoulder tip.", "cm", 0.0, 5.0)
     ] = 2.0
-    sleeve_length: declared.SleeveLength = 57.0
+    sleeve_length: declared.SleeveLength = 58.0
     arm_ease: declared.ArmEase = 12.0
     sleeve_end: declared.SleeveEnd = 28.0
     cuffs: Annotated[bool, Option("Sew ribbed cuffs to the sleeves.")] = True
@@ -46,16 +49,34 @@ class SweatshirtOptions:
     ] = 4.0
 
 
+@dataclass(frozen=True)
+class SweatshirtOptions(BandedOptions):
+    """Options of the sweatshirt."""
+
+    neckline: Annotated[Literal["round", "v"], Option("Shape of the front neckline.")] = "round"
+    neck_depth: Annotated[
+        float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 7.0, 24.0)
+    ] = 9.5
+    collar: Annotated[
+        Literal["none", "standing", "rolled"],
+        Option("Collar: one that stands on a close neck, or is turned down over itself."),
+    ] = "none"
+    collar_height: CollarHeight = 4.5
+    sleeves: declared.Sleeves = True
+
+
 def draft_sweatshirt(options: SweatshirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the sweatshirt for a body."""
     figure, table = Figure.of(measurements), CuttingTable("sweatshirt")
-    neckline = Neckline("round", options.neck_widening, options.neck_depth, 2.0)
-    _lay_left(table, figure, options, neckline)
-    return _finished(table, figure, options)
+    collar = NeckCollar(options.collar, 0.0, options.collar_height)
+    neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, 2.0)
+    _lay_left(table, figure, options, collar.neckline(neckline), sleeves=options.sleeves)
+    collar.lay(table, figure)
+    return _finished(table, figure, options, collar.sew)
 
 
 @dataclass(frozen=True)
-class BomberJacketOptions(SweatshirtOptions):
+class BomberJacketOptions(BandedOptions):
     """Options of the bomber jacket."""
 
     length: declared.BandedLength = 14.0
@@ -75,13 +96,15 @@ def draft_bomber_jacket(options: BomberJacketOptions, measurements: Measurements
 
 
 @dataclass(frozen=True)
-class DenimJacketOptions(SweatshirtOptions):
+class DenimJacketOptions(BandedOptions):
     """Options of the denim jacket."""
 
     length: declared.BandedLength = 12.0
     chest_ease: declared.ChestEase = 14.0
     neck_widening: declared.CloseNeckWidening = 0.5
     neck_depth: declared.CollarNeckDepth = 10.0
+    collar: SewnCollarOption = "shirt"
+    collar_height: CollarHeight = 4.0
     arm_ease: declared.ArmEase = 9.0
     hem_band_ease: Annotated[
         float, Option("Room of the hem band on top of the body there, all around.", "cm", 0.0, 20.0)
@@ -90,16 +113,18 @@ class DenimJacketOptions(SweatshirtOptions):
 
 
 def draft_denim_jacket(options: DenimJacketOptions, measurements: Measurements) -> Pattern:
-    """Drafts the denim jacket for a body: buttoned up, so closed in front; its collar is folded down."""
+    """Drafts the denim jacket for a body: buttoned up, so closed in front."""
     figure, table = Figure.of(measurements), CuttingTable("denim-jacket")
-    neckline = Neckline("v", options.neck_widening, options.neck_depth, 1.5)
-    _lay_left(table, figure, options, neckline)
-    lay_fold_collar(table, FoldCollar(options.collar_width))
-    return _finished(table, figure, options, sew_fold_collar)
+    collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
+    _lay_left(
+        table, figure, options, collar.neckline(Neckline("v", options.neck_widening, options.neck_depth, 1.5))
+    )
+    collar.lay(table, figure)
+    return _finished(table, figure, options, collar.sew)
 
 
 @dataclass(frozen=True)
-class HoodieOptions(SweatshirtOptions):
+class HoodieOptions(BandedOptions):
     """Options of the hoodie."""
 
     length: declared.BandedLength = 24.0
@@ -119,22 +144,27 @@ def draft_hoodie(options: HoodieOptions, measurements: Measurements) -> Pattern:
     return _finished(table, figure, options, sew_hood)
 
 
-def _band_height(options: SweatshirtOptions) -> float:
+def _band_height(options: BandedOptions) -> float:
     """A band shorter than the torso leaves at least 2 cm of cloth above it."""
     return min(options.hem_band_height, options.length - 2.0) if options.hem_band else 0.0
 
 
-def _lay_left(table: CuttingTable, figure: Figure, options: SweatshirtOptions, neckline: Neckline) -> None:
+def _lay_left(
+    table: CuttingTable, figure: Figure, options: BandedOptions, neckline: Neckline, *, sleeves: bool = True
+) -> None:
     """Lays the left half of torso and sleeve."""
+    extension = options.shoulder_extension if sleeves else -_INSET_CM
     bodice = LooseBodice(
         neckline,
         options.chest_ease,
         options.length - _band_height(options),
         options.armhole_drop,
         hip_ease=options.hem_band_ease + 2.0 if options.hem_band else 6.0,
-        shoulder_extension=options.shoulder_extension,
+        shoulder_extension=extension,
     )
     lay_loose_bodice(table, figure, bodice)
+    if not sleeves:
+        return
     cuff = min(options.cuff_height, options.sleeve_length - 10.0) if options.cuffs else 0.0
     sleeve = Sleeve(
         options.sleeve_length - max(cuff, 0.0),
@@ -151,7 +181,7 @@ def _lay_left(table: CuttingTable, figure: Figure, options: SweatshirtOptions, n
 def _finished(
     table: CuttingTable,
     figure: Figure,
-    options: SweatshirtOptions,
+    options: BandedOptions,
     sew_neck: Callable[[CuttingTable], None] | None = None,
 ) -> Pattern:
     """Adds the right half, sews what lies at the neck together, and the band to the hem."""
@@ -164,7 +194,7 @@ def _finished(
     return table.finish()
 
 
-def _sew_hem_band(table: CuttingTable, figure: Figure, options: SweatshirtOptions, height: float) -> None:
+def _sew_hem_band(table: CuttingTable, figure: Figure, options: BandedOptions, height: float) -> None:
     hem = [2 * table.length(f"left_{side}torso.hem") for side in "fb"]
     body = figure.girth_below_waist(options.length).eased(options.hem_band_ease)
     share = min(body.girth / sum(hem), 1.0)

@@ -1,16 +1,16 @@
-"""Garments whose collar is folded down: polo shirt, shirt, blazer, coat."""
+"""Garments whose collar is turned or folded down: polo shirt, shirt, blazer, coat."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Literal
 
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.band import lay_sleeve_cuff
 from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
-from swifttailor.pattern.drafts.fold_collar import FoldCollar, FrontShape, lay_fold_collar
+from swifttailor.pattern.drafts.fold_collar import FoldCollar, lay_fold_collar
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import CollarHeight, NeckCollar, SewnCollarOption
 from swifttailor.pattern.drafts.neckline import Neckline
@@ -34,7 +34,9 @@ class PoloShirtOptions:
     flare: declared.HemFlare = 0.0
     neck_widening: declared.CloseNeckWidening = 0.0
     neck_depth: declared.CollarNeckDepth = 14.0
+    collar: SewnCollarOption = "shirt"
     collar_width: declared.CollarWidth = 5.0
+    collar_height: CollarHeight = 4.0
     armhole_drop: declared.ArmholeDrop = 2.5
     sleeve_length: declared.SleeveLength = 22.0
     arm_ease: declared.ArmEase = 7.0
@@ -42,9 +44,9 @@ class PoloShirtOptions:
 
 
 def draft_polo_shirt(options: PoloShirtOptions, measurements: Measurements) -> Pattern:
-    """Drafts the polo shirt for a body: closed in front, its collar folded down over a short V."""
+    """Drafts the polo shirt for a body: buttoned up, so closed in front."""
     figure, table = Figure.of(measurements), CuttingTable("polo-shirt")
-    collar = NeckCollar("folded", options.collar_width, 0.0)
+    collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
     _lay_left(table, figure, options, options.sleeve_length, collar)
     return _finished(table, collar)
 
@@ -61,8 +63,6 @@ class ShirtOptions(PoloShirtOptions):
     sleeve_length: declared.SleeveLength = 60.0
     arm_ease: declared.ArmEase = 8.0
     sleeve_end: declared.SleeveEnd = 27.0
-    collar: SewnCollarOption = "folded"
-    collar_height: CollarHeight = 4.0
     sleeves: declared.Sleeves = True
     cuffs: Annotated[bool, Option("Sew cuffs to the sleeves.")] = True
     cuff_height: declared.CuffHeight = 6.0
@@ -123,7 +123,7 @@ class BlazerOptions:
     flare: declared.HemFlare = 0.0
     neck_widening: declared.CloseNeckWidening = 1.0
     neck_depth: declared.LapelDepth = 28.0
-    lapels: Annotated[FrontShape, Option("Shape of the collar in front.")] = "notched"
+    lapels: Annotated[Literal["notched", "shawl"], Option("Shape of the collar in front.")] = "notched"
     collar_width: declared.LapelCollarWidth = 5.0
     lapel_width: declared.LapelWidth = 7.5
     opening: declared.Opening = 5.0

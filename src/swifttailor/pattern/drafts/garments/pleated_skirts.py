@@ -9,43 +9,44 @@ from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.band import lay_body_waist_band
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
-from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_band
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.pleated_skirt import lay_pleated_skirt
+from swifttailor.pattern.drafts.pleated_skirt import KnifePleats, lay_pleated_skirt, sew_pleats_to_band
 from swifttailor.pattern.pattern import Pattern
+
+_HIP_EASE_CM = 3.0
 
 
 @dataclass(frozen=True)
 class PleatedSkirtOptions:
     """Options of the pleated skirt."""
 
-    length: Annotated[float, Option("Body's waist to the hem, down the middle.", "cm", 30.0, 100.0)] = 44.0
-    pleats: Annotated[int, Option("Pleats in front, and as many behind.", "pleats", 2, 12)] = 8
-    depth: Annotated[
-        float, Option("Cloth of each pleat that is folded away at the waist.", "cm", 1.0, 8.0)
-    ] = 1.5
-    fraction: Annotated[
-        float, Option("Part of a circle that it is cut from; 0 is straight.", "circles", 0.0, 1.0)
-    ] = 0.6
+    length: Annotated[float, Option("Body's waist to the hem, down the middle.", "cm", 32.0, 100.0)] = 46.0
+    strips: Annotated[
+        int, Option("Strips seen between pleats in front, and as many behind.", "strips", 2, 8)
+    ] = 6
+    depth: Annotated[float, Option("Cloth that is folded under each strip.", "cm", 2.0, 6.0)] = 4.0
+    flare: Annotated[
+        float, Option("Width of the hem over the waist as it hangs, all around.", "cm", 20.0, 120.0)
+    ] = 52.0
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
 
 
 def draft_pleated_skirt(options: PleatedSkirtOptions, measurements: Measurements) -> Pattern:
-    """Drafts the pleated skirt for a body."""
+    """Drafts the pleated skirt for a body: knife pleats all around."""
     figure = Figure.of(measurements)
     table = CuttingTable("pleated-skirt")
-    lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
-    top_y = figure.waist_y - options.band_height - 3.0
+    height = options.band_height
+    lower = lay_body_waist_band(table, figure, height, options.waist_ease)
+    skirt = KnifePleats(options.length - height, options.strips, options.depth, options.flare)
     lay_pleated_skirt(
         table,
         lower,
-        options.length - options.band_height,
-        top_y,
-        pleats=options.pleats,
-        depth=options.depth,
-        fraction=options.fraction,
+        skirt,
+        figure.waist_y - height - 3.0,
+        hips=figure.hips.eased(_HIP_EASE_CM),
+        to_hips=figure.waist_y - figure.hip_y - height,
     )
-    sew_skirt_to_band(table, SKIRT_WHOLE)
+    sew_pleats_to_band(table, options.strips)
     return table.finish()

@@ -10,11 +10,11 @@ from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neck_collar import NeckCollar
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
 from swifttailor.pattern.drafts.sleeve import Sleeve
-from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.pattern import Pattern
 
 _WAISTCOAT_OPENING_CM = 3.0
@@ -117,7 +117,8 @@ class TurtleneckOptions:
     neck_depth: Annotated[
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 5.0, 10.0)
     ] = 6.5
-    collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 14.0)] = 8.0
+    collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 14.0)] = 4.5
+    rolled: Annotated[bool, Option("Turn the collar down over itself.")] = True
     armhole_drop: declared.ArmholeDrop = 2.5
     sleeves: declared.Sleeves = True
     sleeve_length: declared.SleeveLength = 58.5
@@ -150,10 +151,12 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
     if options.sleeves:
         sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
         lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
-    lay_stand_collar(table, figure, options.collar_height)
+    rolled = options.rolled and not options.opening
+    collar = NeckCollar("rolled" if rolled else "standing", 0.0, options.collar_height)
+    collar.lay(table, figure)
     table.mirror()
     sew_centres(table)
-    sew_collar(table)
+    collar.sew(table)
     return table.finish()
 
 

@@ -1,0 +1,97 @@
+"""A bib in front and two straps over the shoulders, sewn to a waistband: dungarees, pinafores."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from swifttailor.pattern.drafts.band import lay_body_waist_band
+from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.outline import Outline
+from swifttailor.pattern.drafts.strap_bodice import STRAP_LIFT, STRAP_PLACE
+
+_STRAPS_BEHIND_X = 5.0
+"""Distance of the middle of each strap from the middle of the waistband behind, cm."""
+_BLADE = 0.04
+"""Extra length of the straps over the shoulder blades, as a part of the waist line."""
+_WIDER_BELOW, _CORNER = 2.0, 1.0
+"""How much wider the half of the bib is at the waist than above; how far it reaches beyond the strap, cm."""
+_SIDES_FREE = 3.0
+"""At least so much of each half of the waistband in front is free beside the bib, cm."""
+
+
+@dataclass(frozen=True)
+class Bib:
+    """How bib, straps and waistband are cut."""
+
+    strap: float
+    """Width of the straps, cm."""
+    over_bust: float
+    """Height of the bib over the fullest part of the bust, cm."""
+    waist_ease: float
+    """On top of the waist girth, cm around."""
+    band_height: float
+    """Of the waistband, cm."""
+
+
+def lay_bib(table: CuttingTable, figure: Figure, shape: Bib) -> Halves:
+    """Lays the waistband, and the left half of bib and straps; `sew_bib` sews them on after the mirror.
+
+    Edges of ``left_ftorso``: waist, armhole, shoulder, neck, centre; of ``left_btorso``, which is the strap
+    behind: waist, armhole, shoulder, neck.
+
+    Returns:
+        Half widths of the lower edge of the waistband, cm: what is sewn to it.
+    """
+    lower = lay_body_waist_band(table, figure, shape.band_height, shape.waist_ease)
+    upper = figure.waist.eased(shape.waist_ease)
+    middle = figure.neck_x + STRAP_PLACE * (figure.shoulder_x - figure.neck_x)
+    inner, outer = middle - shape.strap / 2, middle + shape.strap / 2
+    wide = min(outer + _CORNER + _WIDER_BELOW, upper.front - _SIDES_FREE)
+    waist_y, top_y = figure.waist_y, figure.bust_y + shape.over_bust
+    lift = STRAP_LIFT * figure.front_fullness
+    bib = Outline(0.0, waist_y).line("waist", wide, waist_y)
+    bib.quadratic("armhole", (outer + _CORNER, 0.5 * (waist_y + top_y)), (outer + 0.3, top_y))
+    bib.line("armhole", outer, figure.shoulder_line(outer) + lift)
+    bib.line("shoulder", inner, figure.shoulder_line(inner) + lift)
+    bib.line("neck", inner, top_y).line("neck", 0.0, top_y).line("centre", 0.0, waist_y)
+    table.lay("left_ftorso", bib.closed(), label="body", at=(0.0, 0.0, FRONT_Z))
+    lift = _BLADE * (figure.neck_y - waist_y)
+    near, far = _STRAPS_BEHIND_X - shape.strap / 2, _STRAPS_BEHIND_X + shape.strap / 2
+    strap = Outline(near, waist_y).line("waist", far, waist_y)
+    strap.line("armhole", outer, figure.shoulder_line(outer) + lift)
+    strap.line("shoulder", inner, figure.shoulder_line(inner) + lift).line("neck", near, waist_y)
+    table.lay("left_btorso", strap.closed(), label="body", at=(0.0, 0.0, BACK_Z), back=True)
+    _divide(table, "wb_front", [upper.front - wide, wide, wide, upper.front - wide], "free left right free")
+    free = upper.back - far
+    _divide(table, "wb_back", [free, shape.strap, 2 * near, shape.strap, free], "free right free left free")
+    table.seam("left_ftorso.shoulder", "left_btorso.shoulder")
+    for panel in ("left_ftorso", "left_btorso"):
+        table.label(f"{panel}.armhole", "left_armhole")
+        table.label(f"{panel}.neck", "left_collar")
+    return lower
+
+
+def sew_bib(table: CuttingTable) -> None:
+    """Sews bib and straps to the waistband, and both halves of the bib together."""
+    table.seam("right_ftorso.centre", "left_ftorso.centre")
+    for side in ("left", "right"):
+        table.seam(f"{side}_ftorso.waist", f"wb_front.{side}")
+        table.seam(f"{side}_btorso.waist", f"wb_back.{side}")
+
+
+def _divide(table: CuttingTable, band: str, widths: list[float], names: str) -> None:
+    """Cuts the upper edge of a waistband into edges of such widths, cm, and gives them names."""
+    piece = table.pieces[band]
+    (top,) = piece.find("top")
+    total, reached = sum(widths), 0.0
+    fractions = []
+    for width in widths[:-1]:
+        reached += width
+        fractions.append(reached / total)
+    parts = [part.renamed(name) for part, name in zip(top.split(fractions), names.split(), strict=True)]
+    at = piece.sides.index(top)
+    piece.sides[at : at + 1] = parts
+    for name in set(names.split()):
+        table.label(f"{band}.{name}", "lower_interface")

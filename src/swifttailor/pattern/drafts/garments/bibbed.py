@@ -1,0 +1,82 @@
+"""Garments with a bib held by straps: dungarees, pinafore."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.bib_bodice import Bib, lay_bib, sew_bib
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
+from swifttailor.pattern.drafts.joins import SKIRT_HALVES, sew_skirt_to_band, sew_trousers_to_band
+from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
+from swifttailor.pattern.pattern import Pattern
+
+
+@dataclass(frozen=True)
+class BibOptions:
+    """What both have."""
+
+    strap_width: Annotated[float, Option("Width of the straps.", "cm", 2.0, 6.0)] = 3.5
+    bib_height: Annotated[
+        float, Option("Height of the bib over the fullest part of the bust.", "cm", 2.0, 9.0)
+    ] = 6.0
+    waist_ease: Annotated[
+        float, Option("Room of the waistband on top of the waist girth.", "cm", 0.0, 12.0)
+    ] = 4.0
+    band_height: declared.BandHeight = 4.0
+
+
+@dataclass(frozen=True)
+class DungareesOptions(BibOptions):
+    """Options of the dungarees."""
+
+    length: declared.TrouserLength = 101.0
+    hip_ease: declared.HipEase = 7.0
+    leg_ease: declared.LegEase = 16.0
+    flare: declared.LegFlare = 0.0
+    crotch_drop: Annotated[float, Option("Crotch of the trousers below the body's.", "cm", 0.5, 8.0)] = 2.5
+
+
+def draft_dungarees(options: DungareesOptions, measurements: Measurements) -> Pattern:
+    """Drafts dungarees for a body: trousers on a waistband, a bib in front, straps over bare shoulders."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("dungarees")
+    lower = lay_bib(table, figure, _bib(options))
+    legs = Trousers(options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop)
+    lay_trousers(table, figure, legs, lower, figure.waist_y - options.band_height)
+    table.mirror()
+    sew_legs(table)
+    sew_trousers_to_band(table)
+    sew_bib(table)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class PinaforeOptions(BibOptions):
+    """Options of the pinafore."""
+
+    length: declared.SkirtLength = 50.0
+    flare: declared.SkirtFlare = 6.0
+    hip_ease: declared.HipEase = 6.0
+
+
+def draft_pinafore(options: PinaforeOptions, measurements: Measurements) -> Pattern:
+    """Drafts the pinafore for a body: a skirt on a waistband, a bib in front, straps over bare shoulders."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("pinafore")
+    lower = lay_bib(table, figure, _bib(options))
+    table.mirror()
+    skirt = FittedSkirt(options.length, options.hip_ease, options.flare)
+    lay_fitted_skirt(table, figure, skirt, lower, figure.waist_y - options.band_height)
+    sew_skirt_to_band(table, SKIRT_HALVES)
+    sew_bib(table)
+    return table.finish()
+
+
+def _bib(options: BibOptions) -> Bib:
+    return Bib(options.strap_width, options.bib_height, options.waist_ease, options.band_height)

@@ -1,0 +1,97 @@
+"""Capes: cloth that falls from the neck over body and arms, open in front, with or without a hood."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Annotated
+
+from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z, sew_centres
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.hood import Hood, lay_hood, sew_hood
+from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neckline import Neckline, draw_neckline
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.outline import Outline
+from swifttailor.pattern.pattern import Pattern
+
+_SHOULDER_LIFT_CM = 1.0
+"""Room over the shoulder, cm."""
+
+
+@dataclass(frozen=True)
+class CapeOptions:
+    """Options of the cape."""
+
+    length: Annotated[float, Option("Hem below the waist; negative ends above it.", "cm", -20.0, 100.0)] = (
+        55.0
+    )
+    spread: Annotated[
+        float,
+        Option(
+            "How far the seams over the arms fall below the horizontal: less is wider.", "degrees", 25.0, 65.0
+        ),
+    ] = 45.0
+    neck_widening: declared.HighNeckWidening = 1.5
+    neck_depth: declared.HighNeckDepth = 8.0
+    opening: declared.Opening = 8.0
+    closed: Annotated[
+        float,
+        Option("How much of the front is sewn together below the neck, as by a clasp.", "cm", 3.0, 60.0),
+    ] = 6.0
+    hood: Annotated[bool, Option("Sew a hood to the neckline.")] = False
+    hood_height: declared.HoodHeight = 6.0
+    hood_depth: declared.HoodDepth = 6.0
+
+
+def draft_cape(options: CapeOptions, measurements: Measurements) -> Pattern:
+    """Drafts the cape for a body: held at the neck, open below."""
+    figure, table = Figure.of(measurements), CuttingTable("cape")
+    neckline = Neckline("round", options.neck_widening, options.neck_depth, 2.0)
+    for face in "fb":
+        front = face == "f"
+        outline = _half(figure, options, neckline, front=front)
+        z = FRONT_Z if front else BACK_Z
+        table.lay(f"left_{face}torso", outline, label="body", at=(0.0, 0.0, z), back=not front)
+    table.seam("left_ftorso.shoulder", "left_btorso.shoulder")
+    for panel in ("left_ftorso", "left_btorso"):
+        table.label(f"{panel}.neck", "left_collar")
+    if options.hood:
+        lay_hood(table, figure, Hood(options.hood_height, options.hood_depth))
+    table.mirror()
+    sew_centres(table)
+    if options.hood:
+        sew_hood(table)
+    return table.finish()
+
+
+def _half(figure: Figure, options: CapeOptions, neckline: Neckline, *, front: bool) -> Outline:
+    """Half of front or back: a sector of a circle around the neck, out to the seam over the arm."""
+    hem_y = figure.waist_y - options.length
+    neck_x = neckline.start_x(figure)
+    neck = (neck_x, figure.shoulder_line(neck_x) + _SHOULDER_LIFT_CM)
+    radius = neck[1] - hem_y
+    fall = math.radians(options.spread)
+    end = (neck[0] + radius * math.cos(fall), neck[1] - radius * math.sin(fall))
+    middle = (options.opening if front else 0.0, hem_y)
+    outline = Outline(*middle)
+    # Both ends of the hem leave at right angles to the seams there.
+    reach = 4.0 / 3.0 * math.tan((math.pi / 2 - fall) / 4) * radius
+    outline.cubic(
+        "hem",
+        (neck[0] + reach, hem_y),
+        (end[0] - reach * math.sin(fall), end[1] - reach * math.cos(fall)),
+        end,
+    )
+    tip = (figure.shoulder_x + 1.0, figure.shoulder_line(figure.shoulder_x) + _SHOULDER_LIFT_CM)
+    outline.cubic("shoulder", (0.5 * (end[0] + tip[0]), 0.5 * (end[1] + tip[1])), tip, neck)
+    depth = (neckline.front_depth if front else neckline.back_depth) - (figure.neck_y - neck[1])
+    draw_neckline(outline, neck, max(depth, 0.5), figure.slope, neckline.shape)
+    x, y = outline.sides[-1].end
+    if front:
+        outline.line("centre", x, y - options.closed).line("edge", *middle)
+    else:
+        outline.line("centre", *middle)
+    return outline.closed()

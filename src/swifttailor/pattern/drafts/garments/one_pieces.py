@@ -1,0 +1,78 @@
+"""Close one-piece garments without legs: bodysuit, swimsuit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from swifttailor.pattern.drafts import declared
+from swifttailor.pattern.drafts.bodice import sew_centres
+from swifttailor.pattern.drafts.briefs import Briefs, lay_briefs
+from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.fitted_strap_bodice import FittedStrapBodice, lay_fitted_strap_bodice
+from swifttailor.pattern.drafts.garments.fitted_garments import SleevedBodiceOptions, lay_sleeved_bodice
+from swifttailor.pattern.drafts.garments.strappy import FrontDip, StrapWidth
+from swifttailor.pattern.drafts.joins import sew_trousers_to_bodice
+from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.trousers import sew_legs
+from swifttailor.pattern.pattern import Pattern
+
+LegHeight = Annotated[
+    float,
+    Option(
+        "Where the legs are cut out to at the sides: above the widest part of the hips.", "cm", -2.0, 10.0
+    ),
+]
+CloseHipEase = Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 0.0, 8.0)]
+_CROTCH_DROP_CM = 3.0
+
+
+@dataclass(frozen=True)
+class BodysuitOptions(SleevedBodiceOptions):
+    """Options of the bodysuit."""
+
+    bust_ease: declared.BustEase = 4.0
+    waist_ease: declared.WaistEase = 3.0
+    neck_widening: declared.NeckWidening = 2.0
+    hip_ease: CloseHipEase = 3.0
+    leg_height: LegHeight = 4.0
+
+
+def draft_bodysuit(options: BodysuitOptions, measurements: Measurements) -> Pattern:
+    """Drafts the bodysuit for a body: a darted bodice, sleeves or none, cut out over the legs."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("bodysuit")
+    waist = lay_sleeved_bodice(table, figure, options)
+    return _without_legs(table, figure, Briefs(options.hip_ease, options.leg_height, _CROTCH_DROP_CM), waist)
+
+
+@dataclass(frozen=True)
+class SwimsuitOptions:
+    """Options of the swimsuit."""
+
+    bust_ease: declared.BustEase = 3.0
+    waist_ease: declared.WaistEase = 3.0
+    strap_width: StrapWidth = 2.5
+    dip: FrontDip = 4.0
+    hip_ease: CloseHipEase = 4.0
+    leg_height: LegHeight = 4.0
+
+
+def draft_swimsuit(options: SwimsuitOptions, measurements: Measurements) -> Pattern:
+    """Drafts the swimsuit for a body: a darted bodice on straps, cut out over the legs."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("swimsuit")
+    bodice = FittedStrapBodice(options.strap_width, options.bust_ease, options.waist_ease, options.dip)
+    waist = lay_fitted_strap_bodice(table, figure, bodice)
+    return _without_legs(table, figure, Briefs(options.hip_ease, options.leg_height, _CROTCH_DROP_CM), waist)
+
+
+def _without_legs(table: CuttingTable, figure: Figure, briefs: Briefs, waist: Halves) -> Pattern:
+    lay_briefs(table, figure, briefs, waist, figure.waist_y)
+    table.mirror()
+    sew_centres(table)
+    sew_legs(table)
+    sew_trousers_to_bodice(table)
+    return table.finish()
