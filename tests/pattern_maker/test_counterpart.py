@@ -22,8 +22,8 @@ from swifttailor.pattern_maker.tokens.vocabulary import (
     STITCH_TOKENS,
 )
 
-NAMES = [info.name for info in list_drafts() if not info.name.startswith("halter")]
-"""PatternMaker has no name for the strap of a halter."""
+NAMES = [info.name for info in list_drafts() if {p.name for p in draft(info.name).panels} <= set(PANEL_NAMES)]
+"""PatternMaker has no names for straps of halters, collars that are turned down, and strips of pleats."""
 
 
 def shares(old, new):

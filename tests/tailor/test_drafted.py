@@ -41,6 +41,7 @@ def tailor(tmp_path, sewer):
         ("dungarees", "dungarees", 10),
         ("a pinafore dress", "pinafore", 8),
         ("a hooded cloak", "cape", 6),
+        ("a linen apron", "apron", 7),
         ("a knee-length sarong", "sarong", 4),
         ("a halter dress with a straight skirt", "halter-dress", 8),
         ("halter neck dress, backless", "halter-dress", 8),

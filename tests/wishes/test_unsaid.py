@@ -29,6 +29,7 @@ UNUSUAL = {
     "bomber-jacket": {("top_hem", "hip")},
     "denim-jacket": {("top_hem", "hip")},
     "joggers": {("leg_cuffs", "none")},
+    "fitted-top": {("top_hem", "hip")},
     "bodysuit": {("leg_hem", "full")},
     "swimsuit": {("leg_hem", "full")},
     "wrap-skirt": {("slit", "none")},

@@ -30,7 +30,7 @@ CRUMPLED_ALL_OVER = 0.35
 """Below this share little of a garment has to move, and what slips was right before: hoods, wide necks."""
 SLIPPED_CM, UPPERMOST = 2.5, 0.1
 """So far the uppermost tenth of the vertices may fall on average."""
-LIFTED_CM = 0.6
+LIFTED_CM = 0.9
 """So far collars are lifted first: the network puts them into the bodice that they lie on."""
 MORE_CROSSINGS = 0.01
 """So many more, per face, may an edge and a face cross than before: a fold that touches itself is better than
@@ -87,17 +87,17 @@ def relaxed(
 
 
 def _with_collars_lifted(garment: Garment, body: Body) -> Floats:
-    """(v, 3) its vertices, those of collars alone moved away from the body."""
-    mesh = garment.mesh
-    collars = np.array(["collar" in panel.name for panel in mesh.pattern.panels])
-    if not collars.any():
-        return garment.vertices
-    alone = np.ones(mesh.vertex_count, dtype=bool)
-    alone[mesh.weld[~collars[mesh.flat_panel]]] = False
-    vertices = garment.vertices.copy()
+    """(v, 3) its vertices, those of collars alone moved away from the body, and twice what is turned down."""
+    mesh, vertices = garment.mesh, garment.vertices.copy()
     distances = BodyDistance.of(body)
-    _, away = distances.sample(vertices[alone], np.zeros(int(alone.sum()), dtype=bool))
-    vertices[alone] += LIFTED_CM * away
+    for layer in ("collar", "collar_fall"):
+        lifted = np.array([layer in panel.name for panel in mesh.pattern.panels])
+        if not lifted.any():
+            break
+        alone = np.ones(mesh.vertex_count, dtype=bool)
+        alone[mesh.weld[~lifted[mesh.flat_panel]]] = False
+        _, away = distances.sample(vertices[alone], np.zeros(int(alone.sum()), dtype=bool))
+        vertices[alone] += LIFTED_CM * away
     return vertices
 
 

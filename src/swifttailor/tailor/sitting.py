@@ -37,7 +37,9 @@ def sits_badly(facts: GarmentFacts, said: Sequence[Change]) -> tuple[str, ...]:
         if wide and not names & {"neck_depth", "neck_depth_cm"}:
             found.append("its collar stands away from the neck")
     lower = facts.trousers or facts.skirt
-    reaches = facts.hem is not None and facts.hem.level < body.hips - 5.0
+    hem = facts.hem
+    # What covers the front alone, as an apron does, goes around no hips.
+    reaches = hem is not None and hem.level < body.hips - 5.0 and hem.back < body.hips
     if lower is not None and reaches and lower.hips < body.hip_girth - TOO_NARROW_CM:
         found.append("it is narrower than the hips")
     if band is not None and facts.torso is None and band.upper > body.waist_girth + LOOSE_BAND_CM:

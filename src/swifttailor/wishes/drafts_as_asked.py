@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import (
+    APRON_HEMS,
     BARE_SHOULDERED,
     COLLARED,
     DRAFT_KINDS,
@@ -30,7 +31,7 @@ _AT_THE_NECK = frozenset(
 )
 """Names of claims that a collar goes with in one way alone."""
 _THIN_STRAPS = Claim("straps", "narrow")
-_ON_SHOULDERS = ("t-shirt", "tank-top", "fitted-dress", "shift-dress", "skater-dress")
+_ON_SHOULDERS = ("t-shirt", "tank-top", "fitted-top", "fitted-dress", "shift-dress", "skater-dress")
 """What thin straps do not hold: other drafts do."""
 _LEGS: Mapping[str, Mapping[str, float]] = {
     "wide": {"leg_ease": 40.0, "flare": 8.0},
@@ -120,7 +121,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft: As a table names it.
         claims: What is asked for, all of it.
     """
-    draft = _with_v_neck(_with_hood(draft, claims), claims)
+    draft = _with_v_neck(_with_hood(_worn_over(draft, claims), claims), claims)
     if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, _SLIT_CM)))
     if draft.name in _WITHOUT_LEGS and any(_has_legs(claim) for claim in claims):
@@ -184,8 +185,6 @@ def _with_hood(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         hooded["arm_ease"] = min(max(float(hooded.get("arm_ease", 0.0)), 10.0), 18.0)
         bare = draft.name == "tank-top" or Claim("sleeves", "none") in claims
         return NamedDraft(_HOODED, tuple({**hooded, "opening": 0.0, "sleeves": not bare}.items()))
-    if draft.name == "cape":
-        return replace(draft, options=tuple({**options, "hood": Claim("hood", "hood") in claims}.items()))
     if draft.name in _COATS and Claim("hood", "hood") in claims:
         kept = {"length": options["length"]} if "length" in options else {}
         return NamedDraft(_HOODED, tuple({**_OF_COATS[draft.name], **kept}.items()))
@@ -193,6 +192,17 @@ def _with_hood(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         c.name == "collar" and c.value != "none" for c in claims
     )
     return NamedDraft("coat", draft.options) if draft.name == _HOODED and unhooded else draft
+
+
+def _worn_over(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """Aprons as long as is asked for, capes with a hood where one is."""
+    if draft.name == "apron":
+        hems = [APRON_HEMS[str(c.value)] for c in claims if c.name == "skirt_hem" and c.value in APRON_HEMS]
+        return replace(draft, options=(("length", hems[0]),)) if hems else draft
+    if draft.name == "cape":
+        hood = Claim("hood", "hood") in claims
+        return replace(draft, options=tuple({**dict(draft.options), "hood": hood}.items()))
+    return draft
 
 
 def _with_v_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

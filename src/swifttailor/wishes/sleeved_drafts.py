@@ -17,6 +17,8 @@ _SET_IN = (
     "swing-dress",
     "jumpsuit",
     "peplum-top",
+    "fitted-top",
+    "bodysuit",
     "wrap-top",
     "wrap-dress",
 )

@@ -106,7 +106,7 @@ def test_a_shirt_collar_is_turned_down_over_a_stand_and_ends_in_points(name):
     assert len(folded) == 4 and all("fall" in s.first.panel + s.second.panel for s in folded)
 
 
-@pytest.mark.parametrize("name", ["dungarees", "pinafore"])
+@pytest.mark.parametrize("name", ["dungarees", "pinafore", "apron"])
 @pytest.mark.parametrize("strap", [2.0, 3.5, 6.0])
 def test_a_bib_and_its_straps_are_sewn_to_the_waistband(name, strap):
     pattern = draft(name, strap_width=strap)

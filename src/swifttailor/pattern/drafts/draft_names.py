@@ -21,6 +21,7 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "turtleneck": "top",
     "wrap-top": "top",
     "peplum-top": "top",
+    "fitted-top": "top",
     "blazer": "top",
     "cardigan": "top",
     "poncho": "top",
@@ -40,6 +41,7 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "halter-dress": "dress",
     "off-shoulder-dress": "dress",
     "pinafore": "dress",
+    "apron": "dress",
     "empire-dress": "dress",
     "coat": "dress",
     "hooded-coat": "dress",
@@ -123,6 +125,11 @@ class NamedDraft:
         flare = dict(self.options).get("flare", 0.0)
         straight = _OF_FLARE if float(flare) >= A_LINE_CM else _OF_NO_FLARE
         falls = straight if self.name == "shift-dress" else ()
+        if self.name == "apron":  # whose band behind counts as hem
+            length = float(dict(self.options).get("length", 0.0))
+            falls = tuple(
+                [("skirt_hem", value) for value, own in APRON_HEMS.items() if abs(own - length) < 1.0]
+            )
         shown = (_OF_STANDS if stands else (), slits, falls)
         return (*DRAFTS_ARE.get(self.name, ()), *[claim for claims in shown for claim in claims])
 
@@ -133,6 +140,14 @@ class NamedDraft:
         return _OF_ROOM if isinstance(roomy, float) and roomy >= ROOMY_CM else ()
 
 
+APRON_HEMS: Mapping[str, float] = {
+    "knee": 64.0,
+    "below the knee": 70.0,
+    "midi": 78.0,
+    "maxi": 92.0,
+    "ankle": 96.0,
+}
+"""Lengths of aprons that end there, cm below the waist."""
 STANDING = ("collar", "standing")
 """The option of a collar that stands."""
 ROLLED = ("collar", "rolled")
@@ -178,6 +193,7 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "swimsuit": ("swim",),
     "dungarees": ("bib",),
     "pinafore": ("bib",),
+    "apron": ("apron", "bib"),
     "halter-top": ("halter",),
     "halter-dress": ("halter",),
     "halter-jumpsuit": ("halter",),

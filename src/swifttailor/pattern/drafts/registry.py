@@ -74,6 +74,7 @@ _DRAFTS = (
     DraftInfo(
         "peplum-top", "Darted bodice, a short flared piece from the waist", fitted_garments.draft_peplum_top
     ),
+    DraftInfo("fitted-top", "Darted bodice that ends at the waist", fitted_garments.draft_fitted_top),
     DraftInfo("blazer", "Shaped sides, long sleeves, deep V neck with lapels", collared.draft_blazer),
     DraftInfo("cardigan", "Long sleeves, V neck, open in front below a button", tops.draft_cardigan),
     DraftInfo("poncho", "Wide cloth over body and arms", long_garments.draft_poncho),
@@ -129,6 +130,7 @@ _DRAFTS = (
         bare_shoulders.draft_off_shoulder_dress,
     ),
     DraftInfo("pinafore", "Skirt with a bib held by straps", bibbed.draft_pinafore),
+    DraftInfo("apron", "Bib, straps and a band, cloth in front alone", bibbed.draft_apron),
     DraftInfo("empire-dress", "Dress gathered under the bust", high_waisted.draft_empire_dress),
     DraftInfo("coat", "Coat with notched lapels or a shawl collar", collared.draft_coat),
     DraftInfo("hooded-coat", "Wide coat with a hood, open in front", long_garments.draft_hooded_coat),

@@ -1,4 +1,4 @@
-"""Garments with a bib held by straps: dungarees, pinafore."""
+"""Garments with a bib held by straps: dungarees, pinafore, apron."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.bib_bodice import Bib, lay_bib, sew_bib
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
-from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
+from swifttailor.pattern.drafts.fitted_skirt import SKIRT_FRONT_Z, FittedSkirt, lay_fitted_skirt
 from swifttailor.pattern.drafts.joins import SKIRT_HALVES, sew_skirt_to_band, sew_trousers_to_band
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.outline import Outline
 from swifttailor.pattern.drafts.trousers import Trousers, lay_trousers, sew_legs
 from swifttailor.pattern.pattern import Pattern
 
@@ -74,6 +75,33 @@ def draft_pinafore(options: PinaforeOptions, measurements: Measurements) -> Patt
     skirt = FittedSkirt(options.length, options.hip_ease, options.flare)
     lay_fitted_skirt(table, figure, skirt, lower, figure.waist_y - options.band_height)
     sew_skirt_to_band(table, SKIRT_HALVES)
+    sew_bib(table)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class ApronOptions(BibOptions):
+    """Options of the apron."""
+
+    length: Annotated[float, Option("Body's waist to the hem, down the middle.", "cm", 62.0, 100.0)] = 66.0
+    wider: Annotated[
+        float, Option("How much wider than the waistband in front the hem is, on each side.", "cm", 2.0, 25.0)
+    ] = 14.0
+
+
+def draft_apron(options: ApronOptions, measurements: Measurements) -> Pattern:
+    """Drafts the apron for a body: a bib, straps, a band all around, and cloth in front alone."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("apron")
+    lower = lay_bib(table, figure, _bib(options))
+    table.mirror()
+    top, low = figure.waist_y - options.band_height, figure.waist_y - options.length
+    half = lower.front
+    outline = Outline(-half - options.wider, low).line("hem", half + options.wider, low)
+    outline.line("left_edge", half, top).line("waist", -half, top)
+    outline.line("right_edge", -half - options.wider, low)
+    table.lay("skirt_front", outline.closed(), label="leg", at=(0.0, 0.0, SKIRT_FRONT_Z))
+    table.seam("wb_front.bottom", "skirt_front.waist")
     sew_bib(table)
     return table.finish()
 

@@ -55,7 +55,8 @@ def draft_cape(options: CapeOptions, measurements: Measurements) -> Pattern:
         outline = _half(figure, options, neckline, front=front)
         z = FRONT_Z if front else BACK_Z
         table.lay(f"left_{face}torso", outline, label="body", at=(0.0, 0.0, z), back=not front)
-    table.seam("left_ftorso.shoulder", "left_btorso.shoulder")
+    for edge in ("shoulder", "arm"):
+        table.seam(f"left_ftorso.{edge}", f"left_btorso.{edge}")
     for panel in ("left_ftorso", "left_btorso"):
         table.label(f"{panel}.neck", "left_collar")
     if options.hood:
@@ -86,7 +87,9 @@ def _half(figure: Figure, options: CapeOptions, neckline: Neckline, *, front: bo
         end,
     )
     tip = (figure.shoulder_x + 1.0, figure.shoulder_line(figure.shoulder_x) + _SHOULDER_LIFT_CM)
-    outline.cubic("shoulder", (0.5 * (end[0] + tip[0]), 0.5 * (end[1] + tip[1])), tip, neck)
+    slant = figure.slope * (tip[0] - neck[0])
+    outline.quadratic("arm", (tip[0] + 0.5 * (tip[0] - neck[0]), tip[1] - 0.5 * slant), tip)
+    outline.line("shoulder", *neck)
     depth = (neckline.front_depth if front else neckline.back_depth) - (figure.neck_y - neck[1])
     draw_neckline(outline, neck, max(depth, 0.5), figure.slope, neckline.shape)
     x, y = outline.sides[-1].end

@@ -1,4 +1,4 @@
-"""Garments with a darted bodice: fitted, mermaid, skater and shirt dress, jumpsuit."""
+"""Garments with a darted bodice: fitted top, fitted, mermaid, skater and shirt dress, jumpsuit."""
 
 from __future__ import annotations
 
@@ -199,6 +199,24 @@ def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) 
     sew_centres(table)
     skirt = RoundSkirt(options.skirt_length, options.skirt_fraction, options.gathers)
     lay_round_skirt(table, figure, skirt, waist)
+    return table.finish()
+
+
+@dataclass(frozen=True)
+class FittedTopOptions(SleevedBodiceOptions):
+    """Options of the fitted top."""
+
+    bust_ease: declared.BustEase = 4.0
+    waist_ease: declared.WaistEase = 3.0
+
+
+def draft_fitted_top(options: FittedTopOptions, measurements: Measurements) -> Pattern:
+    """Drafts the fitted top for a body: the darted bodice alone, which ends at the waist."""
+    figure = Figure.of(measurements)
+    table = CuttingTable("fitted-top")
+    lay_sleeved_bodice(table, figure, options)
+    table.mirror()
+    sew_centres(table)
     return table.finish()
 
 
