@@ -136,3 +136,12 @@ def test_a_gown_is_as_long_as_asked_and_its_change_is_told_once(tailor):
 def test_what_a_draft_shows_to_the_eye_is_not_told_to_be_missing(tailor, text):
     (answer,) = tailor.write([Order(text)])
     assert answer.draft and answer.not_so == ()
+
+
+@pytest.mark.parametrize("name", ["shirt", "halter-top", "pleated-skirt"])
+def test_an_edit_of_what_nobody_can_write_leaves_it_as_it_is(sewer, name):
+    """PatternMaker has no names for some panels of drafts; where cutting does nothing, it is not asked."""
+    pattern = draft(name)
+    made = Tailor(scripted_maker([draft("fitted-dress")]), sewer).edit(pattern, "add two godets")
+    assert made.pattern.panels == pattern.panels and made.pattern.stitches == pattern.stitches
+    assert made.answer.verdict.open

@@ -32,6 +32,12 @@ PANEL_NAMES: tuple[str, ...] = (
 # fmt: on
 """The 75 panel names of GarmentCode; the position is the class id."""
 
+OF_DRAFTS = re.compile(
+    r"(left|right)_(btorso_strap|collar_fall_(front|back))|skirt_(pleat|under)_\d+_(front|back)"
+)
+"""Panels that drafts have and GarmentCode has no name for: straps of halters, collars that are turned down,
+pleats. PatternMaker cannot write them."""
+
 EDGE_LABELS: tuple[str, ...] = (
     "lower_interface",
     "left_armhole",

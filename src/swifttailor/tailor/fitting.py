@@ -9,6 +9,7 @@ from dataclasses import replace
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.pattern import Pattern
+from swifttailor.pattern.names import OF_DRAFTS
 from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.recutting.alter import Alteration
 from swifttailor.recutting.holes import has_holes
@@ -43,8 +44,9 @@ _LONGER, _SHORTER = re.compile(r"hem ([\d.]+) cm longer"), re.compile(r"hem ([\d
 def from_edit(wanted: Wanted) -> Answer | None:
     """The answer that the pattern to edit gives by itself; None where a writer may do better.
 
-    It is left as it is where nothing is understood of how to change it. Where cutting does some of what is
-    asked for, that is the answer: everything else stays exactly as it was, and what is missing is said.
+    It is left as it is where nothing is understood of how to change it, or where nothing can be cut and
+    nobody could write it (`OF_DRAFTS`). Where cutting does some of what is asked for, that is the answer:
+    everything else stays exactly as it was, and what is missing is said.
     """
     edit = wanted.order.edit
     if edit is None:
@@ -54,11 +56,12 @@ def from_edit(wanted: Wanted) -> Answer | None:
     recut = wanted.recut
     if recut is not None and not recut.cuts and not recut.open:
         return _as_it_is(edit, wanted, open=())
-    if recut is None or len(recut.open) == len(wanted.wishes) or _is_remade(edit, recut):
-        return None
+    written = not any(OF_DRAFTS.fullmatch(panel.name) for panel in edit.panels)
+    if recut is None or len(recut.open) == len(wanted.wishes) or (written and _is_remade(edit, recut)):
+        return None if written else _as_it_is(edit, wanted)
     verdict = judged(recut, wanted)
     if verdict.unsound:
-        return None
+        return None if written else _as_it_is(edit, wanted)
     return Answer(recut.pattern, verdict, wanted=wanted, cuts=recut.cuts, of_edit=True)
 
 

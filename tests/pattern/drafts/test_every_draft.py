@@ -11,6 +11,7 @@ from draft_checks import assert_sound
 import swifttailor
 from swifttailor.pattern import PANEL_NAMES, Panel, Severity, check_pattern, load_pattern
 from swifttailor.pattern.drafts import DraftMeasurements, draft, list_drafts
+from swifttailor.pattern.names import OF_DRAFTS
 
 EVERY = pytest.mark.parametrize("name", [d.name for d in list_drafts()])
 
@@ -83,16 +84,10 @@ def test_left_and_right_are_mirror_images(name):
     assert pairs > 0 or name.endswith(("skirt", "sarong"))
 
 
-NO_GARMENTCODE = re.compile(
-    r"(left|right)_(btorso_strap|collar_fall_(front|back))|skirt_(pleat|under)_\d_(front|back)"
-)
-"""Of halters, of collars that are turned down, and of pleats, which GarmentCode does not make."""
-
-
 @EVERY
 def test_names_labels_and_origins_are_garmentcodes(name):
     pattern = draft(name)
-    assert {p.name for p in pattern.panels if not NO_GARMENTCODE.fullmatch(p.name)} <= set(PANEL_NAMES)
+    assert {p.name for p in pattern.panels if not OF_DRAFTS.fullmatch(p.name)} <= set(PANEL_NAMES)
     for panel in pattern.panels:
         assert panel.label in ("body", "arm", "leg")
         np.testing.assert_array_equal(panel.vertices[0], [0.0, 0.0])

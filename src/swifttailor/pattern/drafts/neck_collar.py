@@ -35,8 +35,9 @@ _STANDING_WIDENING, _STANDING_DEPTH = 0.5, 6.5
 _FLAT_DEPTH = 8.0
 _STAND_CM, _FALL_OVER_WIDTH = 2.5, 0.85
 """Height of the stand of a shirt collar; what is turned down over the width of one that lies flat."""
-_OVER_SEAM_CM, _ROLL_FLARE_CM = 0.3, 1.2
-"""How far what is turned down of a roll neck covers its seam, and its room around the stand, a quarter."""
+_STAND_SHOWS_CM, _ROLL_FLARE_CM = 1.2, 1.0
+"""What is seen of the stand below what is turned down of a roll neck, whose room around it is the other, a
+quarter."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +57,9 @@ class NeckCollar:
             return Neckline("v", min(asked.widening, _CLOSE), min(max(asked.front_depth, low), high), _BEHIND)
         if self.shape == "flat":
             return Neckline("round", min(asked.widening, _CLOSE), _FLAT_DEPTH, _BEHIND)
-        if self.shape in ("standing", "rolled", "shirt"):
+        if self.shape == "rolled":
+            return Neckline("round", 0.0, _STANDING_DEPTH, _BEHIND)
+        if self.shape in ("standing", "shirt"):
             return Neckline("round", _STANDING_WIDENING, _STANDING_DEPTH, _BEHIND)
         return asked
 
@@ -68,7 +71,7 @@ class NeckCollar:
         elif self.shape == "shirt":
             lay_turned_collar(table, figure, TurnedCollar(_STAND_CM, _FALL_OVER_WIDTH * self.width))
         elif self.shape == "rolled":
-            rolled = TurnedCollar(self.height, self.height + _OVER_SEAM_CM, _ROLL_FLARE_CM, points=None)
+            rolled = TurnedCollar(self.height, self.height - _STAND_SHOWS_CM, _ROLL_FLARE_CM, points=None)
             lay_turned_collar(table, figure, rolled)
         elif self.shape == "standing":
             lay_stand_collar(table, figure, self.height)

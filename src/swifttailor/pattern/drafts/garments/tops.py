@@ -113,7 +113,7 @@ class TurtleneckOptions:
     flare: declared.HemFlare = 0.0
     neck_widening: Annotated[
         float, Option("Distance of the collar from the neck, along the shoulder.", "cm", 0.0, 3.0)
-    ] = 0.5
+    ] = 0.2
     neck_depth: Annotated[
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 5.0, 10.0)
     ] = 6.5
