@@ -28,9 +28,9 @@ PHOTOGRAPH = FOLDER / "woman-with-dog.jpg"
 BESIDE_IT = "a hip-length jumper with a round neck, no hood"
 SIZE = 1280, 768
 SEWN = (
-    ("circle-skirt", "fitted-dress", "gathered-skirt"),
-    ("hoodie", "jumpsuit", "shirt-dress"),
-    ("t-shirt", "tank-top", "trousers"),
+    ("shirt", "sweatshirt", "pleated-skirt"),
+    ("hoodie", "dungarees", "shirt-dress"),
+    ("cape", "fitted-dress", "trousers"),
 )
 TILE = 450, 270
 ROW, GAP = 440, 24
