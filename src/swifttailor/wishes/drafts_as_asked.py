@@ -72,6 +72,7 @@ _V_WIDENING_CM, _V_DEPTH_CM = 1.0, 16.0
 _SLEEVELESS = {"strap_width": 8.0, "neck_widening": 2.0, "neck_depth": 10.0, "back_neck_depth": 3.0}
 _SWEATSHIRT = "sweatshirt"
 _WITHOUT_LEGS = ("bodysuit", "swimsuit")
+_FLAT = ("collar", "folded")
 _JOGGERS = "joggers"
 _OF_JOGGERS = ("wide", "straight", "slim")
 """Legs that joggers have as well; they are tapered as they are, and nothing flares into a cuff."""
@@ -157,7 +158,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
 
 
 def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """Tops and dresses with a collar that is folded down are shirts and shirt dresses."""
+    """Tops and dresses with lapels are shirts and shirt dresses whose collar lies flat over a V."""
     if Claim("collar", "lapel") not in claims:
         return draft
     options = dict(draft.options)
@@ -165,10 +166,10 @@ def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name in ("t-shirt", "tank-top"):
         kept = [(name, options[name]) for name in ("length", "chest_ease") if name in options]
         short = any(claim.name == "sleeves" and claim.value in _SHORT for claim in claims)
-        return NamedDraft("polo-shirt" if short else "shirt", (*kept, *sleeves))
+        return NamedDraft("polo-shirt" if short else "shirt", (*kept, _FLAT, *sleeves))
     if draft.name == "skater-dress":
         kept = [(name, options[name]) for name in ("skirt_length", "skirt_fraction") if name in options]
-        return NamedDraft("shirt-dress", (*kept, ("collar", "shirt"), *sleeves))
+        return NamedDraft("shirt-dress", (*kept, _FLAT, *sleeves))
     return draft
 
 
