@@ -1,11 +1,13 @@
 import json
 import struct
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import swifttailor
 from swifttailor.garment.cloth_color import PALETTE, cloth_color
+from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.garment.glb import glb_bytes
 from swifttailor.garment.preview import cloth_surface
 from swifttailor.garment.triangle_mesh import mesh_of_garment
@@ -43,3 +45,11 @@ def test_files_have_the_colour_of_the_preview(tube):
     assert all(dark < light for dark, light in zip(seam[:3], cloth[:3], strict=True))
     shown = cloth_surface(tube, tint_panels=False).color
     assert np.allclose(shown, base)
+
+
+def test_the_wrong_side_of_printed_cloth_has_the_hue_of_its_first_colour(tube):
+    dots = ClothPrint("dots", ("#c02020", "#ffffff"))
+    red, green, blue = cloth_surface(replace(tube, print=dots)).back_color
+    assert red > 2 * green and red > 2 * blue
+    red, green, blue = cloth_surface(replace(tube, print=dots), "#2020c0").back_color
+    assert blue > 2 * red, "a colour that is asked for goes first"

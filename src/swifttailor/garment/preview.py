@@ -53,7 +53,7 @@ def cloth_surface(
         step = (np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0
         right = base * (0.90 + 0.20 * step)[garment.mesh.face_panel][:, None]
     printed = garment.print if color is None else None
-    if printed is not None:  # its wrong side has the colour of its ground
+    if printed is not None:  # its wrong side has the first of its colours
         base = np.maximum(to_linear(printed.colors[0]), DARKEST)
     grey = float(base @ (0.2126, 0.7152, 0.0722))
     inside = 0.78 * (0.75 * base + 0.25 * grey) + 0.002

@@ -30,8 +30,9 @@ CRUMPLED_ALL_OVER = 0.35
 """Below this share little of a garment has to move, and what slips was right before: hoods, wide necks."""
 SLIPPED_CM, UPPERMOST = 2.5, 0.1
 """So far the uppermost tenth of the vertices may fall on average."""
-LIFTED_CM = 0.9
-"""So far collars are lifted first: the network puts them into the bodice that they lie on."""
+LIFTED_CM, TURNED_DOWN_CM = 0.6, 0.9
+"""So far collars are lifted first: the network puts them into the bodice that they lie on. Of those that are
+turned down over a stand both are lifted by the latter, and what is turned down twice."""
 MORE_CROSSINGS = 0.01
 """So many more, per face, may an edge and a face cross than before: a fold that touches itself is better than
 cloth that is too short all over."""
@@ -87,17 +88,15 @@ def relaxed(
 
 
 def _with_collars_lifted(garment: Garment, body: Body) -> Floats:
-    """(v, 3) its vertices, those of collars alone moved away from the body, and twice what is turned down."""
+    """(v, 3) its vertices, those of collars alone moved away from the body, layer by layer."""
     mesh, vertices = garment.mesh, garment.vertices.copy()
-    distances = BodyDistance.of(body)
-    for layer in ("collar", "collar_fall"):
-        lifted = np.array([layer in panel.name for panel in mesh.pattern.panels])
-        if not lifted.any():
-            break
+    layers = [np.array([n in p.name for p in mesh.pattern.panels]) for n in ("collar", "collar_fall")]
+    lift = TURNED_DOWN_CM if layers[1].any() else LIFTED_CM
+    for lifted in filter(np.any, layers):
         alone = np.ones(mesh.vertex_count, dtype=bool)
         alone[mesh.weld[~lifted[mesh.flat_panel]]] = False
-        _, away = distances.sample(vertices[alone], np.zeros(int(alone.sum()), dtype=bool))
-        vertices[alone] += LIFTED_CM * away
+        _, away = BodyDistance.of(body).sample(vertices[alone], np.zeros(int(alone.sum()), dtype=bool))
+        vertices[alone] += lift * away
     return vertices
 
 

@@ -1,4 +1,4 @@
-"""A bib in front and two straps over the shoulders, sewn to a waistband: dungarees, pinafores."""
+"""A bib in front and two straps over the shoulders, sewn to a waistband: dungarees, pinafores, aprons."""
 
 from __future__ import annotations
 
@@ -8,13 +8,12 @@ from swifttailor.pattern.drafts.band import lay_body_waist_band
 from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
+from swifttailor.pattern.drafts.fitted_bodice import BLADE_FULLNESS
 from swifttailor.pattern.drafts.outline import Outline
 from swifttailor.pattern.drafts.strap_bodice import STRAP_LIFT, STRAP_PLACE
 
 _STRAPS_BEHIND_X = 5.0
 """Distance of the middle of each strap from the middle of the waistband behind, cm."""
-_BLADE = 0.04
-"""Extra length of the straps over the shoulder blades, as a part of the waist line."""
 _WIDER_BELOW, _CORNER = 2.0, 1.0
 """How much wider the half of the bib is at the waist than above; how far it reaches beyond the strap, cm."""
 _SIDES_FREE = 3.0
@@ -41,6 +40,11 @@ def lay_bib(table: CuttingTable, figure: Figure, shape: Bib) -> Halves:
     Edges of ``left_ftorso``: waist, armhole, shoulder, neck, centre; of ``left_btorso``, which is the strap
     behind: waist, armhole, shoulder, neck.
 
+    Args:
+        table: Where they go.
+        figure: The body.
+        shape: The cut.
+
     Returns:
         Half widths of the lower edge of the waistband, cm: what is sewn to it.
     """
@@ -57,7 +61,7 @@ def lay_bib(table: CuttingTable, figure: Figure, shape: Bib) -> Halves:
     bib.line("shoulder", inner, figure.shoulder_line(inner) + lift)
     bib.line("neck", inner, top_y).line("neck", 0.0, top_y).line("centre", 0.0, waist_y)
     table.lay("left_ftorso", bib.closed(), label="body", at=(0.0, 0.0, FRONT_Z))
-    lift = _BLADE * (figure.neck_y - waist_y)
+    lift = BLADE_FULLNESS * (figure.neck_y - waist_y)
     near, far = _STRAPS_BEHIND_X - shape.strap / 2, _STRAPS_BEHIND_X + shape.strap / 2
     strap = Outline(near, waist_y).line("waist", far, waist_y)
     strap.line("armhole", outer, figure.shoulder_line(outer) + lift)
