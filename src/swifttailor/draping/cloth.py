@@ -107,7 +107,8 @@ def build_cloth(mesh: PatternMesh, fabric: Fabric, *, press: bool = True) -> Clo
     shortest = np.maximum(shortest, 1e-4)
     share = np.zeros(len(edges))
     np.add.at(share, edge_of, area[half_face] / 3)
-    stiffness = fabric.stretch * _SPRING_FACTOR * np.maximum(share, 1e-6) / np.maximum(shortest, 0.01) ** 2
+    membrane = fabric.membrane(mesh.pattern.cloth_stretch)
+    stiffness = membrane * _SPRING_FACTOR * np.maximum(share, 1e-6) / np.maximum(shortest, 0.01) ** 2
 
     order = np.argsort(edge_of, kind="stable")
     count = np.bincount(edge_of, minlength=len(edges))

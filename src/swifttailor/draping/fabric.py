@@ -7,6 +7,9 @@ from dataclasses import dataclass, fields
 
 from swifttailor.errors import InputError
 
+STRETCHY = 185.0
+"""Membrane stiffness of knits, N/m: of the interlock that Wang et al. 2011 measured."""
+
 
 @dataclass(frozen=True)
 class Fabric:
@@ -31,6 +34,13 @@ class Fabric:
     """What it is, in words."""
     source: str = ""
     """Where weight, stretch and bending come from."""
+
+    def membrane(self, cloth_stretch: float) -> float:
+        """Its membrane stiffness, N/m, in a garment of that `Pattern.cloth_stretch`.
+
+        Such a garment is made of what gives: woven cloth with a few per cent of elastane, not without.
+        """
+        return min(self.stretch, STRETCHY) if cloth_stretch else self.stretch
 
     @property
     def is_measured(self) -> bool:

@@ -84,7 +84,7 @@ def build_stage(simulation: Simulation, cloth: ClothModel, mesh: PatternMesh, bo
     newton.solvers.SolverStyle3D.register_custom_attributes(builder)
     builder.default_edge_ke = fabric.bending
     rest, sliver = rest_triangles(mesh, cloth)
-    stretch = min(fabric.stretch, MAX_STRETCH * fabric.density)
+    stretch = min(fabric.membrane(mesh.pattern.cloth_stretch), MAX_STRETCH * fabric.density)
     stiffness = stretch * np.outer(np.where(sliver, _SLIVER_SHARE, 1.0), [1.0, 1.0, SHEAR_SHARE])
     style3d.add_cloth_mesh(
         builder,

@@ -51,6 +51,8 @@ class Quality:
     strain_p50: float
     """Median of abs(length / rest - 1) over the edges that are not gathered."""
     strain_p95: float
+    strain_allowed: float
+    """What that may be at most: more where the pattern is cut for cloth that stretches."""
     strain_max: float
     """Largest stretch of such an edge."""
     seam_gap_max_cm: float
@@ -102,6 +104,7 @@ def measure_quality(
         "self_intersections": crossings,
         "strain_p50": float(np.percentile(np.abs(strain), 50)),
         "strain_p95": float(np.percentile(np.abs(strain), 95)),
+        "strain_allowed": MAX_STRAIN_P95 + mesh.pattern.cloth_stretch,
         "strain_max": float(strain.max()),
         "seam_gap_max_cm": seam_gap(mesh, positions),
         "components": component_count(mesh.faces, mesh.vertex_count),
@@ -133,7 +136,8 @@ def not_accepted_line(quality: Mapping[str, Any]) -> str:
     if quality["accepted"]:
         return ""
     line = f"not accepted: {'; '.join(quality['reasons'])}."
-    return f"{line} {WHEN_TOO_TIGHT}" if quality.get("strain_p95", 0.0) > MAX_STRAIN_P95 else line
+    tight = quality.get("strain_p95", 0.0) > quality.get("strain_allowed", MAX_STRAIN_P95)
+    return f"{line} {WHEN_TOO_TIGHT}" if tight else line
 
 
 def _reasons(q: dict[str, Any], worn: WornHeight) -> tuple[str, ...]:
@@ -159,9 +163,9 @@ def _reasons(q: dict[str, Any], worn: WornHeight) -> tuple[str, ...]:
             f"(limit {MAX_PENETRATING_FRACTION:.0%})",
         ),
         (
-            q["strain_p95"] > MAX_STRAIN_P95,
+            q["strain_p95"] > q["strain_allowed"],
             f"too tight: 5 % of the edges are strained by more than {q['strain_p95']:.0%} "
-            f"(limit {MAX_STRAIN_P95:.0%})",
+            f"(limit {q['strain_allowed']:.0%})",
         ),
     ]
     return tuple(reason for failed, reason in limits if failed)

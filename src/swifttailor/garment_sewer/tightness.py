@@ -17,8 +17,8 @@ _UNMEASURED = 0.1
 
 
 def is_too_tight(prepared: Prepared) -> bool:
-    """Whether cloth would be stretched by more than drapes may be."""
-    return stretch(prepared) > TOO_TIGHT
+    """Whether cloth would be stretched by more than drapes may be, or than it is cut to be."""
+    return stretch(prepared) > TOO_TIGHT + prepared.mesh.pattern.cloth_stretch
 
 
 def stretch(prepared: Prepared) -> float:

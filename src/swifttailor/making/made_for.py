@@ -13,9 +13,17 @@ MAIN_MEASURES = ("bust", "waist", "hips", "height")
 def made_for(pattern: Pattern) -> str:
     """The body that a pattern was drafted for: ``women EU 44: bust 100, waist 84, hips 108, height 168 cm``.
 
+    What is cut smaller than that body says so, and what cloth it needs.
+
     Args:
         pattern: Where its file names no body, the default body counts, as everywhere.
     """
+    if pattern.cloth_stretch:
+        return f"{_body(pattern)}; in cloth that stretches by {pattern.cloth_stretch:.0%} or more"
+    return _body(pattern)
+
+
+def _body(pattern: Pattern) -> str:
     named = pattern.drafted_for
     if named is None:
         measures = measures_in_words(Body.default().measurements.as_dict(), MAIN_MEASURES)

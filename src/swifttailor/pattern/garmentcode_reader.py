@@ -8,6 +8,7 @@ wrong becomes a `Finding`, so that ``swifttailor check`` can show everything at 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -30,6 +31,8 @@ MAX_EDGES_PER_PANEL = 2000
 MAX_EDGES = 20_000
 """In the whole pattern: a hundred times the largest one of GarmentCode."""
 MAX_STITCHES = 20_000
+MAX_CLOTH_STRETCH = 1.0
+"""No cloth of garments gives more."""
 
 _PANEL_KEYS = {"translation", "rotation", "vertices", "edges", "label"}
 _TOP_KEYS = {"pattern", "parameters", "parameter_order", "properties"}
@@ -138,8 +141,20 @@ def read_specification(
         panels[key], edge_ids[key] = _read_panel(key, raw, context)
     ordered = [panels[n] for n in _panel_order(body.get("panel_order"), panels, context)]
     stitches = _read_stitches(body.get("stitches", []), panels, edge_ids, context)
-    named = DraftedFor.from_json(values.as_object(top.get("properties", {}), "properties").get("drafted_for"))
-    return Reading(Pattern(tuple(ordered), stitches, name, named), tuple(context.findings))
+    properties = values.as_object(top.get("properties", {}), "properties")
+    named = DraftedFor.from_json(properties.get("drafted_for"))
+    pattern = Pattern(tuple(ordered), stitches, name, named, _cloth_stretch(properties))
+    return Reading(pattern, tuple(context.findings))
+
+
+def _cloth_stretch(properties: Mapping[str, Any]) -> float:
+    stretch = values.as_number(properties.get("cloth_stretch", 0.0), "properties.cloth_stretch")
+    if not 0.0 <= stretch <= MAX_CLOTH_STRETCH:
+        raise PatternError(
+            f"properties.cloth_stretch: {stretch:g} was given; a share from 0 (any cloth) to "
+            f"{MAX_CLOTH_STRETCH:g} is accepted. Correct or remove it."
+        )
+    return stretch
 
 
 def _read_properties(raw: Any, rotation: RotationReading) -> _Context:

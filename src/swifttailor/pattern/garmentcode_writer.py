@@ -36,6 +36,7 @@ def to_specification(pattern: Pattern) -> dict[str, Any]:
             "normalized_edge_loops": True,
             "units_in_meter": 100,
             **({} if pattern.drafted_for is None else {"drafted_for": pattern.drafted_for.to_json()}),
+            **({"cloth_stretch": pattern.cloth_stretch} if pattern.cloth_stretch else {}),
         },
     }
 

@@ -47,6 +47,8 @@ class Pattern:
     name: str = field(default="pattern", compare=False)
     drafted_for: DraftedFor | None = field(default=None, compare=False)
     """The body that it was drafted for; the default body when None."""
+    cloth_stretch: float = field(default=0.0, compare=False)
+    """Share by which the cloth has to give all around, since it is cut smaller than the body; 0 for any."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "panels", tuple(self.panels))

@@ -199,6 +199,10 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
         found.append(f"Begun from a draft of ours: {answer.draft}.")
         if answer.draft in STANDS_IN:
             found.append(STANDS_IN[answer.draft])
+    if answer.pattern.cloth_stretch:
+        found.append(
+            f"Cut smaller than the body, for cloth that stretches by {answer.pattern.cloth_stretch:.0%} or more."
+        )
     if wanted.part is not None:
         found.append(_read_line(wanted))
     if answer.not_followed:

@@ -18,12 +18,13 @@ LOOSE_BAND_CM = 8.0
 """So much wider than the waist a band stands off, or slides down."""
 
 
-def sits_badly(facts: GarmentFacts, said: Sequence[Change]) -> tuple[str, ...]:
+def sits_badly(facts: GarmentFacts, said: Sequence[Change], *, cloth_stretch: float = 0.0) -> tuple[str, ...]:
     """What a customer would send back although all that was asked for is so.
 
     Args:
         facts: Of the garment.
         said: What is asked for or likely meant: what of this is spoken of is no fault.
+        cloth_stretch: See `Pattern.cloth_stretch`.
 
     Returns:
         Each in words; empty where nothing is.
@@ -40,7 +41,8 @@ def sits_badly(facts: GarmentFacts, said: Sequence[Change]) -> tuple[str, ...]:
     hem = facts.hem
     # What covers the front alone, as an apron does, goes around no hips.
     reaches = hem is not None and hem.level < body.hips - 5.0 and hem.back < body.hips
-    if lower is not None and reaches and lower.hips < body.hip_girth - TOO_NARROW_CM:
+    gives = 1 + cloth_stretch
+    if lower is not None and reaches and gives * lower.hips < body.hip_girth - TOO_NARROW_CM:
         found.append("it is narrower than the hips")
     if band is not None and facts.torso is None and band.upper > body.waist_girth + LOOSE_BAND_CM:
         if not names & {"rise", "waistband"} or _plain_band(claims):

@@ -46,8 +46,10 @@ class Piece:
 class CuttingTable:
     """Collects pieces and seams and makes the pattern of them."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, cloth_stretch: float = 0.0) -> None:
         self.name = name
+        self.cloth_stretch = cloth_stretch
+        """See `Pattern.cloth_stretch`."""
         self.pieces: dict[str, Piece] = {}
         self._stitches: list[tuple[int, int]] = []
         self._folded: set[tuple[int, int]] = set()
@@ -172,7 +174,8 @@ class CuttingTable:
             Stitch(where[a], where[b], right_wrong=(a, b) in self._folded) for a, b in self._stitches
         )
         panels = sorted(map(self._panel, self.pieces.values()), key=lambda p: canonical_key(p.name))
-        return Pattern(tuple(panels), stitches, self.name).canonical()
+        pattern = Pattern(tuple(panels), stitches, self.name, cloth_stretch=self.cloth_stretch)
+        return pattern.canonical()
 
     def _panel(self, piece: Piece) -> Panel:
         vertices = np.array([s.start for s in piece.sides])

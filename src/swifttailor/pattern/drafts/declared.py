@@ -24,6 +24,10 @@ ChestEase = Annotated[float, Option("Room on top of the bust girth, all around."
 BustEase = Annotated[float, Option("Room on top of the bust girth, all around.", "cm", 1.0, 16.0)]
 WaistEase = Annotated[float, Option("Room on top of the waist girth, all around.", "cm", 0.0, 16.0)]
 HipEase = Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 0.5, 20.0)]
+ClothStretch = Annotated[
+    float,
+    Option("By how much the cloth is to stretch all around: it is cut so much smaller.", "%", 0.0, 20.0),
+]
 ArmholeDrop = Annotated[float, Option("How far the underarm lies below the armpit.", "cm", 0.5, 8.0)]
 LongLength = Annotated[float, Option("Hem below the waist.", "cm", 25.0, 100.0)]
 TopLength = Annotated[float, Option("Hem below the waist; negative ends above it.", "cm", -12.0, 60.0)]

@@ -110,7 +110,8 @@ class NamedDraft:
         shown = DRAFTS_SHOW.get(self.name, ())
         if collar is not None:
             shown = (*[key for key in shown if key not in _COLLAR_KEYS], *collar)
-        return (*shown, "open_front") if opens else shown
+        stretches = bool(dict(self.options).get("stretch", self.name in STRETCHING))
+        return (*shown, *(["open_front"] if opens else ()), *(["stretch"] if stretches else ()))
 
     @property
     def stands(self) -> bool:
@@ -202,6 +203,8 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
 }
 """What a draft shows that no way to cut makes: keys of the lexicon's ``cannot.txt``. Where it
 names a shirt dress, that has its collar."""
+STRETCHING = frozenset({"leggings", "bodysuit", "swimsuit"})
+"""Drafts that are for cloth that stretches unless their option says otherwise."""
 _COLLAR_KEYS = ("shirt_collar", "flat_collar")
 _COLLARS_SHOW: Mapping[str, tuple[str, ...]] = {
     "shirt": ("shirt_collar",),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from swifttailor.pattern.drafts.measurements import Measurements
 
@@ -38,6 +38,10 @@ class Halves:
     def eased(self, ease: float) -> Halves:
         """With `ease` cm more around, spread evenly over front and back."""
         return Halves(self.front + ease / 4, self.back + ease / 4)
+
+    def times(self, factor: float) -> Halves:
+        """Wider by that factor."""
+        return Halves(factor * self.front, factor * self.back)
 
 
 @dataclass(frozen=True)
@@ -104,6 +108,20 @@ class Figure:
             arm_length=m.arm_length,
             arm_angle=m.arm_pose_angle,
             head_length=m.head_l,
+        )
+
+    def for_cloth(self, stretch: float) -> Figure:
+        """As cloth is cut for it that gives by that share all around: girths are smaller, heights are not."""
+        less = 1 / (1 + stretch)
+        return replace(
+            self,
+            bust=self.bust.times(less),
+            bust_x=less * self.bust_x,
+            waist=self.waist.times(less),
+            hips=self.hips.times(less),
+            thigh=less * self.thigh,
+            upper_arm=less * self.upper_arm,
+            wrist=less * self.wrist,
         )
 
     def shoulder_line(self, x: float) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from swifttailor.describing.measuring.parts import LOWER_PARTS, UPPER_PARTS, Face, Part
 from swifttailor.describing.measuring.skirts import upper_edges
@@ -101,7 +102,7 @@ def _only(pattern: Pattern, names: Sequence[str]) -> Pattern:
     kept = set(names)
     panels: list[Panel] = [p for p in pattern.panels if p.name in kept]
     stitches: list[Stitch] = [s for s in pattern.stitches if s.first.panel in kept and s.second.panel in kept]
-    return Pattern(tuple(panels), tuple(stitches), pattern.name)
+    return replace(pattern, panels=tuple(panels), stitches=tuple(stitches))
 
 
 def _cut_to(half: Pattern, factor: float) -> Pattern | None:

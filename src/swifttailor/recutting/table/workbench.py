@@ -57,7 +57,7 @@ class Workbench:
     """Panels whose sides can be moved, cut and sewn, and made into a pattern again."""
 
     def __init__(self, pattern: Pattern) -> None:
-        self.name = pattern.name
+        self._from = pattern
         self._ids = itertools.count()
         self.pieces: dict[str, Piece] = {}
         self._of_side: dict[int, str] = {}
@@ -84,7 +84,7 @@ class Workbench:
         stitches = tuple(
             Stitch(where[a], where[b], turned) for a, b, turned in self.seams if a in where and b in where
         )
-        return Pattern(tuple(panels), stitches, self.name).canonical()
+        return replace(self._from, panels=tuple(panels), stitches=stitches).canonical()
 
     def piece_of(self, id: int) -> Piece:
         """The panel that a side belongs to."""

@@ -135,7 +135,8 @@ def mirror_sleeve(pattern: Pattern, anatomy: Anatomy, hole: Hole) -> Pattern | N
         if all(r in where for r in s.sides) and any(r in twins for r in s.sides)
     ]
     panels = tuple(_mirrored(p, names[n]) for n, p in models.items())
-    return Pattern((*pattern.panels, *panels), (*pattern.stitches, *stitches), pattern.name).canonical()
+    whole = replace(pattern, panels=(*pattern.panels, *panels), stitches=(*pattern.stitches, *stitches))
+    return whole.canonical()
 
 
 def _mirrored(panel: Panel, name: str) -> Panel:

@@ -65,11 +65,13 @@ class FittedDressOptions(SetInSleeveOptions):
     collar: CollarOption = "none"
     collar_width: declared.CollarWidth = 5.5
     collar_height: CollarHeight = 4.0
+    stretch: declared.ClothStretch = 0.0
 
 
 def draft_fitted_dress(options: FittedDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the fitted dress for a body."""
-    figure, table = Figure.of(measurements), CuttingTable("fitted-dress")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("fitted-dress", options.stretch / 100)
     _lay_fitted_dress(table, figure, options, options.skirt_length, options.skirt_flare)
     return table.finish()
 
@@ -86,7 +88,8 @@ class MermaidDressOptions(FittedDressOptions):
 
 def draft_mermaid_dress(options: MermaidDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the mermaid dress for a body: close down to the knee, a flounce cut from a circle below."""
-    figure, table = Figure.of(measurements), CuttingTable("mermaid-dress")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("mermaid-dress", options.stretch / 100)
     close = min(options.close, options.skirt_length - SHORTEST_FLOUNCE)
     _lay_fitted_dress(table, figure, options, close, options.skirt_flare)
     lay_flounce(table, options.skirt_length - close, figure.waist_y - close - 3.0, options.fraction)
@@ -179,6 +182,7 @@ class SleevedBodiceOptions(SetInSleeveOptions):
     neck_depth: declared.NeckDepth = 11.0
     back_neck_depth: declared.BackNeckDepth = 4.0
     armhole_drop: declared.ArmholeDrop = 2.0
+    stretch: declared.ClothStretch = 0.0
 
 
 @dataclass(frozen=True)
@@ -192,8 +196,8 @@ class SkaterDressOptions(SleevedBodiceOptions):
 
 def draft_skater_dress(options: SkaterDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the skater dress for a body: fit and flare, of any length."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("skater-dress")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("skater-dress", options.stretch / 100)
     waist = lay_sleeved_bodice(table, figure, options)
     table.mirror()
     sew_centres(table)
@@ -212,8 +216,8 @@ class FittedTopOptions(SleevedBodiceOptions):
 
 def draft_fitted_top(options: FittedTopOptions, measurements: Measurements) -> Pattern:
     """Drafts the fitted top for a body: the darted bodice alone, which ends at the waist."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("fitted-top")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("fitted-top", options.stretch / 100)
     lay_sleeved_bodice(table, figure, options)
     table.mirror()
     sew_centres(table)
@@ -230,8 +234,8 @@ class PeplumTopOptions(SleevedBodiceOptions):
 
 def draft_peplum_top(options: PeplumTopOptions, measurements: Measurements) -> Pattern:
     """Drafts the peplum top for a body: the skater dress with a skirt that ends at the hips."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("peplum-top")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("peplum-top", options.stretch / 100)
     waist = lay_sleeved_bodice(table, figure, options)
     table.mirror()
     sew_centres(table)
@@ -260,8 +264,8 @@ class JumpsuitOptions(SleevedBodiceOptions):
 
 def draft_jumpsuit(options: JumpsuitOptions, measurements: Measurements) -> Pattern:
     """Drafts the jumpsuit for a body."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("jumpsuit")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("jumpsuit", options.stretch / 100)
     waist = lay_sleeved_bodice(table, figure, options)
     legs = legs_of_bodice(
         options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop

@@ -43,8 +43,8 @@ class EmpireDressOptions(SleevedBodiceOptions):
 
 def draft_empire_dress(options: EmpireDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the empire dress for a body: a short darted bodice, a skirt gathered into it under the bust."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("empire-dress")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("empire-dress", options.stretch / 100)
     under_y = figure.bust_y - _BELOW_BUST * (figure.bust_y - figure.waist_y)
     short = replace(figure, waist_y=under_y, waist=_under_bust(figure))
     seam = lay_sleeved_bodice(table, short, options)

@@ -38,12 +38,13 @@ class BodysuitOptions(SleevedBodiceOptions):
     neck_widening: declared.NeckWidening = 2.0
     hip_ease: CloseHipEase = 3.0
     leg_height: LegHeight = 4.0
+    stretch: declared.ClothStretch = 8.0
 
 
 def draft_bodysuit(options: BodysuitOptions, measurements: Measurements) -> Pattern:
     """Drafts the bodysuit for a body: a darted bodice, sleeves or none, cut out over the legs."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("bodysuit")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("bodysuit", options.stretch / 100)
     waist = lay_sleeved_bodice(table, figure, options)
     return _without_legs(table, figure, Briefs(options.hip_ease, options.leg_height, _CROTCH_DROP_CM), waist)
 
@@ -58,12 +59,13 @@ class SwimsuitOptions:
     dip: FrontDip = 4.0
     hip_ease: CloseHipEase = 4.0
     leg_height: LegHeight = 4.0
+    stretch: declared.ClothStretch = 8.0
 
 
 def draft_swimsuit(options: SwimsuitOptions, measurements: Measurements) -> Pattern:
     """Drafts the swimsuit for a body: a darted bodice on straps, cut out over the legs."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("swimsuit")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("swimsuit", options.stretch / 100)
     bodice = FittedStrapBodice(options.strap_width, options.bust_ease, options.waist_ease, options.dip)
     waist = lay_fitted_strap_bodice(table, figure, bodice)
     return _without_legs(table, figure, Briefs(options.hip_ease, options.leg_height, _CROTCH_DROP_CM), waist)

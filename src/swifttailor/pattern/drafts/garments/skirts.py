@@ -31,12 +31,13 @@ class FittedSkirtOptions:
     hip_ease: declared.HipEase = 4.0
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
+    stretch: declared.ClothStretch = 0.0
 
 
 def draft_fitted_skirt(options: FittedSkirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the fitted skirt for a body."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("fitted-skirt")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("fitted-skirt", options.stretch / 100)
     lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
     skirt = FittedSkirt(options.length, options.hip_ease, options.flare)
     lay_fitted_skirt(table, figure, skirt, lower, figure.waist_y - options.band_height)

@@ -118,6 +118,7 @@ class HeldDressOptions:
     skirt_flare: declared.SkirtFlare = 1.0
     flounce: Annotated[bool, Option("End the close skirt at a flounce cut from a circle.")] = False
     close: declared.FlounceSeam = 58.0
+    stretch: declared.ClothStretch = 0.0
 
 
 @dataclass(frozen=True)
@@ -131,8 +132,8 @@ class StraplessDressOptions(HeldDressOptions):
 
 def draft_strapless_dress(options: StraplessDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the strapless dress for a body: the waist seam holds it up."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("strapless-dress")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("strapless-dress", options.stretch / 100)
     bodice = StraplessBodice(options.bust_ease, options.waist_ease, options.dip)
     waist = lay_strapless_bodice(table, figure, bodice)
     return _with_skirt(table, figure, options, waist)
@@ -150,8 +151,8 @@ class StrappyDressOptions(HeldDressOptions):
 
 def draft_strappy_dress(options: StrappyDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the strappy dress for a body: a darted bodice on thin straps, a skirt sewn to its waist."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("strappy-dress")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("strappy-dress", options.stretch / 100)
     bodice = FittedStrapBodice(options.strap_width, options.bust_ease, options.waist_ease, options.dip)
     waist = lay_fitted_strap_bodice(table, figure, bodice)
     return _with_skirt(table, figure, options, waist)
@@ -184,6 +185,7 @@ class HeldJumpsuitOptions:
     length: declared.TrouserLength = 101.0
     leg_ease: declared.LegEase = 14.0
     flare: declared.LegFlare = 4.0
+    stretch: declared.ClothStretch = 0.0
 
 
 @dataclass(frozen=True)
@@ -196,8 +198,8 @@ class StraplessJumpsuitOptions(HeldJumpsuitOptions):
 
 def draft_strapless_jumpsuit(options: StraplessJumpsuitOptions, measurements: Measurements) -> Pattern:
     """Drafts the strapless jumpsuit for a body: the waist seam holds it up."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("strapless-jumpsuit")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("strapless-jumpsuit", options.stretch / 100)
     bodice = StraplessBodice(options.bust_ease, options.waist_ease, options.dip)
     return _with_legs(table, figure, options, lay_strapless_bodice(table, figure, bodice))
 
@@ -214,8 +216,8 @@ class StrappyJumpsuitOptions(HeldJumpsuitOptions):
 
 def draft_strappy_jumpsuit(options: StrappyJumpsuitOptions, measurements: Measurements) -> Pattern:
     """Drafts the strappy jumpsuit for a body: a darted bodice on thin straps, trousers sewn to its waist."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("strappy-jumpsuit")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("strappy-jumpsuit", options.stretch / 100)
     bodice = FittedStrapBodice(options.strap_width, options.bust_ease, options.waist_ease, options.dip)
     return _with_legs(table, figure, options, lay_fitted_strap_bodice(table, figure, bodice))
 

@@ -42,12 +42,13 @@ class TShirtOptions:
     sleeve_shape: SleeveShapeOption = "plain"
     side_slits: declared.SideSlits = 0.0
     waist_shaping: declared.WaistShaping = 0.0
+    stretch: declared.ClothStretch = 0.0
 
 
 def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern:
     """Drafts the t-shirt for a body."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("t-shirt")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("t-shirt", options.stretch / 100)
     neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
     bodice = LooseBodice(
         neckline,
@@ -80,12 +81,13 @@ class TankTopOptions:
     strap_width: Annotated[float, Option("Width of the straps on the shoulder.", "cm", 3.0, 9.0)] = 4.0
     armhole_drop: declared.ArmholeDrop = 2.0
     waist_shaping: declared.WaistShaping = 0.0
+    stretch: declared.ClothStretch = 0.0
 
 
 def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Pattern:
     """Drafts the tank top for a body."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("tank-top")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("tank-top", options.stretch / 100)
     neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
     strap_end = neckline.start_x(figure) + options.strap_width
     bodice = LooseBodice(
@@ -129,12 +131,13 @@ class TurtleneckOptions:
     waist_shaping: declared.WaistShaping = 0.0
     opening: declared.Opening = 0.0
     closed_to: declared.ClosedTo = 0.0
+    stretch: declared.ClothStretch = 0.0
 
 
 def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> Pattern:
     """Drafts the turtleneck for a body."""
-    figure = Figure.of(measurements)
-    table = CuttingTable("turtleneck")
+    figure = Figure.of(measurements).for_cloth(options.stretch / 100)
+    table = CuttingTable("turtleneck", options.stretch / 100)
     bodice = LooseBodice(
         Neckline("round", options.neck_widening, options.neck_depth, 1.5),
         options.chest_ease,

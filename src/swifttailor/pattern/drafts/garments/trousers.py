@@ -58,6 +58,7 @@ class JeansOptions:
     crotch_drop: CrotchDrop = 0.5
     band_height: declared.BandHeight = 4.0
     below_waist: declared.BelowWaist = 0.0
+    stretch: declared.ClothStretch = 0.0
 
 
 def draft_jeans(options: JeansOptions, measurements: Measurements) -> Pattern:
@@ -69,17 +70,18 @@ def draft_jeans(options: JeansOptions, measurements: Measurements) -> Pattern:
 class LeggingsOptions:
     """Options of the leggings."""
 
-    length: declared.TrouserLength = 95.0
+    length: declared.TrouserLength = 98.0
     hip_ease: Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 0.0, 20.0)] = 1.5
     leg_ease: SlimLegEase = 1.5
     taper: Taper = 10.0
     crotch_drop: CrotchDrop = 0.0
     band_height: declared.BandHeight = 6.0
     below_waist: declared.BelowWaist = 0.0
+    stretch: declared.ClothStretch = 8.0
 
 
 def draft_leggings(options: LeggingsOptions, measurements: Measurements) -> Pattern:
-    """Drafts leggings for a body: without darts, as close as cloth that does not stretch can be cut."""
+    """Drafts leggings for a body: without darts, close all the way down."""
     return _on_band("leggings", replace(_slim_legs(options), darts=False), options, 0.0, measurements)
 
 
@@ -120,8 +122,9 @@ def _slim_legs(options: JeansOptions | LeggingsOptions) -> Trousers:
 
 def _on_band(name: str, legs: Trousers, options: _OnBand, ease: float, measurements: Measurements) -> Pattern:
     """Lays and sews legs on a waistband."""
-    figure = Figure.of(measurements)
-    table = CuttingTable(name)
+    stretch = options.stretch / 100 if isinstance(options, JeansOptions | LeggingsOptions) else 0.0
+    figure = Figure.of(measurements).for_cloth(stretch)
+    table = CuttingTable(name, stretch)
     low, height = options.below_waist, options.band_height
     lower = lay_body_waist_band(table, figure, height, ease, low)
     lay_trousers(table, figure, legs, lower, figure.waist_y - low - height)
