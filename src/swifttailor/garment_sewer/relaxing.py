@@ -1,7 +1,8 @@
 """Predicted garments, let fall for a moment.
 
-What the network predicts lies where the garment lies, but its seams ripple, its collars stand off and its
-wide skirts are crumpled (`crumpling.py`). A moment of physics makes cloth of it.
+What the network predicts lies where the garment lies, but its seams ripple, its collars stand off, its wide
+skirts are crumpled (`crumpling.py`) and its wide legs lie in each other (`legs_apart.py`). A moment of
+physics makes cloth of it.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from swifttailor.draping.fabric import Fabric
 from swifttailor.errors import SimulationError
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.crumpling import CRUMPLED, smoothed_where_crumpled
+from swifttailor.garment_sewer.legs_apart import legs_apart
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern.check import panel_regions
@@ -28,6 +30,8 @@ VERY_CRUMPLED = 0.5
 """From this share on a garment falls for twice as long: circle skirts of more than a circle."""
 CRUMPLED_ALL_OVER = 0.35
 """Below this share little of a garment has to move, and what slips was right before: hoods, wide necks."""
+APART_FRAMES = 14
+"""So long legs fall that were moved apart."""
 SLIPPED_CM, UPPERMOST = 2.5, 0.1
 """So far the uppermost tenth of the vertices may fall on average."""
 LIFTED_CM, TURNED_DOWN_CM = 0.6, 0.9
@@ -74,6 +78,10 @@ def relaxed(
     if crumpled > CRUMPLED:
         frames = 2 * CRUMPLED_FRAMES if crumpled > VERY_CRUMPLED else CRUMPLED_FRAMES
         smooth = _smoothed(begun, body)
+    start = begun.vertices if smooth is None else smooth
+    apart = legs_apart(begun.mesh, start, hips=body.measurements.hips)
+    if apart is not None:
+        frames, smooth = max(frames, APART_FRAMES), apart
     try:
         fallen = relax(begun, body=body, fabric=fabric, frames=frames, grown_from=smooth, progress=progress)
     except SimulationError as error:

@@ -201,7 +201,8 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
             found.append(STANDS_IN[answer.draft])
     if answer.pattern.cloth_stretch:
         found.append(
-            f"Cut smaller than the body, for cloth that stretches by {answer.pattern.cloth_stretch:.0%} or more."
+            f"Cut smaller than the body, for cloth that stretches by {answer.pattern.cloth_stretch:.0%} "
+            "or more."
         )
     if wanted.part is not None:
         found.append(_read_line(wanted))
