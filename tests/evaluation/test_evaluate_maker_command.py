@@ -11,6 +11,7 @@ from maker_standins import given, write_edits, write_patterns
 
 from swifttailor.cli.main import run
 from swifttailor.evaluation.maker.run import Plan
+from swifttailor.evaluation.results_page import results_page
 from swifttailor.pattern.check.repair import Repair
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker import maker as maker_module
@@ -68,6 +69,9 @@ def test_the_command_asks_prints_writes_and_goes_on(files, tmp_path, capsys, cal
     assert [line["question"].split("/")[0] for line in lines] == ["text", "edit", "edit"]
     ours = summary["tasks"]["text"]["patterns"]["PatternMaker"]["by_name"]["vertex_cm"]
     assert ours["mean"] == pytest.approx(lines[0]["by_name"]["vertex_cm"])
+    page = results_page([out / "summary.json"])
+    assert "### Patterns edited after an instruction, there and back" in page
+    assert "--edits edits.jsonl" in page and "| input unchanged |" in page and "#Sampling" in page
     sampled = summary["sampling"]["edit"]
     assert sampled["closed"] == sampled["paired"] == sampled["samples"] == 2
 

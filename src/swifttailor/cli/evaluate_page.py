@@ -13,13 +13,13 @@ from swifttailor.errors import InputError
 
 @dataclass(frozen=True, kw_only=True)
 class EvaluatePage:
-    """Write one page (Markdown) with the tables of recorded runs of evaluate systems.
+    """Write one page (Markdown) with the tables of recorded runs of evaluate systems or pattern-maker.
 
     Exit code 0: done; 2: not done.
     """
 
     runs: Annotated[tuple[Path, ...], tyro.conf.Positional, tyro.conf.arg(metavar="SUMMARY...")]
-    """Files summary.json of evaluate systems; the name of each, without .json, is its heading."""
+    """Files summary.json of evaluate systems or pattern-maker; their names, without .json, are the headings."""
     out: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """File to write; prints the page without it."""
     overwrite: tyro.conf.FlagCreatePairsOff[bool] = False
@@ -34,7 +34,9 @@ class EvaluatePage:
         from swifttailor.evaluation.results_page import results_page
 
         if not self.runs:
-            raise InputError("No runs were given. Give the summary.json of at least one evaluate systems.")
+            raise InputError(
+                "No runs were given. Give the summary.json of at least one evaluate systems or pattern-maker."
+            )
         page = results_page(self.runs)
         if self.out is None:
             sys.stdout.write(page)

@@ -141,7 +141,7 @@ class EvaluatePatternMaker:
         except KeyboardInterrupt:
             sys.stderr.write(f"What was answered is kept in {self.out}; the same command goes on with it.\n")
             raise
-        about = found.about | {"threads": self.threads} | code_and_machine()
+        about = found.about | {"threads": self.threads, "command": self._command()} | code_and_machine()
         if self.garments:
             about["sewer_weights"] = file_identity(self._sewer_file())
         with (
@@ -187,6 +187,19 @@ class EvaluatePatternMaker:
         from swifttailor.pattern_maker.temperatures import USUAL_TEMPERATURE
 
         return 0.0 if self.network_alone else USUAL_TEMPERATURE
+
+    def _command(self) -> str:
+        """What was run, without the places of the files."""
+        parts = ["swifttailor evaluate pattern-maker --patterns", *(p.name for p in self.patterns)]
+        parts += [] if self.edits is None else ["--edits", self.edits.name]
+        parts += (
+            [] if self.data is None else ["--data", f"{self.data.resolve().parent.name}/{self.data.name}"]
+        )
+        parts += [] if self.look is None else ["--look", self.look, "--view", self.view]
+        parts += ["--tasks", *self.tasks] if self.tasks else []
+        parts += [] if self.limit is None else ["--limit", str(self.limit)]
+        parts += ["--network-alone"] if self.network_alone else ["--source", self.source]
+        return " ".join([*parts, "--samples", str(self.samples), "--seed", str(self.seed)])
 
     def _weights(self) -> dict[str, Any]:
         """The files of all networks that decide the answers."""
@@ -281,12 +294,16 @@ class EvaluatePatternMaker:
 
     def _write(self, found: Evaluation, about: dict[str, Any], folder: Path) -> None:
         from swifttailor.atomic_files import write_text
+        from swifttailor.evaluation.maker.recorded_tables import sampling_table, task_tables
 
+        tables = [table for result in found.results for table in task_tables(result)]
+        tables += [sampling_table(found.sampling, self.samples)] if found.sampling else []
         numbers = {
             "about": about,
             "tasks": {result.task: result.to_json() for result in found.results},
             "sampling": {task: asdict(summary) for task, summary in found.sampling.items()},
             "garments": {task: asdict(sets) for task, sets in found.garments.items()},
+            "tables": [table.to_json() for table in tables],
         }
         text = self._text(found, about)
         summary = json.dumps(numbers, indent=1, allow_nan=False) + "\n"

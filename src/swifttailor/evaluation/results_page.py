@@ -29,7 +29,7 @@ def results_page(runs: Sequence[Path]) -> str:
     """The page of some runs, in Markdown.
 
     Args:
-        runs: Files ``summary.json`` of ``swifttailor evaluate systems``, under any name.
+        runs: Files ``summary.json`` of ``swifttailor evaluate systems`` or ``pattern-maker``, under any name.
 
     Raises:
         InputError: One of them is something else.
@@ -57,8 +57,8 @@ def _section(path: Path) -> str:
         ]
     except (KeyError, TypeError, AttributeError, ValueError) as error:
         raise InputError(
-            f"'{path}' is no summary of swifttailor evaluate systems ({error!r}). Give the file summary.json "
-            "of its --out."
+            f"'{path}' is no summary of swifttailor evaluate systems or pattern-maker ({error!r}). Give the "
+            "file summary.json of its --out."
         ) from error
     return "\n".join([*lines, *(table.markdown() for table in tables)])
 

@@ -23,7 +23,7 @@ from swifttailor.evaluation.patterns.adherence import adherence_table
 from swifttailor.evaluation.patterns.pattern_table import pattern_tables
 from swifttailor.evaluation.text_table import Column, Row, text_table
 
-_PATTERNS: Mapping[Task, Sequence[PatternRow]] = {
+PAPER_PATTERNS: Mapping[Task, Sequence[PatternRow]] = {
     "text": (),
     "image": PATTERNS_FROM_IMAGE,
     "text+image": PATTERNS_FROM_IMAGE_AND_TEXT,
@@ -42,6 +42,13 @@ _TITLES: Mapping[Task, str] = {
     "text+image": "From a picture and a text",
     "edit": "Edits after an instruction, there and back",
 }
+SAID: Mapping[Task, str] = {
+    "text": "Statements of the captions that hold",
+    "image": "Statements that a caption would have made, and that hold",
+    "text+image": "Statements of the captions that hold",
+    "edit": "Changes asked for that are there",
+}
+"""What is counted of what was asked for."""
 _SAMPLING = (
     Column("attempts"),
     Column("mended"),
@@ -57,17 +64,13 @@ _SAMPLING = (
 
 def task_text(result: TaskResult) -> str:
     """Tables of one task."""
-    said = {
-        "edit": "Changes asked for that are there",
-        "image": "Statements that a caption would have made, and that hold",
-    }.get(result.task, "Statements of the captions that hold")
     count = result.patterns[0][1].patterns
     dropped = f"{result.dropped} stitch tags stood on one edge or on three and more, and join nothing\n"
     seconds = ", ".join(f"{name} {value:.3f}" for name, value in result.seconds.items())
     return (
         f"== {_TITLES[result.task]}: {count} questions ==\n\n"
-        f"{pattern_tables(result.patterns, _PATTERNS[result.task])}\n"
-        f"{said}\n\n{adherence_table(result.adherence)}\n"
+        f"{pattern_tables(result.patterns, PAPER_PATTERNS[result.task])}\n"
+        f"{SAID[result.task]}\n\n{adherence_table(result.adherence)}\n"
         f"{result.attempts:.2f} patterns were tried for an answer; {result.known} of {count} were cut from "
         "known patterns\n"
         f"{result.mended} of {count} answers were mended; in {result.faulty} a check still finds errors\n"
@@ -76,8 +79,8 @@ def task_text(result: TaskResult) -> str:
     )
 
 
-def sampling_text(found: Mapping[Task, SamplingSummary], limit: int) -> str:
-    """Table of #Sampling and validity, task by task, beside the paper's."""
+def sampling_rows(found: Mapping[Task, SamplingSummary]) -> tuple[Sequence[Column], list[Row]]:
+    """Columns and rows of #Sampling and validity, task by task, beside the paper's."""
     rows: list[Row] = []
     for task, s in found.items():
         shares = (s.closed, s.paired, s.checked, s.sound, s.sound_mended)
@@ -87,6 +90,11 @@ def sampling_text(found: Mapping[Task, SamplingSummary], limit: int) -> str:
         known = {row.name.split(" + ")[0]: row.attempts for row in _GARMENTS[task]}
         nothing: list[float | int | None] = [None] * (len(_SAMPLING) - 1)
         rows += [(f"paper: {name}, {task}", [attempts, *nothing]) for name, attempts in known.items()]
+    return _SAMPLING, rows
+
+
+def sampling_text(found: Mapping[Task, SamplingSummary], limit: int) -> str:
+    """Table of #Sampling and validity."""
     failures = [
         f"{task}: samples that failed, by gate: "
         + ", ".join(f"{gate} {count}" for gate, count in s.written.failures.items())
@@ -99,7 +107,7 @@ def sampling_text(found: Mapping[Task, SamplingSummary], limit: int) -> str:
         "mend is mended first; 'found': share of the questions with success. The shares after that are\n"
         "of first attempts: all panels closed, all stitches in pairs, no error found by the checker, can\n"
         "be made into a garment as written, and mended.\n\n"
-        f"{text_table(_SAMPLING, rows)}\n{''.join(failures)}"
+        f"{text_table(*sampling_rows(found))}\n{''.join(failures)}"
     )
 
 
