@@ -19,7 +19,7 @@ class EvaluatePage:
     """
 
     runs: Annotated[tuple[Path, ...], tyro.conf.Positional, tyro.conf.arg(metavar="SUMMARY...")]
-    """Files summary.json of evaluate systems or pattern-maker; their names, without .json, are the headings."""
+    """Files summary.json of evaluate systems or pattern-maker; the headings are their names."""
     out: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     """File to write; prints the page without it."""
     overwrite: tyro.conf.FlagCreatePairsOff[bool] = False

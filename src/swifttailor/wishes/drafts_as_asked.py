@@ -88,6 +88,11 @@ _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
 _OF_NECKLINES = frozenset({"neckline", "collar", "hood", "straps"})
 _OF_TORSO = ("length", "chest_ease", "flare", "sleeve_length", "arm_ease", "sleeve_end", "side_slits")
 """Options of T-shirts that turtlenecks have as well."""
+_PIECES: Mapping[str, tuple[str, int, int, int]] = {
+    "tiered-skirt": ("tiers", 1, 2, 6),
+    "gored-skirt": ("gores", 2, 2, 6),
+}
+"""Option and claim of a number of pieces, how many of them one is, and the least and most of the option."""
 _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
 _SLIT_AT_THE_SIDES = ("t-shirt", "turtleneck", "shift-dress")
 _SLIT_CM = 14.0
@@ -116,7 +121,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     """A named draft as it goes with what is asked for; None where it does not.
 
     Shirts get the collar that is asked for, dresses and jumpsuits shoulders, straps or none, what falls
-    straight gets slits in its side seams, jumpsuits get legs, and skirts their number of tiers.
+    straight gets slits in its side seams, jumpsuits get legs, and skirts their number of tiers or gores.
 
     Args:
         draft: As a table names it.
@@ -127,7 +132,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, _SLIT_CM)))
     if draft.name in _WITHOUT_LEGS and any(_has_legs(claim) for claim in claims):
         return None
-    draft = _with_tiers(_with_legs(_with_leg_cuffs(draft, claims), claims), claims)
+    draft = _with_pieces(_with_legs(_with_leg_cuffs(draft, claims), claims), claims)
     if draft.name == _JOGGERS and _NOT_CUFFED.intersection(claims):
         return None
     if draft.name in ("t-shirt", "tank-top", _SWEATSHIRT) and _stands(claims):
@@ -295,12 +300,14 @@ def _has_legs(claim: Claim) -> bool:
     )
 
 
-def _with_tiers(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """A tiered skirt of as many tiers as are asked for, where so many can be drafted."""
-    counts = [claim.value for claim in claims if claim.name == "tiers" and not isinstance(claim.value, str)]
-    if draft.name != "tiered-skirt" or not counts or not 2 <= counts[0] <= 6:
+def _with_pieces(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A tiered or gored skirt of as many pieces as are asked for, where so many can be drafted."""
+    option, per, low, high = _PIECES.get(draft.name, ("", 1, 0, 0))
+    counts = [c.value for c in claims if c.name == option and not isinstance(c.value, str)]
+    if not counts or not low <= counts[0] / per <= high or counts[0] % per:
         return draft
-    return replace(draft, options=(*[o for o in draft.options if o[0] != "tiers"], ("tiers", counts[0])))
+    kept = [o for o in draft.options if o[0] != option]
+    return replace(draft, options=(*kept, (option, counts[0] / per)))
 
 
 def _stands(claims: Sequence[Claim]) -> bool:

@@ -70,6 +70,7 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "circle-skirt": "skirt",
     "gathered-skirt": "skirt",
     "tiered-skirt": "skirt",
+    "gored-skirt": "skirt",
     "pleated-skirt": "skirt",
 }
 """What each is measured to be."""

@@ -12,12 +12,11 @@ from typing import Literal
 import numpy as np
 
 from swifttailor.arrays import Floats
+from swifttailor.pattern.drafts.around_body import around
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Halves
 from swifttailor.pattern.drafts.outline import Outline
 
-_AROUND_X, _AROUND_Z = 28.0, 23.0
-"""Half axes of the ellipse around the body on which the folds stand before draping, cm."""
 _INSIDE_CM = 0.3
 """How far inside the strips the cloth between them stands."""
 _LIFT_CM = 2.0
@@ -28,8 +27,6 @@ _DEEPEST = 0.85
 """Depth of a pleat over the width of a strip at the waist, at most."""
 _OF_HIPS = 0.6
 """Part of what the waist is narrower than the hips that the strips widen by there, at least."""
-_EDGE, _STEPS = 0.012, 720
-
 Face = Literal["front", "back"]
 
 
@@ -137,8 +134,8 @@ class _Half:
     def _place(self, left: float, right: float, *, lift: float, inside: float) -> tuple[Floats, float]:
         """Where (x, z) the local origin of a strip goes, and how far it is turned about y, degrees."""
         middle = (max(left, -self.top / 2) + right) / 2
-        at, _ = _around(right / self.top + 0.5)
-        _, along = _around(middle / self.top + 0.5)
+        at, _ = around(right / self.top + 0.5)
+        _, along = around(middle / self.top + 0.5)
         outward = np.array([-along[1], along[0]])
         tilt = math.asin(min(lift / (right - left), 0.9))
         axis = math.cos(tilt) * along + math.sin(tilt) * outward
@@ -146,17 +143,3 @@ class _Half:
         if self.face == "back":
             axis, at = axis * [1.0, -1.0], at * [1.0, -1.0]
         return at - right * axis, math.degrees(math.atan2(-axis[1], axis[0]))
-
-
-def _around(share: float) -> tuple[Floats, Floats]:
-    """Point and direction (2,), x and z, on the front half of the ellipse, at a share of it from -x on."""
-    angles = np.linspace(math.pi, 0.0, _STEPS + 1)
-    points = np.stack([_AROUND_X * np.cos(angles), _AROUND_Z * np.sin(angles)], axis=1)
-    reached = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
-    share = min(max(share, _EDGE), 1.0 - _EDGE)
-
-    def at(part: float) -> Floats:
-        return np.array([np.interp(part * reached[-1], reached, points[:, axis]) for axis in (0, 1)])
-
-    along = at(share + _EDGE) - at(share - _EDGE)
-    return at(share), along / np.linalg.norm(along)

@@ -15,6 +15,7 @@ from swifttailor.pattern.drafts.garments import (
     capes,
     collared,
     fitted_garments,
+    gored_skirts,
     high_waisted,
     long_garments,
     one_pieces,
@@ -169,6 +170,7 @@ _DRAFTS = (
     DraftInfo("circle-skirt", "Part of a circle on a waistband", skirts.draft_circle_skirt),
     DraftInfo("gathered-skirt", "Rectangles gathered into a waistband", skirts.draft_gathered_skirt),
     DraftInfo("tiered-skirt", "Tiers gathered into each other", tiered_skirts.draft_tiered_skirt),
+    DraftInfo("gored-skirt", "Tapered panels, flared, waistband", gored_skirts.draft_gored_skirt),
     DraftInfo("pleated-skirt", "Pleats laid into a waistband", pleated_skirts.draft_pleated_skirt),
 )
 

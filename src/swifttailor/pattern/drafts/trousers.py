@@ -29,7 +29,7 @@ CLOSE_LEGS_CM = 3.5
 """Legs with less room than this lie close all the way down, as of jersey."""
 SLANT = 2.0
 """Without darts the slant of the centre back takes no more than this, cm."""
-SHORTEST_INSEAM = 8.0
+SHORTEST_INSEAM = 4.0
 """Hem below the crotch at least, cm."""
 
 

@@ -19,8 +19,10 @@ from swifttailor.pattern.pattern import Pattern
 
 _WAISTCOAT_OPENING_CM = 3.0
 """How far the front edges of a waistcoat have moved back from the middle at the hem."""
+_WAISTCOAT_NAPE_CM = 4.5
+"""Fall of its back neckline: cut closer, it stands up behind the neck, with no collar to hold it."""
 _INSET_CM = 1.5
-"""How far the armholes of a sleeveless turtleneck lie inside the shoulder tips."""
+"""How far the armholes of a sleeveless turtleneck or waistcoat lie inside the shoulder tips."""
 
 
 @dataclass(frozen=True)
@@ -210,14 +212,14 @@ class WaistcoatOptions:
 
     length: declared.TopLength = 10.0
     chest_ease: declared.BustEase = 2.0
-    waist_shaping: declared.WaistShaping = 2.5
+    waist_shaping: declared.WaistShaping = 3.5
     point: Annotated[float, Option("Fall of the front hem to its points.", "cm", 0.0, 12.0)] = 6.0
     neck_widening: declared.NeckWidening = 1.5
     neck_depth: Annotated[
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 10.0, 30.0)
     ] = 26.0
     armhole_drop: declared.ArmholeDrop = 3.0
-    hem_opening: declared.HemOpening = 10.0
+    hem_opening: declared.HemOpening = 5.0
 
 
 def draft_waistcoat(options: WaistcoatOptions, measurements: Measurements) -> Pattern:
@@ -225,11 +227,11 @@ def draft_waistcoat(options: WaistcoatOptions, measurements: Measurements) -> Pa
     figure = Figure.of(measurements)
     table = CuttingTable("waistcoat")
     bodice = LooseBodice(
-        Neckline("v", options.neck_widening, options.neck_depth, 2.0),
+        Neckline("v", options.neck_widening, options.neck_depth, _WAISTCOAT_NAPE_CM),
         options.chest_ease,
         options.length,
         options.armhole_drop,
-        shoulder_extension=-3.0,
+        shoulder_extension=-_INSET_CM,
         waist_shaping=options.waist_shaping,
         front_point=options.point,
         front_slit=options.hem_opening,
