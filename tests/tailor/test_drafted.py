@@ -32,7 +32,7 @@ def tailor(tmp_path, sewer):
         ("a kaftan", "kaftan", 8),
         ("a crop top with spaghetti straps", "camisole", 4),
         ("ein Faltenrock", "pleated-skirt", 24),
-        ("a wrap dress", "wrap-dress", 10),
+        ("a wrap dress", "wrap-dress", 11),
         ("a short-sleeved wrap top", "wrap-top", 8),
         ("a polo shirt", "polo-shirt", 16),
         ("a blazer", "blazer", 12),
@@ -42,10 +42,11 @@ def tailor(tmp_path, sewer):
         ("a pinafore dress", "pinafore", 8),
         ("a hooded cloak", "cape", 6),
         ("a linen apron", "apron", 7),
-        ("a knee-length sarong", "sarong", 4),
+        ("a knee-length sarong", "sarong", 5),
         ("a halter dress with a straight skirt", "halter-dress", 8),
         ("halter neck dress, backless", "halter-dress", 8),
         ("cycling shorts", "leggings", 6),
+        ("a skirt of eight gores", "gored-skirt", 10),
     ],
 )
 def test_begins_from_the_draft_and_says_so(tailor, text, name, panels):
@@ -67,8 +68,9 @@ def test_report_and_notes_name_the_draft(tailor):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("a wrap top", ["a seam runs where the edge of the upper one would lie", "fronts that overlap"]),
-        ("a wrap skirt", ["nothing overlaps", "fronts that overlap"]),
+        ("a wrap top", ["a seam runs where the edge of the upper front would lie", "fronts that overlap"]),
+        ("a wrap dress", ["a seam runs where the edge of the upper front would lie", "bows, ribbons"]),
+        ("a catsuit", ["Cut smaller than the body, for cloth that stretches by 8%", "a zip"]),
         ("a polo shirt", ["buttons", "an opening down the front"]),
         ("a blazer", ["buttons", "pockets"]),
     ],

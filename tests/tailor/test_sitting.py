@@ -15,7 +15,13 @@ from swifttailor.tailor.sitting import sits_badly
 
 @pytest.mark.parametrize("name", [d.name for d in list_drafts()])
 def test_drafts_sit_well(name):
-    assert sits_badly(measure_facts(swifttailor.draft(name)), []) == ()
+    pattern = swifttailor.draft(name)
+    assert sits_badly(measure_facts(pattern), [], cloth_stretch=pattern.cloth_stretch) == ()
+
+
+def test_what_is_narrower_than_the_hips_has_to_stretch():
+    facts = measure_facts(swifttailor.draft("leggings"))
+    assert sits_badly(facts, []) == ("it is narrower than the hips",)
 
 
 def test_a_collar_on_a_wide_neckline_stands_off_unless_a_deep_one_is_asked_for():

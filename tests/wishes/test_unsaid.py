@@ -34,6 +34,7 @@ UNUSUAL = {
     "swimsuit": {("leg_hem", "full")},
     "wrap-skirt": {("slit", "none")},
     "sarong": {("slit", "none")},
+    "wrap-dress": {("slit", "none")},
 }
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from swifttailor.arrays import Floats
 from swifttailor.body import Body
@@ -22,6 +23,7 @@ from swifttailor.garment_sewer.legs_apart import legs_apart
 from swifttailor.garment_sewer.pixels.body_distance import BodyDistance
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern.check import panel_regions
+from swifttailor.pattern.overlaps import overlapping_fronts
 from swifttailor.progress import StageProgress
 
 CRUMPLED_FRAMES = 20
@@ -37,6 +39,10 @@ SLIPPED_CM, UPPERMOST = 2.5, 0.1
 LIFTED_CM, TURNED_DOWN_CM = 0.6, 0.9
 """So far collars are lifted first: the network puts them into the bodice that they lie on. Of those that are
 turned down over a stand both are lifted by the latter, and what is turned down twice."""
+OVERLAPPING_CM, OVERLAPPING_FRAMES = 1.5, 24
+"""So far above the lower one the upper of two fronts that overlap is lifted, and so long it falls."""
+_BESIDE_CM, _LOWER_ONES = 5.0, 8
+"""Of the lower front what lies so near to a vertex of the upper one counts, and so many vertices at most."""
 MORE_CROSSINGS = 0.01
 """So many more, per face, may an edge and a face cross than before: a fold that touches itself is better than
 cloth that is too short all over."""
@@ -74,7 +80,9 @@ def relaxed(
         say(COMPILE_NOTE, 0.0)
     body = body_of(garment.pattern.drafted_for) if body is None else body
     frames, smooth = FRAMES, None
-    begun = replace(garment, vertices=_with_collars_lifted(garment, body))
+    begun = replace(garment, vertices=_with_layers_lifted(garment, body))
+    if _overlapping(garment.mesh):
+        frames = OVERLAPPING_FRAMES
     if crumpled > CRUMPLED:
         frames = 2 * CRUMPLED_FRAMES if crumpled > VERY_CRUMPLED else CRUMPLED_FRAMES
         smooth = _smoothed(begun, body)
@@ -95,17 +103,64 @@ def relaxed(
     return fallen
 
 
-def _with_collars_lifted(garment: Garment, body: Body) -> Floats:
-    """(v, 3) its vertices, those of collars alone moved away from the body, layer by layer."""
+def _with_layers_lifted(garment: Garment, body: Body) -> Floats:
+    """(v, 3) its vertices, those of upper layers alone moved away from the body, layer by layer."""
     mesh, vertices = garment.mesh, garment.vertices.copy()
-    layers = [np.array([n in p.name for p in mesh.pattern.panels]) for n in ("collar", "collar_fall")]
-    lift = TURNED_DOWN_CM if layers[1].any() else LIFTED_CM
-    for lifted in filter(np.any, layers):
-        alone = np.ones(mesh.vertex_count, dtype=bool)
-        alone[mesh.weld[~lifted[mesh.flat_panel]]] = False
-        _, away = BodyDistance.of(body).sample(vertices[alone], np.zeros(int(alone.sum()), dtype=bool))
-        vertices[alone] += lift * away
+    collars, falls = (np.array([n in p.name for p in mesh.pattern.panels]) for n in ("collar", "collar_fall"))
+    lift = TURNED_DOWN_CM if falls.any() else LIFTED_CM
+    for lifted in filter(np.any, (collars, falls)):
+        alone = _alone(mesh, lifted)
+        vertices[alone] += lift * _away(body, vertices[alone])[1]
+    for upper, lower in _overlapping(mesh):
+        vertices[upper] += _above(body, vertices[upper], vertices[lower])
     return vertices
+
+
+def _above(body: Body, upper: Floats, lower: Floats) -> Floats:
+    """(n, 3) by how much vertices of the upper front have to move to lie above the lower one, cm."""
+    from scipy.spatial import KDTree
+
+    off, away = _away(body, upper)
+    beneath = np.append(_away(body, lower)[0], -np.inf)
+    near = (
+        KDTree(lower[:, :2])
+        .query(upper[:, :2], k=min(_LOWER_ONES, len(lower)), distance_upper_bound=_BESIDE_CM)[1]
+        .reshape(len(upper), -1)
+    )
+    return np.maximum(beneath[near].max(axis=1) + OVERLAPPING_CM - off, 0.0)[:, None] * away
+
+
+def _alone(mesh: PatternMesh, chosen: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """(v,) vertices that are of chosen panels (p,) alone."""
+    alone = np.ones(mesh.vertex_count, dtype=bool)
+    alone[mesh.weld[~chosen[mesh.flat_panel]]] = False
+    return alone
+
+
+def _away(body: Body, points: Floats) -> tuple[Floats, Floats]:
+    """Distance (n,) from the body, cm, and the direction (n, 3) away from it."""
+    return BodyDistance.of(body).sample(points, np.zeros(len(points), dtype=bool))
+
+
+def _overlapping(mesh: PatternMesh) -> list[tuple[NDArray[np.bool_], NDArray[np.bool_]]]:
+    """Vertices (v,), (v,) of fronts that overlap, the upper first; of a torso, below where they are sewn."""
+    at = {panel.name: k for k, panel in enumerate(mesh.pattern.panels)}
+    found = []
+    for names in overlapping_fronts(mesh.pattern):
+        flat = [mesh.flat_panel == at[name] for name in names]
+        panels = [mesh.pattern.panels[at[name]] for name in names]
+        placed = [p.placement.apply(mesh.flat_vertices[f]) for p, f in zip(panels, flat, strict=True)]
+        alone = [_alone(mesh, np.array([name == n for n in at])) for name in names]
+        sewn = np.isin(mesh.weld[flat[0]], mesh.weld[flat[1]])
+        if sewn.any():
+            end = placed[0][sewn, 1].min()
+            for chosen, f, where in zip(alone, flat, placed, strict=True):
+                below = np.zeros(mesh.vertex_count, dtype=bool)
+                below[mesh.weld[f]] = where[:, 1] < end
+                chosen &= below
+        if all(chosen.any() for chosen in alone):
+            found.append((alone[0], alone[1]))
+    return found
 
 
 def _smoothed(garment: Garment, body: Body) -> Floats:

@@ -38,6 +38,9 @@ OF_DRAFTS = re.compile(
 """Panels that drafts have and GarmentCode has no name for: straps of halters, collars that are turned down,
 pleats. PatternMaker cannot write them."""
 
+UNDER_FRONT = "skirt_under_0_front"
+"""The lower one of two fronts of a skirt that overlap; under pleats there are others of that name."""
+
 EDGE_LABELS: tuple[str, ...] = (
     "lower_interface",
     "left_armhole",

@@ -109,7 +109,6 @@ _OF_COATS: Mapping[str, Mapping[str, float]] = {
         "length": 72.0,
         "chest_ease": 24.0,
         "flare": 12.0,
-        "opening": 13.0,
         "arm_ease": 18.0,
         "sleeve_end": 46.0,
     },

@@ -43,8 +43,8 @@ def is_gathered(pattern: Pattern, stitch: Stitch) -> bool:
 def is_fold(stitch: Stitch) -> bool:
     """Whether it is where a collar is turned down over its stand, or cloth is folded away in a pleat."""
     falls = sum("collar_fall" in side.panel for side in stitch.sides)
-    under = sum("skirt_under" in side.panel for side in stitch.sides)
-    return falls == 1 or under == 1
+    strips = [word for side in stitch.sides for word in ("skirt_under", "skirt_pleat") if word in side.panel]
+    return falls == 1 or sorted(strips) == ["skirt_pleat", "skirt_under"]
 
 
 def assert_sound(pattern: Pattern) -> None:
@@ -57,6 +57,9 @@ def assert_sound(pattern: Pattern) -> None:
         assert min(lengths) > 0.05, f"{panel.name}: sliver edge {lengths}"
         name = panel.name.rstrip("0123456789").removesuffix("_")
         back = name.endswith(("_b", "_b_l", "_b_r", "_back")) or "btorso" in name
+        if name == "skirt_panel":  # gores, those behind after those in front
+            gores = sum(p.name.startswith(name) for p in pattern.panels)
+            back = int(panel.name.removeprefix("skirt_panel_")) >= gores / 2
         assert (panel.signed_area() < 0) == back, f"{panel.name} runs the wrong way"
         assert panel.normal() @ np.array(panel.placement.translation) >= 0, f"{panel.name} faces inward"
     sewn = [side for s in pattern.stitches for side in s.sides]

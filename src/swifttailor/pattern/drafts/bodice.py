@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
@@ -30,6 +30,10 @@ SIDE_MINIMUM = 4.0
 """Shortest side seam and shortest centre, cm."""
 POINT_X = 5.0
 """Distance of the point of a pointed front hem from the middle, cm."""
+OVER_SHARE = 0.35
+"""Part of an overlap that lies beyond the middle, on the side of the lower front."""
+OVERLAP_Z = 2.0
+"""So far behind the upper front the lower one stands before draping, cm."""
 SHORTEST_SLIT, _OPEN_SHARE = 1.0, 0.8
 """What would be open for less is closed, cm; the share of the centre that may be open."""
 
@@ -58,7 +62,8 @@ class LooseBodice:
     front_slit: float = 0.0
     """Length of the lower end of the centre front that is left open, cm."""
     front_opening: float = 0.0
-    """How far the edge of an open front has moved back from the middle at the hem, cm."""
+    """How far the edge of an open front has moved back from the middle at the hem, cm; negative for fronts
+    that `overlap_fronts` lays over each other."""
     front_closed_to: float | None = None
     """How far below the waist a front that opens is sewn together, cm; instead of `front_slit`."""
     side_slits: float = 0.0
@@ -112,7 +117,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
         drop = LOOSE_HEM_BALANCE * figure.front_fullness if front else 0.0
-        outline = Outline(shape.front_opening if front else 0.0, hem_y - drop)
+        outline = Outline(max(shape.front_opening, 0.0) if front else 0.0, hem_y - drop)
         if front and shape.front_point:
             outline.line("hem", POINT_X, hem_y - drop - shape.front_point)
             outline.line("hem", half + widening, hem_y + rise)
@@ -218,6 +223,31 @@ def sew_centres(table: CuttingTable) -> None:
     """Sews the right half to the left one along centre front and centre back."""
     table.seam("right_ftorso.centre", "left_ftorso.centre")
     table.seam("left_btorso.centre", "right_btorso.centre")
+
+
+def overlap_fronts(table: CuttingTable, opening: float) -> None:
+    """Lays the right front over the left one below where they are sewn; after `CuttingTable.mirror`.
+
+    Args:
+        table: Where both lie.
+        opening: See `LooseBodice.front_opening`; nothing is done unless it is negative.
+    """
+    if opening >= 0.0 or not any(s.name == "slit" for s in table.pieces["left_ftorso"].sides):
+        return
+    over = -OVER_SHARE * opening
+    for name, x in (("left_ftorso", over + opening), ("right_ftorso", over)):
+        piece = table.pieces[name]
+        (slit,) = piece.find("slit")
+        corner = min(slit.start, slit.end, key=lambda point: point[1])
+        moved = (x, corner[1])
+        piece.sides = [
+            replace(s, start=moved if s.start == corner else s.start, end=moved if s.end == corner else s.end)
+            for s in piece.sides
+        ]
+    lower = table.pieces["left_ftorso"]
+    place = lower.placement
+    behind = (*place.translation[:2], place.translation[2] - OVERLAP_Z)
+    lower.placement = replace(place, translation=behind)
 
 
 def _hem_rise(widening: float, side: float, hem_x: float) -> float:

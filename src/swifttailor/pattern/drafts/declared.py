@@ -102,6 +102,16 @@ Opening = Annotated[
         14.0,
     ),
 ]
+OverlapOrOpening = Annotated[
+    float,
+    Option(
+        "How far each front edge has moved back from the middle at the hem; 0 sews the front together, and "
+        "with less than 0 the right front overlaps the left one there by as much.",
+        "cm",
+        -30.0,
+        14.0,
+    ),
+]
 LapelDepth = Annotated[
     float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 18.0, 34.0)
 ]

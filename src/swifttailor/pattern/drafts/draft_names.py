@@ -178,6 +178,9 @@ def _value(text: str) -> float | bool | str:
 
 DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "pleated-skirt": ("pleats",),
+    "wrap-skirt": ("wrap",),
+    "wrap-dress": ("wrap",),
+    "sarong": ("wrap",),
     "strapless-dress": ("sweetheart",),
     "bustier": ("sweetheart",),
     "polo-shirt": ("shirt_collar",),
@@ -189,7 +192,7 @@ DRAFTS_SHOW: Mapping[str, tuple[str, ...]] = {
     "blazer": ("open_front",),
     "coat": ("open_front",),
     "hooded-coat": ("open_front",),
-    "robe": ("open_front",),
+    "robe": ("open_front", "wrap"),
     "cape": ("cape", "open_front"),
     "bodysuit": ("swim",),
     "swimsuit": ("swim",),
@@ -247,14 +250,11 @@ BARE_SHOULDERED = frozenset(
 """Drafts that leave the shoulders bare; where bare shoulders are asked for, garments begin from no others."""
 COLLARED = frozenset({"shirt", "shirt-dress"})
 """Begun from only where nothing else is said of the neck: many call any top a shirt."""
-_CROSSED = "Its fronts do not overlap: a seam runs where the edge of the upper one would lie."
-_OPEN = "Its front is open below where the edges of a wound skirt would part; nothing overlaps."
+_CROSSED = "Its bodice does not overlap in front: a seam runs where the edge of the upper front would lie."
 _BUTTONED = "Its front is sewn together where buttons would close it, and open below."
 STANDS_IN: Mapping[str, str] = {
     "wrap-dress": _CROSSED,
     "wrap-top": _CROSSED,
-    "wrap-skirt": _OPEN,
-    "sarong": _OPEN,
     "pleated-skirt": "Each pleat is cut as strips; where they meet in a fold, cut them in one.",
     "shirt": _BUTTONED,
     "waistcoat": _BUTTONED,

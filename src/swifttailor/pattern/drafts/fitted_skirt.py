@@ -5,18 +5,17 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import numpy as np
-
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.joins import sew_sides
-from swifttailor.pattern.drafts.outline import Outline
+from swifttailor.pattern.drafts.outline import Outline, Side
 from swifttailor.pattern.drafts.suppression import dart_places, suppress, waist_darts
+from swifttailor.pattern.names import UNDER_FRONT
 
-_UPRIGHT = 0.2
-"""How far the left edge of an opening slants outward, as a part of its width."""
 _BESIDE = 4.0
-"""Least of the hem that is left on either side of an opening, cm."""
+"""Least of the upper edge and the hem that is left on either side of an overlap, cm."""
+_SHORTER_CM, _BEHIND_CM = 1.5, 2.0
+"""So much higher the hem of the lower one ends, not to be seen; so far behind it stands before draping."""
 SOFT_CM, FLARED = 6.0, 4.0
 """The curve from waist to hip ends so far below the hips, where it ends on them cloth puckers to a point; and
 the flare, degrees, from which it need not."""
@@ -27,15 +26,15 @@ SKIRT_BACK_Z = -22.0
 
 
 @dataclass(frozen=True)
-class Opening:
-    """A front that is open from the hem up, between a steep edge on the left and a slanted one."""
+class Overlap:
+    """Two fronts that are sewn to the waist side by side and lie on each other below."""
 
-    height: float
-    """Hem to its upper end, cm; less where the skirt is short."""
-    width: float
-    """Along the hem, cm."""
     aside: float
-    """Upper end from the middle to the wearer's left, cm."""
+    """Where they meet at the waist, from the middle to the wearer's left, cm."""
+    edge: float
+    """Where the edge of the upper one meets the hem, likewise."""
+    under: float
+    """By how much further to the wearer's right the lower one reaches there, cm."""
 
 
 @dataclass(frozen=True)
@@ -48,8 +47,8 @@ class FittedSkirt:
     """On top of the hip girth, cm around."""
     flare: float
     """Slant of the side seams below the hips, degrees; negative narrows the hem."""
-    opening: Opening | None = None
-    """Where the front is open."""
+    overlap: Overlap | None = None
+    """How its fronts overlap, where there are two."""
 
 
 def lay_fitted_skirt(
@@ -99,11 +98,36 @@ def lay_fitted_skirt(
         outline.darted_line("waist", (0.0, top_y), waist_darts(narrow, lost, place, depth))
         whole = outline.both_halves()
         _draw_hem(whole, corner, corner_y, slant, lift)
-        if front and shape.opening is not None:
-            _cut_open(whole, shape.opening, figure.hip_y - hem_y)
         at = (0.0, 0.0, SKIRT_FRONT_Z if front else SKIRT_BACK_Z)
-        table.lay(name, whole.closed(), label="leg", at=at, back=not front)
-    sew_sides(table, "skirt")
+        if front and shape.overlap is not None:
+            upper, lower = _overlapping(whole.closed(), shape.overlap)
+            table.lay(name, upper, label="leg", at=at)
+            table.lay(UNDER_FRONT, lower, label="leg", at=(*at[:2], at[2] - _BEHIND_CM))
+        else:
+            table.lay(name, whole.closed(), label="leg", at=at, back=not front)
+    if shape.overlap is None:
+        sew_sides(table, "skirt")
+    else:
+        table.seam(f"{UNDER_FRONT}.left_side", "skirt_back.left_side")
+        table.seam("skirt_front.right_side", "skirt_back.right_side")
+
+
+_FRONTS = ("skirt_front.right_waist", "skirt_front.left_waist", f"{UNDER_FRONT}.left_waist")
+_BACK = ("skirt_back.right_waist", "skirt_back.left_waist")
+
+
+def sew_overlap_to_band(table: CuttingTable) -> None:
+    """Sews a skirt with two fronts to the lower edge of the waistband."""
+    table.seam("wb_front.bottom", list(_FRONTS))
+    table.seam("wb_back.bottom", list(_BACK[::-1]))
+
+
+def sew_overlap_to_bodice(table: CuttingTable, upper: str) -> None:
+    """Sews it to a bodice of which one front, the ``right``, has all of the waist; labels the edges."""
+    for edge in (*_FRONTS, *_BACK):
+        table.label(edge, "lower_interface")
+    table.seam(list(_FRONTS[::-1]), f"{upper}_ftorso.waist")
+    table.seam(list(_BACK), ["right_btorso.waist", "left_btorso.waist"])
 
 
 def _draw_hem(outline: Outline, corner: float, corner_y: float, slant: float, lift: float) -> None:
@@ -117,19 +141,34 @@ def _draw_hem(outline: Outline, corner: float, corner_y: float, slant: float, li
     outline.cubic("hem", (reach - corner, low), (corner - reach, low), (corner, corner_y))
 
 
-def _cut_open(outline: Outline, shape: Opening, most: float) -> None:
-    """Parts the hem, which is the last edge, and leads it up to the end of the opening and down again."""
-    hem = outline.sides.pop()
-    height = min(shape.height, most)
+def _overlapping(front: Outline, shape: Overlap) -> tuple[Outline, Outline]:
+    """The upper and the lower front, of one that is drawn whole; its hem is its last edge."""
+    hem = front.sides[-1]
     half = abs(hem.end[0])
-    left = min(shape.aside + _UPRIGHT * shape.width, half - _BESIDE)
-    right = max(left - shape.width, _BESIDE - half)
-    points = np.array([hem.start, hem.end])
-    shares = [(x - points[0, 0]) / (points[1, 0] - points[0, 0]) for x in (right, left)]
-    first, _, last = hem.split(shares)
-    top = (min(shape.aside, left - 0.5), hem.end[1] + height)
-    # The slanted edge leaves the upper end upright and curves away.
-    bend = (top[0] - 0.1 * (top[0] - first.end[0]), first.end[1] + 0.55 * height)
-    outline.sides.append(first)
-    opened = Outline(*first.end).quadratic("opening", bend, top).line("opening", *last.start)
-    outline.sides += [*opened.sides, last]
+    edge = min(max(shape.edge, _BESIDE - half), half - _BESIDE)
+    under = max(edge - shape.under, _BESIDE - half)
+    upper_hem, lower_hem = (
+        hem.split([(x - hem.start[0]) / (hem.end[0] - hem.start[0])])[k] for k, x in ((0, edge), (1, under))
+    )
+    at, outer, inner = _parted_at(front, shape.aside)
+    upper, lower = Outline(*inner.start), Outline(*lower_hem.end)
+    upper.darts = front.darts
+    upper.sides = [inner, *front.sides[at + 1 : -1], upper_hem]
+    upper.sides += Outline(*upper_hem.end).line("edge", *inner.start).sides
+    raised = (lower_hem.start[0], lower_hem.start[1] + _SHORTER_CM)
+    lower.sides = [*front.sides[:at], outer]
+    lower.sides += Outline(*outer.end).line("edge", *raised).line("hem", *lower_hem.end).sides
+    return upper.closed(), lower.closed()
+
+
+def _parted_at(front: Outline, x: float) -> tuple[int, Side, Side]:
+    """Which edge of the left waist is cut at `x`, or near to it where a dart is there, and its two parts."""
+    pieces = [(k, s) for k, s in enumerate(front.sides) if s.name == "left_waist"]
+
+    def clear(side: Side) -> float:
+        beside = min(_BESIDE, 0.3 * (side.start[0] - side.end[0]))
+        return min(max(x, side.end[0] + beside), side.start[0] - beside)
+
+    at, side = min(pieces, key=lambda piece: abs(clear(piece[1]) - x))
+    outer, inner = side.split([(side.start[0] - clear(side)) / (side.start[0] - side.end[0])])
+    return at, outer, inner

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.check.repair import Change
+from swifttailor.pattern.overlaps import overlapping_fronts
 from swifttailor.pattern.panel import Panel
 from swifttailor.pattern.tidying.symmetry import (
     OTHER_SIDE,
@@ -28,20 +29,21 @@ symmetric."""
 def even_sides(pattern: Pattern, nearly: float = NEARLY_CM) -> tuple[Pattern, tuple[Change, ...]]:
     """Gives panels of both sides that are nearly alike their mean, and so panels in the middle.
 
-    Edges and stitches stay as they are.
+    Edges and stitches stay as they are, and so do fronts that lie over each other.
 
     Args:
         pattern: To mend.
         nearly: Panels that are farther from their reflection at any place are left alone, cm.
     """
     panels = {p.name: p for p in pattern.panels}
+    overlapping = {name for names in overlapping_fronts(pattern) for name in names}
     changes: list[Change] = []
     for panel in pattern.panels:
         other = OTHER_SIDE.get(panel.name)
         if other is None:
             after, moved = _even_middle(panel, nearly)
             new = [after]
-        elif other in panels and panel.name < other:
+        elif other in panels and panel.name < other and panel.name not in overlapping:
             one, two, moved = _even_pair(panel, panels[other], nearly)
             new = [one, two]
         else:

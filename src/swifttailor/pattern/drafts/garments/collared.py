@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.band import lay_sleeve_cuff
-from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, overlap_fronts, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.fold_collar import FoldCollar, lay_fold_collar
@@ -106,8 +106,9 @@ def _lay_left(
     collar.lay(table, figure)
 
 
-def _finished(table: CuttingTable, collar: NeckCollar) -> Pattern:
+def _finished(table: CuttingTable, collar: NeckCollar, opening: float = 0.0) -> Pattern:
     table.mirror()
+    overlap_fronts(table, opening)
     sew_centres(table)
     collar.sew(table)
     return table.finish()
@@ -126,7 +127,7 @@ class BlazerOptions:
     lapels: Annotated[Literal["notched", "shawl"], Option("Shape of the collar in front.")] = "notched"
     collar_width: declared.LapelCollarWidth = 5.0
     lapel_width: declared.LapelWidth = 7.5
-    opening: declared.Opening = 5.0
+    opening: declared.OverlapOrOpening = 5.0
     closed_to: declared.ClosedTo = -3.0
     armhole_drop: declared.ArmholeDrop = 3.0
     sleeve_length: declared.SleeveLength = 59.0
@@ -148,7 +149,7 @@ class CoatOptions(BlazerOptions):
     waist_shaping: declared.WaistShaping = 0.0
     flare: declared.DressFlare = 10.0
     neck_depth: declared.LapelDepth = 24.0
-    opening: declared.Opening = 10.0
+    opening: declared.OverlapOrOpening = -16.0
     closed_to: declared.ClosedTo = 4.0
     collar_width: declared.LapelCollarWidth = 6.0
     lapel_width: declared.LapelWidth = 8.5
@@ -180,4 +181,4 @@ def _with_lapels(name: str, options: BlazerOptions, measurements: Measurements) 
     lay_loose_bodice(table, figure, bodice)
     lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.02))
     lay_fold_collar(table, FoldCollar(options.collar_width, options.lapels, options.lapel_width))
-    return _finished(table, NeckCollar("folded", options.collar_width, 0.0))
+    return _finished(table, NeckCollar("folded", options.collar_width, 0.0), options.opening)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, overlap_fronts, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.hood import Hood, lay_hood, sew_hood
@@ -48,7 +48,7 @@ class RobeOptions:
     front_slit: Annotated[
         float, Option("Length of the front that is open from the hem up.", "cm", 0.0, 70.0)
     ] = 52.0
-    opening: declared.Opening = 13.0
+    opening: declared.OverlapOrOpening = -18.0
     sleeve_length: declared.SleeveLength = 54.0
     arm_ease: WideArmEase = 30.0
     sleeve_end: WideSleeveEnd = 54.0
@@ -84,7 +84,7 @@ class HoodedCoatOptions:
     neck_depth: declared.HighNeckDepth = 10.0
     hood_height: declared.HoodHeight = 6.0
     hood_depth: declared.HoodDepth = 5.0
-    opening: declared.Opening = 10.0
+    opening: declared.OverlapOrOpening = -14.0
     closed_to: declared.ClosedTo = 2.0
     armhole_drop: declared.ArmholeDrop = 4.5
     shoulder_extension: Annotated[
@@ -116,6 +116,7 @@ def draft_hooded_coat(options: HoodedCoatOptions, measurements: Measurements) ->
         lay_sleeve(table, figure, Sleeve(options.sleeve_length, *shape))
     lay_hood(table, figure, Hood(options.hood_height, options.hood_depth))
     table.mirror()
+    overlap_fronts(table, options.opening)
     sew_centres(table)
     sew_hood(table)
     return table.finish()
@@ -269,5 +270,6 @@ def _with_sleeves(
     sleeve = replace(sleeve, shoulder_extension=max(bodice.shoulder_extension, 0.0))
     lay_shaped_sleeve(table, figure, shape, sleeve)
     table.mirror()
+    overlap_fronts(table, bodice.front_opening)
     sew_centres(table)
     return table.finish()

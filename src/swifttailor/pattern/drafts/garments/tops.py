@@ -219,7 +219,7 @@ class WaistcoatOptions:
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 10.0, 30.0)
     ] = 26.0
     armhole_drop: declared.ArmholeDrop = 3.0
-    hem_opening: declared.HemOpening = 5.0
+    hem_opening: declared.HemOpening = 8.0
 
 
 def draft_waistcoat(options: WaistcoatOptions, measurements: Measurements) -> Pattern:

@@ -1,4 +1,4 @@
-"""Garments whose fronts seem to cross: wrap dress and wrap top."""
+"""Garments whose fronts seem to cross above the waist, and overlap below it: wrap dress and wrap top."""
 
 from __future__ import annotations
 
@@ -11,8 +11,12 @@ from swifttailor.pattern.drafts.crossed_fronts import cross_fronts, shorten_dart
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.fitted_bodice import FittedBodice, lay_fitted_bodice
-from swifttailor.pattern.drafts.flared_skirt import lay_flared_skirt
-from swifttailor.pattern.drafts.joins import SKIRT_WHOLE, sew_skirt_to_bodice
+from swifttailor.pattern.drafts.fitted_skirt import (
+    FittedSkirt,
+    Overlap,
+    lay_fitted_skirt,
+    sew_overlap_to_bodice,
+)
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
@@ -24,6 +28,7 @@ CrossDepth = Annotated[
     float, Option("Fall of the point where the fronts cross below the neck-shoulder point.", "cm", 14.0, 28.0)
 ]
 
+_OVERLAP = Overlap(aside=11.0, edge=16.0, under=28.0)
 _ABOVE_HEM = 3.0
 """Least distance of the end of the crossing from the hem of a top, cm."""
 
@@ -35,7 +40,8 @@ class WrapDressOptions:
     bust_ease: declared.BustEase = 5.0
     waist_ease: declared.WaistEase = 3.5
     skirt_length: declared.SkirtLength = 62.0
-    skirt_fraction: declared.CircleFraction = 0.5
+    skirt_flare: declared.SkirtFlare = 9.0
+    hip_ease: declared.HipEase = 6.0
     neck_widening: declared.NeckWidening = 1.5
     neck_depth: CrossDepth = 24.0
     back_neck_depth: declared.BackNeckDepth = 2.5
@@ -61,8 +67,9 @@ def draft_wrap_dress(options: WrapDressOptions, measurements: Measurements) -> P
     waist = lay_fitted_bodice(table, figure, bodice)
     shorten_darts(table)
     _finish_bodice(table, figure, options)
-    lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
-    sew_skirt_to_bodice(table, SKIRT_WHOLE, fronts=("right",))
+    skirt = FittedSkirt(options.skirt_length, options.hip_ease, options.skirt_flare, _OVERLAP)
+    lay_fitted_skirt(table, figure, skirt, waist, figure.waist_y)
+    sew_overlap_to_bodice(table, "right")
     return table.finish()
 
 

@@ -1,4 +1,4 @@
-"""Skirts that are wound around the hips, as far as one layer shows them: wrap skirt, sarong."""
+"""Skirts that are wound around the hips: their fronts overlap below the waistband."""
 
 from __future__ import annotations
 
@@ -9,19 +9,24 @@ from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.band import lay_body_waist_band
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
-from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, Opening, lay_fitted_skirt
-from swifttailor.pattern.drafts.joins import SKIRT_HALVES, sew_skirt_to_band
+from swifttailor.pattern.drafts.fitted_skirt import (
+    FittedSkirt,
+    Overlap,
+    lay_fitted_skirt,
+    sew_overlap_to_band,
+)
 from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.pattern import Pattern
 
-OpeningHeight = Annotated[
-    float, Option("How far the front is open from the hem up; at most to the hips.", "cm", 10.0, 70.0)
+OverlapAside = Annotated[
+    float,
+    Option("Where the fronts meet at the waist, from the middle to the wearer's left.", "cm", 4.0, 16.0),
 ]
-OpeningWidth = Annotated[float, Option("Width of the opening along the hem.", "cm", 2.0, 30.0)]
-OpeningAside = Annotated[
-    float, Option("Upper end of the opening from the middle, to the wearer's left.", "cm", 0.0, 14.0)
+OverlapEdge = Annotated[
+    float, Option("Where the edge of the upper front meets the hem, likewise.", "cm", -20.0, 20.0)
 ]
+OverlapUnder = Annotated[float, Option("How far the lower front reaches under it there.", "cm", 6.0, 40.0)]
 
 
 @dataclass(frozen=True)
@@ -31,9 +36,9 @@ class WrapSkirtOptions:
     length: declared.SkirtLength = 62.0
     flare: declared.SkirtFlare = 7.0
     hip_ease: declared.HipEase = 4.0
-    opening_height: OpeningHeight = 36.0
-    opening_width: OpeningWidth = 13.0
-    opening_aside: OpeningAside = 9.0
+    overlap_aside: OverlapAside = 9.0
+    overlap_edge: OverlapEdge = 12.0
+    overlap_under: OverlapUnder = 24.0
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
 
@@ -50,9 +55,9 @@ class SarongOptions:
     length: declared.SkirtLength = 92.0
     flare: declared.SkirtFlare = 0.0
     hip_ease: declared.HipEase = 6.0
-    opening_height: OpeningHeight = 56.0
-    opening_width: OpeningWidth = 18.0
-    opening_aside: OpeningAside = 10.0
+    overlap_aside: OverlapAside = 10.0
+    overlap_edge: OverlapEdge = 8.0
+    overlap_under: OverlapUnder = 28.0
     band_height: declared.BandHeight = 4.0
     waist_ease: declared.BandEase = 0.0
 
@@ -66,8 +71,8 @@ def _wound(name: str, options: WrapSkirtOptions | SarongOptions, measurements: M
     figure = Figure.of(measurements)
     table = CuttingTable(name)
     lower = lay_body_waist_band(table, figure, options.band_height, options.waist_ease)
-    opening = Opening(options.opening_height, options.opening_width, options.opening_aside)
-    skirt = FittedSkirt(options.length, options.hip_ease, options.flare, opening)
+    overlap = Overlap(options.overlap_aside, options.overlap_edge, options.overlap_under)
+    skirt = FittedSkirt(options.length, options.hip_ease, options.flare, overlap)
     lay_fitted_skirt(table, figure, skirt, lower, figure.waist_y - options.band_height)
-    sew_skirt_to_band(table, SKIRT_HALVES)
+    sew_overlap_to_band(table)
     return table.finish()

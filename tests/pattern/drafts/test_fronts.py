@@ -1,4 +1,4 @@
-"""Fronts that seem to cross, folded collars, skirts that are open beside the middle, fuller halters."""
+"""Fronts that seem to cross or do overlap, folded collars, fuller halters."""
 
 from __future__ import annotations
 
@@ -6,15 +6,25 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.spatial import KDTree
 from test_cut import BODY, WAIST_Y, extent, seam_length
 
+from swifttailor.body import Body
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.describing.measuring import measure_facts
+from swifttailor.garment_sewer import GarmentSewer
+from swifttailor.garment_sewer.relaxing import _crossings, _overlapping, relaxed
 from swifttailor.pattern import EdgeRef, Pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.recutting import alter
 from swifttailor.recutting.holes import has_holes
+
+
+@pytest.fixture(scope="module")
+def sewer():
+    return GarmentSewer.load()
+
 
 WRAPS = ("wrap-dress", "wrap-top")
 COLLARED = {"polo-shirt": {"collar": "folded"}, "shirt": {"collar": "flat"}, "blazer": {}}
@@ -110,30 +120,59 @@ def test_lapels_are_as_wide_as_asked(width, lapels):
     assert beside.max() == pytest.approx(width, abs=1.5)
 
 
-def opening(pattern: Pattern) -> list[int]:
-    """The two edges of the front that are sewn to nothing and rise."""
-    panel = pattern.panel("skirt_front")
+def free_edge(pattern: Pattern, name: str) -> np.ndarray:
+    """(2, 2) upper and lower end, world x and y, of the lowest edge that rises and is sewn to nothing."""
+    panel = pattern.panel(name)
     sewn = {side for s in pattern.stitches for side in s.sides}
-    free = [k for k in range(len(panel.edges)) if EdgeRef("skirt_front", k) not in sewn]
-    return [k for k in free if abs(np.diff(panel.to_world(panel.chord(k))[:, 1])[0]) > 5.0]
+    chords = [panel.to_world(panel.chord(k)) for k in range(len(panel.edges)) if EdgeRef(name, k) not in sewn]
+    edge = min((c for c in chords if abs(np.diff(c[:, 1])[0]) > 5.0), key=lambda c: c[:, 1].min())
+    return edge[np.argsort(-edge[:, 1])][:, :2]
 
 
 @pytest.mark.parametrize("name", WOUND)
 @settings(max_examples=20, deadline=None)
-@given(height=st.floats(12, 36), width=st.floats(2, 20), aside=st.floats(0, 14))
-def test_wound_skirts_are_open_as_far_as_asked(name, height, width, aside):
-    pattern = draft(name, opening_height=height, opening_width=width, opening_aside=aside)
-    panel = pattern.panel("skirt_front")
-    first, second = (panel.to_world(panel.chord(k)) for k in opening(pattern))
-    top = max(first[:, 1].max(), second[:, 1].max())
-    lower = [chord[np.argmin(chord[:, 1])] for chord in (first, second)]
-    assert top - min(p[1] for p in lower) == pytest.approx(height, abs=1.0)
-    assert abs(lower[0][0] - lower[1][0]) == pytest.approx(width, abs=0.3)
+@given(aside=st.floats(4, 16), edge=st.floats(-20, 20), under=st.floats(6, 24))
+def test_wound_skirts_overlap_as_far_as_asked(name, aside, edge, under):
+    options = {"overlap_aside": aside, "overlap_edge": edge, "overlap_under": under}
+    pattern = draft(name, **options, length=62)
+    upper, lower = (free_edge(pattern, n) for n in ("skirt_front", "skirt_under_0_front"))
+    assert np.allclose(upper[0], lower[0]), "they meet at the waist"
+    assert upper[0][0] == pytest.approx(aside, abs=0.01)
+    assert upper[1][0] == pytest.approx(edge, abs=0.3)
+    reach = upper[1][0] - lower[1][0]
+    assert reach == pytest.approx(under, abs=0.5) or lower[1][0] < -15.0  # where the front ends
+    assert 0.5 < lower[1][1] - upper[1][1] < 3.0, "what lies below is not seen"
     assert not has_holes(pattern)
-    if width > 0.7 * height:  # a hem that rises, rather than a slit
-        return
-    facts = measure_facts(pattern)
-    assert [slit.place in ("front", "left") for slit in facts.skirt.slits] == [True]
+    assert {slit.place for slit in measure_facts(pattern).skirt.slits} <= {"front", "left"}
+
+
+@pytest.mark.parametrize("name", ["coat", "robe", "hooded-coat"])
+def test_fronts_of_coats_overlap_or_part(name):
+    for opening, parts in ((-14.0, False), (8.0, True)):
+        pattern = draft(name, opening=opening)
+        right, left = (free_edge(pattern, f"{side}_ftorso") for side in ("right", "left"))
+        assert np.allclose(right[0], left[0]) and right[0][0] == pytest.approx(0.0, abs=1e-6)
+        apart = left[1][0] - right[1][0]
+        assert apart == pytest.approx(2 * opening if parts else opening, abs=1e-6)
+        assert (right[1][0] > 0.0) != parts, "the right one lies over the left one"
+
+
+@pytest.mark.parametrize("name", ["wrap-skirt", "wrap-dress", "coat"])
+def test_the_upper_front_lies_on_the_lower_one(sewer, name):
+    prepared = sewer.prepare(draft(name))
+    (values,) = sewer.predict([prepared])
+    garment = relaxed(sewer.decode(prepared, values))
+    assert "not_relaxed" not in garment.report
+    mesh, body = garment.mesh, Body.default()
+    ((upper, lower),) = _overlapping(mesh)
+    distance, _ = body.signed_distance(garment.vertices)
+    beneath = KDTree(garment.vertices[lower, :2])
+    near, index = beneath.query(garment.vertices[upper, :2])
+    over = near < 1.5
+    assert over.sum() > 20
+    above = distance[upper][over] - distance[lower][index[over]]
+    assert np.quantile(above, 0.05) > -0.5  # cm
+    assert _crossings(mesh, garment.vertices) < 0.01 * len(mesh.faces)
 
 
 @pytest.mark.parametrize("fraction", [0.3, 0.5, 1.0])
