@@ -41,6 +41,8 @@ LIFTED_CM, TURNED_DOWN_CM = 0.6, 0.9
 turned down over a stand both are lifted by the latter, and what is turned down twice."""
 OVERLAPPING_CM, OVERLAPPING_FRAMES = 1.5, 24
 """So far above the lower one the upper of two fronts that overlap is lifted, and so long it falls."""
+_AXIS_CM = 10.0
+"""So far behind such fronts the axis stands that they are lifted away from."""
 _BESIDE_CM, _LOWER_ONES = 5.0, 8
 """Of the lower front what lies so near to a vertex of the upper one counts, and so many vertices at most."""
 MORE_CROSSINGS = 0.01
@@ -112,22 +114,34 @@ def _with_layers_lifted(garment: Garment, body: Body) -> Floats:
         alone = _alone(mesh, lifted)
         vertices[alone] += lift * _away(body, vertices[alone])[1]
     for upper, lower in _overlapping(mesh):
-        vertices[upper] += _above(body, vertices[upper], vertices[lower])
+        vertices[upper] += _above(vertices[upper], vertices[lower])
     return vertices
 
 
-def _above(body: Body, upper: Floats, lower: Floats) -> Floats:
-    """(n, 3) by how much vertices of the upper front have to move to lie above the lower one, cm."""
+def _above(upper: Floats, lower: Floats) -> Floats:
+    """(n, 3) by how much vertices of the upper front have to move to lie above the lower one, cm.
+
+    They move away from a vertical axis behind them, for between two legs no direction leads away from both.
+    Of what is beside a vertex the most counts, and then the mean: cloth that is lifted raggedly curls.
+    """
     from scipy.spatial import KDTree
 
-    off, away = _away(body, upper)
-    beneath = np.append(_away(body, lower)[0], -np.inf)
-    near = (
-        KDTree(lower[:, :2])
-        .query(upper[:, :2], k=min(_LOWER_ONES, len(lower)), distance_upper_bound=_BESIDE_CM)[1]
-        .reshape(len(upper), -1)
+    axis = np.array([0.0, min(upper[:, 2].min(), lower[:, 2].min()) - _AXIS_CM])
+    around, beneath = upper[:, ::2] - axis, lower[:, ::2] - axis
+    off, heights = np.linalg.norm(around, axis=1), np.append(np.linalg.norm(beneath, axis=1), -np.inf)
+    scale = heights[:-1].mean()
+    seen, under = (
+        KDTree(np.stack([scale * np.arctan2(flat[:, 0], flat[:, 1]), points[:, 1]], axis=1))
+        for flat, points in ((around, upper), (beneath, lower))
     )
-    return np.maximum(beneath[near].max(axis=1) + OVERLAPPING_CM - off, 0.0)[:, None] * away
+    near = under.query(seen.data, k=min(_LOWER_ONES, len(lower)), distance_upper_bound=_BESIDE_CM)[1]
+    lift = np.maximum(heights[near.reshape(len(upper), -1)].max(axis=1) + OVERLAPPING_CM - off, 0.0)
+    beside = seen.query_ball_point(seen.data, _BESIDE_CM)
+    lift = np.array([lift[one].max() for one in beside])
+    lift = np.array([lift[one].mean() for one in beside])
+    moved = np.zeros_like(upper)
+    moved[:, ::2] = around * (lift / off)[:, None]
+    return moved
 
 
 def _alone(mesh: PatternMesh, chosen: NDArray[np.bool_]) -> NDArray[np.bool_]:
