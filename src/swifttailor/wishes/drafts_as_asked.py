@@ -88,11 +88,11 @@ _LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
 _OF_NECKLINES = frozenset({"neckline", "collar", "hood", "straps"})
 _OF_TORSO = ("length", "chest_ease", "flare", "sleeve_length", "arm_ease", "sleeve_end", "side_slits")
 """Options of T-shirts that turtlenecks have as well."""
-_PIECES: Mapping[str, tuple[str, int, int, int]] = {
-    "tiered-skirt": ("tiers", 1, 2, 6),
-    "gored-skirt": ("gores", 2, 2, 6),
+_PIECES: Mapping[str, tuple[str, int, int]] = {
+    "tiered-skirt": ("tiers", 2, 6),
+    "gored-skirt": ("gores", 4, 12),
 }
-"""Option and claim of a number of pieces, how many of them one is, and the least and most of the option."""
+"""Option and claim of a number of pieces, and how few and many can be drafted."""
 _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
 _SLIT_AT_THE_SIDES = ("t-shirt", "turtleneck", "shift-dress")
 _SLIT_CM = 14.0
@@ -301,12 +301,11 @@ def _has_legs(claim: Claim) -> bool:
 
 def _with_pieces(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """A tiered or gored skirt of as many pieces as are asked for, where so many can be drafted."""
-    option, per, low, high = _PIECES.get(draft.name, ("", 1, 0, 0))
+    option, low, high = _PIECES.get(draft.name, ("", 0, 0))
     counts = [c.value for c in claims if c.name == option and not isinstance(c.value, str)]
-    if not counts or not low <= counts[0] / per <= high or counts[0] % per:
+    if not counts or not low <= counts[0] <= high:
         return draft
-    kept = [o for o in draft.options if o[0] != option]
-    return replace(draft, options=(*kept, (option, counts[0] / per)))
+    return replace(draft, options=(*[o for o in draft.options if o[0] != option], (option, counts[0])))
 
 
 def _stands(claims: Sequence[Claim]) -> bool:

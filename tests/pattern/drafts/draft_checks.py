@@ -59,7 +59,7 @@ def assert_sound(pattern: Pattern) -> None:
         back = name.endswith(("_b", "_b_l", "_b_r", "_back")) or "btorso" in name
         if name == "skirt_panel":  # gores, those behind after those in front
             gores = sum(p.name.startswith(name) for p in pattern.panels)
-            back = int(panel.name.removeprefix("skirt_panel_")) >= gores / 2
+            back = int(panel.name.removeprefix("skirt_panel_")) >= gores - gores // 2
         assert (panel.signed_area() < 0) == back, f"{panel.name} runs the wrong way"
         assert panel.normal() @ np.array(panel.placement.translation) >= 0, f"{panel.name} faces inward"
     sewn = [side for s in pattern.stitches for side in s.sides]

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
 
 import numpy as np
 
@@ -19,10 +21,15 @@ class Gores:
 
     length: float
     """Upper edge to hem, cm."""
-    in_front: int
-    """And as many behind."""
+    count: int
+    """All around; of an odd number one more is in front."""
     flare: float
     """Width of the hem over that of the hips, cm around."""
+
+    @property
+    def faces(self) -> tuple[int, int]:
+        """How many are in front and behind."""
+        return self.count - self.count // 2, self.count // 2
 
 
 def lay_gored_skirt(
@@ -40,38 +47,42 @@ def lay_gored_skirt(
         hips: Half widths that it has there, cm.
         to_hips: Upper edge to the hips, cm.
     """
-    count = shape.in_front
-    # Front and back widen alike, so that their sides are equally long.
-    wider = max(hips.front - waist.front, hips.back - waist.back) / count
-    for back, half in ((False, waist.front), (True, waist.back)):
+    ahead, behind = shape.faces
+    # All edges widen alike, so that those at the sides are equally long.
+    wider = max((hips.front - waist.front) / ahead, (hips.back - waist.back) / behind)
+    for back, half, count in ((False, waist.front, ahead), (True, waist.back, behind)):
         top = 2 * half / count
         hip = top + 2 * wider
-        for k in range(count):
+        gore = partial(_gore, top, hip, hip + shape.flare / shape.count, shape.length, to_hips)
+        names = _names(shape.count, back=back)
+        for k, name in enumerate(names):
             place = around((k + 0.5) / count)
             at, along = (v * [1.0, -1.0] for v in place) if back else place
             table.lay(
-                _name(k, count, back=back),
-                _gore(top, hip, hip + shape.flare / (2 * count), shape.length, to_hips),
+                name,
+                gore(),
                 label="leg",
                 at=(at[0], top_y, at[1]),
                 rotation=(0.0, math.degrees(np.arctan2(-along[1], along[0])), 0.0),
                 back=back,
             )
-        for k in range(count - 1):
-            table.seam(f"{_name(k, count, back=back)}.right", f"{_name(k + 1, count, back=back)}.left")
-    for k, side in ((0, "left"), (count - 1, "right")):
-        table.seam(f"{_name(k, count, back=False)}.{side}", f"{_name(k, count, back=True)}.{side}")
+        for one, other in pairwise(names):
+            table.seam(f"{one}.right", f"{other}.left")
+    front, rear = (_names(shape.count, back=back) for back in (False, True))
+    table.seam(f"{front[0]}.left", f"{rear[0]}.left")
+    table.seam(f"{front[-1]}.right", f"{rear[-1]}.right")
 
 
-def sew_gores_to_band(table: CuttingTable, in_front: int) -> None:
+def sew_gores_to_band(table: CuttingTable, count: int) -> None:
     """Sews the gores to the lower edge of the waistband."""
-    for face in ("front", "back"):
-        edges = [f"{_name(k, in_front, back=face == 'back')}.top" for k in range(in_front)]
-        table.seam(f"wb_{face}.bottom", edges if face == "front" else edges[::-1])
+    table.seam("wb_front.bottom", [f"{name}.top" for name in _names(count, back=False)])
+    table.seam("wb_back.bottom", [f"{name}.top" for name in reversed(_names(count, back=True))])
 
 
-def _name(k: int, count: int, *, back: bool) -> str:
-    return f"skirt_panel_{k + count if back else k}"
+def _names(count: int, *, back: bool) -> list[str]:
+    """Of the gores of one face, from the wearer's right to the left."""
+    ahead = count - count // 2
+    return [f"skirt_panel_{k}" for k in (range(ahead, count) if back else range(ahead))]
 
 
 def _gore(top: float, hip: float, hem: float, length: float, to_hips: float) -> Outline:

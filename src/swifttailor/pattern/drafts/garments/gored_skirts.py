@@ -20,7 +20,7 @@ class GoredSkirtOptions:
     """Options of the gored skirt."""
 
     length: declared.SkirtLength = 66.0
-    gores: Annotated[int, Option("Gores in front, and as many behind.", "gores", 2, 6)] = 3
+    gores: Annotated[int, Option("All around; of an odd number one more is in front.", "gores", 4, 12)] = 6
     flare: Annotated[
         float, Option("Width of the hem over that of the hips, all around.", "cm", 0.0, 160.0)
     ] = 70.0
