@@ -13,7 +13,7 @@ from swifttailor.wording.wordings import all_wordings
 
 # Drafts have none of what these are of.
 NOT_ON_DRAFTS = {
-    *("gores", "godets", "godet width", "godet height"),
+    *("godets", "godet width", "godet height"),
     *("back slit", "left slit", "right slit"),
 }
 

@@ -95,19 +95,24 @@ class Heard:
         """Drafts that show what it names, for the kind of garment that is asked for.
 
         First those that show what nothing else can (halter necks), then those of names that say more than the
-        kind, then of details, then of mere kinds: trousers.
+        kind, then of details, then of mere kinds: trousers. Where nothing names a garment, and it
+        may be a top, a plain one.
         """
         kind = _CUT_AS.get(self.kind or "", self.kind)
         order = _names_first if self.kind in ("shorts", "playsuit") else _says_less
         entries = sorted(self._meant, key=order)
         entries = [e for e in entries if self._told_beside(e) <= _most_told(e)]  # known patterns have more
+        beside = self._worn_beside
+        entries = [e for e in entries if e not in beside]
         named = [draft for entry in entries for draft in entry.drafts]
         named = [draft for draft in named if DRAFT_KINDS[draft.name] == kind]
         sure = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
         sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else self._likely_bare
         sure += self._standing_necks if not any(claim.name in _NECKS for claim in sure) else []
         named = [draft_as_asked(draft, sure) for draft in named]
-        if not named:
+        if not named and self.kind in (None, "top") and self._tells_no_garment:
+            named = [draft_as_asked(_WHATEVER, sure)]
+        elif not named:
             kinds = [e for e in entries if self.kind in e.kinds and not e.drafts]
             named = [draft_of_name(entry, self.kind or "", sure) for entry in kinds]
         found = dict.fromkeys([draft for draft in named if draft is not None])
@@ -137,6 +142,21 @@ class Heard:
         """That nothing covers the shoulders, where that is likely: a "fit and flare wedding dress"."""
         likely = [w.change.claim for w in self.likely if isinstance(w.change, Gain)]
         return [claim for claim in likely if claim == _BARE]
+
+    @property
+    def _tells_no_garment(self) -> bool:
+        """Whether its words tell something, but not of which garment: a red one, puff sleeves."""
+        known = [entry for entry in self._meant if entry.category != "function"]
+        told = self.words is not None and bool(self.words.colors or self.words.cloths or known)
+        return told and not any(entry.category == "garments" for entry in self._meant)
+
+    @property
+    def _worn_beside(self) -> list[Entry]:
+        """Garments that another one is only worn with: the apron of a dirndl with an apron."""
+        marks = () if self.words is None else self.words.marks
+        if not any(mark.role == "garment" for mark in marks):
+            return []
+        return [entry for mark in marks if mark.role == "like" for entry in mark.entries if entry.kinds]
 
     @property
     def _meant(self) -> list[Entry]:
@@ -178,6 +198,7 @@ class Heard:
         return near_names(self.unread)
 
 
+_WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
 HEARD_NOTHING = Heard("")
 """Where there is no text."""
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from swifttailor.pattern.drafts.cutting_table import CuttingTable
+from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.neckline import Neckline, draw_neckline
-from swifttailor.pattern.drafts.outline import Outline, Point
+from swifttailor.pattern.drafts.outline import Outline, Point, Side
 
 FRONT_Z = 30.0
 """Where front torso panels stand before draping, cm."""
@@ -32,6 +32,8 @@ POINT_X = 5.0
 """Distance of the point of a pointed front hem from the middle, cm."""
 OVER_SHARE = 0.35
 """Part of an overlap that lies beyond the middle, on the side of the lower front."""
+_STEEPEST = 0.8
+"""An overlap at the hem over the length of what is open, at most."""
 OVERLAP_Z = 2.0
 """So far behind the upper front the lower one stands before draping, cm."""
 SHORTEST_SLIT, _OPEN_SHARE = 1.0, 0.8
@@ -232,14 +234,17 @@ def overlap_fronts(table: CuttingTable, opening: float) -> None:
         table: Where both lie.
         opening: See `LooseBodice.front_opening`; nothing is done unless it is negative.
     """
-    if opening >= 0.0 or not any(s.name == "slit" for s in table.pieces["left_ftorso"].sides):
+    parted = [_front_slit(table.pieces[name]) for name in ("left_ftorso", "right_ftorso")]
+    if opening >= 0.0 or None in parted:
         return
-    over = -OVER_SHARE * opening
-    for name, x in (("left_ftorso", over + opening), ("right_ftorso", over)):
-        piece = table.pieces[name]
-        (slit,) = piece.find("slit")
+    reach = min(-opening, _STEEPEST * min(slit.length for slit in parted if slit is not None))
+    for name, slit, x in zip(
+        ("left_ftorso", "right_ftorso"), parted, (OVER_SHARE * reach - reach, OVER_SHARE * reach), strict=True
+    ):
+        assert slit is not None
         corner = min(slit.start, slit.end, key=lambda point: point[1])
         moved = (x, corner[1])
+        piece = table.pieces[name]
         piece.sides = [
             replace(s, start=moved if s.start == corner else s.start, end=moved if s.end == corner else s.end)
             for s in piece.sides
@@ -248,6 +253,12 @@ def overlap_fronts(table: CuttingTable, opening: float) -> None:
     place = lower.placement
     behind = (*place.translation[:2], place.translation[2] - OVERLAP_Z)
     lower.placement = replace(place, translation=behind)
+
+
+def _front_slit(piece: Piece) -> Side | None:
+    """The edge in the middle that is open from the hem up; slits in side seams have the same name."""
+    slits = [s for s in piece.sides if s.name == "slit" and min(abs(s.start[0]), abs(s.end[0])) < 1e-6]
+    return slits[0] if slits else None
 
 
 def _hem_rise(widening: float, side: float, hem_x: float) -> float:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from swifttailor.pattern.drafts import declared
-from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, overlap_fronts, sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.measurements import Measurements
@@ -131,7 +131,7 @@ class TurtleneckOptions:
     sleeve_shape: SleeveShapeOption = "plain"
     side_slits: declared.SideSlits = 0.0
     waist_shaping: declared.WaistShaping = 0.0
-    opening: declared.Opening = 0.0
+    opening: declared.OverlapOrOpening = 0.0
     closed_to: declared.ClosedTo = 0.0
     stretch: declared.ClothStretch = 0.0
 
@@ -160,6 +160,7 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
     collar = NeckCollar("rolled" if rolled else "standing", 0.0, options.collar_height)
     collar.lay(table, figure)
     table.mirror()
+    overlap_fronts(table, options.opening)
     sew_centres(table)
     collar.sew(table)
     return table.finish()
@@ -176,8 +177,8 @@ class CardiganOptions:
     neck_depth: Annotated[
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 12.0, 34.0)
     ] = 26.0
-    opening: declared.Opening = 8.0
-    closed_to: declared.ClosedTo = -30.0
+    opening: declared.OverlapOrOpening = -5.0
+    closed_to: declared.ClosedTo = 8.0
     armhole_drop: declared.ArmholeDrop = 2.5
     sleeve_length: declared.SleeveLength = 58.5
     arm_ease: declared.ArmEase = 8.0
@@ -186,7 +187,7 @@ class CardiganOptions:
 
 
 def draft_cardigan(options: CardiganOptions, measurements: Measurements) -> Pattern:
-    """Drafts the cardigan for a body: held together below its V, as by a button, and open below."""
+    """Drafts the cardigan for a body: sewn from its V to the last button; its fronts overlap below."""
     figure = Figure.of(measurements)
     table = CuttingTable("cardigan")
     bodice = LooseBodice(
@@ -202,6 +203,7 @@ def draft_cardigan(options: CardiganOptions, measurements: Measurements) -> Patt
     sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
     lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
     table.mirror()
+    overlap_fronts(table, options.opening)
     sew_centres(table)
     return table.finish()
 
