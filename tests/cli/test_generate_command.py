@@ -94,7 +94,7 @@ def test_several_samples_get_a_folder_each_and_a_sheet(write, tmp_path, capsys):
     script = [draft("t-shirt"), crossed(draft("t-shirt")), draft("fitted-skirt")], [crossed(draft("t-shirt"))]
     write(*script)
     out = tmp_path / "out"
-    arguments = ("generate", "some <clothes>", "--out", out, "--samples", 3, "--seed", 5, "--attempts", 2)
+    arguments = ("generate", "some <wuzzles>", "--out", out, "--samples", 3, "--seed", 5, "--attempts", 2)
     assert command(*arguments, "--json") == 1
     reports = json.loads(capsys.readouterr().out)
     assert [Path(r["folder"]).name for r in reports] == ["seed-5", "seed-6", "seed-7"]
