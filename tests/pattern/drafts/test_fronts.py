@@ -13,6 +13,7 @@ from swifttailor.body import Body
 from swifttailor.describing import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.describing.measuring import measure_facts
+from swifttailor.draping.drape import drape
 from swifttailor.garment_sewer import GarmentSewer
 from swifttailor.garment_sewer.relaxing import _crossings, _overlapping, relaxed
 from swifttailor.pattern import EdgeRef, Pattern
@@ -194,3 +195,14 @@ def test_the_back_of_a_halter_hangs_as_level_as_its_front():
 def test_a_halter_dress_is_given_other_skirts(skirt):
     cut = alter(draft("halter-dress"), [Gain(Claim("skirt", skirt))])
     assert cut.open == () and not has_holes(cut.pattern)
+
+
+@pytest.mark.parametrize("name", ["wrap-skirt", "robe"])
+def test_the_upper_front_comes_to_lie_above_in_a_drape(name):
+    garment = drape(draft(name), edge_length=3.0)
+    ((upper, lower),) = _overlapping(garment.mesh)
+    over, under = garment.vertices[upper], garment.vertices[lower]
+    near, index = KDTree(under[:, :2]).query(over[:, :2])
+    lies = near < 2.0
+    assert lies.sum() > 20
+    assert (over[lies, 2] > under[index[lies], 2]).mean() > 0.9

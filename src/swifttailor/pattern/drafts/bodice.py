@@ -34,7 +34,7 @@ OVER_SHARE = 0.35
 """Part of an overlap that lies beyond the middle, on the side of the lower front."""
 _STEEPEST = 0.8
 """An overlap at the hem over the length of what is open, at most."""
-OVERLAP_Z = 2.0
+OVERLAP_Z = 6.0
 """So far behind the upper front the lower one stands before draping, cm."""
 SHORTEST_SLIT, _OPEN_SHARE = 1.0, 0.8
 """What would be open for less is closed, cm; the share of the centre that may be open."""

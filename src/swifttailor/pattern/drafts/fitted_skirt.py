@@ -14,7 +14,7 @@ from swifttailor.pattern.names import UNDER_FRONT
 
 _BESIDE = 4.0
 """Least of the upper edge and the hem that is left on either side of an overlap, cm."""
-_SHORTER_CM, _BEHIND_CM = 1.5, 2.0
+_SHORTER_CM, _BEHIND_CM = 1.5, 6.0
 """So much higher the hem of the lower one ends, not to be seen; so far behind it stands before draping."""
 SOFT_CM, FLARED = 6.0, 4.0
 """The curve from waist to hip ends so far below the hips, where it ends on them cloth puckers to a point; and
