@@ -15,7 +15,8 @@ from swifttailor.describing.differences import Gain
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.draping.drape import drape
 from swifttailor.garment_sewer import GarmentSewer
-from swifttailor.garment_sewer.relaxing import _crossings, _overlapping, relaxed
+from swifttailor.garment_sewer.layers import overlapping_vertices
+from swifttailor.garment_sewer.relaxing import _crossings, relaxed
 from swifttailor.pattern import EdgeRef, Pattern
 from swifttailor.pattern.drafts import draft
 from swifttailor.recutting import alter
@@ -165,7 +166,7 @@ def test_the_upper_front_lies_on_the_lower_one(sewer, name):
     garment = relaxed(sewer.decode(prepared, values))
     assert "not_relaxed" not in garment.report
     mesh, body = garment.mesh, Body.default()
-    ((upper, lower),) = _overlapping(mesh)
+    ((upper, lower),) = overlapping_vertices(mesh)
     distance, _ = body.signed_distance(garment.vertices)
     beneath = KDTree(garment.vertices[lower, :2])
     near, index = beneath.query(garment.vertices[upper, :2])
@@ -200,7 +201,7 @@ def test_a_halter_dress_is_given_other_skirts(skirt):
 @pytest.mark.parametrize("name", ["wrap-skirt", "robe"])
 def test_the_upper_front_comes_to_lie_above_in_a_drape(name):
     garment = drape(draft(name), edge_length=3.0)
-    ((upper, lower),) = _overlapping(garment.mesh)
+    ((upper, lower),) = overlapping_vertices(garment.mesh)
     over, under = garment.vertices[upper], garment.vertices[lower]
     near, index = KDTree(under[:, :2]).query(over[:, :2])
     lies = near < 2.0
