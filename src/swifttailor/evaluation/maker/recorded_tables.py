@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from swifttailor.evaluation.maker.questions import Task
 from swifttailor.evaluation.maker.sampling import SamplingSummary
 from swifttailor.evaluation.maker.scores import TaskResult
 from swifttailor.evaluation.maker.tables import PAPER_PATTERNS, SAID, sampling_rows
+from swifttailor.evaluation.paper_rows import PatternRow
+from swifttailor.evaluation.patterns.adherence import Adherence
 from swifttailor.evaluation.patterns.pattern_table import (
     AIPPAREL_NOTE,
     BY_NAME_NOTE,
+    PatternSummary,
     aipparel_rows,
     by_name_rows,
 )
@@ -26,18 +29,38 @@ _FROM: Mapping[Task, str] = {
 
 
 def task_tables(result: TaskResult) -> Iterator[Table]:
-    """Patterns, patterns without conditions, and what holds of what was asked for."""
+    """Patterns, patterns without conditions, and what holds of what was asked for, of one task."""
     task = result.task
-    yield Table(
-        f"Patterns {_FROM[task]}", AIPPAREL_NOTE, *aipparel_rows(result.patterns, PAPER_PATTERNS[task])
+    yield from tables_of_patterns(
+        _FROM[task], result.patterns, result.adherence, paper=PAPER_PATTERNS[task], said=SAID[task]
     )
-    yield Table(f"Patterns {_FROM[task]}, without conditions", BY_NAME_NOTE, *by_name_rows(result.patterns))
+
+
+def tables_of_patterns(
+    asked: str,
+    patterns: Sequence[tuple[str, PatternSummary]],
+    adherence: Sequence[tuple[str, Adherence]],
+    *,
+    paper: Sequence[PatternRow],
+    said: str,
+) -> Iterator[Table]:
+    """The three tables of what several methods answered to the same questions.
+
+    Args:
+        asked: For the titles, such as "from a picture".
+        patterns: Each method's name and its patterns' metrics.
+        adherence: Each method's name and how much holds of what was asked for.
+        paper: The paper's rows.
+        said: What is counted in the last table.
+    """
+    yield Table(f"Patterns {asked}", AIPPAREL_NOTE, *aipparel_rows(patterns, paper))
+    yield Table(f"Patterns {asked}, without conditions", BY_NAME_NOTE, *by_name_rows(patterns))
     columns = [Column("statements %", ".1f"), Column("all hold %", ".1f"), Column("n", "d")]
     rows: list[Row] = []
-    for name, found in result.adherence:
+    for name, found in adherence:
         shares = (found.claims.share, found.whole.share)
         rows.append((name, [*(None if s is None else 100 * s for s in shares), found.whole.made]))
-    yield Table(f"What was asked for, {_FROM[task]}", SAID[task], columns, rows)
+    yield Table(f"What was asked for, {asked}", said, columns, rows)
 
 
 def sampling_table(found: Mapping[Task, SamplingSummary], limit: int) -> Table:

@@ -6,7 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from swifttailor.evaluation.maker.questions import Task
+from swifttailor.evaluation.maker.recorded_tables import tables_of_patterns
 from swifttailor.evaluation.maker.scores import TaskResult
+from swifttailor.evaluation.maker.tables import SAID
 from swifttailor.evaluation.paper_rows import (
     FROM_IMAGE,
     FROM_IMAGE_AND_TEXT,
@@ -15,13 +17,6 @@ from swifttailor.evaluation.paper_rows import (
     PATTERNS_FROM_IMAGE_AND_TEXT,
     GarmentRow,
     PatternRow,
-)
-from swifttailor.evaluation.patterns.adherence import Adherence
-from swifttailor.evaluation.patterns.pattern_table import (
-    AIPPAREL_NOTE,
-    BY_NAME_NOTE,
-    aipparel_rows,
-    by_name_rows,
 )
 from swifttailor.evaluation.systems.run import Cell, SystemsResult
 from swifttailor.evaluation.table import Table
@@ -41,6 +36,7 @@ _GARMENTS: Mapping[Task, Sequence[GarmentRow]] = {
     "image": FROM_IMAGE,
     "text+image": FROM_IMAGE_AND_TEXT,
 }
+_SAID_OF_IMAGE = "Statements that a caption would have made of what can be seen, and that hold"
 _GARMENT_COLUMNS = (
     Column("CD"),
     Column("EMD"),
@@ -73,24 +69,10 @@ def _of(task: Task, results: Sequence[TaskResult]) -> TaskResult:
 
 
 def _pattern_tables(task: Task, results: Mapping[str, TaskResult]) -> Iterator[Table]:
-    rows = [(name, result.patterns[0][1]) for name, result in results.items()]
-    yield Table(f"Patterns {_FROM[task]}", AIPPAREL_NOTE, *aipparel_rows(rows, _PATTERNS.get(task, ())))
-    yield Table(f"Patterns {_FROM[task]}, without conditions", BY_NAME_NOTE, *by_name_rows(rows))
-    said = [(name, result.adherence[0][1]) for name, result in results.items()]
-    note = (
-        "Statements that a caption would have made of what can be seen, and that hold"
-        if task == "image"
-        else "Statements of the captions that hold"
-    )
-    columns = [Column("statements %", ".1f"), Column("all hold %", ".1f"), Column("n", "d")]
-    lines: list[Row] = [(name, _adherence(one)) for name, one in said]
-    yield Table(f"What was asked for, {_FROM[task]}", note, columns, lines)
-
-
-def _adherence(found: Adherence) -> list[float | int | None]:
-    claims, whole = found.claims.share, found.whole.share
-    percent = [None if share is None else 100 * share for share in (claims, whole)]
-    return [*percent, found.whole.made]
+    patterns = [(name, result.patterns[0][1]) for name, result in results.items()]
+    adherence = [(name, result.adherence[0][1]) for name, result in results.items()]
+    paper, said = _PATTERNS.get(task, ()), _SAID_OF_IMAGE if task == "image" else SAID[task]
+    yield from tables_of_patterns(_FROM[task], patterns, adherence, paper=paper, said=said)
 
 
 def _garment_table(
