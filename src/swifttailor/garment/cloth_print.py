@@ -111,9 +111,13 @@ def cloth_at(garment: Garment) -> Array:
 
     Every panel is cut from the same height of the print: stripes meet at seams between halves.
     """
+    return flat_places(garment)[garment.mesh.flat_faces]
+
+
+def flat_places(garment: Garment) -> Array:
+    """(m, 2) where on the cloth the flat vertices lie, cm; see `cloth_at`."""
     low, _ = _boxes(garment)
-    local = (garment.uv - low[garment.mesh.flat_panel]) * garment.uv_scale
-    return local[garment.mesh.flat_faces]
+    return (garment.uv - low[garment.mesh.flat_panel]) * garment.uv_scale
 
 
 def texture(garment: Garment, side: int = TEXTURE_SIDE) -> Array:

@@ -32,7 +32,7 @@ def write_glb(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) 
     vertices of the stitched mesh, so that readers can join them again. Seams are lines, each a node of its
     name (`seam_names`) under the node ``seams``. A print is a texture whose coordinates count its repeats,
     so that it has its true size on the cloth; the panels' places in the unit square are then
-    ``TEXCOORD_1``. The wearer is the node ``body``.
+    ``TEXCOORD_1``. The wearer is the node ``body``; pockets, buttons and the like are nodes under ``trims``.
     """
     return write_bytes(path, glb_bytes(mesh), overwrite=overwrite)
 
@@ -96,8 +96,17 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
     if mesh.wearer is not None:
         nodes.append({"name": "body", "mesh": len(meshes), "extras": {"role": "body"}})
         children.append(len(nodes))
-        meshes.append({"name": "body", "primitives": [_wearer(buffer, *mesh.wearer)]})
+        meshes.append({"name": "body", "primitives": [_smooth(buffer, *mesh.wearer) | {"material": 2}]})
         materials.append(_material("body", to_linear(BODY), _ROUGHNESS))
+    if mesh.trims:
+        first = len(nodes) + 2
+        children.append(first - 1)
+        nodes.append({"name": "trims", "children": list(range(first, first + len(mesh.trims)))})
+    for part in mesh.trims:
+        nodes.append({"name": part.name, "mesh": len(meshes), "extras": {"role": "trim"}})
+        primitive = _smooth(buffer, part.vertices, part.faces) | {"material": len(materials)}
+        meshes.append({"name": part.name, "primitives": [primitive]})
+        materials.append(_material(part.name, to_linear(part.color), _ROUGHNESS))
     textures: dict[str, Any] = {}
     if mesh.print is not None:
         surface = materials[0]["pbrMetallicRoughness"]
@@ -171,15 +180,15 @@ class _Buffer:
         return len(self.accessors) - 1
 
 
-def _wearer(buffer: _Buffer, vertices: Array, faces: Array) -> dict[str, Any]:
-    """The body as one smooth primitive."""
+def _smooth(buffer: _Buffer, vertices: Array, faces: Array) -> dict[str, Any]:
+    """A mesh as one smooth primitive without texture."""
     mesh = TriangleMesh(vertices, faces)
     attributes = {
         "POSITION": buffer.add(to_metres(mesh.vertices).astype(np.float32), bounds=True),
         "NORMAL": buffer.add(mesh.vertex_normals.astype(np.float32)),
     }
     indices = buffer.add_indices(mesh.faces)
-    return {"attributes": attributes, "indices": indices, "material": 2, "mode": _TRIANGLES}
+    return {"attributes": attributes, "indices": indices, "mode": _TRIANGLES}
 
 
 def _material(name: str, color: Array, roughness: float) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from swifttailor.body.mannequin import mannequin
 from swifttailor.compiled_loop import CompiledLoop
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import cloth_at
+from swifttailor.garment.trim_colors import DARK, DARKEST, GREY, trim_color
 from swifttailor.render.backdrop import wall
 from swifttailor.render.color import BACKGROUND, BODY, Color, encode_srgb, to_linear
 from swifttailor.render.framing import frame_views
@@ -27,13 +28,19 @@ if TYPE_CHECKING:
 _SHEEN = {"silk": 0.22, "denim": 0.06, "twill": 0.08, "leather": 0.16, "polyester": 0.16, "swimwear": 0.16}
 _GLOSS = {"silk": 0.08, "leather": 0.10, "polyester": 0.04, "swimwear": 0.05}
 """Of cloths that shine otherwise than cotton does."""
-DARKEST = 0.010
-"""Least light, linear, that cloth of any colour throws back: folds of black cloth are seen."""
+_TRIM_GLOSS = {"metal": 0.25, "button": 0.12, "leather": 0.08}
+_ON_DARK = -1.3
+"""How much lighter seams are than dark cloth, in previews."""
 _put_before = CompiledLoop("swifttailor.render.shading_kernels", "put_before")
 
 
 def cloth_surface(
-    garment: Garment, color: Color | None = None, *, tint_panels: bool = True, lines: bool = True
+    garment: Garment,
+    color: Color | None = None,
+    *,
+    tint_panels: bool = True,
+    lines: bool = True,
+    seen_on_dark: bool = False,
 ) -> Surface:
     """The garment as the renderer draws it.
 
@@ -43,6 +50,7 @@ def cloth_surface(
             None: the garment's own (`cloth_color`).
         tint_panels: Whether neighbouring panels differ a little in lightness.
         lines: Whether seams and hems are drawn.
+        seen_on_dark: Whether they are lighter than dark cloth, on which darker ones would not be seen.
     """
     base = np.maximum(
         to_linear(garment.color or cloth_color(garment.pattern) if color is None else color), DARKEST
@@ -55,12 +63,13 @@ def cloth_surface(
     printed = garment.print if color is None else None
     if printed is not None:  # its wrong side has the first of its colours
         base = np.maximum(to_linear(printed.colors[0]), DARKEST)
-    grey = float(base @ (0.2126, 0.7152, 0.0722))
+    grey = float(base @ GREY)
     inside = 0.78 * (0.75 * base + 0.25 * grey) + 0.002
     drawn = ()
     if lines:
+        light = seen_on_dark and grey < DARK
         drawn = (
-            LineSet(_seam_edges(garment), strength=0.42, width=1.1),
+            LineSet(_seam_edges(garment), strength=_ON_DARK if light else 0.42, width=1.1),
             LineSet(border_edges(garment.faces), strength=0.30, width=1.2),
         )
     return Surface(
@@ -75,6 +84,40 @@ def cloth_surface(
         print=None if printed is None else printed.drawn(),
         print_at=None if printed is None else cloth_at(garment),
     )
+
+
+def trim_surfaces(garment: Garment, color: Color | None = None) -> list[Surface]:
+    """Pockets, buttons, belts and the like of a garment, as the renderer draws them.
+
+    Args:
+        garment: Any garment.
+        color: Of its cloth; None: its own.
+    """
+    if not garment.pattern.trims:
+        return []
+    from swifttailor.garment.trim_meshes import trim_meshes
+
+    surfaces = []
+    for mesh in trim_meshes(garment):
+        look = trim_color(garment, mesh.look, color)
+        strength = _ON_DARK if float(trim_color(garment, "cloth", color) @ GREY) < DARK else 0.5
+        lines = (LineSet(mesh.lines, strength=strength, width=1.1),) if len(mesh.lines) else ()
+        printed = garment.print if color is None and mesh.cloth_at is not None else None
+        surfaces.append(
+            Surface(
+                mesh.vertices,
+                mesh.faces,
+                look,
+                look,
+                lines=lines,
+                lift=0.35,
+                sheen=0.1,
+                gloss=_TRIM_GLOSS.get(mesh.look, 0.0),
+                print=None if printed is None else printed.drawn(),
+                print_at=None if printed is None else mesh.cloth_at,
+            )
+        )
+    return surfaces
 
 
 def body_surface(body: Body, color: Color = BODY, *, cloth: Array | None = None) -> Surface:
@@ -123,7 +166,7 @@ def draw_preview(
     Returns:
         (height, width, 3) uint8 sRGB.
     """
-    surfaces = [cloth_surface(garment, color)]
+    surfaces = [cloth_surface(garment, color, seen_on_dark=True), *trim_surfaces(garment, color)]
     if body is not None:
         surfaces.insert(0, body_surface(body, cloth=garment.vertices))
     scene = Scene(surfaces)

@@ -18,16 +18,19 @@ from swifttailor.garment.units import from_metres
 
 
 def read_glb(path: Path) -> TriangleMesh:
-    """Reads binary glTF: every mesh node becomes a group; vertices that were one before export are joined."""
+    """Reads binary glTF: every mesh node becomes a group; what was one vertex before export is joined.
+
+    The wearer and what is put on the cloth are left out.
+    """
     import trimesh
 
     document = _check_glb_counts(path)
-    wearers = {
+    apart = {
         str(node.get("name"))
         for node in document.get("nodes", [])
         if isinstance(node, dict)
         and isinstance(node.get("extras"), dict)
-        and node["extras"].get("role") == "body"
+        and node["extras"].get("role") in ("body", "trim")
     }
     second_uv = glb_seams.second_coordinates(path, document)
     scene = trimesh.load_scene(path, file_type="glb", process=False)
@@ -35,7 +38,7 @@ def read_glb(path: Path) -> TriangleMesh:
     for node in sorted(scene.graph.nodes_geometry, key=lambda n: _order(scene, n)):
         matrix, name = scene.graph[node]
         geometry = scene.geometry[name]
-        if not isinstance(geometry, trimesh.Trimesh) or not len(geometry.faces) or str(node) in wearers:
+        if not isinstance(geometry, trimesh.Trimesh) or not len(geometry.faces) or str(node) in apart:
             continue
         vertices = np.asarray(geometry.vertices) @ matrix[:3, :3].T + matrix[:3, 3]
         uv = second_uv.get(str(name), getattr(geometry.visual, "uv", None))

@@ -13,6 +13,7 @@ from swifttailor.errors import InputError
 from swifttailor.garment.cloth_color import PALETTE, cloth_color
 from swifttailor.garment.cloth_print import texture
 from swifttailor.garment.seam_names import seam_name
+from swifttailor.garment.trim_meshes import TrimPart, trim_parts
 from swifttailor.render.png import encode_png
 
 if TYPE_CHECKING:
@@ -84,6 +85,8 @@ class TriangleMesh:
     """A picture on the cloth; for formats with textures. Needs `uv`."""
     wearer: tuple[Array, Array] | None = None
     """Vertices (n, 3) in cm and faces (m, 3) of the body that wears it; for formats with several objects."""
+    trims: tuple[TrimPart, ...] = ()
+    """What is put on the cloth; for formats with several objects."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "vertices", _floats("vertices", self.vertices, 3))
@@ -181,6 +184,7 @@ def mesh_of_garment(garment: Garment) -> TriangleMesh:
         ROUGHNESS.get(garment.cloth or "cotton", ROUGHNESS["cotton"]),
         tuple(seam_name(seam.stitch, garment.pattern.stitches[seam.stitch]) for seam in garment.seams),
         None if garment.print is None else PrintedPicture(encode_png(texture(garment))),
+        trims=trim_parts(garment),
     )
 
 

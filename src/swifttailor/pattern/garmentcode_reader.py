@@ -25,6 +25,7 @@ from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.finding_kinds import found
 from swifttailor.pattern.panel import Edge, Panel, Placement, RotationReading
 from swifttailor.pattern.pattern import EdgeRef, Pattern, Stitch
+from swifttailor.pattern.trims.names import trims_read
 
 MAX_PANELS = 500
 MAX_EDGES_PER_PANEL = 2000
@@ -143,8 +144,12 @@ def read_specification(
     stitches = _read_stitches(body.get("stitches", []), panels, edge_ids, context)
     properties = values.as_object(top.get("properties", {}), "properties")
     named = DraftedFor.from_json(properties.get("drafted_for"))
-    pattern = Pattern(tuple(ordered), stitches, name, named, _cloth_stretch(properties))
+    pattern = Pattern(tuple(ordered), stitches, name, named, _cloth_stretch(properties), _trims(properties))
     return Reading(pattern, tuple(context.findings))
+
+
+def _trims(properties: Mapping[str, Any]) -> tuple[str, ...]:
+    return trims_read(properties["trims"]) if "trims" in properties else ()
 
 
 def _cloth_stretch(properties: Mapping[str, Any]) -> float:

@@ -37,6 +37,7 @@ def to_specification(pattern: Pattern) -> dict[str, Any]:
             "units_in_meter": 100,
             **({} if pattern.drafted_for is None else {"drafted_for": pattern.drafted_for.to_json()}),
             **({"cloth_stretch": pattern.cloth_stretch} if pattern.cloth_stretch else {}),
+            **({"trims": list(pattern.trims)} if pattern.trims else {}),
         },
     }
 

@@ -49,6 +49,8 @@ class Pattern:
     """The body that it was drafted for; the default body when None."""
     cloth_stretch: float = field(default=0.0, compare=False)
     """Share by which the cloth has to give all around, since it is cut smaller than the body; 0 for any."""
+    trims: tuple[str, ...] = field(default=(), compare=False)
+    """Pockets, buttons, belts and the like that are put on it, by the names of `trims.TRIMS`."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "panels", tuple(self.panels))

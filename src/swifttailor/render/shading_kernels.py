@@ -257,7 +257,7 @@ def dim_along(kept, edges, points, keys, depths, strength, radius, lift):
         keys: (H, W) int64, see `raster_kernels.fill`.
         depths: (4,) depth where its steps begin; steps in a unit; 1 in perspective, else 0; how much nearer
             the surface is drawn than it is, cm.
-        strength: Share of light that is taken.
+        strength: Share of light that is taken; below 0, that is added.
         radius: Of the line, in samples.
         lift: A line is seen when it lies less than this behind what the sample shows, cm.
     """
@@ -285,7 +285,8 @@ def dim_along(kept, edges, points, keys, depths, strength, radius, lift):
                     if dx * dx + dy * dy > radius * radius or not (0 <= column < width and 0 <= row < height):
                         continue
                     if limit <= keys[row, column] >> 32:
-                        kept[row, column] = min(kept[row, column], left)
+                        now = kept[row, column]
+                        kept[row, column] = min(now, left) if left < _F(1) else max(now, left)
 
 
 @njit(**FAST)

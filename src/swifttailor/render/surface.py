@@ -19,7 +19,7 @@ class LineSet:
     edges: Array
     """(n, 2) vertex indices of the surface."""
     strength: float = 0.5
-    """Share of the surface's light that the line takes away, 0 to 1."""
+    """Share of the surface's light that the line takes away, up to 1; below 0, that it adds."""
     width: float = 1.2
     """Pixels of the finished picture."""
 

@@ -49,6 +49,10 @@ class Answer:
     """How much of an edited pattern was made anew from a known one, which cutting did not lead to."""
     cuts: tuple[str, ...] = ()
     """What was altered, in words."""
+    put_on: tuple[str, ...] = ()
+    """Trims that its text asked for or meant, by name."""
+    taken_off: tuple[str, ...] = ()
+    """Trims of the pattern to edit that the text does not want."""
     of_edit: bool = False
     """Whether it is the pattern to edit that was altered, and what the network wrote was left aside."""
     attempt: int = 0
@@ -67,7 +71,7 @@ class Answer:
     @property
     def is_given(self) -> bool:
         """Whether it is the pattern to edit, and nothing was altered in it."""
-        return self.of_edit and not self.cuts
+        return self.of_edit and not self.cuts and not self.put_on and not self.taken_off
 
     @property
     def is_written(self) -> bool:

@@ -13,6 +13,7 @@ from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.crumpling import CRUMPLED
 from swifttailor.pattern.check import Change as Mending
 from swifttailor.pattern.drafts.draft_names import STANDS_IN
+from swifttailor.pattern.trims.names import TRIMS
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fabric_asked import fabric_unmet, fabric_warning
 from swifttailor.tailor.heard_notes import heard_notes, heard_report
@@ -151,6 +152,7 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
         "not_understood": list(wanted.heard.unread),
         "said_and_not_so": {word: wish_line(change) for word, change in answer.not_so},
         "changed_unasked": [wish_line(change) for change in answer.unasked],
+        "trims": list(answer.pattern.trims),
         "alterations": {"of_the_pattern_to_edit": answer.of_edit, "cuts": list(answer.cuts)}
         | ({} if answer.seen is None else {"changes": [wish_line(change) for change in answer.seen]}),
         "confidence": answer.confidence.to_json() if answer.confidence is not None else None,
@@ -204,6 +206,7 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
             f"Cut smaller than the body, for cloth that stretches by {answer.pattern.cloth_stretch:.0%} "
             "or more."
         )
+    found += trim_notes(answer)
     if wanted.part is not None:
         found.append(_read_line(wanted))
     if answer.not_followed:
@@ -219,7 +222,7 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
     found += [f"Look at the pattern: {oddity}." for oddity in answer.verdict.oddities]
     if wanted.text != order.text:
         found.append(f"Read as: {one_line(wanted.text, LONGEST_NOTE)}")
-    if wanted.misses:
+    if wanted.misses and not (answer.put_on or answer.taken_off):
         found.append(NOTHING_UNDERSTOOD if order.edit is None else AS_IT_WAS)
     found += heard_notes(wanted)
     unsure = [wish.change for wish in answer.not_done]
@@ -240,6 +243,17 @@ def order_notes(answer: Answer, wanted: Wanted) -> list[str]:
         found.append(f"It may sit badly: {said}.")
     if answer.verdict.refused:
         found.append(f"Refused, and so nevertheless: {'; '.join(map(wish_line, answer.verdict.refused))}.")
+    return found
+
+
+def trim_notes(answer: Answer) -> list[str]:
+    """Pockets, buttons and the like that were put on or taken off, for a person."""
+    found = []
+    if answer.put_on:
+        said = "; ".join(TRIMS[name] for name in answer.put_on)
+        found.append(f"Put on, for the eye and the sewist, since it holds no panels together: {said}.")
+    if answer.taken_off:
+        found.append(f"Taken off: {'; '.join(TRIMS[name] for name in answer.taken_off)}.")
     return found
 
 

@@ -8,6 +8,7 @@ from typing import Literal, get_args
 
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.pattern.trims.names import TRIMS
 from swifttailor.wording.claim_marks import claims_in
 from swifttailor.wording.word_tables import Dialect, Row
 
@@ -52,7 +53,7 @@ MOTIFS = ("flowers", "leaves", "blotches", "spots", "shapes")
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")
 _ONE_VALUE = ("part", "cloth", "rgb", "shade", "print", "motif", "negates", "worn", *_SIZES)
-_MARKS = ("usual", "likely", "against", "without", "cannot", "of", "inks", "draft", *_ONE_VALUE)
+_MARKS = ("usual", "likely", "against", "without", "cannot", "of", "inks", "draft", "trim", *_ONE_VALUE)
 _WORDS = ("ambiguous", "plural")
 LONGEST_GLOSS = 120
 """Characters."""
@@ -124,6 +125,8 @@ class Entry:
     """Drafts of `swifttailor.pattern.drafts` that show it, one for each kind of garment."""
     worn: str | None = None
     """The name of the garment that is made for it where none is named: of the beach, a sundress."""
+    trims: tuple[str, ...] = ()
+    """Which trims of `swifttailor.pattern.trims` are meant by what it says cannot be made of panels."""
 
     @property
     def name(self) -> str:
@@ -213,7 +216,16 @@ def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> E
         only,
         _drafts(row) if "draft" in options else (),
         one["worn"].replace("_", " ") if "worn" in one else None,
+        _trims(row) if "trim" in options else (),
     )
+
+
+def _trims(row: Row) -> tuple[str, ...]:
+    names = tuple([name.replace("_", " ") for name in row.options["trim"]])
+    for name in names:
+        if name not in TRIMS:
+            row.wrong(f"trim:{name.replace(' ', '_')} is none of {', '.join(TRIMS)}, with _ for a space.")
+    return names
 
 
 def _drafts(row: Row) -> tuple[NamedDraft, ...]:

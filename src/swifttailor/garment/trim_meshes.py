@@ -1,0 +1,318 @@
+"""The trims of a garment as small meshes that lie on its cloth: for pictures and .glb files."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.spatial import ConvexHull, QhullError
+
+from swifttailor.arrays import Array, Floats, Ints
+from swifttailor.garment.cloth_print import flat_places
+from swifttailor.garment.trim_colors import trim_color
+from swifttailor.pattern.names import body_region
+from swifttailor.pattern.trims.placing import place_trims
+from swifttailor.pattern.trims.shapes import Belt, Button, Patch
+from swifttailor.render.color import encode_srgb
+
+if TYPE_CHECKING:
+    from swifttailor.garment.garment import Garment
+
+STEP = 1.3
+"""Distance of the points of a patch, cm."""
+_LIFT = {"cloth": 0.30, "dark": 0.42, "metal": 0.36}
+"""How far pieces lie above the cloth, cm."""
+_BUTTON_LIFT, _BUTTON_HEIGHT = 0.34, 0.22
+_ROUND = 16
+_BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
+_TAIL, _KNOT = 26.0, 2.2
+_MOST_AT_ONCE = 4_000_000
+
+
+@dataclass(frozen=True, eq=False)
+class TrimMesh:
+    """One piece of a trim in space."""
+
+    trim: str
+    """A name of `pattern.trims.TRIMS`."""
+    look: str
+    """``cloth``, ``dark``, ``metal``, ``button`` or ``leather``."""
+    vertices: Floats
+    """(n, 3) cm."""
+    faces: Ints
+    """(f, 3)."""
+    lines: Ints
+    """(k, 2) edges that show: of what is sewn on, its border."""
+    cloth_at: Floats | None = None
+    """(f, 3, 2) where on the cloth the corners of the faces lie, cm, so that prints run on over pockets; None
+    of what is not of the garment's cloth, or goes around it."""
+
+
+@dataclass(frozen=True, eq=False)
+class TrimPart:
+    """What is put on the cloth in one place and one colour: pockets, buttons, a belt."""
+
+    name: str
+    vertices: Array
+    """(n, 3) cm."""
+    faces: Array
+    """(m, 3) vertex indices."""
+    color: str
+    """``#rrggbb``."""
+
+
+def trim_meshes(garment: Garment) -> list[TrimMesh]:
+    """The trims that the garment's pattern names; none where it names none."""
+    pattern = garment.pattern
+    if not pattern.trims:
+        return []
+    found = []
+    for piece in place_trims(pattern):
+        if isinstance(piece, Belt):
+            found += _belt(garment, piece)
+        elif isinstance(piece, Button):
+            found.append(_button(garment, piece))
+        else:
+            found.append(_patch(garment, piece))
+    return found
+
+
+def trim_parts(garment: Garment) -> tuple[TrimPart, ...]:
+    """The same, joined where trim and colour are one: what files hold."""
+    joined: dict[tuple[str, str], list[TrimMesh]] = {}
+    for mesh in trim_meshes(garment):
+        joined.setdefault((mesh.trim, mesh.look), []).append(mesh)
+    parts = []
+    for (trim, look), meshes in joined.items():
+        first = np.cumsum([0, *[len(mesh.vertices) for mesh in meshes]])
+        parts.append(
+            TrimPart(
+                f"{trim} ({look})",
+                np.concatenate([mesh.vertices for mesh in meshes]),
+                np.concatenate([mesh.faces + start for mesh, start in zip(meshes, first[:-1], strict=True)]),
+                "#" + "".join(f"{part:02x}" for part in encode_srgb(trim_color(garment, look))),
+            )
+        )
+    return tuple(parts)
+
+
+def _patch(garment: Garment, patch: Patch) -> TrimMesh:
+    """A ruled piece: its points lifted off the cloth, its border brought down to it."""
+    lengths = np.linalg.norm(np.diff(patch.first, axis=0), axis=1)
+    along = np.concatenate(
+        [
+            np.linspace(k, k + 1, max(int(np.ceil(length / STEP)), 1), endpoint=False)
+            for k, length in enumerate(lengths)
+        ]
+        + [[float(len(lengths))]]
+    )
+    first, second = (_at(line, along) for line in (patch.first, patch.second))
+    across = max(int(np.ceil(np.linalg.norm(second - first, axis=1).max() / STEP)), 1)
+    share = np.linspace(0, 1, across + 1)[:, None, None]
+    flat = (1 - share) * first + share * second
+    rows, columns = flat.shape[:2]
+    points, normals, places = _on_cloth(garment, patch.panel, flat.reshape(-1, 2))
+    lift = _LIFT[patch.look]
+    count = rows * columns
+    grid = np.arange(count).reshape(rows, columns)
+    ring = np.concatenate([grid[0, :-1], grid[:-1, -1], grid[-1, :0:-1], grid[:0:-1, 0]])
+    vertices = np.concatenate([points + lift * normals, points[ring]])
+    low = count + np.arange(len(ring))
+    quads = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=-1).reshape(-1, 4)
+    walls = np.stack([ring, low, np.roll(low, -1), np.roll(ring, -1)], axis=-1)
+    quads = np.concatenate([quads, walls])
+    border = np.stack([ring, np.roll(ring, -1)], axis=1) if patch.look == "cloth" else np.zeros((0, 2), int)
+    faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    faces = _outward(vertices, faces, normals, points)
+    at = np.concatenate([places, places[ring]])[faces] if patch.look == "cloth" else None
+    return TrimMesh(patch.trim, patch.look, vertices, faces, border, at)
+
+
+def _button(garment: Garment, button: Button) -> TrimMesh:
+    """A flat dome."""
+    at, normal, _ = (each[0] for each in _on_cloth(garment, button.panel, np.array([button.at])))
+    u, v = _beside(normal)
+    angle = np.arange(_ROUND) * (2 * np.pi / _ROUND)
+    circle = np.cos(angle)[:, None] * u + np.sin(angle)[:, None] * v
+    middle = at + _BUTTON_LIFT * normal
+    low, high = (
+        middle + button.radius * circle,
+        middle + 0.8 * button.radius * circle + _BUTTON_HEIGHT * normal,
+    )
+    vertices = np.concatenate([low, high, [middle + 0.7 * _BUTTON_HEIGHT * normal]])
+    k, after = np.arange(_ROUND), np.roll(np.arange(_ROUND), -1)
+    top = np.full(_ROUND, 2 * _ROUND)
+    faces = np.concatenate(
+        [
+            np.stack([k, after, after + _ROUND], axis=1),
+            np.stack([k, after + _ROUND, k + _ROUND], axis=1),
+            np.stack([k + _ROUND, after + _ROUND, top], axis=1),
+        ]
+    )
+    return TrimMesh(
+        button.trim, "button", vertices, faces.astype(np.int32), np.stack([k, after], axis=1).astype(np.int32)
+    )
+
+
+def _belt(garment: Garment, belt: Belt) -> list[TrimMesh]:
+    """A band stretched around the cloth at its height, with what closes it in front."""
+    heights = belt.height + belt.width * np.array([-0.5, 0.0, 0.5])
+    rings = [_around(garment, height) for height in heights]
+    if any(ring is None for ring in rings):
+        return []
+    rows = [ring for ring in rings if ring is not None]
+    vertices = np.concatenate(
+        [
+            np.stack([row[:, 0], np.full(len(row), y), row[:, 1]], axis=1)
+            for row, y in zip(rows, heights, strict=True)
+        ]
+    )
+    grid = np.arange(len(vertices)).reshape(len(rows), -1)
+    after = np.roll(grid, -1, axis=1)
+    quads = np.stack([grid[:-1], grid[1:], after[1:], after[:-1]], axis=-1).reshape(-1, 4)
+    faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]).astype(np.int32)
+    edges = np.concatenate([np.stack([row, np.roll(row, -1)], axis=1) for row in (grid[0], grid[-1])])
+    look = "leather" if belt.trim == "buckle belt" else "cloth"
+    band = TrimMesh(belt.trim, look, vertices, faces, edges)
+    front = vertices[grid[1, np.argmax(rows[1][:, 1])]]
+    if belt.trim == "buckle belt":
+        return [band, _buckle(belt, front)]
+    return [band, *_knot(garment, belt, front)]
+
+
+def _buckle(belt: Belt, front: Array) -> TrimMesh:
+    """A frame in the middle of the front."""
+    half = np.array([0.62, 0.62]) * belt.width
+    corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * half
+    flat = np.concatenate([corners, 0.72 * corners])
+    vertices = np.stack([flat[:, 0], front[1] + flat[:, 1], np.full(8, front[2] + 0.35)], axis=1)
+    k, after = np.arange(4), np.roll(np.arange(4), -1)
+    faces = np.concatenate([np.stack([k, after, after + 4], axis=1), np.stack([k, after + 4, k + 4], axis=1)])
+    return TrimMesh(
+        belt.trim, "metal", vertices, faces.astype(np.int32), np.stack([k, after], axis=1).astype(np.int32)
+    )
+
+
+def _knot(garment: Garment, belt: Belt, front: Array) -> list[TrimMesh]:
+    """A knot, and two ends that hang from it before the cloth."""
+    pieces = []
+    for side, length in ((-1, 1.0), (1, 0.88)):
+        drops = np.linspace(0.0, length * _TAIL * belt.width / 4.5, 12)
+        middle = front[0] + side * (0.6 + 0.09 * drops)
+        half = 0.36 * belt.width
+        sides = np.stack([middle - half, middle + half], axis=1)
+        depth = np.array(
+            [_front_of(garment, x, front[1] - drop) for x, drop in zip(middle, drops, strict=True)]
+        )
+        depth = np.maximum(np.nan_to_num(depth, nan=-np.inf), front[2] - 0.10 * drops) + 0.45
+        vertices = np.stack(
+            [
+                sides,
+                np.broadcast_to((front[1] - drops)[:, None], sides.shape),
+                np.broadcast_to(depth[:, None], sides.shape),
+            ],
+            axis=-1,
+        ).reshape(-1, 3)
+        k = 2 * np.arange(len(drops) - 1)
+        faces = np.concatenate([np.stack([k, k + 2, k + 3], axis=1), np.stack([k, k + 3, k + 1], axis=1)])
+        edges = np.concatenate(
+            [np.stack([k, k + 2], axis=1), np.stack([k + 1, k + 3], axis=1), [[k[-1] + 2, k[-1] + 3]]]
+        )
+        pieces.append(TrimMesh(belt.trim, "cloth", vertices, faces.astype(np.int32), edges))
+    knot = _ball(front + np.array([0.0, 0.0, 0.5]), (0.42 * _KNOT, 0.5 * belt.width, 0.55))
+    return [*pieces, TrimMesh(belt.trim, "cloth", *knot, np.zeros((0, 2), int))]
+
+
+def _ball(middle: Array, radii: tuple[float, float, float]) -> tuple[Floats, Ints]:
+    """A coarse ellipsoid."""
+    up, around = np.linspace(-np.pi / 2, np.pi / 2, 7), np.arange(_ROUND) * (2 * np.pi / _ROUND)
+    a, b = np.meshgrid(up, around, indexing="ij")
+    points = np.stack([np.cos(a) * np.sin(b), np.sin(a), np.cos(a) * np.cos(b)], axis=-1)
+    vertices = middle + points.reshape(-1, 3) * radii
+    grid = np.arange(len(vertices)).reshape(a.shape)
+    after = np.roll(grid, -1, axis=1)
+    quads = np.stack([grid[:-1], after[:-1], after[1:], grid[1:]], axis=-1).reshape(-1, 4)
+    return vertices, np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]).astype(np.int32)
+
+
+def _around(garment: Garment, height: float) -> Array | None:
+    """(`_BELT_SIDES`, 2) x and z of what is stretched around the cloth of the trunk at a height."""
+    trunk = np.array([body_region(panel.name, panel.label) != "arm" for panel in garment.pattern.panels])
+    flat = trunk[garment.mesh.flat_panel]
+    points = garment.flat_positions[flat]
+    near = points[np.abs(points[:, 1] - height) <= _BELT_REACH][:, [0, 2]]
+    if len(near) < 8:
+        return None
+    try:
+        hull = ConvexHull(near)
+    except QhullError:
+        return None
+    middle = near[hull.vertices].mean(axis=0)
+    angle = np.arange(_BELT_SIDES) * (2 * np.pi / _BELT_SIDES)
+    ways = np.stack([np.sin(angle), np.cos(angle)], axis=1)
+    along = ways @ hull.equations[:, :2].T
+    room = -(hull.equations[:, :2] @ middle + hull.equations[:, 2])
+    reach = np.where(along > 1e-9, room / np.where(along > 1e-9, along, 1.0), np.inf).min(axis=1)
+    return middle + (reach + _BELT_LIFT)[:, None] * ways
+
+
+def _front_of(garment: Garment, x: float, y: float) -> float:
+    """The z of the foremost vertex near a place, NaN where there is none."""
+    away = np.abs(garment.vertices[:, :2] - (x, y)).max(axis=1)
+    near = away < 2.0
+    return float(garment.vertices[near, 2].max()) if near.any() else float("nan")
+
+
+def _on_cloth(garment: Garment, panel: str, flat: Array) -> tuple[Floats, Floats, Floats]:
+    """Points (n, 3), normals (n, 3) and places on the cloth (n, 2) at panel-local points (n, 2).
+
+    Where the cloth does not reach, the nearest that there is.
+    """
+    mesh = garment.mesh
+    of_panel = np.flatnonzero(mesh.face_panel == mesh.pattern.panel_index(panel))
+    corners = mesh.flat_vertices[mesh.flat_faces[of_panel]]
+    origin, one, other = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    area = one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
+    weights = np.zeros((len(flat), 3))
+    face = np.zeros(len(flat), int)
+    at_once = max(_MOST_AT_ONCE // max(len(of_panel), 1), 1)
+    for first in range(0, len(flat), at_once):
+        part = slice(first, first + at_once)
+        away = flat[part, None] - origin
+        b = (away[..., 0] * other[:, 1] - away[..., 1] * other[:, 0]) / area
+        c = (one[:, 0] * away[..., 1] - one[:, 1] * away[..., 0]) / area
+        least = np.minimum(np.minimum(b, c), 1 - b - c)
+        best = least.argmax(axis=1)
+        rows = np.arange(len(best))
+        inside = np.stack([1 - b[rows, best] - c[rows, best], b[rows, best], c[rows, best]], axis=1)
+        inside = np.maximum(inside, 0.0)
+        weights[part], face[part] = inside / inside.sum(axis=1, keepdims=True), of_panel[best]
+    welded = mesh.faces[face]
+    points = np.einsum("nk,nkc->nc", weights, garment.vertices[welded])
+    normals = np.einsum("nk,nkc->nc", weights, garment.vertex_normals[welded])
+    places = np.einsum("nk,nkc->nc", weights, flat_places(garment)[mesh.flat_faces[face]])
+    return points, normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9), places
+
+
+def _at(line: Array, along: Array) -> Array:
+    """Points (m, 2) of a polyline (n, 2) at positions counted in its points."""
+    places = np.arange(len(line))
+    return np.stack([np.interp(along, places, line[:, k]) for k in range(2)], axis=1)
+
+
+def _beside(normal: Array) -> tuple[Array, Array]:
+    """Two unit vectors at right angles to a normal and to each other, so that the three are right-handed."""
+    helper = np.array([0.0, 1.0, 0.0]) if abs(normal[1]) < 0.9 else np.array([1.0, 0.0, 0.0])
+    u = np.cross(helper, normal)
+    u /= np.linalg.norm(u)
+    return u, np.cross(normal, u)
+
+
+def _outward(vertices: Array, faces: Array, normals: Array, points: Array) -> Ints:
+    """The faces wound so that the patch faces away from the cloth."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    across = np.cross(b - a, c - a)
+    inner = faces.max(axis=1) < len(points)
+    facing = np.einsum("nc,nc->n", across[inner], normals[faces[inner, 0]]).sum()
+    return (faces if facing >= 0 else faces[:, ::-1]).astype(np.int32)

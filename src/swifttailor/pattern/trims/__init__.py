@@ -1,0 +1,17 @@
+"""Pockets, buttons, zips and belts: what is put on a garment and holds no panels together."""
+
+from swifttailor.pattern.trims.names import LIKE_EACH_OTHER, TRIMS, trims_read
+from swifttailor.pattern.trims.placing import place_trims, trims_that_fit
+from swifttailor.pattern.trims.shapes import Belt, Button, Patch, Trim
+
+__all__ = [
+    "LIKE_EACH_OTHER",
+    "TRIMS",
+    "Belt",
+    "Button",
+    "Patch",
+    "Trim",
+    "place_trims",
+    "trims_read",
+    "trims_that_fit",
+]

@@ -1,0 +1,113 @@
+"""A panel as it stands before draping, seen from the front: where trims are measured off."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from swifttailor.arrays import Floats
+from swifttailor.pattern.panel import Panel
+from swifttailor.pattern.pattern import EdgeRef, Pattern
+
+_FACING = 0.5
+"""Least determinant of a panel's turn that is seen from the front; sleeves' hoods stand edge on."""
+_MARGIN = 0.4
+"""Trims stay so far inside of what their panel covers, cm."""
+_STEEP = 2.0
+"""An edge that rises so many times as far as it goes aside runs down the front."""
+_MIDDLE = 3.0
+"""Edges in the middle are at most so far from it, cm."""
+
+
+@dataclass(frozen=True, eq=False)
+class FrontView:
+    """One panel; x to the wearer's left, y up from the floor, cm."""
+
+    panel: Panel
+
+    @cached_property
+    def outline(self) -> Floats:
+        """(n, 2) its outline in the view."""
+        return self.seen(self.panel.outline(0.05))
+
+    @property
+    def low(self) -> float:
+        """Its lowest height."""
+        return float(self.outline[:, 1].min())
+
+    @property
+    def high(self) -> float:
+        """Its greatest height."""
+        return float(self.outline[:, 1].max())
+
+    @property
+    def faces_front(self) -> bool:
+        """Whether it can be drawn on in this view."""
+        return abs(float(np.linalg.det(self._turn))) >= _FACING
+
+    @cached_property
+    def _turn(self) -> Floats:
+        return self.panel.placement.matrix()[:2, :2]
+
+    def seen(self, points: ArrayLike) -> Floats:
+        """Panel-local points (n, 2) in the view."""
+        return self.panel.to_world(points)[:, :2]
+
+    def local(self, points: ArrayLike) -> Floats:
+        """Points (n, 2) of the view on the panel."""
+        shift = np.asarray(self.panel.placement.translation[:2])
+        return np.linalg.solve(self._turn, (np.asarray(points, float) - shift).T).T
+
+    def span(self, y: float) -> tuple[float, float] | None:
+        """Its smallest and greatest x at a height; None where it does not reach it."""
+        return self._crossed(1, y)
+
+    def column(self, x: float) -> tuple[float, float] | None:
+        """Its smallest and greatest height at distance `x` from the middle; None where it does not reach."""
+        return self._crossed(0, x)
+
+    def _crossed(self, axis: int, at: float) -> tuple[float, float] | None:
+        a, b = self.outline, np.roll(self.outline, -1, axis=0)
+        crossing = ((a[:, axis] - at) * (b[:, axis] - at) <= 0) & (a[:, axis] != b[:, axis])
+        if not crossing.any():
+            return None
+        a, b, other = a[crossing], b[crossing], 1 - axis
+        share = (at - a[:, axis]) / (b[:, axis] - a[:, axis])
+        found = a[:, other] + share * (b[:, other] - a[:, other])
+        return float(found.min()), float(found.max())
+
+    def holds(self, points: ArrayLike) -> bool:
+        """Whether all points (n, 2) of the view lie on it, the line in the middle included."""
+        for x, y in np.asarray(points, float):
+            span = self.span(y)
+            if span is None or not span[0] - 1e-6 <= x <= span[1] + 1e-6:
+                return False
+            if abs(x) > _MIDDLE and not span[0] + _MARGIN <= x <= span[1] - _MARGIN:
+                return False
+        return True
+
+
+def front_edge(pattern: Pattern) -> tuple[EdgeRef, EdgeRef, float, float] | None:
+    """The seam that joins left and right fronts in the middle.
+
+    Returns:
+        Its uppermost edges on the right and on the left front, and the heights of its lower and upper end,
+        cm; None where there is none.
+    """
+    found: list[tuple[float, float, EdgeRef, EdgeRef]] = []
+    for stitch in pattern.stitches:
+        names = sorted(ref.panel for ref in stitch.sides)
+        if names != ["left_ftorso", "right_ftorso"]:
+            continue
+        right, left = sorted(stitch.sides, key=lambda ref: ref.panel, reverse=True)
+        seen = FrontView(pattern.panel(right.panel)).seen(pattern.panel(right.panel).chord(right.edge))
+        (x0, y0), (x1, y1) = seen
+        if max(abs(x0), abs(x1)) <= _MIDDLE and abs(y1 - y0) >= _STEEP * abs(x1 - x0):
+            found.append((min(y0, y1), max(y0, y1), right, left))
+    if not found:
+        return None
+    top = max(found, key=lambda each: each[1])
+    return top[2], top[3], min(each[0] for each in found), top[1]

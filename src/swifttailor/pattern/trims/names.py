@@ -1,0 +1,58 @@
+"""The trims that a pattern may have, by name, and how its file says them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from swifttailor.errors import PatternError
+
+TRIMS: Mapping[str, str] = {
+    "buttons": "buttons down the front",
+    "button placket": "a front band with buttons",
+    "polo placket": "a short front band with buttons",
+    "double-breasted buttons": "two rows of buttons",
+    "zip": "a zip down the front",
+    "half zip": "a zip from the neck to the chest",
+    "back zip": "a zip down the back",
+    "side zip": "a zip in the left side seam",
+    "fly": "a fly with a button",
+    "chest pocket": "a pocket on the left breast",
+    "chest pockets": "two breast pockets with flaps",
+    "patch pockets": "two patch pockets",
+    "kangaroo pocket": "a pocket across the front",
+    "bib pocket": "a pocket on the bib",
+    "side pockets": "pockets in the side seams",
+    "slant pockets": "slanted front pockets",
+    "back pockets": "two back pockets",
+    "cargo pockets": "pockets with flaps on the thighs",
+    "tie belt": "a belt that is tied",
+    "buckle belt": "a belt with a buckle",
+    "drawstring": "a drawstring at the waist",
+}
+"""By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
+LIKE_EACH_OTHER = (
+    ("buttons", "button placket", "double-breasted buttons", "zip", "polo placket", "half zip"),
+    ("tie belt", "buckle belt", "drawstring"),
+)
+"""Groups of which a garment has one at most."""
+CLOSES_FRONT = LIKE_EACH_OTHER[0][:4]
+"""What closes a front all the way down."""
+
+
+def trims_read(raw: Any) -> tuple[str, ...]:
+    """The trims that a pattern file names under ``properties.trims``.
+
+    Raises:
+        PatternError: It is no list of names of `TRIMS`.
+    """
+    if isinstance(raw, list) and len(raw) <= len(TRIMS) and all(isinstance(name, str) for name in raw):
+        unknown = [name for name in raw if name not in TRIMS]
+        if not unknown:
+            return tuple(dict.fromkeys(raw))
+        raise PatternError(
+            f"properties.trims: there is no trim named {unknown[0][:60]!r}. Accepted are: {', '.join(TRIMS)}."
+        )
+    raise PatternError(
+        f"properties.trims: a list of names was expected, of {', '.join(TRIMS)}. Correct or remove it."
+    )

@@ -1,0 +1,51 @@
+"""Where the trims of a pattern lie on its panels."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from swifttailor.pattern.pattern import Pattern
+from swifttailor.pattern.trims import belts, fastenings, pockets
+from swifttailor.pattern.trims.chalk import Chalk
+from swifttailor.pattern.trims.shapes import Trim
+
+_PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
+    "buttons": fastenings.buttons,
+    "button placket": fastenings.buttons,
+    "polo placket": fastenings.buttons,
+    "double-breasted buttons": fastenings.double_breasted,
+    "zip": fastenings.front_zip,
+    "half zip": fastenings.front_zip,
+    "back zip": fastenings.back_zip,
+    "side zip": fastenings.side_zip,
+    "fly": fastenings.fly,
+    "chest pocket": pockets.chest_pocket,
+    "chest pockets": pockets.chest_pocket,
+    "patch pockets": pockets.patch_pockets,
+    "kangaroo pocket": pockets.kangaroo,
+    "bib pocket": pockets.bib_pocket,
+    "side pockets": pockets.side_pockets,
+    "slant pockets": pockets.slant_pockets,
+    "back pockets": pockets.back_pockets,
+    "cargo pockets": pockets.cargo_pockets,
+    "tie belt": belts.belt,
+    "buckle belt": belts.belt,
+    "drawstring": belts.drawstring,
+}
+"""How each of `names.TRIMS` is marked."""
+
+
+def place_trims(pattern: Pattern) -> tuple[Trim, ...]:
+    """Where the trims that a pattern names lie; those that find no place are left out.
+
+    Everything is measured off on the panels as they stand before draping, so that it follows whatever they
+    are cut to.
+    """
+    chalk = Chalk(pattern)
+    return tuple([piece for name in pattern.trims for piece in _PLACES[name](chalk, name)])
+
+
+def trims_that_fit(pattern: Pattern, names: Sequence[str]) -> tuple[str, ...]:
+    """Those of the trims that find a place on a pattern, in their order."""
+    chalk = Chalk(pattern)
+    return tuple([name for name in names if _PLACES[name](chalk, name)])

@@ -1,0 +1,58 @@
+"""What a trim is made of: pieces that lie on panels, buttons, and a belt around the body."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from swifttailor.arrays import Floats
+
+Look = Literal["cloth", "dark", "metal"]
+
+
+@dataclass(frozen=True, eq=False)
+class Patch:
+    """A piece that lies on a panel, between two lines with as many points each."""
+
+    trim: str
+    panel: str
+    first: Floats
+    """(n, 2) panel-local cm."""
+    second: Floats
+    """(n, 2) panel-local cm; what lies between corresponding points is covered."""
+    look: Look = "cloth"
+    is_cut: bool = True
+    """Whether it is cut of cloth and sewn on; otherwise it is a line of stitches or an opening."""
+
+    @property
+    def outline(self) -> Floats:
+        """(2 n, 2) its corners in order, panel-local cm."""
+        import numpy as np
+
+        return np.concatenate([self.first, self.second[::-1]])
+
+
+@dataclass(frozen=True)
+class Button:
+    """A button on a panel."""
+
+    trim: str
+    panel: str
+    at: tuple[float, float]
+    """Its middle, panel-local cm."""
+    radius: float
+    """cm."""
+
+
+@dataclass(frozen=True)
+class Belt:
+    """A band around the body."""
+
+    trim: str
+    height: float
+    """Of its middle above the floor, cm."""
+    width: float
+    """cm."""
+
+
+Trim = Patch | Button | Belt

@@ -1,0 +1,62 @@
+"""Puts on a pattern what its text asks for and no panel is cut for: pockets, buttons, zips, belts."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from swifttailor.pattern import Pattern
+from swifttailor.pattern.trims import LIKE_EACH_OTHER, trims_that_fit
+from swifttailor.pattern.trims.names import CLOSES_FRONT
+from swifttailor.tailor.answer import Answer
+from swifttailor.wishes.heard import Heard
+from swifttailor.wishes.trims_wanted import TRIMS_OF, refused_trims, trims_wanted
+
+_CLOSED_BY_IT = ("open_front", "hooks")
+"""What a front that is buttoned or zipped no longer lacks, where only a name means it."""
+
+
+def trimmed(answer: Answer) -> Answer:
+    """The answer with the trims that its text asks for and those that names of garments mean.
+
+    What found a place is no longer lacking. A pattern to edit keeps its own, and of what its instruction
+    speaks of only what it says is put on.
+    """
+    wanted = answer.wanted
+    if wanted is None:
+        return answer
+    edit = wanted.order.edit
+    trims, heard = _put_on(answer.pattern, wanted.heard, answer.draft, () if edit is None else edit.trims)
+    before = answer.pattern.trims if edit is None else edit.trims
+    if trims == answer.pattern.trims and heard is wanted.heard:
+        return answer
+    put_on = tuple([name for name in trims if name not in before])
+    taken_off = tuple([name for name in before if name not in trims])
+    pattern = replace(answer.pattern, trims=trims)
+    wanted = replace(wanted, heard=heard)
+    return replace(answer, pattern=pattern, wanted=wanted, put_on=put_on, taken_off=taken_off)
+
+
+def _put_on(
+    pattern: Pattern, heard: Heard, draft: str, own: tuple[str, ...]
+) -> tuple[tuple[str, ...], Heard]:
+    refused = refused_trims(heard)
+    trims = [name for name in own if name not in refused]
+    made = set()
+    for wish in sorted(trims_wanted(heard, draft), key=lambda wish: not wish.said):
+        for choice in wish.choices:
+            taken = {each for group in LIKE_EACH_OTHER for each in group if not set(group).isdisjoint(trims)}
+            free = [name for name in choice if name in trims or (name not in taken and name not in refused)]
+            if len(free) == len(choice) and set(trims_that_fit(pattern, choice)) == set(choice):
+                trims += [name for name in choice if name not in trims]
+                made.add(wish.what)
+                break
+    made |= {what for what, names in TRIMS_OF.items() if refused and refused.issuperset(names)}
+    closed = any(name in CLOSES_FRONT for name in trims)
+    lacks = tuple(
+        [
+            lack
+            for lack in heard.lacks
+            if lack.what not in made and not (closed and not lack.said and lack.what in _CLOSED_BY_IT)
+        ]
+    )
+    return tuple(trims), heard if lacks == heard.lacks else replace(heard, lacks=lacks)
