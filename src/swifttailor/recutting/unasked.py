@@ -39,6 +39,8 @@ _TOGETHER = {
     "legs": {"hem", "skirt"},
 }
 """What cannot but change with a part: armholes are seen without sleeves, a hem widens with its length."""
+_WITH_HEMS = frozenset({"kind", "top width"})
+"""What cannot but change with a hem: fronts that overlap or flare are narrower higher up."""
 KEPT_CM = 1.0
 """What is told to stay may move by so much, and what is cut back comes so near to what it was."""
 _EVERYTHING = frozenset({"kind", "sides"})
@@ -116,7 +118,7 @@ def unasked(
 def _may_change(subject: str, parts: frozenset[str]) -> bool:
     if subject == "sides":
         return "sides" in parts
-    return part_of(subject) in parts or (subject == "kind" and "hem" in parts)
+    return part_of(subject) in parts or (subject in _WITH_HEMS and "hem" in parts)
 
 
 def undoing(changes: Sequence[Change], before: GarmentFacts) -> list[Change]:
