@@ -8,7 +8,7 @@ import numpy as np
 
 from swifttailor.pattern import Panel, Pattern
 from swifttailor.pattern.panel import Edge
-from swifttailor.pattern.tidying.symmetry import between, distance, reflected, self_reflection
+from swifttailor.pattern.tidying.symmetry import between, distance, reflected, same_kinds, self_reflection
 
 ALIKE_CM = 0.05
 _MOST_COMPARED = 80
@@ -59,12 +59,15 @@ def made_alike(pattern: Pattern, likeness: Likeness) -> Pattern:
     """
     panels = list(pattern.panels)
     for i, j in likeness.pairs:
-        mean = between(panels[i], reflected(panels[j], panels[i].name))
+        image = reflected(panels[j], panels[i].name)
+        if not same_kinds(panels[i], image):  # one side's curve was fitted by a line
+            continue
+        mean = between(panels[i], image)
         x, y, z = (
             (a + b) / 2
             for a, b in zip(
                 panels[i].placement.translation,
-                reflected(panels[j], panels[i].name).placement.translation,
+                image.placement.translation,
                 strict=True,
             )
         )
@@ -92,5 +95,8 @@ def _even(panel: Panel, shift: int) -> Panel:
     count = len(panel.edges)
     others = panel.vertices[[(shift - k) % count for k in range(count)]]
     axis = float((panel.vertices[:, 0] + others[:, 0]).mean() / 2)
-    mean = between(panel, Reflection(shift, axis, 0.0).image(panel))
+    image = Reflection(shift, axis, 0.0).image(panel)
+    if not same_kinds(panel, image):
+        return panel
+    mean = between(panel, image)
     return replace(mean, edges=_labelled(mean, panel))

@@ -56,7 +56,8 @@ _SHAPED = ("t-shirt", "tank-top", "turtleneck")
 _CLOSE_CM, _SHAPING_CM = 3.0, 3.0
 """Of close tops: room on top of the bust girth, and how far each side bends in at the waist."""
 _SHORT = ("cap", "short", "elbow")
-_GATHERED_SKIRT = Claim("skirt", "gathered")
+_GATHERED_SKIRT, _GATHERS = Claim("skirt", "gathered"), 2.0
+"""What a shirt dress is asked for, and the width of its skirt over the waist then."""
 _DEPTHS = frozenset({"neck_depth", "neck_depth_cm", "collar", "hood"})
 _V_NECKED = (
     "t-shirt",
@@ -143,6 +144,8 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft = NamedDraft("fitted-skirt", (("flare", 6.0),))
     if draft.name == "circle-skirt" and _GATHERED_SKIRT in claims:
         draft = NamedDraft("gathered-skirt", tuple([o for o in draft.options if o[0] == "length"]))
+    if draft.name == "shirt-dress" and _GATHERED_SKIRT in claims:
+        draft = replace(draft, options=tuple({**dict(draft.options), "gathers": _GATHERS}.items()))
     if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
         draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
     draft = held_as_asked(_hanging_loose(_close(draft, claims), claims), claims)

@@ -20,9 +20,9 @@ from swifttailor.wishes.kind_of_details import with_one_band, within_the_name, w
 from swifttailor.wishes.lexicon_spelling import guessed_name
 from swifttailor.wishes.long_names import against_names, hangs_so, is_against_phrase, is_long_name
 from swifttailor.wishes.mentions import find_mentions
-from swifttailor.wishes.one_arm import of_one_arm, of_two_arms
+from swifttailor.wishes.one_arm import of_one_arm, of_two_arms, with_both_arms
 from swifttailor.wishes.reader import SURE, Wish, WishReader
-from swifttailor.wishes.sayings_of_wishes import plainly_wished
+from swifttailor.wishes.sayings_of_wishes import plainly_wished, without_asides
 from swifttailor.wishes.spoken_faces import spoken_faces
 from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
 from swifttailor.wishes.spoken_measures import SpokenMeasure, same_number, spoken_measures
@@ -80,7 +80,7 @@ def _is_named(heard: Heard) -> bool:
 
 
 def _heard_description(text: str, reader: WishReader) -> Heard:
-    text, words = text_as_read(text)
+    text, words = text_as_read(without_asides(text))
     own, before = text, words
     if (plain := plainly_wished(text)) != text:
         text, words = plain, read_words(plain)
@@ -141,6 +141,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         for w in found
     ):
         found = (*found, Wish(Gain(Claim("sleeves", "short")), SURENESS["usual"]))
+    if words.language == ENGLISH:
+        found = with_both_arms(text, found)
     found = of_two_arms(of_one_arm(found))
     changes = _changes(found)
     slits = len([c for c in changes if isinstance(c, Gain) and c.claim.name == "slit"])

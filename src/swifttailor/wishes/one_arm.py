@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
@@ -34,6 +35,41 @@ def of_one_arm(found: Iterable[Wish]) -> tuple[Wish, ...]:
         for change in (only, Gain(Claim(f"{side}_sleeve", claim.value))):
             kept.setdefault(change, replace(wish, change=change))
     return tuple(kept.values())
+
+
+_BESIDE = re.compile(
+    r"(?<!\w)(?:one|single|only|left|right|other|missing|bare|uneven|unequal|asymmetric\w*|different|odd)"
+    r"(?!\w)[^.;,]{0,40}?(?:sleeve|arm(?!hole)|shoulder)"
+    r"|(?:sleeve|(?<!\w)arm(?!hole)|shoulder)[^.;,]{0,40}?(?<!\w)(?:one|single|only|left|right|other|missing|bare"
+    r"|uneven|unequal|asymmetric\w*|different|odd)(?!\w)|(?<!\w)(?:one|single)(?:\W\w+){0,4}\W(?:sleeve|arm)",
+    re.IGNORECASE,
+)
+_IN_ONE = re.compile(
+    r"(?<!\w)in (?:one|a single)(?: piece)?(?: with)?(?!\w)|(?<!\w)one[ -]piece(?!\w)", re.IGNORECASE
+)
+
+
+def with_both_arms(text: str, found: Iterable[Wish]) -> tuple[Wish, ...]:
+    """The same wishes, those about one arm as wishes about both, where no word of a text tells sides apart.
+
+    A network takes "a kimono sleeve cut in one with the body" for the only one.
+
+    Args:
+        text: In English.
+        found: What is read in it.
+    """
+    found = tuple(found)
+    if _BESIDE.search(_IN_ONE.sub(" ", text)):
+        return found
+    both: dict[Change, Wish] = {}
+    for wish in found:
+        claim = wish.change.claim if isinstance(wish.change, Gain) else None
+        if claim in (_LEFT, _RIGHT):
+            continue
+        if claim is not None and claim.name in ("left_sleeve", "right_sleeve"):
+            wish = replace(wish, change=Gain(Claim("sleeves", claim.value)))
+        both.setdefault(wish.change, wish)
+    return tuple(both.values())
 
 
 def of_two_arms(found: Iterable[Wish]) -> tuple[Wish, ...]:

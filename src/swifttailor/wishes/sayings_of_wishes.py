@@ -11,7 +11,7 @@ import re
 from functools import cache
 from pathlib import Path
 
-from swifttailor.wishes.sayings_table import Saying, read_sayings
+from swifttailor.wishes.sayings_table import SayingsTable, read_sayings
 
 _TABLE = Path(__file__).with_name("sayings_of_wishes.txt")
 
@@ -22,12 +22,26 @@ def plainly_wished(text: str) -> str:
     Args:
         text: In any case.
     """
-    for saying in _sayings():
+    for saying in _table().sayings:
+        if saying.pattern.search(text.lower()):
+            text = re.sub(saying.pattern.pattern, saying.plain, text, flags=re.IGNORECASE)
+    return text
+
+
+def without_asides(text: str) -> str:
+    """A text in which words of the cut that mean none are put plainly: "elbow room", "knee patches".
+
+    No network sees them: each would take them for sleeves to the elbow.
+
+    Args:
+        text: In any case.
+    """
+    for saying in _table().asides:
         if saying.pattern.search(text.lower()):
             text = re.sub(saying.pattern.pattern, saying.plain, text, flags=re.IGNORECASE)
     return text
 
 
 @cache
-def _sayings() -> tuple[Saying, ...]:
-    return read_sayings(_TABLE).sayings
+def _table() -> SayingsTable:
+    return read_sayings(_TABLE)

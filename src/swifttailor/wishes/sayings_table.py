@@ -10,7 +10,7 @@ from typing import NoReturn
 
 from swifttailor.errors import InputError
 
-_PARTS, _SAYINGS, _RULES = "parts of patterns", "sayings", "rules"
+_PARTS, _SAYINGS, _RULES, _ASIDES = "parts of patterns", "sayings", "rules", "asides"
 _NAMED = re.compile(r"\{([a-z_]+)\}")
 _NOTHING = "-"
 
@@ -32,6 +32,8 @@ class SayingsTable:
     sayings: tuple[Saying, ...]
     rules: Mapping[str, re.Pattern[str]]
     """Patterns that are used by their names."""
+    asides: tuple[Saying, ...] = ()
+    """What is put plainly before anything else is read: words of the cut that mean none there."""
 
 
 def read_sayings(path: Path) -> SayingsTable:
@@ -50,6 +52,7 @@ def read_sayings(path: Path) -> SayingsTable:
     parts: dict[str, str] = {}
     rules: dict[str, re.Pattern[str]] = {}
     sayings: list[Saying] = []
+    asides: list[Saying] = []
     section, head = "", ""
 
     def wrong(number: int, what: str) -> NoReturn:
@@ -61,8 +64,9 @@ def read_sayings(path: Path) -> SayingsTable:
             continue
         if line.startswith("[") and line.endswith("]"):
             section, head = line[1:-1], ""
-            if section not in (_PARTS, _SAYINGS, _RULES):
-                wrong(number, f"there is no section '{section}'. Known: {_PARTS}, {_SAYINGS}, {_RULES}.")
+            known = (_PARTS, _SAYINGS, _RULES, _ASIDES)
+            if section not in known:
+                wrong(number, f"there is no section '{section}'. Known: {', '.join(known)}.")
         elif not line.startswith(" "):
             head = said
         elif not head:
@@ -83,5 +87,6 @@ def read_sayings(path: Path) -> SayingsTable:
             else:
                 plain, _, kinds = head.partition("  of:")
                 plain = "" if plain == _NOTHING else plain
-                sayings.append(Saying(pattern, plain, frozenset(kinds.split(",")) - {""}))
-    return SayingsTable(tuple(sayings), rules)
+                saying = Saying(pattern, plain, frozenset(kinds.split(",")) - {""})
+                (asides if section == _ASIDES else sayings).append(saying)
+    return SayingsTable(tuple(sayings), rules, tuple(asides))

@@ -103,13 +103,18 @@ def _farthest(points: Floats, others: Floats, axis: float) -> float:
 
 def distance(one: Panel, other: Panel) -> float | None:
     """How far outlines are from each other at most, edge by edge, cm; None where kinds of edges differ."""
-    if [type(e.curve) for e in one.edges] != [type(e.curve) for e in other.edges]:
+    if not same_kinds(one, other):
         return None
     gaps = [
         np.linalg.norm(one.sample_edge(k, _SAMPLES) - other.sample_edge(k, _SAMPLES), axis=1).max()
         for k in range(len(one.edges))
     ]
     return float(max(gaps))
+
+
+def same_kinds(one: Panel, other: Panel) -> bool:
+    """Whether two panels have edges of the same kinds in the same order."""
+    return [type(e.curve) for e in one.edges] == [type(e.curve) for e in other.edges]
 
 
 def between(one: Panel, other: Panel) -> Panel:

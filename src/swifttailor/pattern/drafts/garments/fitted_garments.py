@@ -12,10 +12,9 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.fitted_bodice import FittedBodice, lay_fitted_bodice
 from swifttailor.pattern.drafts.fitted_skirt import FittedSkirt, lay_fitted_skirt
-from swifttailor.pattern.drafts.flared_skirt import SHORTEST_FLOUNCE, lay_flared_skirt, lay_flounce
+from swifttailor.pattern.drafts.flared_skirt import SHORTEST_FLOUNCE, lay_flounce
 from swifttailor.pattern.drafts.joins import (
     SKIRT_HALVES,
-    SKIRT_WHOLE,
     sew_skirt_to_bodice,
     sew_trousers_to_bodice,
 )
@@ -126,6 +125,7 @@ class ShirtDressOptions:
     waist_ease: declared.WaistEase = 7.0
     skirt_length: declared.SkirtLength = 62.0
     skirt_fraction: declared.CircleFraction = 0.5
+    gathers: declared.SkirtGathers = 1.0
     neckline: declared.NeckShapeOption = "v"
     neck_widening: declared.NeckWidening = 1.0
     neck_depth: declared.NeckDepth = 15.0
@@ -166,8 +166,8 @@ def draft_shirt_dress(options: ShirtDressOptions, measurements: Measurements) ->
     table.mirror()
     sew_centres(table)
     collar.sew(table)
-    lay_flared_skirt(table, waist, options.skirt_length, figure.waist_y - 3.0, options.skirt_fraction)
-    sew_skirt_to_bodice(table, SKIRT_WHOLE)
+    skirt = RoundSkirt(options.skirt_length, options.skirt_fraction, options.gathers)
+    lay_round_skirt(table, figure, skirt, waist)
     return table.finish()
 
 
