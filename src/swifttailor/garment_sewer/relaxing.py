@@ -20,6 +20,7 @@ from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.crumpling import CRUMPLED, smoothed_where_crumpled
 from swifttailor.garment_sewer.layers import layers_lifted, overlapping_vertices
 from swifttailor.garment_sewer.legs_apart import legs_apart
+from swifttailor.garment_sewer.pleats_laid import pleats_laid
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern.check import panel_regions
 from swifttailor.progress import StageProgress
@@ -36,6 +37,8 @@ SLIPPED_CM, UPPERMOST = 2.5, 0.1
 """So far the uppermost tenth of the vertices may fall on average."""
 OVERLAPPING_FRAMES = 24
 """So long fronts fall that overlap."""
+PLEATED_FRAMES = 24
+"""So long pleats fall after they were laid."""
 MORE_CROSSINGS = 0.01
 """So many more, per face, may an edge and a face cross than before: a fold that touches itself is better than
 cloth that is too short all over."""
@@ -76,7 +79,10 @@ def relaxed(
     begun = replace(garment, vertices=layers_lifted(garment, body))
     if overlapping_vertices(garment.mesh):
         frames = OVERLAPPING_FRAMES
-    if crumpled > CRUMPLED:
+    pleated = pleats_laid(begun.mesh, begun.vertices, body)
+    if pleated is not None:
+        begun, frames = replace(begun, vertices=pleated), PLEATED_FRAMES
+    elif crumpled > CRUMPLED:
         frames = max(frames, 2 * CRUMPLED_FRAMES if crumpled > VERY_CRUMPLED else CRUMPLED_FRAMES)
         smooth = _smoothed(begun, body)
     start = begun.vertices if smooth is None else smooth
