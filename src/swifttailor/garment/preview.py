@@ -23,12 +23,15 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
     from swifttailor.body import Body
+    from swifttailor.garment.cloth_print import ClothPrint
     from swifttailor.garment.garment import Garment
 
 _SHEEN = {"silk": 0.22, "denim": 0.06, "twill": 0.08, "leather": 0.16, "polyester": 0.16, "swimwear": 0.16}
 _GLOSS = {"silk": 0.08, "leather": 0.10, "polyester": 0.04, "swimwear": 0.05}
 """Of cloths that shine otherwise than cotton does."""
 _TRIM_GLOSS = {"metal": 0.25, "button": 0.12, "leather": 0.08}
+_WOVEN, _REPEATS_CM = ("stripes", "checks", "plaid"), 48.0
+"""Prints that go through to the wrong side, and a width over which they repeat."""
 _ON_DARK = -1.3
 """How much lighter seams are than dark cloth, in previews."""
 _put_before = CompiledLoop("swifttailor.render.shading_kernels", "put_before")
@@ -61,8 +64,8 @@ def cloth_surface(
         step = (np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0
         right = base * (0.90 + 0.20 * step)[garment.mesh.face_panel][:, None]
     printed = garment.print if color is None else None
-    if printed is not None:  # its wrong side has the first of its colours
-        base = np.maximum(to_linear(printed.colors[0]), DARKEST)
+    if printed is not None:
+        base = np.maximum(_wrong_side(printed), DARKEST)
     grey = float(base @ GREY)
     inside = 0.78 * (0.75 * base + 0.25 * grey) + 0.002
     drawn = ()
@@ -84,6 +87,14 @@ def cloth_surface(
         print=None if printed is None else printed.drawn(),
         print_at=None if printed is None else cloth_at(garment),
     )
+
+
+def _wrong_side(printed: ClothPrint) -> Array:
+    """(3,) linear light: of what is printed the first colour, of what is woven the mean of all."""
+    if printed.kind not in _WOVEN:
+        return to_linear(printed.colors[0])
+    across = np.linspace(0.0, _REPEATS_CM, 64)
+    return printed.drawn().colors(np.stack(np.meshgrid(across, across), axis=-1).reshape(-1, 2)).mean(axis=0)
 
 
 def trim_surfaces(garment: Garment, color: Color | None = None) -> list[Surface]:

@@ -127,6 +127,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft: As a table names it.
         claims: What is asked for, all of it.
     """
+    draft = _cropped(draft, claims)
     draft = _with_v_neck(_with_hood(_worn_over(draft, claims), claims), claims)
     if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, _SLIT_CM)))
@@ -162,6 +163,38 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     own = _OF_STANDS if stands else _OF_LAPELS
     others = [claim for claim in claims if claim.name in _AT_THE_NECK and claim not in own]
     return None if others else draft
+
+
+_CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
+    **dict.fromkeys(
+        ("denim-jacket", "bomber-jacket", "sweatshirt", "hoodie"),
+        ("chest_ease", {"cropped": -4.0, "waist": 2.0}),
+    ),
+    **dict.fromkeys(
+        ("t-shirt", "shirt", "turtleneck", "tank-top"), ("chest_ease", {"cropped": -5.0, "waist": 0.0})
+    ),
+}
+"""Where the hems of drafts are that are asked to end above the hips, cm below the waist, and their room."""
+_CROPPED_EASE_CM = 12.0
+"""Wider ones stand off where they end."""
+
+
+def _cropped(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A top drafted short: one that is cut off there is as wide at the hem as it was at the chest."""
+    if draft.name == "fitted-top" and any(c.name == "fit" and c.value in _LOOSE_DRESS_CM for c in claims):
+        bare = not any(c.name == "sleeves" and c.value != "none" for c in claims)
+        draft = NamedDraft("tank-top" if bare else "t-shirt", ())
+        claims = [*claims, Claim("top_hem", "cropped")]
+    if draft.name not in _CROPPED:
+        return draft
+    room, lengths = _CROPPED[draft.name]
+    asked = [lengths[str(c.value)] for c in claims if c.name == "top_hem" and str(c.value) in lengths]
+    if not asked:
+        return draft
+    options = {**dict(draft.options), "length": asked[0]}
+    if asked[0] < 0:
+        options[room] = min(float(options.get(room, _CROPPED_EASE_CM)), _CROPPED_EASE_CM)
+    return replace(draft, options=tuple(options.items()))
 
 
 def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

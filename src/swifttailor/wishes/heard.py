@@ -14,6 +14,7 @@ from swifttailor.wishes.drafts_of_names import draft_of_name
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.lexicon_spelling import near_names
 from swifttailor.wishes.reader import Wish
+from swifttailor.wishes.refused_looks import as_not_refused
 from swifttailor.wording.claim_kinds import implied_kind
 from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, foreign_language
 
@@ -32,6 +33,8 @@ _CUT_AS = {"tunic": "top", "shorts": "trousers", "playsuit": "jumpsuit"}
 _COLOR_OF_CLOTH = {"denim": "3b5578"}
 """What a fabric is dyed unless another colour than blue is named."""
 _BLUE = "0000ff"
+_ALIKE = 32
+"""So far apart at most are red, green and blue, of 255, of colours that are called the same."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +71,9 @@ class Heard:
     def color(self) -> str | None:
         """The first colour that it names, ``#rrggbb``, or that a name or a fabric implies: blue jeans."""
         named = self.words.colors if self.words is not None else ()
-        rgb = named[0].rgb if named else next((e.color for e in self._meant if e.color is not None), None)
+        unwanted = self._unwanted_colors
+        meant = (e.color for e in self._meant if e.color is not None and e.color not in unwanted)
+        rgb = named[0].rgb if named else next(meant, None)
         dyed = _COLOR_OF_CLOTH.get(self.cloth or "")
         if rgb is None or (dyed is not None and rgb == _BLUE):
             rgb = dyed or rgb
@@ -109,6 +114,7 @@ class Heard:
         sure = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
         sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else self._likely_bare
         sure += self._standing_necks if not any(claim.name in _NECKS for claim in sure) else []
+        named = [as_not_refused(draft, self.never) for draft in named]
         named = [draft_as_asked(draft, sure) for draft in named]
         if not named and self.kind in (None, "top") and self._tells_no_garment:
             named = [draft_as_asked(_WHATEVER, sure)]
@@ -142,6 +148,15 @@ class Heard:
         """That nothing covers the shoulders, where that is likely: a "fit and flare wedding dress"."""
         likely = [w.change.claim for w in self.likely if isinstance(w.change, Gain)]
         return [claim for claim in likely if claim == _BARE]
+
+    @property
+    def _unwanted_colors(self) -> frozenset[str]:
+        """Colours that it refuses, and such as look like them: a dress for a wedding that is not white."""
+        marks = () if self.words is None else self.words.marks
+        denied = [e.color for mark in marks if mark.denied for e in mark.entries if e.color is not None]
+        known = [e.color for e in self._meant if e.color is not None]
+        alike = [one for one in known for other in denied if _alike(one, other)]
+        return frozenset([*denied, *alike])
 
     @property
     def _tells_no_garment(self) -> bool:
@@ -201,6 +216,12 @@ class Heard:
 _WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
 HEARD_NOTHING = Heard("")
 """Where there is no text."""
+
+
+def _alike(one: str, other: str) -> bool:
+    """Whether two colours (``rrggbb``) are hardly told apart by their names."""
+    apart = [abs(int(one[k : k + 2], 16) - int(other[k : k + 2], 16)) for k in (0, 2, 4)]
+    return max(apart) <= _ALIKE
 
 
 def _names_first(entry: Entry) -> bool:

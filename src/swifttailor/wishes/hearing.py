@@ -142,7 +142,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     ):
         found = (*found, Wish(Gain(Claim("sleeves", "short")), SURENESS["usual"]))
     if words.language == ENGLISH:
-        found = with_both_arms(text, found)
+        found = _without_guesses(with_both_arms(text, found), words)
     found = of_two_arms(of_one_arm(found))
     changes = _changes(found)
     slits = len([c for c in changes if isinstance(c, Gain) and c.claim.name == "slit"])
@@ -312,6 +312,26 @@ _TOPICS = {
     "inseam_cm": "leg_hem",
 }
 """What measures speak of in figures."""
+
+
+def _without_guesses(found: Iterable[Wish], words: WordReading) -> tuple[Wish, ...]:
+    """Without what only a network reads and no word of the text can mean.
+
+    Turned-up ends are no bands, and of the hips of tops nothing is said unless a word names them.
+    """
+    lacking = {lack.what for lack in words.lacks}
+    implied = {i.claim for i in words.implications}
+    kinds = {i.claim.value for i in words.implications if i.claim.name == "kind"}
+    kept = []
+    for wish in found:
+        claim = wish.change.claim if isinstance(wish.change, Gain) else None
+        if claim is not None and claim not in implied:
+            if claim.name in ("leg_cuffs", "leg_cuff_cm") and "turn_ups" in lacking:
+                continue
+            if claim.name == "hips" and kinds == {"top"}:
+                continue
+        kept.append(wish)
+    return tuple(kept)
 
 
 def _is_outdone(wish: Wish, said: Sequence[Claim], never: Sequence[Claim]) -> bool:

@@ -22,6 +22,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "belt": _BELTS,
     "belt_accessory": _BELTS,
     "drawstring": ("drawstring",),
+    "turn_ups": ("turn-ups",),
     "ties": ("tie belt",),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""

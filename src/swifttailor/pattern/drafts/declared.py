@@ -63,7 +63,9 @@ SkirtGathers = Annotated[
 CircleFraction = Annotated[
     float, Option("Part of a full circle that the skirt is cut from.", "circles", 0.3, 1.5)
 ]
-BandedLength = Annotated[float, Option("Hem below the waist, band included.", "cm", 6.0, 50.0)]
+BandedLength = Annotated[
+    float, Option("Hem below the waist, band included; negative ends above it.", "cm", -6.0, 50.0)
+]
 HighNeckWidening = Annotated[
     float, Option("Distance of the neckline from the neck, along the shoulder.", "cm", 1.0, 5.0)
 ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from swifttailor.errors import PatternError
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.outline import Outline, Point
@@ -130,7 +131,14 @@ def lay_trousers(table: CuttingTable, figure: Figure, shape: Trousers, waist: Ha
     lowest = lines.crotch_y - (lines.hem_y if lines.knee_y is None else lines.knee_y) - 2.0
     from scipy.optimize import brentq
 
-    drop = brentq(excess, -6.0, min(lowest, 12.0), xtol=1e-10)
+    most = min(lowest, 12.0)
+    if excess(-6.0) * excess(most) > 0:
+        raise PatternError(
+            f"No legs can be drafted with a front of {waist.front:.0f} cm and a back of {waist.back:.0f} cm "
+            "at the upper edge on half of the body: their inseams would not fit each other. Change the room "
+            "at waist or hips, or the length."
+        )
+    drop = brentq(excess, -6.0, most, xtol=1e-10)
     assert isinstance(drop, float)
     back = back_leg(drop)
     # The legs stand apart so far that the crotch points of both sides do not overlap.

@@ -1,6 +1,8 @@
-"""Belts and cords around the waist, where a tailor would chalk them."""
+"""What goes around: belts and cords at the waist, turned-up leg ends."""
 
 from __future__ import annotations
+
+import numpy as np
 
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Belt, Trim
@@ -32,4 +34,29 @@ def drawstring(chalk: Chalk, name: str) -> list[Trim]:
         top = chalk.top_at(view, x) - 0.2
         ends = [(x, top), (x + sign * 0.6, top - 7 * s), (x + sign * 1.6, top - 14 * s)]
         pieces += chalk.line(name, view.panel.name, ends, width=0.35)
+    return pieces
+
+
+_TURNED_UP = 4.5
+"""Height of turned-up leg ends, cm."""
+
+
+def turn_ups(chalk: Chalk, name: str) -> list[Trim]:
+    """A band of cloth around the end of each leg."""
+    pieces: list[Trim] = []
+    for panel in ("pant_f_l", "pant_b_l", "pant_f_r", "pant_b_r"):
+        view = chalk.views.get(panel)
+        if view is None:
+            return []
+        height = _TURNED_UP * chalk.size
+        rows = [view.span(view.low + share * height) for share in (0.04, 0.35, 0.7, 1.0)]
+        found = [row for row in rows if row is not None]
+        if len(found) < len(rows):
+            return []
+        heights = view.low + height * np.array([0.04, 0.35, 0.7, 1.0])
+        edges = [
+            [(row[side] + inward * 0.05, float(y)) for row, y in zip(found, heights, strict=True)]
+            for side, inward in ((0, 1), (1, -1))
+        ]
+        pieces += chalk.ruled(name, panel, edges[0], edges[1], to_the_edge=True)
     return pieces

@@ -76,11 +76,15 @@ class Chalk:
         look: Look = "cloth",
         *,
         is_cut: bool = True,
+        to_the_edge: bool = False,
     ) -> list[Trim]:
-        """A piece between two lines of the view, with as many points each."""
+        """A piece between two lines of the view, with as many points each, a little inside of its panel.
+
+        With `to_the_edge` it may end where the panel does.
+        """
         view = self.views[panel]
         ends = [np.array(line, float) for line in (first, second)]
-        if not view.holds(np.concatenate(ends)):
+        if not to_the_edge and not view.holds(np.concatenate(ends)):
             return []
         return [Patch(trim, panel, view.local(ends[0]), view.local(ends[1]), look, is_cut)]
 

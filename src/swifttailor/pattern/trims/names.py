@@ -28,6 +28,7 @@ TRIMS: Mapping[str, str] = {
     "cargo pockets": "pockets with flaps on the thighs",
     "tie belt": "a belt that is tied",
     "buckle belt": "a belt with a buckle",
+    "turn-ups": "turned-up leg ends",
     "drawstring": "a drawstring at the waist",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""

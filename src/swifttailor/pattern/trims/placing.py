@@ -30,6 +30,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "cargo pockets": pockets.cargo_pockets,
     "tie belt": belts.belt,
     "buckle belt": belts.belt,
+    "turn-ups": belts.turn_ups,
     "drawstring": belts.drawstring,
 }
 """How each of `names.TRIMS` is marked."""

@@ -10,6 +10,7 @@ import numpy as np
 from swifttailor.describing.measuring.anatomy import Border
 from swifttailor.describing.measuring.parts import LOWER_PARTS, Face, Part
 from swifttailor.describing.measuring.skirts import upper_edges
+from swifttailor.errors import PatternError
 from swifttailor.pattern import EdgeRef, Line, Panel, Pattern, Placement
 from swifttailor.pattern.drafts.bodice import sew_centres
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
@@ -83,7 +84,10 @@ def exchange_lower(cutter: Cutter, new: FlaredCut | StraightCut | LegsCut) -> Pa
     held = {face: [bench.at[r] for r in refs] for face, refs in holder.items()}
     lengths = {face: sum(bench.piece_of(s).length(s) for s in sides) for face, sides in held.items()}
     waist = Halves(lengths["front"] / 2, lengths["back"] / 2)
-    drafted = _draft(cutter, new, waist, _level(bench, held) - (0.0 if alone else _BELOW_CM))
+    try:
+        drafted = _draft(cutter, new, waist, _level(bench, held) - (0.0 if alone else _BELOW_CM))
+    except PatternError:  # no legs fit below a waist that is so uneven
+        return None
     bench.remove(names)
     laid = lay_pattern(bench, drafted)
     if laid is None:

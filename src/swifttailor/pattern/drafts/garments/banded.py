@@ -144,9 +144,15 @@ def draft_hoodie(options: HoodieOptions, measurements: Measurements) -> Pattern:
     return _finished(table, figure, options, sew_hood)
 
 
+_SHORT_BAND_CM = 4.0
+"""Height of the bands of what ends above the waist, at most."""
+
+
 def _band_height(options: BandedOptions) -> float:
     """A band shorter than the torso leaves at least 2 cm of cloth above it."""
-    return min(options.hem_band_height, options.length - 2.0) if options.hem_band else 0.0
+    if not options.hem_band:
+        return 0.0
+    return min(options.hem_band_height, max(options.length - 2.0, _SHORT_BAND_CM))
 
 
 def _lay_left(
@@ -196,7 +202,11 @@ def _finished(
 
 def _sew_hem_band(table: CuttingTable, figure: Figure, options: BandedOptions, height: float) -> None:
     hem = [2 * table.length(f"left_{side}torso.hem") for side in "fb"]
-    body = figure.girth_below_waist(options.length).eased(options.hem_band_ease)
+    body = figure.girth_below_waist(options.length)
+    if options.length < 0:  # towards the bust
+        up = min(-options.length / (figure.bust_y - figure.waist_y), 1.0)
+        body = body.times(1 + up * (figure.bust.girth / figure.waist.girth - 1))
+    body = body.eased(options.hem_band_ease)
     share = min(body.girth / sum(hem), 1.0)
     band = Halves(hem[0] / 2 * share, hem[1] / 2 * share)
     top_y = figure.waist_y - options.length + height - 4.0

@@ -1,0 +1,54 @@
+"""Named drafts without what a text refuses: not clingy, no low back."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts import find_draft
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+
+_INSTEAD: Mapping[Claim, Mapping[str, float]] = {
+    Claim("fit", "close"): {"bust_ease": 11.0, "waist_ease": 10.0},
+    Claim("hips", "close"): {"hip_ease": 11.0},
+    Claim("back_depth", "low"): {"back_neck_depth": 3.5},
+    Claim("back_depth", "open"): {"back_neck_depth": 3.5},
+    Claim("neck_depth", "low"): {"neck_depth": 9.0},
+    Claim("neck_depth", "plunging"): {"neck_depth": 11.0},
+    Claim("legs", "slim"): {"leg_ease": 18.0},
+    Claim("legs", "wide"): {"leg_ease": 16.0, "flare": -4.0},
+}
+"""Options of drafts, in cm, with which they are not so."""
+
+
+_SWIMSUIT = "swimsuit"
+_LOW_BACKS = frozenset({Claim("back_depth", "low"), Claim("back_depth", "open")})
+"""What a swimsuit on straps has, and one cut like a bodysuit has not."""
+
+
+def as_not_refused(draft: NamedDraft, never: Collection[Claim]) -> NamedDraft:
+    """A draft with the options that keep it from being what is refused, where it has such options.
+
+    Args:
+        draft: As a table names it; what that sets stays.
+        never: What the text refuses.
+    """
+    if draft.name == _SWIMSUIT and not _LOW_BACKS.isdisjoint(never):
+        draft = NamedDraft("bodysuit", (("stretch", 8.0), ("sleeves", False), ("neck_depth", 14.0)))
+    wanted = {name: value for claim in never for name, value in _INSTEAD.get(claim, {}).items()}
+    if not wanted:
+        return draft
+    own = {field.name: field.option for field in find_draft(draft.name).options}
+    set_already = {name for name, _ in draft.options}
+    more = []
+    for name, value in wanted.items():
+        if name in own and name not in set_already:
+            low, high = own[name].low, own[name].high
+            more.append(
+                (
+                    name,
+                    min(max(value, low if low is not None else value), high if high is not None else value),
+                )
+            )
+    return replace(draft, options=(*draft.options, *more)) if more else draft
