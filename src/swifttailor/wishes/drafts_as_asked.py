@@ -140,7 +140,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft = _with_stand(draft, claims)
     if draft.name in ("turtleneck", _SWEATSHIRT) and Claim("sleeves", "none") in claims:
         draft = replace(draft, options=tuple({**dict(draft.options), "sleeves": False}.items()))
-    draft = _without_sleeves(_with_collar(draft, claims), claims)
+    draft = _without_sleeves(_standing(_with_collar(draft, claims), claims), claims)
     if draft.name == "circle-skirt" and any(claim.name == "slit" for claim in claims):
         draft = NamedDraft("fitted-skirt", (("flare", 6.0),))
     if draft.name == "circle-skirt" and _GATHERED_SKIRT in claims:
@@ -195,6 +195,25 @@ def _cropped(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if asked[0] < 0:
         options[room] = min(float(options.get(room, _CROPPED_EASE_CM)), _CROPPED_EASE_CM)
     return replace(draft, options=tuple(options.items()))
+
+
+_MAY_STAND = ("shift-dress", "swing-dress", "fitted-dress")
+_ROLL_CM, _FUNNEL_CM = 9.0, 7.0
+
+
+def _standing(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """Dresses and coats on whose necks a collar stands, where one is asked for."""
+    options = dict(draft.options)
+    if "collar" in options or not _stands(claims):
+        return draft
+    rolled = _ROLLED in claims
+    if draft.name in _MAY_STAND:
+        more = {ROLLED[0]: ROLLED[1], "collar_height": _ROLL_CM} if rolled else dict([STANDING])
+    elif draft.name == "coat":
+        more = {"standing": True, "collar_height": _FUNNEL_CM if rolled else _STANDS_CM}
+    else:
+        return draft
+    return replace(draft, options=tuple({**options, **more}.items()))
 
 
 def _with_collar(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

@@ -114,7 +114,7 @@ class Heard:
         sure = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
         sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else self._likely_bare
         sure += self._standing_necks if not any(claim.name in _NECKS for claim in sure) else []
-        named = [as_not_refused(draft, self.never) for draft in named]
+        named = _with_one_collar([as_not_refused(draft, self.never) for draft in named])
         named = [draft_as_asked(draft, sure) for draft in named]
         if not named and self.kind in (None, "top") and self._tells_no_garment:
             named = [draft_as_asked(_WHATEVER, sure)]
@@ -216,6 +216,20 @@ class Heard:
 _WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
 HEARD_NOTHING = Heard("")
 """Where there is no text."""
+
+
+_MAY_BE_COLLARED = ("shift-dress", "swing-dress", "fitted-dress")
+
+
+def _with_one_collar(named: list[NamedDraft]) -> list[NamedDraft]:
+    """Dresses with the collar that another draft of the text has: a trapeze dress with a Peter Pan collar."""
+    collars = [option for draft in named for option in draft.options if option[0] == "collar"]
+    return [
+        replace(draft, options=(*draft.options, collars[0]))
+        if collars and draft.name in _MAY_BE_COLLARED and not any(n == "collar" for n, _ in draft.options)
+        else draft
+        for draft in named
+    ]
 
 
 def _alike(one: str, other: str) -> bool:

@@ -117,7 +117,7 @@ class NamedDraft:
     @property
     def stands(self) -> bool:
         """Whether it has a collar that stands on a close neck instead of the one that it has by itself."""
-        return STANDING in self.options or ROLLED in self.options
+        return STANDING in self.options or ROLLED in self.options or ("standing", True) in self.options
 
     @property
     def is_to_the_eye(self) -> tuple[tuple[str, str], ...]:

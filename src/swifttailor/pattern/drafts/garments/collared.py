@@ -157,18 +157,25 @@ class CoatOptions(BlazerOptions):
     sleeve_length: declared.SleeveLength = 61.0
     arm_ease: declared.ArmEase = 10.0
     sleeve_end: declared.SleeveEnd = 31.0
+    standing: Annotated[bool, Option("Sew a collar that stands to a close neck instead of lapels.")] = False
+    collar_height: CollarHeight = 5.0
 
 
 def draft_coat(options: CoatOptions, measurements: Measurements) -> Pattern:
     """Drafts the coat for a body: a longer, wider blazer."""
-    return _with_lapels("coat", options, measurements)
+    collar = NeckCollar("standing", 0.0, options.collar_height) if options.standing else None
+    return _with_lapels("coat", options, measurements, collar)
 
 
-def _with_lapels(name: str, options: BlazerOptions, measurements: Measurements) -> Pattern:
+def _with_lapels(
+    name: str, options: BlazerOptions, measurements: Measurements, collar: NeckCollar | None = None
+) -> Pattern:
+    """Lays and sews a blazer or coat with lapels, or with another collar."""
     figure = Figure.of(measurements)
     table = CuttingTable(name)
+    neckline = Neckline("v", options.neck_widening, options.neck_depth, 1.5)
     bodice = LooseBodice(
-        Neckline("v", options.neck_widening, options.neck_depth, 1.5),
+        neckline if collar is None else collar.neckline(neckline),
         options.chest_ease,
         options.length,
         options.armhole_drop,
@@ -180,5 +187,9 @@ def _with_lapels(name: str, options: BlazerOptions, measurements: Measurements) 
     )
     lay_loose_bodice(table, figure, bodice)
     lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.02))
-    lay_fold_collar(table, FoldCollar(options.collar_width, options.lapels, options.lapel_width))
-    return _finished(table, NeckCollar("folded", options.collar_width, 0.0), options.opening)
+    if collar is None:
+        lay_fold_collar(table, FoldCollar(options.collar_width, options.lapels, options.lapel_width))
+        collar = NeckCollar("folded", options.collar_width, 0.0)
+    else:
+        collar.lay(table, figure)
+    return _finished(table, collar, options.opening)

@@ -11,6 +11,7 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.hood import Hood, lay_hood, sew_hood
 from swifttailor.pattern.drafts.measurements import Measurements
+from swifttailor.pattern.drafts.neck_collar import CollarHeight, CollarOption, NeckCollar
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.shaped_sleeve import SleeveShape, SleeveShapeOption, lay_shaped_sleeve
@@ -207,6 +208,9 @@ class SwingDressOptions:
     arm_ease: declared.ArmEase = 6.0
     sleeve_end: declared.SleeveEnd = 33.0
     sleeve_shape: SleeveShapeOption = "plain"
+    collar: CollarOption = "none"
+    collar_width: declared.CollarWidth = 5.5
+    collar_height: CollarHeight = 4.0
 
 
 def draft_swing_dress(options: SwingDressOptions, measurements: Measurements) -> Pattern:
@@ -232,6 +236,9 @@ class ShiftDressOptions:
     sleeve_end: declared.SleeveEnd = 33.0
     sleeve_shape: SleeveShapeOption = "plain"
     side_slits: declared.SideSlits = 0.0
+    collar: CollarOption = "none"
+    collar_width: declared.CollarWidth = 5.5
+    collar_height: CollarHeight = 4.0
 
 
 def draft_shift_dress(options: ShiftDressOptions, measurements: Measurements) -> Pattern:
@@ -244,8 +251,10 @@ def _from_the_shoulders(
 ) -> Pattern:
     figure = Figure.of(measurements)
     table = CuttingTable(name)
+    asked = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
+    collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
     bodice = LooseBodice(
-        Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth),
+        collar.neckline(asked),
         options.chest_ease,
         options.length,
         options.armhole_drop,
@@ -253,13 +262,15 @@ def _from_the_shoulders(
         shoulder_extension=0.0 if options.sleeves else -1.5,
         side_slits=options.side_slits if isinstance(options, ShiftDressOptions) else 0.0,
     )
-    if not options.sleeves:
-        lay_loose_bodice(table, figure, bodice)
-        table.mirror()
-        sew_centres(table)
-        return table.finish()
-    sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
-    return _with_sleeves(table, figure, bodice, sleeve, options.sleeve_shape)
+    lay_loose_bodice(table, figure, bodice)
+    if options.sleeves:
+        sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
+        lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
+    collar.lay(table, figure)
+    table.mirror()
+    sew_centres(table)
+    collar.sew(table)
+    return table.finish()
 
 
 def _with_sleeves(
