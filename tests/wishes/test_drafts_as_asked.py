@@ -11,6 +11,9 @@ from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import BARE_SHOULDERED, DRAFT_NAMES, NamedDraft
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
 
+_SLEEVED_SKATER = (
+    "skater-dress(skirt_length=98;skirt_fraction=0.5;sleeves=true;sleeve_length=60.0;sleeve_end=24.0)"
+)
 BARE = Claim("shoulders", "strapless")
 STAND = Claim("collar", "stand")
 THIN, CUFFED = Claim("straps", "narrow"), Claim("leg_cuffs", "band")
@@ -40,7 +43,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         ("jumpsuit(leg_ease=2)", [Claim("legs", "slim")], "jumpsuit(leg_ease=2)"),
         ("sweatshirt", [BARE], None),
         ("off-shoulder-top", [BARE], "off-shoulder-top"),
-        ("strapless-dress", [Claim("sleeves", "long")], "skater-dress(skirt_length=98;skirt_fraction=0.5)"),
+        ("strapless-dress", [Claim("sleeves", "long")], _SLEEVED_SKATER),
         ("strapless-dress", [Claim("sleeves", "none")], "strapless-dress"),
         ("strapless-dress", [FLOUNCE], "strapless-dress(flounce=true)"),
         ("mermaid-dress(close=50)", [BARE], "strapless-dress(close=50;skirt_length=100;flounce=true)"),

@@ -24,7 +24,7 @@ _HIDDEN = tuple(
             rf"(?<![\w-]){_OTHERS}s? (?:gets?|is getting|are getting|getting|marr(?:y|ies)|graduates?)(?!\w)",
             rf"(?<![\w-]){_OTHERS} (?:shorts?|boss|energy|power|next door|band|scout leader)(?!\w)",
             r"(?<![\w-])(?:mean|spice|gossip|golden|gilmore|clean|vsco|cottage|that|e|it|bond|calendar"
-            r"|pin[- ]?up|flower|school|riot|surfer|skater|valley|material|rich|cool)"
+            r"|pin[- ]?up|riot|surfer|skater|valley|material|rich|cool)"
             r" ?(?:girls?|boys?)(?='?s?(?!\w))(?! (?:aged?|of|size))",
             r"(?<![\w-])(?:land|factory|shop|call|dream|cover|career|party|city) ?girls?(?!\w)",
             r"(?<!\w)(?:une?|la|le|ma|mon|cette|ce) petite?(?!\w)",

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 
@@ -13,6 +15,7 @@ _SET_IN = (
     "fitted-dress",
     "mermaid-dress",
     "empire-dress",
+    "drop-waist-dress",
     "shift-dress",
     "swing-dress",
     "jumpsuit",
@@ -48,6 +51,8 @@ _SLIM_END = 24.0
 """Width around at the end of long puffed sleeves, cm."""
 _WIDE = {"arm_ease": 18.0, "sleeve_end": 46.0}
 """Of sleeves that are to be wide."""
+_ENDS_AT, _ENDS = (20.0, 34.0, 46.0, 60.0), (33.0, 31.0, 28.0, 24.0)
+"""Width around at the end of plain sleeves of some lengths, cm."""
 _FULL_ARM, _FULL_END = 16.0, 46.0
 """Room around the arm and width at the cuff of the full sleeves of shirts, cm."""
 
@@ -61,16 +66,18 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     """
     asked = {claim.value for claim in claims if claim.name == "sleeve_shape"}
     shape = next((made for named, made in _SHAPES.items() if named in asked), None)
-    if shape is None or Claim("sleeves", "none") in claims:
+    if Claim("sleeves", "none") in claims:
         return draft
     options = dict(draft.options)
+    if shape is None:
+        return _with_plain_sleeves(draft, claims)
     if draft.name in _CUFFED and shape == "balloon":
         return replace(
             draft, options=tuple({**options, "arm_ease": _FULL_ARM, "sleeve_end": _FULL_END}.items())
         )
     if draft.name not in (*_SET_IN, *_ALWAYS):
         return draft
-    told = [_LENGTHS[str(c.value)] for c in claims if c.name == "sleeves" and c.value in _LENGTHS]
+    told = _told_lengths(claims)
     options |= {"sleeve_shape": shape, "sleeve_length": told[0] if told else _USUAL[shape]}
     options |= _WIDE if shape == "plain" else {}
     if shape == "puffed":
@@ -78,3 +85,17 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if draft.name in _SET_IN:
         options["sleeves"] = True
     return replace(draft, options=tuple(options.items()))
+
+
+def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A draft that has sleeves where an option says so, with plain ones where their length is told."""
+    told, options = _told_lengths(claims), dict(draft.options)
+    if not told or draft.name not in _SET_IN or options.get("sleeves"):
+        return draft
+    end = float(np.interp(told[0], _ENDS_AT, _ENDS))
+    options |= {"sleeves": True, "sleeve_length": told[0], "sleeve_end": end}
+    return replace(draft, options=tuple(options.items()))
+
+
+def _told_lengths(claims: Sequence[Claim]) -> list[float]:
+    return [_LENGTHS[str(c.value)] for c in claims if c.name == "sleeves" and c.value in _LENGTHS]

@@ -17,11 +17,29 @@ WITH_BACK = {"bust": "back_width", "waist": "waist_back_width", "hips": "hip_bac
 
 FOLDED = {"blazer", "coat"}
 """Their collars lie folded on the torso."""
-FOLDED_OR_NOT = {"polo-shirt", "denim-jacket", "shirt", "shirt-dress", "fitted-dress", "mermaid-dress"}
+FOLDED_OR_NOT = {
+    "polo-shirt",
+    "denim-jacket",
+    "shirt",
+    "shirt-dress",
+    "fitted-dress",
+    "mermaid-dress",
+    "shift-dress",
+    "swing-dress",
+    "drop-waist-dress",
+    "coat",
+}
 """Theirs may also stand, or be turned down over a stand."""
 
 
-GATHERED_AT_THE_WAIST = ("empire-dress", "skater-dress", "strappy-dress", "strapless-dress")
+GATHERED_AT_THE_WAIST = (
+    "empire-dress",
+    "drop-waist-dress",
+    "shirt-dress",
+    "skater-dress",
+    "strappy-dress",
+    "strapless-dress",
+)
 GATHERED_AT_THE_BAND = ("gathered-skirt", "tiered-skirt", "pull-on-trousers", "joggers")
 
 

@@ -43,6 +43,7 @@ DRAFT_KINDS: Mapping[str, DraftKind] = {
     "pinafore": "dress",
     "apron": "dress",
     "empire-dress": "dress",
+    "drop-waist-dress": "dress",
     "coat": "dress",
     "hooded-coat": "dress",
     "cape": "dress",
