@@ -48,9 +48,13 @@ def test_no_print_is_heard_where_none_is_asked_for():
 @pytest.mark.parametrize(
     ("text", "language"),
     [
-        ("abito da sera nero senza spalline", "Italian"),
-        ("een spijkerbroek met wijde pijpen", "Dutch"),
+        ("czarna sukienka do kolan bez rękawów", "Polish"),
+        ("en klänning med långa ärmar", "Swedish"),
         ("黒いロングスカート", "Japanese"),
+        ("赤いワンピース、長袖", "Japanese"),
+        ("abito da sera nero senza spalline", None),
+        ("een spijkerbroek met wijde pijpen", None),
+        ("saia preta até o joelho", None),
         ("a nice dress with pockets", None),
         ("robe noire sans manches", None),
     ],

@@ -1,4 +1,4 @@
-"""German, French and Spanish words for how long skirts, tops, legs and sleeves are."""
+"""Words of other languages for how long skirts, tops, legs and sleeves are."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def _rows():
 
 
 ROWS = [pytest.param(*row, id=f"{row[0]}: {row[2]}") for row in _rows()]
-LANGUAGES = ("de", "es", "fr")
+LANGUAGES = ("de", "es", "fr", "it", "nl", "pt")
 
 
 @pytest.mark.parametrize(("language", "claim", "text"), ROWS)

@@ -15,6 +15,7 @@ from swifttailor.errors import InputError
 from swifttailor.render import prints
 from swifttailor.wording.lexicon.conflicts import SCALES, beyond, exclude
 from swifttailor.wording.lexicon.entries import MOTIFS, PRINTS
+from swifttailor.wording.lexicon.inflection import LANGUAGES, NAMES, base_forms
 from swifttailor.wording.lexicon.vocabulary import (
     TABLES,
     WORDS,
@@ -27,7 +28,7 @@ from swifttailor.wording.lexicon.vocabulary import (
 from swifttailor.wording.word_tables import parse_table
 
 SILENT = ("function", "polite", "degrees", "comparisons", "numbers", "negations")
-OTHERS = ("de", "fr", "es")
+OTHERS = LANGUAGES[1:]
 
 
 def lexicon(table: str):
@@ -144,6 +145,54 @@ def test_exclusion_goes_both_ways_and_never_between_equals():
         assert a in beyond(a)
         for b in claims:
             assert exclude(a, b) == exclude(b, a), (a, b)
+
+
+@pytest.mark.parametrize(
+    ("language", "forms"),
+    [
+        (
+            "it",
+            {
+                "bianche": "bianco",
+                "larghi": "largo",
+                "gonne": "gonna",
+                "verdi": "verde",
+                "camicie": "camicia",
+            },
+        ),
+        ("it", {"grigie": "grigio", "lisci": "liscio", "nera": "nero", "maniche": "manica"}),
+        (
+            "nl",
+            {
+                "witte": "wit",
+                "rode": "rood",
+                "kragen": "kraag",
+                "rokken": "rok",
+                "losse": "los",
+                "grijze": "grijs",
+            },
+        ),
+        (
+            "nl",
+            {"jurkjes": "jurk", "mouwtjes": "mouw", "truien": "trui", "donkere": "donker", "brede": "breed"},
+        ),
+        (
+            "pt",
+            {"azuis": "azul", "pretas": "preto", "calções": "calção", "botões": "botão", "marrons": "marrom"},
+        ),
+    ],
+)
+def test_forms_lead_to_their_words(language, forms):
+    for form, word in forms.items():
+        assert word in [base for base, _ in base_forms(form, language)], form
+
+
+def test_a_vowel_that_would_be_short_is_no_form_in_dutch():
+    assert "los" not in [base for base, _ in base_forms("lose", "nl")]
+
+
+def test_every_language_has_a_name_and_tables():
+    assert set(NAMES) == set(LANGUAGES) == set(TABLES)
 
 
 GLOSS = '"what it means"'

@@ -13,7 +13,6 @@ if TYPE_CHECKING:
 
 MOST_WORDS = 8
 """Words of a text that a note names; the report has all."""
-_LANGUAGES = {"de": "German", "fr": "French", "es": "Spanish"}
 
 
 def heard_report(wanted: Wanted) -> dict[str, Any]:
@@ -46,15 +45,17 @@ def heard_report(wanted: Wanted) -> dict[str, Any]:
 
 def heard_notes(wanted: Wanted) -> list[str]:
     """The same for a person; nothing where all of the text is clear."""
+    from swifttailor.wording.lexicon.inflection import NAMES
     from swifttailor.wording.wish_lines import wish_line
 
     heard, found = wanted.heard, []
-    if heard.words is not None and heard.words.language in _LANGUAGES:
-        found.append(f"Read as {_LANGUAGES[heard.words.language]}, by the words of its lexicon.")
+    if heard.words is not None and heard.words.language != "en":
+        found.append(f"Read as {NAMES[heard.words.language]}, by the words of its lexicon.")
     if heard.foreign is not None:
+        *others, last = [name for language, name in NAMES.items() if language != "en"]
         found.append(
-            f"This seems to be {heard.foreign}, which is not read. English is, and German, French and "
-            "Spanish by their words of clothes."
+            f"This seems to be {heard.foreign}, which is not read. English is, and {', '.join(others)} and "
+            f"{last} by their words of clothes."
         )
     if heard.unread:
         found.append(f"Not understood: {_quoted(heard.unread)}.")

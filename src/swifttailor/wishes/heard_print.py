@@ -20,16 +20,19 @@ _USUAL_COLORS = {
 """What such a print has where no colour is named."""
 _LIGHT_FROM = 190.0
 """Brightness from which a colour counts as light, 0 to 255."""
-_ON = re.compile(r"(?<!\w)(?:on|against|auf|sur|sobre)(?:\s+(?:a|an|the))?\s*$", re.IGNORECASE)
-_WITH = re.compile(r"(?<!\w)(?:with|mit|avec|à|con|in)\s*$", re.IGNORECASE)
+_ON = re.compile(r"(?<!\w)(?:on|against|auf|sur|sobre|su|op|em)(?:\s+(?:a|an|the))?\s*$", re.IGNORECASE)
+_WITH = re.compile(r"(?<!\w)(?:with|mit|avec|à|con|in|met|com)\s*$", re.IGNORECASE)
 _ACROSS = re.compile(
-    r"(?<!\w)(?:horizontal\w*|across|around|quer\w*|crosswise|waagerecht\w*|hoop\w*)(?!\w)", re.IGNORECASE
-)
-_DOWN = re.compile(
-    r"(?<!\w)(?:vertical\w*|lengthwise|longitudinal|längs\w*|senkrecht\w*|verticales?|up and down)(?!\w)",
+    r"(?<!\w)(?:horizontal\w*|orizzontal\w*|horizontais|dwars\w*|across|around|quer\w*|crosswise|waagerecht\w*|hoop\w*)(?!\w)",
     re.IGNORECASE,
 )
-_SLANTED = re.compile(r"(?<!\w)(?:diagonal\w*|slanted|bias|schräg\w*|diagonales?)(?!\w)", re.IGNORECASE)
+_DOWN = re.compile(
+    r"(?<!\w)(?:vertical\w*|verticais|lengthwise|longitudinal|längs\w*|senkrecht\w*|up and down)(?!\w)",
+    re.IGNORECASE,
+)
+_SLANTED = re.compile(
+    r"(?<!\w)(?:diagonal\w*|slanted|bias|schräg\w*|diagonales?|diagonais|schuin\w*)(?!\w)", re.IGNORECASE
+)
 _DIRECTIONS = ((_SLANTED, 45.0), (_DOWN, 90.0), (_ACROSS, 0.0))
 _BEHIND = 24
 """Characters behind the name of a print in which its size may stand."""

@@ -51,7 +51,7 @@ def hear_description(text: str, reader: WishReader, *, alone: bool = True) -> He
     a guess, and said to be one.
 
     Args:
-        text: In English, or of German, French and Spanish what the lexicon knows.
+        text: In English, or of another language that is read what the lexicon knows.
         reader: The network.
         alone: Whether there is no picture that shows which garment is meant.
     """

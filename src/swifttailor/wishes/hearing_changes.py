@@ -16,6 +16,7 @@ from swifttailor.wishes.girth_targets import with_targets
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.one_arm import other_arm_kept
+from swifttailor.wishes.one_meaning import in_one_meaning, still_in
 from swifttailor.wishes.one_slit import closed_alone
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.sayings import plainly
@@ -67,17 +68,17 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     over, the network reads; it is believed where it contradicts nothing that is said.
 
     Args:
-        text: In English, or of German, French and Spanish what the lexicon knows.
+        text: In English, or of another language that is read what the lexicon knows.
         reader: The network.
         facts: Of the garment; None where it cannot be measured.
     """
     kind = None if facts is None else named_kind(facts)
     text, words = text_as_read(text, kind)
     own = text
-    plain = plainly(text, kind or "dress")
+    plain = in_one_meaning(plainly(text, kind or "dress"), words.language)
     plain = plain if facts is None else with_targets(plain, kind or "dress", facts)
     if plain != text.lower():
-        text, words = plain, read_words(plain, kind=kind)
+        text, words = plain, read_words(plain, kind=kind, language=still_in(words.language))
     spoken = spoken_changes(
         text, words, kind or "dress", lambda claim: facts is not None and claim.holds(facts)
     )
@@ -246,7 +247,9 @@ def _other_garments(text: str, words: WordReading, kind: str | None, changes: Se
     found = []
     for mark in words.marks:
         named = {i.claim.value for e in mark.entries for i in e.implied if i.claim.name == "kind"}
-        joined = text[: mark.start].lower().rstrip().endswith(("with", "mit", "avec", "con", "and"))
+        joined = (
+            text[: mark.start].lower().rstrip().endswith(("with", "mit", "avec", "con", "met", "com", "and"))
+        )
         if not mark.denied and mark.entries and mark.entries[0].category == "garments" and joined:
             found += [] if kind in named else [mark.word]
     return found

@@ -21,6 +21,7 @@ from swifttailor.wishes.change_words import (
     kept_words,
 )
 from swifttailor.wishes.mentions import Mention, find_mentions
+from swifttailor.wishes.one_meaning import still_in
 from swifttailor.wishes.spoken_amounts import (
     by_little,
     is_target,
@@ -42,15 +43,18 @@ from swifttailor.wishes.spoken_targets import away, beside_no_numbers, clauses_o
 from swifttailor.wishes.spoken_wholes import of_wholes
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import Implication, WordReading, read_words
+from swifttailor.wording.lexicon.inflection import Language
 
 _THEM = re.compile(r"(?<!\w)(?:them|they|sie|les|las|los)(?!\w)")
 _UNDENIED = re.compile(r"(?:in|out|so|too|as|that|overly)(?!\w)")
 """Words of change that are no less so for a "not": what is "not so tight" is to be wider."""
 _DENIED = re.compile(
-    r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas)(?:\s+\w+){0,2}\s+(?:(?:any|much|even) )?$"
+    r"(?<!\w)(?:don['’]?t|do not|not|never|without|nicht|pas|non|niet|não)"
+    r"(?:\s+\w+){0,2}\s+(?:(?:any|much|even) )?$"
 )
 _EXCEPT = re.compile(
-    r"\s*(?:except(?: for)?|apart from|other than|save for|but not|außer|bis auf|sauf|salvo|excepto)(?!\w)"
+    r"\s*(?:except(?: for)?|apart from|other than|save for|but not|außer|bis auf|sauf|salvo|excepto"
+    r"|tranne|behalve|exceto)(?!\w)"
 )
 _ALL_STAYS = re.compile(
     r"(?<!\w)(?:(?:everything|all(?: of it)?|the (?:rest|lot)) (?:else )?"
@@ -59,7 +63,7 @@ _ALL_STAYS = re.compile(
     r"|alles (?:bleibt|so lassen)|tout garder)(?!\w)"
 )
 """What is excepted from it is to change: "everything stays apart from the skirt"."""
-_JOINED = re.compile(r"(?<!\w)(?:and|but|und|aber|et|mais|y|pero)\s+$")
+_JOINED = re.compile(r"(?<!\w)(?:and|but|und|aber|et|mais|y|pero|e|ed|en|maar|ma|però|mas)\s+$")
 """Before a clause that goes on about what the one before it spoke of: "shorter sleeves and a bit wider"."""
 _GOING_ON = frozenset({"sleeves", "legs"})
 """Parts that a clause without one goes on about, even where they were not compared with what they were."""
@@ -112,7 +116,7 @@ def spoken_changes(
     given_up: list[SpokenClause] = []
     if gone:
         implied, given_up = _in_their_place(small, words, kind, implied, gone)
-    bounds = clauses_of(small)
+    bounds = clauses_of(small, words.language)
     found = given_up + [
         SpokenClause(a, b, (Gain(claim),), ())
         for claim, (a, b) in zip(sides.claims, sides.spans, strict=True)
@@ -137,7 +141,9 @@ def spoken_changes(
         if not whole and not excepted and kept_words().search(small, start, end):
             for part in inside:
                 kept |= subjects_of(part.part)
-                if part.word.endswith(("length", "länge", "longueur", "largo")):
+                if part.word.endswith(
+                    ("length", "länge", "longueur", "largo", "lunghezza", "lengte", "comprimento")
+                ):
                     kept |= {"length", "leg length"}
             if not any(start <= c.start < end for c in changes):
                 kept_gains = [i.claim.name for i in implied if start <= i.mark.start < end]
@@ -191,7 +197,7 @@ def spoken_changes(
             is_so,
             them=them or (goes_on and not inside),
         )
-        clause = _read_alone(text, clause, kind)
+        clause = _read_alone(text, clause, kind, still_in(words.language))
         by = next((m for m in mentions if start <= m.start < end and m.is_length), None)
         if by is not None and not inside and found and _is_amount_of(small[start:end], clause, found[-1]):
             found[-1] = _with_amount(small, found[-1], by)
@@ -284,11 +290,11 @@ def _in_their_place(
     return implied, off
 
 
-def _read_alone(text: str, clause: SpokenClause, kind: str) -> SpokenClause:
+def _read_alone(text: str, clause: SpokenClause, kind: str, language: Language | None) -> SpokenClause:
     """A clause whose words something said before outdoes: "it is square; I'd have it boat-shaped"."""
     if clause.changes or not clause.left_over:
         return clause
-    words = read_words(text[clause.start : clause.end], kind=kind)
+    words = read_words(text[clause.start : clause.end], kind=kind, language=language)
     implied = beside_no_numbers(text[clause.start : clause.end].lower(), words.implications)
     details = [i for i in implied if i.said and i.certainty != "likely" and i.claim.name != "kind"]
     details = [i for i in details if not is_of_lack(text[clause.start : clause.end].lower(), i.mark, words)]

@@ -31,7 +31,9 @@ from swifttailor.wishes.unread import is_function_word
 from swifttailor.wording.lexicon import Implication, WordMark, WordReading
 
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
-_LESS_BY = re.compile(r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove)(?!\w)|(?<!\d)-\s*\d")
+_LESS_BY = re.compile(
+    r"(?<!\w)(?:off|minus|less|weniger|weg|take|shorten|remove|meno|minder|accorcia|encurta)(?!\w)|(?<!\d)-\s*\d"
+)
 _PLACES = re.compile(r"(?:(?:front|back|side|sides|left|right|centre|center|top|bottom|hem)(?:\s|$))+")
 _GRIP = re.compile(r"(?<!\w)(?:tight|loose|snug|eng|weit|locker|serr|ajust)")
 """Of a cuff or a band these speak of its girth, where "wider" speaks of its height."""
@@ -59,7 +61,7 @@ _GIRTHS = frozenset({"chest", "waist", "hips", "thigh", "armholes", "shoulders"}
 _TAKEN_OUT = re.compile(r"(?<!\w)(?:take|get|pull|taking)(?!\w)[^.]*(?<!\w)out(?!\w)")
 _EVERYTHING = re.compile(
     r"(?<!\w)(?:everything|everywhere|all over|throughout|the whole thing|every part"
-    r"|alles|überall|tout|partout|todo)(?!\w)"
+    r"|alles|überall|tout|partout|todo|tutto|overal|tudo)(?!\w)"
 )
 _LACKED = frozenset({"waistband height", "waistband width", "sleeve width", "sleeve length"})
 _LOWERS = frozenset({"skirt", "trousers", "shorts"})
@@ -83,7 +85,9 @@ _RUFFLES = re.compile(r"(?<!\w)(?:ruffles?|ruffled|ruffels?|flounces?|flounced|f
 _UPPER = frozenset(
     {"sleeves", "sleeve_end", "cuffs", "neck", "collar", "shoulders", "hood", "straps", "armholes"}
 )
-_TO_BE = re.compile(r"(?<!\w)(?:make|made|be|become|want|wants|need|prefer|should|mach|rends|haz)(?!\w)")
+_TO_BE = re.compile(
+    r"(?<!\w)(?:make|made|be|become|want|wants|need|prefer|should|mach|rends|haz|rendi|maak|vorrei|faz|faça|deixa|deixe)(?!\w)"
+)
 _ARTICLE = re.compile(r"\s+(?:the|my|her|his)(?!\w)")
 _YEAR = re.compile(r"(?<!\w)(?:1[5-9]\d\d|\d0)s(?!\w)|(?<!\w)1[5-9]\d\d(?!\w)")
 _STEPS_DOWN = re.compile(r"(?<!\w)(?:off|away|remove|take|lose|without|weniger|weg)(?!\w)")

@@ -9,13 +9,16 @@ from swifttailor.wording.lexicon import WordReading
 
 _LONGER = (
     r"longer|lower|more long|dropping|drops?|dipping|dips?|falling|falls?|sloping|slopes?|slanting|slants?"
-    r"|trailing|länger|tiefer|plus longue?|más larg[oa]"
+    r"|trailing|länger|tiefer|plus longue?|más larg[oa]|più lung[oa]|mais (?:long|comprid)[oa]"
 )
-_SHORTER = r"shorter|higher|rising|rises?|more short|kürzer|höher|plus courte?|más cort[oa]"
+_SHORTER = (
+    r"shorter|higher|rising|rises?|more short|kürzer|höher|plus courte?|más cort[oa]|più cort[oa]"
+    r"|mais curt[oa]"
+)
 _PLACE = (
-    r"(?P<left>left|links|gauche|izquierda)|(?P<right>right|rechts|droite|derecha)"
-    r"|(?P<back>back|behind|rear|hinten|derrière|arrière|detrás|atrás)"
-    r"|(?P<front>front|vorne|vorn|devant|delante)"
+    r"(?P<left>left|links|gauche|izquierda|sinistra|esquerda)|(?P<right>right|rechts|droite|derecha|destra|direita)"
+    r"|(?P<back>back|behind|rear|hinten|derrière|arrière|detrás|atrás|dietro|achter|achteraan)"
+    r"|(?P<front>front|vorne|vorn|devant|delante|davanti|vooraan|na frente)"
 )
 _SAID = re.compile(
     rf"(?<!\w)(?:(?P<longer>{_LONGER})|(?P<shorter>{_SHORTER}))(?!\w)\W+(?:\w+\W+){{0,3}}?(?:{_PLACE})(?!\w)"

@@ -18,10 +18,10 @@ from swifttailor.wording.numbers import CM_PER_INCH
 from swifttailor.wording.word_tables import read_table
 
 _TABLE = Path(__file__).with_name("measure_words.txt")
-_RANGE = re.compile(r"\s*(?:to|-|–|or|bis|à|a|and)\s*", re.IGNORECASE)
+_RANGE = re.compile(r"\s*(?:to|-|–|or|bis|à|a|and|tot|até)\s*", re.IGNORECASE)
 _BETWEEN = re.compile(r"between\s*$", re.IGNORECASE)
 _CLAUSE = re.compile(
-    r"[;:\n]|\.(?=\s|$)|,(?!\d)|(?<!\w)(?:and|with|und|mit|et|avec|y|con)(?!\w)", re.IGNORECASE
+    r"[;:\n]|\.(?=\s|$)|,(?!\d)|(?<!\w)(?:and|with|und|mit|et|avec|y|con|met|com)(?!\w)", re.IGNORECASE
 )
 _KNEE = re.compile(r"\s*(?P<way>above|over|below|under)\s+(?:the|my|her|your)?\s*knees?(?!\w)", re.IGNORECASE)
 _FLOOR = re.compile(r"\s*(?:above|off|from)\s+(?:the\s+)?(?:floor|ground)(?!\w)", re.IGNORECASE)
@@ -45,7 +45,9 @@ _AT_ONCE = -20
 _OF_ENDS = ("sleeve_cm", "cuff_cm", "collar_cm")
 _NUMBERED = re.compile(r"(?<!\w)(?:\d+|two|three|four|five|six|zwei|drei|vier|deux|trois|dos|tres) $")
 """Before what is counted already: "three tiers: 20, 25, 30"."""
-_ACROSS = re.compile(r"\s*(?:across|wide|in width|breit|de large|de ancho)(?!\w)")
+_ACROSS = re.compile(
+    r"\s*(?:across|wide|in width|breit|de large|de ancho|breed|di larghezza|de largura)(?!\w)"
+)
 _NEAR = 26
 """Characters between a number and what it is said of."""
 _BOUNDS = {
@@ -57,7 +59,7 @@ _BOUNDS = {
 }
 _USUAL = (1.0, 400.0)
 _LONGEST = {"skirt_length_cm": 130.0, "length_cm": 170.0}
-_HEM = re.compile(r"(?<!\w)(?:hem|hemline|sweep|saum|ourlet|bajo)(?!\w)", re.IGNORECASE)
+_HEM = re.compile(r"(?<!\w)(?:hem|hemline|sweep|saum|ourlet|bajo|orlo|zoom|bainha)(?!\w)", re.IGNORECASE)
 _LOWER = frozenset({"skirt", "trousers", "shorts"})
 
 
@@ -74,7 +76,7 @@ def spoken_measures(text: str, kind: str | None) -> list[SpokenMeasure]:
     """Measures that a text states.
 
     Args:
-        text: In English, German, French or Spanish.
+        text: In one of the languages that are read.
         kind: Of the garment, where that is known.
     """
     small = text.lower()

@@ -15,20 +15,25 @@ _TOO_CLOSE = re.compile(
     r"(?<!\w)(?:remove|off|away|lose|strangl\w*|chok\w*|scratch\w*|itch\w*|suffocat\w*|weg|würgt|étrangle)(?!\w)"
 )
 _CHOKES = re.compile(r"(?<!\w)(?:strangl\w*|chok\w*|throttl\w*|suffocat\w*|würgt|étrangle)(?!\w)")
-_CLOSED = re.compile(r"(?<!\w)(?:close|closed|shut|sew up|sewn up|zu|fermer|cerrar)(?!\w)")
+_CLOSED = re.compile(
+    r"(?<!\w)(?:close|closed|shut|sew up|sewn up|zu|fermer|cerrar|chiudi|fecha|fechar)(?!\w)"
+)
 _PAIR = re.compile(
     r"(?<!\w)(?:(?:slits|splits|vents)(?= .*sides?(?!\w))|(?:both|two|each|either) sides?"
     r"|side (?:slits|splits|vents))"
 )
 _SIDE = re.compile(
-    r"(?<!\w)(?:(?P<left>left|links|gauche|izquierda)|(?P<right>right|rechts|droite|derecha)"
-    r"|(?P<back>back|behind|hinten|derrière|detrás)|(?P<front>front|vorne|devant|delante))(?!\w)"
+    r"(?<!\w)(?:(?P<left>left|links|gauche|izquierda|sinistra|esquerda)"
+    r"|(?P<right>right|rechts|droite|derecha|destra|direita)"
+    r"|(?P<back>back|behind|hinten|derrière|detrás|dietro|achter|achteraan)"
+    r"|(?P<front>front|vorne|devant|delante|davanti|vooraan|na frente|à frente))(?!\w)"
 )
 _PLACES = {
-    "front": "front|vorne|devant|delante",
-    "back": "back|behind|hinten|derrière|detrás",
-    "right": "right|rechts|droite|derecha",
+    "front": "front|vorne|devant|delante|davanti|vooraan|na frente|à frente",
+    "back": "back|behind|hinten|derrière|detrás|dietro|achter|achteraan",
+    "right": "right|rechts|droite|derecha|destra|direita",
     "left": "side|left|leg|links|seite|seitlich|côté|gauche|lado|izquierda|add|put|cut|open"
+    r"|lato|sinistra|esquerda|laterale|zijkant|opzij|zijsplit"
     r"|an? (?:\w+ )?slit",
 }
 """Where a slit is, by words; "at the side" is at the left."""

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 
 from swifttailor.describing.claims import Claim
 from swifttailor.wishes.change_words import target_words
@@ -12,23 +13,31 @@ from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.unread import is_function_word
 from swifttailor.wording.claim_kinds import fits_kind
 from swifttailor.wording.lexicon import Implication, WordMark, WordReading
+from swifttailor.wording.lexicon.inflection import Language
 
-_JOINT = re.compile(
-    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+]\s|\s(?:and(?! a half(?!\w))|but|then|und|aber|et|mais|y|pero)\s"
+_JOINTS = (
+    r"[.;:!?\n]+(?=\s|$)|,(?=\s)|\s[-+]\s|\s(?:and(?! a half(?!\w))|but|then|und|aber|et|y|pero)\s"
     r"|\sso\s(?=it|that|can|could|i\b|she|he|they)|(?<=\bsame)\s(?:only|just|with)\s"
-    r"|\s(?=(?:except|apart from|other than|save for|außer|bis auf|sauf|salvo|excepto)\s)",
-    re.IGNORECASE,
+    r"|\s(?=(?:except|apart from|other than|save for|außer|bis auf|sauf|salvo|excepto"
+    r"|tranne|behalve|exceto)\s)"
 )
+_ALSO_JOINTS: Mapping[Language, str] = {"it": "e|ed|ma", "nl": "en|maar", "pt": "e|mas"}
+"""In one language only: "en" is no "and" in French and Spanish, and French "mais" is "more" in Portuguese."""
 _WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
 _SWAPPED = re.compile(
     r"(?<!\w)(?:swap|swop|exchange|trade|replace|switch|change|tausche?|ersetze?|remplacer?|cambia)\s+"
     r"(?P<old>(?:the|these|those|my|its|this|that|die|den|das|le|la|les|los|las)\s[^.;!?]+?)\s+(?:for|with|by|to|into|gegen|durch|par|por)(?!\w)"
+    r"|(?<!\w)(?:sostituisci|vervang|troca|troque|substitua)\s+"
+    r"(?P<swapped>(?:il|lo|la|i|gli|le|de|het|o|a|os|as)\s[^.;!?]+?)\s+(?:con|door|por)(?!\w)"
     r"|(?<!\w)(?:turn|make|convert|transform)\s+(?P<turned>(?:the|these|those|my|its)\s[^.,;!?]+?)\s+into(?!\w)"
     r"|(?<!\w)(?:instead of|in place of|rather than)\s+(?P<left>(?:the|these|those|my|its|an?)\s\w+(?: \w+)?)"
 )
 _LIKENESS = re.compile(r"(?<!\w)like (?:an? |the |some )?(?:\w+ )?$")
 """Before what a garment is to resemble and not to be: "baggy like a skater"."""
-_BESIDE_NUMBERS = frozenset({"long", "short", "wide", "high", "deep", "lang", "largo", "hoch", "tief"})
+_BESIDE_NUMBERS = frozenset(
+    "long short wide high deep lang largo hoch tief lungo lunga lunghi lunghe comprido comprida longo "
+    "longa".split()
+)
 _PARTS_OF = {"dress": ("skirt", "top"), "jumpsuit": ("trousers", "top"), "playsuit": ("shorts", "top")}
 
 
@@ -53,7 +62,11 @@ def meant(text: str, words: WordReading, kind: str) -> list[Implication]:
         elif certain and not each.said and not _is_pointed_at(text, each.mark):
             found.append(each)
     found = [_short_legs(each, kind) for each in found]
-    kinds = [i for i in found if i.claim.name != "kind" or _is_target(text, i.mark, str(i.claim.value), kind)]
+    kinds = [
+        i
+        for i in found
+        if i.claim.name != "kind" or _is_target(text, i.mark, str(i.claim.value), kind, words.language)
+    ]
     if any(i.claim.name == "kind" for i in kinds):
         return kinds
     return [*kinds, *_after_arrow(text, words, kind)]
@@ -86,7 +99,7 @@ def away(text: str) -> list[tuple[int, int]]:
     return [
         m.span(name)
         for m in _SWAPPED.finditer(text)
-        for name in ("old", "turned", "left")
+        for name in ("old", "swapped", "turned", "left")
         if m[name] is not None
     ]
 
@@ -120,7 +133,7 @@ def _is_pointed_at(text: str, mark: WordMark) -> bool:
     )
 
 
-def _is_target(text: str, mark: WordMark, value: str, kind: str) -> bool:
+def _is_target(text: str, mark: WordMark, value: str, kind: str, language: Language) -> bool:
     """Whether the garment is to become another: "into a skirt", "as trousers", or nothing but its name."""
     if (
         value == kind
@@ -128,7 +141,7 @@ def _is_target(text: str, mark: WordMark, value: str, kind: str) -> bool:
         or (value in _PARTS_OF.get(kind, ()) and not _turns_into(text, mark))
     ):
         return False
-    clause = next((text[a:b] for a, b in clauses_of(text) if a <= mark.start < b), text)
+    clause = next((text[a:b] for a, b in clauses_of(text, language) if a <= mark.start < b), text)
     named = [word for word in _WORD.findall(clause) if not is_function_word(word)]
     return _leads_to(text, mark) or (
         len(named) <= 1 and not re.search(r"(?<!\w)(?:the|this|my)(?!\w)", clause)
@@ -145,15 +158,21 @@ def _leads_to(text: str, mark: WordMark) -> bool:
     return re.search(rf"{target_words()}\s+(?:an?\s+|some\s+|\w+\s+)?$", text[: mark.start]) is not None
 
 
-def clauses_of(text: str) -> list[tuple[int, int]]:
+def clauses_of(text: str, language: Language = "en") -> list[tuple[int, int]]:
     """From where to where each clause of a text goes.
 
     Args:
         text: An instruction.
+        language: Of the text.
     """
     found, start = [], 0
-    for joint in _JOINT.finditer(text):
+    for joint in _joint(language).finditer(text):
         found.append((start, joint.start()))
         start = joint.end()
     found.append((start, len(text)))
     return [(a, b) for a, b in found if _WORD.search(text, a, b) or any(c.isdigit() for c in text[a:b])]
+
+
+@cache
+def _joint(language: Language) -> re.Pattern[str]:
+    return re.compile(rf"{_JOINTS}|\s(?:{_ALSO_JOINTS.get(language, 'mais')})\s", re.IGNORECASE)

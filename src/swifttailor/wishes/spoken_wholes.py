@@ -23,7 +23,8 @@ _ALIKE = re.compile(
     rf"(?<!\w)(?:{_PAIR}[^.,;]{{0,20}} (?:the same|match|matching|alike|equal|identical|even)"
     rf"|(?:matching|identical|equal|even|same) {_PAIR}"
     r"|lopsided|lop-sided|symmetric|symmetrical|even (?:it|them) (?:out|up)|mirror (?:it|the)"
-    r"|beide (?:seiten|ärmel)|gleich lang|symmetrisch|symétrique|simétric[oa])(?!\w)"
+    r"|beide (?:seiten|ärmel)|gleich lang|symmetrisch|symétrique|simétric[oa]|simmetric[oa]"
+    r"|even lang)(?!\w)"
 )
 _LEVEL = re.compile(
     r"(?<!\w)(?:straighten|level|even)(?: out| up| off)? (?:the|my|this) (?:hem|hemline|bottom)(?!\w)"
@@ -57,7 +58,9 @@ _ONLY = re.compile(
     r"(?:\s+(?:half|part|bit|section|piece))?"
     r"(?:\s+(?:of|from) (?:this|it|the \w+|that))?(?=\W*$|,|\s+(?:as|please|on its own)(?!\w))"
 )
-_SITS = re.compile(r"(?<!\w)(?:sit|sits|sitting|rise|waist|waistline|sitzen|sitzt|leibhöhe|taille)(?!\w)")
+_SITS = re.compile(
+    r"(?<!\w)(?:sit|sits|sitting|rise|waist|waistline|sitzen|sitzt|leibhöhe|taille|vita|cós)(?!\w)"
+)
 _WAIST_TO = r"(?<!\w)waist\w*[^.,;]*(?<!\w)"
 _HIP = re.compile(rf"{_WAIST_TO}(?:to|at|on|onto|around)\s+(?:the |my |her )?(?:low )?hips?(?!\w)")
 _BUST = re.compile(
@@ -68,8 +71,9 @@ _NATURAL = re.compile(
     r"|(?:to|at|on) (?:the |my |her )?(?:natural|real|actual|own) waist|natural)"
 )
 _NO_DARTS = re.compile(
-    r"(?<!\w)(?:no|without|lose|remove|ditch|drop|let|take|get rid of|undo|unpick|skip|ohne|sans|sin)(?!\w)"
-    r"[^.,;]{0,25}(?<!\w)(?:darts?|abnäher|pinces|pinzas)(?!\w)"
+    r"(?<!\w)(?:no|without|lose|remove|ditch|drop|let|take|get rid of|undo|unpick|skip|ohne|sans|sin|senza"
+    r"|zonder|sem)(?!\w)"
+    r"[^.,;]{0,25}(?<!\w)(?:darts?|abnäher|pinces|pinzas|figuurnaden|coupenaden|pences)(?!\w)"
 )
 
 _HALVES = {
@@ -96,10 +100,10 @@ _OTHER_HALF = (
 )
 """One lower half for another: trousers for the skirt of a dress."""
 _GIVEN = re.compile(
-    r"(?<!\w)(?:with|add|adding|give it|gets?|needs?|wants?|put|sew|have|mit|avec|con)(?: on| in)?"
+    r"(?<!\w)(?:with|add|adding|give it|gets?|needs?|wants?|put|sew|have|mit|avec|con|met|com)(?: on| in)?"
     r"(?: some| a| an| any| proper| the)?"
     r"(?: (?:little|small|thin|narrow|slim|wide|deep|broad|thick|high|plain|simple|nice|proper|short))?"
-    r"\s(?:(?P<sleeves>sleeves?|ärmeln?|manches|mangas)"
+    r"\s(?:(?P<sleeves>sleeves?|ärmeln?|manches|mangas|maniche|mouwen)"
     r"|(?:waist ?band|bund|ceinture|pretina"
     r"|band (?:at|around|round|along|to|for|on) (?:the |my |its )?(?:waist|top))"
     r")(?!\w)"

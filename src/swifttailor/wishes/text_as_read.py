@@ -32,7 +32,8 @@ _ITEM = re.compile(r"(?:^\s*|\s+)(\d{1,2})[.)]\s+(?=[^\W\d])")
 
 _NONE_OF = re.compile(
     r"(?<!\w)((?:waist |side |back |front |leg |shoulder )?[^\W\d_]{3,})\s*[:=]\s*"
-    r"(?:none|nil|nothing|no|not any|without|n/a|keine?r?|aucune?|ning[uú]n[oa]?)(?=\s*(?:[,.;\n/|]|$))",
+    r"(?:none|nil|nothing|no|not any|without|n/a|keine?r?|aucune?|ning[uú]n[oa]?|nessun[oa]?"
+    r"|geen)(?=\s*(?:[,.;\n/|]|$))",
     re.IGNORECASE,
 )
 """What a list has none of: "collar: none"."""

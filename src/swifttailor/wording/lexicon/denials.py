@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
+from swifttailor.wording.lexicon.inflection import Language
 from swifttailor.wording.lexicon.meanings import Meaning
 
 _NEAR = 5
@@ -12,23 +14,39 @@ _OR = frozenset(["or", "nor", "oder", "noch", "ou", "ni", "o", "u"])
 _ANY = frozenset(["any"])
 """Carries a denial on in a list: "no sleeves, any collar or any slit"."""
 _AND = frozenset(["and", "&", "und", "et", "y", "e"])
+_ALSO: Mapping[Language, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "it": (("né", "ne"), ("ed",)),
+    "nl": (("of",), ("en",)),
+    "pt": (("nem",), ()),
+}
+"""Words for "or" and "and" in one language, which mean something else in others."""
 _ADJECTIVES = frozenset(
     ["styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"]
 )
 
 
-def denied_words(words: Sequence[Meaning]) -> frozenset[int]:
+class _Joints(NamedTuple):
+    """Words that go on with a list."""
+
+    ors: frozenset[str]
+    ands: frozenset[str]
+
+
+def denied_words(words: Sequence[Meaning], language: Language = "en") -> frozenset[int]:
     """Which words are denied, by their places. A negation ends with its phrase; "or" carries it on.
 
     Args:
         words: Of a text, in their order.
+        language: Of the text.
     """
+    ors, ands = _ALSO.get(language, ((), ()))
+    joints = _Joints(_OR.union(ors), _AND.union(ands))
     found: set[int] = set()
     for k, word in enumerate(words):
         if word.category != "negations":
             continue
         if word.entries[0].negates == "after":
-            _deny_after(words, k, found)
+            _deny_after(words, k, found, joints)
         else:
             before = _named_before(words, k)
             if before is not None:
@@ -46,9 +64,9 @@ def _named_before(words: Sequence[Meaning], k: int) -> int | None:
     return None
 
 
-def _deny_after(words: Sequence[Meaning], k: int, found: set[int]) -> None:
+def _deny_after(words: Sequence[Meaning], k: int, found: set[int], joints: _Joints) -> None:
     """Denies the phrase behind a negation, and those that are listed with it."""
-    start = _begin(words, k + 1, _NEAR)
+    start = _begin(words, k + 1, _NEAR, joints)
     first = True
     while start is not None:
         phrase = _phrase(words, start)
@@ -56,30 +74,30 @@ def _deny_after(words: Sequence[Meaning], k: int, found: set[int]) -> None:
         if (
             not first
             and not bare
-            and words[start - 1].found.word not in _OR
-            and words[start - 2].found.word not in _OR
+            and words[start - 1].found.word not in joints.ors
+            and words[start - 2].found.word not in joints.ors
         ):
             return
         found.update(_denied_of(words, phrase))
         behind = phrase[-1] + 1
         if behind >= len(words) or words[behind - 1].found.gap == "stop":
             return
-        if words[behind].found.word in _OR or (
+        if words[behind].found.word in joints.ors or (
             words[behind].found.word in _ANY and words[behind - 1].found.gap == "pause"
         ):
-            start = _begin(words, behind + 1, 2)
-        elif words[behind].found.word in _AND and bare:
+            start = _begin(words, behind + 1, 2, joints)
+        elif words[behind].found.word in joints.ands and bare:
             start = _listed(words, behind + 1)
         elif words[behind - 1].found.gap == "pause" and bare:
             start = _listed(words, behind)
-            if start is not None and not _goes_on(words, start):
+            if start is not None and not _goes_on(words, start, joints):
                 return
         else:
             return
         first = False
 
 
-def _begin(words: Sequence[Meaning], k: int, near: int) -> int | None:
+def _begin(words: Sequence[Meaning], k: int, near: int, joints: _Joints) -> int | None:
     """Where the phrase begins: behind articles and the like."""
     for j in range(k, min(k + near + 1, len(words))):
         if j > k - 1 and j > 0 and words[j - 1].found.gap == "stop":
@@ -88,7 +106,7 @@ def _begin(words: Sequence[Meaning], k: int, near: int) -> int | None:
             return None
         if words[j].category == "garments" and words[j - 1].found.gap == "pause":
             return None  # "nothing on top, a long dress" asks for the dress
-        if j > k and words[j - 1].found.gap == "pause" and words[j].found.word in _AND:
+        if j > k and words[j - 1].found.gap == "pause" and words[j].found.word in joints.ands:
             return None  # "not sad, and with sleeves" goes on to what is wanted
         if not words[j].holds_together:
             return j
@@ -101,11 +119,12 @@ def _listed(words: Sequence[Meaning], k: int) -> int | None:
     return k
 
 
-def _goes_on(words: Sequence[Meaning], k: int) -> bool:
+def _goes_on(words: Sequence[Meaning], k: int, joints: _Joints) -> bool:
     """Whether a word is in the middle of a list: "ruffles, tiers and gathers"."""
     while k + 1 < len(words) and words[k].found.gap == "pause" and _can_be_had(words[k]):
         k += 1
-    return k + 1 < len(words) and words[k].found.gap == "space" and words[k + 1].found.word in _OR | _AND
+    joined = joints.ors | joints.ands
+    return k + 1 < len(words) and words[k].found.gap == "space" and words[k + 1].found.word in joined
 
 
 def _phrase(words: Sequence[Meaning], start: int) -> list[int]:

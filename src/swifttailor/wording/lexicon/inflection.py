@@ -2,13 +2,30 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
 from typing import Literal
 
-Language = Literal["en", "de", "fr", "es"]
-LANGUAGES: tuple[Language, ...] = ("en", "de", "fr", "es")
+Language = Literal["en", "de", "fr", "es", "it", "nl", "pt"]
+LANGUAGES: tuple[Language, ...] = ("en", "de", "fr", "es", "it", "nl", "pt")
+NAMES: Mapping[Language, str] = {
+    "en": "English",
+    "de": "German",
+    "fr": "French",
+    "es": "Spanish",
+    "it": "Italian",
+    "nl": "Dutch",
+    "pt": "Portuguese",
+}
+"""What people call the languages."""
 SHORTEST = 3
 """Letters of a word that takes endings."""
 _SIBILANTS = ("s", "x", "z", "ch", "sh", "o")
+_VOWELS = "aeiou"
+_SHORT_SYLLABLE = re.compile(r"[^aeiou]*[aeiou][^aeiou]")
+"""Doubles its last letter in Dutch before an ending: "losse" is of "los", "lose" is not."""
+_LITTLE = ("pjes", "tjes", "jes", "pje", "tje", "je")
+"""Endings of what is little in Dutch: "mouwtjes"."""
 
 
 def base_forms(word: str, language: Language) -> tuple[tuple[str, bool | None], ...]:
@@ -66,4 +83,51 @@ def _spanish(word: str) -> list[tuple[str, bool | None]]:
     return found
 
 
-_FORMS = {"en": _english, "de": _german, "fr": _french, "es": _spanish}
+def _italian(word: str) -> list[tuple[str, bool | None]]:
+    stem, end = word[:-1], word[-1:]
+    found = [f"{stem}{base}" for base in {"a": "o", "e": "ao", "i": "oe"}.get(end, "")]
+    if end in ("e", "i") and stem.endswith("h"):
+        found += [f"{stem[:-1]}{base}" for base in "ao"]
+    elif end in ("e", "i"):  # grigi and grige, camicie and camice
+        found += [f"{stem.removesuffix('i')}{base}" for base in ("io", "ia")]
+    return [(base, None) for base in found]
+
+
+def _dutch(word: str) -> list[tuple[str, bool | None]]:
+    found = [_closed_syllable(word[: -len(end)]) for end in ("en", "e") if word.endswith(end)]
+    found += [[word[: -len(end)]] for end in ("s", *_LITTLE) if word.endswith(end)]
+    stems = [word[: -len(end)] for end in ("en", "e") if word.endswith(end)]
+    found += [[stem] for stem in stems if not _SHORT_SYLLABLE.fullmatch(stem)]
+    return [(base, None) for bases in found for base in bases]
+
+
+def _closed_syllable(stem: str) -> list[str]:
+    """What a stem is spelt like without an ending behind it: witt as wit, rod as rood, grijz as grijs."""
+    if len(stem) < SHORTEST:
+        return []
+    if stem[-1] == stem[-2]:
+        return [stem[:-1]]
+    last = {"z": "s", "v": "f"}.get(stem[-1], stem[-1])
+    found = [f"{stem[:-1]}{last}"] if last != stem[-1] else []
+    if last not in _VOWELS and stem[-2] in _VOWELS and stem[-3] not in _VOWELS:
+        found.append(f"{stem[:-1]}{stem[-2]}{last}")
+    return found
+
+
+def _portuguese(word: str) -> list[tuple[str, bool | None]]:
+    found = [word[: -len(end)] for end in ("s", "es") if word.endswith(end)]
+    found += [f"{word[: -len(end)]}o" for end in ("a", "as") if word.endswith(end)]
+    others = (("is", "l"), ("ns", "m"), ("ões", "ão"), ("ã", "ão"), ("eis", "el"))
+    found += [f"{word[: -len(end)]}{base}" for end, base in others if word.endswith(end)]
+    return [(base, None) for base in found]
+
+
+_FORMS = {
+    "en": _english,
+    "de": _german,
+    "fr": _french,
+    "es": _spanish,
+    "it": _italian,
+    "nl": _dutch,
+    "pt": _portuguese,
+}

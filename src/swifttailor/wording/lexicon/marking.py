@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from swifttailor.wording.lexicon.inflection import LANGUAGES, Language
+from swifttailor.wording.lexicon.inflection import LANGUAGES, SHORTEST, Language
 from swifttailor.wording.lexicon.tokens import Gap, Token, tokens_of
 from swifttailor.wording.lexicon.vocabulary import NUMBER, Sense, Vocabulary, vocabulary
 
@@ -14,11 +14,22 @@ _FEW = 0.25
 """Where a larger share of the words is unknown in English, other languages are tried."""
 _NEARLY_ALL = 0.75
 """Where at least as many words are of one other language, it is tried beside a few unknown ones as well."""
+_HALF = 0.5
+"""Some languages share so many words with English that at least so many have to be theirs."""
+_SHARING: frozenset[Language] = frozenset(["it", "nl", "pt"])
+"""These languages: "in", "over", "top" and "is" are Dutch, "no" and "in" Italian."""
+_ALSO_FOREIGN: Mapping[str, Language] = {"gonna": "it"}
+"""Words of English that name garments elsewhere: English where not all of the text is of that language."""
 _JOINED = 3
 """Letters of each of two words that may be one word of the tables: "jump suit"."""
-_LINKS = ("", "s", "n", "en", "es", "er")
-"""Between the words of a German compound."""
+_LINKS: Mapping[Language, tuple[str, ...]] = {
+    "de": ("", "s", "n", "en", "es", "er"),
+    "nl": ("", "s", "en", "e", "n"),
+}
+"""Between the words of a compound, of those languages that write it as one."""
 _SHORTEST_HALF = 3
+_SAYS_NOTHING = frozenset(["function", "polite", "negations", "degrees", "numbers"])
+"""Categories of short words, of which one language has what is a slip in another: "em", "ad", "nee"."""
 LONGEST_TEXT = 20_000
 """Characters; what stands behind them is not read."""
 
@@ -52,13 +63,40 @@ def find_words(text: str, language: Language | None = None) -> tuple[Language, t
         return language, _found(text, language)
     english = _found(text, "en")
     unknown = sum(not found.senses for found in english)
+    alike = next((_ALSO_FOREIGN[found.word] for found in english if found.word in _ALSO_FOREIGN), None)
+    if alike is not None and _is_wholly_of(text, alike):
+        return alike, _found(text, alike)
     others = LANGUAGES[1:]
     if unknown <= _FEW * len(english):
         others = tuple([each for each in others if unknown and _share_of(text, each) >= _NEARLY_ALL])
     readings: dict[Language, tuple[Found, ...]] = {"en": english}
     readings |= {other: _found(text, other) for other in others}
-    best = min(readings, key=lambda each: _unknown(readings[each]))
+    best = min(
+        [each for each in readings if each not in _SHARING or _is_of(readings[each])],
+        key=lambda each: _unknown(readings[each]),
+    )
     return best, readings[best]
+
+
+def _is_of(words: Sequence[Found]) -> bool:
+    """Whether a text is of a language that shares words with English.
+
+    Half of it is, and more than a quarter, something of clothes among it, are words that English has not.
+    """
+    own = [found for found in words if any(sense.entry.english is not None for sense in found.senses)]
+    if len(own) == len(words) > 1:
+        return True
+    alone = [f for f in own if not vocabulary("en").find(f.word.replace("-", " ").split())]
+    told = any(
+        found.senses[0].entry.category not in _SAYS_NOTHING and max(map(len, found.word.split())) >= SHORTEST
+        for found in alone
+    )
+    return told and len(own) >= _HALF * len(words) and len(alone) > _FEW * len(words)
+
+
+def _is_wholly_of(text: str, language: Language) -> bool:
+    tokens = [token for token in tokens_of(text, language) if not token.word[0].isdigit()]
+    return all(senses for _, senses in _parted(tokens, [vocabulary(language)]))
 
 
 def _share_of(text: str, language: Language) -> float:
@@ -71,7 +109,7 @@ def _unknown(words: Sequence[Found]) -> int:
     return sum(len(found.word) for found in words if not found.senses)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=32)
 def _found(text: str, language: Language) -> tuple[Found, ...]:
     tokens = tokens_of(text, language)
     vocabularies = [vocabulary(language)] + ([] if language == "en" else [vocabulary("en")])
@@ -79,7 +117,7 @@ def _found(text: str, language: Language) -> tuple[Found, ...]:
     k = 0
     for count, senses in _parted(tokens, vocabularies):
         first, last = tokens[k], tokens[k + count - 1]
-        halves = _halves(first, vocabularies[0]) if not senses and language == "de" else ()
+        halves = _halves(first, vocabularies[0]) if not senses and language in _LINKS else ()
         if halves:
             found += halves
         elif senses or first.word.isalnum() or "'" in first.word:
@@ -163,13 +201,13 @@ def _numbered(parts: list[str]) -> list[str]:
     return [NUMBER if part[0].isdigit() else part for part in parts]
 
 
-def _halves(token: Token, german: Vocabulary) -> tuple[Found, ...]:
-    """The two words that a German compound is made of: both known, or an unknown one before a garment."""
+def _halves(token: Token, known: Vocabulary) -> tuple[Found, ...]:
+    """The two words that a compound is made of: both known, or an unknown one before a garment."""
     word = token.word
     garment: tuple[Found, ...] = ()
     for cut in range(_SHORTEST_HALF, len(word) - _SHORTEST_HALF + 1):
-        tail = german.find([word[cut:]])
-        if not tail or tail[0].entry.category in ("function", "polite", "negations", "degrees", "numbers"):
+        tail = known.find([word[cut:]])
+        if not tail or tail[0].entry.category in _SAYS_NOTHING:
             continue
         middle = token.start + cut
         behind = Found(middle, token.end, word[cut:], tail, token.gap)
@@ -179,10 +217,10 @@ def _halves(token: Token, german: Vocabulary) -> tuple[Found, ...]:
             and min(cut, len(word) - cut) > _SHORTEST_HALF
         ):
             garment = (Found(token.start, middle, word[:cut], (), "space"), behind)
-        for link in _LINKS:
+        for link in _LINKS[known.language]:
             stem = word[: cut - len(link)]
             if word[:cut].endswith(link) and len(stem) >= _SHORTEST_HALF:
-                head = german.find([stem]) or german.find([stem + "e"])
+                head = known.find([stem]) or known.find([stem + "e"])
                 if head and head[0].entry.category not in ("function", "polite", "negations", "numbers"):
                     return Found(token.start, middle, word[:cut], head, "space"), behind
     return garment

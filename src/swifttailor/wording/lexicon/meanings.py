@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
 from swifttailor.wording.lexicon.entries import Entry
+from swifttailor.wording.lexicon.inflection import Language
 from swifttailor.wording.lexicon.marking import Found
 from swifttailor.wording.lexicon.vocabulary import WORN, Sense, Vocabulary
 from swifttailor.wording.word_tables import Dialect
@@ -19,6 +20,12 @@ second: another one. theirs: one that is there already, "over my dress". like: w
 collar. word: anything else.
 """
 _JOINING = frozenset(["and", "or", "nor", "&", "und", "oder", "et", "ou", "ni", "y", "e", "o", "u"])
+_ALSO_JOINING: Mapping[Language, frozenset[str]] = {
+    "it": frozenset(["ed", "né"]),
+    "nl": frozenset(["en", "of", "noch"]),
+    "pt": frozenset(["nem"]),
+}
+"""In one language only: "en" and "of" are prepositions elsewhere."""
 _ARTICLES = frozenset(
     ["the", "its", "his", "her", "my", "die", "den", "der", "das", "les", "la", "el", "los"]
 )
@@ -274,8 +281,9 @@ def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[in
     In "sleeves long and the skirt shorter" it stands behind its noun; what is joined on is another matter.
     """
     seen = set()
+    joining = _JOINING | _ALSO_JOINING.get(known.language, frozenset())
     own = _noun_before(words, k)
-    if own is not None and k + 1 < len(words) and words[k + 1].found.word in _JOINING:
+    if own is not None and k + 1 < len(words) and words[k + 1].found.word in joining:
         seen.add(own)
         yield own
     for j in range(k + 1, min(k + _REACH, len(words))):
@@ -289,7 +297,7 @@ def _targets(words: Sequence[Meaning], k: int, known: Vocabulary) -> Iterator[in
             if word.is_noun and word.role != "like":
                 break
         elif word.category not in _ADJECTIVES and word.category != "degrees":
-            if word.found.word not in _JOINING and word.found.word not in _ARTICLES:
+            if word.found.word not in joining and word.found.word not in _ARTICLES:
                 break
     for j in range(k - 1, max(k - _REACH, -1), -1):
         if words[j].found.gap in ("pause", "stop"):

@@ -30,6 +30,8 @@ _LOWER = {"skirt": "skirt", "trousers": "legs", "shorts": "legs"}
 """Kinds without an upper part, and what they have."""
 _MAXI = Claim("skirt_hem", "maxi")
 _NOT_SHORT = frozenset(["knee", "below the knee", "midi"])
+_LONG: Mapping[Language, str | tuple[str, ...]] = {"it": "lung", "nl": "lang", "pt": ("long", "compri")}
+"""How words for long begin, where they are not like the English one."""
 _WHOLE = {"dress": "dress", "jumpsuit": "playsuit"}
 """Kinds with an upper and a lower part, and what they are with short legs."""
 
@@ -130,7 +132,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
     """The same in a language that is known; a text is often read again when its slips are put right."""
     found = find_words(text, language)[1]
     words = meanings(found, vocabulary(language), kind=kind, dialect=dialect)
-    denied = denied_words(words)
+    denied = denied_words(words, language)
     marks = [
         WordMark(
             w.found.start, w.found.end, text[w.found.start : w.found.end], w.entries, w.role, k in denied
@@ -145,7 +147,7 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
             never += refused
         else:
             implied += _implied(word, mark)
-    implied = _exact_lengths(implied)
+    implied = _exact_lengths(implied, language)
     never = list(dict.fromkeys(never))
     kept = _settled([i for i in implied if i.claim not in never])
     if kind is None:
@@ -199,13 +201,14 @@ def _refused(mark: WordMark) -> tuple[list[Implication], list[Claim]]:
     return without, [claim for claim in refused if claim not in asked]
 
 
-def _exact_lengths(implied: Sequence[Implication]) -> list[Implication]:
+def _exact_lengths(implied: Sequence[Implication], language: Language) -> list[Implication]:
     """Without "long" where the text says how long: a long coat to the knee ends at the knee."""
     exact = any(
         i.said and i.certainty == "certain" and i.claim.name == "skirt_hem" and i.claim.value in _NOT_SHORT
         for i in implied
     )
-    return [i for i in implied if not (exact and i.claim == _MAXI and i.mark.word.lower().startswith("long"))]
+    long = _LONG.get(language, "long")
+    return [i for i in implied if not (exact and i.claim == _MAXI and i.mark.word.lower().startswith(long))]
 
 
 def _settled(implied: Sequence[Implication]) -> list[Implication]:

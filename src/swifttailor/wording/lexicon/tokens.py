@@ -1,4 +1,4 @@
-"""Words of a text and their places. Hyphens part words; apostrophes do so in French elisions only."""
+"""Words of a text and their places. Hyphens part words; apostrophes do so in French and Italian elisions."""
 
 from __future__ import annotations
 
@@ -13,7 +13,12 @@ _EMOJI = "\U0001f300-\U0001faff\u2600-\u27bf"
 _TOKEN = re.compile(
     rf"[^\W_]+(?:(?:['\u2019\u02bc](?=[^\W_])|(?<=\d)[./,](?=\d))[^\W_]+)*|[{_EMOJI}]|[-=]>|\u2192"
 )
-_ELISION = re.compile(r"(?:[cdjlmnst]|qu|jusqu|lorsqu|puisqu)'(?=.)")
+_ELISIONS = {
+    "fr": re.compile(r"(?:[cdjlmnst]|qu|jusqu|lorsqu|puisqu)'(?=.)"),
+    "it": re.compile(
+        r"(?:[cdlmstv]|un|[ds]?all|dell|nell|sull|coll|quell|quest|senz|mezz|tutt|com|bell)'(?=.)"
+    ),
+}
 _HYPHENS = frozenset("-\u2010\u2011\u00ad_")
 _OPEN = frozenset(["/", '"', "'", "*", ":", "&"])
 _STOPS = frozenset(".;!?\n()[]\u2014\u2013|")
@@ -34,13 +39,14 @@ def tokens_of(text: str, language: Language) -> list[Token]:
 
     Args:
         text: Of any length; the time is in proportion to it.
-        language: French parts ``d'été``.
+        language: French parts ``d'été``, Italian ``all'anca``.
     """
     places: list[tuple[int, int]] = []
+    elision = _ELISIONS.get(language)
     for found in _TOKEN.finditer(text):
         start, end = found.span()
-        if language == "fr":
-            elided = _ELISION.match(_lower(found[0]))
+        if elision is not None:
+            elided = elision.match(_lower(found[0]))
             if elided:
                 places.append((start, start + elided.end()))
                 start += elided.end()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cache, lru_cache
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -35,6 +35,9 @@ TABLES: Mapping[Language, tuple[str, ...]] = {
     "de": ("german.txt", "german_lengths.txt"),
     "fr": ("french.txt", "french_lengths.txt"),
     "es": ("spanish.txt", "spanish_lengths.txt"),
+    "it": ("italian.txt", "italian_lengths.txt"),
+    "nl": ("dutch.txt", "dutch_lengths.txt"),
+    "pt": ("portuguese.txt", "portuguese_lengths.txt"),
 }
 _TRANSLATIONS = "words"
 """Section of the tables of other languages."""
@@ -133,7 +136,7 @@ class Vocabulary:
         return sense.entry.category in _NOUNS
 
 
-@lru_cache(maxsize=4)
+@cache
 def vocabulary(language: Language) -> Vocabulary:
     """The words of a language.
 
