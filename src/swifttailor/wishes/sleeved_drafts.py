@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 
@@ -51,8 +49,8 @@ _SLIM_END = 24.0
 """Width around at the end of long puffed sleeves, cm."""
 _WIDE = {"arm_ease": 18.0, "sleeve_end": 46.0}
 """Of sleeves that are to be wide."""
-_ENDS_AT, _ENDS = (20.0, 34.0, 46.0, 60.0), (33.0, 31.0, 28.0, 24.0)
-"""Width around at the end of plain sleeves of some lengths, cm."""
+_ENDS: Mapping[float, float] = {16.0: 33.0, 22.0: 33.0, 32.0: 31.0, 44.0: 28.0, 60.0: 24.0, 64.0: 24.0}
+"""Width around at the end of plain sleeves of those lengths, cm."""
 _FULL_ARM, _FULL_END = 16.0, 46.0
 """Room around the arm and width at the cuff of the full sleeves of shirts, cm."""
 
@@ -92,8 +90,7 @@ def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraf
     told, options = _told_lengths(claims), dict(draft.options)
     if not told or draft.name not in _SET_IN or options.get("sleeves"):
         return draft
-    end = float(np.interp(told[0], _ENDS_AT, _ENDS))
-    options |= {"sleeves": True, "sleeve_length": told[0], "sleeve_end": end}
+    options |= {"sleeves": True, "sleeve_length": told[0], "sleeve_end": _ENDS[told[0]]}
     return replace(draft, options=tuple(options.items()))
 
 
