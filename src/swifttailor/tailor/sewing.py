@@ -13,6 +13,7 @@ from swifttailor.body.probe import probe_body
 from swifttailor.body.wearer import body_of
 from swifttailor.clock import DIGITS
 from swifttailor.errors import SwiftTailorError
+from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.relaxing import relaxed
 from swifttailor.garment_sewer.sewer import BATCH, Prepared
@@ -25,6 +26,7 @@ from swifttailor.tailor.protocols import Sewer
 from swifttailor.tailor.tailored import Tailored
 from swifttailor.tailor.verdict import Verdict
 from swifttailor.tailor.worn_shoulders import SLIPS, slips_off
+from swifttailor.wishes.ribs import ribbed
 
 if TYPE_CHECKING:
     from swifttailor.draping.fabric import Fabric
@@ -307,7 +309,9 @@ def _handed_over(garment: Garment, answer: Answer, predicted: Any, body: Body | 
     wanted = answer.wanted
     if wanted is not None:
         answer = _seen_on(answer, garment, body)
-        garment = replace(garment, color=wanted.color, print=wanted.print)
+        color = wanted.color or cloth_color(garment.pattern)
+        woven = None if wanted.heard.ribs is None else ribbed(color, wanted.heard.ribs)
+        garment = replace(garment, color=wanted.color, print=wanted.print or woven)
     return Tailored(
         garment,
         replace(answer, prepared=None),

@@ -9,6 +9,7 @@ from swifttailor.pattern.trims import LIKE_EACH_OTHER, trims_that_fit
 from swifttailor.pattern.trims.names import CLOSES_FRONT
 from swifttailor.tailor.answer import Answer
 from swifttailor.wishes.heard import Heard
+from swifttailor.wishes.ribs import RIBBED
 from swifttailor.wishes.trims_wanted import TRIMS_OF, refused_trims, trims_wanted
 
 _CLOSED_BY_IT = ("open_front", "hooks")
@@ -51,6 +52,7 @@ def _put_on(
                 made.add(wish.what)
                 break
     made |= {what for what, names in TRIMS_OF.items() if refused and refused.issuperset(names)}
+    made |= set(RIBBED) if heard.ribs is not None else set()
     closed = any(name in CLOSES_FRONT for name in trims)
     lacks = tuple(
         [

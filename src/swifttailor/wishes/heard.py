@@ -15,6 +15,7 @@ from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.lexicon_spelling import near_names
 from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.refused_looks import as_not_refused
+from swifttailor.wishes.ribs import ribs
 from swifttailor.wording.claim_kinds import implied_kind
 from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, foreign_language
 
@@ -83,6 +84,11 @@ class Heard:
     def print(self) -> ClothPrint | None:
         """The print that it asks for."""
         return None if self.words is None else heard_print(self.text, self.words)
+
+    @property
+    def ribs(self) -> tuple[float, float] | None:
+        """Widths of the ribs of its cloth and between them, cm; None of cloth without, or with a print."""
+        return None if self.words is None or self.print is not None else ribs(self.words)
 
     @property
     def plain(self) -> bool:

@@ -23,6 +23,7 @@ TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "belt_accessory": _BELTS,
     "drawstring": ("drawstring",),
     "turn_ups": ("turn-ups",),
+    "padding": ("quilting",),
     "ties": ("tie belt",),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""
@@ -120,6 +121,8 @@ def _usual(what: str, heard: Heard, draft: str) -> tuple[tuple[str, ...], ...]:
         return (("buckle belt",),) if kind in _LOWER else (("tie belt",), ("buckle belt",))
     if what == "ties":
         return (("tie belt",),) if draft in _WRAPS else ()
+    if what == "padding":
+        return ()
     return tuple([(name,) for name in TRIMS_OF.get(what, ())])
 
 

@@ -28,6 +28,7 @@ TRIMS: Mapping[str, str] = {
     "cargo pockets": "pockets with flaps on the thighs",
     "tie belt": "a belt that is tied",
     "buckle belt": "a belt with a buckle",
+    "quilting": "lines of quilting",
     "turn-ups": "turned-up leg ends",
     "drawstring": "a drawstring at the waist",
 }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from swifttailor.pattern.pattern import Pattern
-from swifttailor.pattern.trims import belts, fastenings, pockets
+from swifttailor.pattern.trims import belts, fastenings, pockets, quilting
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Trim
 
@@ -30,6 +30,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "cargo pockets": pockets.cargo_pockets,
     "tie belt": belts.belt,
     "buckle belt": belts.belt,
+    "quilting": quilting.quilted,
     "turn-ups": belts.turn_ups,
     "drawstring": belts.drawstring,
 }
