@@ -19,7 +19,7 @@ from swifttailor.wishes.ribs import ribs
 from swifttailor.wording.claim_kinds import implied_kind
 from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, foreign_language
 
-MOST_OF_KINDS, MOST_OF_NAMES = 3, 4
+MOST_OF_KINDS, MOST_OF_NAMES = 6, 7
 """Up to so many things may be told of a garment that begins from a draft: where words name a mere kind, and
 where they say more."""
 _TOLD_AS_ONE = {"sleeve_shape": "sleeves", "cuffs": "sleeves", "straps": "sleeves", "neck_depth": "neckline"}
