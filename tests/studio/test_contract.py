@@ -20,7 +20,7 @@ MODELS = {
     for name, model in inspect.getmembers(module, inspect.isclass)
     if issubclass(model, BaseModel) and model.__module__ == module.__name__ and name != "Model"
 }
-OF_FILES = {"MeshHeader", "MeshSeam", "MeshBlock"}
+OF_FILES = {"MeshHeader", "MeshSeam", "MeshBlock", "MeshTrim"}
 """Of mesh files, which are no JSON bodies."""
 OF_PATTERNS = {"Curvature", "EdgeJson", "PanelJson", "PatternJson"}
 

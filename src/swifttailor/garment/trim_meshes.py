@@ -47,6 +47,8 @@ class TrimMesh:
     cloth_at: Floats | None = None
     """(f, 3, 2) where on the cloth the corners of the faces lie, cm, so that prints run on over pockets; None
     of what is not of the garment's cloth, or goes around it."""
+    flat: Floats | None = None
+    """(n, 2) the vertices on their panel, panel-local cm; None of what goes around the body."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +62,12 @@ class TrimPart:
     """(m, 3) vertex indices."""
     color: str
     """``#rrggbb``."""
+    look: str
+    """As `TrimMesh.look`."""
+    lines: Array
+    """(k, 2) edges that show, as vertex indices."""
+    flat: Array | None = None
+    """As `TrimMesh.flat`; None where a piece has none."""
 
 
 def trim_meshes(garment: Garment) -> list[TrimMesh]:
@@ -85,13 +93,17 @@ def trim_parts(garment: Garment) -> tuple[TrimPart, ...]:
         joined.setdefault((mesh.trim, mesh.look), []).append(mesh)
     parts = []
     for (trim, look), meshes in joined.items():
-        first = np.cumsum([0, *[len(mesh.vertices) for mesh in meshes]])
+        first = np.cumsum([0, *[len(mesh.vertices) for mesh in meshes]])[:-1]
+        flats = [mesh.flat for mesh in meshes if mesh.flat is not None]
         parts.append(
             TrimPart(
                 f"{trim} ({look})",
                 np.concatenate([mesh.vertices for mesh in meshes]),
-                np.concatenate([mesh.faces + start for mesh, start in zip(meshes, first[:-1], strict=True)]),
+                np.concatenate([mesh.faces + start for mesh, start in zip(meshes, first, strict=True)]),
                 "#" + "".join(f"{part:02x}" for part in encode_srgb(trim_color(garment, look))),
+                look,
+                np.concatenate([mesh.lines + start for mesh, start in zip(meshes, first, strict=True)]),
+                np.concatenate(flats) if len(flats) == len(meshes) else None,
             )
         )
     return tuple(parts)
@@ -112,7 +124,8 @@ def _patch(garment: Garment, patch: Patch) -> TrimMesh:
     share = np.linspace(0, 1, across + 1)[:, None, None]
     flat = (1 - share) * first + share * second
     rows, columns = flat.shape[:2]
-    points, normals, places = _on_cloth(garment, patch.panel, flat.reshape(-1, 2))
+    flat = flat.reshape(-1, 2)
+    points, normals, places = _on_cloth(garment, patch.panel, flat)
     lift = _LIFT[patch.look]
     count = rows * columns
     grid = np.arange(count).reshape(rows, columns)
@@ -126,7 +139,7 @@ def _patch(garment: Garment, patch: Patch) -> TrimMesh:
     faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     faces = _outward(vertices, faces, normals, points)
     at = np.concatenate([places, places[ring]])[faces] if patch.look == "cloth" else None
-    return TrimMesh(patch.trim, patch.look, vertices, faces, border, at)
+    return TrimMesh(patch.trim, patch.look, vertices, faces, border, at, np.concatenate([flat, flat[ring]]))
 
 
 def _button(garment: Garment, button: Button) -> TrimMesh:

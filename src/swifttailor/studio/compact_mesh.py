@@ -12,9 +12,26 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.studio.mesh_record import pack_mesh, smooth_normals, unpack_mesh
 
-_UNIT = {"positions": 0.01, "uv": 0.01, "strain": 0.01, "color": 1 / 255}
+_UNIT = {
+    "positions": 0.01,
+    "uv": 0.01,
+    "strain": 0.01,
+    "color": 1 / 255,
+    "trim_positions": 0.01,
+    "trim_uv": 0.01,
+}
 """What one step of a rounded number is: cm, shares."""
-_COLUMNS = {"positions": 3, "uv": 2, "triangles": 3, "color": 3, "normals": 3}
+_COLUMNS = {
+    "positions": 3,
+    "uv": 2,
+    "triangles": 3,
+    "color": 3,
+    "normals": 3,
+    "trim_positions": 3,
+    "trim_uv": 2,
+    "trim_triangles": 3,
+    "trim_lines": 2,
+}
 
 
 def shrink(data: bytes) -> bytes:

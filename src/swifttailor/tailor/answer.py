@@ -51,6 +51,8 @@ class Answer:
     """What was altered, in words."""
     put_on: tuple[str, ...] = ()
     """Trims that its text asked for or meant, by name."""
+    meant: tuple[str, ...] = ()
+    """Those of them that the text does not say: the name of a garment means them."""
     taken_off: tuple[str, ...] = ()
     """Trims of the pattern to edit that the text does not want."""
     of_edit: bool = False

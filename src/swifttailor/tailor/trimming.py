@@ -26,23 +26,27 @@ def trimmed(answer: Answer) -> Answer:
     if wanted is None:
         return answer
     edit = wanted.order.edit
-    trims, heard = _put_on(answer.pattern, wanted.heard, answer.draft, () if edit is None else edit.trims)
-    before = answer.pattern.trims if edit is None else edit.trims
+    own = () if edit is None else edit.trims
+    trims, said, heard = _put_on(answer.pattern, wanted.heard, answer.draft, own)
+    before = answer.pattern.trims if edit is None else own
     if trims == answer.pattern.trims and heard is wanted.heard:
         return answer
     put_on = tuple([name for name in trims if name not in before])
     taken_off = tuple([name for name in before if name not in trims])
     pattern = replace(answer.pattern, trims=trims)
     wanted = replace(wanted, heard=heard)
-    return replace(answer, pattern=pattern, wanted=wanted, put_on=put_on, taken_off=taken_off)
+    meant = tuple([name for name in put_on if name not in said])
+    return replace(answer, pattern=pattern, wanted=wanted, put_on=put_on, meant=meant, taken_off=taken_off)
 
 
 def _put_on(
     pattern: Pattern, heard: Heard, draft: str, own: tuple[str, ...]
-) -> tuple[tuple[str, ...], Heard]:
+) -> tuple[tuple[str, ...], set[str], Heard]:
+    """The trims, those of them that the text says, and what it still lacks."""
     refused = refused_trims(heard)
     trims = [name for name in own if name not in refused]
     made = set()
+    said = set[str]()
     for wish in sorted(trims_wanted(heard, draft), key=lambda wish: not wish.said):
         for choice in wish.choices:
             taken = {each for group in LIKE_EACH_OTHER for each in group if not set(group).isdisjoint(trims)}
@@ -50,6 +54,7 @@ def _put_on(
             if len(free) == len(choice) and set(trims_that_fit(pattern, choice)) == set(choice):
                 trims += [name for name in choice if name not in trims]
                 made.add(wish.what)
+                said.update(choice if wish.said else ())
                 break
     made |= {what for what, names in TRIMS_OF.items() if refused and refused.issuperset(names)}
     made |= set(RIBBED) if heard.ribs is not None else set()
@@ -61,4 +66,4 @@ def _put_on(
             if lack.what not in made and not (closed and not lack.said and lack.what in _CLOSED_BY_IT)
         ]
     )
-    return tuple(trims), heard if lacks == heard.lacks else replace(heard, lacks=lacks)
+    return tuple(trims), said, heard if lacks == heard.lacks else replace(heard, lacks=lacks)

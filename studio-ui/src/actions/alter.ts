@@ -53,9 +53,9 @@ const slider = new LatestWins<Slide, Document>(
     if (slide === null) return;
     slide.shown = document;
     if (slide.released && state.value === slide.asked) return finish(state.label, document);
-    const { findings, seams, mesh, edge_length } = document;
+    const { findings, seams, trims = [], mesh, edge_length } = document;
     const pattern = fromWire(document.pattern);
-    useStudio.getState().previewAnswered({ pattern, findings, seams, mesh, edge_length });
+    useStudio.getState().previewAnswered({ pattern, findings, seams, trims, mesh, edge_length });
   },
   (error) => {
     slide = null;

@@ -46,12 +46,21 @@ function show(answer: LiveAnswer, { pattern, startedAt, hasty }: Wanted): void {
     lastSewn: answer.status === "sewn" ? (performance.now() - startedAt) / 1000 : session.lastSewn,
   });
   const { draft, answerDraft, amend } = useStudio.getState();
-  const { findings, seams, mesh } = answer;
+  const { findings, seams, trims, mesh } = answer;
   if (draft !== null)
-    answerDraft({ pattern, findings, seams, mesh, edge_length: hasty ? HASTY_EDGE : FULL_EDGE, hasty });
+    answerDraft({
+      pattern,
+      findings,
+      seams,
+      trims,
+      mesh,
+      edge_length: hasty ? HASTY_EDGE : FULL_EDGE,
+      hasty,
+    });
   amend(pattern, {
     findings,
     seams,
+    trims,
     unsewable: answer.error,
     ...(mesh && !hasty ? { mesh, garment: "sewn" as const, edge_length: FULL_EDGE } : {}),
   });

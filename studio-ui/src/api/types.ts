@@ -122,6 +122,19 @@ export interface SeamInfo {
   uneven: boolean;
 }
 
+/** Where a pocket, a button, a zip or a line of stitches lies on a panel. Belts go around, and lie on none. */
+export interface TrimMark {
+  /** Its name in the pattern's properties.trims. */
+  trim: string;
+  panel: string;
+  /** "outline": closed, of what is sewn on; "line": stitches, openings, cords. */
+  kind: "outline" | "line" | "zip" | "button";
+  /** Panel-local cm: of outlines and lines in order, of a button its middle. */
+  points: Point[];
+  /** Of a button, cm; else 0. */
+  radius: number;
+}
+
 export interface DimensionInfo {
   /** What to send back in a change. */
   name: string;
@@ -207,6 +220,8 @@ export interface Document {
   pattern: PatternJson;
   findings: FindingInfo[];
   seams: SeamInfo[];
+  /** Absent in what earlier versions have saved: they had none. */
+  trims?: TrimMark[];
   /** Content hash of the garment's mesh: GET /api/meshes/{mesh}; null where it was not, or cannot be, sewn. */
   mesh: string | null;
   /** Why there is no mesh. */
@@ -348,6 +363,7 @@ export interface CheckRequest {
 export interface CheckAnswer {
   findings: FindingInfo[];
   seams: SeamInfo[];
+  trims: TrimMark[];
 }
 
 /** POST /api/repair. Answer: RepairAnswer. */
@@ -361,6 +377,7 @@ export interface RepairAnswer {
   changes: string[];
   findings: FindingInfo[];
   seams: SeamInfo[];
+  trims: TrimMark[];
 }
 
 /** POST /api/describe. Answer: DescribeAnswer. */
@@ -476,6 +493,7 @@ export interface LiveAnswer {
   mesh: string | null;
   findings: FindingInfo[];
   seams: SeamInfo[];
+  trims: TrimMark[];
   error: ErrorInfo | null;
   seconds: Record<string, number>;
 }
@@ -701,8 +719,26 @@ export interface MeshHeader {
   edges: EdgePlace[];
   /** "#rrggbb"; null where none was named. */
   color: string | null;
+  /** Pockets, buttons and the like, in the order in which they lie in the blocks; absent where there are none. */
+  trims?: MeshTrim[];
   blocks: MeshBlock[];
 }
+
+/** What is put on the cloth in one look, such as all buttons. */
+export interface MeshTrim {
+  /** Such as "patch pockets (cloth)". */
+  name: string;
+  look: TrimLook;
+  /** Whether trim_uv tells where it lies on its panel: prints of the cloth run on over it. */
+  on_panel: boolean;
+  /** How many of each are its own. */
+  vertices: number;
+  triangles: number;
+  lines: number;
+}
+
+/** "cloth" and "dark" (stitches, openings) follow the colour of the garment's cloth, buttons its lightness. */
+export type TrimLook = "cloth" | "dark" | "metal" | "button" | "leather";
 
 export interface MeshSeam {
   first: EdgePlace;
@@ -715,6 +751,8 @@ export interface MeshBlock {
    * same coordinates as the pattern's vertices (prints at true scale, 3D to 2D picking); panel (n,) u32; weld (n,)
    * u32; triangles (t,3) u32 into the n vertices; strain (n,) f32: (length / rest - 1) of the most stretched
    * direction; seam_vertices, seam_offsets, edge_vertices, edge_offsets u32; color (n,3) f32 0..1, bodies only.
+   * Of trims: trim_positions (m,3) f32 cm; trim_uv (m,2) f32 panel-local cm, 0 of what goes around the body;
+   * trim_triangles (s,3) u32 and trim_lines (l,2) u32, edges that show, both counted from the trim's first vertex.
    */
   name: string;
   type: "f32" | "u32";

@@ -8,9 +8,10 @@ import {
   MeshBasicMaterial,
   MeshNormalMaterial,
   MeshStandardMaterial,
+  type Texture,
 } from "three";
 import type { Coloring, Print } from "../state/display";
-import { PANEL_COLORS, type Rgb } from "./colors";
+import { linear, PANEL_COLORS, type Rgb } from "./colors";
 import { computeNormals, type MeshData, spreadFrame } from "./mesh-file";
 import { printTexture } from "./prints";
 import { strainColor } from "./strain-colors";
@@ -34,7 +35,7 @@ export const PLAIN_LOOK: ClothLook = {
 };
 
 /** No cloth throws back all light: the brightest keep room for their folds to be seen. */
-const ALBEDO = 0.86;
+export const ALBEDO = 0.86;
 
 export class Cloth {
   readonly mesh: Mesh<BufferGeometry, MeshStandardMaterial | MeshNormalMaterial>;
@@ -82,6 +83,11 @@ export class Cloth {
 
   get positions(): Float32Array {
     return this.mesh.geometry.getAttribute("position")?.array as Float32Array;
+  }
+
+  /** What is printed on the cloth; null where it is plain or not shown as cloth. */
+  get texture(): Texture | null {
+    return this.material.map;
   }
 
   show(data: MeshData): void {
@@ -172,9 +178,4 @@ export class Cloth {
     (attribute.array as Float32Array).set(values);
     attribute.needsUpdate = true;
   }
-}
-
-/** Vertex colours are linear, ours are sRGB. */
-function linear(channel: number): number {
-  return channel <= 0.04045 ? channel / 12.92 : ((channel + 0.055) / 1.055) ** 2.4;
 }

@@ -26,6 +26,11 @@ export function lightness([r, g, b]: Rgb): number {
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
 
+/** Light of an sRGB channel: vertex colours and materials are linear, ours are sRGB. */
+export function linear(channel: number): number {
+  return channel <= 0.04045 ? channel / 12.92 : ((channel + 0.055) / 1.055) ** 2.4;
+}
+
 /** Twelve quiet colours for panels; neighbours in the list differ in hue and lightness. */
 export const PANEL_COLORS: readonly Rgb[] = [
   "#7fb3d5",

@@ -16,6 +16,10 @@ function file(change: Partial<MeshHeader> = {}, magic = "STMESH01"): ArrayBuffer
     ["triangles", "u32", [0, 1, 2, 3, 4, 5]],
     ["edge_vertices", "u32", [0, 1]],
     ["edge_offsets", "u32", [0, 2]],
+    ["trim_positions", "f32", [0, 0, 1, 1, 0, 1, 0, 1, 1, 5, 5, 5, 6, 5, 5, 5, 6, 5]],
+    ["trim_uv", "f32", [0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0]],
+    ["trim_triangles", "u32", [0, 1, 2, 0, 2, 1]],
+    ["trim_lines", "u32", [0, 1, 1, 2]],
   ];
   let offset = 0;
   const blocks = arrays.map(([name, type, values]) => {
@@ -70,6 +74,25 @@ describe("mesh files", () => {
     expect(() => readMeshFile(file().slice(0, 60))).toThrow("ends within its header");
     expect(() => readMeshFile(file({ version: 2 as 1 }))).toThrow("version 2");
     expect(() => readMeshFile(file({ vertices: 7 }))).toThrow("fewer vertices");
+  });
+
+  it("carry pockets and the like, each with its own vertices", () => {
+    expect(readMeshFile(file()).trims).toEqual([]);
+    const counts = { vertices: 3, triangles: 1 };
+    const trims: MeshHeader["trims"] = [
+      { name: "patch pockets (cloth)", look: "cloth", on_panel: true, ...counts, lines: 2 },
+      { name: "buckle belt (metal)", look: "metal", on_panel: false, ...counts, lines: 0 },
+    ];
+    const [pocket, buckle] = readMeshFile(file({ trims })).trims;
+    expect(pocket?.look).toBe("cloth");
+    expect([...(pocket?.uv ?? [])]).toEqual([0, 0, 1, 0, 0, 1]);
+    expect([...(pocket?.lines ?? [])]).toEqual([0, 1, 1, 2]);
+    expect(buckle?.uv).toBeNull();
+    expect([...(buckle?.positions ?? [])]).toEqual([5, 5, 5, 6, 5, 5, 5, 6, 5]);
+    expect([...(buckle?.triangles ?? [])]).toEqual([0, 2, 1]);
+    expect(buckle?.lines).toHaveLength(0);
+    const more = trims.map((trim) => ({ ...trim, vertices: 4 }));
+    expect(() => readMeshFile(file({ trims: more }))).toThrow('"buckle belt (metal)"');
   });
 
   it("move by frames of the welded vertices, with normals smooth across seams", () => {

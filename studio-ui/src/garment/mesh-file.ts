@@ -1,6 +1,6 @@
 /** Reads the studio's binary mesh files (API.md, "Mesh files") without copying their data. */
 
-import type { EdgePlace, MeshHeader, MeshSeam } from "../api/types";
+import type { EdgePlace, MeshHeader, MeshSeam, TrimLook } from "../api/types";
 
 const MAGIC = "STMESH01";
 
@@ -29,6 +29,18 @@ export interface MeshData {
   colors: Float32Array;
   /** "#rrggbb" of the cloth, or null. */
   color: string | null;
+  trims: TrimData[];
+}
+
+/** Pockets, buttons or the like of one look: positions in cm, indices into them. */
+export interface TrimData {
+  look: TrimLook;
+  positions: Float32Array;
+  /** Panel-local cm, for prints; null of what goes around the body. */
+  uv: Float32Array | null;
+  triangles: Uint32Array;
+  /** Pairs of vertices: edges that show. */
+  lines: Uint32Array;
 }
 
 /** Throws an Error that says what is wrong with the file. */
@@ -68,10 +80,39 @@ export function readMeshFile(buffer: ArrayBuffer): MeshData {
     edgeOffsets: integers("edge_offsets"),
     colors: floats("color"),
     color: header.color,
+    trims: readTrims(header, floats, integers),
   };
   if (mesh.positions.length !== 3 * header.vertices || mesh.triangles.length !== 3 * header.triangles)
     throw new Error("The mesh file holds fewer vertices or triangles than its header says.");
   return mesh;
+}
+
+function readTrims(
+  header: MeshHeader,
+  floats: (name: string) => Float32Array,
+  integers: (name: string) => Uint32Array,
+): TrimData[] {
+  const [positions, uv] = [floats("trim_positions"), floats("trim_uv")];
+  const [triangles, lines] = [integers("trim_triangles"), integers("trim_lines")];
+  const from = { vertices: 0, triangles: 0, lines: 0 };
+  return (header.trims ?? []).map((trim) => {
+    const [vertex, triangle, line] = [from.vertices, from.triangles, from.lines];
+    from.vertices += trim.vertices;
+    from.triangles += trim.triangles;
+    from.lines += trim.lines;
+    const own = {
+      look: trim.look,
+      positions: positions.subarray(3 * vertex, 3 * from.vertices),
+      uv: trim.on_panel ? uv.subarray(2 * vertex, 2 * from.vertices) : null,
+      triangles: triangles.subarray(3 * triangle, 3 * from.triangles),
+      lines: lines.subarray(2 * line, 2 * from.lines),
+    };
+    if (own.positions.length !== 3 * trim.vertices || own.triangles.length !== 3 * trim.triangles)
+      throw new Error(
+        `The mesh file holds fewer vertices or triangles of "${trim.name}" than its header says.`,
+      );
+    return own;
+  });
 }
 
 /** Smooth normals of the split vertices, over the welded ones: (n, 3) into `normals`. */

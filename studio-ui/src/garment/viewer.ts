@@ -19,6 +19,7 @@ import { Cloth, type ClothLook } from "./cloth";
 import { type ColoredPath, EdgePaths, Lines } from "./lines";
 import type { MeshData } from "./mesh-file";
 import { Stage } from "./stage";
+import { Trims } from "./trims";
 
 /** How near to an edge the pointer has to be, px. */
 const EDGE_PX = 9;
@@ -36,6 +37,7 @@ export type SeamLookup = (stitch: number) => readonly [EdgePlace, EdgePlace] | n
 export class GarmentViewer {
   readonly stage: Stage;
   private readonly cloth: Cloth;
+  private readonly trims = new Trims();
   private readonly seams = new Lines(2, false);
   private readonly hovered = new Lines(5, true);
   private readonly selected = new Lines(5, true);
@@ -58,8 +60,9 @@ export class GarmentViewer {
     );
     this.points.frustumCulled = false;
     this.points.visible = false;
-    const { cloth, seams, hovered, selected, points } = this;
-    this.stage.scene.add(cloth.mesh, cloth.glow, seams.object, selected.object, hovered.object, points);
+    const { cloth, trims, seams, hovered, selected, points } = this;
+    this.stage.scene.add(cloth.mesh, trims.object, cloth.glow, seams.object, selected.object);
+    this.stage.scene.add(hovered.object, points);
   }
 
   get data(): MeshData | null {
@@ -73,16 +76,22 @@ export class GarmentViewer {
     if (data === null) {
       this.cloth.data = null;
       this.paths = null;
+      this.trims.show([]);
     } else if (this.cloth.data !== data) {
       this.cloth.show(data);
       this.paths = new EdgePaths(data);
+      this.trims.show(data.trims);
     }
+    this.markTrims();
     this.drawSeams();
     this.markAgain();
   }
 
   showFrame(frame: Float32Array): void {
     this.cloth.moveTo(frame);
+    // They lie where the cloth was; the garment that comes at the end brings its own.
+    this.trims.show([]);
+    this.markTrims();
     this.seams.follow(this.cloth.positions);
     this.markAgain();
   }
@@ -115,6 +124,8 @@ export class GarmentViewer {
 
   setLook(look: ClothLook): void {
     this.cloth.setLook(look);
+    this.trims.setLook(look, this.cloth.texture);
+    this.markTrims();
     this.stage.invalidate();
   }
 
@@ -199,6 +210,10 @@ export class GarmentViewer {
         if (vertices !== undefined) paths.push({ vertices, color: this.seamColors[k] ?? "#888888" });
       });
     this.seams.setPaths(paths, this.cloth.positions);
+  }
+
+  private markTrims(): void {
+    this.stage.mark("trims", this.trims.object.visible ? this.trims.looks.join(" ") : "");
   }
 
   private markAgain(): void {

@@ -1,5 +1,5 @@
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "react";
-import { currentVersion, shownPattern, useStudio } from "../state/store";
+import { currentVersion, shownPattern, shownTrims, useStudio } from "../state/store";
 import { arranged, hasOverlaps, kept } from "./layout/arrangement";
 import { panelNames, panelOf, type Specification } from "./specification";
 import { aspectOf, fitAll, showArrangement, showTarget } from "./window/commands";
@@ -13,6 +13,7 @@ import { usePatternView } from "./window/pattern-view-state";
 import { Grid, Rulers } from "./window/Sheet";
 import { type EdgeMark, seamMarks } from "./window/seam-marks";
 import { Toolbar } from "./window/Toolbar";
+import { trimsByPanel } from "./window/TrimMarks";
 import "./pattern.css";
 
 const SETTLED_MS = 160;
@@ -99,6 +100,8 @@ function Panels({ specification, settled }: { specification: Specification; sett
   const before = useRef<ReadonlyMap<string, readonly EdgeMark[]>>(new Map());
   const marks = useMemo(() => seamMarks(specification, before.current), [specification]);
   before.current = marks;
+  const shown = useStudio(shownTrims);
+  const trims = useMemo(() => trimsByPanel(shown), [shown]);
   const selected = new Set(selection.flatMap((t) => (t.kind === "panel" ? [t.panel] : [])));
   return (
     <>
@@ -112,6 +115,7 @@ function Panels({ specification, settled }: { specification: Specification; sett
             {...{ name, place, scale, theme, units, numbers, names, onFocus, onEnter }}
             panel={panelOf(specification, name)}
             marks={own}
+            trims={trims.get(name)}
             selected={selected.has(name)}
           />
         );

@@ -24,7 +24,10 @@ export function versionOf(document: Document): Version {
   return { ...document, pattern: fromWire(document.pattern) };
 }
 
-/** A changed pattern: what was said about the one before no longer holds, but for who made it and its cloth. */
+/**
+ * A changed pattern: what was said about the one before no longer holds, but for who made it and its cloth. Marks of
+ * its pockets and the like stay where they are until the server's answer moves them.
+ */
 export function changedVersion(before: Version, pattern: PatternJson): Version {
   return {
     ...before,

@@ -63,4 +63,26 @@ describe("carriedReading", () => {
     );
     expect(after.made.map((each) => each.text)).toEqual(["hem: knee", "slit: left"]);
   });
+
+  it("keeps pockets and the like where they were, as long as they are on it", () => {
+    const trim = (name: string, more: Partial<Chip> = {}): Chip => ({
+      ...chip(null, "", name),
+      id: `trim:${name}`,
+      value: null,
+      ...more,
+    });
+    const dressed = reading({ made: [trim("zip")], assumed: [trim("belt"), trim("fly")], shown: [] });
+    const now = reading({
+      made: [trim("pockets")],
+      shown: [trim("zip", { from: "pattern" }), trim("belt", { from: "pattern", holds: false })],
+    });
+    const after = carriedReading(dressed, now);
+    expect(after.made.map((each) => [each.text, each.from])).toEqual([
+      ["zip", "text"],
+      ["pockets", "text"],
+    ]);
+    // The belt has no place any more, and the fly was taken off.
+    expect(after.assumed.map((each) => [each.text, each.holds])).toEqual([["belt", false]]);
+    expect(after.shown).toEqual([]);
+  });
 });

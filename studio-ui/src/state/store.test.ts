@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import type { Document } from "../api/types";
+import type { Document, TrimMark } from "../api/types";
 import { versionOf } from "./document";
 import type { PatternJson } from "./pattern-json";
-import { currentVersion, shownFindings, shownMesh, shownPattern, useStudio } from "./store";
+import { currentVersion, shownFindings, shownMesh, shownPattern, shownTrims, useStudio } from "./store";
 
 function square(side: number, panels = ["front"]): PatternJson {
   const panel = {
@@ -162,6 +162,35 @@ describe("the store", () => {
     state().apply("Drag", dragged);
     expect(currentVersion(state())?.mesh).toBeNull();
     expect(currentVersion(state())?.findings).toEqual([]);
+  });
+
+  it("marks pockets where they were until it is known where they are", () => {
+    const mark = (x: number): TrimMark => ({
+      trim: "zip",
+      panel: "front",
+      kind: "zip",
+      points: [
+        [x, 0],
+        [x, 9],
+      ],
+      radius: 0,
+    });
+    expect(shownTrims(state())).toEqual([]);
+    expect(shownTrims(state())).toBe(shownTrims(state()));
+    const [before, dragged, after] = [[mark(5)], [mark(6)], [mark(7)]];
+    state().open("Opened", versionOf({ ...document(square(10), "mesh-10"), trims: before }));
+    const larger = square(12);
+    state().preview(larger);
+    expect(shownTrims(state())).toBe(before);
+    const answer = { findings: [], seams: [], mesh: null, edge_length: 2.5 };
+    state().answerDraft({ ...answer, pattern: larger, trims: dragged });
+    expect(shownTrims(state())).toBe(dragged);
+    state().apply("Drag", larger);
+    expect(shownTrims(state())).toBe(dragged);
+    state().amend(larger, { trims: after });
+    expect(shownTrims(state())).toBe(after);
+    state().undo();
+    expect(shownTrims(state())).toBe(before);
   });
 
   it("toggles what is selected", () => {

@@ -1,7 +1,7 @@
 /** The open document with its history, what is selected, and units and theme. See STORE.md. */
 
 import { create } from "zustand";
-import type { FindingInfo, Reading, SeamInfo } from "../api/types";
+import type { FindingInfo, Reading, SeamInfo, TrimMark } from "../api/types";
 import type { Arrangement } from "../pattern/layout/arrangement";
 import { changedVersion, type Version } from "./document";
 import { amended, canRedo, canUndo, type History, movedTo, pushed, started } from "./history";
@@ -17,6 +17,7 @@ export interface DraftAnswer {
   pattern: PatternJson;
   findings: FindingInfo[];
   seams: SeamInfo[];
+  trims?: TrimMark[];
   mesh: string | null;
   /** Of the mesh, cm. */
   edge_length: number;
@@ -79,6 +80,7 @@ export interface ViewSlice {
 export type StudioState = DocumentSlice & SelectionSlice & ViewSlice;
 
 const ONE_STEP_MS = 1500;
+const NO_TRIMS: readonly TrimMark[] = [];
 const NO_DRAFT = { draft: null, draftAnswer: null } as const;
 
 export const useStudio = create<StudioState>()((set, get) => ({
@@ -95,6 +97,7 @@ export const useStudio = create<StudioState>()((set, get) => ({
       Object.assign(version, {
         findings: draftAnswer.findings,
         seams: draftAnswer.seams,
+        ...(draftAnswer.trims === undefined ? {} : { trims: draftAnswer.trims }),
         // A hasty garment stays in view until the full one of the same pattern is there.
         ...(draftAnswer.hasty || draftAnswer.mesh === null
           ? {}
@@ -203,6 +206,12 @@ export function shownFindings(state: StudioState): FindingInfo[] | null {
 /** Seams with lengths and mismatch, of what is drawn; null while they are not known. */
 export function shownSeams(state: StudioState): SeamInfo[] | null {
   return state.draft !== null ? (state.draftAnswer?.seams ?? null) : (currentVersion(state)?.seams ?? null);
+}
+
+/** Marks of pockets, buttons and zips on what is drawn; while they are worked out, where they were. */
+export function shownTrims(state: StudioState): readonly TrimMark[] {
+  const drafted = state.draft !== null ? state.draftAnswer?.trims : undefined;
+  return drafted ?? currentVersion(state)?.trims ?? NO_TRIMS;
 }
 
 /** Name of the garment's mesh to show; null: keep what is shown until there is one. */

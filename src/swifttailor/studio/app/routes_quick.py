@@ -38,6 +38,7 @@ _STALE: dict[str, Any] = {
     "mesh": None,
     "findings": [],
     "seams": [],
+    "trims": [],
     "error": None,
     "seconds": {},
 }

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 from swifttailor.describing import Claim, GarmentFacts, claims_of
 from swifttailor.describing.claims import CLAIM_TYPES
 from swifttailor.describing.differences import QUANTITIES, Change, Gain
+from swifttailor.pattern import Pattern
+from swifttailor.pattern.trims import TRIMS, trims_that_fit
 from swifttailor.recutting.set_dimension import Span, dimension_spans
 from swifttailor.studio.bench.claim_labels import claim_label, claim_unit, dimension_group
 from swifttailor.tailor.order import one_line
@@ -86,7 +88,7 @@ def change_line(change: Change) -> str:
     return f"{change.quantity}: {sign}{change.amount:g}{' cm' if quantity.in_cm else ''}"
 
 
-def text_chip(text: str, *, list_name: str, number: int) -> dict[str, Any]:
+def text_chip(text: str, *, list_name: str, number: int | str) -> dict[str, Any]:
     """A chip that cannot be corrected: words that were not understood, or what cannot be made."""
     shown = one_line(text, 120)
     return {
@@ -106,20 +108,48 @@ def text_chip(text: str, *, list_name: str, number: int) -> dict[str, Any]:
     }
 
 
-def shown_chips(facts: GarmentFacts | None, said: Sequence[dict[str, Any]] = ()) -> list[dict[str, Any]]:
-    """What a pattern shows in words, besides what was said of it."""
-    if facts is None:
+def trim_chips(pattern: Pattern, names: Sequence[str], *, source: str) -> list[dict[str, Any]]:
+    """Chips for pockets, buttons and the like that are put on a pattern; they `hold` where they find a place.
+
+    Args:
+        pattern: Names them among its trims.
+        names: Of `TRIMS`.
+        source: ``text`` or ``pattern``.
+    """
+    if not names:
         return []
+    fit = trims_that_fit(pattern, names)
+    about = "put on for the eye and the sewist: it holds no panels together"
+    return [
+        text_chip(TRIMS[name], list_name="trim", number=name)
+        | {"about": about, "from": source, "holds": name in fit}
+        for name in names
+    ]
+
+
+def shown_chips(
+    facts: GarmentFacts | None, said: Sequence[dict[str, Any]] = (), *, pattern: Pattern
+) -> list[dict[str, Any]]:
+    """What a pattern shows in words, besides what was said of it.
+
+    Args:
+        facts: Of the pattern; None where it cannot be measured.
+        said: Chips that there are already.
+        pattern: Names its trims.
+    """
     spoken = {chip["claim"] for chip in said}
-    claims = [c for c in claims_of(facts) if isinstance(c.value, str) and c.name not in spoken]
-    return [_measured(claim) for claim in claims][:MOST_CHIPS]
+    claims = [] if facts is None else claims_of(facts)
+    measured = [_measured(c) for c in claims if isinstance(c.value, str) and c.name not in spoken]
+    known = {chip["id"] for chip in said}
+    trims = [c for c in trim_chips(pattern, pattern.trims, source="pattern") if c["id"] not in known]
+    return [*trims, *measured][:MOST_CHIPS]
 
 
 def reading_of(made: Tailored, facts: GarmentFacts | None) -> dict[str, Any]:
     """The four lists of an order that was carried out, and what the pattern shows besides."""
     wanted, verdict = made.answer.wanted, made.answer.verdict
     if wanted is None:
-        return EMPTY_READING | {"shown": shown_chips(facts)}
+        return EMPTY_READING | {"shown": shown_chips(facts, pattern=made.pattern)}
     heard = wanted.heard
     spans = {} if facts is None else dimension_spans(facts)
 
@@ -131,6 +161,9 @@ def reading_of(made: Tailored, facts: GarmentFacts | None) -> dict[str, Any]:
     missed = [chip(w, False) for w in wanted.wishes if w.change in verdict.open]
     likely = [w for w in wanted.likely if facts is not None and w.change.holds(facts, facts)]
     assumed = [chip(w, True) for w in likely]
+    put_on, meant = made.answer.put_on, made.answer.meant
+    done += trim_chips(made.pattern, [name for name in put_on if name not in meant], source="text")
+    assumed += trim_chips(made.pattern, meant, source="text")
     texts = [*heard.cannot, *heard.left_out]
     cannot = [*missed, *(text_chip(t, list_name="cannot", number=k) for k, t in enumerate(texts))]
     unknown = [text_chip(t, list_name="unknown", number=k) for k, t in enumerate(heard.unread)]
@@ -139,7 +172,7 @@ def reading_of(made: Tailored, facts: GarmentFacts | None) -> dict[str, Any]:
         "assumed": _once(assumed),
         "cannot": _once(cannot),
         "unknown": _once(unknown),
-        "shown": shown_chips(facts, [*done, *assumed, *missed]),
+        "shown": shown_chips(facts, [*done, *assumed, *missed], pattern=made.pattern),
         "language": None if heard.words is None else heard.words.language,
         "color": wanted.color,
         "fabric": heard.cloth,

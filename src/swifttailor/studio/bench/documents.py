@@ -10,9 +10,11 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern import Finding, Pattern, Reading, read_specification, to_specification
+from swifttailor.pattern.trims import TRIMS
 from swifttailor.studio.bench.chips import EMPTY_READING, change_line, reading_of, shown_chips, sliders
 from swifttailor.studio.bench.mesh_files import garment_record
 from swifttailor.studio.bench.pattern_facts import check, finding_infos, seam_infos
+from swifttailor.studio.bench.trim_blocks import trim_marks
 from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.mesh_record import MeshRecord
 from swifttailor.studio.worker.refusal import refusal_of
@@ -74,10 +76,11 @@ def document(
         "pattern": to_specification(pattern),
         "findings": finding_infos(pattern, findings, try_mending=True),
         "seams": seam_infos(pattern, findings),
+        "trims": trim_marks(pattern),
         "mesh": None if record is None else record.name,
         "unsewable": None,
         "body": worn.name,
-        "reading": EMPTY_READING | {"shown": shown_chips(facts)},
+        "reading": EMPTY_READING | {"shown": shown_chips(facts, pattern=pattern)},
         "dimensions": sliders(facts),
         "description": caption(facts),
         "notes": [],
@@ -116,6 +119,8 @@ def tailored_document(
     wanted = made.answer.wanted
     if wanted is not None and wanted.order.edit is not None:
         changes += [change_line(change) for change in made.answer.seen or ()]
+        changes += [f"put on: {TRIMS[name]}" for name in made.answer.put_on]
+        changes += [f"taken off: {TRIMS[name]}" for name in made.answer.taken_off]
     cloth = reading["fabric"] or "cotton"
     work = document(
         made.pattern,

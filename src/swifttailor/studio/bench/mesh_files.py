@@ -15,6 +15,7 @@ from swifttailor.garment.garment import Garment
 from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.pattern import Pattern, read_specification, to_specification
+from swifttailor.studio.bench.trim_blocks import trim_blocks
 from swifttailor.studio.mesh_record import MeshRecord, name_of, pack_mesh, smooth_normals, unpack_mesh
 
 _SAME_CM = 0.05
@@ -48,6 +49,9 @@ def garment_record(garment: Garment, edge_length: float) -> MeshRecord:
         "edges": [place for place, _ in edges],
         "color": garment.color,
     }
+    trims, of_trims = trim_blocks(replace(garment, vertices=vertices))
+    if trims:
+        header["trims"] = trims
     blocks = {
         "positions": vertices[mesh.weld],
         "normals": normals,
@@ -58,6 +62,7 @@ def garment_record(garment: Garment, edge_length: float) -> MeshRecord:
         "strain": strain_of(mesh, vertices),
         **_lists("seam", [vertices for _, vertices in seams]),
         **_lists("edge", [vertices for _, vertices in edges]),
+        **of_trims,
     }
     data = pack_mesh(header, blocks)
     pattern = json.dumps(to_specification(mesh.pattern), separators=(",", ":"), allow_nan=False)
@@ -91,8 +96,9 @@ def garment_of(record: MeshRecord) -> Garment:
 
 
 def same_pattern(first: Pattern, second: Pattern) -> bool:
-    """Whether two patterns make the same garment: they may have names of their own."""
-    return replace(first, name="") == replace(second, name="") and first.drafted_for == second.drafted_for
+    """Whether two patterns make the same garment, trims and wearer too: they may have names of their own."""
+    worn = first.drafted_for == second.drafted_for and first.trims == second.trims
+    return worn and replace(first, name="") == replace(second, name="")
 
 
 def strain_of(mesh: PatternMesh, vertices: Array) -> Array:

@@ -24,6 +24,7 @@ from swifttailor.studio.bench.documents import (
 )
 from swifttailor.studio.bench.mesh_files import garment_record
 from swifttailor.studio.bench.pattern_facts import body_probe, check, finding_infos, seam_infos
+from swifttailor.studio.bench.trim_blocks import trim_marks
 from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.worker.link import Link
 from swifttailor.studio.worker.refusal import refusal_of
@@ -65,6 +66,7 @@ def live(link: Link, *, pattern: dict[str, Any], edge_length: float, dragging: b
         "mesh": None if record is None else record.name,
         "findings": finding_infos(reading.pattern, findings),
         "seams": seam_infos(reading.pattern, findings),
+        "trims": trim_marks(reading.pattern),
         "error": error,
         "seconds": seconds | numbers(clock.seconds),
     }
@@ -88,6 +90,7 @@ def check_only(link: Link, *, pattern: dict[str, Any]) -> Work:
         {
             "findings": finding_infos(reading.pattern, findings, try_mending=True),
             "seams": seam_infos(reading.pattern, findings),
+            "trims": trim_marks(reading.pattern),
         }
     )
 
@@ -104,17 +107,19 @@ def repair(link: Link, *, pattern: dict[str, Any]) -> Work:
             "changes": [f"{c.where()}: {c.message}" if c.where() else c.message for c in done.changes],
             "findings": finding_infos(mended, findings, try_mending=True),
             "seams": seam_infos(mended, findings),
+            "trims": trim_marks(mended),
         }
     )
 
 
 def describe(link: Link, *, pattern: dict[str, Any]) -> Work:
     """What a pattern shows, in words and on sliders."""
-    facts = facts_of(read_pattern(pattern).pattern)
+    described = read_pattern(pattern).pattern
+    facts = facts_of(described)
     return Work(
         {
             "description": caption(facts),
-            "reading": EMPTY_READING | {"shown": shown_chips(facts)},
+            "reading": EMPTY_READING | {"shown": shown_chips(facts, pattern=described)},
             "dimensions": sliders(facts),
         }
     )
@@ -157,7 +162,8 @@ def alter(
         return [change_chip(w, certainty=1.0, source="text", holds=holds, spans={}) for w in some]
 
     made, cannot = chips(holding, True), chips(missed, False)
-    reading = EMPTY_READING | {"made": made, "cannot": cannot, "shown": shown_chips(facts, [*made, *cannot])}
+    shown = shown_chips(facts, [*made, *cannot], pattern=altered)
+    reading = EMPTY_READING | {"made": made, "cannot": cannot, "shown": shown}
     notes = work.answer["notes"]
     if not said and not missed:
         notes = [*notes, "Nothing was changed: it was so already."]

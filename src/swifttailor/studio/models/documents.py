@@ -68,6 +68,19 @@ class SeamInfo(Model):
     uneven: bool
 
 
+class TrimMark(Model):
+    """A pocket, a button, a zip or a line of stitches on a panel."""
+
+    trim: str
+    """Its name in ``properties.trims``."""
+    panel: str
+    kind: Literal["outline", "line", "zip", "button"]
+    points: list[tuple[float, float]]
+    """Panel-local cm: of outlines and lines in order, of a button its middle."""
+    radius: float
+    """Of a button, cm; else 0."""
+
+
 class DimensionInfo(Model):
     """A measure that a slider moves."""
 
@@ -135,6 +148,7 @@ class Document(Model):
     pattern: PatternJson
     findings: list[FindingInfo]
     seams: list[SeamInfo]
+    trims: list[TrimMark] = Field(default_factory=list)
     mesh: str | None
     unsewable: ErrorInfo | None
     body: str

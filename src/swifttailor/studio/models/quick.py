@@ -20,7 +20,7 @@ from swifttailor.studio.models.base import (
     Seed,
     Title,
 )
-from swifttailor.studio.models.documents import DimensionInfo, FindingInfo, Reading, SeamInfo
+from swifttailor.studio.models.documents import DimensionInfo, FindingInfo, Reading, SeamInfo, TrimMark
 
 MOST_CHANGES = 20
 Name = Annotated[str, StringConstraints(min_length=1, max_length=40)]
@@ -45,6 +45,7 @@ class CheckAnswer(Model):
 
     findings: list[FindingInfo]
     seams: list[SeamInfo]
+    trims: list[TrimMark]
 
 
 class RepairRequest(Model):
@@ -60,6 +61,7 @@ class RepairAnswer(Model):
     changes: list[str]
     findings: list[FindingInfo]
     seams: list[SeamInfo]
+    trims: list[TrimMark]
 
 
 class DescribeRequest(Model):
@@ -124,6 +126,7 @@ class LiveAnswer(Model):
     mesh: str | None
     findings: list[FindingInfo]
     seams: list[SeamInfo]
+    trims: list[TrimMark]
     error: ErrorInfo | None
     seconds: dict[str, float]
 

@@ -169,12 +169,13 @@ describe("every edit", () => {
     const done = new Map<string, number>();
     fc.assert(
       fc.property(real, fc.array(step, { minLength: 1, maxLength: 8 }), (pattern, steps) => {
-        let specification = pattern;
+        let specification: Specification = { ...pattern, properties: { trims: ["zip"] } };
         for (const { name, run } of steps) {
           const before = JSON.stringify(specification);
           const edit = run(specification);
           expect(JSON.stringify(specification), name).toBe(before);
           expect(problemsOf(edit.specification), name).toEqual([]);
+          expect(edit.specification.properties, name).toEqual({ trims: ["zip"] });
           if (edit.refused !== undefined) expect(edit.specification, name).toBe(specification);
           else if (edit.specification !== specification) done.set(name, (done.get(name) ?? 0) + 1);
           for (const panel of panelNames(specification))

@@ -1,4 +1,5 @@
 import { memo, useMemo } from "react";
+import type { TrimMark } from "../../api/types";
 import { seamColor, seamDash } from "../../state/seam-colors";
 import { lengthText, type Units } from "../../state/units";
 import { at } from "../geometry/at";
@@ -9,12 +10,15 @@ import { deepest } from "../layout/placing";
 import type { Panel, Point } from "../specification";
 import { type Anchor, edgeLabels, nameExtent } from "./edge-labels";
 import type { EdgeMark } from "./seam-marks";
+import { TrimMarks } from "./TrimMarks";
 
 interface PanelShapeProps {
   name: string;
   panel: Panel;
   place: Place;
   marks: readonly EdgeMark[];
+  /** Pockets, buttons and the like on it. */
+  trims: readonly TrimMark[] | undefined;
   /** Pixels per cm, in coarse steps: what fits at this scale is drawn. */
   scale: number;
   theme: "light" | "dark";
@@ -33,8 +37,21 @@ const LONGEST_GRAIN_CM = 14;
 
 /** One panel as it lies on the sheet. Drawn anew only when it, its seams or the scale's step change. */
 export const PanelShape = memo(function PanelShape(props: PanelShapeProps) {
-  const { name, panel, place, marks, scale, theme, units, numbers, names, selected, onFocus, onEnter } =
-    props;
+  const {
+    name,
+    panel,
+    place,
+    marks,
+    trims,
+    scale,
+    theme,
+    units,
+    numbers,
+    names,
+    selected,
+    onFocus,
+    onEnter,
+  } = props;
   const { middle, room } = useMemo(() => deepest(outlineOf(panel, 0.2)), [panel]);
   const free = marks.filter((mark) => mark.seam < 0).length;
   const roomPx = 2 * room * scale;
@@ -88,6 +105,7 @@ export const PanelShape = memo(function PanelShape(props: PanelShapeProps) {
       </g>
       {/* Beside the button and not in it: its name says all of this in words. */}
       <g className="panel-words" transform={placeTransform(place)}>
+        {trims !== undefined && <TrimMarks marks={trims} />}
         {named && (
           <>
             {roomPx > 60 && grain * scale > 34 && <Grain middle={middle} half={grain / 2} gap={10 / scale} />}

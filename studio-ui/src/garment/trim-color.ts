@@ -1,0 +1,39 @@
+/** Colours of pockets, buttons and the like, the same as in the server's previews (garment/trim_colors.py). */
+
+import type { TrimLook } from "../api/types";
+import { fromHex, linear, type Rgb } from "./colors";
+
+/** Cloth that throws back less light than this has lighter stitches. */
+const DARK = 0.04;
+/** Least light that cloth of any colour throws back. */
+const DARKEST = 0.01;
+const LIGHT = 0.25;
+const [METAL, LEATHER, LIGHT_BUTTON, DARK_BUTTON] = ["#8d8f94", "#4a3226", "#bdb6a8", "#6b5a49"] as const;
+
+/** Light that a part throws back, linear channels, on cloth of a colour ("#rrggbb"). */
+export function trimColor(look: TrimLook, cloth: string): Rgb {
+  const ground = linearOf(cloth, DARKEST);
+  const light = brightness(ground);
+  if (look === "cloth") return scaled(ground, 0.94);
+  if (look === "dark") return scaled(ground, light >= DARK ? 0.3 : 2.2);
+  if (look === "button") return linearOf(light < LIGHT ? LIGHT_BUTTON : DARK_BUTTON);
+  return linearOf(look === "metal" ? METAL : LEATHER);
+}
+
+/** Of the edges of a part of that colour: darker, or lighter where it is dark already. */
+export function edgeColor(part: Rgb): Rgb {
+  return scaled(part, brightness(part) >= DARK ? 0.5 : 2.6);
+}
+
+function linearOf(hex: string, least = 0): Rgb {
+  const [r, g, b] = fromHex(hex);
+  return [Math.max(linear(r), least), Math.max(linear(g), least), Math.max(linear(b), least)];
+}
+
+function scaled([r, g, b]: Rgb, factor: number): Rgb {
+  return [factor * r, factor * g, factor * b];
+}
+
+function brightness([r, g, b]: Rgb): number {
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
