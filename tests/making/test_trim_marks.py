@@ -258,3 +258,29 @@ def test_a_pocket_that_one_size_lacks_room_for_is_on_none():
     )
     shared = set(trims_that_fit(low, trims))
     assert {p.trim for n in run.nested for p in n.pieces} <= {"", *shared}
+
+
+def test_recut_fronts_keep_their_buttons():
+    """Fronts whose edges slant from the neck to the hem, as sizes are recut: everything follows the edge."""
+    shirt = replace(draft("denim-jacket"), trims=("buttons", "chest pockets"))
+    panels = []
+    for panel in shirt.panels:
+        if panel.name.endswith("_ftorso"):
+            corners = panel.vertices.copy()
+            seen = panel.to_world(corners)
+            low = (np.abs(seen[:, 0]) < 0.01) & (seen[:, 1] < seen[:, 1].mean())
+            assert low.sum() == 1
+            corners[low, 0] += 1.4 if panel.name.startswith("left") else -1.4
+            panel = replace(panel, vertices=corners)
+        panels.append(panel)
+    slanted = replace(shirt, panels=tuple(panels))
+    plan, straight = cutting_plan(slanted), cutting_plan(shirt)
+    assert plan.closing is not None
+    assert sum(isinstance(t, Button) for t in plan.trims) == sum(
+        isinstance(t, Button) for t in straight.trims
+    )
+    piece = plan.piece_of("left_ftorso")
+    row = [m for m in piece.marks if m.kind == "button" and m.trim == "buttons"]
+    middle = shapely.LineString(next(m.points for m in piece.marks if m.words == "centre front"))
+    assert len(row) == 4 and all(set(m.panels) == {"left_ftorso", "right_ftorso"} for m in row)
+    assert max(middle.distance(shapely.Point(m.points[0])) for m in row) < 0.01

@@ -17,7 +17,7 @@ from swifttailor.making.sewn_pattern import FlatPanel, SewnPattern
 from swifttailor.making.trim_words import is_flap, words_of
 from swifttailor.making.twins import Match
 from swifttailor.pattern.trims import Button, Patch, Trim
-from swifttailor.pattern.trims.front_view import FrontView
+from swifttailor.pattern.trims.front_view import FrontView, edge_at
 
 MarkKind = Literal["outline", "line", "button", "hole"]
 HOLE_EASE_CM = 0.3
@@ -202,7 +202,7 @@ def _button_marks(
         for name in fronts:
             view = FrontView(sewn.pattern.panel(name))
             if name != button.panel:
-                own = view.local(seen)
+                own = view.local(seen - (2 * _middle_x(sewn, closing, button.panel, seen[0, 1]), 0.0))
                 hole = _hole(sewn, name, own, button.radius, upright=False)
                 words = "buttonhole, upper front"
                 marks.append(_mark(sewn, DOUBLE, "hole", name, own, words, button.radius, hole))
@@ -213,11 +213,23 @@ def _button_marks(
     banded = any(isinstance(t, Patch) and t.trim == button.trim and t.panel == button.panel for t in trims)
     marks = []
     for name in fronts or _halves(sewn, button):
-        own = FrontView(sewn.pattern.panel(name)).local(seen)
+        # Fronts that were recut need not meet where they are placed, but are each other's mirror image.
+        turned = seen if name == button.panel else seen * (-1.0, 1.0)
+        own = FrontView(sewn.pattern.panel(name)).local(turned)
         hole = _hole(sewn, name, own, button.radius, upright=banded)
         words = "button; upper front: buttonhole"
         marks.append(_mark(sewn, button.trim, "button", name, own, words, button.radius, hole))
     return marks
+
+
+def _middle_x(sewn: SewnPattern, closing: Closing | None, name: str, y: float) -> float:
+    """Where a front ends in the middle of the body at a height, cm."""
+    refs = [] if closing is None else [ref for ref in closing.edges if ref.panel == name]
+    if not refs:
+        return 0.0
+    ends = FrontView(sewn.pattern.panel(name))
+    heights = [abs(float(ends.seen(sewn.pattern.panel(name).chord(r.edge))[:, 1].mean()) - y) for r in refs]
+    return edge_at(sewn.pattern, refs[int(np.argmin(heights))], y)
 
 
 def _halves(sewn: SewnPattern, button: Button) -> tuple[str, ...]:
