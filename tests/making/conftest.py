@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from swifttailor.making import CuttingPlan, cutting_plan
@@ -37,3 +39,29 @@ def draft_plans(drafts) -> dict[str, CuttingPlan]:
 @pytest.fixture(scope="session")
 def plans(shipped_plans, draft_plans) -> dict[str, CuttingPlan]:
     return shipped_plans | draft_plans
+
+
+TRIMMED = {
+    "denim-jacket": ("denim-jacket", ("buttons", "chest pockets")),
+    "trench coat": ("coat", ("tie belt", "double-breasted buttons", "side pockets")),
+    "trousers": ("trousers", ("fly", "slant pockets", "back pockets", "buckle belt")),
+    "shirt-dress": ("shirt-dress", ("button placket", "chest pocket", "side pockets", "tie belt")),
+    "zipped hoodie": ("hoodie", ("zip", "kangaroo pocket")),
+    "hoodie": ("hoodie", ("half zip", "kangaroo pocket")),
+    "dungarees": ("dungarees", ("bib pocket", "cargo pockets", "side zip")),
+    "joggers": ("joggers", ("drawstring", "side pockets")),
+    "polo shirt": ("polo-shirt", ("polo placket", "back zip")),
+    "tunic": ("shirt-dress", ("patch pockets", "slant pockets")),
+}
+"""Name of a draft and what is put on it: between them all trims that there are."""
+
+
+@pytest.fixture(scope="session")
+def trimmed(drafts) -> dict[str, Pattern]:
+    """Drafts with trims."""
+    return {name: replace(drafts[of], name=name, trims=trims) for name, (of, trims) in TRIMMED.items()}
+
+
+@pytest.fixture(scope="session")
+def trimmed_plans(trimmed) -> dict[str, CuttingPlan]:
+    return {name: cutting_plan(pattern) for name, pattern in trimmed.items()}

@@ -231,12 +231,13 @@ class Convert:
         from swifttailor.making import cutting_plan
         from swifttailor.making.sewn_pattern import require_sewable
 
+        trims = None
         if self.fold != "none":
-            from swifttailor.making.centre_folds import fold_centres
+            from swifttailor.making.centre_folds import fold_with_trims
 
             require_sewable(pattern)
-            pattern = fold_centres(pattern, front=self.fold != "back", back=self.fold != "front")
-        return cutting_plan(pattern, self._allowances(), alike=alike)
+            pattern, trims = fold_with_trims(pattern, front=self.fold != "back", back=self.fold != "front")
+        return cutting_plan(pattern, self._allowances(), alike=alike, trims=trims)
 
     def _allowances(self) -> Allowances:
         from swifttailor.making import Allowances

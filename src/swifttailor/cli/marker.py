@@ -60,7 +60,7 @@ class MakeMarker:
         self._require_sense()
         from swifttailor.atomic_files import require_free
         from swifttailor.making import Allowances, cutting_plan
-        from swifttailor.making.centre_folds import fold_centres
+        from swifttailor.making.centre_folds import fold_with_trims
         from swifttailor.making.marker_files import require_ending, write_marker
         from swifttailor.making.nesting import nest, pack_boxes, require_width
         from swifttailor.making.sewn_pattern import require_sewable
@@ -82,10 +82,11 @@ class MakeMarker:
         pattern = load_pattern(source, rotation=self.rotation)
         if self.pattern.is_dir():
             pattern = replace(pattern, name=self.pattern.resolve().name or pattern.name)
+        trims = None
         if self.fold != "none":
             require_sewable(pattern)
-            pattern = fold_centres(pattern, front=self.fold != "back", back=self.fold != "front")
-        plan = cutting_plan(pattern, allowances)
+            pattern, trims = fold_with_trims(pattern, front=self.fold != "back", back=self.fold != "front")
+        plan = cutting_plan(pattern, allowances, trims=trims)
         boxes = pack_boxes(plan.pieces, self.width)
         marker = nest(plan.pieces, self.width, seconds=self.seconds, seed=self.seed, one_way=self.one_way)
         write_marker(marker, out, title=plan.name, overwrite=self.overwrite)

@@ -6,6 +6,7 @@ May import describing, garment and what lies below them.
 from __future__ import annotations
 
 from swifttailor.making.allowances import Allowances
-from swifttailor.making.pieces import CuttingPlan, Piece, cutting_plan
+from swifttailor.making.piece import Piece
+from swifttailor.making.pieces import CuttingPlan, cutting_plan
 
 __all__ = ["Allowances", "CuttingPlan", "Piece", "cutting_plan"]

@@ -50,7 +50,7 @@ def write_bundle(
         GeometryError: A panel cannot be meshed.
     """
     pattern = plan.sewn.pattern
-    bare = cutting_plan(pattern, Allowances(0.0, 0.0, 0.0, 0.0))
+    bare = cutting_plan(pattern, Allowances(0.0, 0.0, 0.0, 0.0), trims=plan.trims)
     files = {
         "README.txt": _README.format(name=plan.name),
         "cut-lines-astm.dxf": dxf_text(plan, seam_names=True),

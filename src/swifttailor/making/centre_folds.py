@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from swifttailor.arrays import Floats
+from swifttailor.making.closings import closing_trim
 from swifttailor.pattern import EdgeRef, Line, Panel, Pattern, Stitch, body_region
+from swifttailor.pattern.trims import Belt, Button, Patch, Trim, place_trims
 
 _UPRIGHT = 0.02
 """Sine of the largest angle between such a seam and the grain."""
@@ -26,15 +29,53 @@ def fold_centres(pattern: Pattern, *, front: bool, back: bool) -> Pattern:
         front: Whether the front is folded.
         back: Whether the back is.
     """
+    return fold_with_trims(pattern, front=front, back=back)[0]
+
+
+def fold_with_trims(pattern: Pattern, *, front: bool, back: bool) -> tuple[Pattern, tuple[Trim, ...]]:
+    """As `fold_centres`, with where the trims lie on the folded panels, panel-local.
+
+    A front that buttons or a zip close stays in halves, and so does a back with a zip.
+    """
     pattern = pattern.canonical()
+    front = front and not closing_trim(pattern)
+    back = back and "back zip" not in pattern.trims
+    return _folded(pattern, place_trims(pattern), front=front, back=back)
+
+
+def _folded(
+    pattern: Pattern, trims: tuple[Trim, ...], *, front: bool, back: bool
+) -> tuple[Pattern, tuple[Trim, ...]]:
     for stitch in pattern.stitches:
         if not all(pattern.has_edge(side) for side in stitch.sides):
             continue
         a, b = (pattern.panel(side.panel) for side in stitch.sides)
         wanted = front if a.normal()[2] > 0 else back
         if wanted and a.name != b.name and _is_centre(pattern, stitch, a, b):
-            return fold_centres(_joined(pattern, stitch, a, b), front=front, back=back)
-    return pattern
+            joined, name = _joined(pattern, stitch, a, b)
+            moved = _moved_trims(trims, stitch, a, b, name)
+            return _folded(joined, moved, front=front, back=back)
+    return pattern, trims
+
+
+def _moved_trims(trims: Sequence[Trim], stitch: Stitch, a: Panel, b: Panel, name: str) -> tuple[Trim, ...]:
+    """Trims of both panels of a stitch on the one that they become."""
+    chords = b.chord(stitch.second.edge), a.chord(stitch.first.edge)
+
+    def lay(points: Floats, panel: str) -> Floats:
+        return _lay(points, *chords) if panel == b.name else points
+
+    moved: list[Trim] = []
+    for trim in trims:
+        if isinstance(trim, Belt) or trim.panel not in (a.name, b.name):
+            moved.append(trim)
+        elif isinstance(trim, Patch):
+            first, second = (lay(points, trim.panel) for points in (trim.first, trim.second))
+            moved.append(replace(trim, panel=name, first=first, second=second))
+        elif isinstance(trim, Button):
+            x, y = lay(np.array([trim.at]), trim.panel)[0].tolist()
+            moved.append(replace(trim, panel=name, at=(x, y)))
+    return tuple(moved)
 
 
 def _is_centre(pattern: Pattern, stitch: Stitch, a: Panel, b: Panel) -> bool:
@@ -85,8 +126,8 @@ def _lay(points: Floats, own: Floats, other: Floats) -> Floats:
     return (points - own[0]) @ turn.T + other[1]
 
 
-def _joined(pattern: Pattern, stitch: Stitch, a: Panel, b: Panel) -> Pattern:
-    """Both panels of a stitch as one, which keeps the place of the first."""
+def _joined(pattern: Pattern, stitch: Stitch, a: Panel, b: Panel) -> tuple[Pattern, str]:
+    """Both panels of a stitch as one, which keeps the place of the first, and its name."""
     k, m = stitch.first.edge, stitch.second.edge
     count, other = len(a.edges), len(b.edges)
     of_a = [(k + 1 + i) % count for i in range(count - 1)]
@@ -110,4 +151,4 @@ def _joined(pattern: Pattern, stitch: Stitch, a: Panel, b: Panel) -> Pattern:
         for s in pattern.stitches
         if s is not stitch
     )
-    return replace(pattern, panels=tuple(panels), stitches=stitches).canonical()
+    return replace(pattern, panels=tuple(panels), stitches=stitches).canonical(), name

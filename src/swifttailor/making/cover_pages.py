@@ -14,11 +14,12 @@ from swifttailor.making.drawing import Drawing, Stroke, Style, Text
 from swifttailor.making.finished_measures import MeasuresColumn, in_inches
 from swifttailor.making.made_for import made_for
 from swifttailor.making.measures_page import draw_measures
+from swifttailor.making.notions import notions
 from swifttailor.making.paper import Paper
 from swifttailor.making.pdf_canvas import POINTS_PER_CM, draw, start_page, wrapped
 from swifttailor.making.pieces import CuttingPlan
 from swifttailor.making.scale_square import OUTER_CM, draw_test_square
-from swifttailor.making.sewing_steps import preparation, sewing_steps
+from swifttailor.making.sewing_steps import in_list, preparation, sewing_steps
 from swifttailor.making.sheet_layout import Sheet
 
 _BORDER_CM = 1.5
@@ -100,11 +101,14 @@ def _pieces_beside(canvas: Any, facts: CoverFacts, paper: Paper, left: float, to
     entries += [(words, False) for words, _ in facts.sizes] or [(made_for(plan.sewn.pattern), False)]
     lines_of = dict(facts.sizes)
     entries.append(("Pieces", True))
-    entries += [
-        (f"{k}. {p.name}: {p.instruction.lower()}", False) for k, p in enumerate(plan.pieces, start=1)
-    ]
+    entries += [(f"{k}. {p.name}: {in_list(p)}", False) for k, p in enumerate(plan.pieces, start=1)]
     entries.append(("Cloth", True))
     entries += [(line, False) for line in facts.cloth or ("Not computed.",)]
+    needed = notions(plan)
+    if needed:
+        size = f", size {plan.pieces[0].size}" if facts.sizes else ""
+        entries.append((f"Also needed{size}", True))
+        entries += [(line, False) for line in needed]
     entries.append(("Allowances", True))
     widths = plan.allowances
     entries.append(

@@ -55,11 +55,12 @@ class CutLine:
     """Gaps between edges that the allowances fill."""
 
 
-def cut_line(runs: Sequence[Run]) -> CutLine:
+def cut_line(runs: Sequence[Run], more: Sequence[shapely.Geometry] = ()) -> CutLine:
     """Moves a sew line outward.
 
     Args:
         runs: The whole loop, each beginning where the one before ends.
+        more: Areas of cloth that are cut with it.
     """
     runs = [r for r in runs if len(r.points) > 1 and _length(r.points) > 1e-6]
     inside = _area(np.concatenate([r.points[:-1] for r in runs]))
@@ -91,7 +92,7 @@ def cut_line(runs: Sequence[Run]) -> CutLine:
                 extra.append(filling)
             if blunt:
                 blunted.append(corner)
-    whole = shapely.union_all([inside, *strips, *extra])
+    whole = shapely.union_all([inside, *strips, *extra, *more])
     areas = [part for part in shapely.get_parts(whole) if isinstance(part, shapely.Polygon)]
     whole = max(areas, key=lambda part: part.area)  # the others are specks and lines of rounding
     holes = sum(shapely.Polygon(ring).area > 0.01 for ring in whole.interiors)

@@ -33,8 +33,10 @@ GATHER = Style("gather", "#8a2b2b", 0.3, (0.8, 1.2))
 NUMBER = Style("number", "#8a2b2b", 0.2)
 FRAME = Style("frame", "#9a9a9a", 0.2)
 GUIDE = Style("guide", "#c8c8c8", 0.2)
+TRIM = Style("trim", "#5b3f8f", 0.2, (1.4, 1.0))
+BUTTON = Style("button", "#5b3f8f", 0.25)
 CLOTH = Style("cloth", "#b0b0b0", 0.4)
-STYLES = (CUT, SEW, NOTCH, GRAIN, FOLD, DART, GATHER, NUMBER, FRAME, GUIDE, CLOTH)
+STYLES = (CUT, SEW, NOTCH, GRAIN, FOLD, DART, GATHER, NUMBER, FRAME, GUIDE, TRIM, BUTTON, CLOTH)
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,7 +15,8 @@ from swifttailor.making import drawing
 from swifttailor.making.drawing import Drawing, Stroke, Text, arrow_head
 from swifttailor.making.dxf_text import DxfText
 from swifttailor.making.nesting import LaidPiece, Marker
-from swifttailor.making.pattern_dxf import CUT, GRAIN, SEW, simpler
+from swifttailor.making.pattern_dxf import CUT, GRAIN, INTERNAL, SEW, simpler
+from swifttailor.making.trim_drawing import mark_strokes
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -86,13 +87,15 @@ def draw_marker(marker: Marker, title: str) -> Drawing:
 
 
 def marker_dxf(marker: Marker, title: str) -> str:
-    """The marker as DXF R12: cut lines on layer 1, sew lines on 14, grain on 7; millimetres."""
+    """The marker as DXF R12: cut lines on layer 1, sew lines on 14, grain on 7, trims on 8; millimetres."""
     dxf = DxfText()
     dxf.start("SECTION")
     dxf.add(2, "ENTITIES")
     for item in marker.laid:
         dxf.polyline(CUT, item.place(simpler(item.piece.cut.outline)) * 10.0, closed=True)
         dxf.polyline(SEW, item.place(simpler(item.piece.sew_line)) * 10.0, closed=True)
+        for stroke in (s for mark in item.piece.marks for s in mark_strokes(mark)):
+            dxf.polyline(INTERNAL, item.place(stroke.points) * 10.0, closed=stroke.closed)
         dxf.line(GRAIN, *(item.place(item.piece.grain) * 10.0))
         dxf.text(CUT, item.piece.name, item.place(item.piece.grain.mean(axis=0)[None])[0] * 10.0, size=15.0)
     summary = f"{title}: {marker.length:.1f} x {marker.width:g} cm, {100 * marker.waste:.1f} % waste"
@@ -131,7 +134,7 @@ def drawing_svg(whole: Drawing, size: tuple[float, float]) -> str:
 
 
 def _laid(item: LaidPiece) -> Drawing:
-    """A piece on the cloth: outline, sew line, grain and name."""
+    """A piece on the cloth: outline, sew line, grain, what is put on it, and name."""
     low, high = item.place(item.piece.grain)
     along = (high - low) / max(float(np.hypot(*(high - low))), 1e-9)
     head = min(2.0, 0.2 * float(np.hypot(*(high - low))))
@@ -141,12 +144,15 @@ def _laid(item: LaidPiece) -> Drawing:
         Stroke(np.array([low, high]), drawing.GRAIN),
         Stroke(arrow_head(high, along, head), drawing.GRAIN),
     )
+    put_on = tuple(
+        Stroke(item.place(s.points), s.style, s.closed) for m in item.piece.marks for s in mark_strokes(m)
+    )
     name = item.piece.name + (" (mirrored)" if item.mirrored else "")
     box = np.ptp(item.outline, axis=0)
     size = float(min(2.4, 0.8 * box[0] / (_LETTER * len(name)), 0.4 * box[1]))
     circle = shapely.maximum_inscribed_circle(shapely.Polygon(item.outline), tolerance=0.5)
     x, y = shapely.get_coordinates(circle)[0].tolist()
-    return Drawing(strokes, (Text(name, x, y - 0.3 * size, size),))
+    return Drawing((*strokes, *put_on), (Text(name, x, y - 0.3 * size, size),))
 
 
 def _picture(whole: Drawing, size: tuple[float, float]) -> Image:

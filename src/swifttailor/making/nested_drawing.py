@@ -29,7 +29,7 @@ _LINES: tuple[tuple[str, tuple[float, ...]], ...] = (
     ("#5d7a00", (1.0, 2.5)),
 )
 """Colour and dashes in mm of each size's cut line; black and white printers tell the dashes apart."""
-_OWN = ("cut", "sew", "notch", "dart", "gather")
+_OWN = ("cut", "sew", "notch", "dart", "gather", "trim", "button")
 """What lies elsewhere in each size; the rest is drawn once."""
 _NAME_CM = 0.32
 
@@ -41,7 +41,7 @@ class NestedDrawing:
     common: Drawing
     """Grain, fold, numbers of seams, name."""
     sizes: tuple[Drawing, ...]
-    """Lines, notches, darts and gathers of each size; the layer is the size's name."""
+    """Lines, notches, darts, gathers and trims of each size; the layer is the size's name."""
     shape: shapely.Polygon
     """What all of it covers."""
 

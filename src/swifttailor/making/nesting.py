@@ -12,7 +12,7 @@ import shapely
 from swifttailor.arrays import Floats
 from swifttailor.errors import InputError, MissingExtraError
 from swifttailor.making.close_packing import pack_closely
-from swifttailor.making.pieces import Piece
+from swifttailor.making.piece import Piece
 from swifttailor.making.sheet_layout import skyline
 
 GAP_CM = 0.3

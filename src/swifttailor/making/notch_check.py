@@ -6,7 +6,8 @@ import numpy as np
 
 from swifttailor.arrays import Floats
 from swifttailor.making.notches import EVERY_CM
-from swifttailor.making.pieces import CuttingPlan, Piece
+from swifttailor.making.piece import Piece
+from swifttailor.making.pieces import CuttingPlan
 from swifttailor.making.sewn_pattern import FlatPanel
 from swifttailor.making.twins import along
 from swifttailor.pattern import EdgeRef
@@ -29,6 +30,8 @@ def notch_faults(plan: CuttingPlan) -> list[str]:
     printed = {p.name: _on_panel(plan.piece_of(p.name), p, plan) for p in plan.sewn.panels}
     darts = {ref for dart in plan.sewn.darts for ref in dart.legs}
     for k, stitch in enumerate(plan.sewn.pattern.stitches):
+        if plan.closing is not None and plan.closing.extension and stitch.first in plan.closing.edges:
+            continue  # fronts that lap are not sewn together there
         if stitch.first in darts or plan.sewn.partner.get(stitch.first) != stitch.second:
             continue
         sides = [_shares(printed[r.panel], plan.sewn.panel(r.panel), r) for r in stitch.sides]

@@ -16,8 +16,10 @@ import shapely
 from swifttailor.arrays import Floats
 from swifttailor.atomic_files import write_bytes
 from swifttailor.making.dxf_text import DxfText, block_names
-from swifttailor.making.pieces import CuttingPlan, Piece
+from swifttailor.making.piece import Piece
+from swifttailor.making.pieces import CuttingPlan
 from swifttailor.making.size_run import NestedPiece, SizeRun
+from swifttailor.making.trim_marks import TrimMark
 
 Dialect = Literal["astm", "aama"]
 CUT, TURN_POINT, CURVE_POINT, SLIT_NOTCH, GRAIN, INTERNAL, DRILL_HOLE, SEW, ANNOTATION = (
@@ -171,6 +173,8 @@ def _piece(dxf: DxfText, piece: Piece, dialect: Dialect, seam_names: bool) -> No
         tip, mouth = dart.legs[0][-1], (dart.legs[0][0] + dart.legs[1][0]) / 2
         step = (mouth - tip) / max(float(np.hypot(*(mouth - tip))), 1e-9)
         dxf.point(DRILL_HOLE, on_table(tip + _DRILL_BEFORE_CM * step))
+    for mark in piece.marks:
+        _trim(dxf, mark, dialect)
     for mark in piece.edge_marks:
         dxf.text(ANNOTATION, mark.text, on_table(mark.points[len(mark.points) // 2]))
     if seam_names:
@@ -187,6 +191,18 @@ def _piece(dxf: DxfText, piece: Piece, dialect: Dialect, seam_names: bool) -> No
             angle = float(np.degrees(np.arctan2(inward[1], inward[0]))) % 360.0
             dxf.point(SLIT_NOTCH, on_table(at), depth=NOTCH_DEPTH_MM, angle=angle)
     dxf.line(GRAIN, *on_table(piece.grain))
+
+
+def _trim(dxf: DxfText, mark: TrimMark, dialect: Dialect) -> None:
+    """Outlines, lines and buttonholes among the inner lines; buttons as drill holes, all with their words."""
+    if mark.kind in ("outline", "line"):
+        _curve(dxf, INTERNAL, mark.points, dialect, closed=mark.kind == "outline")
+    if mark.kind == "button":
+        dxf.point(DRILL_HOLE, on_table(mark.points[0]))
+    if mark.hole is not None:
+        _curve(dxf, INTERNAL, mark.hole, dialect, closed=False)
+    if mark.words:
+        dxf.text(ANNOTATION, mark.words, on_table(mark.points[len(mark.points) // 2]), size=3.0)
 
 
 def simpler(points: Floats) -> Floats:

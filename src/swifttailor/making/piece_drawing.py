@@ -1,4 +1,4 @@
-"""A piece as it is printed: cut and sew line, notches, grain, fold, darts, gathers, seam numbers, label."""
+"""A piece as it is printed: cut and sew line, notches, grain, fold, darts, gathers, trims, numbers, label."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ import shapely
 from swifttailor.arrays import Floats
 from swifttailor.making import drawing
 from swifttailor.making.drawing import Drawing, Stroke, Text, arrow_head, circle
-from swifttailor.making.pieces import EdgeMark, Piece, PlacedNotch, SeamMark
+from swifttailor.making.piece import EdgeMark, Piece, PlacedNotch, SeamMark
+from swifttailor.making.trim_drawing import draw_trims, shown_marks
 
 _TEETH_APART_CM = 0.5
 _SHORTEST_CM = 0.5
@@ -56,6 +57,9 @@ def draw_piece(piece: Piece, title: str) -> Drawing:
             added, word = _edge_mark(mark)
             strokes.append(added)
             texts.append(word)
+    added, words = draw_trims(piece)
+    strokes += added
+    texts += words
     for place, number in _numbers(piece):
         if len(number) <= 2:
             strokes.append(Stroke(circle(place, 0.32), drawing.NUMBER, closed=True))
@@ -196,17 +200,17 @@ def _fold(piece: Piece) -> tuple[list[Stroke], list[Text]]:
 
 def _label(piece: Piece, title: str, shape: shapely.Polygon) -> list[Text]:
     """Name, cutting instruction and pattern, as large as fits at the widest place."""
-    full = [piece.name, piece.instruction, title + (f", size {piece.size}" if piece.size else "")]
-    center = shapely.get_coordinates(shapely.maximum_inscribed_circle(shape, tolerance=0.2))
-    middle, radius = center[0], float(np.hypot(*(center[1] - center[0])))
+    often = [piece.often, piece.cloth] if piece.cloth else [piece.often]
+    full = [piece.name, *often, title + (f", size {piece.size}" if piece.size else "")]
+    shape, middle, radius = _label_place(piece, shape)
     x0, x1 = _across(shape, float(middle[1]))
     if piece.on_fold:
         x0 = min(x0 + min(2.2, 0.3 * (x1 - x0)), x1)
     best: tuple[float, list[str]] = (0.0, full[:1])
-    for lines in (full, full[:2], [f"{piece.name}: {piece.instruction}"], full[:1]):
+    for lines in (full, full[:-1], [f"{piece.name}: {piece.instruction}"], full[:1]):
         longest = max(len(line) for line in lines)
         size = min(1.5 * radius / (1.35 * len(lines)), 0.85 * (x1 - x0) / (_LETTER * longest), _LARGEST)
-        if size > best[0] * 1.25:
+        if size > best[0] * (3.0 if piece.trim else 1.25):  # what is cut for trims says how, however small
             best = size, lines
     size, lines = max(best[0], _SMALLEST), best[1]
     x, y = (x0 + x1) / 2, float(middle[1]) + 0.675 * size * (len(lines) - 2) + 0.3 * size
@@ -216,7 +220,22 @@ def _label(piece: Piece, title: str, shape: shapely.Polygon) -> list[Text]:
     ]
 
 
-def _across(shape: shapely.Polygon, y: float) -> tuple[float, float]:
+def _label_place(piece: Piece, shape: shapely.Polygon) -> tuple[shapely.Geometry, Floats, float]:
+    """Where the label stands: beside what is put on the piece, where there is room enough."""
+    put_on = [
+        shapely.Polygon(m.points) if m.kind == "outline" else shapely.LineString(m.points).buffer(0.3)
+        for m in shown_marks(piece)
+        if m.kind in ("outline", "line") and len(m.points) > 1
+    ]
+    put_on += [shapely.LineString(m.hole).buffer(0.4) for m in piece.marks if m.hole is not None]
+    places = []
+    for area in (shape, shapely.difference(shape, shapely.union_all(put_on))):
+        center = shapely.get_coordinates(shapely.maximum_inscribed_circle(area, tolerance=0.2))
+        places.append((area, center[0], float(np.hypot(*(center[1] - center[0])))))
+    return places[1] if places[1][2] > 0.5 * places[0][2] else places[0]
+
+
+def _across(shape: shapely.Geometry, y: float) -> tuple[float, float]:
     """The longest stretch inside a polygon at a height."""
     low, _, high, _ = shape.bounds
     line = shapely.intersection(shape, shapely.LineString([(low - 1, y), (high + 1, y)]))

@@ -8,137 +8,22 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from swifttailor.arrays import Floats
-from swifttailor.making.allowances import Allowances, EdgeKind
-from swifttailor.making.cut_line import CutLine, Run, cut_line
+from swifttailor.making.allowances import FOLDED_UP, Allowances, EdgeKind
+from swifttailor.making.closings import Closing, front_closing
+from swifttailor.making.cut_line import Run, cut_line
 from swifttailor.making.darts import dart_peak
 from swifttailor.making.finished_measures import wearer_findings
 from swifttailor.making.notches import Notch, NotchPair, pair_notches, panel_notches
 from swifttailor.making.overlaps import overlap_findings
+from swifttailor.making.piece import DartMark, EdgeMark, Piece, PlacedNotch, SeamMark
 from swifttailor.making.piece_names import piece_names
 from swifttailor.making.seams import Seam, find_seams, gather
 from swifttailor.making.sewn_pattern import FlatPanel, SewnPattern, read_pattern
+from swifttailor.making.trim_marks import panel_marks, piece_marks
+from swifttailor.making.trim_pieces import trim_pieces
 from swifttailor.making.twins import Match, Shape, along, on_edge
 from swifttailor.pattern import EdgeRef, Finding, Pattern
-
-FOLD_FROM_CM = 20.0
-"""From this width on, pieces that are their own mirror image are cut on the fold; others are drawn whole."""
-
-
-@dataclass(frozen=True, eq=False)
-class PlacedNotch:
-    """A notch where it is drawn."""
-
-    point: Floats
-    """(2,) on the sew line, cm."""
-    outward: Floats
-    """(2,) unit vector out of the piece."""
-    depth: float
-    """Of the allowance there, cm."""
-    teeth: int
-
-
-@dataclass(frozen=True, eq=False)
-class DartMark:
-    """A dart as it is drawn: two legs to a point."""
-
-    legs: tuple[Floats, Floats]
-    """Polylines, both from the mouth to the point, cm."""
-
-
-@dataclass(frozen=True, eq=False)
-class EdgeMark:
-    """What is to be done with an edge."""
-
-    points: Floats
-    """The edge, cm."""
-    text: str
-    """``gather to 23.1 cm``."""
-
-
-@dataclass(frozen=True, eq=False)
-class SeamMark:
-    """The numbers of an edge's seams: several where panels that are cut alike are sewn differently."""
-
-    numbers: tuple[int, ...]
-    point: Floats
-    """(2,) middle of the edge, cm."""
-    inward: Floats
-    """(2,) unit vector into the piece."""
-    length: float
-    """Of the edge, cm."""
-
-
-@dataclass(frozen=True, eq=False)
-class Piece:
-    """One shape to cut, once or several times. Seen from the right side, grain upright, y up, cm."""
-
-    name: str
-    panels: tuple[str, ...]
-    """Panels of the pattern that are cut as drawn."""
-    mirrored: tuple[str, ...]
-    """Panels that are cut with the drawing turned over."""
-    runs: tuple[Run, ...]
-    """The sew line."""
-    cut: CutLine
-    notches: tuple[PlacedNotch, ...]
-    darts: tuple[DartMark, ...]
-    edge_marks: tuple[EdgeMark, ...]
-    seam_marks: tuple[SeamMark, ...]
-    symmetric: bool
-    """Whether it is its own mirror image, at x = `middle`."""
-    middle: float
-    size: str = ""
-    """Name of the size, where a file holds several."""
-
-    @property
-    def sew_line(self) -> Floats:
-        """Closed polyline (n, 2), cm."""
-        return np.concatenate([r.points[:-1] for r in self.runs])
-
-    @property
-    def count(self) -> int:
-        """How many are cut in all."""
-        return len(self.panels) + len(self.mirrored)
-
-    @property
-    def box(self) -> Floats:
-        """[[min x, min y], [max x, max y]] of the cut line, cm."""
-        return np.array([self.cut.outline.min(axis=0), self.cut.outline.max(axis=0)])
-
-    @property
-    def on_fold(self) -> bool:
-        """Whether half of it is drawn, to be cut on the fold of the cloth."""
-        return self.symmetric and float(np.ptp(self.box[:, 0])) >= FOLD_FROM_CM
-
-    @property
-    def instruction(self) -> str:
-        """How often and how it is cut, in words."""
-        if self.on_fold:
-            return f"Cut {self.count} on the fold"
-        if self.symmetric or not self.mirrored:
-            return f"Cut {self.count}"
-        if len(self.panels) == len(self.mirrored):
-            return (
-                f"Cut {self.count}, mirrored"
-                if self.count == 2
-                else f"Cut {self.count}, half of them mirrored"
-            )
-        return f"Cut {self.count}, {len(self.mirrored)} of them mirrored"
-
-    @property
-    def grain(self) -> Floats:
-        """Ends (2, 2) of the grain line, cm."""
-        low, high = self.box
-        if self.on_fold:
-            choices = [self.middle + share * (high[0] - self.middle) for share in (0.8, 0.7, 0.3)]
-        else:
-            choices = [low[0] + share * (high[0] - low[0]) for share in (0.3, 0.7, 0.25, 0.75)]
-        spans = [(x, *_inside_span(self.cut.outline, x)) for x in choices]
-        longest = max(top - bottom for _, bottom, top in spans)
-        # The first that is about as long as any: beside the label, which stands in the middle.
-        x, *span = next(s for s in spans if s[2] - s[1] > 0.75 * longest)
-        inset = 0.2 * (span[1] - span[0])
-        return np.array([[x, span[0] + inset], [x, span[1] - inset]])
+from swifttailor.pattern.trims import Trim, place_trims
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,6 +36,10 @@ class CuttingPlan:
     pairs: tuple[NotchPair, ...]
     allowances: Allowances
     findings: tuple[Finding, ...]
+    trims: tuple[Trim, ...] = ()
+    """Where pockets, buttons and the like lie on the panels, panel-local."""
+    closing: Closing | None = None
+    """How the front closes, where it is not sewn together."""
 
     @property
     def name(self) -> str:
@@ -167,6 +56,7 @@ def cutting_plan(
     allowances: Allowances | None = None,
     *,
     alike: Collection[frozenset[str]] | None = None,
+    trims: Sequence[Trim] | None = None,
 ) -> CuttingPlan:
     """Makes pieces to cut from a pattern.
 
@@ -174,12 +64,15 @@ def cutting_plan(
         pattern: A pattern placed around a body.
         allowances: Around each kind of edge; usual ones when None.
         alike: Sets of panels that may become one piece where they are alike; all may when None.
+        trims: Where the trims lie that the pattern names; where `place_trims` puts them when None. Patterns
+            whose middle is folded bring them along, since their panels have other names.
 
     Raises:
         PatternError: It cannot be cut or sewn.
     """
     allowances = allowances or Allowances()
     sewn = read_pattern(pattern)
+    trims = tuple(place_trims(sewn.pattern) if trims is None else trims)
     pairs = pair_notches(sewn)
     notches = panel_notches(sewn, pairs)
     marks = {p.name: _edge_marks(sewn, p) for p in sewn.panels}
@@ -188,21 +81,28 @@ def cutting_plan(
     names = piece_names([[sewn.panel(n).placed for n, _ in group] for group in groups])
     own_mirrors = {name: shape.onto(shape, mirrored=True) for name, shape in shapes.items()}
     seams = _numbered(sewn, find_seams(sewn), groups, own_mirrors)
+    closing = front_closing(sewn, seams, trims)
+    put_on = panel_marks(sewn, trims, closing)
     numbers = {
         ref: seam.number for seam in seams for k in seam.stitches for ref in sewn.pattern.stitches[k].sides
     }
     pieces, findings = [], wearer_findings(pattern)
     for name, group in zip(names, groups, strict=True):
         panel = sewn.panel(group[0][0])
-        runs = _runs(sewn, panel, allowances)
-        outline = cut_line(runs)
+        runs = _runs(sewn, panel, allowances, closing)
+        falling = (
+            []
+            if closing is None
+            else closing.falling(runs, panel.name, allowances.edge, _hem_width(panel, allowances))
+        )
+        outline = cut_line(runs, falling)
         piece = Piece(
             name,
             tuple(n for n, match in group if not match.mirrored),
             tuple(n for n, match in group if match.mirrored),
             runs,
             outline,
-            _placed(notches[panel.name], sewn, panel, allowances),
+            _placed(notches[panel.name], sewn, panel, allowances, closing),
             tuple(
                 DartMark((panel.edges[d.leg_in], panel.edges[d.leg_out][::-1]))
                 for d in sewn.darts
@@ -212,10 +112,15 @@ def cutting_plan(
             _seam_marks(panel, group, numbers),
             own_mirrors[panel.name] is not None,
             float(panel.outline[:, 0].min() + panel.outline[:, 0].max()) / 2,
+            marks=piece_marks(sewn, group, put_on),
         )
         pieces.append(piece)
-        findings += overlap_findings(name, panel.name, runs, outline)
-    return CuttingPlan(sewn, tuple(pieces), seams, pairs, allowances, tuple(findings))
+        # Free edges of a front that laps are meant to lie under its wider edge.
+        free = set() if closing is None else {ref.edge for ref in closing.below if ref.panel == panel.name}
+        kept = tuple([run for run in runs if run.edge not in free])
+        findings += overlap_findings(name, panel.name, kept, outline)
+    pieces += trim_pieces(sewn, pieces, trims, closing, allowances)
+    return CuttingPlan(sewn, tuple(pieces), seams, pairs, allowances, tuple(findings), trims, closing)
 
 
 def _group(
@@ -283,8 +188,10 @@ def _edge_marks(sewn: SewnPattern, panel: FlatPanel) -> list[tuple[str, str]]:
     return marks
 
 
-def _runs(sewn: SewnPattern, panel: FlatPanel, allowances: Allowances) -> tuple[Run, ...]:
-    """The sew line as it is cut: closed over the mouths of darts."""
+def _runs(
+    sewn: SewnPattern, panel: FlatPanel, allowances: Allowances, closing: Closing | None
+) -> tuple[Run, ...]:
+    """The sew line as it is cut: closed over the mouths of darts, wider where fronts lap."""
     darts = {d.leg_in: d for d in sewn.darts if d.panel == panel.name}
     count = len(panel.edges)
     out_legs = {d.leg_out for d in darts.values()}
@@ -294,7 +201,8 @@ def _runs(sewn: SewnPattern, panel: FlatPanel, allowances: Allowances) -> tuple[
             continue
         if k not in darts:
             kind = panel.kinds[k]
-            runs.append(Run(panel.edges[k], kind, allowances.of(kind), k))
+            width = allowances.of(kind) + _wider(closing, panel, k)
+            runs.append(Run(panel.edges[k], kind, width, k))
             continue
         leg_in, leg_out = panel.edges[k], panel.edges[darts[k].leg_out]
         before, after = (k - 1) % count, (darts[k].leg_out + 1) % count
@@ -307,12 +215,28 @@ def _runs(sewn: SewnPattern, panel: FlatPanel, allowances: Allowances) -> tuple[
     return tuple(runs) if not start else (runs[-1], *runs[:-1])
 
 
+def _hem_width(panel: FlatPanel, allowances: Allowances) -> float:
+    hems = [kind for kind in panel.kinds if kind in FOLDED_UP]
+    return max(map(allowances.of, hems), default=allowances.edge)
+
+
+def _wider(closing: Closing | None, panel: FlatPanel, edge: int) -> float:
+    return 0.0 if closing is None else closing.wider(EdgeRef(panel.name, edge))
+
+
 def _placed(
-    notches: Sequence[Notch], sewn: SewnPattern, panel: FlatPanel, allowances: Allowances
+    notches: Sequence[Notch],
+    sewn: SewnPattern,
+    panel: FlatPanel,
+    allowances: Allowances,
+    closing: Closing | None,
 ) -> tuple[PlacedNotch, ...]:
     marks = []
     for notch in notches:
         point, normal = _at(panel, notch.edge, notch.fraction)
+        at = EdgeRef(panel.name, notch.edge)
+        if closing is not None and closing.extension > 0 and at in closing.edges | closing.below:
+            continue  # it is not sewn, and the cut line lies further out
         depths = [allowances.of(panel.kinds[notch.edge])]
         if notch.fraction == 0.0:
             depths.append(allowances.of(panel.kinds[notch.edge - 1]))
@@ -358,16 +282,3 @@ def _seam_marks(
         point, normal = _at(panel, k, 0.5 if panel.lengths[k] < 25 else 0.45)
         marks.append(SeamMark(own, point, -normal, panel.lengths[k]))
     return tuple(marks)
-
-
-def _inside_span(outline: Floats, x: float) -> tuple[float, float]:
-    """The longest stretch (low, high) of the upright line at x inside a closed polyline (n, 2)."""
-    start, end = outline, np.roll(outline, -1, axis=0)
-    crossing = (start[:, 0] <= x) != (end[:, 0] <= x)
-    a, b = start[crossing], end[crossing]
-    heights = np.sort(a[:, 1] + (x - a[:, 0]) / (b[:, 0] - a[:, 0]) * (b[:, 1] - a[:, 1]))
-    if len(heights) < 2:
-        return float(outline[:, 1].min()), float(outline[:, 1].max())
-    pairs = heights[: len(heights) // 2 * 2].reshape(-1, 2)
-    low, high = pairs[int(np.argmax(pairs[:, 1] - pairs[:, 0]))]
-    return float(low), float(high)

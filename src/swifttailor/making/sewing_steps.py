@@ -7,11 +7,16 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
+import numpy as np
+
 from swifttailor.making.allowances import EdgeKind
 from swifttailor.making.finished_measures import finished_column, in_inches
 from swifttailor.making.made_for import made_for
-from swifttailor.making.pieces import CuttingPlan, Piece
+from swifttailor.making.notions import notions
+from swifttailor.making.piece import Piece
+from swifttailor.making.pieces import CuttingPlan
 from swifttailor.making.seams import Seam, SeamRole, gather
+from swifttailor.making.trim_steps import FINISHES, has_closing, stays_open, trim_steps
 from swifttailor.pattern import EdgeRef
 
 
@@ -73,7 +78,9 @@ _FINISHES = {
 
 def sewing_steps(plan: CuttingPlan) -> tuple[SewingStep, ...]:
     """The steps from cut pieces to a garment; each stitch of the pattern is closed in exactly one of them."""
-    steps = []
+    ranked: list[tuple[float, SewingStep]] = [
+        (step.rank, SewingStep(step.title, step.sentences)) for step in trim_steps(plan)
+    ]
     both = {SeamRole.SIDE, SeamRole.UNDERARM}
     in_one_go = both <= {seam.role for seam in plan.seams}
     for role, group in groupby(
@@ -84,20 +91,25 @@ def sewing_steps(plan: CuttingPlan) -> tuple[SewingStep, ...]:
         if in_one_go and role is SeamRole.SIDE:
             title = "side and underarm seams"
             lines = ["Sew each in one go, from the lower edge over the armpit to the end of the sleeve."]
+        if role is SeamRole.CENTRE_FRONT and plan.closing is not None:
+            title = "centre front, which stays open"
         lines += _darts(plan, seams) if role is SeamRole.DART else _joins(plan, seams)
+        lines += stays_open(plan, role)
         numbers = tuple(dict.fromkeys(seam.number for seam in seams))
         stitches = tuple(k for seam in seams for k in seam.stitches)
-        steps.append(SewingStep(title[0].upper() + title[1:], tuple(lines), numbers, stitches))
+        step = SewingStep(title[0].upper() + title[1:], tuple(lines), numbers, stitches)
+        ranked.append((role.rank, step))
     for kind, (title, text) in _FINISHES.items():
-        pieces = [p for p in plan.pieces if any(r.kind is kind for r in p.runs)]
+        # Pockets and the like are finished in steps of their own.
+        pieces = [p for p in plan.pieces if not p.trim and any(r.kind is kind for r in p.runs)]
         if pieces:
             width = plan.allowances.of(kind)
             allowance = (
                 f" The allowance is {width:g} cm." if width > 0 else " It is cut without an allowance."
             )
             names = _listed(piece.name for piece in pieces)
-            steps.append(SewingStep(title, (f"{text}{allowance} ({names}.)",)))
-    return tuple(steps)
+            ranked.append((FINISHES, SewingStep(title, (f"{text}{allowance} ({names}.)",))))
+    return tuple([step for _, step in sorted(ranked, key=lambda each: each[0])])
 
 
 def steps_markdown(plan: CuttingPlan, *, cloth: Sequence[str] = ()) -> str:
@@ -116,7 +128,10 @@ def steps_markdown(plan: CuttingPlan, *, cloth: Sequence[str] = ()) -> str:
         "## Pieces",
         "",
     ]
-    lines += [f"- **{piece.name}**: {piece.instruction.lower()}" for piece in plan.pieces]
+    lines += [f"- **{piece.name}**: {in_list(piece)}" for piece in plan.pieces]
+    needed = notions(plan)
+    if needed:
+        lines += ["", "## Also needed", "", *(f"- {line}" for line in needed)]
     lines += ["", "## Before you sew", ""]
     lines += [f"- {line}" for line in (*cloth, *preparation(plan))]
     lines += ["", "## Steps", ""]
@@ -126,6 +141,14 @@ def steps_markdown(plan: CuttingPlan, *, cloth: Sequence[str] = ()) -> str:
         lines += ["", "## Look at", ""]
         lines += [f"- {finding.message}." for finding in plan.findings]
     return "\n".join(lines) + "\n"
+
+
+def in_list(piece: Piece) -> str:
+    """How a piece is cut, for the list of pieces; of what is put on, also its size and its grain."""
+    if not piece.trim:
+        return piece.instruction.lower()
+    width, height = np.ptp(piece.sew_line, axis=0)
+    return f"{piece.instruction.lower()}; sewn {width:.1f} x {height:.1f} cm, grain along the {height:.1f} cm"
 
 
 def _finished(plan: CuttingPlan) -> list[str]:
@@ -153,6 +176,20 @@ def preparation(plan: CuttingPlan) -> list[str]:
         "To gather an edge, sew two rows of long stitches within its allowance, draw them up, and spread the "
         "fullness evenly between the notches.",
         "Press every seam before another one crosses it.",
+        *_about_openings(plan),
+    ]
+
+
+def _about_openings(plan: CuttingPlan) -> list[str]:
+    """How what is put on is marked, and what to do where nothing opens the garment."""
+    marked = [
+        "Pockets, buttons, zips and openings are drawn with thin dashed lines, buttons as a cross in a "
+        "circle with the buttonhole across it. Transfer them too."
+    ]
+    if has_closing(plan):
+        return marked
+    return [
+        *(marked if plan.trims else []),
         "The pattern has no zip and no buttons. In cloth that does not stretch, try before you close the "
         "last seams "
         "whether you can slip it on; leave an opening for a zip in the centre back seam or, where there "

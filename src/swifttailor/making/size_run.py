@@ -10,8 +10,10 @@ import numpy as np
 
 from swifttailor.arrays import Floats
 from swifttailor.errors import InputError
-from swifttailor.making.pieces import CuttingPlan, Piece
+from swifttailor.making.piece import Piece
+from swifttailor.making.pieces import CuttingPlan
 from swifttailor.pattern import Pattern
+from swifttailor.pattern.trims import trims_that_fit
 
 MOST_SIZES = 12
 Alike = set[frozenset[str]]
@@ -78,6 +80,10 @@ def size_run(
             "These are not sizes of one pattern: their panels have other names. Make a run of sizes: "
             "swifttailor fit PATTERN --sizes 36-46 --out DIR"
         )
+    # A pocket that one size has no room for is on none, so that all have the same pieces.
+    fit = [set(trims_that_fit(pattern, pattern.trims)) for _, pattern in patterns]
+    shared = tuple([name for name in patterns[0][1].trims if all(name in own for own in fit)])
+    patterns = [(size, replace(pattern, trims=shared)) for size, pattern in patterns]
     # What is cut as one piece in some sizes alone is cut apart in all.
     alike = _common([cut(pattern, None) for _, pattern in patterns])
     plans = [(size, cut(pattern, alike)) for size, pattern in patterns]
@@ -129,7 +135,7 @@ def _same_piece(piece: Piece, size: str, plan: CuttingPlan) -> Piece:
             f"Size {size} is not cut like the others: it has no piece of the panels {panels}. "
             "Convert it by itself."
         )
-    if len(found.runs) != len(piece.runs):
+    if len(found.runs) != len(piece.runs) and not piece.trim:
         raise InputError(
             f"Size {size} is not cut like the others: its piece of the panels {panels} has {len(found.runs)} "
             f"edges and that of the middle size {len(piece.runs)}, as where a dart comes or goes. Convert it "
@@ -139,7 +145,9 @@ def _same_piece(piece: Piece, size: str, plan: CuttingPlan) -> Piece:
 
 
 def _shift(piece: Piece, other: Piece) -> Floats:
-    """Puts the corners over each other, and the fold on the fold."""
+    """Puts the corners over each other, and the fold on the fold; of what is put on, the middles."""
+    if piece.trim:
+        return piece.box.mean(axis=0) - other.box.mean(axis=0)
     corners, own = (np.array([run.points[0] for run in p.runs]) for p in (piece, other))
     shift = corners.mean(axis=0) - own.mean(axis=0)
     if piece.on_fold and other.on_fold:

@@ -9,7 +9,7 @@ import numpy as np
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.measurements import DraftMeasurements
 from swifttailor.pattern.pattern import Pattern
-from swifttailor.pattern.trims.front_view import FrontView
+from swifttailor.pattern.trims.front_view import FrontView, edge_at, front_edge
 from swifttailor.pattern.trims.shapes import Button, Look, Patch, Trim
 
 LINE = 0.16
@@ -129,6 +129,11 @@ class Chalk:
         """The x of a panel's outer side at a height; None where it does not reach it."""
         span = view.span(y)
         return None if span is None else (span[1] if sign > 0 else span[0])
+
+    def middle(self, sign: int, y: float) -> float:
+        """The x of the left (1) or right (-1) front's edge in the middle at a height, cm."""
+        seam = front_edge(self.pattern)
+        return 0.0 if seam is None else edge_at(self.pattern, seam[1 if sign > 0 else 0], y)
 
     def top_at(self, view: FrontView, x: float) -> float:
         """The greatest height of a panel at distance `x` from the middle."""

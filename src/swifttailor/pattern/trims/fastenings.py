@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from swifttailor.pattern.trims.chalk import Chalk
-from swifttailor.pattern.trims.front_view import front_edge
+from swifttailor.pattern.trims.front_view import edge_at, front_edge
 from swifttailor.pattern.trims.shapes import Button, Trim
 
 _BUTTON, _COAT_BUTTON = 0.6, 1.0
@@ -38,15 +38,15 @@ def buttons(chalk: Chalk, name: str) -> list[Trim]:
         for ref, sign in ((right, -1), (left, 1)):
             view = chalk.views[ref.panel]
             top, bottom = high - 0.3, low + 0.3
-            top = chalk.height_within(view, sign * _BAND, top, bottom)
+            inner = edge_at(chalk.pattern, ref, top) + sign * _BAND
+            top = chalk.height_within(view, inner, top, bottom)
             heights = np.linspace(bottom, top, max(int((top - bottom) / 2), 2))
-            pieces += chalk.ruled(
-                name, ref.panel, [(0.0, y) for y in heights], [(sign * _BAND, y) for y in heights]
-            )
+            middle = [(edge_at(chalk.pattern, ref, y), y) for y in heights]
+            pieces += chalk.ruled(name, ref.panel, middle, [(x + sign * _BAND, y) for x, y in middle])
     low, high = low + _FROM_HEM, high - _FROM_NECK
     count = max(round((high - low) / spacing), 1) + 1
     for y in np.linspace(low, high, count):
-        pieces += chalk.button(name, right.panel, (0.0, float(y)), radius)
+        pieces += chalk.button(name, right.panel, (edge_at(chalk.pattern, right, y), float(y)), radius)
     return [*pieces, *(_buttons_of_skirt(chalk, name) if name != "polo placket" else [])]
 
 
@@ -81,12 +81,14 @@ def double_breasted(chalk: Chalk, name: str) -> list[Trim]:
         return []
     right, left, low, high = seam
     at, top = _DOUBLE_AT * chalk.size, high - 2
-    edge = [(at + 2.5, y) for y in np.linspace(low + 0.5, top, 8)]
+    heights = np.linspace(low + 0.5, top, 8)
+    edge = [(edge_at(chalk.pattern, left, y) + at + 2.5, y) for y in heights]
     pieces = chalk.line(name, left.panel, edge)
     rows = max(round((top - low) / (_COAT_SPACING * chalk.size)), 1)
     for y in np.linspace(low + 3, top - 2, rows + 1):
         for ref, sign in ((right, -1), (left, 1)):
-            pieces += chalk.button(name, ref.panel, (sign * at, float(y)), _COAT_BUTTON * chalk.size)
+            x = edge_at(chalk.pattern, ref, y) + sign * at
+            pieces += chalk.button(name, ref.panel, (x, float(y)), _COAT_BUTTON * chalk.size)
     return pieces if any(isinstance(piece, Button) for piece in pieces) else []
 
 
@@ -101,15 +103,10 @@ def front_zip(chalk: Chalk, name: str) -> list[Trim]:
     heights = np.linspace(low + 0.2, high - 0.4, max(int((high - low) / 2), 2))
     pieces: list[Trim] = []
     for ref, sign in ((right, -1), (left, 1)):
-        pieces += chalk.ruled(
-            name,
-            ref.panel,
-            [(0.0, y) for y in heights],
-            [(sign * _ZIP, y) for y in heights],
-            "metal",
-            is_cut=False,
-        )
-        pieces += chalk.line(name, ref.panel, [(sign * 1.6, y) for y in heights[:-1]])
+        middle = [(edge_at(chalk.pattern, ref, y), y) for y in heights]
+        teeth = [(x + sign * _ZIP, y) for x, y in middle]
+        pieces += chalk.ruled(name, ref.panel, middle, teeth, "metal", is_cut=False)
+        pieces += chalk.line(name, ref.panel, [(x + sign * 1.6, y) for x, y in middle[:-1]])
     return pieces
 
 

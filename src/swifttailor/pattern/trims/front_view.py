@@ -90,6 +90,13 @@ class FrontView:
         return True
 
 
+def edge_at(pattern: Pattern, ref: EdgeRef, y: float) -> float:
+    """The x of a front's edge in the middle at a height, cm: not 0 where a size was recut."""
+    panel = pattern.panel(ref.panel)
+    (x0, y0), (x1, y1) = sorted(FrontView(panel).seen(panel.chord(ref.edge)).tolist(), key=lambda end: end[1])
+    return float(np.interp(y, (y0, y1), (x0, x1)))
+
+
 def front_edge(pattern: Pattern) -> tuple[EdgeRef, EdgeRef, float, float] | None:
     """The seam that joins left and right fronts in the middle.
 

@@ -78,8 +78,9 @@ def kangaroo(chalk: Chalk, name: str) -> list[Trim]:
             return []
         bottom, sides = column[0] + 1.0, beside[0] + 1.0
         top = min(bottom + 19 * s, view.high - 20 * s)
-        first = [(0.0, bottom), (sign * 0.55 * reach, (bottom + sides) / 2), (sign * reach, sides)]
-        second = [(0.0, top), (sign * 0.6 * reach, top), (sign * reach, top - 12 * s)]
+        low, high = chalk.middle(sign, bottom), chalk.middle(sign, top)
+        first = [(low, bottom), (sign * 0.55 * reach, (bottom + sides) / 2), (sign * reach, sides)]
+        second = [(high, top), (sign * 0.6 * reach, top), (sign * reach, top - 12 * s)]
         found = chalk.ruled(name, f"{side}_ftorso", first, second)
         if not found:
             return []
@@ -99,11 +100,12 @@ def bib_pocket(chalk: Chalk, name: str) -> list[Trim]:
         half = 7.5 * chalk.size
         if bottom < view.low + 1.5:
             return []
+        low, high = chalk.middle(sign, bottom), chalk.middle(sign, top)
         found = chalk.ruled(
             name,
             f"{side}_ftorso",
-            [(0.0, bottom), (sign * half, bottom)],
-            [(0.0, top), (sign * half, top)],
+            [(low, bottom), (low + sign * half, bottom)],
+            [(high, top), (high + sign * half, top)],
         )
         if not found:
             return []

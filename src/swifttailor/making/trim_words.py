@@ -1,0 +1,68 @@
+"""What the trims of a pattern are called on paper."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import shapely
+
+from swifttailor.pattern.trims import Patch, Trim
+
+POCKETS: Mapping[str, str] = {
+    "chest pocket": "breast pocket",
+    "chest pockets": "breast pocket",
+    "patch pockets": "patch pocket",
+    "kangaroo pocket": "kangaroo pocket",
+    "bib pocket": "bib pocket",
+    "back pockets": "back pocket",
+    "cargo pockets": "cargo pocket",
+}
+"""Pockets that are sewn on, by the trim's name."""
+ACROSS = ("kangaroo pocket", "bib pocket")
+"""Pockets whose halves meet in the middle."""
+OPENINGS = ("side pockets", "slant pockets")
+"""Pockets that hang inside."""
+BANDS = ("buttons", "button placket", "polo placket")
+"""What has bands along an opening; `buttons` on skirts alone."""
+ZIPS = ("zip", "half zip", "back zip", "side zip")
+_LINES: Mapping[str, str] = {
+    "side pockets": "pocket opening",
+    "slant pockets": "pocket opening: cut 1 cm outside",
+    "side zip": "zip",
+    "zip": "topstitching",
+    "half zip": "topstitching",
+    "fly": "fly: topstitching",
+    "double-breasted buttons": "edge of the upper front",
+    "drawstring": "cord",
+}
+
+
+def words_of(patch: Patch, *, is_flap: bool) -> str:
+    """What is printed beside a patch or a line."""
+    if patch.look == "metal":
+        return "zip"
+    if patch.look == "dark":
+        return _LINES.get(patch.trim, "")
+    if patch.trim in POCKETS:
+        return f"{POCKETS[patch.trim]}, flap" if is_flap else POCKETS[patch.trim]
+    return "front band" if patch.trim in BANDS else patch.trim
+
+
+def is_flap(patch: Patch, trims: Sequence[Trim]) -> bool:
+    """Whether a piece of cloth falls over a pocket on the same panel: of two, it is the smaller one."""
+    if patch.trim not in POCKETS or patch.trim in ACROSS or patch.look != "cloth":
+        return False
+    area = _area(patch)
+    pockets = [
+        other
+        for other in trims
+        if isinstance(other, Patch)
+        and (other.trim, other.panel, other.look) == (patch.trim, patch.panel, "cloth")
+        and np.hypot(*(other.outline.mean(axis=0) - patch.outline.mean(axis=0))) < 15.0
+    ]
+    return any(_area(other) > area + 1.0 for other in pockets)
+
+
+def _area(patch: Patch) -> float:
+    return float(shapely.Polygon(patch.outline).area)
