@@ -59,7 +59,11 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
             [Claim("sleeves", "short")],
             "jumpsuit(length=96;sleeves=true;sleeve_length=22.0;sleeve_end=33.0)",
         ),
-        ("wrap-top", [Claim("sleeves", "short")], "wrap-top(sleeves=true;sleeve_length=22.0;sleeve_end=33.0)"),
+        (
+            "wrap-top",
+            [Claim("sleeves", "short")],
+            "wrap-top(sleeves=true;sleeve_length=22.0;sleeve_end=33.0)",
+        ),
         ("drop-waist-dress", [Claim("sleeves", "none")], "drop-waist-dress"),
         ("shift-dress", [Claim("collar", "stand")], "shift-dress(collar=standing)"),
         ("coat", [Claim("collar", "stand")], "coat(standing=true;collar_height=4.0)"),

@@ -61,15 +61,19 @@ class DraftCandidate:
         return chosen
 
 
-def draft_candidates(samples: Sequence[tuple[Wanted, int]]) -> list[DraftCandidate | None]:
-    """The draft that each sample begins from; None where words name none, or only others are asked for.
+MOST_DRAFTS = 2
+"""Drafts that are tried for a garment: what the first cannot be cut to, the next may be."""
+
+
+def draft_candidates(samples: Sequence[tuple[Wanted, int]]) -> list[tuple[DraftCandidate, ...]]:
+    """The drafts that each sample begins from; none where words name none, or only others are asked for.
 
     Every fourth seed, 0 among them, has the draft with its defaults; others vary it.
 
     Raises:
         InputError: Only drafts are asked for, and none is named.
     """
-    found: list[DraftCandidate | None] = []
+    found: list[tuple[DraftCandidate, ...]] = []
     for wanted, seed in samples:
         order = wanted.order
         may_be = order.source in ("both", "drafts") and order.edit is None and order.alter
@@ -77,5 +81,5 @@ def draft_candidates(samples: Sequence[tuple[Wanted, int]]) -> list[DraftCandida
         if order.source == "drafts" and not named:
             raise InputError(_NOT_DRAFTED)
         plain = order.temperature == 0 or seed % LEAST_CLOSE == 0
-        found.append(DraftCandidate(named[0], seed, plain) if named else None)
+        found.append(tuple([DraftCandidate(draft, seed, plain) for draft in named[:MOST_DRAFTS]]))
     return found

@@ -83,7 +83,7 @@ def write_patterns(
     ((temperature, attempts),) = manners
     clock.restart()
     drafts = draft_candidates(samples)
-    begun = [0 if one is None else 1 for one in drafts]
+    begun = [len(some) for some in drafts]
     only_drafts = [wanted.order.source in ("drafts", "designs") for wanted, _ in samples]
     second = None if eyes is None else SecondReading(sewer, eyes)
     candidates, counts = _candidates(library, designer, samples, attempts, second)
@@ -108,9 +108,9 @@ def write_patterns(
         clock.restart()
         found: dict[int, Candidate] = {}
         for k in waiting:
-            listed, begins = candidates[k], drafts[k]
-            if begins is not None and attempt < begun[k]:
-                found[k] = Candidate(begins.take())
+            listed = candidates[k]
+            if attempt < begun[k]:
+                found[k] = Candidate(drafts[k][attempt].take())
             elif listed is not None and attempt - begun[k] < counts[k]:
                 found[k] = listed.take(attempt - begun[k])
         if found:
@@ -128,7 +128,7 @@ def write_patterns(
             found |= {k: Candidate(one) for k, one in zip(asked, written, strict=True)}
         for k in waiting:
             wanted, seed = samples[k]
-            begins = drafts[k] if attempt < begun[k] else None
+            begins = drafts[k][attempt] if attempt < begun[k] else None
             if begins is not None:
                 answer = fit(found[k].written, wanted.begun_from(begins.draft), drafted=True)
                 answer = replace(answer, seed=seed, draft=begins.name)

@@ -14,6 +14,7 @@ from swifttailor.pattern.drafts.draft_names import (
     ROLLED,
     SIDE_SLITS,
     STANDING,
+    STRAP_WIDTH,
     NamedDraft,
 )
 from swifttailor.wishes.held_drafts import held_as_asked
@@ -95,9 +96,11 @@ _PIECES: Mapping[str, tuple[str, int, int]] = {
 }
 """Option and claim of a number of pieces, and how few and many can be drafted."""
 _SLITS = (Claim("slit", "left"), Claim("slit", "right"))
-_SLIT_AT_THE_SIDES = ("t-shirt", "turtleneck", "shift-dress")
-_SLIT_CM = 14.0
+_SLIT_AT_THE_SIDES = ("t-shirt", "turtleneck", "shift-dress", "hooded-coat")
+_SLIT_CM, _HIGH_SLIT_CM = 14.0, 30.0
+_HIGH_SLIT = Claim("slit_size", "high")
 _SLIT_SKIRT_CM = 72.0
+_BIBBED, _WIDE_STRAP_CM = ("dungarees", "pinafore", "apron"), 6.0
 
 
 _PULLED_ON = ("t-shirt", "tank-top", "shift-dress")
@@ -130,7 +133,10 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
     draft = _cropped(draft, claims)
     draft = _with_v_neck(_with_hood(_worn_over(draft, claims), claims), claims)
     if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
-        draft = replace(draft, options=(*draft.options, (SIDE_SLITS, _SLIT_CM)))
+        slit = _HIGH_SLIT_CM if _HIGH_SLIT in claims else _SLIT_CM
+        draft = replace(draft, options=(*draft.options, (SIDE_SLITS, slit)))
+    if draft.name in _BIBBED and Claim("straps", "wide") in claims:
+        draft = replace(draft, options=(*draft.options, (STRAP_WIDTH, _WIDE_STRAP_CM)))
     if draft.name in _WITHOUT_LEGS and any(_has_legs(claim) for claim in claims):
         return None
     draft = _with_pieces(_with_legs(_with_leg_cuffs(draft, claims), claims), claims)

@@ -191,7 +191,10 @@ def _without_flare(found: Sequence[Wish]) -> tuple[Wish, ...]:
     """Without what a skirt of rows or wedges cannot be called: it is not flared from the waist."""
     changes = _changes(found)
     parted = any(Gain(Claim("skirt", value)) in changes for value in ("godets", "tiered"))
-    return tuple([w for w in found if not (parted and w.change == Gain(Claim("skirt", "flared")))])
+    less = {Gain(Claim("skirt", "flared"))} if parted else set()
+    if Gain(Claim("skirt", "gathered tiers")) in changes:
+        less.add(Gain(Claim("skirt", "gathered")))
+    return tuple([w for w in found if w.change not in less])
 
 
 def _within_figures(found: Sequence[Wish]) -> tuple[Wish, ...]:

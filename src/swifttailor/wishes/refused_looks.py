@@ -17,7 +17,7 @@ _INSTEAD: Mapping[Claim, Mapping[str, float]] = {
     Claim("neck_depth", "low"): {"neck_depth": 9.0},
     Claim("neck_depth", "plunging"): {"neck_depth": 11.0},
     Claim("legs", "slim"): {"leg_ease": 18.0},
-    Claim("legs", "wide"): {"leg_ease": 16.0, "flare": -4.0},
+    Claim("legs", "wide"): {"leg_ease": 20.0, "flare": 0.0},
 }
 """Options of drafts, in cm, with which they are not so."""
 

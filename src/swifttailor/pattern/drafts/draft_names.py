@@ -133,7 +133,10 @@ class NamedDraft:
             falls = tuple(
                 [("skirt_hem", value) for value, own in APRON_HEMS.items() if abs(own - length) < 1.0]
             )
-        shown = (_OF_STANDS if stands else (), slits, falls)
+        bib = _OF_BIBS if self.name in ("dungarees", "pinafore", "apron") else ()
+        broad = (("straps", "wide"),) if bib and STRAP_WIDTH in dict(self.options) else ()
+        high = (("slit_size", "high"),) if float(dict(self.options).get(SIDE_SLITS, 0.0)) >= HIGH_CM else ()
+        shown = (_OF_STANDS if stands else (), slits, falls, bib, broad, high)
         return (*DRAFTS_ARE.get(self.name, ()), *[claim for claims in shown for claim in claims])
 
     @property
@@ -155,6 +158,8 @@ STANDING = ("collar", "standing")
 """The option of a collar that stands."""
 ROLLED = ("collar", "rolled")
 """The option of one that is turned down over itself."""
+STRAP_WIDTH = "strap_width"
+"""The option of the straps of bibs."""
 SIDE_SLITS = "side_slits"
 """The option of slits in garments that have no skirt of their own to be measured."""
 ROOMY_CM = 7.0
@@ -164,6 +169,10 @@ A_LINE_CM = 12.0
 _OF_STANDS = (("neck_depth", "high"),)
 _OF_FLARE, _OF_NO_FLARE = (("skirt", "a-line"),), (("skirt", "straight"),)
 _OF_SLITS = (("slit", "left"), ("slit", "right"))
+_OF_BIBS = (("fit", "loose"), ("fit", "easy"), ("fit", "oversized"))
+"""Nothing goes around the chest of what has a bib."""
+HIGH_CM = 26.0
+"""Slits of straight tops and dresses that are called high are as long as that."""
 _OF_ROOM = (("hips", "loose"),)
 """Claims, by name and value, that such options make true to the eye."""
 

@@ -95,6 +95,7 @@ class HoodedCoatOptions:
     sleeve_length: declared.SleeveLength = 60.0
     arm_ease: declared.ArmEase = 13.0
     sleeve_end: declared.SleeveEnd = 32.0
+    side_slits: declared.SideSlits = 0.0
 
 
 def draft_hooded_coat(options: HoodedCoatOptions, measurements: Measurements) -> Pattern:
@@ -110,6 +111,7 @@ def draft_hooded_coat(options: HoodedCoatOptions, measurements: Measurements) ->
         shoulder_extension=options.shoulder_extension if options.sleeves else -_INSET_CM,
         front_opening=options.opening,
         front_closed_to=options.closed_to,
+        side_slits=options.side_slits,
     )
     lay_loose_bodice(table, figure, bodice)
     if options.sleeves:
