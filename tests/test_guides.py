@@ -34,7 +34,7 @@ def test_only_public_names(guide):
                 assert {alias.name for alias in node.names} <= set(offered), f"{guide.name}: {node.module}"
 
 
-@pytest.mark.parametrize("name", ["engines", "extending", "garment-programs"])
+@pytest.mark.parametrize("name", ["engines", "extending", "garment-programs", "trims"])
 def test_guides_to_extending(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(engines, "_MAKERS", dict(engines._MAKERS))

@@ -322,7 +322,7 @@ _LINE_LIFT = 0.5
 
 
 def draw_lines(light: Array, pixels: Array, line: LineSet, depth: Array, lift: float, samples: int) -> None:
-    """Takes light away along a set of edges, in place.
+    """Takes light away along a set of edges, or adds some, in place.
 
     Args:
         light: (height, width) share of light kept at each sample.
@@ -355,7 +355,8 @@ def draw_lines(light: Array, pixels: Array, line: LineSet, depth: Array, lift: f
             on = (x >= 0) & (x < width) & (y >= 0) & (y < height)
             x, y, z = x[on], y[on], points[on, 2]
             shown = z - lift - _LINE_LIFT <= depth[y, x]
-            light[y[shown], x[shown]] = np.minimum(light[y[shown], x[shown]], 1.0 - line.strength)
+            stronger = np.minimum if line.strength > 0 else np.maximum
+            light[y[shown], x[shown]] = stronger(light[y[shown], x[shown]], 1.0 - line.strength)
 
 
 def draw_figure(

@@ -26,11 +26,12 @@ def still_life() -> list[Surface]:
     corners = (-12, 4, 6), (12, 3, 7), (13, 12, 2)
     at = np.array([[[0, 0], [25, 0], [26, 10]], [[0, 0], [26, 10], [1, 10]]], float)
     edges = LineSet(np.array([[0, 1], [1, 2], [2, 3], [3, 0]]), strength=0.5, width=2.0)
+    light = LineSet(np.array([[0, 1], [1, 3], [4, 6]]), strength=-0.6, width=1.5)
     printed = Stripes((0.8, 0.1, 0.1), (0.1, 0.1, 0.8), 2.0, 3.0)
     back = np.array([0.2, 0.3, 0.1])
     return [
         ball(9.0, sheen=0.2, gloss=0.1),
-        box((8, -8, 3), 4.0, (0.2, 0.6, 0.3), gloss=0.3),
+        box((8, -8, 3), 4.0, (0.2, 0.6, 0.3), gloss=0.3, lines=(light,)),
         sheet(*corners, back_color=back, lines=(edges,), lift=0.3, sheen=0.1, print=printed, print_at=at),
     ]
 

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scenes import ball, box, ray_trace, sheet
@@ -185,6 +187,25 @@ def test_lines_are_seen_only_from_their_side():
     assert np.abs((59 - rows) - columns).max() <= 3  # from the lower left to the upper right
     behind_box = box((0, 0, 9), 9)
     np.testing.assert_array_equal(picture(lined, behind_box), picture(cloth, behind_box))
+
+
+def linear(pixels: np.ndarray) -> np.ndarray:
+    """Light of sRGB from 0 to 255."""
+    share = pixels / 255.0
+    return np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
+
+
+@pytest.mark.parametrize("strength", [-1.3, -0.4, -0.01, 0.01, 0.4, 1.0])
+def test_a_line_darkens_by_its_strength_and_lightens_below_0(strength):
+    cloth = sheet((-8, -8, 0), (8, -8, 0), (8, 8, 0), (0.1, 0.1, 0.1), back_color=np.full(3, 0.1))
+    line = LineSet(np.array([[0, 2]]), strength=strength, width=3.0)
+    plain, drawn = (linear(picture(replace(cloth, lines=lines))) for lines in ((), (line,)))
+    change = drawn - plain
+    assert (np.sign(change[np.abs(change) > 1e-3]) == -np.sign(strength)).all()
+    rows, columns = np.nonzero(np.abs(change).sum(axis=2) > 1e-3)
+    assert np.abs((59 - rows) - columns).max(initial=0) <= 4
+    share = (drawn[30, 29:31] / plain[30, 29:31]).mean()
+    assert share == pytest.approx(1 - strength, abs=0.12)
 
 
 def test_lift_brings_cloth_before_what_pokes_through():

@@ -209,6 +209,8 @@ GLOSS = '"what it means"'
         (f"[styles]\nneckline=v of:hat : V | {GLOSS}", "of:hat"),
         (f"[colors]\nrgb:12345 : odd | {GLOSS}", "six digits"),
         (f"[prints]\nprint:stripes radius:2 : striped | {GLOSS}", "stripes have no radius"),
+        (f"[styles]\ncannot:zip trim:zipper : zip | {GLOSS}", "trim:zipper is none of"),
+        (f"[styles]\ncannot:zip trim:back_zip,zap : zip | {GLOSS}", "trim:zap is none of"),
         (f"[prints]\nprint:motif : flowery | {GLOSS}", "motif:"),
         (f"[styles]\nnever:x : y | {GLOSS}", "never"),
         (f"[styles]\nsometimes : y | {GLOSS}", "is no mark"),

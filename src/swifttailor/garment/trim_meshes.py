@@ -27,6 +27,8 @@ _BUTTON_LIFT, _BUTTON_HEIGHT = 0.34, 0.22
 _ROUND = 16
 _BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
 _TAIL, _KNOT = 26.0, 2.2
+_NO_AREA = 1e-5
+"""Triangles of less than half of this are left out, cm²."""
 _MOST_AT_ONCE = 4_000_000
 
 
@@ -138,6 +140,9 @@ def _patch(garment: Garment, patch: Patch) -> TrimMesh:
     border = np.stack([ring, np.roll(ring, -1)], axis=1) if patch.look == "cloth" else np.zeros((0, 2), int)
     faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     faces = _outward(vertices, faces, normals, points)
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    across = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    faces = faces[across > _NO_AREA]  # of what lies in a dart, some is sewn to one point
     at = np.concatenate([places, places[ring]])[faces] if patch.look == "cloth" else None
     return TrimMesh(patch.trim, patch.look, vertices, faces, border, at, np.concatenate([flat, flat[ring]]))
 
@@ -246,7 +251,8 @@ def _ball(middle: Array, radii: tuple[float, float, float]) -> tuple[Floats, Int
     grid = np.arange(len(vertices)).reshape(a.shape)
     after = np.roll(grid, -1, axis=1)
     quads = np.stack([grid[:-1], after[:-1], after[1:], grid[1:]], axis=-1).reshape(-1, 4)
-    return vertices, np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]).astype(np.int32)
+    # At the poles a ring is one point, and half of each quad has no area.
+    return vertices, np.concatenate([quads[_ROUND:, [0, 1, 2]], quads[:-_ROUND, [0, 2, 3]]]).astype(np.int32)
 
 
 def _around(garment: Garment, height: float) -> Array | None:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.trims import LIKE_EACH_OTHER, trims_that_fit
 from swifttailor.pattern.trims.names import CLOSES_FRONT
 from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.reading import facts_of
+from swifttailor.wishes.changes_of_garment import named_kind
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.ribs import RIBBED
 from swifttailor.wishes.trims_wanted import TRIMS_OF, refused_trims, trims_wanted
@@ -20,14 +23,16 @@ def trimmed(answer: Answer) -> Answer:
     """The answer with the trims that its text asks for and those that names of garments mean.
 
     What found a place is no longer lacking. A pattern to edit keeps its own, and of what its instruction
-    speaks of only what it says is put on.
+    speaks of only what it says is put on. What was trimmed already stays so.
     """
     wanted = answer.wanted
-    if wanted is None:
+    if wanted is None or answer.put_on or answer.taken_off:
         return answer
     edit = wanted.order.edit
+    facts = None if edit is None or not wanted.heard.lacks else facts_of(edit)
+    kind = "" if facts is None else named_kind(facts)
     own = () if edit is None else edit.trims
-    trims, said, heard = _put_on(answer.pattern, wanted.heard, answer.draft, own)
+    trims, said, heard = _put_on(answer.pattern, wanted.heard, answer.draft, kind, own)
     before = answer.pattern.trims if edit is None else own
     if trims == answer.pattern.trims and heard is wanted.heard:
         return answer
@@ -39,23 +44,43 @@ def trimmed(answer: Answer) -> Answer:
     return replace(answer, pattern=pattern, wanted=wanted, put_on=put_on, meant=meant, taken_off=taken_off)
 
 
+def _go_together(names: Sequence[str]) -> bool:
+    """Whether no two of them are like each other."""
+    return all(len(set(names).intersection(group)) <= 1 for group in LIKE_EACH_OTHER)
+
+
 def _put_on(
-    pattern: Pattern, heard: Heard, draft: str, own: tuple[str, ...]
+    pattern: Pattern, heard: Heard, draft: str, kind: str, own: tuple[str, ...]
 ) -> tuple[tuple[str, ...], set[str], Heard]:
     """The trims, those of them that the text says, and what it still lacks."""
     refused = refused_trims(heard)
     trims = [name for name in own if name not in refused]
+    new: list[str] = []
     made = set()
     said = set[str]()
-    for wish in sorted(trims_wanted(heard, draft), key=lambda wish: not wish.said):
-        for choice in wish.choices:
-            taken = {each for group in LIKE_EACH_OTHER for each in group if not set(group).isdisjoint(trims)}
-            free = [name for name in choice if name in trims or (name not in taken and name not in refused)]
-            if len(free) == len(choice) and set(trims_that_fit(pattern, choice)) == set(choice):
+    for wish in sorted(trims_wanted(heard, draft, kind), key=lambda wish: not wish.said):
+        has = any(name in trims for name in TRIMS_OF[wish.what])
+        if has and not wish.named and wish.what != "pockets":
+            made.add(wish.what)
+            continue
+        choices = wish.choices
+        if not wish.said and not refused.isdisjoint(TRIMS_OF[wish.what]):  # no others in place of these
+            choices = (tuple([name for name in choices[0] if name not in refused]),)
+        for choice in choices:
+            # What a text asks for takes the place of what is like it on a pattern to edit.
+            if (
+                refused.isdisjoint(choice)
+                and _go_together([*(new if wish.said else trims), *choice])
+                and set(trims_that_fit(pattern, choice)) == set(choice)
+            ):
+                trims = [name for name in trims if name in choice or _go_together([name, *choice])]
                 trims += [name for name in choice if name not in trims]
+                new += choice
                 made.add(wish.what)
                 said.update(choice if wish.said else ())
                 break
+        else:
+            made |= {wish.what} if has and not wish.named else set()
     made |= {what for what, names in TRIMS_OF.items() if refused and refused.issuperset(names)}
     made |= set(RIBBED) if heard.ribs is not None else set()
     closed = any(name in CLOSES_FRONT for name in trims)

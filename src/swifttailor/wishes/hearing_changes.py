@@ -34,6 +34,7 @@ from swifttailor.wishes.stated_figures import (
 )
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
+from swifttailor.wishes.trims_wanted import speaks_of_trims_alone
 from swifttailor.wishes.unread import not_understood, says_nothing_else, unread_numbers
 from swifttailor.wishes.whole_instruction import (
     MEANT,
@@ -146,7 +147,7 @@ def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None =
     taken = spoken.taken
     unsure: tuple[Change, ...] = ()
     perhaps: tuple[Change, ...] = ()
-    if words.language == ENGLISH:
+    if words.language == ENGLISH and not speaks_of_trims_alone(words):
         whole, clear = whole_of(own, reader), _clear(spoken)
         whole = whole if facts is None or kind is None else of_kind(whole, kind, facts)
         firm = [change for _, some in taken for change in some]
@@ -258,7 +259,7 @@ def _other_garments(text: str, words: WordReading, kind: str | None, changes: Se
 def _by_network(
     text: str, clause: SpokenClause, reader: WishReader, words: WordReading, alone: bool
 ) -> tuple[Wish, ...]:
-    if words.language != ENGLISH:
+    if words.language != ENGLISH or speaks_of_trims_alone(words):
         return ()
     return reader.read(text if alone else text[clause.start : clause.end], instruction=True)
 

@@ -10,6 +10,7 @@ from swifttailor.pattern.trims.names import LIKE_EACH_OTHER, TRIMS
 
 if TYPE_CHECKING:
     from swifttailor.wishes.heard import Heard
+    from swifttailor.wording import WordReading
 
 _POCKETS = tuple(name for name in TRIMS if "pocket" in name)
 _BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name)
@@ -44,6 +45,8 @@ _JACKETS = frozenset(
 _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
 _LOWER = ("trousers", "shorts")
 _DENIM = "denim"
+_DETAILS = "styles"
+"""The category of entries that name trims themselves."""
 
 
 @dataclass(frozen=True)
@@ -56,26 +59,31 @@ class TrimWish:
     """Whether the text asks for it; otherwise the name of a garment means it."""
     choices: tuple[tuple[str, ...], ...]
     """Names of `TRIMS`; the first of which all find a place is taken."""
+    named: bool = False
+    """Whether the text says which: cargo pockets, and not pockets."""
 
 
-def trims_wanted(heard: Heard, draft: str = "") -> tuple[TrimWish, ...]:
+def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWish, ...]:
     """What may be put on a garment, in the order of the text.
 
     Args:
         heard: What the text asks for.
         draft: Name of the draft that the garment is cut from; empty where it is cut from none.
+        kind: Of the garment, where the text does not name it.
     """
     named = _named(heard)
+    kind = heard.kind or kind
     found = []
     for lack in heard.lacks:
         can = TRIMS_OF.get(lack.what, ())
         own = tuple([name for name in _of_garment(heard) if name in can])
         said = tuple([name for name in named if name in can])
-        choices = _usual(lack.what, heard, draft)
+        choices = _usual(lack.what, kind, heard.cloth, draft)
         if said or own:
-            choices = (said or own, *[(name,) for name in said or own], *choices)
+            alone = sorted(said or own, key=lambda name: name not in own)
+            choices = (said or own, *[(name,) for name in alone], *choices)
         if choices:
-            found.append(TrimWish(lack.what, lack.said, choices))
+            found.append(TrimWish(lack.what, lack.said, choices, bool(said)))
     return tuple(found)
 
 
@@ -83,31 +91,47 @@ def refused_trims(heard: Heard) -> frozenset[str]:
     """Trims that a text does not want: "without pockets"."""
     if heard.words is None:
         return frozenset()
-    denied = [entry for mark in heard.words.marks if mark.denied for entry in mark.entries]
-    keys = {what for entry in denied for what in entry.cannot}
-    named = {name for entry in denied for name in entry.trims}
-    return frozenset(named or {name for key in keys for name in TRIMS_OF.get(key, ())})
+    found: set[str] = set()
+    for mark in heard.words.marks:
+        for entry in mark.entries if mark.denied else ():
+            if entry.category == _DETAILS or mark.word.lower() in TRIMS:  # not those of jeans: "no jeans"
+                found |= set(entry.trims) or {name for key in entry.cannot for name in TRIMS_OF.get(key, ())}
+    return frozenset(found)
+
+
+def speaks_of_trims_alone(words: WordReading) -> bool:
+    """Whether a text speaks of nothing else that garments have: "remove the kangaroo pocket".
+
+    A network that has never heard of them guesses what else may be meant.
+    """
+    told = [
+        entry
+        for mark in words.marks
+        for entry in mark.entries
+        if entry.category not in ("function", "negations")
+    ]
+    of_trims = all(e.category == _DETAILS and any(what in TRIMS_OF for what in e.cannot) for e in told)
+    return bool(told) and of_trims and all(mark.entries for mark in words.marks)
 
 
 def _named(heard: Heard) -> tuple[str, ...]:
     """Trims that words about details name: cargo pockets, double-breasted."""
     marks = () if heard.words is None else heard.words.marks
     entries = [entry for mark in marks if not mark.denied for entry in mark.entries]
-    return tuple(dict.fromkeys([name for e in entries if e.category == "styles" for name in e.trims]))
+    return tuple(dict.fromkeys([name for e in entries if e.category == _DETAILS for name in e.trims]))
 
 
 def _of_garment(heard: Heard) -> tuple[str, ...]:
     """Trims that names of garments mean: those of cargo trousers."""
     marks = () if heard.words is None else heard.words.marks
     entries = [entry for mark in marks if not mark.denied for entry in mark.entries]
-    return tuple(dict.fromkeys([name for e in entries if e.category != "styles" for name in e.trims]))
+    return tuple(dict.fromkeys([name for e in entries if e.category != _DETAILS for name in e.trims]))
 
 
-def _usual(what: str, heard: Heard, draft: str) -> tuple[tuple[str, ...], ...]:
+def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[str, ...], ...]:
     """What it is on garments of the kind, best first."""
-    kind = heard.kind or ""
     if what == "pockets":
-        return _usual_pockets(kind, heard.cloth, draft)
+        return _usual_pockets(kind, cloth, draft)
     if what == "buttons":
         if kind in _LOWER:
             return (("fly",),)

@@ -33,7 +33,10 @@ def drawstring(chalk: Chalk, name: str) -> list[Trim]:
         x = sign * max(min(sign * span[0], sign * span[1]), 0.0) + sign * 1.2
         top = chalk.top_at(view, x) - 0.2
         ends = [(x, top), (x + sign * 0.6, top - 7 * s), (x + sign * 1.6, top - 14 * s)]
-        pieces += chalk.line(name, view.panel.name, ends, width=0.35)
+        found = chalk.line(name, view.panel.name, ends, width=0.35)
+        if not found:
+            return []
+        pieces += found
     return pieces
 
 

@@ -6,12 +6,19 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from swifttailor.arrays import Floats
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.measurements import DraftMeasurements
 from swifttailor.pattern.pattern import Pattern
-from swifttailor.pattern.trims.front_view import FrontView, edge_at, front_edge
+from swifttailor.pattern.trims.front_view import FrontView, dart_tips, edge_at, front_edge
 from swifttailor.pattern.trims.shapes import Button, Look, Patch, Trim
 
+_STEP = 0.5
+"""Distance of the places at which the border of a piece is looked at, cm."""
+_SHORTEST = 2.0
+"""Length of a line that is worth drawing, cm."""
+_UNEVEN = 3.0
+"""A skirt's front whose sides are so much nearer and farther from the middle is wrapped around, cm."""
 LINE = 0.16
 """Half the width of a line of stitches or of an opening, as it is drawn, cm."""
 _HEIGHT = DraftMeasurements().height
@@ -24,8 +31,11 @@ class Chalk:
 
     def __init__(self, pattern: Pattern) -> None:
         self.pattern = pattern
+        tips = dart_tips(pattern)
         self.views: Mapping[str, FrontView] = {
-            panel.name: view for panel in pattern.panels if (view := FrontView(panel)).faces_front
+            panel.name: view
+            for panel in pattern.panels
+            if (view := FrontView(panel, tips.get(panel.name, ()))).faces_front
         }
         figure = Figure.of(DraftMeasurements())
         measures = {} if pattern.drafted_for is None else dict(pattern.drafted_for.measures)
@@ -51,11 +61,8 @@ class Chalk:
         xs = (x - width / 2, x, x + width / 2)
         first = [(xs[0], low + point), (xs[1], low), (xs[2], low + point)]
         found = self.ruled(trim, panel, first, [(each, top) for each in xs])
-        return (
-            [*found, *self.line(trim, panel, [(xs[0] + 0.2, top - 2), (xs[2] - 0.2, top - 2)])]
-            if found
-            else []
-        )
+        hem = self.line(trim, panel, [(xs[0] + 0.2, top - 2), (xs[2] - 0.2, top - 2)])
+        return [*found, *hem] if found and hem else []
 
     def flap(self, trim: str, panel: str, at: Point, width: float, height: float) -> list[Trim]:
         """What falls over a pocket, with a button."""
@@ -63,9 +70,8 @@ class Chalk:
         xs = (x - width / 2, x, x + width / 2)
         first = [(xs[0], top - height + 1), (xs[1], top - height), (xs[2], top - height + 1)]
         pieces = self.ruled(trim, panel, first, [(each, top) for each in xs])
-        return (
-            [*pieces, *self.button(trim, panel, (x, top - height + 1.4), 0.6 * self.size)] if pieces else []
-        )
+        button = self.button(trim, panel, (x, top - height + 1.4), 0.6 * self.size)
+        return [*pieces, *button] if pieces and button else []
 
     def ruled(
         self,
@@ -84,18 +90,23 @@ class Chalk:
         """
         view = self.views[panel]
         ends = [np.array(line, float) for line in (first, second)]
-        if not to_the_edge and not view.holds(np.concatenate(ends)):
+        if not to_the_edge and not (view.holds(np.concatenate(ends)) and view.bridges(_border(*ends))):
             return []
         return [Patch(trim, panel, view.local(ends[0]), view.local(ends[1]), look, is_cut)]
 
     def line(self, trim: str, panel: str, points: Sequence[Point], width: float = LINE) -> list[Trim]:
         """A line of stitches, an opening or a cord along points of the view."""
         line = np.array(points, float)
+        if len(line) < 2 or np.linalg.norm(np.diff(line, axis=0), axis=1).sum() < _SHORTEST:
+            return []
         along = np.gradient(line, axis=0)
         across = np.stack([-along[:, 1], along[:, 0]], axis=1)
-        across *= width / np.linalg.norm(across, axis=1, keepdims=True)
+        lengths = np.linalg.norm(across, axis=1, keepdims=True)
+        if lengths.min() < 1e-6:
+            return []
+        across *= width / lengths
         view = self.views[panel]
-        if not view.holds(line):
+        if not view.holds(line) or not view.bridges(_border(line + across, line - across)):
             return []
         sides = (view.local(line + across), view.local(line - across))
         return [Patch(trim, panel, sides[0], sides[1], "dark", is_cut=False)]
@@ -117,13 +128,23 @@ class Chalk:
             if view is None:
                 return []
             top = min(view.high, self.waist) - below * self.size
+            if both and not self.is_even(view, top):
+                return []
             heights = np.linspace(top, top - length * self.size, 5)
             outer = [self.outer(view, y, sign) for y in heights]
             if any(x is None for x in outer):
                 return []
             line = [(x - sign * 0.8, float(y)) for x, y in zip(outer, heights, strict=True) if x is not None]
-            pieces += self.line(trim, view.panel.name, line, width=0.25)
+            found = self.line(trim, view.panel.name, line, width=0.25)
+            if not found:
+                return []
+            pieces += found
         return pieces
+
+    def is_even(self, view: FrontView, y: float) -> bool:
+        """Whether a panel of one half reaches a height, or one of both as far on the left as on the right."""
+        span = view.span(y)
+        return span is not None and (span[0] * span[1] >= 0 or abs(span[0] + span[1]) <= _UNEVEN)
 
     def outer(self, view: FrontView, y: float, sign: int) -> float | None:
         """The x of a panel's outer side at a height; None where it does not reach it."""
@@ -146,3 +167,14 @@ class Chalk:
             if view.holds([(x, y)]):
                 return float(y)
         return bottom + 1.0
+
+
+def _border(first: Floats, second: Floats) -> Floats:
+    """Places (m, 2) all around a piece between two lines (n, 2), `_STEP` apart at most."""
+    ring = np.concatenate([first, second[::-1], first[:1]])
+    lengths = np.linalg.norm(np.diff(ring, axis=0), axis=1)
+    parts = [
+        np.linspace(a, b, max(int(np.ceil(length / _STEP)), 1), endpoint=False)
+        for a, b, length in zip(ring[:-1], ring[1:], lengths, strict=True)
+    ]
+    return np.concatenate(parts)

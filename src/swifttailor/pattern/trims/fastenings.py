@@ -4,14 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 
+from swifttailor.pattern.pattern import EdgeRef
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.front_view import edge_at, front_edge
-from swifttailor.pattern.trims.shapes import Button, Trim
+from swifttailor.pattern.trims.shapes import Look, Trim
 
 _BUTTON, _COAT_BUTTON = 0.6, 1.0
 """Radii, cm."""
 _SPACING, _COAT_SPACING = 8.5, 11.0
 _FROM_NECK, _FROM_HEM = 1.6, 2.5
+_SHORTEST = 6.0
+"""A front that is joined less far has nothing that closes it, cm."""
+_LOWER = 4.0
+"""Strips beside the seam may end so far below its upper end, cm."""
+_NEAR = 3.0
+"""The seam is at most so far from the middle, cm."""
 _BAND = 1.6
 """Half the width of a front band, cm."""
 _DOUBLE_AT = 6.5
@@ -21,10 +28,49 @@ _POLO, _HALF_ZIP = 14.0, 24.0
 _ZIP = 0.55
 """Half the width of the teeth, cm."""
 
+_Seam = tuple[EdgeRef, EdgeRef, float, float]
+
+
+def _front(chalk: Chalk) -> _Seam | None:
+    """The seam down the front, see `front_edge`; None where it is too short to be closed by anything."""
+    seam = front_edge(chalk.pattern)
+    if seam is None or seam[3] - seam[2] < _SHORTEST * chalk.size:
+        return None
+    return seam if all(ref.panel in chalk.views for ref in seam[:2]) else None
+
+
+def _middle(chalk: Chalk, panel: str, sign: int, y: float) -> float:
+    """The x of a front's edge in the middle at a height, which may be cut aslant."""
+    x = chalk.outer(chalk.views[panel], y, -sign)
+    return 0.0 if x is None else x
+
+
+def _beside(chalk: Chalk, name: str, seam: _Seam, width: float, look: Look) -> list[Trim]:
+    """A strip on each side of the seam, up to a little below where both have room for it."""
+    right, left, low, high = seam
+    ends = chalk.views[right.panel].outline
+    ends = ends[(np.abs(ends[:, 0]) <= _NEAR) & (ends[:, 1] > low + 0.3) & (ends[:, 1] < high - 0.3), 1]
+    for top in np.arange(high, high - _LOWER, -0.5):
+        heights = np.linspace(low, top, max(int((top - low) / 2), 3))
+        bends = ends[ends < top - 0.3]
+        clear = np.abs(heights[1:-1, None] - bends).min(axis=1, initial=np.inf) > 0.3
+        heights = np.unique(np.concatenate([heights[[0, -1]], heights[1:-1][clear], bends]))
+        pieces = []
+        for ref, sign in ((right, -1), (left, 1)):
+            line = [(_middle(chalk, ref.panel, sign, y), y) for y in heights]
+            beside = [(x + sign * width, y) for x, y in line]
+            found = chalk.ruled(name, ref.panel, line, beside, look, is_cut=look == "cloth")
+            if not found:
+                break
+            pieces += found
+        else:
+            return pieces
+    return []
+
 
 def buttons(chalk: Chalk, name: str) -> list[Trim]:
     """One row down the middle, with a band under it or without."""
-    seam = front_edge(chalk.pattern)
+    seam = _front(chalk)
     if seam is None:
         return _buttons_of_skirt(chalk, name)
     right, left, low, high = seam
@@ -33,21 +79,16 @@ def buttons(chalk: Chalk, name: str) -> list[Trim]:
     spacing, radius = spacing * chalk.size, radius * chalk.size
     if name == "polo placket":
         low = max(low, high - _POLO * chalk.size)
-    pieces: list[Trim] = []
-    if not coat:
-        for ref, sign in ((right, -1), (left, 1)):
-            view = chalk.views[ref.panel]
-            top, bottom = high - 0.3, low + 0.3
-            inner = edge_at(chalk.pattern, ref, top) + sign * _BAND
-            top = chalk.height_within(view, inner, top, bottom)
-            heights = np.linspace(bottom, top, max(int((top - bottom) / 2), 2))
-            middle = [(edge_at(chalk.pattern, ref, y), y) for y in heights]
-            pieces += chalk.ruled(name, ref.panel, middle, [(x + sign * _BAND, y) for x, y in middle])
-    low, high = low + _FROM_HEM, high - _FROM_NECK
-    count = max(round((high - low) / spacing), 1) + 1
-    for y in np.linspace(low, high, count):
-        pieces += chalk.button(name, right.panel, (edge_at(chalk.pattern, right, y), float(y)), radius)
-    return [*pieces, *(_buttons_of_skirt(chalk, name) if name != "polo placket" else [])]
+    bottom, top = low + _FROM_HEM, high - _FROM_NECK
+    row = [
+        chalk.button(name, right.panel, (_middle(chalk, right.panel, -1, y), y), radius)
+        for y in np.linspace(bottom, top, max(round((top - bottom) / spacing), 1) + 1).tolist()
+    ]
+    if not all(row):
+        return []
+    band = [] if coat else _beside(chalk, name, (right, left, low + 0.3, high - 0.3), _BAND, "cloth")
+    below = _buttons_of_skirt(chalk, name) if name != "polo placket" else []
+    return [*band, *(button for one in row for button in one), *below]
 
 
 def _buttons_of_skirt(chalk: Chalk, name: str) -> list[Trim]:
@@ -61,53 +102,61 @@ def _buttons_of_skirt(chalk: Chalk, name: str) -> list[Trim]:
         return []
     low, high = middle
     heights = np.arange(high - 4, low + 7, -_SPACING * chalk.size)
+    row = [chalk.button(name, view.panel.name, (0.0, float(y)), _BUTTON * chalk.size) for y in heights]
+    if not row or not all(row):
+        return []
     ends = np.linspace(low + 0.3, high - 0.3, max(int((high - low) / 2), 2))
-    pieces: list[Trim] = []
-    for sign in (-1, 1):
-        pieces += chalk.ruled(
-            name, view.panel.name, [(0.0, y) for y in ends], [(sign * _BAND, y) for y in ends]
-        )
-    return pieces + [
-        each
-        for y in heights
-        for each in chalk.button(name, view.panel.name, (0.0, float(y)), _BUTTON * chalk.size)
+    bands = [
+        chalk.ruled(name, view.panel.name, [(0.0, y) for y in ends], [(sign * _BAND, y) for y in ends])
+        for sign in (-1, 1)
     ]
+    return [piece for part in (*(bands if all(bands) else ()), *row) for piece in part]
 
 
 def double_breasted(chalk: Chalk, name: str) -> list[Trim]:
     """Two rows, and the edge of the front that lies above the other one."""
-    seam = front_edge(chalk.pattern)
+    seam = _front(chalk)
     if seam is None:
         return []
     right, left, low, high = seam
     at, top = _DOUBLE_AT * chalk.size, high - 2
-    heights = np.linspace(low + 0.5, top, 8)
+    edge_top = chalk.height_within(chalk.views[left.panel], at + 2.5, top, low + 0.5)
+    heights = np.linspace(low + 0.5, edge_top, 8)
     edge = [(edge_at(chalk.pattern, left, y) + at + 2.5, y) for y in heights]
     pieces = chalk.line(name, left.panel, edge)
     rows = max(round((top - low) / (_COAT_SPACING * chalk.size)), 1)
+    pairs = []
     for y in np.linspace(low + 3, top - 2, rows + 1):
-        for ref, sign in ((right, -1), (left, 1)):
-            x = edge_at(chalk.pattern, ref, y) + sign * at
-            pieces += chalk.button(name, ref.panel, (x, float(y)), _COAT_BUTTON * chalk.size)
-    return pieces if any(isinstance(piece, Button) for piece in pieces) else []
+        pair = [
+            chalk.button(
+                name,
+                ref.panel,
+                (edge_at(chalk.pattern, ref, float(y)) + sign * at, float(y)),
+                _COAT_BUTTON * chalk.size,
+            )
+            for ref, sign in ((right, -1), (left, 1))
+        ]
+        pairs += [pair] if all(pair) else []
+    return [*pieces, *(button for pair in pairs for one in pair for button in one)] if pairs else []
 
 
 def front_zip(chalk: Chalk, name: str) -> list[Trim]:
     """Down the seam in the middle."""
-    seam = front_edge(chalk.pattern)
+    seam = _front(chalk)
     if seam is None:
         return []
     right, left, low, high = seam
     if name == "half zip":
         low = max(low, high - _HALF_ZIP * chalk.size)
-    heights = np.linspace(low + 0.2, high - 0.4, max(int((high - low) / 2), 2))
-    pieces: list[Trim] = []
+    pieces = _beside(chalk, name, (right, left, low + 0.2, high - 0.4), _ZIP, "metal")
+    if not pieces:
+        return []
+    stitches = []
     for ref, sign in ((right, -1), (left, 1)):
-        middle = [(edge_at(chalk.pattern, ref, y), y) for y in heights]
-        teeth = [(x + sign * _ZIP, y) for x, y in middle]
-        pieces += chalk.ruled(name, ref.panel, middle, teeth, "metal", is_cut=False)
-        pieces += chalk.line(name, ref.panel, [(x + sign * 1.6, y) for x, y in middle[:-1]])
-    return pieces
+        heights = np.linspace(low + 0.2, high - 2.4, max(int((high - low) / 2), 3)).tolist()
+        line = [(_middle(chalk, ref.panel, sign, y) + sign * 1.6, y) for y in heights]
+        stitches.append(chalk.line(name, ref.panel, line))
+    return [*pieces, *(line for one in stitches for line in one if all(stitches))]
 
 
 def back_zip(chalk: Chalk, name: str) -> list[Trim]:
@@ -118,10 +167,14 @@ def back_zip(chalk: Chalk, name: str) -> list[Trim]:
         if view is None or column is None:
             continue
         low = max(column[0] + 0.5, column[1] - (18 if panel == "skirt_back" else 50) * chalk.size)
+        if column[1] - low < _SHORTEST:
+            continue
         heights = np.linspace(low, column[1] - 0.4, 12)
-        return chalk.ruled(
+        found = chalk.ruled(
             name, panel, [(0.0, y) for y in heights], [(_ZIP, y) for y in heights], "metal", is_cut=False
         )
+        if found:
+            return found
     return []
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,10 +13,15 @@ from swifttailor.arrays import Floats
 from swifttailor.pattern.panel import Panel
 from swifttailor.pattern.pattern import EdgeRef, Pattern
 
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
 _FACING = 0.5
 """Least determinant of a panel's turn that is seen from the front; sleeves' hoods stand edge on."""
 _MARGIN = 0.4
 """Trims stay so far inside of what their panel covers, cm."""
+_EXACT = 0.01
+"""How far its outline is from the panel's curves, and what lies on it may lie outside, cm."""
 _STEEP = 2.0
 """An edge that rises so many times as far as it goes aside runs down the front."""
 _MIDDLE = 3.0
@@ -27,11 +33,13 @@ class FrontView:
     """One panel; x to the wearer's left, y up from the floor, cm."""
 
     panel: Panel
+    darts: tuple[int, ...] = ()
+    """The corners at the tips of its darts, which are sewn shut; see `dart_tips`."""
 
     @cached_property
     def outline(self) -> Floats:
         """(n, 2) its outline in the view."""
-        return self.seen(self.panel.outline(0.05))
+        return self.seen(self.panel.outline(_EXACT))
 
     @property
     def low(self) -> float:
@@ -79,15 +87,53 @@ class FrontView:
         found = a[:, other] + share * (b[:, other] - a[:, other])
         return float(found.min()), float(found.max())
 
+    @cached_property
+    def _cloth(self) -> BaseGeometry:
+        from shapely import Polygon, prepare
+
+        cloth = Polygon(self.outline).buffer(_EXACT)
+        prepare(cloth)
+        return cloth
+
+    @cached_property
+    def _bridged(self) -> BaseGeometry:
+        """With what its darts take away."""
+        from shapely import Polygon, prepare, union_all
+
+        corners = self.seen(self.panel.vertices)
+        wedges = [np.take(corners, [tip - 1, tip, tip + 1], axis=0, mode="wrap") for tip in self.darts]
+        bridged = union_all([self._cloth, *(Polygon(wedge).buffer(2 * _EXACT) for wedge in wedges)])
+        prepare(bridged)
+        return bridged
+
+    def bridges(self, points: ArrayLike) -> bool:
+        """Whether all points (n, 2) of the view lie on it or in its darts, borders included."""
+        from shapely import intersects_xy
+
+        return bool(np.all(intersects_xy(self._bridged, np.asarray(points, float))))
+
     def holds(self, points: ArrayLike) -> bool:
-        """Whether all points (n, 2) of the view lie on it, the line in the middle included."""
-        for x, y in np.asarray(points, float):
-            span = self.span(y)
-            if span is None or not span[0] - 1e-6 <= x <= span[1] + 1e-6:
-                return False
-            if abs(x) > _MIDDLE and not span[0] + _MARGIN <= x <= span[1] - _MARGIN:
-                return False
-        return True
+        """Whether all points (n, 2) of the view lie on it, away from its sides but for the middle one."""
+        from shapely import intersects_xy
+
+        points = np.asarray(points, float)
+        beside = points[np.abs(points[:, 0]) > _MIDDLE]
+        margin = (_MARGIN, 0.0)
+        near = np.concatenate([beside - margin, beside + margin])
+        return bool(np.all(intersects_xy(self._cloth, points))) and self.bridges(near)
+
+
+def dart_tips(pattern: Pattern) -> dict[str, tuple[int, ...]]:
+    """Of the panels that have darts, the corners at their tips: between two edges that are sewn together."""
+    found: dict[str, tuple[int, ...]] = {}
+    for stitch in pattern.stitches:
+        first, second = stitch.sides
+        if first.panel == second.panel:
+            count = len(pattern.panel(first.panel).edges)
+            for tip, before in ((first.edge, second.edge), (second.edge, first.edge)):
+                if (before + 1) % count == tip:
+                    found[first.panel] = (*found.get(first.panel, ()), tip)
+    return found
 
 
 def edge_at(pattern: Pattern, ref: EdgeRef, y: float) -> float:

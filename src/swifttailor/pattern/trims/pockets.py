@@ -12,20 +12,31 @@ _SHORT_TORSO = 12.0
 def chest_pocket(chalk: Chalk, name: str) -> list[Trim]:
     """On the left breast, or one with a flap on each."""
     both = name == "chest pockets"
+    first = (9.0 if both else 9.5) * chalk.size
+    for lower in (0.0, 1.0, 2.0, 3.0):
+        for inner in (0.0, 0.5, 1.0, 1.5, 2.0):
+            pieces = _on_breasts(chalk, name, first - inner * chalk.size, (20.5 + lower) * chalk.size, both)
+            if pieces:
+                return pieces
+    return []
+
+
+def _on_breasts(chalk: Chalk, name: str, x: float, below: float, both: bool) -> list[Trim]:
+    """The same, so far from the middle and so far below the highest point of the front, cm."""
     pieces: list[Trim] = []
-    for panel in ("left_ftorso", "right_ftorso")[: 2 if both else 1]:
+    for panel, sign in (("left_ftorso", 1), ("right_ftorso", -1))[: 2 if both else 1]:
         view = chalk.views.get(panel)
         if view is None:
             return []
-        sign = 1 if panel.startswith("left") else -1
-        top, width, height = view.high - 20.5 * chalk.size, 11.0 * chalk.size, 12.5 * chalk.size
-        height = min(height, top - view.low - 3)
+        top, width = view.high - below, 11.0 * chalk.size
+        height = min(12.5 * chalk.size, top - view.low - 3)
         if height < 6 * chalk.size:
             return []
-        x = sign * (9.0 if both else 9.5) * chalk.size
-        pieces += chalk.pocket(name, panel, (x, top), width, height, point=1.5 * chalk.size)
-        if both:
-            pieces += chalk.flap(name, panel, (x, top), width + 0.6, 5.0 * chalk.size)
+        found = chalk.pocket(name, panel, (sign * x, top), width, height, point=1.5 * chalk.size)
+        flap = chalk.flap(name, panel, (sign * x, top), width + 0.6, 5.0 * chalk.size) if both else []
+        if not found or (both and not flap):
+            return []
+        pieces += [*found, *flap]
     return pieces
 
 
@@ -78,6 +89,8 @@ def kangaroo(chalk: Chalk, name: str) -> list[Trim]:
             return []
         bottom, sides = column[0] + 1.0, beside[0] + 1.0
         top = min(bottom + 19 * s, view.high - 20 * s)
+        if top < max(bottom + 10 * s, sides + 13 * s):
+            return []
         low, high = chalk.middle(sign, bottom), chalk.middle(sign, top)
         first = [(low, bottom), (sign * 0.55 * reach, (bottom + sides) / 2), (sign * reach, sides)]
         second = [(high, top), (sign * 0.6 * reach, top), (sign * reach, top - 12 * s)]
@@ -124,7 +137,7 @@ def slant_pockets(chalk: Chalk, name: str) -> list[Trim]:
         top = float(view.outline[:, 1].max()) if not skirt else min(view.high, chalk.waist)
         waist_end = chalk.outer(view, top - 1.0, sign)
         low_end = chalk.outer(view, top - 16 * chalk.size, sign)
-        if waist_end is None or low_end is None:
+        if waist_end is None or low_end is None or (skirt and not chalk.is_even(view, top - 1.0)):
             return []
         first = (
             waist_end - sign * 6.5 * chalk.size,
@@ -132,7 +145,10 @@ def slant_pockets(chalk: Chalk, name: str) -> list[Trim]:
         )
         last = (low_end - sign * 0.5, top - 16 * chalk.size)
         middle = ((first[0] + last[0]) / 2 - sign * 0.5, (first[1] + last[1]) / 2 - 0.5)
-        pieces += chalk.line(name, panel, [first, middle, last], width=0.28)
+        found = chalk.line(name, panel, [first, middle, last], width=0.28)
+        if not found:
+            return []
+        pieces += found
     return pieces
 
 
@@ -143,6 +159,15 @@ def side_pockets(chalk: Chalk, name: str) -> list[Trim]:
 
 def back_pockets(chalk: Chalk, name: str) -> list[Trim]:
     """One on each side of the seat."""
+    for aside in (0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5, 2.0, -2.0):
+        pieces = _on_seat(chalk, name, aside)
+        if pieces:
+            return pieces
+    return []
+
+
+def _on_seat(chalk: Chalk, name: str, aside: float) -> list[Trim]:
+    """The same, so far outward of the middle of each side, cm: corners do not lie in darts."""
     s, pieces = chalk.size, []
     for panel, sign in (("pant_b_l", 1), ("pant_b_r", -1)):
         view = chalk.views.get(panel)
@@ -155,7 +180,8 @@ def back_pockets(chalk: Chalk, name: str) -> list[Trim]:
             if span[0] * span[1] > 0
             else sign * 11 * s
         )
-        found = chalk.pocket(name, panel, (x, view.high - 8.5 * s), width, height, point=2 * s)
+        at = (x + sign * aside, view.high - 8.5 * s)
+        found = chalk.pocket(name, panel, at, width, height, point=2 * s)
         if not found:
             return []
         pieces += found
@@ -181,6 +207,8 @@ def cargo_pockets(chalk: Chalk, name: str) -> list[Trim]:
         found = chalk.pocket(name, panel, (x, top), width, height)
         if not found:
             return []
-        pieces += found
-        pieces += chalk.flap(name, panel, (x, top), width + 0.8, 5.5 * s)
+        flap = chalk.flap(name, panel, (x, top), width + 0.8, 5.5 * s)
+        if not flap:
+            return []
+        pieces += [*found, *flap]
     return pieces

@@ -1,0 +1,226 @@
+"""Where trims are put on drafts and on known patterns."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from draft_checks import bodies, options_of
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from trim_checks import assert_in_pairs, assert_on_panels, seen
+
+from swifttailor.data.pattern_source import parsed_pattern
+from swifttailor.pattern import Arc, Panel, Pattern
+from swifttailor.pattern.drafted_for import DraftedFor
+from swifttailor.pattern.drafts import draft, list_drafts
+from swifttailor.pattern.pattern_list import read_patterns
+from swifttailor.pattern.trims import TRIMS, Belt, Button, Patch, place_trims, trims_that_fit
+
+TOPS = ("t-shirt", "shirt", "polo-shirt", "turtleneck", "sweatshirt", "hoodie", "cardigan")
+JACKETS = ("blazer", "coat", "hooded-coat", "waistcoat", "bomber-jacket", "denim-jacket")
+DRESSES = ("fitted-dress", "shirt-dress", "skater-dress", "pinafore", "shift-dress", "swing-dress")
+SKIRTS = ("fitted-skirt", "mermaid-skirt", "circle-skirt", "gathered-skirt", "tiered-skirt")
+TROUSERS = ("trousers", "jeans", "flares", "pull-on-trousers", "joggers")
+BELOW_HIPS = ("cardigan", "coat", "hooded-coat", "robe", "shift-dress")
+SHOULD_HAVE = {
+    "buttons": (*JACKETS, "cardigan", "shirt"),
+    "button placket": ("shirt", "shirt-dress", "fitted-dress", "circle-skirt", "camisole"),
+    "polo placket": ("polo-shirt", "t-shirt"),
+    "double-breasted buttons": JACKETS,
+    "zip": (*TOPS, *JACKETS, "jumpsuit", "strapless-dress", "camisole", "bustier"),
+    "half zip": (*TOPS, "hoodie"),
+    "back zip": (*DRESSES, *SKIRTS, "strapless-dress", "jumpsuit"),
+    "side zip": (*SKIRTS, *TROUSERS, "strapless-dress", "pinafore"),
+    "fly": TROUSERS,
+    "chest pocket": ("shirt", "t-shirt", "polo-shirt", "fitted-dress", "jumpsuit", "blazer"),
+    "chest pockets": ("denim-jacket", "shirt", "jumpsuit"),
+    "patch pockets": (*SKIRTS, *BELOW_HIPS, "blazer", "apron", "pinafore"),
+    "kangaroo pocket": ("hoodie", "sweatshirt", "t-shirt"),
+    "bib pocket": ("dungarees", "apron", "pinafore"),
+    "side pockets": (*SKIRTS, *TROUSERS, "coat", "shift-dress"),
+    "slant pockets": (*TROUSERS, *SKIRTS, "dungarees", "jumpsuit", "shirt-dress"),
+    "back pockets": (*TROUSERS, "dungarees", "jumpsuit"),
+    "cargo pockets": (*TROUSERS, "dungarees"),
+    "tie belt": ("robe", "coat", "wrap-dress", *DRESSES, *TROUSERS, *SKIRTS),
+    "buckle belt": (*TROUSERS, *SKIRTS, "shirt-dress"),
+    "drawstring": ("joggers", "pull-on-trousers"),
+}
+CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
+SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
+
+
+def with_all(pattern: Pattern) -> Pattern:
+    return replace(pattern, trims=tuple(TRIMS))
+
+
+def test_the_table_has_every_trim():
+    assert list(SHOULD_HAVE) == list(TRIMS)
+
+
+@pytest.mark.parametrize("name", TRIMS)
+def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
+    missing = [d for d in SHOULD_HAVE[name] if trims_that_fit(drafts[d], (name,)) != (name,)]
+    assert not missing
+
+
+@pytest.mark.parametrize(
+    ("name", "draft_name"),
+    [
+        ("fly", "fitted-skirt"), ("back pockets", "t-shirt"), ("cargo pockets", "shirt-dress"),
+        ("kangaroo pocket", "jeans"), ("buttons", "jeans"), ("patch pockets", "bustier"),
+        ("chest pocket", "bandeau"), ("drawstring", "shirt"), ("half zip", "fitted-skirt"),
+        ("slant pockets", "pleated-skirt"), ("bib pocket", "trousers"),
+    ],
+)  # fmt: skip
+def test_has_none_on_others(name, draft_name, drafts):
+    pattern = drafts[draft_name]
+    assert trims_that_fit(pattern, (name, "tie belt")) in ((), ("tie belt",))
+    assert place_trims(replace(pattern, trims=(name,))) == ()
+
+
+def test_nothing_is_put_on_unasked(drafts):
+    assert all(place_trims(pattern) == () for pattern in drafts.values())
+
+
+@pytest.mark.parametrize("info", list_drafts(), ids=lambda d: d.name)
+def test_lies_on_its_panels_in_pairs(info, drafts):
+    pattern = with_all(drafts[info.name])
+    trims = place_trims(pattern)
+    assert_on_panels(pattern, trims)
+    assert_in_pairs(pattern, trims)
+    assert {trim.trim for trim in trims} == set(trims_that_fit(pattern, tuple(TRIMS)))
+
+
+@pytest.mark.parametrize("info", SOME, ids=lambda d: d.name)
+@settings(max_examples=6, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
+@given(data=st.data())
+def test_with_any_options_for_anybody(info, data):
+    measures = data.draw(bodies())
+    pattern = draft(info.name, measurements=measures, **data.draw(options_of(info)))
+    height = data.draw(st.sampled_from([measures.height, *CHILDREN]))
+    pattern = scaled(pattern, height / measures.height)
+    named = DraftedFor("somebody", "children", (("height", height),))
+    pattern = replace(with_all(pattern), drafted_for=named)
+    assert_on_panels(pattern, place_trims(pattern))
+
+
+def scaled(pattern: Pattern, share: float) -> Pattern:
+    """For somebody as much smaller, nearly as a refit cuts it."""
+
+    def smaller(panel: Panel) -> Panel:
+        arcs = [
+            replace(e, curve=replace(e.curve, radius=share * e.curve.radius))
+            if isinstance(e.curve, Arc)
+            else e
+            for e in panel.edges
+        ]
+        place = tuple(share * x for x in panel.placement.translation)
+        placement = replace(panel.placement, translation=place)
+        return replace(panel, vertices=share * panel.vertices, edges=tuple(arcs), placement=placement)
+
+    return replace(pattern, panels=tuple(smaller(panel) for panel in pattern.panels))
+
+
+@pytest.mark.parametrize("height", CHILDREN)
+@pytest.mark.parametrize("name", ["t-shirt", "shirt", "hoodie", "trousers", "fitted-dress", "dungarees"])
+def test_of_children_smaller(name, height, drafts):
+    """Also where their pattern is as large as an adult's, of which it then covers less."""
+    named = DraftedFor("a child", "children", (("height", height),))
+    pattern = replace(with_all(drafts[name]), drafted_for=named)
+    trims = place_trims(pattern)
+    assert_on_panels(pattern, trims)
+    usual = {
+        (t.trim, t.panel, k): t for k, t in enumerate(place_trims(with_all(drafts[name]))) if t.trim == "fly"
+    }
+    for trim in trims:
+        if isinstance(trim, Button) and trim.trim == "button placket":
+            assert trim.radius <= 0.6
+    assert name != "trousers" or usual
+    pockets = [t for t in trims if isinstance(t, Patch) and t.is_cut and "pocket" in t.trim]
+    assert all(np.ptp(seen(pattern, pocket), axis=0).max() <= 20 for pocket in pockets)
+
+
+@pytest.mark.parametrize("name", ["buttons", "button placket", "polo placket"])
+@pytest.mark.parametrize("draft_name", ["shirt", "blazer", "cardigan", "denim-jacket", "coat", "camisole"])
+def test_buttons_lie_on_the_middle_line_evenly_spaced(name, draft_name, drafts):
+    pattern = replace(drafts[draft_name], trims=(name,))
+    row = [t for t in place_trims(pattern) if isinstance(t, Button)]
+    places = np.concatenate([seen(pattern, button) for button in row])
+    assert len(places) >= 2
+    seam = [seen_edge(pattern, ref) for ref in middle_edges(pattern)]
+    for x, y in places:
+        (on,) = {
+            round(float(np.interp(y, *edge[np.argsort(edge[:, 1])].T[::-1])), 6)
+            for edge in seam
+            if edge[:, 1].min() <= y <= edge[:, 1].max()
+        } or {0.0}
+        assert abs(x - on) <= 0.02
+    gaps = np.diff(places[:, 1])
+    assert (gaps > 2).all()
+    np.testing.assert_allclose(gaps, gaps[0], rtol=1e-6)
+    assert len({button.radius for button in row}) == 1
+
+
+def middle_edges(pattern: Pattern) -> list:
+    """The edges of the right front that are sewn to the left one."""
+    fronts = {"left_ftorso", "right_ftorso"}
+    sewn = [s for s in pattern.stitches if {side.panel for side in s.sides} == fronts]
+    return [side for s in sewn for side in s.sides if side.panel == "right_ftorso"]
+
+
+def seen_edge(pattern: Pattern, ref) -> np.ndarray:
+    panel = pattern.panel(ref.panel)
+    return panel.to_world(panel.chord(ref.edge))[:, :2]
+
+
+@pytest.mark.parametrize("name", JACKETS)
+def test_two_rows_lie_on_both_sides_of_the_middle(name, drafts):
+    pattern = replace(drafts[name], trims=("double-breasted buttons",))
+    row = [t for t in place_trims(pattern) if isinstance(t, Button)]
+    places = np.concatenate([seen(pattern, button) for button in row])
+    left, right = places[places[:, 0] > 0], places[places[:, 0] < 0]
+    assert len(left) == len(right) >= 2
+    np.testing.assert_allclose(np.sort(left, axis=0)[:, 1], np.sort(right, axis=0)[:, 1])
+    np.testing.assert_allclose(left[:, 0], -right[:, 0])
+    assert {b.panel for b in row} == {"left_ftorso", "right_ftorso"}
+
+
+def test_a_belt_is_at_the_waist(drafts):
+    for name in ("fitted-dress", "coat", "jeans", "circle-skirt"):
+        (belt,) = place_trims(replace(drafts[name], trims=("buckle belt",)))
+        assert isinstance(belt, Belt) and 90 < belt.height < 112
+
+
+def test_follows_a_longer_pattern(drafts):
+    """Rows of buttons reach to the hem."""
+
+    def lowest(length: float) -> float:
+        pattern = replace(draft("shift-dress", length=length), trims=("buttons",))
+        return min(float(seen(pattern, t)[:, 1].min()) for t in place_trims(pattern) if isinstance(t, Button))
+
+    assert lowest(62) < lowest(40) - 15
+
+
+def test_never_raises_for_known_patterns(garmentcode_folder):
+    """And what it puts on lies on the panels."""
+    path = garmentcode_folder / "validation.jsonl.gz"
+    if not path.exists():
+        pytest.skip(f"no {path.name} in {garmentcode_folder}")
+    found = set()
+    for number, known in enumerate(read_patterns(path)):
+        if number == 150:
+            break
+        pattern = with_all(parsed_pattern(known))
+        trims = place_trims(pattern)
+        assert_on_panels(pattern, trims)
+        found |= {trim.trim for trim in trims}
+        alone = {name for name in TRIMS if place_trims(replace(pattern, trims=(name,)))}
+        assert alone == {trim.trim for trim in trims}
+    assert found == set(TRIMS)
+
+
+def test_never_raises_for_patterns_of_other_names(shipped_patterns, square_pattern):
+    for pattern in (square_pattern, *shipped_patterns.values()):
+        assert_on_panels(pattern, place_trims(with_all(pattern)))

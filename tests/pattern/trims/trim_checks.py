@@ -1,0 +1,92 @@
+"""What holds of every trim, wherever it is put: the checks that several tests share."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+import numpy as np
+import shapely
+
+from swifttailor.pattern import Pattern
+from swifttailor.pattern.trims import Belt, Button, Patch, Trim
+
+ON_PANEL = 0.05
+"""How far corners may lie beside their panel, cm."""
+IN_PAIRS = (
+    "chest pockets", "patch pockets", "kangaroo pocket", "bib pocket", "side pockets", "slant pockets",
+    "back pockets", "cargo pockets", "drawstring", "double-breasted buttons",
+)  # fmt: skip
+
+
+def corners(trim: Patch | Button) -> np.ndarray:
+    """(n, 2) panel-local cm."""
+    return trim.outline if isinstance(trim, Patch) else np.array([trim.at])
+
+
+def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
+    """Corners lie on the panel, and what is between them on cloth or in darts, which are sewn shut."""
+    for trim in trims:
+        if isinstance(trim, Belt):
+            assert 0 < trim.width < 12 and 20 < trim.height < 160, trim
+            continue
+        panel = shapely.Polygon(pattern.panel(trim.panel).outline(0.002))
+        points = corners(trim)
+        assert np.isfinite(points).all(), trim
+        on = panel
+        if isinstance(trim, Patch) and not trim.is_cut:  # lines run on over what is sewn shut
+            on = shapely.union_all([panel, *darts(pattern, trim.panel)])
+        away = shapely.distance(on, shapely.points(points)).max()
+        assert away <= ON_PANEL, f"{trim.trim}: {away:.2f} cm beside {trim.panel}"
+        if isinstance(trim, Patch):
+            assert trim.first.shape == trim.second.shape and len(trim.first) >= 2
+            piece = shapely.Polygon(points)
+            assert piece.is_valid, f"{trim.trim} on {trim.panel} crosses itself"
+            assert piece.area > 0.5, f"{trim.trim} on {trim.panel} has no area"
+            beside = piece.difference(
+                shapely.union_all([panel.buffer(ON_PANEL), *darts(pattern, trim.panel)])
+            )
+            assert beside.area < 0.01 * piece.area, f"{trim.trim} hangs over {trim.panel}"
+        else:
+            assert 0.1 < trim.radius < 1.5
+
+
+def darts(pattern: Pattern, name: str) -> list[shapely.Geometry]:
+    """What the darts of a panel take away, and a little more."""
+    panel = pattern.panel(name)
+    count = len(panel.edges)
+    found = []
+    for stitch in pattern.stitches:
+        one, other = stitch.sides
+        if one.panel == other.panel == name and (one.edge - other.edge) % count in (1, count - 1):
+            first = min(one.edge, other.edge) if abs(one.edge - other.edge) == 1 else count - 1
+            wedge = panel.vertices[[first, (first + 1) % count, (first + 2) % count]]
+            found.append(shapely.Polygon(wedge).buffer(0.1))
+    return found
+
+
+def seen(pattern: Pattern, trim: Patch | Button) -> np.ndarray:
+    """(n, 2) its corners from the front: x to the wearer's left, y up, cm."""
+    return pattern.panel(trim.panel).to_world(corners(trim))[:, :2]
+
+
+def assert_in_pairs(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
+    """Each piece of a trim that has two sides has its mirror image."""
+    of_trim: dict[str, list[np.ndarray]] = defaultdict(list)
+    for trim in trims:
+        if trim.trim in IN_PAIRS and not isinstance(trim, Belt):
+            edge = trim.trim == "double-breasted buttons" and isinstance(trim, Patch)
+            if not edge:  # of the front that lies above the other one
+                of_trim[trim.trim].append(seen(pattern, trim))
+    for name, pieces in of_trim.items():
+        for piece in pieces:
+            mirrored = piece * (-1, 1)
+            assert any(same_points(mirrored, other) for other in pieces), f"half a pair of {name}"
+        assert len(pieces) % 2 == 0
+
+
+def same_points(some: np.ndarray, others: np.ndarray, within: float = 0.05) -> bool:
+    """Whether both are the same points, in any order."""
+    if len(some) != len(others):
+        return False
+    away = np.linalg.norm(some[:, None] - others[None], axis=2)
+    return bool(away.min(axis=0).max() <= within and away.min(axis=1).max() <= within)

@@ -1,0 +1,100 @@
+"""Which trims a text means, and which it refuses: of its words alone."""
+
+from __future__ import annotations
+
+import pytest
+
+from swifttailor.pattern.trims import TRIMS
+from swifttailor.wishes.heard import Heard
+from swifttailor.wishes.trims_wanted import TRIMS_OF, refused_trims, speaks_of_trims_alone, trims_wanted
+from swifttailor.wording import cannot_texts, read_words
+from swifttailor.wording.lexicon import all_entries
+
+POCKETS = {name for name in TRIMS if "pocket" in name}
+ZIPS = {"zip", "half zip", "back zip", "side zip", "fly"}
+
+
+def heard(text: str) -> Heard:
+    words = read_words(text)
+    return Heard(text, lacks=tuple(words.lacks), words=words)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "first"),
+    [
+        ("trousers with cargo pockets", "trousers", ("cargo pockets",)),
+        ("a top with a kangaroo pocket", "top", ("kangaroo pocket",)),
+        ("a coat with two rows of buttons", "top", ("double-breasted buttons",)),
+        ("a dress with a back zip", "dress", ("back zip",)),
+        ("a dress with an invisible zip", "dress", ("side zip",)),
+        ("a zip up top", "top", ("zip",)),
+        ("trousers with a zip", "trousers", ("fly",)),
+        ("trousers with buttons", "trousers", ("fly",)),
+        ("trousers with a belt", "trousers", ("buckle belt",)),
+        ("a dress with a belt", "dress", ("tie belt",)),
+        ("trousers with a drawstring", "trousers", ("drawstring",)),
+        ("a dress with pockets", "dress", ("slant pockets",)),
+        ("a top with buttons", "top", ("button placket",)),
+        ("eine Hose mit Reißverschluss", "trousers", ("fly",)),
+    ],
+)
+def test_what_is_wanted_first(text, kind, first):
+    said = [wish for wish in trims_wanted(heard(text), kind=kind) if wish.said]
+    assert [wish.choices[0] for wish in said] == [first]
+
+
+@pytest.mark.parametrize(
+    ("text", "refused"),
+    [
+        ("jeans without pockets", POCKETS),
+        ("a dress, no pockets", POCKETS),
+        ("jeans without back pockets", {"back pockets"}),
+        ("a shirt without a chest pocket", {"chest pocket"}),
+        ("a dress without a zip", ZIPS),
+        ("a dress without pockets and without a back zip", POCKETS | {"back zip"}),
+        ("a coat without a belt", {"tie belt", "buckle belt"}),
+        ("trousers, not jeans", set()),
+        ("jeans with pockets", set()),
+        ("ein Kleid ohne Taschen", POCKETS),
+        ("une robe sans poches", POCKETS),
+        ("un vestido sin bolsillos", POCKETS),
+    ],
+)
+def test_what_is_refused(text, refused):
+    assert refused_trims(heard(text)) == refused
+
+
+@pytest.mark.parametrize(
+    ("text", "alone"),
+    [
+        ("remove the kangaroo pocket", True),
+        ("add pockets and a belt", True),
+        ("swap the buttons for a zip", True),
+        ("take the belt off", True),
+        ("Taschen weg", True),
+        ("remove the hood", False),
+        ("remove the pockets and the sleeves", False),
+        ("a longer dress with pockets", False),
+        ("add a bow", False),
+        ("add wuzzle pockets", False),
+        ("please", False),
+        ("", False),
+    ],
+)
+def test_whether_a_text_speaks_of_nothing_else(text, alone):
+    assert speaks_of_trims_alone(read_words(text)) == alone
+
+
+def test_keys_and_names_exist():
+    assert set(TRIMS_OF) <= set(cannot_texts())
+    assert {name for names in TRIMS_OF.values() for name in names} == set(TRIMS)
+
+
+def test_trims_of_entries_stand_for_what_they_cannot_have():
+    """Else no text would ever put them on."""
+    marked = [entry for entry in all_entries() if entry.trims]
+    assert len(marked) > 20
+    for entry in marked:
+        for name in entry.trims:
+            assert any(name in TRIMS_OF.get(what, ()) for what in entry.cannot), f"{entry.name}: {name}"
+    assert {name for entry in marked for name in entry.trims} >= set(TRIMS) - {"buckle belt", "drawstring"}
