@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
+from scipy.spatial import ConvexHull, KDTree, QhullError
 
 from swifttailor.arrays import Array, Floats, Ints
 from swifttailor.garment.cloth_print import flat_places
@@ -29,6 +29,10 @@ _BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
 _TAIL, _KNOT = 26.0, 2.2
 _NO_AREA = 1e-5
 """Triangles of less than half of this are left out, cm²."""
+_NEAR = 12
+"""Faces around a point, one of which it lies in, nearly always."""
+_INSIDE = 1e-6
+"""Least weight, below 0, of points that count as inside of a face."""
 _MOST_AT_ONCE = 4_000_000
 
 
@@ -72,19 +76,34 @@ class TrimPart:
     """As `TrimMesh.flat`; None where a piece has none."""
 
 
+@dataclass(frozen=True, eq=False)
+class _OnCloth:
+    """Places on the sewn cloth, n of them."""
+
+    points: Floats
+    """(n, 3) cm."""
+    normals: Floats
+    """(n, 3) unit vectors."""
+    corners: Ints
+    """(n, 3) flat vertices around each."""
+    weights: Floats
+    """(n, 3) of the corners."""
+
+
 def trim_meshes(garment: Garment) -> list[TrimMesh]:
     """The trims that the garment's pattern names; none where it names none."""
     pattern = garment.pattern
     if not pattern.trims:
         return []
     found = []
+    places = flat_places(garment)
     for piece in place_trims(pattern):
         if isinstance(piece, Belt):
             found += _belt(garment, piece)
         elif isinstance(piece, Button):
             found.append(_button(garment, piece))
         else:
-            found.append(_patch(garment, piece))
+            found.append(_patch(garment, piece, places))
     return found
 
 
@@ -111,8 +130,14 @@ def trim_parts(garment: Garment) -> tuple[TrimPart, ...]:
     return tuple(parts)
 
 
-def _patch(garment: Garment, patch: Patch) -> TrimMesh:
-    """A ruled piece: its points lifted off the cloth, its border brought down to it."""
+def _patch(garment: Garment, patch: Patch, places: Array) -> TrimMesh:
+    """A ruled piece: its points lifted off the cloth, its border brought down to it.
+
+    Args:
+        garment: What it is on.
+        patch: What lies on the panel.
+        places: (m, 2) where on the cloth the flat vertices lie, cm.
+    """
     lengths = np.linalg.norm(np.diff(patch.first, axis=0), axis=1)
     along = np.concatenate(
         [
@@ -127,7 +152,8 @@ def _patch(garment: Garment, patch: Patch) -> TrimMesh:
     flat = (1 - share) * first + share * second
     rows, columns = flat.shape[:2]
     flat = flat.reshape(-1, 2)
-    points, normals, places = _on_cloth(garment, patch.panel, flat)
+    on = _on_cloth(garment, patch.panel, flat)
+    points, normals = on.points, on.normals
     lift = _LIFT[patch.look]
     count = rows * columns
     grid = np.arange(count).reshape(rows, columns)
@@ -143,13 +169,17 @@ def _patch(garment: Garment, patch: Patch) -> TrimMesh:
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     across = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     faces = faces[across > _NO_AREA]  # of what lies in a dart, some is sewn to one point
-    at = np.concatenate([places, places[ring]])[faces] if patch.look == "cloth" else None
+    at = None
+    if patch.look == "cloth":
+        lie = np.einsum("nk,nkc->nc", on.weights, places[on.corners])
+        at = np.concatenate([lie, lie[ring]])[faces]
     return TrimMesh(patch.trim, patch.look, vertices, faces, border, at, np.concatenate([flat, flat[ring]]))
 
 
 def _button(garment: Garment, button: Button) -> TrimMesh:
     """A flat dome."""
-    at, normal, _ = (each[0] for each in _on_cloth(garment, button.panel, np.array([button.at])))
+    on = _on_cloth(garment, button.panel, np.array([button.at]))
+    at, normal = on.points[0], on.normals[0]
     u, v = _beside(normal)
     angle = np.arange(_ROUND) * (2 * np.pi / _ROUND)
     circle = np.cos(angle)[:, None] * u + np.sin(angle)[:, None] * v
@@ -283,35 +313,55 @@ def _front_of(garment: Garment, x: float, y: float) -> float:
     return float(garment.vertices[near, 2].max()) if near.any() else float("nan")
 
 
-def _on_cloth(garment: Garment, panel: str, flat: Array) -> tuple[Floats, Floats, Floats]:
-    """Points (n, 3), normals (n, 3) and places on the cloth (n, 2) at panel-local points (n, 2).
+def _on_cloth(garment: Garment, panel: str, flat: Array) -> _OnCloth:
+    """Where panel-local points (n, 2) lie on the sewn cloth.
 
     Where the cloth does not reach, the nearest that there is.
     """
     mesh = garment.mesh
     of_panel = np.flatnonzero(mesh.face_panel == mesh.pattern.panel_index(panel))
     corners = mesh.flat_vertices[mesh.flat_faces[of_panel]]
-    origin, one, other = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    area = one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
-    weights = np.zeros((len(flat), 3))
-    face = np.zeros(len(flat), int)
+    near = min(_NEAR, len(of_panel))
+    _, faces = KDTree(corners.mean(axis=1)).query(flat, near)
+    face, weights = _best_of(corners, faces.reshape(-1, near), flat)
+    # Most points lie in one of the faces around them; the others look at all.
+    outside = np.flatnonzero(weights.min(axis=1) < -_INSIDE)
     at_once = max(_MOST_AT_ONCE // max(len(of_panel), 1), 1)
-    for first in range(0, len(flat), at_once):
-        part = slice(first, first + at_once)
-        away = flat[part, None] - origin
-        b = (away[..., 0] * other[:, 1] - away[..., 1] * other[:, 0]) / area
-        c = (one[:, 0] * away[..., 1] - one[:, 1] * away[..., 0]) / area
-        least = np.minimum(np.minimum(b, c), 1 - b - c)
-        best = least.argmax(axis=1)
-        rows = np.arange(len(best))
-        inside = np.stack([1 - b[rows, best] - c[rows, best], b[rows, best], c[rows, best]], axis=1)
-        inside = np.maximum(inside, 0.0)
-        weights[part], face[part] = inside / inside.sum(axis=1, keepdims=True), of_panel[best]
+    for first in range(0, len(outside), at_once):
+        part = outside[first : first + at_once]
+        every = np.broadcast_to(np.arange(len(of_panel)), (len(part), len(of_panel)))
+        face[part], weights[part] = _best_of(corners, every, flat[part])
+    weights = np.maximum(weights, 0.0)
+    weights /= weights.sum(axis=1, keepdims=True)
+    face = of_panel[face]
     welded = mesh.faces[face]
     points = np.einsum("nk,nkc->nc", weights, garment.vertices[welded])
     normals = np.einsum("nk,nkc->nc", weights, garment.vertex_normals[welded])
-    places = np.einsum("nk,nkc->nc", weights, flat_places(garment)[mesh.flat_faces[face]])
-    return points, normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9), places
+    normals = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
+    return _OnCloth(points, normals, mesh.flat_faces[face], weights)
+
+
+def _best_of(corners: Array, faces: Array, flat: Array) -> tuple[Ints, Floats]:
+    """The face that each point lies in, or is least outside of, and its weights there.
+
+    Args:
+        corners: (f, 3, 2) of all faces, panel-local cm.
+        faces: (n, k) those to look at for each point.
+        flat: (n, 2) points, panel-local cm.
+
+    Returns:
+        (n,) faces; (n, 3) barycentric weights, the least of them below 0 of points outside.
+    """
+    origin = corners[:, 0]
+    one, other = corners[:, 1] - origin, corners[:, 2] - origin
+    area = one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
+    away = flat[:, None] - origin[faces]
+    b = (away[..., 0] * other[faces, 1] - away[..., 1] * other[faces, 0]) / area[faces]
+    c = (one[faces, 0] * away[..., 1] - one[faces, 1] * away[..., 0]) / area[faces]
+    best = np.minimum(np.minimum(b, c), 1 - b - c).argmax(axis=1)
+    rows = np.arange(len(flat))
+    b, c = b[rows, best], c[rows, best]
+    return faces[rows, best], np.stack([1 - b - c, b, c], axis=1)
 
 
 def _at(line: Array, along: Array) -> Array:

@@ -15,6 +15,7 @@ import { linear, PANEL_COLORS, type Rgb } from "./colors";
 import { computeNormals, type MeshData, spreadFrame } from "./mesh-file";
 import { printTexture } from "./prints";
 import { strainColor } from "./strain-colors";
+import { DARKEST } from "./trim-color";
 
 export interface ClothLook {
   coloring: Coloring;
@@ -130,6 +131,7 @@ export class Cloth {
       this.material.vertexColors = !printed;
       this.material.color
         .set(printed && this.material.map === null ? look.color : "#ffffff")
+        .setRGB(...lit(this.material.color))
         .multiplyScalar(printed ? ALBEDO : 1);
       this.material.needsUpdate = true;
       this.recolor();
@@ -178,4 +180,9 @@ export class Cloth {
     (attribute.array as Float32Array).set(values);
     attribute.needsUpdate = true;
   }
+}
+
+/** Linear channels, none darker than cloth is in previews: what lies on black cloth is no lighter than the cloth. */
+function lit({ r, g, b }: { r: number; g: number; b: number }): [number, number, number] {
+  return [Math.max(r, DARKEST), Math.max(g, DARKEST), Math.max(b, DARKEST)];
 }

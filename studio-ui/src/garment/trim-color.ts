@@ -5,8 +5,8 @@ import { fromHex, linear, type Rgb } from "./colors";
 
 /** Cloth that throws back less light than this has lighter stitches. */
 const DARK = 0.04;
-/** Least light that cloth of any colour throws back. */
-const DARKEST = 0.01;
+/** Least light, linear, that cloth of any colour throws back: folds of black cloth are seen. */
+export const DARKEST = 0.01;
 const LIGHT = 0.25;
 const [METAL, LEATHER, LIGHT_BUTTON, DARK_BUTTON] = ["#8d8f94", "#4a3226", "#bdb6a8", "#6b5a49"] as const;
 
