@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 STEP = 1.3
 """Distance of the points of a patch, cm."""
-_LIFT = {"cloth": 0.30, "dark": 0.42, "metal": 0.36}
+_LIFT = {"cloth": 0.30, "dark": 0.42, "seam": 0.16, "metal": 0.36}
 """How far pieces lie above the cloth, cm."""
 _BUTTON_LIFT, _BUTTON_HEIGHT = 0.34, 0.22
 _ROUND = 16

@@ -31,6 +31,7 @@ def draw_lines(kept: Array, projection: Projection, index: int, line: LineSet, s
     scene, nearest = projection.scene, projection.nearest
     edges = np.ascontiguousarray(np.asarray(line.edges).reshape(-1, 2), np.int32)
     lift = scene.surfaces[index].lift
-    depths = np.array([nearest.low, nearest.steps, projection.camera.perspective, lift])
+    faces = scene.first_face[index], scene.first_face[index + 1]
+    depths = np.array([nearest.low, nearest.steps, projection.camera.perspective, lift, *faces])
     points = projection.points[scene.first_vertex[index] :]
     _dim_along(kept, edges, points, nearest.keys, depths, line.strength, line.width * samples / 2, _LIFT)

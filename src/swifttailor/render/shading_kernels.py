@@ -255,8 +255,9 @@ def dim_along(kept, edges, points, keys, depths, strength, radius, lift):
         edges: (e, 2) int32 vertices.
         points: (n, 3), see `scene.Projection`.
         keys: (H, W) int64, see `raster_kernels.fill`.
-        depths: (4,) depth where its steps begin; steps in a unit; 1 in perspective, else 0; how much nearer
-            the surface is drawn than it is, cm.
+        depths: (6,) depth where its steps begin; steps in a unit; 1 in perspective, else 0; how much nearer
+            the surface is drawn than it is, cm; its first face, and the one behind its last: what lightens
+            does so on these alone, as skin beside a neckline would be white.
         strength: Share of light that is taken; below 0, that is added.
         radius: Of the line, in samples.
         lift: A line is seen when it lies less than this behind what the sample shows, cm.
@@ -285,6 +286,9 @@ def dim_along(kept, edges, points, keys, depths, strength, radius, lift):
                     if dx * dx + dy * dy > radius * radius or not (0 <= column < width and 0 <= row < height):
                         continue
                     if limit <= keys[row, column] >> 32:
+                        face = np.int32(keys[row, column])
+                        if left > _F(1) and not depths[4] <= face < depths[5]:
+                            continue
                         now = kept[row, column]
                         kept[row, column] = min(now, left) if left < _F(1) else max(now, left)
 

@@ -16,6 +16,10 @@ _CORDS = re.compile(
     r"(?<!\w)(?:cord|cords|corduroy\w*|needlecord|jumbo cord|cord\w*|velours côtelé|pana)(?!\w)",
     re.IGNORECASE,
 )
+_PART = re.compile(
+    r"(?:collar|cuff|hem|neck|waist|band|trim|edge|welt|bündchen|kragen|col|poignet)", re.IGNORECASE
+)
+"""What is ribbed alone, where it stands behind the word."""
 _FINE, _COARSE, _CORD = (0.5, 0.4), (1.1, 0.7), (0.45, 0.2)
 """Widths of ribs and of what lies between them, cm."""
 _SHADE = 0.82
@@ -31,7 +35,11 @@ def ribs(words: WordReading) -> tuple[float, float] | None:
     Returns:
         None where words name no such cloth.
     """
-    marks = [mark for mark in words.marks if not mark.denied]
+    marks = [
+        mark
+        for k, mark in enumerate(words.marks)
+        if not mark.denied and not any(_PART.match(near.word) for near in words.marks[k + 1 : k + 2])
+    ]
     lacking = {what for mark in marks for entry in mark.entries for what in entry.cannot}
     said = " ".join(mark.word for mark in marks)
     if "nap" in lacking and _CORDS.search(said):

@@ -165,4 +165,6 @@ def _usual_pockets(kind: str, cloth: str | None, draft: str) -> tuple[tuple[str,
         return (("slant pockets",), ("chest pockets",))
     if kind in ("skirt", "dress"):
         return (("patch pockets",),) if cloth == _DENIM else (("slant pockets",), ("side pockets",))
-    return (("patch pockets",), ("chest pockets",), ("chest pocket",))
+    if draft in ("blazer", "coat", "waistcoat"):
+        return (("welt pockets",), ("patch pockets",))
+    return (("patch pockets",), ("welt pockets",), ("chest pocket",))

@@ -20,6 +20,7 @@ TRIMS: Mapping[str, str] = {
     "chest pocket": "a pocket on the left breast",
     "chest pockets": "two breast pockets with flaps",
     "patch pockets": "two patch pockets",
+    "welt pockets": "two welt pockets",
     "kangaroo pocket": "a pocket across the front",
     "bib pocket": "a pocket on the bib",
     "side pockets": "pockets in the side seams",

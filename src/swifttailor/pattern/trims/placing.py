@@ -22,6 +22,7 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "chest pocket": pockets.chest_pocket,
     "chest pockets": pockets.chest_pocket,
     "patch pockets": pockets.patch_pockets,
+    "welt pockets": pockets.welt_pockets,
     "kangaroo pocket": pockets.kangaroo,
     "bib pocket": pockets.bib_pocket,
     "side pockets": pockets.side_pockets,

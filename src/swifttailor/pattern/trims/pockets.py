@@ -73,6 +73,29 @@ def patch_pockets(chalk: Chalk, name: str) -> list[Trim]:
     return pieces
 
 
+def welt_pockets(chalk: Chalk, name: str) -> list[Trim]:
+    """A narrow strip over an opening at each hip of a jacket, or at the waist of what is shorter."""
+    s = chalk.size
+    pieces: list[Trim] = []
+    for side, sign in (("left", 1), ("right", -1)):
+        view = chalk.views.get(f"{side}_ftorso")
+        top = chalk.waist - 7 * s
+        if view is None:
+            return []
+        column = view.column(sign * 11 * s)
+        lowest = view.low if column is None else column[0]
+        top = max(top, lowest + 6 * s)
+        span = view.span(top)
+        if span is None or top > chalk.waist + 6 * s:
+            return []
+        outer = min(12.5 * s, max(sign * span[0], sign * span[1]) - 7.5 * s)
+        found = chalk.pocket(name, f"{side}_ftorso", (sign * outer, top), 13 * s, 2.2 * s)
+        if not found:
+            return []
+        pieces += found[:1]
+    return pieces
+
+
 def kangaroo(chalk: Chalk, name: str) -> list[Trim]:
     """Across both fronts above the hem, open towards the sides."""
     s, pieces = chalk.size, []
