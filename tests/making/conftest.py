@@ -51,6 +51,9 @@ TRIMMED = {
     "dungarees": ("dungarees", ("bib pocket", "cargo pockets", "side zip")),
     "joggers": ("joggers", ("drawstring", "side pockets")),
     "polo shirt": ("polo-shirt", ("polo placket", "back zip")),
+    "suit": ("blazer", ("buttons", "welt pockets")),
+    "puffer": ("bomber-jacket", ("zip", "quilting")),
+    "turned-up trousers": ("trousers", ("fly", "turn-ups")),
     "tunic": ("shirt-dress", ("patch pockets", "slant pockets")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""

@@ -37,8 +37,6 @@ def trim_color(garment: Garment, look: str, color: Color | None = None) -> Array
     cloth = np.maximum(to_linear(ground), DARKEST)
     if look == "cloth":
         return 0.94 * cloth
-    if look == "seam":
-        return (0.5 if float(cloth @ GREY) >= DARK else 1.9) * cloth
     if look == "dark":
         return (0.30 if float(cloth @ GREY) >= DARK else 2.2) * cloth
     if look == "button":

@@ -21,8 +21,10 @@ if TYPE_CHECKING:
 
 STEP = 1.3
 """Distance of the points of a patch, cm."""
-_LIFT = {"cloth": 0.30, "dark": 0.42, "seam": 0.16, "metal": 0.36}
+_LIFT = {"cloth": 0.30, "dark": 0.42, "metal": 0.36}
 """How far pieces lie above the cloth, cm."""
+_QUILTING_LIFT = 0.12
+"""Stitches through wadding lie deeper than those on top of pockets."""
 _BUTTON_LIFT, _BUTTON_HEIGHT = 0.34, 0.22
 _ROUND = 16
 _BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
@@ -154,7 +156,7 @@ def _patch(garment: Garment, patch: Patch, places: Array) -> TrimMesh:
     flat = flat.reshape(-1, 2)
     on = _on_cloth(garment, patch.panel, flat)
     points, normals = on.points, on.normals
-    lift = _LIFT[patch.look]
+    lift = _QUILTING_LIFT if patch.trim == "quilting" else _LIFT[patch.look]
     count = rows * columns
     grid = np.arange(count).reshape(rows, columns)
     ring = np.concatenate([grid[0, :-1], grid[:-1, -1], grid[-1, :0:-1], grid[:0:-1, 0]])

@@ -30,7 +30,7 @@ class TrimStep:
 
 def trim_steps(plan: CuttingPlan) -> list[TrimStep]:
     """The steps of all that is put on a garment, in the order of sewing."""
-    found = [*_pockets(plan), *_openings(plan), *_zips(plan), *_fronts(plan), *_waist(plan)]
+    found = [*_pockets(plan), *_openings(plan), *_others(plan), *_zips(plan), *_fronts(plan), *_waist(plan)]
     return sorted(found, key=lambda step: step.rank)
 
 
@@ -110,6 +110,39 @@ def _openings(plan: CuttingPlan) -> Iterator[TrimStep]:
             (
                 "Sew one bag to the front and one to the back, right sides together, along the marked "
                 "opening. Then sew the side seam down to the opening, around both bags, and on below it.",
+            ),
+        )
+
+
+def _others(plan: CuttingPlan) -> Iterator[TrimStep]:
+    names = {trim.trim for trim in plan.trims}
+    if "quilting" in names:
+        yield TrimStep(
+            2.4,
+            "Quilting",
+            (
+                "Baste wadding and a backing under the cloth, and stitch along the marked lines before "
+                "seams are sewn.",
+            ),
+        )
+    if "welt pockets" in names:
+        yield TrimStep(
+            2.6,
+            "Welt pockets",
+            (
+                "For each, cut a welt of 17 by 6 cm and two pocket bags of 17 by 18 cm. Fold the welt "
+                "lengthwise, sew it and one bag on below the marked outline and the other bag above it, cut "
+                "the cloth open between them, and slant the cut to the corners. Turn the bags inside, sew "
+                "down the ends of the welt, and close the bags.",
+            ),
+        )
+    if "turn-ups" in names:
+        yield TrimStep(
+            FINISHES + 0.5,
+            "Turn-ups",
+            (
+                "Cut the legs longer by twice the height of the marked bands and 2 cm. Turn that to the "
+                "inside, hem it, turn the band up to the outside, and fix it at the seams.",
             ),
         )
 

@@ -33,6 +33,7 @@ _LINES: Mapping[str, str] = {
     "zip": "topstitching",
     "half zip": "topstitching",
     "fly": "fly: topstitching",
+    "quilting": "",
     "double-breasted buttons": "edge of the upper front",
     "drawstring": "cord",
 }
@@ -46,6 +47,8 @@ def words_of(patch: Patch, *, is_flap: bool) -> str:
         return _LINES.get(patch.trim, "")
     if patch.trim in POCKETS:
         return f"{POCKETS[patch.trim]}, flap" if is_flap else POCKETS[patch.trim]
+    if patch.trim == "welt pockets":
+        return "pocket welt"
     return "front band" if patch.trim in BANDS else patch.trim
 
 

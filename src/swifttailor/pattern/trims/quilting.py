@@ -11,7 +11,7 @@ from swifttailor.pattern.panel import Panel
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Patch, Trim
 
-_APART, _HALF, _INSIDE = 8.5, 0.2, 0.3
+_APART, _HALF, _INSIDE = 8.5, 0.14, 0.3
 """Distance of the lines, half their width, and what stays free beside the outline, cm."""
 _QUILTED = re.compile(r"(left|right)_(ftorso|btorso|sleeve_[fb])|skirt_(front|back)")
 
@@ -33,7 +33,7 @@ def quilted(chalk: Chalk, name: str) -> list[Trim]:
                 continue
             places = np.linspace(ends[0] + _INSIDE, ends[1] - _INSIDE, 8)[:, None] * across
             sides = [places + (at + side * _HALF) * axis for side in (1.0, -1.0)]
-            pieces.append(Patch(name, panel.name, sides[0], sides[1], "seam", is_cut=False))
+            pieces.append(Patch(name, panel.name, sides[0], sides[1], "dark", is_cut=False))
     return pieces
 
 

@@ -7,7 +7,7 @@ from typing import Literal
 
 from swifttailor.arrays import Floats
 
-Look = Literal["cloth", "dark", "seam", "metal"]
+Look = Literal["cloth", "dark", "metal"]
 
 
 @dataclass(frozen=True, eq=False)
