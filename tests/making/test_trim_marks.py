@@ -25,7 +25,7 @@ from swifttailor.pattern.trims import TRIMS, Belt, Button, Patch, place_trims, t
 
 NAMES = (
     "denim-jacket", "trench coat", "trousers", "shirt-dress", "zipped hoodie", "hoodie", "dungarees",
-    "joggers", "polo shirt", "tunic",
+    "joggers", "polo shirt", "suit", "puffer", "turned-up trousers", "tunic",
 )  # fmt: skip
 
 
