@@ -203,7 +203,7 @@ def _cropped(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     return replace(draft, options=tuple(options.items()))
 
 
-_MAY_STAND = ("drop-waist-dress", "shift-dress", "swing-dress", "fitted-dress")
+_MAY_STAND = ("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress")
 _ROLL_CM, _FUNNEL_CM = 9.0, 7.0
 
 

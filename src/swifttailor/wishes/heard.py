@@ -229,7 +229,7 @@ _SHAWL_CARDIGAN = NamedDraft(
     "blazer", (_SHAWL, ("chest_ease", 13.0), ("waist_shaping", 0.5), ("neck_depth", 28.0))
 )
 """A cardigan with a shawl collar is cut as a jacket of that collar is."""
-_MAY_BE_COLLARED = ("drop-waist-dress", "shift-dress", "swing-dress", "fitted-dress")
+_MAY_BE_COLLARED = ("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress")
 
 
 def _with_one_collar(named: list[NamedDraft]) -> list[NamedDraft]:

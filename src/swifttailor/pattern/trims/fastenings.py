@@ -156,7 +156,30 @@ def front_zip(chalk: Chalk, name: str) -> list[Trim]:
         heights = np.linspace(low + 0.2, high - 2.4, max(int((high - low) / 2), 3)).tolist()
         line = [(_middle(chalk, ref.panel, sign, y) + sign * 1.6, y) for y in heights]
         stitches.append(chalk.line(name, ref.panel, line))
-    return [*pieces, *(line for one in stitches for line in one if all(stitches))]
+    below = _zip_of_legs(chalk, name) if name == "zip" else []
+    return [*pieces, *(line for one in stitches for line in one if all(stitches)), *below]
+
+
+_BELOW_WAIST = 14.0
+"""How far a zip of a garment with legs goes on below its waist, cm."""
+
+
+def _zip_of_legs(chalk: Chalk, name: str) -> list[Trim]:
+    """On from the waist of a jumpsuit, down the seam between its legs."""
+    found = []
+    for panel, sign in (("pant_f_r", -1), ("pant_f_l", 1)):
+        view = chalk.views.get(panel)
+        if view is None:
+            return []
+        heights = np.linspace(view.high - 1.5, view.high - _BELOW_WAIST * chalk.size, 8)
+        spans = [view.span(float(y)) for y in heights]
+        inner = [min(sign * span[0], sign * span[1]) for span in spans if span is not None]
+        if len(inner) < len(heights):
+            return []
+        seam = [(sign * (x + 0.05), float(y)) for x, y in zip(inner, heights, strict=True)]
+        teeth = [(x + sign * _ZIP, y) for x, y in seam]
+        found.append(chalk.ruled(name, panel, seam, teeth, "metal", is_cut=False, to_the_edge=True))
+    return [piece for one in found for piece in one] if all(found) else []
 
 
 def back_zip(chalk: Chalk, name: str) -> list[Trim]:

@@ -68,7 +68,7 @@ class ShirtOptions(PoloShirtOptions):
     cuff_height: declared.CuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
     sleeve_shape: SleeveShapeOption = "plain"
-    hem_opening: declared.HemOpening = 14.0
+    hem_opening: declared.HemOpening = 6.0
 
 
 def draft_shirt(options: ShirtOptions, measurements: Measurements) -> Pattern:
@@ -127,8 +127,8 @@ class BlazerOptions:
     lapels: Annotated[Literal["notched", "shawl"], Option("Shape of the collar in front.")] = "notched"
     collar_width: declared.LapelCollarWidth = 5.0
     lapel_width: declared.LapelWidth = 7.5
-    opening: declared.OverlapOrOpening = 5.0
-    closed_to: declared.ClosedTo = -3.0
+    opening: declared.OverlapOrOpening = -5.0
+    closed_to: declared.ClosedTo = 0.0
     armhole_drop: declared.ArmholeDrop = 3.0
     sleeve_length: declared.SleeveLength = 59.0
     arm_ease: declared.ArmEase = 8.0

@@ -260,29 +260,37 @@ class JumpsuitOptions(SleevedBodiceOptions):
     crotch_drop: Annotated[
         float, Option("Crotch below the body's; the room to sit down in.", "cm", 1.5, 8.0)
     ] = 3.0
+    collar: CollarOption = "none"
+    collar_width: declared.CollarWidth = 5.5
+    collar_height: CollarHeight = 4.0
 
 
 def draft_jumpsuit(options: JumpsuitOptions, measurements: Measurements) -> Pattern:
     """Drafts the jumpsuit for a body."""
     figure = Figure.of(measurements).for_cloth(options.stretch / 100)
     table = CuttingTable("jumpsuit", options.stretch / 100)
-    waist = lay_sleeved_bodice(table, figure, options)
+    collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
+    waist = lay_sleeved_bodice(table, figure, options, collar.neckline(_neckline(options)))
+    collar.lay(table, figure)
     legs = legs_of_bodice(
         options.length, options.hip_ease, options.leg_ease, options.flare, options.crotch_drop
     )
     lay_trousers(table, figure, legs, waist, figure.waist_y)
     table.mirror()
     sew_centres(table)
+    collar.sew(table)
     sew_legs(table)
     sew_trousers_to_bodice(table)
     return table.finish()
 
 
-def lay_sleeved_bodice(table: CuttingTable, figure: Figure, options: SleevedBodiceOptions) -> Halves:
+def lay_sleeved_bodice(
+    table: CuttingTable, figure: Figure, options: SleevedBodiceOptions, neckline: Neckline | None = None
+) -> Halves:
     """Lays a bodice with sleeves, or with armholes further in; the sewn half widths of its waist."""
     inset = 0.0 if options.sleeves else 1.5
     bodice = FittedBodice(
-        _neckline(options), options.bust_ease, options.waist_ease, options.armhole_drop, -inset
+        neckline or _neckline(options), options.bust_ease, options.waist_ease, options.armhole_drop, -inset
     )
     waist = lay_fitted_bodice(table, figure, bodice)
     _set_in_sleeves(table, figure, options)
