@@ -25,6 +25,10 @@ SKIRT_BACK_Z = -22.0
 """Where back skirt panels stand before draping, cm."""
 
 
+_STEEPEST, _BESIDE_DART = 0.9, 0.4
+"""How far aside an edge may run over how far it runs down, and how far from the tips of darts, cm."""
+
+
 @dataclass(frozen=True)
 class Overlap:
     """Two fronts that are sewn to the waist side by side and lie on each other below."""
@@ -145,12 +149,21 @@ def _overlapping(front: Outline, shape: Overlap) -> tuple[Outline, Outline]:
     """The upper and the lower front, of one that is drawn whole; its hem is its last edge."""
     hem = front.sides[-1]
     half = abs(hem.end[0])
-    edge = min(max(shape.edge, _BESIDE - half), half - _BESIDE)
-    under = max(edge - shape.under, _BESIDE - half)
+    at, outer, inner = _parted_at(front, shape.aside)
+    begins = inner.start
+    steepest = [
+        (begins[0] - x - _BESIDE_DART) / (begins[1] - y)
+        for side in front.sides
+        if side.name.endswith("_dart")
+        for x, y in (side.start, side.end)
+        if y < begins[1] - 1.0 and x < begins[0]
+    ]
+    leftmost = begins[0] - max(min([_STEEPEST, *steepest]), 0.0) * (begins[1] - hem.end[1])
+    edge = min(max(shape.edge, _BESIDE - half, leftmost), half - _BESIDE)
+    under = max(edge - shape.under, _BESIDE - half, leftmost)
     upper_hem, lower_hem = (
         hem.split([(x - hem.start[0]) / (hem.end[0] - hem.start[0])])[k] for k, x in ((0, edge), (1, under))
     )
-    at, outer, inner = _parted_at(front, shape.aside)
     upper, lower = Outline(*inner.start), Outline(*lower_hem.end)
     upper.darts = front.darts
     upper.sides = [inner, *front.sides[at + 1 : -1], upper_hem]
