@@ -247,8 +247,14 @@ def _buckle(belt: Belt, front: Array) -> TrimMesh:
 def _knot(garment: Garment, belt: Belt, front: Array) -> list[TrimMesh]:
     """A knot, and two ends that hang from it before the cloth."""
     pieces = []
+    before = garment.vertices[
+        (np.abs(garment.vertices[:, 0] - front[0]) < 6.0) & (garment.vertices[:, 2] > 0)
+    ]
+    hem = float(before[:, 1].min()) if len(before) else front[1] - _TAIL
+    # Below the hem they would hang in the air.
+    longest = max(min(_TAIL * belt.width / 4.5, front[1] - hem - 1.0), 3.0)
     for side, length in ((-1, 1.0), (1, 0.88)):
-        drops = np.linspace(0.0, length * _TAIL * belt.width / 4.5, 12)
+        drops = np.linspace(0.0, length * longest, 12)
         middle = front[0] + side * (0.6 + 0.09 * drops)
         half = 0.36 * belt.width
         sides = np.stack([middle - half, middle + half], axis=1)

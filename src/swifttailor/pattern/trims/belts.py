@@ -14,7 +14,9 @@ def belt(chalk: Chalk, name: str) -> list[Trim]:
     band = chalk.views.get("wb_front")
     if not has_torso and band is None:
         return []
-    if has_torso and chalk.views["left_ftorso"].low > chalk.waist + 1:
+    skirted = "skirt_front" in chalk.views or "pant_f_l" in chalk.views
+    least = -1.0 if skirted else 10.0 * chalk.size  # on what ends above it a belt would hang in the air
+    if has_torso and chalk.views["left_ftorso"].low > chalk.waist - least:
         return []
     width = 3.5 * chalk.size if not has_torso else 4.5 * chalk.size
     return [Belt(name, chalk.waist, width)]
