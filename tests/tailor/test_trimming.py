@@ -41,7 +41,7 @@ ASKED = {
     "a double-breasted coat": {"double-breasted buttons", "side pockets", "tie belt"},
     "a trench coat": {"double-breasted buttons", "side pockets", "tie belt"},
     "a coat with a belt": {*COAT, "tie belt"},
-    "a double breasted blazer": {"double-breasted buttons", "patch pockets"},
+    "a double breasted blazer": {"double-breasted buttons", "welt pockets"},
     "cargo trousers": {"cargo pockets", "slant pockets"},
     "joggers with a drawstring": {"drawstring", "slant pockets", "back pockets"},
     "trousers with a belt": {"buckle belt"},

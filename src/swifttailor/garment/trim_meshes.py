@@ -23,7 +23,7 @@ STEP = 1.3
 """Distance of the points of a patch, cm."""
 _LIFT = {"cloth": 0.30, "dark": 0.42, "metal": 0.36}
 """How far pieces lie above the cloth, cm."""
-_QUILTING_LIFT = 0.12
+_QUILTING_LIFT = 0.14
 """Stitches through wadding lie deeper than those on top of pockets."""
 _BUTTON_LIFT, _BUTTON_HEIGHT = 0.34, 0.22
 _ROUND = 16

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import cache
+from functools import lru_cache
 
 from swifttailor.describing.claims import Claim
 from swifttailor.wishes.change_words import target_words
@@ -173,6 +173,6 @@ def clauses_of(text: str, language: Language = "en") -> list[tuple[int, int]]:
     return [(a, b) for a, b in found if _WORD.search(text, a, b) or any(c.isdigit() for c in text[a:b])]
 
 
-@cache
+@lru_cache(maxsize=16)
 def _joint(language: Language) -> re.Pattern[str]:
     return re.compile(rf"{_JOINTS}|\s(?:{_ALSO_JOINTS.get(language, 'mais')})\s", re.IGNORECASE)

@@ -37,6 +37,7 @@ SHOULD_HAVE = {
     "chest pocket": ("shirt", "t-shirt", "polo-shirt", "fitted-dress", "jumpsuit", "blazer"),
     "chest pockets": ("denim-jacket", "shirt", "jumpsuit"),
     "patch pockets": (*SKIRTS, *BELOW_HIPS, "blazer", "apron", "pinafore"),
+    "welt pockets": ("blazer", "coat", "waistcoat"),
     "kangaroo pocket": ("hoodie", "sweatshirt", "t-shirt"),
     "bib pocket": ("dungarees", "apron", "pinafore"),
     "side pockets": (*SKIRTS, *TROUSERS, "coat", "shift-dress"),
@@ -45,6 +46,8 @@ SHOULD_HAVE = {
     "cargo pockets": (*TROUSERS, "dungarees"),
     "tie belt": ("robe", "coat", "wrap-dress", *DRESSES, *TROUSERS, *SKIRTS),
     "buckle belt": (*TROUSERS, *SKIRTS, "shirt-dress"),
+    "quilting": ("bomber-jacket", "coat", "turtleneck"),
+    "turn-ups": ("trousers", "jeans"),
     "drawstring": ("joggers", "pull-on-trousers"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)

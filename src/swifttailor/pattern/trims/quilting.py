@@ -11,8 +11,10 @@ from swifttailor.pattern.panel import Panel
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Patch, Trim
 
-_APART, _HALF, _INSIDE = 8.5, 0.14, 0.3
+_APART, _HALF, _INSIDE = 8.5, 0.14, 0.6
 """Distance of the lines, half their width, and what stays free beside the outline, cm."""
+_SHORTEST = 3.0
+"""Shorter lines are left out, cm."""
 _QUILTED = re.compile(r"(left|right)_(ftorso|btorso|sleeve_[fb])|skirt_(front|back)")
 
 
@@ -28,12 +30,12 @@ def quilted(chalk: Chalk, name: str) -> list[Trim]:
         high = outline @ axis
         first = high.max() - _APART * chalk.size
         for at in np.arange(first, high.min() + 3.0, -_APART * chalk.size):
-            ends = _crossed(outline, axis, across, float(at))
-            if ends is None or ends[1] - ends[0] < 3.0:
-                continue
-            places = np.linspace(ends[0] + _INSIDE, ends[1] - _INSIDE, 8)[:, None] * across
-            sides = [places + (at + side * _HALF) * axis for side in (1.0, -1.0)]
-            pieces.append(Patch(name, panel.name, sides[0], sides[1], "dark", is_cut=False))
+            for begins, ends in _clear(outline, axis, across, float(at)):
+                if ends - begins < _SHORTEST:
+                    continue
+                places = np.linspace(begins + _INSIDE, ends - _INSIDE, 8)[:, None] * across
+                sides = [places + (at + side * _HALF) * axis for side in (1.0, -1.0)]
+                pieces.append(Patch(name, panel.name, sides[0], sides[1], "dark", is_cut=False))
     return pieces
 
 
@@ -48,13 +50,21 @@ def _along(panel: Panel, outline: Floats) -> Floats:
     return axis if axis @ up >= 0 else -axis
 
 
-def _crossed(outline: Floats, axis: Floats, across: Floats, at: float) -> tuple[float, float] | None:
-    """Where a line across the panel enters and leaves it; None where it does not meet it."""
-    heights, places = outline @ axis, outline @ across
+def _clear(outline: Floats, axis: Floats, across: Floats, at: float) -> list[tuple[float, float]]:
+    """Where the panel is as wide a little above a line and a little below it."""
+    found = _crossed(outline, axis, across, at)
+    for beside in (-_INSIDE, _INSIDE):
+        others = _crossed(outline, axis, across, at + beside)
+        shared = [(max(a, c), min(b, d)) for a, b in found for c, d in others]
+        found = [(begins, ends) for begins, ends in shared if begins < ends]
+    return found
+
+
+def _crossed(outline: Floats, axis: Floats, across: Floats, at: float) -> list[tuple[float, float]]:
+    """Where a line across the panel enters and leaves it, as often as it does."""
+    heights, places = outline @ axis - at, outline @ across
     after, beyond = np.roll(heights, -1), np.roll(places, -1)
-    crossing = ((heights - at) * (after - at) <= 0) & (heights != after)
-    if crossing.sum() < 2:
-        return None
-    share = (at - heights[crossing]) / (after[crossing] - heights[crossing])
-    found = places[crossing] + share * (beyond[crossing] - places[crossing])
-    return float(found.min()), float(found.max())
+    crossing = (heights > 0) != (after > 0)
+    share = heights[crossing] / (heights[crossing] - after[crossing])
+    found = np.sort(places[crossing] + share * (beyond[crossing] - places[crossing])).tolist()
+    return list(zip(found[::2], found[1::2], strict=False))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -136,7 +136,7 @@ class Vocabulary:
         return sense.entry.category in _NOUNS
 
 
-@cache
+@lru_cache(maxsize=16)
 def vocabulary(language: Language) -> Vocabulary:
     """The words of a language.
 
