@@ -114,9 +114,9 @@ def test_one_of_several_sources_can_be_chosen(sewer, eyes, library):
     assert tailor.generate(image=PICTURE, source="library").answer.known == "midi"
     written = tailor.generate(image=PICTURE, source="writer", attempts=1).answer
     assert written.design is None and not written.known
-    assert tailor.generate("a midi office skirt").answer.known == "midi", (
-        "words alone say too little for a draft"
-    )
+    by_words = tailor.generate("a midi office skirt").answer
+    assert by_words.design is None, "words alone say too little for a draft of design parameters"
+    assert tailor.generate("a midi office skirt", source="library").answer.known == "midi"
     assert tailor.generate("a midi skirt", source="designs").answer.design is not None
     both = tailor.generate("a midi skirt", image=PICTURE).answer
     assert both.design is not None and not both.verdict.open, "a draft, cut to the words"
