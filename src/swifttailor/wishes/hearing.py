@@ -21,7 +21,7 @@ from swifttailor.wishes.lexicon_spelling import guessed_name
 from swifttailor.wishes.long_names import against_names, hangs_so, is_against_phrase, is_long_name
 from swifttailor.wishes.mentions import find_mentions
 from swifttailor.wishes.one_arm import of_one_arm, of_two_arms, with_both_arms
-from swifttailor.wishes.reader import SURE, Wish, WishReader
+from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.sayings_of_wishes import plainly_wished, without_asides
 from swifttailor.wishes.spoken_faces import spoken_faces
 from swifttailor.wishes.spoken_hems import spoken_bounds, spoken_hem, spoken_slit
@@ -31,6 +31,13 @@ from swifttailor.wishes.spoken_sides import spoken_sides, without_spans
 from swifttailor.wishes.sureness import likely_wishes, sure_wishes
 from swifttailor.wishes.text_as_read import ENGLISH, lacks_of, text_as_read
 from swifttailor.wishes.unread import says_nothing_else, unread_numbers
+from swifttailor.wishes.weighed_together import (
+    loose_alone,
+    of_both_faces,
+    other_slits,
+    within_figures,
+    without_flare,
+)
 from swifttailor.wishes.whole_wish import described_as_a_whole
 from swifttailor.wishes.worn_for import worn_for
 from swifttailor.wording.claim_kinds import fits_kind
@@ -101,7 +108,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     against = against_names(words)
     refused = (*words.never, *_with_parts(words), *against.values())
     never = tuple([claim for claim in refused if claim not in said and not hangs_so(claim, words)])
-    never = (*never, *_other_slits(text, [*said, *[i.claim for i in words.implications]]))
+    never = (*never, *other_slits(text, [*said, *[i.claim for i in words.implications]]))
     network = [w for w in network if not _is_measured(w, measures) and not _is_outdone(w, said, never)]
     network = _within_names(network, words)
     found = _explained(text, words, network) or united(text, words, network)
@@ -134,8 +141,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             subjects=_only_subjects(words),
         )
     found = within_the_name(without_wrong_kind(found, said, words), words)
-    found = _loose_alone(_within_figures(with_one_band(found, words)))
-    found = (*without_deep_cuffs(text, words, _without_flare(found)), *_of_both_faces(text, found))
+    found = loose_alone(within_figures(with_one_band(found, words)))
+    found = (*without_deep_cuffs(text, words, without_flare(found)), *of_both_faces(text, found))
     if any(claim == _BARE_ARMS for claim in never) and not any(
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve", "sleeve_cm")
         for w in found
@@ -177,54 +184,6 @@ def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
 def _only_subjects(words: WordReading) -> frozenset[str] | None:
     """What a text of few words is about, all of which are known; None of longer ones, which tell a story."""
     return None if words.unknown or len(words.marks) > _FEW_WORDS else subjects_spoken_of(words)
-
-
-def _other_slits(text: str, claims: Sequence[Claim]) -> tuple[Claim, ...]:
-    """Slits that are refused by asking for one alone: "one slit, on the right"."""
-    places = {claim.value for claim in claims if claim.name == "slit"}
-    if len(places) != 1 or not _ONE_SLIT.search(text):
-        return ()
-    return tuple([Claim("slit", each) for each in ("left", "right", "front", "back") if each not in places])
-
-
-def _without_flare(found: Sequence[Wish]) -> tuple[Wish, ...]:
-    """Without what a skirt of rows or wedges cannot be called: it is not flared from the waist."""
-    changes = _changes(found)
-    parted = any(Gain(Claim("skirt", value)) in changes for value in ("godets", "tiered"))
-    less = {Gain(Claim("skirt", "flared"))} if parted else set()
-    if Gain(Claim("skirt", "gathered tiers")) in changes:
-        less.add(Gain(Claim("skirt", "gathered")))
-    return tuple([w for w in found if w.change not in less])
-
-
-def _within_figures(found: Sequence[Wish]) -> tuple[Wish, ...]:
-    """Without words for a size that a figure contradicts: a cuff of 8 cm is not deep."""
-    figures = {w.change.claim.name: w.change.claim.value for w in found if isinstance(w.change, Gain)}
-    against = {
-        Gain(Claim(name, word))
-        for measure, name, word, low, high in _SIZES_OF_WORDS
-        if measure in figures and not low <= float(figures[measure]) <= high
-    }
-    return tuple([w for w in found if w.change not in against])
-
-
-def _loose_alone(found: Sequence[Wish]) -> tuple[Wish, ...]:
-    """Without an easy fit where a loose one is asked for: "long and loose, straight cut" stays loose."""
-    certain = {w.change for w in found if w.certainty >= SURE}
-    if not certain & {Gain(Claim("fit", "loose")), Gain(Claim("fit", "oversized"))}:
-        return tuple(found)
-    return tuple([w for w in found if w.change != Gain(Claim("fit", "easy"))])
-
-
-def _of_both_faces(text: str, found: Sequence[Wish]) -> list[Wish]:
-    """A neckline that is the same behind: "a V neck front and back"."""
-    claims = {w.change.claim.name: w for w in found if isinstance(w.change, Gain)}
-    front = claims.get("neckline")
-    if front is None or "back_neckline" in claims or not _BOTH_FACES.search(text):
-        return []
-    assert isinstance(front.change, Gain)
-    shape = _BEHIND.get(str(front.change.claim.value))
-    return [] if shape is None else [Wish(Gain(Claim("back_neckline", shape)), front.certainty)]
 
 
 def _changes(wishes: Iterable[Wish]) -> list[Change]:
@@ -282,29 +241,7 @@ def _within_names(network: Sequence[Wish], words: WordReading) -> list[Wish]:
 _BESIDE = re.compile(r"\b(?:something|anything|outfit|with|over|under\w*|like|match\w*|for)\b", re.IGNORECASE)
 _FEW_WORDS, _NO_STORY = 5, 9
 _NAMES_THINGS = ("garments", "accessories", "generic")
-_BOTH_FACES = re.compile(
-    r"(?:neck\w*|(?<!\w)v)[^.,;]{0,20}(?<!\w)"
-    r"(?:front (?:and|&) (?:(?:at|in) )?(?:the )?back|back (?:and|&) (?:(?:at|in) )?(?:the )?front)(?!\w)",
-    re.IGNORECASE,
-)
-_BEHIND = {"v": "v", "square": "square", "round": "round", "scoop": "round", "crew": "round"}
-"""Shapes of back necklines by those of front ones."""
-_ONE_SLIT = re.compile(
-    r"(?<!\w)(?:(?:one|single|only one|just one|only a|just a) (?:\w+ )?(?:slit|split|vent)"
-    r"|(?:slit|split|vent)[^.;]{0,30}(?<!\w)only)(?!\w)",
-    re.IGNORECASE,
-)
 _LOWER_KINDS = frozenset({"skirt", "trousers", "shorts"})
-_SIZES_OF_WORDS = (
-    ("cuff_cm", "cuffs", "deep", 12.0, 99.0),
-    ("sleeve_cm", "sleeves", "cap", 3.0, 17.0),
-    ("sleeve_cm", "sleeves", "short", 12.0, 33.0),
-    ("sleeve_cm", "sleeves", "long", 46.0, 75.0),
-    ("leg_cuff_cm", "leg_cuffs", "deep", 15.0, 99.0),
-    ("waistband_cm", "waistband", "wide", 10.0, 99.0),
-    ("waistband_cm", "waistband", "narrow", 0.0, 6.5),
-)
-"""Measure, claim, word, and between which figures in cm the word may be true."""
 _BARE_ARMS = Claim("sleeves", "none")
 _PEPLUM = Claim("skirt", "peplum")
 _TOPICS = {

@@ -68,7 +68,7 @@ class ShirtOptions(PoloShirtOptions):
     cuff_height: declared.CuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
     sleeve_shape: SleeveShapeOption = "plain"
-    hem_opening: declared.HemOpening = 14.0
+    hem_opening: declared.HemOpening = 4.0
 
 
 def draft_shirt(options: ShirtOptions, measurements: Measurements) -> Pattern:

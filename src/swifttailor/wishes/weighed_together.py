@@ -1,0 +1,81 @@
+"""What is asked for, weighed against what else is: one slit alone, tiers and no flare, figures and sizes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from swifttailor.describing.claims import Claim
+from swifttailor.describing.differences import Gain
+from swifttailor.wishes.reader import SURE, Wish
+
+_BOTH_FACES = re.compile(
+    r"(?:neck\w*|(?<!\w)v)[^.,;]{0,20}(?<!\w)"
+    r"(?:front (?:and|&) (?:(?:at|in) )?(?:the )?back|back (?:and|&) (?:(?:at|in) )?(?:the )?front)(?!\w)",
+    re.IGNORECASE,
+)
+_BEHIND = {"v": "v", "square": "square", "round": "round", "scoop": "round", "crew": "round"}
+"""Shapes of back necklines by those of front ones."""
+_ONE_SLIT = re.compile(
+    r"(?<!\w)(?:(?:one|single|only one|just one|only a|just a) (?:\w+ )?(?:slit|split|vent)"
+    r"|(?:slit|split|vent)[^.;]{0,30}(?<!\w)only)(?!\w)",
+    re.IGNORECASE,
+)
+_SIZES_OF_WORDS = (
+    ("cuff_cm", "cuffs", "deep", 12.0, 99.0),
+    ("sleeve_cm", "sleeves", "cap", 3.0, 17.0),
+    ("sleeve_cm", "sleeves", "short", 12.0, 33.0),
+    ("sleeve_cm", "sleeves", "long", 46.0, 75.0),
+    ("leg_cuff_cm", "leg_cuffs", "deep", 15.0, 99.0),
+    ("waistband_cm", "waistband", "wide", 10.0, 99.0),
+    ("waistband_cm", "waistband", "narrow", 0.0, 6.5),
+)
+"""Measure, claim, word, and between which figures in cm the word may be true."""
+
+
+def other_slits(text: str, claims: Sequence[Claim]) -> tuple[Claim, ...]:
+    """Slits that are refused by asking for one alone: "one slit, on the right"."""
+    places = {claim.value for claim in claims if claim.name == "slit"}
+    if len(places) != 1 or not _ONE_SLIT.search(text):
+        return ()
+    return tuple([Claim("slit", each) for each in ("left", "right", "front", "back") if each not in places])
+
+
+def without_flare(found: Sequence[Wish]) -> tuple[Wish, ...]:
+    """Without what a skirt of rows or wedges cannot be called: it is not flared from the waist."""
+    changes = [wish.change for wish in found]
+    parted = any(Gain(Claim("skirt", value)) in changes for value in ("godets", "tiered"))
+    less = {Gain(Claim("skirt", "flared"))} if parted else set()
+    if Gain(Claim("skirt", "gathered tiers")) in changes:
+        less.add(Gain(Claim("skirt", "gathered")))
+    return tuple([w for w in found if w.change not in less])
+
+
+def within_figures(found: Sequence[Wish]) -> tuple[Wish, ...]:
+    """Without words for a size that a figure contradicts: a cuff of 8 cm is not deep."""
+    figures = {w.change.claim.name: w.change.claim.value for w in found if isinstance(w.change, Gain)}
+    against = {
+        Gain(Claim(name, word))
+        for measure, name, word, low, high in _SIZES_OF_WORDS
+        if measure in figures and not low <= float(figures[measure]) <= high
+    }
+    return tuple([w for w in found if w.change not in against])
+
+
+def loose_alone(found: Sequence[Wish]) -> tuple[Wish, ...]:
+    """Without an easy fit where a loose one is asked for: "long and loose, straight cut" stays loose."""
+    certain = {w.change for w in found if w.certainty >= SURE}
+    if not certain & {Gain(Claim("fit", "loose")), Gain(Claim("fit", "oversized"))}:
+        return tuple(found)
+    return tuple([w for w in found if w.change != Gain(Claim("fit", "easy"))])
+
+
+def of_both_faces(text: str, found: Sequence[Wish]) -> list[Wish]:
+    """A neckline that is the same behind: "a V neck front and back"."""
+    claims = {w.change.claim.name: w for w in found if isinstance(w.change, Gain)}
+    front = claims.get("neckline")
+    if front is None or "back_neckline" in claims or not _BOTH_FACES.search(text):
+        return []
+    assert isinstance(front.change, Gain)
+    shape = _BEHIND.get(str(front.change.claim.value))
+    return [] if shape is None else [Wish(Gain(Claim("back_neckline", shape)), front.certainty)]
