@@ -7,7 +7,7 @@ import pytest
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
-from swifttailor.wishes.drafts_of_names import draft_of_name
+from swifttailor.wishes.drafts_of_names import draft_of_kind, draft_of_name
 from swifttailor.wording.lexicon import read_words
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 
@@ -43,6 +43,16 @@ def test_what_a_name_means_is_drafted():
     options = dict(found.options)
     assert options["gathers"] == 2.0
     assert (options["sleeve_shape"], options["sleeves"]) == ("puffed", True)
+
+
+def test_where_no_name_is_said_a_draft_of_the_kind_has_all_that_is_asked_for():
+    bell, floor = Claim("sleeve_shape", "bell"), Claim("skirt_hem", "floor")
+    found = draft_of_kind("dress", [Claim("kind", "dress"), bell, floor, Claim("sleeves", "long")])
+    assert found is not None and found.name == "skater-dress"
+    assert dict(found.options)["sleeve_shape"] == "bell"
+    assert draft_of_kind("dress", [Claim("tiers", 3)]) is None, "no such draft has tiers"
+    assert draft_of_kind("dress", [Claim("kind", "dress")]) is None, "nothing is told of it"
+    assert draft_of_kind("skirt", [floor]) is None and draft_of_kind(None, [floor]) is None
 
 
 def test_what_is_asked_for_comes_before_what_a_name_means():

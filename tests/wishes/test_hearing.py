@@ -152,13 +152,13 @@ def test_who_asks_for_box_pleats_is_told_that_the_cloth_decides():
         ("halter top", "halter-top"),
         ("a halter dress", "halter-dress"),
         ("off the shoulder top", "off-shoulder-top"),
-        ("a bardot dress", "off-shoulder-dress"),
+        ("a bardot dress", "off-shoulder-dress(waist_seam=true)"),
     ],
 )
 def test_bare_shoulders_begin_from_drafts_and_lack_nothing_then(text, draft):
     heard = hear_description(text, Saying())
-    assert heard.drafts == (NamedDraft(draft),)
-    assert {lack.what for lack in heard.made_as(NamedDraft(draft)).lacks} <= {"ties"}
+    assert heard.drafts == (NamedDraft.parse(draft),)
+    assert {lack.what for lack in heard.made_as(NamedDraft.parse(draft)).lacks} <= {"ties"}
 
 
 @pytest.mark.parametrize(
@@ -482,3 +482,29 @@ def test_what_one_word_tells_of_sleeves_counts_once(reader):
     heard = hear_description("a dress with bishop sleeves and a waist seam", reader)
     assert {"sleeves", "sleeve_shape", "cuffs", "waist_seam"} <= {c.name for c in claims(heard.sure)}
     assert dict(heard.drafts[0].options)["sleeve_shape"] == "balloon"
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "draft"),
+    [
+        ("long sleeves, boat neck, knee-length pencil skirt", "dress", "fitted-dress"),
+        ("puff sleeves and a full skirt to the knee", "dress", "skater-dress"),
+        ("a pleated skirt with pockets", "skirt", "pleated-skirt"),
+        ("a skirt with a boat neck top", "skirt", "circle-skirt"),
+    ],
+)
+def test_a_skirt_with_sleeves_is_that_of_a_dress(text, kind, draft):
+    heard = hear_description(text, Saying())
+    assert heard.kind == kind and heard.drafts[0].name == draft
+
+
+def test_what_is_refused_sets_the_draft():
+    (blazer,) = hear_description("a blazer that isn't boxy", Saying()).drafts
+    assert blazer.name == "blazer" and dict(blazer.options)["chest_ease"] == 4.0
+    (dress,) = hear_description("strapless prom dress but not poofy", Saying()).drafts
+    assert dress.name == "strapless-dress" and dict(dress.options)["fitted"] is True
+
+
+def test_a_blouse_without_its_collar_begins_from_a_plain_top():
+    (draft,) = hear_description("a blouse without a collar", Saying()).drafts
+    assert draft.name == "t-shirt"

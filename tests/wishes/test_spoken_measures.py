@@ -27,6 +27,8 @@ def stated(text, kind):
         ("skirt, fitted to the thigh, 75 cm", "skirt", {"skirt_length_cm": 75}),
         ("three tiers: 20, 25, 30", "skirt", {"tiers": 3}),
         ("boat neck 28 cm across", "top", {}),
+        ("vestido largo, cintura 62 cm", "dress", {}),
+        ("Kleid, Oberweite 92 cm", "dress", {}),
         ("sleeve 25 cm long from the shoulder", "top", {"sleeve_cm": 25}),
         ("sleeve width 50 cm, gathered to an 8 cm cuff", "top", {"sleeve_width_cm": 50, "cuff_cm": 8}),
         ("a turtleneck collar about six centimetres high", "dress", {"collar_cm": 6}),

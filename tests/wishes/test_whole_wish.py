@@ -43,6 +43,14 @@ def test_what_the_network_all_but_excludes_was_misheard():
         assert together([DRESS, LONG], {DRESS: 1.0, LONG: 0.0}, **{how: [LONG]}) == [DRESS, LONG]
 
 
+def test_what_a_name_usually_means_does_not_take_the_place_of_a_detail():
+    hip, cropped = Gain(Claim("top_hem", "hip")), Gain(Claim("top_hem", "cropped"))
+    whole = {hip: MEANT, cropped: DOUBTED_WORD}
+    assert together([cropped], whole, said=[cropped]) == [hip]
+    assert together([cropped], whole, said=[cropped], outdone=[hip]) == [cropped]
+    assert together([cropped], whole, outdone=[hip]) == [hip], "no word says it"
+
+
 @pytest.mark.parametrize(
     "change", [Gain(Claim("sleeves", "left only")), Gain(Claim("sides", "different")),
                Gain(Claim("left_sleeve", "short")), Gain(Claim("shoulders", "bare right"))]

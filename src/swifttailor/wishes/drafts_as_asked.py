@@ -10,14 +10,15 @@ from swifttailor.pattern.drafts.draft_names import (
     APRON_HEMS,
     BARE_SHOULDERED,
     COLLARED,
-    DRAFT_KINDS,
     ROLLED,
     SIDE_SLITS,
     STANDING,
     STRAP_WIDTH,
     NamedDraft,
 )
+from swifttailor.wishes.bared_drafts import bared_as_asked
 from swifttailor.wishes.held_drafts import held_as_asked
+from swifttailor.wishes.legged_drafts import legs_as_asked
 from swifttailor.wishes.sleeved_drafts import sleeves_as_asked
 
 _BARE = Claim("shoulders", "strapless")
@@ -34,13 +35,6 @@ _AT_THE_NECK = frozenset(
 _THIN_STRAPS = Claim("straps", "narrow")
 _ON_SHOULDERS = ("t-shirt", "tank-top", "fitted-top", "fitted-dress", "shift-dress", "skater-dress")
 """What thin straps do not hold: other drafts do."""
-_LEGS: Mapping[str, Mapping[str, float]] = {
-    "wide": {"leg_ease": 40.0, "flare": 8.0},
-    "flared": {"leg_ease": 8.0, "flare": 26.0},
-    "straight": {"leg_ease": 21.0, "flare": -3.5},
-    "tapered": {"hip_ease": 9.0, "leg_ease": 12.0, "flare": -7.0},
-    "slim": {"leg_ease": 6.0, "flare": -4.0},
-}
 _LOOSE_DRESS_CM: Mapping[str, tuple[float, float]] = {
     "easy": (8.0, 10.0),
     "loose": (13.0, 18.0),
@@ -73,20 +67,7 @@ _V_NECKED = (
 _V_WIDENING_CM, _V_DEPTH_CM = 1.0, 16.0
 _SLEEVELESS = {"strap_width": 8.0, "neck_widening": 2.0, "neck_depth": 10.0, "back_neck_depth": 3.0}
 _SWEATSHIRT = "sweatshirt"
-_WITHOUT_LEGS = ("bodysuit", "swimsuit")
 _FLAT = ("collar", "folded")
-_JOGGERS = "joggers"
-_OF_JOGGERS = ("wide", "straight", "slim")
-"""Legs that joggers have as well; they are tapered as they are, and nothing flares into a cuff."""
-_GATHERED, _BANDED = Claim("leg_cuffs", "gathered"), Claim("leg_cuffs", "band")
-_FULL = frozenset({Claim("legs", "tapered"), Claim("legs", "wide"), Claim("hips", "loose")})
-"""Legs of which there is something to gather into a band; turn-ups are called cuffs as well."""
-_NOT_CUFFED = frozenset({Claim("leg_cuffs", "none"), Claim("leg_cuffs", "flounce"), Claim("legs", "flared")})
-_SHORTEST_JOGGERS, _LONGEST_JOGGERS = 44.0, 98.0
-_SLIM, _CLOSEST = Claim("legs", "slim"), 100.0
-_BELOW_WAIST: Mapping[Claim, float] = {Claim("rise", "mid"): 5.0, Claim("rise", "low"): 14.0}
-"""How far below the waist trousers begin, cm."""
-_LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
 _OF_NECKLINES = frozenset({"neckline", "collar", "hood", "straps"})
 _OF_TORSO = ("length", "chest_ease", "flare", "sleeve_length", "arm_ease", "sleeve_end", "side_slits")
 """Options of T-shirts that turtlenecks have as well."""
@@ -130,18 +111,17 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft: As a table names it.
         claims: What is asked for, all of it.
     """
-    draft = _cropped(draft, claims)
+    draft = _darted(_cropped(draft, claims), claims)
     draft = _with_v_neck(_with_hood(_worn_over(draft, claims), claims), claims)
     if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
         slit = _HIGH_SLIT_CM if _HIGH_SLIT in claims else _SLIT_CM
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, slit)))
     if draft.name in _BIBBED and Claim("straps", "wide") in claims:
         draft = replace(draft, options=(*draft.options, (STRAP_WIDTH, _WIDE_STRAP_CM)))
-    if draft.name in _WITHOUT_LEGS and any(_has_legs(claim) for claim in claims):
+    legged = legs_as_asked(draft, claims)
+    if legged is None:
         return None
-    draft = _with_pieces(_with_legs(_with_leg_cuffs(draft, claims), claims), claims)
-    if draft.name == _JOGGERS and _NOT_CUFFED.intersection(claims):
-        return None
+    draft = _with_pieces(legged, claims)
     if draft.name in ("t-shirt", "tank-top", _SWEATSHIRT) and _stands(claims):
         draft = _with_stand(draft, claims)
     if draft.name in ("turtleneck", _SWEATSHIRT) and Claim("sleeves", "none") in claims:
@@ -155,7 +135,7 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft = replace(draft, options=tuple({**dict(draft.options), "gathers": _GATHERS}.items()))
     if draft.name == "skater-dress" and any(claim.name == "slit" for claim in claims):
         draft = NamedDraft("fitted-dress", (("skirt_length", _SLIT_SKIRT_CM),))  # where a slit is seen
-    draft = held_as_asked(_hanging_loose(_close(draft, claims), claims), claims)
+    draft = bared_as_asked(held_as_asked(_hanging_loose(_close(draft, claims), claims), claims), claims)
     draft = sleeves_as_asked(draft, claims)
     if draft.name in _ON_SHOULDERS and _THIN_STRAPS in claims:
         return None
@@ -203,6 +183,15 @@ def _cropped(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     return replace(draft, options=tuple(options.items()))
 
 
+def _darted(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A plain top that is to be close, with darts, is a fitted one, which ends at the waist."""
+    long = any(claim.name in ("top_hem", "length_cm", "collar", "hood") for claim in claims)
+    if draft.name != "t-shirt" or long or not _FITTED <= frozenset(claims):
+        return draft
+    return NamedDraft("fitted-top", ())
+
+
+_FITTED = frozenset({Claim("fit", "close"), Claim("bodice", "darted")})
 _MAY_STAND = ("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress")
 _ROLL_CM, _FUNNEL_CM = 9.0, 7.0
 
@@ -319,45 +308,6 @@ def _hanging_loose(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     ease = _LOOSE_DRESS_CM[fits[0] if fits else "easy"][sleeves]
     wide = {"chest_ease": ease, "flare": 24.0 if ease > _STRAIGHT_CM else 8.0}
     return NamedDraft("shift-dress", tuple({**kept, **wide, "sleeves": sleeves}.items()))
-
-
-def _with_leg_cuffs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """Full trousers that end in cuffs are joggers, as long and as wide."""
-    options = dict(draft.options)
-    length = float(options.get("length", _LONGEST_JOGGERS))
-    cuffed = _GATHERED in claims or (_BANDED in claims and bool(_FULL.intersection(claims)))
-    if draft.name not in ("trousers", "pull-on-trousers") or not cuffed or length < _SHORTEST_JOGGERS:
-        return draft
-    kept = {name: options[name] for name in ("hip_ease", "leg_ease") if name in options}
-    return NamedDraft(_JOGGERS, tuple({"length": min(length, _LONGEST_JOGGERS), **kept}.items()))
-
-
-def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
-    """Legs with room, and of jumpsuits the legs that are asked for: trousers have drafts for each shape."""
-    if DRAFT_KINDS[draft.name] not in ("jumpsuit", "trousers") or draft.name in _WITHOUT_LEGS:
-        return draft
-    options = dict(draft.options)
-    known = _OF_JOGGERS if draft.name == _JOGGERS else tuple(_LEGS)
-    if DRAFT_KINDS[draft.name] == "jumpsuit" or draft.name == _JOGGERS:
-        for claim in claims:
-            asked = _LEGS[str(claim.value)] if claim.name == "legs" and claim.value in known else {}
-            closer = float(options.get("leg_ease", _CLOSEST)) < _LEGS["slim"]["leg_ease"]
-            options |= {} if claim == _SLIM and closer else asked
-    if DRAFT_KINDS[draft.name] == "trousers":
-        for claim in claims:
-            options |= {"below_waist": _BELOW_WAIST[claim]} if claim in _BELOW_WAIST else {}
-    if _LOOSE in claims:
-        options["hip_ease"] = max(_LOOSE_CM, float(options.get("hip_ease", 0.0)))
-    return replace(draft, options=tuple(options.items()))
-
-
-def _has_legs(claim: Claim) -> bool:
-    if claim.name == "leg_hem":
-        return claim.value != "very short"
-    return claim.name in ("legs", "leg_cuffs", "inseam_cm", "leg_width_cm") and claim.value not in (
-        "slim",
-        "none",
-    )
 
 
 def _with_pieces(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

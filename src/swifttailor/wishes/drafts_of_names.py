@@ -86,7 +86,24 @@ def draft_of_name(entry: Entry, kind: str, asked: Sequence[Claim]) -> NamedDraft
     meant = [claim for claim in meant if not any(exclude(claim, other) for other in asked)]
     if covered is None or entry.category != "garments" or not all(_has(covered, claim) for claim in meant):
         return None
-    claims = (*asked, *meant)
+    return _as_asked(kind, (*asked, *meant))
+
+
+def draft_of_kind(kind: str | None, asked: Sequence[Claim]) -> NamedDraft | None:
+    """A draft that has all that is asked for of a garment that no word names; None where no draft has.
+
+    Args:
+        kind: Of the garment, as what is asked for tells.
+        asked: All of it: long bell sleeves, a boat neck, a skirt that touches the floor.
+    """
+    covered = _COVERED.get(kind or "")
+    told = [claim for claim in asked if claim.name != "kind"]
+    if kind is None or covered is None or not told or not all(_has(covered, claim) for claim in told):
+        return None
+    return _as_asked(kind, asked)
+
+
+def _as_asked(kind: str, claims: Sequence[Claim]) -> NamedDraft | None:
     draft = _DRAFTS[kind]
     if kind == "dress" and _EMPIRE in claims:
         draft = _DRAFTS["empire"]

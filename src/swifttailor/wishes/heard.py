@@ -10,7 +10,7 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
-from swifttailor.wishes.drafts_of_names import draft_of_name
+from swifttailor.wishes.drafts_of_names import draft_of_kind, draft_of_name
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.lexicon_spelling import near_names
 from swifttailor.wishes.reader import Wish
@@ -120,14 +120,17 @@ class Heard:
         sure = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
         sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else self._likely_bare
         sure += self._standing_necks if not any(claim.name in _NECKS for claim in sure) else []
+        sure += [_STRAIGHT] if _FLARED in self.never and not any(c.name == "skirt" for c in sure) else []
         named = _with_one_collar([as_not_refused(draft, self.never) for draft in named])
-        named = [draft_as_asked(draft, sure) for draft in named]
+        fitting = [draft_as_asked(draft, sure) for draft in named]
         if not named and self.kind in (None, "top") and self._tells_no_garment:
-            named = [draft_as_asked(_WHATEVER, sure)]
-        elif not named:
-            kinds = [e for e in entries if self.kind in e.kinds and not e.drafts]
-            named = [draft_of_name(entry, self.kind or "", sure) for entry in kinds]
-        found = dict.fromkeys([draft for draft in named if draft is not None])
+            fitting = [draft_as_asked(_WHATEVER, sure)]
+        elif not any(fitting):  # a blouse without a collar has nothing of the shirt that blouses begin from
+            kinds = [e for e in entries if self.kind in e.kinds and (named or not e.drafts)]
+            fitting = [draft_of_name(entry, self.kind or "", sure) for entry in kinds]
+            if not any(self.kind in entry.kinds for entry in self._meant):
+                fitting = [draft_of_kind(self.kind, sure)]
+        found = dict.fromkeys([draft for draft in fitting if draft is not None])
         wanted = {lack.what for lack in self.lacks if lack.said}
         return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
 
@@ -219,6 +222,7 @@ class Heard:
         return near_names(self.unread)
 
 
+_FLARED, _STRAIGHT = Claim("skirt", "flared"), Claim("skirt", "straight")
 _WHATEVER = NamedDraft("t-shirt", (("neck_widening", 0.7), ("chest_ease", 8.0), ("waist_shaping", 1.0)))
 HEARD_NOTHING = Heard("")
 """Where there is no text."""

@@ -16,7 +16,12 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.deep_cuffs import without_deep_cuffs
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
-from swifttailor.wishes.kind_of_details import with_one_band, within_the_name, without_wrong_kind
+from swifttailor.wishes.kind_of_details import (
+    skirts_of_dresses,
+    with_one_band,
+    within_the_name,
+    without_wrong_kind,
+)
 from swifttailor.wishes.lexicon_spelling import guessed_name
 from swifttailor.wishes.long_names import against_names, hangs_so, is_against_phrase, is_long_name
 from swifttailor.wishes.mentions import find_mentions
@@ -91,6 +96,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     own, before = text, words
     if (plain := plainly_wished(text)) != text:
         text, words = plain, read_words(plain)
+    if words.language == ENGLISH and (dress := skirts_of_dresses(text, words)) != text:
+        text, words = dress, read_words(dress)
     plainly = {i.claim for i in words.implications if i.said} - {i.claim for i in before.implications}
     network = reader.read(text, instruction=False) if words.language == ENGLISH else ()
     named = next((str(i.claim.value) for i in words.implications if i.claim.name == "kind"), None)
@@ -137,6 +144,7 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
             ],
             named=[Gain(i.claim) for i in words.implications if not i.said],
             said=[Gain(i.claim) for i in words.implications if i.said],
+            outdone=_outdone(words),
             never=never,
             subjects=_only_subjects(words),
         )
@@ -179,6 +187,14 @@ def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:
     alone = len(words.marks) <= _NO_STORY and len(names) == 1
     alone = alone and not _BESIDE.search(text[: names[0].start])
     return kinds if alone and len({i.claim.value for i in kinds}) == 1 else []
+
+
+def _outdone(words: WordReading) -> list[Gain]:
+    """What names of garments usually stand for, and a detail contradicts."""
+    meant = {i.claim for i in words.implications}
+    marks = [mark for mark in words.marks if mark.role == "garment" and not mark.denied]
+    usual = [each.claim for mark in marks for entry in mark.entries for each in entry.implied]
+    return [Gain(claim) for claim in usual if claim not in meant]
 
 
 def _only_subjects(words: WordReading) -> frozenset[str] | None:

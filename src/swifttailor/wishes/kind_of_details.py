@@ -12,7 +12,25 @@ from swifttailor.wording.claim_kinds import fits_kind, implied_kind
 from swifttailor.wording.lexicon import WordReading, exclude
 
 _NAMES = ("garment", "like", "second")
+_SKIRT = frozenset({"skirt"})
+_UPPER = frozenset("sleeves sleeve_shape cuffs neckline neck_depth shoulders collar hood bodice".split())
 _WAISTBAND, _HEM_BAND = Claim("waistband", "waist"), Claim("waistband", "hem")
+
+
+def skirts_of_dresses(text: str, words: WordReading) -> str:
+    """A text that names a skirt and speaks of sleeves or a neckline, as one about a dress with such a skirt.
+
+    Args:
+        text: As it is read.
+        words: By the lexicon.
+    """
+    named = [mark for mark in words.marks if mark.role == "garment"]
+    if not named or any(mark.role in ("like", "second", "theirs") or mark.denied for mark in words.marks):
+        return text
+    skirts = all(entry.kinds == _SKIRT for mark in named for entry in mark.entries)
+    said = [i.claim for i in words.implications if i.said and i.certainty == "certain"]
+    upper = any(claim.name in _UPPER and claim.value != "none" for claim in said)
+    return f"dress, {text}" if skirts and upper else text
 
 
 def without_wrong_kind(

@@ -11,6 +11,7 @@ from swifttailor.pattern.drafts.draft_names import NamedDraft
 
 _INSTEAD: Mapping[Claim, Mapping[str, float]] = {
     Claim("fit", "close"): {"bust_ease": 11.0, "waist_ease": 10.0},
+    Claim("fit", "loose"): {"chest_ease": 4.0, "bust_ease": 6.0, "waist_shaping": 4.0},
     Claim("hips", "close"): {"hip_ease": 11.0},
     Claim("back_depth", "low"): {"back_neck_depth": 3.5},
     Claim("back_depth", "open"): {"back_neck_depth": 3.5},

@@ -35,6 +35,7 @@ def described_as_a_whole(
     stated: Collection[Change] = (),
     named: Collection[Change] = (),
     said: Collection[Change] = (),
+    outdone: Collection[Change] = (),
     never: Collection[Claim] = (),
     subjects: Collection[str] | None = None,
 ) -> tuple[Wish, ...]:
@@ -47,6 +48,8 @@ def described_as_a_whole(
         named: Wishes that names of garments stand for. They stay where the network reads nothing else
             instead; a name that it does not know, as its reading of the kind shows, is left to them.
         said: Wishes that words of details stand for.
+        outdone: What names of garments usually stand for where a detail says otherwise: the hip of a
+            cropped hoodie. No reading of the network puts it in the place of that detail.
         never: What the text refuses.
         subjects: Names of the claims that its details are about, where it is so short that all its words are
             known for what they say: the network adds no more than what is likely. None where it is not.
@@ -70,6 +73,7 @@ def described_as_a_whole(
             not known
             or w.change in stated
             or (w.change in named and chance < MEANT)
+            or (w.change in said and change in outdone)
             or whole.get(w.change, w.certainty) >= chance
             for w in against
         ):

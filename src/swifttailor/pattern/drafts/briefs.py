@@ -11,7 +11,7 @@ from swifttailor.pattern.drafts.trousers import BACK_Z, FRONT_Z, LEGS_APART_X
 
 _STRIP_CM = 3.2
 """Half of the width of the strip between the legs."""
-_UNDER_FRONT, _UNDER_BACK = 0.058, 0.115
+_UNDER_FRONT, _UNDER_BACK = 0.058, 0.095
 """How far front and back reach under the crotch, as a part of the hip girth."""
 _SIDE_MINIMUM = 5.0
 """Shortest side seam below the waist, cm."""

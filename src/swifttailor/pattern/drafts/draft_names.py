@@ -142,6 +142,8 @@ class NamedDraft:
     @property
     def has_in_spirit(self) -> tuple[tuple[str, str], ...]:
         """Claims that it is near enough to where only a name implies them, and no word says them."""
+        if self.name in ("off-shoulder-top", "off-shoulder-dress"):
+            return _OF_BARE_ARMS
         roomy = dict(self.options).get("hip_ease", 0.0)
         return _OF_ROOM if isinstance(roomy, float) and roomy >= ROOMY_CM else ()
 
@@ -173,6 +175,8 @@ _OF_BIBS = (("fit", "loose"), ("fit", "easy"), ("fit", "oversized"))
 """Nothing goes around the chest of what has a bib."""
 HIGH_CM = 26.0
 """Slits of straight tops and dresses that are called high are as long as that."""
+_OF_BARE_ARMS = (("sleeves", "none"),)
+"""What bare shoulders go with mostly; sleeves below them hold up the edge of the bodice."""
 _OF_ROOM = (("hips", "loose"),)
 """Claims, by name and value, that such options make true to the eye."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from swifttailor.pattern.drafts import darted_block
 from swifttailor.pattern.drafts.bodice import (
     BACK_Z,
     FRONT_Z,
@@ -13,11 +14,13 @@ from swifttailor.pattern.drafts.bodice import (
     armhole,
     shoulder_tip_x,
 )
+from swifttailor.pattern.drafts.bust_dart import draw_side_with_bust_dart
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.neckline import Neckline
-from swifttailor.pattern.drafts.outline import Outline, Side
+from swifttailor.pattern.drafts.outline import Dart, Outline, Side
 from swifttailor.pattern.drafts.sleeve import HIGHEST_CAP, Cap, fit_cap, place_on_arm
+from swifttailor.pattern.drafts.suppression import dart_places, suppress
 
 SCOOPS = {"f": 0.72, "b": 0.5}
 """How deep the armholes are cut, front and back."""
@@ -43,22 +46,70 @@ class OffShoulderBodice:
     """On top of the upper arm girth, cm around."""
     sleeve_end: float
     """Width around at the end, cm; never wider than at the underarm."""
+    waist_ease: float | None = None
+    """On top of the waist girth where darts shape the bodice and it ends at the waist, cm around."""
 
 
-def lay_off_shoulder_bodice(table: CuttingTable, figure: Figure, shape: OffShoulderBodice) -> None:
+def lay_off_shoulder_bodice(table: CuttingTable, figure: Figure, shape: OffShoulderBodice) -> Halves | None:
     """Lays and sews both left halves and the left sleeve; call before `CuttingTable.mirror`.
 
-    Edges of ``left_ftorso`` and ``left_btorso``: hem, side, armhole, neck, centre; of ``left_sleeve_f`` and
-    ``left_sleeve_b``: under, hem, top, neck, cap.
+    Edges of ``left_ftorso`` and ``left_btorso``: hem (or waist and dart), side, armhole, neck, centre; of
+    ``left_sleeve_f`` and ``left_sleeve_b``: under, hem, top, neck, cap.
+
+    Returns:
+        The sewn half widths at the waist where it ends there, cm.
     """
+    if shape.waist_ease is None:
+        whole, waist = _lay_to_hem(table, figure, shape), None
+    else:
+        waist = figure.waist.eased(shape.waist_ease)
+        whole = _lay_to_waist(table, figure, shape, waist)
+    table.seam("left_ftorso.side", "left_btorso.side")
+    _lay_sleeve(table, figure, shape, whole)
+    return waist
+
+
+def _lay_to_hem(table: CuttingTable, figure: Figure, shape: OffShoulderBodice) -> dict[str, Side]:
     chest = figure.bust.eased(shape.chest_ease)
     hem_y = figure.waist_y - shape.length
     under_y = max(figure.armpit_y - 1.5, hem_y + SIDE_MINIMUM)
-    whole = {side: _armhole(figure, half, under_y, side) for side, half in _sides(chest)}
+    body = figure.girth_below_waist(shape.length).eased(6.0)
+    widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
+    widening += shape.flare / 4
+    whole = {}
     for side, half in _sides(chest):
-        _lay_half(table, figure, shape, side, (half, under_y), whole[side])
-    table.seam("left_ftorso.side", "left_btorso.side")
-    _lay_sleeve(table, figure, shape, whole)
+        drop = HEM_BALANCE * figure.front_fullness if side == "f" else 0.0
+        outline = Outline(0.0, hem_y - drop)
+        outline.quadratic("hem", ((half + widening) * 0.6, hem_y - drop), (half + widening, hem_y + 0.5))
+        outline.line("side", half, under_y)
+        whole[side] = _armhole(figure, half, under_y, side)
+        _lay_half(table, shape, outline, whole[side], side)
+    return whole
+
+
+def _lay_to_waist(
+    table: CuttingTable, figure: Figure, shape: OffShoulderBodice, waist: Halves
+) -> dict[str, Side]:
+    taken = suppress(figure.bust.eased(shape.chest_ease), waist, 0.45, 3.0)
+    chest = taken.wide(waist)
+    under_y = max(figure.armpit_y - 1.5, figure.waist_y + darted_block.SIDE_MINIMUM)
+    places = dart_places(figure, waist)
+    whole = {}
+    for side, half, narrow, lost, place in (
+        ("f", chest.front, waist.front, taken.front, places.front),
+        ("b", chest.back, waist.back, taken.back, places.back),
+    ):
+        reach = min(figure.bust_y - 3.0, under_y - 1.5) - figure.waist_y
+        outline = Outline(0.0, figure.waist_y)
+        darts = [Dart(place, lost, max(reach, 2.5))] if lost else []
+        outline.darted_line("waist", (narrow + lost, figure.waist_y), darts)
+        if side == "f":
+            draw_side_with_bust_dart(outline, figure, (half, under_y))
+        else:
+            outline.line("side", half, under_y)
+        whole[side] = _armhole(figure, *outline.sides[-1].end, side)
+        _lay_half(table, shape, outline, whole[side], side)
+    return whole
 
 
 def _sides(chest: Halves) -> tuple[tuple[str, float], tuple[str, float]]:
@@ -68,34 +119,20 @@ def _sides(chest: Halves) -> tuple[tuple[str, float], tuple[str, float]]:
 def _armhole(figure: Figure, half: float, under_y: float, side: str) -> Side:
     """The armhole of the loose block, from the underarm to the shoulder."""
     tip_x = shoulder_tip_x(figure, Neckline(), 0.0)
-    outline = Outline(half, under_y).line("side", half, under_y + 1e-9)
+    outline = Outline(half, under_y - 1.0).line("side", half, under_y)
     armhole(outline, (tip_x, figure.shoulder_line(tip_x)), figure.slope, SCOOPS[side])
     return outline.sides[-1]
 
 
 def _lay_half(
-    table: CuttingTable,
-    figure: Figure,
-    shape: OffShoulderBodice,
-    side: str,
-    underarm: tuple[float, float],
-    whole: Side,
+    table: CuttingTable, shape: OffShoulderBodice, outline: Outline, whole: Side, side: str
 ) -> None:
-    front = side == "f"
-    half, under_y = underarm
-    hem_y = figure.waist_y - shape.length
-    body = figure.girth_below_waist(shape.length).eased(6.0)
-    chest = figure.bust.eased(shape.chest_ease)
-    widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
-    widening += shape.flare / 4
-    drop = HEM_BALANCE * figure.front_fullness if front else 0.0
-    outline = Outline(0.0, hem_y - drop)
-    outline.quadratic("hem", ((half + widening) * 0.6, hem_y - drop), (half + widening, hem_y + 0.5))
-    outline.line("side", half, under_y)
+    """Draws the upper end of a left half from the underarm on, and lays it."""
     kept = whole.split([_kept(whole, shape)])[0]
     outline.follow(kept)
     outline.line("neck", 0.0, kept.end[1])
     outline.line("centre", *outline.sides[0].start).closed()
+    front = side == "f"
     z = FRONT_Z if front else BACK_Z
     table.lay(f"left_{side}torso", outline, label="body", at=(0.0, 0.0, z), back=not front)
     table.label(f"left_{side}torso.armhole", "left_armhole")

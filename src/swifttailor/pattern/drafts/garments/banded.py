@@ -131,8 +131,8 @@ class HoodieOptions(BandedOptions):
     chest_ease: declared.ChestEase = 18.0
     neck_widening: declared.HighNeckWidening = 2.5
     neck_depth: declared.HighNeckDepth = 10.0
-    hood_height: declared.HoodHeight = 6.0
-    hood_depth: declared.HoodDepth = 5.0
+    hood_height: declared.HoodHeight = 4.0
+    hood_depth: declared.HoodDepth = 4.0
 
 
 def draft_hoodie(options: HoodieOptions, measurements: Measurements) -> Pattern:

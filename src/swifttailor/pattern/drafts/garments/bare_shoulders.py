@@ -125,11 +125,26 @@ class OffShoulderDressOptions(OffShoulderTopOptions):
 
     length: declared.LongLength = 50.0
     flare: declared.DressFlare = 30.0
+    waist_seam: Annotated[
+        bool,
+        Option("Sew a skirt cut from a circle to a waist with darts; else it is cut in one, with a flare."),
+    ] = False
+    waist_ease: declared.WaistEase = 3.0
+    skirt_fraction: declared.CircleFraction = 0.5
 
 
 def draft_off_shoulder_dress(options: OffShoulderDressOptions, measurements: Measurements) -> Pattern:
     """Drafts the off-the-shoulder dress for a body."""
-    return _off_shoulder("off-shoulder-dress", options, measurements)
+    if not options.waist_seam:
+        return _off_shoulder("off-shoulder-dress", options, measurements)
+    table, figure = CuttingTable("off-shoulder-dress"), Figure.of(measurements)
+    waist = lay_off_shoulder_bodice(table, figure, _bare(options, options.waist_ease))
+    assert waist is not None
+    lay_flared_skirt(table, waist, options.length, figure.waist_y - 3.0, options.skirt_fraction)
+    table.mirror()
+    sew_centres(table)
+    sew_skirt_to_bodice(table, SKIRT_WHOLE)
+    return table.finish()
 
 
 def _halter(options: HalterTopOptions, waist_ease: float | None = None) -> HalterBodice:
@@ -151,9 +166,8 @@ def _sewn_halter(table: CuttingTable, lower: Literal["skirt", "trousers"] | None
     return table.finish()
 
 
-def _off_shoulder(name: str, options: OffShoulderTopOptions, measurements: Measurements) -> Pattern:
-    table = CuttingTable(name)
-    bodice = OffShoulderBodice(
+def _bare(options: OffShoulderTopOptions, waist_ease: float | None = None) -> OffShoulderBodice:
+    return OffShoulderBodice(
         options.chest_ease,
         options.length,
         options.above_underarm,
@@ -161,8 +175,13 @@ def _off_shoulder(name: str, options: OffShoulderTopOptions, measurements: Measu
         options.sleeve_length,
         options.arm_ease,
         options.sleeve_end,
+        waist_ease,
     )
-    lay_off_shoulder_bodice(table, Figure.of(measurements), bodice)
+
+
+def _off_shoulder(name: str, options: OffShoulderTopOptions, measurements: Measurements) -> Pattern:
+    table = CuttingTable(name)
+    lay_off_shoulder_bodice(table, Figure.of(measurements), _bare(options))
     table.mirror()
     sew_centres(table)
     return table.finish()

@@ -26,7 +26,7 @@ LegHeight = Annotated[
     ),
 ]
 CloseHipEase = Annotated[float, Option("Room on top of the hip girth, all around.", "cm", 0.0, 8.0)]
-_CROTCH_DROP_CM = 3.0
+_CROTCH_DROP_CM = 0.0
 
 
 @dataclass(frozen=True)

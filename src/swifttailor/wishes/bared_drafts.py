@@ -1,0 +1,76 @@
+"""Drafts that leave shoulders bare: the skirt of off-the-shoulder dresses, and thin straps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import STRAP_WIDTH, NamedDraft
+
+_ON_STRAPS, _THIN = ("camisole", "strappy-dress", "strappy-jumpsuit"), Claim("straps", "narrow")
+_THIN_CM = 1.2
+_DRAFT = "off-shoulder-dress"
+_HANGS = frozenset(
+    {
+        Claim("fit", "loose"),
+        Claim("fit", "oversized"),
+        Claim("bodice", "undarted"),
+        Claim("bodice", "flared"),
+        Claim("skirt", "pencil"),
+        Claim("skirt", "straight"),
+        Claim("skirt", "narrowing"),
+    }
+)
+"""What a dress with a seam at the waist and a skirt cut from a circle is not."""
+_SKIRTS: Mapping[str, float] = {
+    "a-line": 0.3,
+    "flared": 0.5,
+    "half circle": 0.5,
+    "three-quarter circle": 0.75,
+    "circle": 0.9,
+    "more than a circle": 1.25,
+    "gathered": 0.8,
+}
+"""Parts of a circle, by what a skirt is called."""
+_LENGTHS: Mapping[str, float] = {
+    "mini": 42.0,
+    "above the knee": 50.0,
+    "knee": 58.0,
+    "midi": 76.0,
+    "maxi": 98.0,
+    "ankle": 98.0,
+    "floor": 100.0,
+}
+"""Waist to hem, by where the hem is to end, cm."""
+_LONG_CM, _FULL = 90.0, 0.7
+"""A long skirt of which nothing is said is as full."""
+
+
+def bared_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """An off-the-shoulder dress as long and full as is asked for, and thin straps; other drafts as they are.
+
+    The dress has a seam at the waist and a skirt that flares from there, unless it is to hang loose or to be
+    narrow.
+
+    Args:
+        draft: As a table names it; what that sets stays.
+        claims: What is asked for, all of it.
+    """
+    own = dict(draft.options)
+    if draft.name in _ON_STRAPS and _THIN in claims and STRAP_WIDTH in own:
+        thin = min(float(own[STRAP_WIDTH]), _THIN_CM)
+        return replace(draft, options=tuple({**own, STRAP_WIDTH: thin}.items()))
+    if draft.name != _DRAFT:
+        return draft
+    options: dict[str, float | bool | str] = {}
+    for claim in claims:
+        if claim.name == "skirt_hem" and claim.value in _LENGTHS:
+            options["length"] = _LENGTHS[str(claim.value)]
+    if _HANGS.isdisjoint(claims):
+        options["waist_seam"] = True
+        shapes = [_SKIRTS[str(c.value)] for c in claims if c.name == "skirt" and c.value in _SKIRTS]
+        long = float(options.get("length", 0.0)) >= _LONG_CM
+        if shapes or long:
+            options["skirt_fraction"] = max(shapes, default=_FULL)
+    return replace(draft, options=tuple({**options, **own}.items()))

@@ -1,0 +1,85 @@
+"""Named drafts with legs as a text asks for them: wide, tapered, gathered into cuffs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from swifttailor.describing.claims import Claim
+from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
+
+_WITHOUT_LEGS = ("bodysuit", "swimsuit")
+_LEGS: Mapping[str, Mapping[str, float]] = {
+    "wide": {"leg_ease": 40.0, "flare": 8.0},
+    "flared": {"leg_ease": 8.0, "flare": 26.0},
+    "straight": {"leg_ease": 21.0, "flare": -3.5},
+    "tapered": {"hip_ease": 9.0, "leg_ease": 12.0, "flare": -7.0},
+    "slim": {"leg_ease": 6.0, "flare": -4.0},
+}
+_JOGGERS = "joggers"
+_OF_JOGGERS = ("wide", "straight", "slim")
+"""Legs that joggers have as well; they are tapered as they are, and nothing flares into a cuff."""
+_GATHERED, _BANDED = Claim("leg_cuffs", "gathered"), Claim("leg_cuffs", "band")
+_FULL = frozenset({Claim("legs", "tapered"), Claim("legs", "wide"), Claim("hips", "loose")})
+"""Legs of which there is something to gather into a band; turn-ups are called cuffs as well."""
+_NOT_CUFFED = frozenset({Claim("leg_cuffs", "none"), Claim("leg_cuffs", "flounce"), Claim("legs", "flared")})
+_SHORTEST_JOGGERS, _LONGEST_JOGGERS = 44.0, 98.0
+_SLIM, _CLOSEST = Claim("legs", "slim"), 100.0
+_BELOW_WAIST: Mapping[Claim, float] = {Claim("rise", "mid"): 5.0, Claim("rise", "low"): 14.0}
+"""How far below the waist trousers begin, cm."""
+_WIDE, _WIDE_CM = Claim("legs", "wide"), 30.0
+_LOOSE, _LOOSE_CM = Claim("hips", "loose"), 12.0
+
+
+def legs_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | None:
+    """A draft with the legs that are asked for; None where it has none of them.
+
+    Args:
+        draft: As a table names it.
+        claims: What is asked for, all of it.
+    """
+    if draft.name in _WITHOUT_LEGS and any(_has_legs(claim) for claim in claims):
+        return None
+    draft = _with_legs(_with_leg_cuffs(draft, claims), claims)
+    return None if draft.name == _JOGGERS and _NOT_CUFFED.intersection(claims) else draft
+
+
+def _with_leg_cuffs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """Full trousers that end in cuffs are joggers, as long and as wide."""
+    options = dict(draft.options)
+    length = float(options.get("length", _LONGEST_JOGGERS))
+    cuffed = _GATHERED in claims or (_BANDED in claims and bool(_FULL.intersection(claims)))
+    if draft.name not in ("trousers", "pull-on-trousers") or not cuffed or length < _SHORTEST_JOGGERS:
+        return draft
+    kept = {name: options[name] for name in ("hip_ease", "leg_ease") if name in options}
+    return NamedDraft(_JOGGERS, tuple({"length": min(length, _LONGEST_JOGGERS), **kept}.items()))
+
+
+def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """Legs with room, and of jumpsuits the legs that are asked for: trousers have drafts for each shape."""
+    if DRAFT_KINDS[draft.name] not in ("jumpsuit", "trousers") or draft.name in _WITHOUT_LEGS:
+        return draft
+    options = dict(draft.options)
+    known = _OF_JOGGERS if draft.name == _JOGGERS else tuple(_LEGS)
+    if DRAFT_KINDS[draft.name] == "jumpsuit" or draft.name == _JOGGERS:
+        for claim in claims:
+            asked = _LEGS[str(claim.value)] if claim.name == "legs" and claim.value in known else {}
+            closer = float(options.get("leg_ease", _CLOSEST)) < _LEGS["slim"]["leg_ease"]
+            options |= {} if claim == _SLIM and closer else asked
+    if draft.name == "trousers" and _WIDE in claims and options.get("leg_ease", _CLOSEST) < _WIDE_CM:
+        options |= _LEGS["wide"]
+    if DRAFT_KINDS[draft.name] == "trousers":
+        for claim in claims:
+            options |= {"below_waist": _BELOW_WAIST[claim]} if claim in _BELOW_WAIST else {}
+    if _LOOSE in claims:
+        options["hip_ease"] = max(_LOOSE_CM, float(options.get("hip_ease", 0.0)))
+    return replace(draft, options=tuple(options.items()))
+
+
+def _has_legs(claim: Claim) -> bool:
+    if claim.name == "leg_hem":
+        return claim.value != "very short"
+    return claim.name in ("legs", "leg_cuffs", "inseam_cm", "leg_width_cm") and claim.value not in (
+        "slim",
+        "none",
+    )
