@@ -41,6 +41,12 @@ class NothingSeenError(SwiftTailorError):
     exit_code = 1
 
 
+class NothingAskedError(SwiftTailorError):
+    """A text asks for no garment that could be made."""
+
+    exit_code = 1
+
+
 class PatternError(SwiftTailorError):
     """A sewing pattern breaks the rules of the format or cannot be sewn."""
 

@@ -9,7 +9,7 @@ from scripted_maker import scripted_maker
 
 from swifttailor.describing.differences import Step
 from swifttailor.describing.measuring import measure_facts
-from swifttailor.errors import InputError
+from swifttailor.errors import InputError, NothingAskedError
 from swifttailor.garment.cloth_color import PALETTE, cloth_color
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.triangle_mesh import mesh_of_garment
@@ -141,10 +141,31 @@ def test_a_text_without_words_is_refused(tailor):
 
 
 def test_a_description_of_which_nothing_is_understood_is_to_be_looked_at(tailor):
-    made = tailor.generate("asdf qwer", attempts=1)
+    made = tailor.generate("asdf qwer", attempts=1, source="writer")
     assert made.needs_a_look and 'Not understood: "asdf", "qwer".' in made.notes
     assert any("this one is a guess" in note for note in made.notes)
     assert not tailor.generate("a T-shirt", attempts=1).needs_a_look
+
+
+@pytest.mark.parametrize(
+    "text", ["asdf qwer", "黒いロングスカート", "???", "sofa cover", "lorem ipsum dolor sit amet"]
+)
+def test_of_what_nobody_understands_nothing_is_made(tailor, text):
+    with pytest.raises(NothingAskedError, match="no word of it is known") as refused:
+        tailor.generate(text)
+    assert text in str(refused.value) and refused.value.exit_code == 1
+    assert tailor.pattern_maker.model.runtime.asked == [], "nobody was asked to write one"
+
+
+@pytest.mark.parametrize("text", ["hat", "a paisley scarf", "shoes for running", "blue curtains"])
+def test_what_is_no_garment_is_not_made(tailor, text):
+    with pytest.raises(NothingAskedError, match="What can be made are tops, dresses"):
+        tailor.generate(text)
+
+
+@pytest.mark.parametrize("text", ["something to go with my hat", "a red one", "a dress and a scarf"])
+def test_what_may_be_a_garment_is_made(tailor, text):
+    assert tailor.generate(text, attempts=1).pattern.panels
 
 
 def test_a_print_alone_changes_the_print_alone_and_is_kept(tailor, tmp_path):

@@ -159,7 +159,7 @@ def test_text_is_escaped_wherever_markup_is_written(sewer, tmp_path):
 
 @pytest.mark.parametrize("text", ["flared " * 15_000, "长裙" * 20_000, "a\0b" * 30_000, "🎉" * 25_000])
 def test_100_kb_of_text_are_read_to_a_limit_and_that_is_said(text, sewer):
-    made = Tailor.load(scripted_maker([SKIRT]), sewer).generate(text)
+    made = Tailor.load(scripted_maker([SKIRT]), sewer).generate(text, source="writer")
     assert any("192 tokens" in w for w in made.warnings)
     assert made.needs_a_look
     assert made.report["order"]["text"] == text and len(made.pattern.name) <= 60
@@ -175,7 +175,7 @@ def test_nothing_to_go_by_is_refused(text, sewer):
 
 
 def test_other_scripts_are_answered_with_a_warning(sewer):
-    made = Tailor.load(scripted_maker([SKIRT]), sewer).generate("一条长裙")
+    made = Tailor.load(scripted_maker([SKIRT]), sewer).generate("一条长裙", source="writer")
     assert "script that the network has never seen" in made.warnings[0]
     assert made.report["warnings"] == list(made.warnings)
 
@@ -365,7 +365,9 @@ def test_what_cannot_be_cut_is_told(sewer):
     assert {w["wish"]: w["holds"] for w in made.report["wishes"]}[
         "how the upper part is shaped: darted"
     ] is False
-    unread = Tailor.load(scripted_maker([SHIRT]), sewer).generate("asdf qwer zxcv", attempts=1)
+    unread = Tailor.load(scripted_maker([SHIRT]), sewer).generate(
+        "asdf qwer zxcv", attempts=1, source="writer"
+    )
     assert unread.notes[0] == NOTHING_UNDERSTOOD and unread.report["wishes"] == []
     left = Tailor.load(scripted_maker([DRESS]), sewer).generate("a midi dress", attempts=1, alter=False)
     assert like(left.pattern, DRESS) and left.report["wishes"] == []

@@ -14,7 +14,7 @@ from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.describing.facts import GarmentFacts
 from swifttailor.describing.measuring import measure_facts
-from swifttailor.errors import InputError, NothingSeenError, SwiftTailorError
+from swifttailor.errors import InputError, NothingAskedError, NothingSeenError, SwiftTailorError
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern import Finding, Pattern, check_pattern
@@ -36,6 +36,7 @@ from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.hearing_changes import hear_instruction
 from swifttailor.wishes.loose_wholes import of_loose_wholes
+from swifttailor.wishes.no_garment import asks_for_none
 from swifttailor.wishes.own_words import in_own_words
 from swifttailor.wishes.reader import SURE, Wish, WishReader
 from swifttailor.wishes.unsaid_looks import unexpected_looks
@@ -259,6 +260,7 @@ def read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | No
     Raises:
         InputError: A picture cannot be read, or there is nothing to read it with.
         NothingSeenError: There is no garment in a picture, and no text.
+        NothingAskedError: A text asks for none.
     """
     if reader is None or eyes is None or not order.images:
         if order.part is not None or any(isinstance(one, SeenPicture) for one in order.images):
@@ -269,6 +271,9 @@ def read_order(order: Order, reader: WishReader | None, eyes: ReadsPictures | No
         if reader is None:
             return Wanted(order, order.text, image, notes=notes)
         heard = _heard(order, reader)
+        described = bool(one_line(order.text)) and order.edit is None and order.source != "writer"
+        if described and not order.images and (why := asks_for_none(heard, one_line(order.text))):
+            raise NothingAskedError(why)
         return Wanted(order, heard.text, image, heard.sure, heard.likely, notes, heard=heard)
     heard = _heard(order, reader)
     text, sure, likely = heard.text, heard.sure, heard.likely

@@ -12,6 +12,7 @@ _KINDS: tuple[tuple[type[Exception], str, str], ...] = (
         "nothing-seen",
         "Take another picture, crop it to one person, or describe the garment.",
     ),
+    (errors.NothingAskedError, "nothing-asked", "Name a garment, and what it is like."),
     (errors.DiskFullError, "disk-full", "Make room on the disk; what was saved before is whole."),
     (errors.TimeLimitError, "too-long", "Try a simpler pattern, or a longer edge length."),
     (errors.PatternError, "pattern-unusable", "Look at the findings; what can be mended has a button there."),

@@ -1,0 +1,54 @@
+"""Texts that ask for no garment: of which no word is known, or that name only what is not made."""
+
+from __future__ import annotations
+
+from swifttailor.wishes.heard import Heard
+from swifttailor.wording.lexicon import WordMark
+from swifttailor.wording.lexicon.inflection import NAMES
+
+_NOT_MADE = "accessories"
+_GO_WITH = frozenset("something anything outfit look wear wearing with match matching goes go".split())
+"""Words of who has such a thing already, and wants a garment beside it."""
+_TELL_NO_GARMENT = frozenset({"function", "colors", "prints", "fabrics", "sizes", "occasions", "polite"})
+_NO_GARMENT = (
+    'No garment is asked for in "{text}". What can be made are tops, dresses, skirts, trousers and garments '
+    "in one piece: name one{near}."
+)
+_NOTHING_KNOWN = (
+    'No garment is described in "{text}": no word of it is known. Name one in {languages}{near}; or let the '
+    "network guess, with --source writer."
+)
+_LIKE = ', for example "a knee-length dress with short sleeves"'
+_SHOWN = 80
+"""Characters of a text that are quoted."""
+
+
+def asks_for_none(heard: Heard, text: str) -> str:
+    """Why nothing is made of a description; empty where something is.
+
+    Args:
+        heard: What was understood of it.
+        text: As it was given.
+    """
+    words = heard.words
+    if words is None:
+        return ""
+    quoted = text if len(text) <= _SHOWN else f"{text[: _SHOWN - 4]} ..."
+    told = bool(words.colors or words.cloths or heard.print or heard.cannot)
+    known = [mark for mark in words.marks if _category(mark) not in (None, "function")]
+    guessed = bool(heard.sure or heard.likely) and not heard.unread
+    if not (told or known or guessed):
+        near = f". Names that are spelt alike: {', '.join(heard.near)}" if heard.near else _LIKE
+        *first, last = NAMES.values()
+        languages = f"{', '.join(first)} or {last}"
+        return _NOTHING_KNOWN.format(text=quoted, languages=languages, near=near)
+    named = [mark for mark in known if _category(mark) == _NOT_MADE]
+    others = [mark for mark in words.marks if mark not in named and _category(mark) not in _TELL_NO_GARMENT]
+    # A garment that an occasion stands for is written before the text, and is none of its words.
+    others = [mark for mark in others if mark.word.lower() in text.lower()]
+    beside = any(mark.word.lower() in _GO_WITH for mark in words.marks)
+    return _NO_GARMENT.format(text=quoted, near=_LIKE) if named and not others and not beside else ""
+
+
+def _category(mark: WordMark) -> str | None:
+    return mark.entries[0].category if mark.entries else None
