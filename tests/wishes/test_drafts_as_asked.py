@@ -55,6 +55,22 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
             [Claim("skirt", "circle"), Claim("skirt_hem", "midi")],
             "off-shoulder-dress(length=44;waist_seam=true;skirt_fraction=0.9)",
         ),
+        ("sweatshirt(arm_ease=16)", [Claim("hood", "hood")], "hoodie(arm_ease=16)"),
+        (
+            "blazer(length=20)",
+            [Claim("collar", "none")],
+            "cardigan(length=16;chest_ease=11;neck_depth=16;opening=-5;sleeve_end=27;closed_to=8)",
+        ),
+        (
+            "skater-dress",
+            [Claim("neckline", "round"), Claim("neck_depth", "high")],
+            "skater-dress(back_neck_depth=2.5;neck_widening=0.5;neck_depth=8.5)",
+        ),
+        (
+            "skater-dress",
+            [Claim("neckline", "round"), Claim("neck_depth", "high"), Claim("back_depth", "open")],
+            "skater-dress(neck_widening=0.5;neck_depth=8.5)",
+        ),
         ("strappy-dress(strap_width=3)", [THIN], "strappy-dress(strap_width=1.2)"),
         ("t-shirt", [Claim("fit", "close"), Claim("bodice", "darted")], "fitted-top"),
         ("trousers(leg_ease=21)", [Claim("legs", "wide")], "trousers(leg_ease=40;flare=8)"),

@@ -508,3 +508,13 @@ def test_what_is_refused_sets_the_draft():
 def test_a_blouse_without_its_collar_begins_from_a_plain_top():
     (draft,) = hear_description("a blouse without a collar", Saying()).drafts
     assert draft.name == "t-shirt"
+
+
+def test_long_texts_begin_from_a_draft_that_has_all_they_ask_for():
+    text = (
+        "a dress, close in the bodice, long sleeves, a high round neck without a collar, a gathered skirt "
+        "from the natural waist, to the ankles"
+    )
+    heard = hear_description(text, Saying())
+    assert len(heard.sure) > 7 and heard.drafts[0].name == "skater-dress"
+    assert not hear_description(text + ", three tiers and godets", Saying()).drafts, "no draft has these"

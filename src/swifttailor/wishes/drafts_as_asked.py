@@ -111,8 +111,9 @@ def draft_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft | N
         draft: As a table names it.
         claims: What is asked for, all of it.
     """
-    draft = _darted(_cropped(draft, claims), claims)
+    draft = _as_another(_darted(_cropped(draft, claims), claims), claims)
     draft = _with_v_neck(_with_hood(_worn_over(draft, claims), claims), claims)
+    draft = _with_close_neck(draft, claims)
     if draft.name in _SLIT_AT_THE_SIDES and all(slit in claims for slit in _SLITS):
         slit = _HIGH_SLIT_CM if _HIGH_SLIT in claims else _SLIT_CM
         draft = replace(draft, options=(*draft.options, (SIDE_SLITS, slit)))
@@ -191,6 +192,19 @@ def _darted(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     return NamedDraft("fitted-top", ())
 
 
+def _as_another(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """Sweatshirts with a hood are hoodies, blazers without a collar are cut like cardigans."""
+    if draft.name == _SWEATSHIRT and Claim("hood", "hood") in claims:
+        return NamedDraft("hoodie", tuple([o for o in draft.options if o[0] in _OF_BANDED]))
+    if draft.name == "blazer" and Claim("collar", "none") in claims:
+        return _COLLARLESS
+    return draft
+
+
+_OF_BANDED = ("length", "chest_ease", "shoulder_extension", "sleeve_length", "arm_ease", "sleeve_end")
+_COLLARLESS = NamedDraft.parse(
+    "cardigan(length=16;chest_ease=11;neck_depth=16;opening=-5;sleeve_end=27;closed_to=8)"
+)
 _FITTED = frozenset({Claim("fit", "close"), Claim("bodice", "darted")})
 _MAY_STAND = ("drop-waist-dress", "jumpsuit", "shift-dress", "swing-dress", "fitted-dress")
 _ROLL_CM, _FUNNEL_CM = 9.0, 7.0
@@ -267,6 +281,24 @@ def _with_v_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return draft
     options = {"neckline": "v", "neck_widening": _V_WIDENING_CM, "neck_depth": _V_DEPTH_CM}
     return replace(draft, options=tuple({**dict(draft.options), **options}.items()))
+
+
+def _with_close_neck(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A round neckline close to the neck, where a high one is asked for that is no collar."""
+    high = Claim("neck_depth", "high") in claims or Claim("neckline", "crew") in claims
+    rounded = any(claim in claims for claim in (Claim("neckline", "round"), Claim("neckline", "crew")))
+    worn = any(claim.name in ("collar", "hood") and claim.value != "none" for claim in claims)
+    if draft.name not in _V_NECKED or not (high and rounded) or worn or draft.stands:
+        return draft
+    options = dict(draft.options)
+    close = _CLOSE_NECK if draft.name != _SWEATSHIRT else _CLOSE_SWEATSHIRT
+    if Claim("back_depth", "open") not in claims and Claim("back_depth", "low") not in claims:
+        options |= {} if draft.name in (_SWEATSHIRT, "empire-dress") else {"back_neck_depth": 2.5}
+    return replace(draft, options=tuple({**options, **close}.items()))
+
+
+_CLOSE_NECK = {"neck_widening": 0.5, "neck_depth": 8.5}
+_CLOSE_SWEATSHIRT = {"neck_widening": 1.0, "neck_depth": 8.5}
 
 
 def _without_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:

@@ -89,6 +89,12 @@ def draft_of_name(entry: Entry, kind: str, asked: Sequence[Claim]) -> NamedDraft
     return _as_asked(kind, (*asked, *meant))
 
 
+def covers(kind: str | None, asked: Sequence[Claim]) -> bool:
+    """Whether drafts of a kind have all that is asked for, or it can be cut into them."""
+    covered = _COVERED.get(kind or "", {})
+    return all(_has(covered, claim) for claim in asked if claim.name != "kind")
+
+
 def draft_of_kind(kind: str | None, asked: Sequence[Claim]) -> NamedDraft | None:
     """A draft that has all that is asked for of a garment that no word names; None where no draft has.
 
@@ -96,11 +102,8 @@ def draft_of_kind(kind: str | None, asked: Sequence[Claim]) -> NamedDraft | None
         kind: Of the garment, as what is asked for tells.
         asked: All of it: long bell sleeves, a boat neck, a skirt that touches the floor.
     """
-    covered = _COVERED.get(kind or "")
-    told = [claim for claim in asked if claim.name != "kind"]
-    if kind is None or covered is None or not told or not all(_has(covered, claim) for claim in told):
-        return None
-    return _as_asked(kind, asked)
+    told = any(claim.name != "kind" for claim in asked)
+    return _as_asked(kind, asked) if kind is not None and told and covers(kind, asked) else None
 
 
 def _as_asked(kind: str, claims: Sequence[Claim]) -> NamedDraft | None:

@@ -10,7 +10,7 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
-from swifttailor.wishes.drafts_of_names import draft_of_kind, draft_of_name
+from swifttailor.wishes.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.lexicon_spelling import near_names
 from swifttailor.wishes.reader import Wish
@@ -112,7 +112,9 @@ class Heard:
         kind = _CUT_AS.get(self.kind or "", self.kind)
         order = _names_first if self.kind in ("shorts", "playsuit") else _says_less
         entries = sorted(self._meant, key=order)
-        entries = [e for e in entries if self._told_beside(e) <= _most_told(e)]  # known patterns have more
+        claims = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
+        if len(claims) < len(self.sure) or not covers(self.kind, claims):  # known patterns have more
+            entries = [e for e in entries if self._told_beside(e) <= _most_told(e)]
         beside = self._worn_beside
         entries = [e for e in entries if e not in beside]
         named = [draft for entry in entries for draft in entry.drafts]

@@ -172,6 +172,10 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
     )
 
 
+_HELD_BY = ("waistband", "rise")
+"""What holds a skirt that is a garment of its own, and not that of a dress."""
+
+
 def _implied(word: Meaning, mark: WordMark) -> list[Implication]:
     """What a word that is not denied implies."""
     if word.role in ("second", "theirs", "astray"):
@@ -181,6 +185,8 @@ def _implied(word: Meaning, mark: WordMark) -> list[Implication]:
     for entry in word.entries:
         for each in entry.implied:
             if word.role in ("like", "part") and each.claim.name == "kind":
+                continue
+            if word.role == "part" and each.claim.name in _HELD_BY and each.certainty != "certain":
                 continue
             certainty = each.certainty
             if word.role == "like" or word.guessed:
