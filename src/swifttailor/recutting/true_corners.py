@@ -22,17 +22,18 @@ _LEAST_SLANT = 0.05
 
 
 def true_corners(cutter: Cutter, dip: float) -> Pattern | None:
-    """Shortens the side seams of a flared hem, and draws it to them in curves.
+    """Shortens the side seams of a flared hem, or lengthens them, and draws it to them in curves.
 
     Args:
         cutter: The pattern.
-        dip: How much lower the corners hang than the middles between them, cm.
+        dip: How much lower the corners hang than the middles between them, cm; negative where they are
+            higher, as in the hems of gores that are cut in bows.
 
     Returns:
         The pattern; None where a panel has more than one edge of the hem, or the sides do not allow it.
     """
     hem = cuts.free_hem(cutter)
-    if not hem or dip <= 0.0 or len({ref.panel for ref in hem}) != len(hem):
+    if not hem or dip == 0.0 or len({ref.panel for ref in hem}) != len(hem):
         return None
     shorter = move_ends(cutter.pattern, hem, -dip)
     if shorter is None:
@@ -64,7 +65,10 @@ def _reach(side: Floats, toward: Floats, dip: float) -> Floats:
     long = float(np.linalg.norm(toward))
     square = np.array([-side[1], side[0]]) / np.linalg.norm(side)
     square = square if square @ toward > 0 else -square
-    slant = float(np.arccos(np.clip(square @ toward / long, -1.0, 1.0)))
+    along = float(square @ toward) / long
+    slant = float(np.arccos(np.clip(along, -1.0, 1.0)))
     if slant < _LEAST_SLANT:
         return toward / 3
+    if dip < 0.0:
+        return square * min(1.0 / 3, _REACH / 2) * long / along  # a bow around the waist
     return square * min(dip / _DEEPEST / np.sin(slant), _REACH * long / 2 / np.cos(slant))

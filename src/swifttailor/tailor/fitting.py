@@ -107,7 +107,7 @@ def fit(written: WrittenPattern, wanted: Wanted, *, drafted: bool = False) -> An
         pattern = made_of_one_side(pattern, written.unsewn > 0)
     findings = written.findings if pattern is written.pattern else None
     if unsaid and leaves_hem_unsaid((*changes, *maybe)):
-        pattern, level = level_hem(pattern)  # what is lengthened next stays level
+        pattern, level = level_hem(pattern, below_waist=True)  # what is lengthened next stays level
     alters = bool(changes) or wanted.unsaid or wanted.part is not None
     taken, of_edit = _best_alteration(pattern, level, wanted, unsaid=unsaid) if alters else (None, False)
     if edit is not None and changes and not of_edit and (taken is None or set(taken.open) == set(changes)):
@@ -161,7 +161,8 @@ def _best_alteration(
             written = replace(written, cuts=(*filter(None, [level]), *written.cuts))
             described = wanted.unsaid
             written = _finished(written, changes, wanted.maybe, unsaid=unsaid, described=described)
-            written = _levelled(written, (*changes, *wanted.maybe), pattern, unsaid=unsaid)
+            said = (*changes, *wanted.maybe)
+            written = _levelled(written, said, pattern, unsaid=unsaid, described=described)
     # Of two that do as much, the one that leaves the rest as it was; but for another kind of garment.
     if recut is not None and (written is None or len(recut.open) + remade <= len(written.open)):
         return recut, True
@@ -180,7 +181,7 @@ def _finished(
     said = (*changes, *maybe)
     maybe = tuple(wish for wish in maybe if not is_of_one_side(wish))  # easily mistaken for each other
     level = unsaid and leaves_hem_unsaid(said)
-    pattern, level = level_hem(before.pattern) if level else (before.pattern, "")
+    pattern, level = level_hem(before.pattern, below_waist=True) if level else (before.pattern, "")
     more = (*maybe, *(unsaid_wishes(said, before.facts) if unsaid else ()))
     if unsaid:
         more = (*more, *well_within((*said, *more), before.facts), *within_usual(said, before.facts))
@@ -232,13 +233,15 @@ def _costs_nothing(after: Alteration | None, before: Alteration, changes: tuple[
     return not _is_senseless(after.facts) or _is_senseless(before.facts)
 
 
-def _levelled(taken: Alteration, said: Sequence[Change], before: Pattern, *, unsaid: bool) -> Alteration:
+def _levelled(
+    taken: Alteration, said: Sequence[Change], before: Pattern, *, unsaid: bool, described: bool
+) -> Alteration:
     """Makes a hem level that cutting has made uneven, or that is, where that costs nothing asked for."""
     if not (taken.cuts or unsaid) or not leaves_hem_unsaid(said):
         return taken
-    if not unsaid and level_hem(before)[1]:
+    if not unsaid and level_hem(before, below_waist=described)[1]:
         return taken  # a draft whose hem is meant to be as it is
-    pattern, level = level_hem(taken.pattern)
+    pattern, level = level_hem(taken.pattern, below_waist=described)
     facts = facts_of(pattern) if level else None
     kept = [wish for wish in said if isinstance(wish, Gain) and wish.holds(taken.facts, taken.facts)]
     if facts is None or not all(wish.holds(facts, facts) for wish in kept):
