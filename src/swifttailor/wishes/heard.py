@@ -9,6 +9,7 @@ from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
+from swifttailor.wishes.asked_hems import hem_as_asked
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
@@ -132,8 +133,9 @@ class Heard:
             fitting = [draft_of_name(entry, self.kind or "", sure) for entry in kinds]
             if not any(self.kind in entry.kinds for entry in self._meant):
                 fitting = [draft_of_kind(self.kind, sure)]
-        found = dict.fromkeys([draft for draft in fitting if draft is not None])
         wanted = {lack.what for lack in self.lacks if lack.said}
+        hemmed = [hem_as_asked(d, sure, wanted, self._denied) for d in fitting if d is not None]
+        found = dict.fromkeys(hemmed)
         return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
 
     def made_as(self, draft: NamedDraft) -> Heard:
@@ -168,6 +170,12 @@ class Heard:
         known = [e.color for e in self._meant if e.color is not None]
         alike = [one for one in known for other in denied if _alike(one, other)]
         return frozenset([*denied, *alike])
+
+    @property
+    def _denied(self) -> frozenset[str]:
+        """What cannot be made of panels alone, and is refused."""
+        marks = () if self.words is None else self.words.marks
+        return frozenset([key for mark in marks if mark.denied for e in mark.entries for key in e.cannot])
 
     @property
     def _tells_no_garment(self) -> bool:

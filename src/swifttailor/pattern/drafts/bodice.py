@@ -36,6 +36,8 @@ _STEEPEST = 0.8
 """An overlap at the hem over the length of what is open, at most."""
 OVERLAP_Z = 6.0
 """So far behind the upper front the lower one stands before draping, cm."""
+_LEVEL_TO, _LEVEL_FROM = 0.55, 0.72
+"""As parts of the way to the side, controls of a hem that is level in the middle and again at the side."""
 SHORTEST_SLIT, _OPEN_SHARE = 1.0, 0.8
 """What would be open for less is closed, cm; the share of the centre that may be open."""
 
@@ -70,6 +72,8 @@ class LooseBodice:
     """How far below the waist a front that opens is sewn together, cm; instead of `front_slit`."""
     side_slits: float = 0.0
     """Length of the lower end of straight side seams that is left open, cm."""
+    side_rise: float = 0.0
+    """How far the hem rises to the side seams in curves, as a shirt's, cm; with no points in front."""
 
 
 def armhole(outline: Outline, tip: Point, slope: float, scoop: float) -> None:
@@ -119,10 +123,15 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
         drop = LOOSE_HEM_BALANCE * figure.front_fullness if front else 0.0
-        outline = Outline(max(shape.front_opening, 0.0) if front else 0.0, hem_y - drop)
+        start = max(shape.front_opening, 0.0) if front else 0.0
+        outline = Outline(start, hem_y - drop)
         if front and shape.front_point:
             outline.line("hem", POINT_X, hem_y - drop - shape.front_point)
             outline.line("hem", half + widening, hem_y + rise)
+        elif shape.side_rise > 0.0:
+            side = half + widening, min(hem_y + rise + shape.side_rise, under_y - SIDE_MINIMUM)
+            across = (start + _LEVEL_TO * (side[0] - start), hem_y - drop)
+            outline.cubic("hem", across, (start + _LEVEL_FROM * (side[0] - start), side[1]), side)
         elif rise + drop > 0.01:
             middle = ((half + widening) * 0.6, hem_y - drop)
             outline.quadratic("hem", middle, (half + widening, hem_y + rise))

@@ -91,6 +91,10 @@ ClosedTo = Annotated[
         40.0,
     ),
 ]
+HemRise = Annotated[
+    float,
+    Option("How far the hem rises in curves to the side seams, as a shirt's; 0 is straight.", "cm", 0.0, 9.0),
+]
 HemOpening = Annotated[
     float,
     Option("Length of the front that is open from the hem up, as below the last button.", "cm", 0.0, 30.0),

@@ -113,7 +113,8 @@ class NamedDraft:
         if collar is not None:
             shown = (*[key for key in shown if key not in _COLLAR_KEYS], *collar)
         stretches = bool(dict(self.options).get("stretch", self.name in STRETCHING))
-        return (*shown, *(["open_front"] if opens else ()), *(["stretch"] if stretches else ()))
+        curves = [CURVED_HEM] if dict(self.options).get(HEM_RISE, 0.0) else []
+        return (*shown, *(["open_front"] if opens else ()), *(["stretch"] if stretches else ()), *curves)
 
     @property
     def stands(self) -> bool:
@@ -145,7 +146,8 @@ class NamedDraft:
         if self.name in ("off-shoulder-top", "off-shoulder-dress"):
             return _OF_BARE_ARMS
         roomy = dict(self.options).get("hip_ease", 0.0)
-        return _OF_ROOM if isinstance(roomy, float) and roomy >= ROOMY_CM else ()
+        room = _OF_ROOM if isinstance(roomy, float) and roomy >= ROOMY_CM else ()
+        return (*room, *(_OF_CURVES if dict(self.options).get(HEM_RISE, 0.0) else ()))
 
 
 APRON_HEMS: Mapping[str, float] = {
@@ -162,6 +164,8 @@ ROLLED = ("collar", "rolled")
 """The option of one that is turned down over itself."""
 STRAP_WIDTH = "strap_width"
 """The option of the straps of bibs."""
+HEM_RISE, CURVED_HEM = "hem_rise", "curved_hem"
+"""The option of hems that are curved like a shirt's, and what they are in the lexicon's ``cannot.txt``."""
 SIDE_SLITS = "side_slits"
 """The option of slits in garments that have no skirt of their own to be measured."""
 ROOMY_CM = 7.0
@@ -177,6 +181,8 @@ HIGH_CM = 26.0
 """Slits of straight tops and dresses that are called high are as long as that."""
 _OF_BARE_ARMS = (("sleeves", "none"),)
 """What bare shoulders go with mostly; sleeves below them hold up the edge of the bodice."""
+_OF_CURVES = (("hem_shape", "high-low"), ("hem_shape", "pointed"))
+"""What guesses make of words for a curved hem."""
 _OF_ROOM = (("hips", "loose"),)
 """Claims, by name and value, that such options make true to the eye."""
 

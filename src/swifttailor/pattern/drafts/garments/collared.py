@@ -69,6 +69,7 @@ class ShirtOptions(PoloShirtOptions):
     cuff_ease: declared.CuffWidth = 5.0
     sleeve_shape: SleeveShapeOption = "plain"
     hem_opening: declared.HemOpening = 4.0
+    hem_rise: declared.HemRise = 0.0
 
 
 def draft_shirt(options: ShirtOptions, measurements: Measurements) -> Pattern:
@@ -97,6 +98,7 @@ def _lay_left(
         shoulder_extension=0.0 if sleeve is not None else -_INSET_CM,
         front_slit=opening,
         front_opening=_HEM_OPENING_CM if opening else 0.0,
+        side_rise=options.hem_rise if isinstance(options, ShirtOptions) else 0.0,
     )
     lay_loose_bodice(table, figure, bodice)
     if sleeve is not None:

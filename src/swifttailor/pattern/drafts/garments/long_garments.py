@@ -238,6 +238,7 @@ class ShiftDressOptions:
     sleeve_end: declared.SleeveEnd = 33.0
     sleeve_shape: SleeveShapeOption = "plain"
     side_slits: declared.SideSlits = 0.0
+    hem_rise: declared.HemRise = 0.0
     collar: CollarOption = "none"
     collar_width: declared.CollarWidth = 5.5
     collar_height: CollarHeight = 4.0
@@ -263,6 +264,7 @@ def _from_the_shoulders(
         flare=options.flare,
         shoulder_extension=0.0 if options.sleeves else -1.5,
         side_slits=options.side_slits if isinstance(options, ShiftDressOptions) else 0.0,
+        side_rise=options.hem_rise if isinstance(options, ShiftDressOptions) else 0.0,
     )
     lay_loose_bodice(table, figure, bodice)
     if options.sleeves:

@@ -43,6 +43,7 @@ class TShirtOptions:
     cap_ease: declared.CapEase = 1.0
     sleeve_shape: SleeveShapeOption = "plain"
     side_slits: declared.SideSlits = 0.0
+    hem_rise: declared.HemRise = 0.0
     waist_shaping: declared.WaistShaping = 0.0
     stretch: declared.ClothStretch = 0.0
 
@@ -59,6 +60,7 @@ def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern
         options.armhole_drop,
         flare=options.flare,
         side_slits=options.side_slits,
+        side_rise=options.hem_rise,
         waist_shaping=options.waist_shaping,
     )
     lay_loose_bodice(table, figure, bodice)
@@ -82,6 +84,7 @@ class TankTopOptions:
     back_neck_depth: declared.BackNeckDepth = 7.0
     strap_width: Annotated[float, Option("Width of the straps on the shoulder.", "cm", 3.0, 9.0)] = 4.0
     armhole_drop: declared.ArmholeDrop = 2.0
+    hem_rise: declared.HemRise = 0.0
     waist_shaping: declared.WaistShaping = 0.0
     stretch: declared.ClothStretch = 0.0
 
@@ -100,6 +103,7 @@ def draft_tank_top(options: TankTopOptions, measurements: Measurements) -> Patte
         flare=options.flare,
         hip_ease=6.0,
         shoulder_extension=min(strap_end - figure.shoulder_x, 0.0),
+        side_rise=options.hem_rise,
         waist_shaping=options.waist_shaping,
     )
     lay_loose_bodice(table, figure, bodice)
