@@ -140,6 +140,7 @@ def test_small_files_hold_them_too(worn):
 def test_the_mesh_of_a_garment_with_other_trims_is_not_its_own():
     assert same_pattern(shirt("zip"), replace(shirt("zip"), name="another"))
     assert not same_pattern(shirt("zip"), shirt())
+    assert not same_pattern(shirt("buttons"), replace(shirt("buttons"), button_count=4))
 
 
 def test_marks_lie_on_their_panels():

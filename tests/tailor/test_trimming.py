@@ -191,6 +191,40 @@ def test_reports_and_notes_say_it(tailor):
     assert edited.report["trims"] == ["button placket"]
 
 
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("tailored waistcoat with four buttons", 4),
+        ("waistcoat", 5),
+        ("navy blazer, single button", 1),
+        ("a blazer", 2),
+        ("a double-breasted coat with six buttons", 6),
+        ("a shirt with nine buttons", 9),
+        ("a shirt", 0),
+        ("jeans", 0),
+    ],
+)
+def test_the_number_of_buttons_is_obeyed_or_usual(answers, text, count):
+    assert answers(text).pattern.button_count == count
+
+
+def test_an_instruction_changes_the_number_of_buttons_alone(tailor, answers):
+    base = answers("waistcoat").pattern
+    (answer,) = tailor.write([Order("make it four buttons", edit=base)])
+    assert answer.pattern.button_count == 4 and answer.pattern.trims == base.trims
+    assert panels(answer.pattern) == panels(base) and answer.put_on == ("buttons",)
+    (longer,) = tailor.write([Order("make it longer", edit=answer.pattern)])
+    assert longer.pattern.button_count == 4
+    (bare,) = tailor.write([Order("remove the buttons", edit=answer.pattern)])
+    assert bare.pattern.button_count == 0
+
+
+def test_notes_say_the_number_of_buttons(tailor):
+    made = tailor.generate("tailored waistcoat with four buttons")
+    assert any("4 buttons down the front" in note for note in made.notes)
+    assert made.report["button_count"] == 4
+
+
 def test_done_twice_is_done_once(answers):
     for text in ("jeans", "a shirt without buttons", "a trench coat"):
         answer = answers(text)

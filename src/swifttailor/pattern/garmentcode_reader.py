@@ -25,7 +25,7 @@ from swifttailor.pattern.finding import Finding, Severity
 from swifttailor.pattern.finding_kinds import found
 from swifttailor.pattern.panel import Edge, Panel, Placement, RotationReading
 from swifttailor.pattern.pattern import EdgeRef, Pattern, Stitch
-from swifttailor.pattern.trims.names import trims_read
+from swifttailor.pattern.trims.names import button_count_read, trims_read
 
 MAX_PANELS = 500
 MAX_EDGES_PER_PANEL = 2000
@@ -144,7 +144,15 @@ def read_specification(
     stitches = _read_stitches(body.get("stitches", []), panels, edge_ids, context)
     properties = values.as_object(top.get("properties", {}), "properties")
     named = DraftedFor.from_json(properties.get("drafted_for"))
-    pattern = Pattern(tuple(ordered), stitches, name, named, _cloth_stretch(properties), _trims(properties))
+    pattern = Pattern(
+        tuple(ordered),
+        stitches,
+        name,
+        named,
+        _cloth_stretch(properties),
+        _trims(properties),
+        button_count_read(properties["button_count"]) if "button_count" in properties else 0,
+    )
     return Reading(pattern, tuple(context.findings))
 
 

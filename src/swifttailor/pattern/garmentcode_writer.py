@@ -38,6 +38,7 @@ def to_specification(pattern: Pattern) -> dict[str, Any]:
             **({} if pattern.drafted_for is None else {"drafted_for": pattern.drafted_for.to_json()}),
             **({"cloth_stretch": pattern.cloth_stretch} if pattern.cloth_stretch else {}),
             **({"trims": list(pattern.trims)} if pattern.trims else {}),
+            **({"button_count": pattern.button_count} if pattern.button_count else {}),
         },
     }
 

@@ -51,6 +51,8 @@ class Pattern:
     """Share by which the cloth has to give all around, since it is cut smaller than the body; 0 for any."""
     trims: tuple[str, ...] = field(default=(), compare=False)
     """Pockets, buttons, belts and the like that are put on it, by the names of `trims.TRIMS`."""
+    button_count: int = field(default=0, compare=False)
+    """How many buttons close its front, 1 to 20; 0 for as many as its length needs."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "panels", tuple(self.panels))

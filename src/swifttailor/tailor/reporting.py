@@ -13,7 +13,7 @@ from swifttailor.garment.garment import Garment
 from swifttailor.garment_sewer.crumpling import CRUMPLED
 from swifttailor.pattern.check import Change as Mending
 from swifttailor.pattern.drafts.draft_names import STANDS_IN
-from swifttailor.pattern.trims.names import TRIMS
+from swifttailor.pattern.trims.names import TRIMS, trim_said
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.fabric_asked import fabric_unmet, fabric_warning
 from swifttailor.tailor.heard_notes import heard_notes, heard_report
@@ -153,6 +153,7 @@ def order_report(answer: Answer, wanted: Wanted) -> dict[str, Any]:
         "said_and_not_so": {word: wish_line(change) for word, change in answer.not_so},
         "changed_unasked": [wish_line(change) for change in answer.unasked],
         "trims": list(answer.pattern.trims),
+        **({"button_count": answer.pattern.button_count} if answer.pattern.button_count else {}),
         "alterations": {"of_the_pattern_to_edit": answer.of_edit, "cuts": list(answer.cuts)}
         | ({} if answer.seen is None else {"changes": [wish_line(change) for change in answer.seen]}),
         "confidence": answer.confidence.to_json() if answer.confidence is not None else None,
@@ -250,7 +251,8 @@ def trim_notes(answer: Answer) -> list[str]:
     """Pockets, buttons and the like that were put on or taken off, for a person."""
     found = []
     if answer.put_on:
-        said = "; ".join(TRIMS[name] for name in answer.put_on)
+        count = answer.pattern.button_count
+        said = "; ".join(trim_said(name, count) for name in answer.put_on)
         found.append(f"Put on, for the eye and the sewist, since it holds no panels together: {said}.")
     if answer.taken_off:
         found.append(f"Taken off: {'; '.join(TRIMS[name] for name in answer.taken_off)}.")

@@ -7,9 +7,10 @@ from dataclasses import replace
 
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.trims import LIKE_EACH_OTHER, trims_that_fit
-from swifttailor.pattern.trims.names import CLOSES_FRONT
+from swifttailor.pattern.trims.names import CLOSES_FRONT, COUNTED
 from swifttailor.tailor.answer import Answer
 from swifttailor.tailor.reading import facts_of
+from swifttailor.wishes.button_counts import buttons_stated, usual_buttons
 from swifttailor.wishes.changes_of_garment import named_kind
 from swifttailor.wishes.heard import Heard
 from swifttailor.wishes.ribs import RIBBED
@@ -34,14 +35,29 @@ def trimmed(answer: Answer) -> Answer:
     own = () if edit is None else edit.trims
     trims, said, heard = _put_on(answer.pattern, wanted.heard, answer.draft, kind, own)
     before = answer.pattern.trims if edit is None else own
-    if trims == answer.pattern.trims and heard is wanted.heard:
+    count = _count(trims, wanted.heard.text, answer, own)
+    counted = count != answer.pattern.button_count
+    if trims == answer.pattern.trims and heard is wanted.heard and not counted:
         return answer
     put_on = tuple([name for name in trims if name not in before])
     taken_off = tuple([name for name in before if name not in trims])
-    pattern = replace(answer.pattern, trims=trims)
+    # Of an edit a stated number of buttons that were there already is what was put on.
+    anew = tuple([name for name in trims if name in COUNTED and name in before]) if counted and edit else ()
+    put_on = (*put_on, *anew)
+    pattern = replace(answer.pattern, trims=trims, button_count=count)
     wanted = replace(wanted, heard=heard)
     meant = tuple([name for name in put_on if name not in said])
     return replace(answer, pattern=pattern, wanted=wanted, put_on=put_on, meant=meant, taken_off=taken_off)
+
+
+def _count(trims: Sequence[str], text: str, answer: Answer, own: Sequence[str]) -> int:
+    """How many buttons close the front: what the text states, what the pattern to edit has, what is usual."""
+    if not any(name in COUNTED for name in trims):
+        return 0
+    edit = None if answer.wanted is None else answer.wanted.order.edit
+    kept = edit is not None and any(name in own for name in trims if name in COUNTED)
+    usual = edit.button_count if edit is not None and kept else usual_buttons(answer.draft)
+    return buttons_stated(text) or ("buttons" in trims or kept) * usual
 
 
 def _go_together(names: Sequence[str]) -> bool:

@@ -10,6 +10,7 @@ from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
 from swifttailor.wishes.asked_hems import hem_as_asked
+from swifttailor.wishes.button_counts import closed_as_counted
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts_of_names import covers, draft_of_kind, draft_of_name
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
@@ -134,7 +135,8 @@ class Heard:
             if not any(self.kind in entry.kinds for entry in self._meant):
                 fitting = [draft_of_kind(self.kind, sure)]
         wanted = {lack.what for lack in self.lacks if lack.said}
-        hemmed = [hem_as_asked(d, sure, wanted, self._denied) for d in fitting if d is not None]
+        closed = [closed_as_counted(draft, self.text) for draft in fitting if draft is not None]
+        hemmed = [hem_as_asked(draft, sure, wanted, self._denied) for draft in closed]
         found = dict.fromkeys(hemmed)
         return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
 

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from swifttailor.pattern.pattern import EdgeRef
+from swifttailor.pattern.trims.belts import belt
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.front_view import edge_at, front_edge
-from swifttailor.pattern.trims.shapes import Look, Trim
+from swifttailor.pattern.trims.names import LIKE_EACH_OTHER
+from swifttailor.pattern.trims.shapes import Belt, Look, Trim
 
 _BUTTON, _COAT_BUTTON = 0.6, 1.0
 """Radii, cm."""
 _SPACING, _COAT_SPACING = 8.5, 11.0
 _FROM_NECK, _FROM_HEM = 1.6, 2.5
+_ROOM, _LEAST = 0.3, 0.15
+"""Radius of a button over its distance from the next, at most, and of the smallest, cm."""
 _SHORTEST = 6.0
 """A front that is joined less far has nothing that closes it, cm."""
 _LOWER = 4.0
@@ -72,7 +78,7 @@ def buttons(chalk: Chalk, name: str) -> list[Trim]:
     """One row down the middle, with a band under it or without."""
     seam = _front(chalk)
     if seam is None:
-        return _buttons_of_skirt(chalk, name)
+        return _buttons_of_skirt(chalk, name, chalk.pattern.button_count)
     right, left, low, high = seam
     coat = name == "buttons"
     spacing, radius = (_COAT_SPACING, _COAT_BUTTON) if coat else (_SPACING, _BUTTON)
@@ -80,28 +86,64 @@ def buttons(chalk: Chalk, name: str) -> list[Trim]:
     if name == "polo placket":
         low = max(low, high - _POLO * chalk.size)
     bottom, top = low + _FROM_HEM, high - _FROM_NECK
-    row = [
-        chalk.button(name, right.panel, (_middle(chalk, right.panel, -1, y), y), radius)
-        for y in np.linspace(bottom, top, max(round((top - bottom) / spacing), 1) + 1).tolist()
-    ]
+    on_skirt = _skirt_length(chalk) if name != "polo placket" else 0.0
+    heights, radius = _row(bottom, top, spacing, radius, _shared(chalk, top - bottom, on_skirt))
+    row = [chalk.button(name, right.panel, (_middle(chalk, right.panel, -1, y), y), radius) for y in heights]
     if not all(row):
         return []
     band = [] if coat else _beside(chalk, name, (right, left, low + 0.3, high - 0.3), _BAND, "cloth")
-    below = _buttons_of_skirt(chalk, name) if name != "polo placket" else []
+    beside = chalk.pattern.button_count - len(heights) if chalk.pattern.button_count else 0
+    skirted = on_skirt and (beside or not chalk.pattern.button_count)
+    below = _buttons_of_skirt(chalk, name, beside) if skirted else []
     return [*band, *(button for one in row for button in one), *below]
 
 
-def _buttons_of_skirt(chalk: Chalk, name: str) -> list[Trim]:
-    """Down the middle of a skirt in one piece: shirt dresses, skirts that are buttoned."""
+def _row(bottom: float, top: float, spacing: float, radius: float, count: int) -> tuple[list[float], float]:
+    """Heights of a row of buttons, cm, and their radius: that of such as have room beside each other.
+
+    Args:
+        bottom: Height of the lowest, cm.
+        top: Of the uppermost, cm; a single one is there.
+        spacing: About how far apart they are where their number is not stated, cm.
+        radius: Of theirs where they have room, cm.
+        count: How many; 0 for as many as the length needs.
+    """
+    many = count or max(round((top - bottom) / spacing), 1) + 1
+    if many == 1:
+        return [top], radius
+    heights = np.linspace(bottom, top, many)
+    return heights.tolist(), min(radius, max(_ROOM * abs(float(heights[1] - heights[0])), _LEAST))
+
+
+def _shared(chalk: Chalk, torso: float, skirt: float) -> int:
+    """How many of the buttons that a pattern states lie on its torso, the others on its skirt."""
+    count = chalk.pattern.button_count
+    return count and max(round(count * torso / (torso + skirt)), 1)
+
+
+def _skirt_middle(chalk: Chalk) -> tuple[float, float] | None:
+    """Where the middle of a skirt in one piece begins and ends, cm; None where it has no such front."""
     view = chalk.views.get("skirt_front")
     span = None if view is None else view.span(view.low + 1)
     if view is None or span is None or not span[0] < -2 < 2 < span[1]:
-        return []
-    middle = view.column(0.0)
+        return None
+    return view.column(0.0)
+
+
+def _skirt_length(chalk: Chalk) -> float:
+    middle = _skirt_middle(chalk)
+    return 0.0 if middle is None else max(middle[1] - middle[0], 0.0)
+
+
+def _buttons_of_skirt(chalk: Chalk, name: str, count: int = 0) -> list[Trim]:
+    """Down the middle of a skirt in one piece: shirt dresses, skirts that are buttoned."""
+    middle = _skirt_middle(chalk)
     if middle is None:
         return []
-    low, high = middle
+    view, (low, high) = chalk.views["skirt_front"], middle
     heights = np.arange(high - 4, low + 7, -_SPACING * chalk.size)
+    if count:
+        heights = np.linspace(low + 7, high - 4, count)[::-1] if count > 1 else np.array([high - 4])
     row = [chalk.button(name, view.panel.name, (0.0, float(y)), _BUTTON * chalk.size) for y in heights]
     if not row or not all(row):
         return []
@@ -124,20 +166,32 @@ def double_breasted(chalk: Chalk, name: str) -> list[Trim]:
     heights = np.linspace(low + 0.5, edge_top, 8)
     edge = [(edge_at(chalk.pattern, left, y) + at + 2.5, y) for y in heights]
     pieces = chalk.line(name, left.panel, edge)
-    rows = max(round((top - low) / (_COAT_SPACING * chalk.size)), 1)
     pairs = []
-    for y in np.linspace(low + 3, top - 2, rows + 1):
+    spacing, radius = _COAT_SPACING * chalk.size, _COAT_BUTTON * chalk.size
+    many = math.ceil(chalk.pattern.button_count / 2) or max(round((top - low) / spacing), 1) + 1
+    bottom = max(low + 3, min(_above_belt(chalk), top - _SHORTEST))
+    heights, radius = _row(bottom, top - 2, spacing, radius, many)
+    for y in heights:
         pair = [
             chalk.button(
                 name,
                 ref.panel,
-                (edge_at(chalk.pattern, ref, float(y)) + sign * at, float(y)),
-                _COAT_BUTTON * chalk.size,
+                (edge_at(chalk.pattern, ref, y) + sign * at, y),
+                radius,
             )
             for ref, sign in ((right, -1), (left, 1))
         ]
         pairs += [pair] if all(pair) else []
     return [*pieces, *(button for pair in pairs for one in pair for button in one)] if pairs else []
+
+
+def _above_belt(chalk: Chalk) -> float:
+    """The lowest height at which a button is not hidden by a belt, cm; minus infinity without one."""
+    worn = [
+        piece for name in LIKE_EACH_OTHER[1][:2] if name in chalk.pattern.trims for piece in belt(chalk, name)
+    ]
+    bands = [piece for piece in worn if isinstance(piece, Belt)]
+    return max((band.height + band.width / 2 + 1.5 for band in bands), default=-math.inf)
 
 
 def front_zip(chalk: Chalk, name: str) -> list[Trim]:

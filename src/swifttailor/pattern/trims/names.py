@@ -39,8 +39,47 @@ LIKE_EACH_OTHER = (
     ("tie belt", "buckle belt", "drawstring"),
 )
 """Groups of which a garment has one at most."""
+MOST_BUTTONS = 20
+"""So many may close a front, by the number that a pattern states."""
+_COUNTED: Mapping[str, str] = {
+    "buttons": "{} down the front",
+    "button placket": "a front band with {}",
+    "polo placket": "a short front band with {}",
+    "double-breasted buttons": "two rows of buttons, {} in all",
+}
 CLOSES_FRONT = LIKE_EACH_OTHER[0][:4]
 """What closes a front all the way down."""
+
+
+COUNTED = tuple(_COUNTED)
+"""Trims whose buttons are counted."""
+
+
+def trim_said(name: str, button_count: int = 0) -> str:
+    """What a trim is for people, with the number of its buttons where one is stated.
+
+    Args:
+        name: One of `TRIMS`.
+        button_count: See `Pattern.button_count`.
+    """
+    if not button_count or name not in _COUNTED:
+        return TRIMS[name]
+    many = f"{button_count} button{'s' * (button_count != 1)}"
+    return _COUNTED[name].format(button_count if name.startswith("double") else many)
+
+
+def button_count_read(raw: Any) -> int:
+    """The number of buttons that a pattern file states under ``properties.button_count``.
+
+    Raises:
+        PatternError: It is not a whole number from 1 to `MOST_BUTTONS`.
+    """
+    if isinstance(raw, int) and not isinstance(raw, bool) and 1 <= raw <= MOST_BUTTONS:
+        return raw
+    raise PatternError(
+        f"properties.button_count: a whole number from 1 to {MOST_BUTTONS} was expected, how many buttons "
+        "close the front. Correct or remove it."
+    )
 
 
 def trims_read(raw: Any) -> tuple[str, ...]:

@@ -9,7 +9,8 @@ from swifttailor.describing import Claim, GarmentFacts, claims_of
 from swifttailor.describing.claims import CLAIM_TYPES
 from swifttailor.describing.differences import QUANTITIES, Change, Gain
 from swifttailor.pattern import Pattern
-from swifttailor.pattern.trims import TRIMS, trims_that_fit
+from swifttailor.pattern.trims import trims_that_fit
+from swifttailor.pattern.trims.names import trim_said
 from swifttailor.recutting.set_dimension import Span, dimension_spans
 from swifttailor.studio.bench.claim_labels import claim_label, claim_unit, dimension_group
 from swifttailor.tailor.order import one_line
@@ -121,7 +122,7 @@ def trim_chips(pattern: Pattern, names: Sequence[str], *, source: str) -> list[d
     fit = trims_that_fit(pattern, names)
     about = "put on for the eye and the sewist: it holds no panels together"
     return [
-        text_chip(TRIMS[name], list_name="trim", number=name)
+        text_chip(trim_said(name, pattern.button_count), list_name="trim", number=name)
         | {"about": about, "from": source, "holds": name in fit}
         for name in names
     ]

@@ -10,7 +10,7 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.garment import Garment
 from swifttailor.pattern import Finding, Pattern, Reading, read_specification, to_specification
-from swifttailor.pattern.trims import TRIMS
+from swifttailor.pattern.trims.names import TRIMS, trim_said
 from swifttailor.studio.bench.chips import EMPTY_READING, change_line, reading_of, shown_chips, sliders
 from swifttailor.studio.bench.mesh_files import garment_record
 from swifttailor.studio.bench.pattern_facts import check, finding_infos, seam_infos
@@ -119,7 +119,7 @@ def tailored_document(
     wanted = made.answer.wanted
     if wanted is not None and wanted.order.edit is not None:
         changes += [change_line(change) for change in made.answer.seen or ()]
-        changes += [f"put on: {TRIMS[name]}" for name in made.answer.put_on]
+        changes += [f"put on: {trim_said(name, made.pattern.button_count)}" for name in made.answer.put_on]
         changes += [f"taken off: {TRIMS[name]}" for name in made.answer.taken_off]
     cloth = reading["fabric"] or "cotton"
     work = document(

@@ -98,6 +98,7 @@ def garment_of(record: MeshRecord) -> Garment:
 def same_pattern(first: Pattern, second: Pattern) -> bool:
     """Whether two patterns make the same garment, trims and wearer too: they may have names of their own."""
     worn = first.drafted_for == second.drafted_for and first.trims == second.trims
+    worn = worn and first.button_count == second.button_count
     return worn and replace(first, name="") == replace(second, name="")
 
 

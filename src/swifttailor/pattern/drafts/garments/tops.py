@@ -17,8 +17,10 @@ from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shap
 from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.pattern import Pattern
 
-_WAISTCOAT_OPENING_CM = 3.0
+_WAISTCOAT_OPENING_CM = 1.8
 """How far the front edges of a waistcoat have moved back from the middle at the hem."""
+_WAISTCOAT_HIP_CM = 1.0
+"""Its least room at the hem: with more, its points stand off in front."""
 _WAISTCOAT_NAPE_CM = 4.5
 """Fall of its back neckline: cut closer, it stands up behind the neck, with no collar to hold it."""
 _INSET_CM = 1.5
@@ -225,7 +227,7 @@ class WaistcoatOptions:
         float, Option("Fall of the front neckline below the neck-shoulder point.", "cm", 10.0, 30.0)
     ] = 26.0
     armhole_drop: declared.ArmholeDrop = 3.0
-    hem_opening: declared.HemOpening = 8.0
+    hem_opening: declared.HemOpening = 4.0
 
 
 def draft_waistcoat(options: WaistcoatOptions, measurements: Measurements) -> Pattern:
@@ -238,6 +240,7 @@ def draft_waistcoat(options: WaistcoatOptions, measurements: Measurements) -> Pa
         options.length,
         options.armhole_drop,
         shoulder_extension=-_INSET_CM,
+        hip_ease=_WAISTCOAT_HIP_CM,
         waist_shaping=options.waist_shaping,
         front_point=options.point,
         front_slit=options.hem_opening,
