@@ -18,6 +18,7 @@ from swifttailor.wishes.lexicon_spelling import near_names
 from swifttailor.wishes.reader import Wish
 from swifttailor.wishes.refused_looks import as_not_refused
 from swifttailor.wishes.ribs import ribs
+from swifttailor.wishes.sailor_collars import asks_for_sailor_collar, with_sailor_collar
 from swifttailor.wording.claim_kinds import implied_kind
 from swifttailor.wording.lexicon import Entry, Lack, WordReading, cannot_texts, foreign_language
 
@@ -135,6 +136,8 @@ class Heard:
             if not any(self.kind in entry.kinds for entry in self._meant):
                 fitting = [draft_of_kind(self.kind, sure)]
         wanted = {lack.what for lack in self.lacks if lack.said}
+        if asks_for_sailor_collar(entries):
+            fitting = [with_sailor_collar(draft) for draft in fitting if draft is not None]
         closed = [closed_as_counted(draft, self.text) for draft in fitting if draft is not None]
         hemmed = [hem_as_asked(draft, sure, wanted, self._denied) for draft in closed]
         found = dict.fromkeys(hemmed)

@@ -234,6 +234,7 @@ _COLLARS_SHOW: Mapping[str, tuple[str, ...]] = {
     "shirt": ("shirt_collar",),
     "folded": ("flat_collar", "shirt_collar"),
     "flat": ("flat_collar",),
+    "sailor": ("flat_collar", "shirt_collar"),
     "standing": (),
     "rolled": (),
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -12,7 +13,7 @@ from swifttailor.pattern.drafts.bodice import BACK_Z, FRONT_Z
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
 from swifttailor.pattern.drafts.outline import Outline, Point, Side
 
-FrontShape = Literal["notched", "shawl", "rounded"]
+FrontShape = Literal["notched", "shawl", "rounded", "sailor"]
 _OUTSIDE = 4.0
 """How far outside the torso it stands before draping, cm."""
 _POINT_OUT = 0.55
@@ -21,6 +22,12 @@ _POINT_DOWN = 1.45
 """Fall of a point below the end of the neckline, over the width of the collar."""
 _ROUND_DOWN, _ROUND_OUT = 1.5, 0.8
 """How far rounded ends are pulled down and out, over the width and over how far out the shoulder is."""
+_SAILOR_DOWN, _SAILOR_SQUARE = 15.0, 0.97
+"""How far a sailor collar hangs down behind, cm, and its half width there over that at the shoulder."""
+_SAILOR_OUT, _SAILOR_UP = 0.62, 0.3
+"""Where the outer edge of its front bends, as parts of the way out and up to the shoulder."""
+_OF_SHOULDER = 0.86
+"""Part of the shoulder that a collar covers at most."""
 _GORGE = 0.6
 """Height of the points of lapels, as a part of the neckline's."""
 
@@ -32,7 +39,8 @@ class FoldCollar:
     width: float
     """Neckline to outer edge at the shoulder, cm."""
     lapels: FrontShape | None = None
-    """What it has in front; None for two points at the end of the neckline. Rounded ends are no lapels."""
+    """What it has in front; None for two points at the end of the neckline. Rounded ends are no lapels, and
+    a sailor collar ends in the point of the neckline, and behind in a deep square."""
     lapel_width: float = 0.0
     """Neckline to outer edge where lapels are widest, cm."""
 
@@ -47,9 +55,13 @@ def lay_fold_collar(table: CuttingTable, shape: FoldCollar) -> None:
         front = face == "front"
         neck = _neck(table.pieces[torso], back=not front)
         low = neck[-1].end[1]
-        outer = _along(_shoulder(table.pieces[torso], back=not front), shape.width)
+        ends = _shoulder(table.pieces[torso], back=not front)
+        outer = _along(ends, min(shape.width, _OF_SHOULDER * math.dist(*ends)))
         outline = Outline(0.0, low)
-        if not front:
+        if not front and shape.lapels == "sailor":
+            outline.line("centre", 0.0, low - _SAILOR_DOWN)
+            outline.line("outer", _SAILOR_SQUARE * outer[0], low - _SAILOR_DOWN).line("outer", *outer)
+        elif not front:
             outline.line("centre", 0.0, low - shape.width)
             across, down = (0.6 * outer[0], low - shape.width), (outer[0] - 1.0, outer[1] - 0.5 * shape.width)
             outline.cubic("outer", across, down, outer)
@@ -61,6 +73,9 @@ def lay_fold_collar(table: CuttingTable, shape: FoldCollar) -> None:
                 (0.0, low - _ROUND_DOWN * shape.width),
             )
             outline.cubic("outer", down, across, outer)
+        elif shape.lapels == "sailor":
+            bend = (_SAILOR_OUT * outer[0], low + _SAILOR_UP * (outer[1] - low))
+            outline.quadratic("outer", bend, outer)
         else:
             _draw_lapels(outline, neck, shape, outer)
         outline.line("shoulder", *neck[0].start)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
@@ -18,12 +19,12 @@ from swifttailor.pattern.drafts.options import Option
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.drafts.turned_collar import TurnedCollar, lay_turned_collar, sew_turned_collar
 
-SewnCollarShape = Literal["shirt", "folded", "flat", "standing", "rolled"]
+SewnCollarShape = Literal["shirt", "folded", "flat", "sailor", "standing", "rolled"]
 CollarShape = Literal["none", SewnCollarShape]
 _SHAPES = (
     "shirt: a stand on a close neck, turned down over itself; folded: flat over a V neck 7 to 16 cm deep; "
-    "flat: with rounded ends on a close neck; standing: on a close neck; "
-    "rolled: the same, turned down over itself."
+    "flat: with rounded ends on a close neck; sailor: from the point of a V to a square on the back; "
+    "standing: on a close neck; rolled: the same, turned down over itself."
 )
 CollarOption = Annotated[CollarShape, Option(f"Collar. {_SHAPES}")]
 SewnCollarOption = Annotated[SewnCollarShape, Option(f"Collar. {_SHAPES}")]
@@ -33,11 +34,15 @@ _CLOSE, _BEHIND = 1.0, 1.5
 _FOLDED_DEPTH = 7.0, 16.0
 _STANDING_WIDENING, _STANDING_DEPTH = 0.5, 6.5
 _FLAT_DEPTH = 8.0
+_SAILOR_DEPTH, _SAILOR_WIDTH = (14.0, 18.0), 10.5
+"""Fall of the V of a sailor collar, at least and at most, and how wide that is on the shoulder, cm."""
 _STAND_CM, _FALL_OVER_WIDTH = 2.5, 0.85
 """Height of the stand of a shirt collar; what is turned down over the width of one that lies flat."""
 _STAND_SHOWS_CM, _ROLL_FLARE_CM = 1.2, 1.0
 """What is seen of the stand below what is turned down of a roll neck, whose room around it is the other, a
 quarter."""
+_FOLDED: Mapping[str, FrontShape | None] = {"folded": None, "flat": "rounded", "sailor": "sailor"}
+"""What those that lie on the torso have in front."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +60,9 @@ class NeckCollar:
         if self.shape == "folded":
             low, high = _FOLDED_DEPTH
             return Neckline("v", min(asked.widening, _CLOSE), min(max(asked.front_depth, low), high), _BEHIND)
+        if self.shape == "sailor":
+            low, high = _SAILOR_DEPTH
+            return Neckline("v", min(asked.widening, _CLOSE), min(max(asked.front_depth, low), high), _BEHIND)
         if self.shape == "flat":
             return Neckline("round", min(asked.widening, _CLOSE), _FLAT_DEPTH, _BEHIND)
         if self.shape == "rolled":
@@ -65,9 +73,9 @@ class NeckCollar:
 
     def lay(self, table: CuttingTable, figure: Figure) -> None:
         """Lays its left half on the left torso; call before `CuttingTable.mirror`."""
-        if self.shape in ("folded", "flat"):
-            ends: FrontShape | None = "rounded" if self.shape == "flat" else None
-            lay_fold_collar(table, FoldCollar(self.width, ends))
+        if self.shape in _FOLDED:
+            width = _SAILOR_WIDTH if self.shape == "sailor" else self.width
+            lay_fold_collar(table, FoldCollar(width, _FOLDED[self.shape]))
         elif self.shape == "shirt":
             lay_turned_collar(table, figure, TurnedCollar(_STAND_CM, _FALL_OVER_WIDTH * self.width))
         elif self.shape == "rolled":
@@ -78,7 +86,7 @@ class NeckCollar:
 
     def sew(self, table: CuttingTable) -> None:
         """Joins its halves, after `CuttingTable.mirror`."""
-        if self.shape in ("folded", "flat"):
+        if self.shape in _FOLDED:
             sew_fold_collar(table)
         elif self.shape != "none":
             sew_collar(table)
