@@ -15,7 +15,8 @@ from pathlib import Path
 from PIL import Image, ImageDraw, ImageFont
 
 import swifttailor
-from swifttailor.garment.preview import body_surface, cloth_surface, render_preview
+from swifttailor.garment.cloth_surfaces import cloth_surface
+from swifttailor.garment.preview import body_surface, render_preview
 from swifttailor.pattern.svg import write_svg
 from swifttailor.render import Camera, render_view
 from swifttailor.render.color import BACKGROUND

@@ -8,8 +8,8 @@ import pytest
 import swifttailor
 from swifttailor.garment.cloth_color import PALETTE, cloth_color
 from swifttailor.garment.cloth_print import ClothPrint
+from swifttailor.garment.cloth_surfaces import cloth_surface
 from swifttailor.garment.glb import glb_bytes
-from swifttailor.garment.preview import cloth_surface
 from swifttailor.garment.triangle_mesh import mesh_of_garment
 from swifttailor.render.color import BACKGROUND, BODY, to_linear
 

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from swifttailor.body import Body
+from swifttailor.garment.cloth_surfaces import border_edges, cloth_surface
 from swifttailor.garment.garment import Garment
-from swifttailor.garment.preview import body_surface, border_edges, cloth_surface, render_preview
+from swifttailor.garment.preview import body_surface, render_preview
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh, Seam
 from swifttailor.pattern import Edge, EdgeRef, Panel, Pattern, Stitch
 from swifttailor.render.framing import frame_views

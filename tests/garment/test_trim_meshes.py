@@ -19,7 +19,8 @@ from swifttailor.garment.glb import glb_bytes
 from swifttailor.garment.obj import obj_text
 from swifttailor.garment.preview import trim_surfaces
 from swifttailor.garment.triangle_mesh import mesh_of_garment
-from swifttailor.garment.trim_meshes import TrimMesh, trim_meshes, trim_parts
+from swifttailor.garment.trim_meshes import TrimMesh, trim_meshes
+from swifttailor.garment.trim_parts import trim_parts
 from swifttailor.garment_sewer.sewer import GarmentSewer
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern.names import body_region

@@ -21,7 +21,7 @@ class Edit(Making):
     """Change a sewing pattern as instructed, and make its garment.
 
     Writes the same files as swifttailor generate. Where nothing is understood of the instruction, the pattern
-    stays as it is. The garment keeps its colour and its fabric.
+    stays as it is. The garment keeps its colours and its fabric.
 
     Exit code 0: made, and all that was understood holds; 1: made, but read what it says, or some samples
     failed; 2: nothing was made.
@@ -62,6 +62,7 @@ class Edit(Making):
         self.require_options()
         from swifttailor.garment.cloth_color import stated_color
         from swifttailor.garment.cloth_print import stated_print
+        from swifttailor.garment.part_looks import stated_looks
         from swifttailor.pattern import check_pattern, read_pattern_file, repair_pattern
         from swifttailor.pattern.check import require_no_errors
 
@@ -76,7 +77,8 @@ class Edit(Making):
             findings, pattern = (), repaired.pattern
         findings = check_pattern(pattern, reader_findings=findings)
         require_no_errors(findings, f"'{source}'", repaired=self.repair, option=True)
-        cloth = {"color": stated_color(report or {}), "print": stated_print(report or {})}
+        said = report or {}
+        cloth = {"color": stated_color(said), "print": stated_print(said), "looks": stated_looks(said)}
         return self.make(self.order(self.instruction, edit=pattern, **cloth))
 
     def usual_place(self) -> Path:

@@ -130,18 +130,24 @@ def texture(garment: Garment, side: int = TEXTURE_SIDE) -> Array:
     Returns:
         (side, side, 3) uint8 sRGB, row 0 at the top.
     """
-    from swifttailor.panel_mesh.uv_layout import GUTTER
     from swifttailor.render.color import encode_srgb
 
     assert garment.print is not None
+    places = texture_places(garment, side)
+    return encode_srgb(garment.print.drawn().colors(places).reshape(side, side, 3))
+
+
+def texture_places(garment: Garment, side: int) -> Array:
+    """(side², 2) where on the cloth the pixels of a texture lie, cm; row by row from the top."""
+    from swifttailor.panel_mesh.uv_layout import GUTTER
+
     across = (np.arange(side) + 0.5) / side
     points: Array = np.stack(np.meshgrid(across, across[::-1]), axis=2).astype(np.float64)
     for low, high in zip(*_boxes(garment), strict=True):
         left, right = np.searchsorted(across, [low[0] - GUTTER / 2, high[0] + GUTTER / 2])
         lower, upper = np.searchsorted(across, [low[1] - GUTTER / 2, high[1] + GUTTER / 2])
         points[side - upper : side - lower, left:right] -= low
-    points *= garment.uv_scale
-    return encode_srgb(garment.print.drawn().colors(points.reshape(-1, 2)).reshape(side, side, 3))
+    return (points * garment.uv_scale).reshape(-1, 2)
 
 
 def _boxes(garment: Garment) -> tuple[Array, Array]:

@@ -17,6 +17,7 @@ from swifttailor.pattern import Pattern
 if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.garment.cloth_print import ClothPrint
+    from swifttailor.garment.part_looks import PartLook
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +36,8 @@ class Garment:
     """What it is of, a name of `draping.FABRICS`, for how it shines; of cotton if None."""
     print: ClothPrint | None = None
     """Of the right side of the cloth; one colour if None."""
+    looks: tuple[PartLook, ...] = ()
+    """Of parts that look otherwise than the rest."""
 
     def __post_init__(self) -> None:
         vertices = np.array(self.vertices, dtype=np.float64)
@@ -58,9 +61,11 @@ class Garment:
         from swifttailor.garment.cloth_color import stated_color
         from swifttailor.garment.cloth_print import stated_print
         from swifttailor.garment.folder_reader import read_folder
+        from swifttailor.garment.part_looks import stated_looks
 
         mesh, vertices, report = read_folder(folder)
-        return cls(mesh, vertices, report, stated_color(report), print=stated_print(report))
+        looks = stated_looks(report)
+        return cls(mesh, vertices, report, stated_color(report), print=stated_print(report), looks=looks)
 
     @property
     def pattern(self) -> Pattern:

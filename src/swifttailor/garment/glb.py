@@ -32,7 +32,8 @@ def write_glb(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) 
     vertices of the stitched mesh, so that readers can join them again. Seams are lines, each a node of its
     name (`seam_names`) under the node ``seams``. A print is a texture whose coordinates count its repeats,
     so that it has its true size on the cloth; the panels' places in the unit square are then
-    ``TEXCOORD_1``. The wearer is the node ``body``; pockets, buttons and the like are nodes under ``trims``.
+    ``TEXCOORD_1``. Parts that look otherwise have materials of their own, of which sheer ones are blended by
+    their opacity. The wearer is the node ``body``; pockets, buttons and the like are nodes under ``trims``.
     """
     return write_bytes(path, glb_bytes(mesh), overwrite=overwrite)
 
@@ -47,6 +48,7 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
     face_group = np.zeros(len(mesh.faces), np.int32) if mesh.face_group is None else mesh.face_group
     nodes: list[dict[str, Any]] = []
     meshes: list[dict[str, Any]] = []
+    looks = list(dict.fromkeys([look for look in mesh.looks if look is not None]))
     for k, name in enumerate(names):
         of_panel = flat.group == k
         faces = flat.faces[face_group == k]
@@ -54,6 +56,7 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
             nodes.append({"name": name})
             continue
         weld = flat.weld[of_panel]
+        look = mesh.looks[k] if mesh.looks else None
         attributes = {
             "POSITION": buffer.add(positions[weld], bounds=True),
             "NORMAL": buffer.add(normals[weld]),
@@ -67,7 +70,7 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         primitive = {
             "attributes": attributes,
             "indices": buffer.add_indices(faces - np.flatnonzero(of_panel)[0]),
-            "material": 0,
+            "material": 0 if look is None else 2 + looks.index(look),
             "mode": _TRIANGLES,
         }
         nodes.append({"name": name, "mesh": len(meshes)})
@@ -93,10 +96,21 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         _material("cloth", to_linear(mesh.color), mesh.roughness),
         _material("seam", _SEAM_SHARE * to_linear(mesh.color), _ROUGHNESS),
     ]
+    pictures: list[tuple[str, bytes]] = []
+    for k, look in enumerate(looks):
+        materials.append(_material(f"cloth {k + 2}", to_linear(look.color), mesh.roughness, look.opacity))
+        if look.picture is not None:
+            surface = materials[-1]["pbrMetallicRoughness"]
+            surface["baseColorFactor"] = [1.0, 1.0, 1.0, 1.0]
+            at = 0 if flat.repeats is None else 1
+            surface["baseColorTexture"] = {"index": len(pictures), "texCoord": at}
+            pictures.append((f"cloth {k + 2}", look.picture))
     if mesh.wearer is not None:
         nodes.append({"name": "body", "mesh": len(meshes), "extras": {"role": "body"}})
         children.append(len(nodes))
-        meshes.append({"name": "body", "primitives": [_smooth(buffer, *mesh.wearer) | {"material": 2}]})
+        meshes.append(
+            {"name": "body", "primitives": [_smooth(buffer, *mesh.wearer) | {"material": len(materials)}]}
+        )
         materials.append(_material("body", to_linear(BODY), _ROUGHNESS))
     if mesh.trims:
         first = len(nodes) + 2
@@ -107,16 +121,18 @@ def glb_bytes(mesh: TriangleMesh) -> bytes:
         primitive = _smooth(buffer, part.vertices, part.faces) | {"material": len(materials)}
         meshes.append({"name": part.name, "primitives": [primitive]})
         materials.append(_material(part.name, to_linear(part.color), _ROUGHNESS))
-    textures: dict[str, Any] = {}
     if mesh.print is not None:
         surface = materials[0]["pbrMetallicRoughness"]
         surface["baseColorFactor"] = [1.0, 1.0, 1.0, 1.0]
-        surface["baseColorTexture"] = {"index": 0, "texCoord": 0}
-        view = buffer.add_file(mesh.print.png)
+        surface["baseColorTexture"] = {"index": len(pictures), "texCoord": 0}
+        pictures.append(("print", mesh.print.png))
+    textures: dict[str, Any] = {}
+    if pictures:
+        views = [(name, buffer.add_file(png)) for name, png in pictures]
         textures = {
-            "images": [{"bufferView": view, "mimeType": "image/png", "name": "print"}],
+            "images": [{"bufferView": view, "mimeType": "image/png", "name": name} for name, view in views],
             "samplers": [{"wrapS": _REPEAT, "wrapT": _REPEAT, "magFilter": _LINEAR, "minFilter": _MIPMAPS}],
-            "textures": [{"source": 0, "sampler": 0}],
+            "textures": [{"source": k, "sampler": 0} for k in range(len(pictures))],
         }
     root = {"name": "garment", "children": children}
     document = {
@@ -191,13 +207,14 @@ def _smooth(buffer: _Buffer, vertices: Array, faces: Array) -> dict[str, Any]:
     return {"attributes": attributes, "indices": indices, "mode": _TRIANGLES}
 
 
-def _material(name: str, color: Array, roughness: float) -> dict[str, Any]:
+def _material(name: str, color: Array, roughness: float, opacity: float = 1.0) -> dict[str, Any]:
     surface = {
-        "baseColorFactor": [*np.round(color, 4).tolist(), 1.0],
+        "baseColorFactor": [*np.round(color, 4).tolist(), round(opacity, 4)],
         "metallicFactor": 0.0,
         "roughnessFactor": roughness,
     }
-    return {"name": name, "pbrMetallicRoughness": surface, "doubleSided": True}
+    blended = {} if opacity >= 1.0 else {"alphaMode": "BLEND"}
+    return {"name": name, "pbrMetallicRoughness": surface, "doubleSided": True, **blended}
 
 
 def _container(document: dict[str, Any], binary: bytes) -> bytes:

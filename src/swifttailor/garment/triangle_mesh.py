@@ -13,7 +13,7 @@ from swifttailor.errors import InputError
 from swifttailor.garment.cloth_color import PALETTE, cloth_color
 from swifttailor.garment.cloth_print import texture
 from swifttailor.garment.seam_names import seam_name
-from swifttailor.garment.trim_meshes import TrimPart, trim_parts
+from swifttailor.garment.trim_parts import TrimPart, trim_parts
 from swifttailor.render.png import encode_png
 
 if TYPE_CHECKING:
@@ -53,6 +53,18 @@ class PrintedPicture:
     its lower left corner. None: where its texture coordinates say."""
 
 
+@dataclass(frozen=True)
+class GroupLook:
+    """How the faces of a group look, where that is otherwise than the rest of the cloth."""
+
+    color: str
+    """``#rrggbb``."""
+    opacity: float = 1.0
+    """Share of what lies beneath that they hide; of lace about the mean."""
+    picture: bytes | None = None
+    """A PNG file over the square of texture coordinates, with opacity where it is sheer; None: one colour."""
+
+
 @dataclass(frozen=True, eq=False)
 class TriangleMesh:
     """A mesh between a file and a garment; checked on construction.
@@ -87,6 +99,8 @@ class TriangleMesh:
     """Vertices (n, 3) in cm and faces (m, 3) of the body that wears it; for formats with several objects."""
     trims: tuple[TrimPart, ...] = ()
     """What is put on the cloth; for formats with several objects."""
+    looks: tuple[GroupLook | None, ...] = ()
+    """One for each group, None where it looks as the rest; or none at all. For formats with materials."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "vertices", _floats("vertices", self.vertices, 3))
@@ -113,6 +127,8 @@ class TriangleMesh:
         )
         if self.line_names and len(self.line_names) != len(self.lines):
             raise InputError(f"A mesh of {len(self.lines)} lines has {len(self.line_names)} names of lines.")
+        if self.looks and len(self.looks) != len(self.groups):
+            raise InputError(f"A mesh of {len(self.groups)} groups has {len(self.looks)} looks of groups.")
         repeats = None if self.print is None else self.print.repeats
         if self.print is not None and (
             self.uv is None or (repeats is not None and len(repeats) != len(self.uv))
@@ -185,7 +201,29 @@ def mesh_of_garment(garment: Garment) -> TriangleMesh:
         tuple(seam_name(seam.stitch, garment.pattern.stitches[seam.stitch]) for seam in garment.seams),
         None if garment.print is None else PrintedPicture(encode_png(texture(garment))),
         trims=trim_parts(garment),
+        looks=_looks(garment),
     )
+
+
+def _looks(garment: Garment) -> tuple[GroupLook | None, ...]:
+    """How each panel looks; nothing where all look alike."""
+    if not garment.looks:
+        return ()
+    from swifttailor.garment.lace import lace_picture, mean_opacity
+    from swifttailor.garment.part_looks import USUAL_LOOK, PanelLook, looks_of_panels
+
+    own = garment.color or cloth_color(garment.pattern)
+    looks = looks_of_panels(garment)
+    shown: dict[PanelLook, GroupLook | None] = {USUAL_LOOK: None}
+    for look in looks:
+        if look in shown:
+            continue
+        color, opacity, picture = look.color or own, look.opacity, None
+        if look.lace:
+            picture = lace_picture(garment, color, opacity)
+            opacity = mean_opacity(opacity) if look.is_sheer else 1.0
+        shown[look] = GroupLook(color, opacity, picture)
+    return tuple([shown[look] for look in looks])
 
 
 def _floats(name: str, values: Any, columns: int) -> Array:

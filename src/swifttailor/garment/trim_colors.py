@@ -2,38 +2,55 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from swifttailor.arrays import Array
 from swifttailor.garment.cloth_color import cloth_color
-from swifttailor.render.color import Color, to_linear
+from swifttailor.garment.part_looks import TRIMS_OF_PARTS, color_of_panel
+from swifttailor.render.color import GREY, Color, to_linear
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
 
-GREY = (0.2126, 0.7152, 0.0722)
-"""How light red, green and blue look."""
 DARK = 0.04
 """Cloth that throws back less light than this has lighter seams in previews."""
 DARKEST = 0.010
 """Least light, linear, that cloth of any colour throws back: folds of black cloth are seen."""
+_LOOKS_COLORED: Mapping[str, tuple[str, ...]] = {
+    "buttons": ("button",),
+    "zip": ("metal", "dark"),
+    "pockets": ("cloth",),
+    "belt": ("cloth", "leather"),
+    "drawstring": ("cloth", "dark"),
+}
+"""Of what is put on, the parts that have that colour: a buckle is metal whatever its belt is."""
 _COLORS = {"metal": "#8d8f94", "leather": "#4a3226"}
 _LIGHT_BUTTON, _DARK_BUTTON = "#bdb6a8", "#6b5a49"
 
 
-def trim_color(garment: Garment, look: str, color: Color | None = None) -> Array:
+def trim_color(
+    garment: Garment, look: str, color: Color | None = None, *, trim: str = "", panel: str = ""
+) -> Array:
     """(3,) linear light that a part of a trim throws back.
 
     Args:
         garment: What it is on.
         look: See `TrimMesh.look`.
         color: Of the garment's cloth; None: its own.
+        trim: Its name, where it may have a colour of its own.
+        panel: Which it lies on: cloth is of that panel's colour.
     """
     ground = garment.color or cloth_color(garment.pattern) if color is None else color
     if color is None and garment.print is not None:
         ground = garment.print.colors[0]
+    if color is None and garment.looks:
+        own = _own_color(garment, look, trim)
+        if own is not None:
+            return np.maximum(to_linear(own), DARKEST)
+        ground = (color_of_panel(garment, panel) if panel else None) or ground
     cloth = np.maximum(to_linear(ground), DARKEST)
     if look == "cloth":
         return 0.94 * cloth
@@ -42,3 +59,10 @@ def trim_color(garment: Garment, look: str, color: Color | None = None) -> Array
     if look == "button":
         return to_linear(_LIGHT_BUTTON if float(cloth @ GREY) < 0.25 else _DARK_BUTTON)
     return to_linear(_COLORS[look])
+
+
+def _own_color(garment: Garment, look: str, trim: str) -> str | None:
+    for one in garment.looks:
+        if trim in TRIMS_OF_PARTS.get(one.part, ()) and look in _LOOKS_COLORED[one.part]:
+            return one.color
+    return None

@@ -1,4 +1,4 @@
-"""The trims of a garment as small meshes that lie on its cloth: for pictures and .glb files."""
+"""The trims of a garment as small meshes that lie on its cloth: for pictures and files (`trim_parts`)."""
 
 from __future__ import annotations
 
@@ -10,11 +10,9 @@ from scipy.spatial import ConvexHull, KDTree, QhullError
 
 from swifttailor.arrays import Array, Floats, Ints
 from swifttailor.garment.cloth_print import flat_places
-from swifttailor.garment.trim_colors import trim_color
 from swifttailor.pattern.names import body_region
 from swifttailor.pattern.trims.placing import place_trims
 from swifttailor.pattern.trims.shapes import Belt, Button, Patch
-from swifttailor.render.color import encode_srgb
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
@@ -57,25 +55,8 @@ class TrimMesh:
     of what is not of the garment's cloth, or goes around it."""
     flat: Floats | None = None
     """(n, 2) the vertices on their panel, panel-local cm; None of what goes around the body."""
-
-
-@dataclass(frozen=True, eq=False)
-class TrimPart:
-    """What is put on the cloth in one place and one colour: pockets, buttons, a belt."""
-
-    name: str
-    vertices: Array
-    """(n, 3) cm."""
-    faces: Array
-    """(m, 3) vertex indices."""
-    color: str
-    """``#rrggbb``."""
-    look: str
-    """As `TrimMesh.look`."""
-    lines: Array
-    """(k, 2) edges that show, as vertex indices."""
-    flat: Array | None = None
-    """As `TrimMesh.flat`; None where a piece has none."""
+    panel: str = ""
+    """Name of the panel that it lies on; empty of what goes around the body."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,29 +88,6 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
         else:
             found.append(_patch(garment, piece, places))
     return found
-
-
-def trim_parts(garment: Garment) -> tuple[TrimPart, ...]:
-    """The same, joined where trim and colour are one: what files hold."""
-    joined: dict[tuple[str, str], list[TrimMesh]] = {}
-    for mesh in trim_meshes(garment):
-        joined.setdefault((mesh.trim, mesh.look), []).append(mesh)
-    parts = []
-    for (trim, look), meshes in joined.items():
-        first = np.cumsum([0, *[len(mesh.vertices) for mesh in meshes]])[:-1]
-        flats = [mesh.flat for mesh in meshes if mesh.flat is not None]
-        parts.append(
-            TrimPart(
-                f"{trim} ({look})",
-                np.concatenate([mesh.vertices for mesh in meshes]),
-                np.concatenate([mesh.faces + start for mesh, start in zip(meshes, first, strict=True)]),
-                "#" + "".join(f"{part:02x}" for part in encode_srgb(trim_color(garment, look))),
-                look,
-                np.concatenate([mesh.lines + start for mesh, start in zip(meshes, first, strict=True)]),
-                np.concatenate(flats) if len(flats) == len(meshes) else None,
-            )
-        )
-    return tuple(parts)
 
 
 def _patch(garment: Garment, patch: Patch, places: Array) -> TrimMesh:
@@ -175,7 +133,8 @@ def _patch(garment: Garment, patch: Patch, places: Array) -> TrimMesh:
     if patch.look == "cloth":
         lie = np.einsum("nk,nkc->nc", on.weights, places[on.corners])
         at = np.concatenate([lie, lie[ring]])[faces]
-    return TrimMesh(patch.trim, patch.look, vertices, faces, border, at, np.concatenate([flat, flat[ring]]))
+    flats = np.concatenate([flat, flat[ring]])
+    return TrimMesh(patch.trim, patch.look, vertices, faces, border, at, flats, patch.panel)
 
 
 def _button(garment: Garment, button: Button) -> TrimMesh:
@@ -201,7 +160,12 @@ def _button(garment: Garment, button: Button) -> TrimMesh:
         ]
     )
     return TrimMesh(
-        button.trim, "button", vertices, faces.astype(np.int32), np.stack([k, after], axis=1).astype(np.int32)
+        button.trim,
+        "button",
+        vertices,
+        faces.astype(np.int32),
+        np.stack([k, after], axis=1).astype(np.int32),
+        panel=button.panel,
     )
 
 

@@ -31,7 +31,8 @@ def write_usd(mesh: TriangleMesh, path: Path | str, *, overwrite: bool = False) 
 
     ``/garment/cloth`` is a polygon mesh over the stitched vertices with face-varying ``primvars:st`` and a
     ``materialBind`` subset per panel; below ``/garment/seams`` is a linear curve per seam, with the seam's
-    name for display; a print repeats by ``primvars:repeats``; the wearer is ``/garment/body``. Metres, Y up.
+    name for display; parts that look otherwise have materials of their own, lace one of its mean opacity; a
+    print repeats by ``primvars:repeats``; the wearer is ``/garment/body``. Metres, Y up.
 
     Raises:
         MissingExtraError: usd-core is not installed.
@@ -100,6 +101,11 @@ def _stage(pxr: Any, mesh: TriangleMesh) -> Any:
         surface = UsdShade.Shader(stage.GetPrimAtPath("/garment/materials/cloth/surface"))
         _print(pxr, stage, surface, "st" if mesh.print.repeats is None else "repeats")
     UsdShade.MaterialBindingAPI.Apply(cloth.GetPrim()).Bind(material)
+    looks = list(dict.fromkeys([look for look in mesh.looks if look is not None]))
+    others = {
+        look: _material(pxr, stage, f"cloth_{k + 2}", look.color, look.opacity)
+        for k, look in enumerate(looks)
+    }
     taken: set[str] = set()
     for k, name in enumerate(mesh.groups):
         safe = base = Tf.MakeValidIdentifier(name)
@@ -112,7 +118,8 @@ def _stage(pxr: Any, mesh: TriangleMesh) -> Any:
             cloth, safe, UsdGeom.Tokens.face, Vt.IntArray.FromNumpy(faces), UsdShade.Tokens.materialBind
         )
         subset.GetPrim().SetDisplayName(name)
-        UsdShade.MaterialBindingAPI.Apply(subset.GetPrim()).Bind(material)
+        look = mesh.looks[k] if mesh.looks else None
+        UsdShade.MaterialBindingAPI.Apply(subset.GetPrim()).Bind(material if look is None else others[look])
     if mesh.groups:
         UsdShade.MaterialBindingAPI(cloth).SetMaterialBindSubsetsFamilyType(UsdGeom.Tokens.partition)
 
@@ -175,13 +182,15 @@ def _print(pxr: Any, stage: Any, shader: Any, coordinates: str) -> None:
     shader.GetInput("diffuseColor").ConnectToSource(texture.ConnectableAPI(), "rgb")
 
 
-def _material(pxr: Any, stage: Any, name: str, color: str) -> Any:
+def _material(pxr: Any, stage: Any, name: str, color: str, opacity: float = 1.0) -> Any:
     Gf, Sdf, UsdShade = pxr.Gf, pxr.Sdf, pxr.UsdShade
     material = UsdShade.Material.Define(stage, f"/garment/materials/{name}")
     shader = UsdShade.Shader.Define(stage, f"/garment/materials/{name}/surface")
     shader.CreateIdAttr("UsdPreviewSurface")
     shader.CreateInput("diffuseColor", Sdf.ValueTypeNames.Color3f).Set(Gf.Vec3f(*to_linear(color).tolist()))
     shader.CreateInput("roughness", Sdf.ValueTypeNames.Float).Set(0.85)
+    if opacity < 1.0:
+        shader.CreateInput("opacity", Sdf.ValueTypeNames.Float).Set(opacity)
     material.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
     return material
 

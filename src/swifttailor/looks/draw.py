@@ -10,8 +10,8 @@ from scipy.ndimage import zoom
 
 from swifttailor.arrays import Array, Floats, Ints, Pixels
 from swifttailor.body import Body
+from swifttailor.garment.cloth_surfaces import border_edges
 from swifttailor.garment.garment import Garment
-from swifttailor.garment.preview import border_edges
 from swifttailor.looks.look import Backdrop, Look, Rgb
 from swifttailor.panel_mesh.pattern_mesh import PatternMesh
 from swifttailor.render import Camera, LineSet, Surface, render_view

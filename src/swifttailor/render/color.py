@@ -13,6 +13,8 @@ BODY = "#d5cec5"
 """The mannequin."""
 BACKGROUND = "#f3f2ef"
 """Backdrop, at its lightest."""
+GREY = (0.2126, 0.7152, 0.0722)
+"""How light red, green and blue look."""
 
 Color = str | Sequence[float]
 """``"#rrggbb"`` or three sRGB values from 0 to 1."""

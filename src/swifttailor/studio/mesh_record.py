@@ -6,11 +6,14 @@ import hashlib
 import json
 import struct
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from swifttailor.arrays import Array
+
+if TYPE_CHECKING:
+    from swifttailor.garment.part_looks import PartLook
 
 MAGIC = b"STMESH01"
 _START = struct.Struct("<8sI")
@@ -32,6 +35,8 @@ class MeshRecord:
     report: dict[str, Any] = field(default_factory=dict)
     """What made it: JSON values."""
     color: str | None = None
+    looks: tuple[PartLook, ...] = ()
+    """Of parts that look otherwise than the rest."""
 
     @property
     def size(self) -> int:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from swifttailor.tailor.fabric_asked import SEWN_FABRIC, fabric_unmet
 from swifttailor.tailor.order import one_line
+from swifttailor.wishes.heard_looks import look_line
 
 if TYPE_CHECKING:
     from swifttailor.tailor.reading import Wanted
@@ -32,6 +33,8 @@ def heard_report(wanted: Wanted) -> dict[str, Any]:
         "refused": [f"{claim.name}: {claim.value}" for claim in heard.never],
         "color": heard.color,
         "print": None if heard.print is None else heard.print.to_json(),
+        "looks": [look_line(look) for look in heard.looks.looks],
+        "looks_assumed": list(heard.looks.assumed),
         "cloth": heard.cloth,
         "cloth_unmet": fabric_unmet(wanted) is not None,
         "cannot": list(heard.cannot),
@@ -81,6 +84,10 @@ def heard_notes(wanted: Wanted) -> list[str]:
         from swifttailor.wishes.heard_print import print_line
 
         found.append(f"Print: {print_line(heard.print)}.")
+    if heard.looks.looks:
+        found.append(f"Parts in a look of their own: {'; '.join(map(look_line, heard.looks.looks))}.")
+    if heard.looks.looks and heard.looks.assumed:
+        found.append(f"Assumed of it: {'; '.join(heard.looks.assumed)}.")
     found += _fabric_notes(wanted)
     if heard.cannot:
         found.append(f"Cannot be made: {'; '.join(heard.cannot)}.")

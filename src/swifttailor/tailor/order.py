@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.draping.fabric import Fabric
     from swifttailor.garment.cloth_print import ClothPrint
+    from swifttailor.garment.part_looks import PartLook
     from swifttailor.tailor.looking import SeenPicture
 
 MOST_SAMPLES = MOST_ATTEMPTS = 64
@@ -55,6 +56,8 @@ class Order:
     """Of the cloth of the garment to change, ``#rrggbb``; what its pattern has by itself when None."""
     print: ClothPrint | None = None
     """Of the cloth of the garment to change."""
+    looks: tuple[PartLook, ...] = ()
+    """Of parts of the garment to change that look otherwise than the rest."""
     part: Part | None = None
     """Which of the garments in the picture; the one that covers most of it when None."""
     crop: bool = True

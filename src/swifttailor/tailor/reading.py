@@ -17,6 +17,7 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError, NothingAskedError, NothingSeenError, SwiftTailorError
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import ClothPrint
+from swifttailor.garment.part_looks import PartLook, merged
 from swifttailor.pattern import Finding, Pattern, check_pattern
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.pattern_library.sought import GENTLY, Sought
@@ -144,6 +145,11 @@ class Wanted:
         return self.heard.print or kept
 
     @property
+    def looks(self) -> tuple[PartLook, ...]:
+        """Those of parts: of the garment that it is made from, and those asked for."""
+        return merged(self.order.looks, self.heard.looks.looks)
+
+    @property
     def leaves_cut(self) -> bool:
         """Whether there is a text, and nothing in it for certain of how the garment is cut."""
         return self.order.alter and bool(one_line(self.order.text)) and not self.said
@@ -152,6 +158,7 @@ class Wanted:
     def misses(self) -> bool:
         """Whether there is a text and nothing was understood of it for certain."""
         clothed = self.heard.color or self.heard.print or self.heard.plain or self.heard.cloth
+        clothed = clothed or self.heard.looks
         return self.leaves_cut and not (self.order.edit is not None and clothed)
 
     @property

@@ -10,6 +10,7 @@ from swifttailor.clock import DIGITS, Clock
 from swifttailor.garment.cloth_color import COLOR
 from swifttailor.garment.cloth_print import PRINT
 from swifttailor.garment.garment import Garment
+from swifttailor.garment.part_looks import LOOKS
 from swifttailor.garment_sewer.crumpling import CRUMPLED
 from swifttailor.pattern.check import Change as Mending
 from swifttailor.pattern.drafts.draft_names import STANDS_IN
@@ -69,6 +70,8 @@ def described(sewn: Tailored, tailor: Tailor, clock: Clock | None) -> Tailored:
         report[COLOR] = garment.color
     if garment.print is not None:
         report[PRINT] = garment.print.to_json()
+    if garment.looks:
+        report[LOOKS] = [look.to_json() for look in garment.looks]
     if tailor.body is not None:
         report["body"] = tailor.body.name
         if answer.fitted_to:

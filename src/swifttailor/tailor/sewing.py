@@ -15,6 +15,7 @@ from swifttailor.clock import DIGITS
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.garment import Garment
+from swifttailor.garment.part_looks import has_part
 from swifttailor.garment_sewer.relaxing import relaxed
 from swifttailor.garment_sewer.sewer import BATCH, Prepared
 from swifttailor.pattern import Pattern, Reading, check_pattern, read_pattern_file, repair_pattern
@@ -311,7 +312,8 @@ def _handed_over(garment: Garment, answer: Answer, predicted: Any, body: Body | 
         answer = _seen_on(answer, garment, body)
         color = wanted.color or cloth_color(garment.pattern)
         woven = None if wanted.heard.ribs is None else ribbed(color, wanted.heard.ribs)
-        garment = replace(garment, color=wanted.color, print=wanted.print or woven)
+        looks = tuple([look for look in wanted.looks if has_part(garment.pattern, look.part)])
+        garment = replace(garment, color=wanted.color, print=wanted.print or woven, looks=looks)
     return Tailored(
         garment,
         replace(answer, prepared=None),

@@ -23,7 +23,7 @@ from swifttailor.tailor.order import NO_READER, Image, Order, Part, Source
 from swifttailor.tailor.protocols import PatternWriter, Sewer
 from swifttailor.tailor.reporting import described
 from swifttailor.tailor.sewing import PatternSource, SewingOptions, prepare_sources, read_sources, sew_answers
-from swifttailor.tailor.tailored import Tailored
+from swifttailor.tailor.tailored import Tailored, only
 from swifttailor.tailor.wearing import all_refitted, body_wanted, named_as
 from swifttailor.tailor.workshop import Workshop
 
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from swifttailor.body import Body
     from swifttailor.draping.fabric import Fabric
     from swifttailor.garment.cloth_print import ClothPrint
+    from swifttailor.garment.part_looks import PartLook
     from swifttailor.pattern_library.known import PatternLibrary
     from swifttailor.tailor.looking import ReadsPictures, SeenPicture
     from swifttailor.tailor.reading import Wanted
@@ -138,7 +139,7 @@ class Tailor(Workshop):
             finish=finish,
             relax=relax,
         )
-        return _only(self.make(order, progress=progress))
+        return only(self.make(order, progress=progress))
 
     def edit(
         self,
@@ -147,6 +148,7 @@ class Tailor(Workshop):
         *,
         color: str | None = None,
         print: ClothPrint | None = None,
+        looks: tuple[PartLook, ...] = (),
         seed: int = 0,
         temperature: float = USUAL_TEMPERATURE,
         attempts: int | None = None,
@@ -161,8 +163,9 @@ class Tailor(Workshop):
         Args:
             pattern: To change; it stays as it is.
             instruction: In words, such as "make the sleeves longer".
-            color: See `Order`.
-            print: See `Order`.
+            color: See `Order`, as for `print` and `looks`.
+            print: Of its cloth.
+            looks: Of its parts.
             seed: See `generate`.
             temperature: See `Order`.
             attempts: See `Order`.
@@ -181,6 +184,7 @@ class Tailor(Workshop):
             edit=pattern,
             color=color,
             print=print,
+            looks=looks,
             seed=seed,
             temperature=temperature,
             attempts=attempts,
@@ -189,7 +193,7 @@ class Tailor(Workshop):
             finish=finish,
             relax=relax,
         )
-        return _only(self.make(order, progress=progress))
+        return only(self.make(order, progress=progress))
 
     def make(self, order: Order, *, progress: StageProgress | None = None) -> list[Outcome]:
         """Carries out an order: as many garments as it wants, or why one could not be made.
@@ -317,7 +321,7 @@ class Tailor(Workshop):
             PatternError: The pattern cannot be sewn.
         """
         options = SewingOptions(edge_length, repair=repair, finish=finish, relax=relax)
-        return _only(list(self.sew_all([pattern], options, progress=progress)))
+        return only(list(self.sew_all([pattern], options, progress=progress)))
 
     def sew_all(
         self,
@@ -391,10 +395,3 @@ class Tailor(Workshop):
             self.garment_sewer, answers, options, body=self.body, fabric=self.fabric, progress=progress
         ):
             yield described(sewn, self, clock) if isinstance(sewn, Tailored) else sewn
-
-
-def _only(outcomes: list[Outcome]) -> Tailored:
-    (one,) = outcomes
-    if isinstance(one, SwiftTailorError):
-        raise one
-    return one

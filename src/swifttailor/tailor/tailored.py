@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from swifttailor.arrays import Floats
+from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
 from swifttailor.ggi import GarmentGeometryImage, Layout, lay_out
 from swifttailor.ggi.geometry import rasterize_geometry
@@ -163,3 +165,15 @@ class Tailored:
 
         part = None if wanted.part is None else wanted.part.part
         write_bytes(folder / SEEN, encode_png(draw_seen(wanted.pictures, part)))
+
+
+def only(outcomes: Sequence[Tailored | SwiftTailorError]) -> Tailored:
+    """The one garment of an order for one.
+
+    Raises:
+        SwiftTailorError: It could not be made.
+    """
+    (one,) = outcomes
+    if isinstance(one, SwiftTailorError):
+        raise one
+    return one

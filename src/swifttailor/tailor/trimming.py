@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from swifttailor.garment.part_looks import has_part
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.trims import LIKE_EACH_OTHER, trims_that_fit
 from swifttailor.pattern.trims.names import CLOSES_FRONT, COUNTED
@@ -13,6 +14,7 @@ from swifttailor.tailor.reading import facts_of
 from swifttailor.wishes.button_counts import buttons_stated, usual_buttons
 from swifttailor.wishes.changes_of_garment import named_kind
 from swifttailor.wishes.heard import Heard
+from swifttailor.wishes.heard_looks import look_refused
 from swifttailor.wishes.ribs import RIBBED
 from swifttailor.wishes.trims_wanted import TRIMS_OF, refused_trims, trims_wanted
 
@@ -58,6 +60,21 @@ def _count(trims: Sequence[str], text: str, answer: Answer, own: Sequence[str]) 
     kept = edit is not None and any(name in own for name in trims if name in COUNTED)
     usual = edit.button_count if edit is not None and kept else usual_buttons(answer.draft)
     return buttons_stated(text) or ("buttons" in trims or kept) * usual
+
+
+def with_looks_that_fit(answer: Answer) -> Answer:
+    """The answer, where looks of parts that its pattern has not are said to be impossible."""
+    wanted = answer.wanted
+    if wanted is None or not wanted.heard.looks.looks:
+        return answer
+    heard = wanted.heard.looks
+    missing = [look for look in heard.looks if not has_part(answer.pattern, look.part)]
+    if not missing:
+        return answer
+    kept = tuple([look for look in heard.looks if look not in missing])
+    refused = [look_refused(look) for look in missing if look.part in heard.said]
+    looks = replace(heard, looks=kept, refused=(*heard.refused, *refused))
+    return replace(answer, wanted=replace(wanted, heard=replace(wanted.heard, looks=looks)))
 
 
 def _go_together(names: Sequence[str]) -> bool:

@@ -29,7 +29,7 @@ from swifttailor.tailor.reading import Wanted
 from swifttailor.tailor.refining import refined
 from swifttailor.tailor.second_reading import SecondReading
 from swifttailor.tailor.sewing import SewingOptions, prepare
-from swifttailor.tailor.trimming import trimmed
+from swifttailor.tailor.trimming import trimmed, with_looks_that_fit
 
 WARMER = 0.15
 """How much higher the temperature of each attempt is than that of the one before: the likely has failed."""
@@ -214,7 +214,7 @@ def _take_time(written: Sequence[WrittenPattern], clock: Clock) -> None:
 
 def _prepared(answer: Answer, sewer: Sewer, order: Order) -> Answer:
     """The pattern with its trims and name, prepared to be sewn or with the reason why it cannot be."""
-    answer = trimmed(answer)
+    answer = with_looks_that_fit(trimmed(answer))
     if not answer.is_given:
         answer = replace(answer, pattern=replace(answer.pattern, name=order.title))
     try:

@@ -13,6 +13,7 @@ from swifttailor.wishes.asked_hems import hem_as_asked
 from swifttailor.wishes.button_counts import closed_as_counted
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
 from swifttailor.wishes.drafts_of_names import covers, draft_of_kind, draft_of_name
+from swifttailor.wishes.heard_looks import NO_LOOKS, HeardLooks, heard_looks
 from swifttailor.wishes.heard_print import asks_for_plain, heard_print
 from swifttailor.wishes.lexicon_spelling import near_names
 from swifttailor.wishes.reader import Wish
@@ -70,13 +71,18 @@ class Heard:
     """What of `sure` an instruction may not mean: readers disagree, or one alone guesses."""
     perhaps: tuple[Change, ...] = ()
     """What an instruction may mean as well; it is not asked for."""
+    looks: HeardLooks = NO_LOOKS
+    """Which parts are to look otherwise than the rest, or are sheer."""
+    rest: str = ""
+    """What is left of an instruction without the looks of parts; `words` are its words. Empty: all of it."""
 
     @property
     def color(self) -> str | None:
         """The first colour that it names, ``#rrggbb``, or that a name or a fabric implies: blue jeans."""
         named = self.words.colors if self.words is not None else ()
         unwanted = self._unwanted_colors
-        meant = (e.color for e in self._meant if e.color is not None and e.color not in unwanted)
+        names = [e for e in self._meant if e.category != "colors"]
+        meant = (e.color for e in names if e.color is not None and e.color not in unwanted)
         rgb = named[0].rgb if named else next(meant, None)
         dyed = _COLOR_OF_CLOTH.get(self.cloth or "")
         if rgb is None or (dyed is not None and rgb == _BLUE):
@@ -86,7 +92,7 @@ class Heard:
     @cached_property
     def print(self) -> ClothPrint | None:
         """The print that it asks for."""
-        return None if self.words is None else heard_print(self.text, self.words)
+        return None if self.words is None else heard_print(self.rest or self.text, self.words)
 
     @property
     def ribs(self) -> tuple[float, float] | None:
@@ -142,6 +148,19 @@ class Heard:
         hemmed = [hem_as_asked(draft, sure, wanted, self._denied) for draft in closed]
         found = dict.fromkeys(hemmed)
         return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
+
+    def with_looks(self, words: WordReading | None = None, *, implied: bool = True) -> Heard:
+        """The same with the looks of parts that its text asks for.
+
+        Args:
+            words: Of the text as it was before looks were taken out of it; its own when None.
+            implied: Whether names of garments tell of looks, too.
+        """
+        words = self.words if words is None else words
+        said = () if words is None else [look for look in words.looks if look.said or implied]
+        if not said:
+            return self
+        return replace(self, looks=heard_looks(said, self.kind, self.color, self.print))
 
     def made_as(self, draft: NamedDraft) -> Heard:
         """The same, where the garment begins from a draft: what that shows is no longer lacking."""
@@ -199,13 +218,16 @@ class Heard:
 
     @property
     def _meant(self) -> list[Entry]:
-        marks = () if self.words is None else self.words.marks
-        return [entry for mark in marks if not mark.denied for entry in mark.entries]
+        if self.words is None:
+            return []
+        of_parts = {id(mark) for look in self.words.looks if look.part != "all" for mark in look.marks}
+        marks = [mark for mark in self.words.marks if not mark.denied and id(mark) not in of_parts]
+        return [entry for mark in marks for entry in mark.entries]
 
     @cached_property
     def cannot(self) -> tuple[str, ...]:
         """What it asks for and cannot be made, in words."""
-        return tuple([cannot_texts()[lack.what] for lack in self.lacks if lack.said])
+        return (*[cannot_texts()[lack.what] for lack in self.lacks if lack.said], *self.looks.refused)
 
     @cached_property
     def left_out(self) -> tuple[str, ...]:

@@ -102,15 +102,9 @@ def _stated_sizes(text: str, mark: WordMark, kind: str) -> dict[str, float]:
 def _colors(
     text: str, words: WordReading, mark: WordMark, kind: str, inks: tuple[str, ...]
 ) -> tuple[str, ...]:
-    marks = [
-        m for m in words.marks if not m.denied and any(e.category == "colors" and e.color for e in m.entries)
-    ]
+    marks = words.color_marks
     named = [f"#{color.rgb}" for color in words.colors]
-    if len(named) != len(marks):
-        marks = marks[: len(named)]
-    ground = next(
-        (c for c, m in zip(named, marks, strict=False) if _ON.search(text[: _start(text, m)])), None
-    )
+    ground = next((c for c, m in zip(named, marks, strict=True) if _ON.search(text[: _start(text, m)])), None)
     usual = _USUAL_COLORS.get(_motif(mark) if kind == "motif" else kind, ())
     if not named and not inks and usual:
         return usual

@@ -13,6 +13,7 @@ from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
+from swifttailor.garment.part_looks import OPACITIES
 from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
 from swifttailor.wishes.deep_cuffs import without_deep_cuffs
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
@@ -67,8 +68,11 @@ def hear_description(text: str, reader: WishReader, *, alone: bool = True) -> He
         reader: The network.
         alone: Whether there is no picture that shows which garment is meant.
     """
-    if not text.strip():
-        return HEARD_NOTHING
+    return _described(text, reader, alone=alone).with_looks() if text.strip() else HEARD_NOTHING
+
+
+def _described(text: str, reader: WishReader, *, alone: bool) -> Heard:
+    """The same without looks of parts."""
     heard = _heard_description(text, reader)
     meant = worn_for(heard) if alone else None
     if meant is not None:
@@ -155,7 +159,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         isinstance(w.change, Gain) and w.change.claim.name in ("sleeves", "left_sleeve", "sleeve_cm")
         for w in found
     ):
-        found = (*found, Wish(Gain(Claim("sleeves", "short")), SURENESS["usual"]))
+        length = "long" if _has_sheer_sleeves(words) else "short"
+        found = (*found, Wish(Gain(Claim("sleeves", length)), SURENESS["usual"]))
     if words.language == ENGLISH:
         found = _without_guesses(with_both_arms(text, found), words)
     found = of_two_arms(of_one_arm(found))
@@ -171,9 +176,20 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
         never,
         [m.mention.end for m in measures],
         compared=hem is not None or bool(bounds),
-        told=sides.spans,
+        told=[*sides.spans, *_spans_of_looks(words)],
     )
     return Heard(text, sure, likely, never, (*unread, *silent), lacks_of(words, changes, measures), words)
+
+
+def _spans_of_looks(words: WordReading) -> list[tuple[int, int]]:
+    """Where nouns stand whose looks are said: whether the garment has them is seen when it is made."""
+    marks = [mark for look in words.looks for mark in look.noun_marks if look.said]
+    return [(mark.start, mark.end) for mark in marks if mark.role == "word"]
+
+
+def _has_sheer_sleeves(words: WordReading) -> bool:
+    """Whether sleeves are of a cloth that is seen through, which usually go down to the wrist."""
+    return any(look.part == "sleeves" and look.cloth in OPACITIES for look in words.looks)
 
 
 def _kind_named_alone(text: str, words: WordReading) -> list[Implication]:

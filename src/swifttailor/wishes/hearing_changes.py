@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain, Step, subject_of
@@ -46,6 +47,7 @@ from swifttailor.wishes.whole_instruction import (
 )
 from swifttailor.wishes.whole_of_kind import of_kind
 from swifttailor.wishes.whole_sentences import is_letter, whole_of
+from swifttailor.wishes.without_looks import without_looks
 from swifttailor.wording.lexicon import SURENESS, Entry, WordMark, WordReading, exclude, read_words
 
 SURE_IN_KNOWN_WORDS = 0.7
@@ -65,13 +67,28 @@ _OVERSIZED, _EASY = Claim("fit", "oversized"), Gain(Claim("fit", "easy"))
 def hear_instruction(text: str, reader: WishReader, facts: GarmentFacts | None = None) -> Heard:
     """How a text wants a garment to be changed.
 
-    Comparisons, details and removals are read by words (`spoken_changes`). Clauses in which these leave words
-    over, the network reads; it is believed where it contradicts nothing that is said.
+    How its parts are to look is heard first: that cuts nothing.
 
     Args:
         text: In English, or of another language that is read what the lexicon knows.
         reader: The network.
         facts: Of the garment; None where it cannot be measured.
+    """
+    shown, words = text_as_read(text, None if facts is None else named_kind(facts))
+    rest = without_looks(shown, words, facts)
+    if rest == shown:
+        return _heard_changes(text, reader, facts).with_looks(implied=False)
+    if not rest:
+        return Heard(shown, words=words).with_looks(implied=False)
+    heard = _heard_changes(rest, reader, facts).with_looks(words, implied=False)
+    return replace(heard, text=shown, rest=heard.text)
+
+
+def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) -> Heard:
+    """How a text wants a garment to be cut.
+
+    Comparisons, details and removals are read by words (`spoken_changes`). Clauses in which these leave words
+    over, the network reads; it is believed where it contradicts nothing that is said.
     """
     kind = None if facts is None else named_kind(facts)
     text, words = text_as_read(text, kind)

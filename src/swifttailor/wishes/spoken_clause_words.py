@@ -347,7 +347,8 @@ def _left_over(
     free = []
     for mark in words.marks:
         silent = bool(mark.entries) and mark.entries[0].category in _SILENT
-        clothed = any(e.color or e.cloth or e.print or e.shade for e in mark.entries)
+        sheer = any(e.looks and e.category == "fabrics" for e in mark.entries)
+        clothed = sheer or any(e.color or e.cloth or e.print or e.shade for e in mark.entries)
         if silent or clothed or mark.denied:
             free.append((mark.start, mark.end))
     taken += free

@@ -1,7 +1,7 @@
 /** Chips and sliders: the pattern is cut to what they say. */
 
 import { api } from "../api/client";
-import type { ChangeRequest, Document } from "../api/types";
+import type { ChangeRequest, Document, PartLook } from "../api/types";
 import { versionOf } from "../state/document";
 import { LatestWins } from "../state/latest-wins";
 import { fromWire, type PatternJson } from "../state/pattern-json";
@@ -17,7 +17,12 @@ export async function alter(label: string, change: ChangeRequest): Promise<void>
   const session = useSession.getState();
   session.set({ working: "Recutting" });
   try {
-    const document = await api.alter({ pattern: before.pattern, changes: [change], color: before.color });
+    const document = await api.alter({
+      pattern: before.pattern,
+      changes: [change],
+      color: before.color,
+      looks: before.looks?.parts ?? [],
+    });
     addMade(label, document);
   } catch (error) {
     tellFailure(error);
@@ -40,6 +45,7 @@ export function addMade(label: string, document: Document): void {
 interface Slide {
   pattern: PatternJson;
   color: string | null;
+  looks: PartLook[];
   dimension: string;
   value: number;
   label: string;
@@ -48,7 +54,8 @@ interface Slide {
 let slide: { base: Slide; shown: Document | null; released: boolean; asked: number } | null = null;
 
 const slider = new LatestWins<Slide, Document>(
-  ({ pattern, color, dimension, value }) => api.alter({ pattern, changes: [{ dimension, value }], color }),
+  ({ pattern, color, looks, dimension, value }) =>
+    api.alter({ pattern, changes: [{ dimension, value }], color, looks }),
   (document, state) => {
     if (slide === null) return;
     slide.shown = document;
@@ -71,7 +78,8 @@ export function slideTo(dimension: string, value: number, label: string): void {
   if (version === null) return;
   if (slide === null || slide.base.dimension !== dimension || slide.released) {
     slider.reset();
-    const base = { pattern: version.pattern, color: version.color, dimension, value, label };
+    const { pattern, color } = version;
+    const base = { pattern, color, looks: version.looks?.parts ?? [], dimension, value, label };
     slide = { base, shown: null, released: false, asked: value };
   }
   slide.asked = value;

@@ -17,6 +17,7 @@ export async function download(format: string): Promise<void> {
       format,
       title: useProject.getState().name,
       color: version.color,
+      looks: version.looks?.parts ?? [],
       prompt: version.prompt,
       seed: version.seed,
     });

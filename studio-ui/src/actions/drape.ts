@@ -14,6 +14,7 @@ export async function drape(kind: "finish" | "drape", fabric: FabricName): Promi
     mesh: before.mesh,
     fabric,
     color: before.color,
+    looks: before.looks?.parts ?? [],
   });
   const document = job?.documents[0];
   if (document === undefined) return;

@@ -13,6 +13,7 @@ export async function editBy(instruction: string): Promise<boolean> {
     pattern: before.pattern,
     instruction: text,
     color: before.color,
+    looks: before.looks?.parts ?? [],
     ...(before.seed !== null ? { seed: before.seed } : {}),
   });
   const document = job?.documents[0];

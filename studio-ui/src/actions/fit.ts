@@ -12,14 +12,23 @@ import { tellFailure } from "./failures";
 const LARGEST_FILE = 100_000;
 
 /** Refits the shown pattern and sews it on that body; resolves with whether it was done. */
-export async function fitTo(label: string, whom: Omit<FitRequest, "pattern" | "color">): Promise<boolean> {
+export async function fitTo(
+  label: string,
+  whom: Omit<FitRequest, "pattern" | "color" | "looks">,
+): Promise<boolean> {
   const { history } = useStudio.getState();
   const before = currentVersion(useStudio.getState());
   if (history === null || before === null || useSession.getState().working !== null) return false;
   const { set } = useSession.getState();
   set({ working: "Refitting the pattern" });
   try {
-    const document = await api.fit({ pattern: asDrafted(history).pattern, color: before.color, ...whom });
+    const { color, looks } = before;
+    const document = await api.fit({
+      pattern: asDrafted(history).pattern,
+      color,
+      looks: looks?.parts ?? [],
+      ...whom,
+    });
     // Somebody who has gone on meanwhile is not called back.
     if (currentVersion(useStudio.getState())?.pattern !== before.pattern) return false;
     addMade(label, document);

@@ -43,6 +43,7 @@ function contentNow(): ProjectContent | null {
       pattern: value.pattern,
       mesh: value.mesh,
       color: value.color,
+      ...(value.looks !== undefined ? { looks: value.looks } : {}),
       seed: value.seed,
     })),
     view: {
@@ -201,6 +202,7 @@ function restoreContent(content: ProjectContent): void {
             ...changedVersion(shown, fromWire(version.pattern)),
             mesh: version.mesh,
             color: version.color,
+            ...(version.looks !== undefined ? { looks: version.looks } : {}),
             seed: version.seed,
             garment: version.mesh === null ? ("none" as const) : ("sewn" as const),
           },

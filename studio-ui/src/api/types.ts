@@ -213,6 +213,29 @@ export type Origin =
   | "live"
   | "fit";
 
+/** How a part looks, where that is otherwise than the rest: a white collar, sleeves of lace. */
+export interface PartLook {
+  part: string;
+  color?: string | null;
+  cloth?: string | null;
+  opacity?: number | null;
+}
+
+/** How a panel looks. */
+export interface PanelLook {
+  /** "#rrggbb"; null: as the garment. */
+  color: string | null;
+  /** Share of what lies beneath that it hides. */
+  opacity: number;
+}
+
+export interface Looks {
+  /** As requests take them. */
+  parts: PartLook[];
+  /** The panels that these are, by name. */
+  panels: Record<string, PanelLook>;
+}
+
 /** What all work answers with. */
 export interface Document {
   origin: Origin;
@@ -243,6 +266,8 @@ export interface Document {
   /** How the 3D garment came about. */
   garment: "none" | "sewn" | "finished" | "draped" | "stopped";
   color: string | null;
+  /** Absent in what earlier versions have saved: they had none. */
+  looks?: Looks;
   fabric: FabricName;
   edge_length: number;
   seed: number | null;
@@ -405,6 +430,7 @@ export interface AlterRequest {
   changes: ChangeRequest[];
   sew?: boolean;
   color?: string | null;
+  looks?: PartLook[];
 }
 
 // --- bodies -------------------------------------------------------------------------------------------------
@@ -426,6 +452,7 @@ export interface FitRequest {
   /** BodyAnswer.body of a mesh that was loaded, in place of size, figure and measures. */
   body?: string | null;
   color?: string | null;
+  looks?: PartLook[];
 }
 
 /** POST /api/wearer: who wears a pattern. Answer: WearerAnswer; the mesh can be fetched then. */
@@ -529,6 +556,7 @@ export interface EditJob {
   pattern: PatternJson;
   instruction: string;
   color?: string | null;
+  looks?: PartLook[];
   seed?: number;
   finish?: boolean;
 }
@@ -539,6 +567,7 @@ export interface SewJob {
   edge_length?: number;
   repair?: boolean;
   color?: string | null;
+  looks?: PartLook[];
 }
 
 /** Physics from the sewn garment (finish) or from the flat panels (drape), with live frames. */
@@ -551,6 +580,7 @@ export interface DrapeJob {
   /** Of the mesh, cm, 1 to 5. Without it, to finish a garment, that of its mesh; else 2. */
   edge_length?: number | null;
   color?: string | null;
+  looks?: PartLook[];
 }
 
 export interface AlterJob {
@@ -558,6 +588,7 @@ export interface AlterJob {
   pattern: PatternJson;
   changes: ChangeRequest[];
   color?: string | null;
+  looks?: PartLook[];
 }
 
 export type JobRequest = GenerateJob | EditJob | SewJob | DrapeJob | AlterJob;
@@ -643,6 +674,8 @@ export interface ProjectVersion {
   pattern: PatternJson;
   mesh: string | null;
   color: string | null;
+  /** Absent in what earlier versions have saved. */
+  looks?: Looks;
   seed: number | null;
 }
 
@@ -696,6 +729,7 @@ export interface ExportRequest {
   format: string;
   title?: string;
   color?: string | null;
+  looks?: PartLook[];
   prompt?: string;
   seed?: number | null;
 }
@@ -719,6 +753,8 @@ export interface MeshHeader {
   edges: EdgePlace[];
   /** "#rrggbb"; null where none was named. */
   color: string | null;
+  /** Parts that look otherwise than the rest; absent where there are none. */
+  looks?: PartLook[];
   /** Pockets, buttons and the like, in the order in which they lie in the blocks; absent where there are none. */
   trims?: MeshTrim[];
   blocks: MeshBlock[];
@@ -729,6 +765,8 @@ export interface MeshTrim {
   /** Such as "patch pockets (cloth)". */
   name: string;
   look: TrimLook;
+  /** "#rrggbb" where it is of another colour than its look has on this cloth. */
+  color?: string;
   /** Whether trim_uv tells where it lies on its panel: prints of the cloth run on over it. */
   on_panel: boolean;
   /** How many of each are its own. */

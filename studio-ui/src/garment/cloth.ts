@@ -10,18 +10,24 @@ import {
   MeshStandardMaterial,
   type Texture,
 } from "three";
+import type { PanelLook } from "../api/types";
 import type { Coloring, Print } from "../state/display";
 import { linear, PANEL_COLORS, type Rgb } from "./colors";
 import { computeNormals, type MeshData, spreadFrame } from "./mesh-file";
 import { printTexture } from "./prints";
 import { strainColor } from "./strain-colors";
-import { DARKEST } from "./trim-color";
+import { DARKEST, ownColor } from "./trim-color";
+
+/** Linear channels, and the share of what lies beneath that is hidden. */
+type Rgba = [number, number, number, number];
 
 export interface ClothLook {
   coloring: Coloring;
   print: Print;
   /** "#rrggbb" */
   color: string;
+  /** Panels that look otherwise, by name. */
+  panels: Readonly<Record<string, PanelLook>>;
   wireframe: boolean;
   /** Which way the cloth faces, seen from the camera, in place of its colour. */
   normals: boolean;
@@ -31,6 +37,7 @@ export const PLAIN_LOOK: ClothLook = {
   coloring: "cloth",
   print: "plain",
   color: "#8aa5b8",
+  panels: {},
   wireframe: false,
   normals: false,
 };
@@ -104,7 +111,7 @@ export class Cloth {
       geometry.setAttribute("position", new BufferAttribute(data.positions.slice(), 3));
       geometry.setAttribute("normal", new BufferAttribute(data.normals.slice(), 3));
       geometry.setAttribute("uv", new BufferAttribute(data.uv.slice(), 2));
-      geometry.setAttribute("color", new BufferAttribute(new Float32Array(3 * data.vertices), 3));
+      geometry.setAttribute("color", new BufferAttribute(new Float32Array(4 * data.vertices), 4));
     }
     geometry.setIndex(new BufferAttribute(data.triangles, 1));
     this.recolor();
@@ -125,12 +132,15 @@ export class Cloth {
     const before = this.look;
     this.look = look;
     const printed = look.coloring === "cloth";
-    if (before.print !== look.print || before.color !== look.color || before.coloring !== look.coloring) {
+    const other = before.print !== look.print || before.color !== look.color;
+    if (other || before.coloring !== look.coloring || before.panels !== look.panels) {
+      const dyed = printed && Object.keys(look.panels).length > 0;
       this.material.map?.dispose();
       this.material.map = printed ? printTexture(look.print, look.color, this.anisotropy) : null;
-      this.material.vertexColors = !printed;
+      this.material.vertexColors = !printed || dyed;
+      this.material.transparent = dyed && Object.values(look.panels).some(({ opacity }) => opacity < 1);
       this.material.color
-        .set(printed && this.material.map === null ? look.color : "#ffffff")
+        .set(printed && !dyed && this.material.map === null ? look.color : "#ffffff")
         .setRGB(...lit(this.material.color))
         .multiplyScalar(printed ? ALBEDO : 1);
       this.material.needsUpdate = true;
@@ -161,18 +171,31 @@ export class Cloth {
 
   private recolor(): void {
     const data = this.data;
-    const { coloring } = this.look;
-    if (data === null || coloring === "cloth") return;
-    const color = this.mesh.geometry.getAttribute("color") as BufferAttribute;
-    const out = color.array as Float32Array;
+    if (data === null || !this.material.vertexColors) return;
+    const attribute = this.mesh.geometry.getAttribute("color") as BufferAttribute;
+    const out = attribute.array as Float32Array;
+    const panels = data.panels.map((name) => this.panelColor(name));
     for (let v = 0; v < data.vertices; v += 1) {
-      const rgb: Rgb =
-        coloring === "strain"
-          ? strainColor(data.strain[v] ?? 0)
-          : (PANEL_COLORS[(data.panel[v] as number) % PANEL_COLORS.length] as Rgb);
-      for (let c = 0; c < 3; c += 1) out[3 * v + c] = linear(rgb[c] as number);
+      const rgba = this.look.coloring === "cloth" ? panels[data.panel[v] as number] : this.codeColor(data, v);
+      if (rgba !== undefined) out.set(rgba, 4 * v);
     }
-    color.needsUpdate = true;
+    attribute.needsUpdate = true;
+  }
+
+  /** Linear channels and opacity of a panel of its own look, or of the rest; white below a print. */
+  private panelColor(name: string): Rgba {
+    const own = this.look.panels[name];
+    const base = this.material.map === null ? this.look.color : "#ffffff";
+    return [...ownColor(own?.color ?? base), own?.opacity ?? 1];
+  }
+
+  /** Linear channels that stand for a number: how the cloth is stretched, or which panel it is. */
+  private codeColor(data: MeshData, v: number): Rgba {
+    const rgb =
+      this.look.coloring === "strain"
+        ? strainColor(data.strain[v] ?? 0)
+        : (PANEL_COLORS[(data.panel[v] as number) % PANEL_COLORS.length] as Rgb);
+    return [linear(rgb[0]), linear(rgb[1]), linear(rgb[2]), 1];
   }
 
   private copy(name: string, values: Float32Array): void {

@@ -35,6 +35,8 @@ export interface MeshData {
 /** Pockets, buttons or the like of one look: positions in cm, indices into them. */
 export interface TrimData {
   look: TrimLook;
+  /** "#rrggbb" where it is its own. */
+  color: string | null;
   positions: Float32Array;
   /** Panel-local cm, for prints; null of what goes around the body. */
   uv: Float32Array | null;
@@ -102,6 +104,7 @@ function readTrims(
     from.lines += trim.lines;
     const own = {
       look: trim.look,
+      color: trim.color ?? null,
       positions: positions.subarray(3 * vertex, 3 * from.vertices),
       uv: trim.on_panel ? uv.subarray(2 * vertex, 2 * from.vertices) : null,
       triangles: triangles.subarray(3 * triangle, 3 * from.triangles),

@@ -1,6 +1,6 @@
 /** A small picture of a garment from the front, drawn out of sight. */
 
-import { PLAIN_LOOK } from "./cloth";
+import { type ClothLook, PLAIN_LOOK } from "./cloth";
 import { DEFAULT_CLOTH } from "./cloth-color";
 import { bodyMesh } from "./mesh-cache";
 import type { MeshData } from "./mesh-file";
@@ -12,7 +12,12 @@ const HEIGHT = 340;
 let queue: Promise<unknown> = Promise.resolve();
 
 /** A data URL. One after the other: a browser has few contexts to draw with. */
-export function renderedPicture(mesh: MeshData, body: string, color: string | null): Promise<string> {
+export function renderedPicture(
+  mesh: MeshData,
+  body: string,
+  color: string | null,
+  panels: ClothLook["panels"] = PLAIN_LOOK.panels,
+): Promise<string> {
   const picture = queue.then(async () => {
     const wearer = await bodyMesh(body);
     const box = document.createElement("div");
@@ -21,7 +26,7 @@ export function renderedPicture(mesh: MeshData, body: string, color: string | nu
     const viewer = new GarmentViewer(box);
     try {
       viewer.showBody(wearer);
-      viewer.setLook({ ...PLAIN_LOOK, color: color ?? DEFAULT_CLOTH });
+      viewer.setLook({ ...PLAIN_LOOK, color: color ?? DEFAULT_CLOTH, panels });
       viewer.setSeamsVisible(false);
       viewer.showGarment(mesh, []);
       viewer.frameAll(false);

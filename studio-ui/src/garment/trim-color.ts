@@ -20,6 +20,11 @@ export function trimColor(look: TrimLook, cloth: string): Rgb {
   return linearOf(look === "metal" ? METAL : LEATHER);
 }
 
+/** Light that a part of a colour of its own ("#rrggbb") throws back, linear channels. */
+export function ownColor(color: string): Rgb {
+  return linearOf(color, DARKEST);
+}
+
 /** Of the edges of a part of that colour: darker, or lighter where it is dark already. */
 export function edgeColor(part: Rgb): Rgb {
   return scaled(part, brightness(part) >= DARK ? 0.5 : 2.6);

@@ -16,7 +16,7 @@ import type { TrimLook } from "../api/types";
 import { ALBEDO, type ClothLook, PLAIN_LOOK } from "./cloth";
 import type { Rgb } from "./colors";
 import type { TrimData } from "./mesh-file";
-import { edgeColor, trimColor } from "./trim-color";
+import { edgeColor, ownColor, trimColor } from "./trim-color";
 
 /** How a surface throws back light: horn and metal shine, cloth does not. */
 const ROUGHNESS: Record<TrimLook, number> = {
@@ -91,8 +91,8 @@ export class Trims {
     this.object.visible = this.parts.length > 0 && (coloring === "cloth" || normals);
     this.normalMaterial.wireframe = wireframe;
     for (const { data, mesh, material, edges } of this.parts) {
-      const part = trimColor(data.look, color);
-      const printed = data.look === "cloth" && data.uv !== null ? this.texture : null;
+      const part = data.color === null ? trimColor(data.look, color) : ownColor(data.color);
+      const printed = data.look === "cloth" && data.color === null && data.uv !== null ? this.texture : null;
       if (material.map !== printed) material.needsUpdate = true;
       material.map = printed;
       if (printed === null) set(material.color, part, ALBEDO);

@@ -6,9 +6,11 @@ import { sewAgain } from "../actions/live";
 import { bodyOf, wearerKey } from "../actions/wearers";
 import { ApiError } from "../api/client";
 import { useDisplay } from "../state/display";
+import type { Version } from "../state/document";
 import { seamColor } from "../state/seam-colors";
 import { useSession } from "../state/session";
 import { currentVersion, shownMesh, shownPattern, useStudio } from "../state/store";
+import { PLAIN_LOOK } from "./cloth";
 import { DEFAULT_CLOTH } from "./cloth-color";
 import { garmentMesh } from "./mesh-cache";
 import type { MeshData } from "./mesh-file";
@@ -159,19 +161,21 @@ function followFrames(viewer: GarmentViewer): () => void {
 function followLook(viewer: GarmentViewer): () => void {
   const update = () => {
     const { coloring, print, body, wireframe, normals, seams } = useDisplay.getState();
-    const color = currentVersion(useStudio.getState())?.color ?? DEFAULT_CLOTH;
-    viewer.setLook({ coloring, print, color, wireframe, normals });
+    const version = currentVersion(useStudio.getState());
+    const color = version?.color ?? DEFAULT_CLOTH;
+    const panels = version?.looks?.panels ?? PLAIN_LOOK.panels;
+    viewer.setLook({ coloring, print, color, panels, wireframe, normals });
     viewer.setBodyVisible(body);
     viewer.setSeamsVisible(seams);
   };
   update();
-  let color: string | null | undefined;
+  let shown: Version | null = null;
   const ends = [
     useDisplay.subscribe(update),
     useStudio.subscribe((state) => {
-      const now = currentVersion(state)?.color;
-      if (now !== color) update();
-      color = now;
+      const now = currentVersion(state);
+      if (now?.color !== shown?.color || now?.looks !== shown?.looks) update();
+      shown = now;
     }),
   ];
   return () => {

@@ -73,7 +73,7 @@ export function CompareDialog() {
 function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: CameraLink }) {
   const box = useRef<HTMLDivElement>(null);
   const [viewer, setViewer] = useState<GarmentViewer | null>(null);
-  const { mesh, pattern, color } = entry.value;
+  const { mesh, pattern, color, looks } = entry.value;
   useEffect(() => {
     if (box.current === null) return;
     const made = new GarmentViewer(box.current);
@@ -87,7 +87,8 @@ function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: Came
   useEffect(() => {
     if (viewer === null) return;
     let gone = false;
-    viewer.setLook({ ...PLAIN_LOOK, color: color ?? DEFAULT_CLOTH });
+    const panels = looks?.panels ?? PLAIN_LOOK.panels;
+    viewer.setLook({ ...PLAIN_LOOK, color: color ?? DEFAULT_CLOTH, panels });
     viewer.setSeamsVisible(false);
     void bodyOf(pattern).then((data) => {
       if (!gone) viewer.showBody(data);
@@ -108,7 +109,7 @@ function GarmentView({ entry, link }: { entry: HistoryEntry<Version>; link: Came
     return () => {
       gone = true;
     };
-  }, [viewer, mesh, pattern, color, link]);
+  }, [viewer, mesh, pattern, color, looks, link]);
   return (
     <div className="compare-stage">
       <div

@@ -19,7 +19,7 @@ from swifttailor.data.reader import SplitReader
 from swifttailor.data.sample import Sample
 from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError
-from swifttailor.garment.preview import border_edges
+from swifttailor.garment.cloth_surfaces import border_edges
 from swifttailor.looks.draw import ClothMesh
 from swifttailor.pattern.digest import pattern_digest
 from swifttailor.picture_reader.truth import Truth

@@ -4,34 +4,16 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from enum import StrEnum
 from typing import Literal
 
 import numpy as np
 
 from swifttailor.pattern import Panel, Pattern, body_region
 from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.panel_parts import Part, named_part
 
 Side = Literal["left", "right", "middle"]
 Face = Literal["front", "back"]
-
-
-class Part(StrEnum):
-    """What a panel is in a garment."""
-
-    TORSO = "torso"
-    SLEEVE = "sleeve"
-    CUFF = "cuff"
-    """Below a sleeve."""
-    HOOD = "hood"
-    COLLAR = "collar"
-    WAISTBAND = "waistband"
-    SKIRT = "skirt"
-    GODET = "godet"
-    """A wedge let into the hem of a skirt."""
-    TROUSER = "trouser"
-    LEG_CUFF = "leg cuff"
-    """Below a trouser leg."""
 
 
 ARM_PARTS = frozenset({Part.SLEEVE, Part.CUFF})
@@ -40,22 +22,6 @@ SKIRT_PARTS = frozenset({Part.SKIRT, Part.GODET})
 LOWER_PARTS = LEG_PARTS | SKIRT_PARTS
 UPPER_PARTS = ARM_PARTS | {Part.TORSO, Part.HOOD, Part.COLLAR}
 
-# Tried in this order: a cuff of GarmentCode may be called `sl_left_cuff_skirt_f`.
-_NAMES: tuple[tuple[re.Pattern[str], Part], ...] = tuple(
-    (re.compile(pattern, re.IGNORECASE), part)
-    for pattern, part in (
-        (r"hood", Part.HOOD),
-        (r"pant.*cuff|leg.*cuff|trouser.*cuff", Part.LEG_CUFF),
-        (r"cuff", Part.CUFF),
-        (r"sleeve", Part.SLEEVE),
-        (r"collar|lapel", Part.COLLAR),
-        (r"(^|_)wb(_|$)|waist_?band|belt", Part.WAISTBAND),
-        (r"(^|_)ins_|godet", Part.GODET),
-        (r"pant|trouser|shorts", Part.TROUSER),
-        (r"skirt", Part.SKIRT),
-        (r"torso|bodice|yoke", Part.TORSO),
-    )
-)
 _LEFT = re.compile(r"(^|_)(left|l)(_|$)", re.IGNORECASE)
 _RIGHT = re.compile(r"(^|_)(right|r)(_|$)", re.IGNORECASE)
 _MIDDLE_CM = 2.0
@@ -72,11 +38,6 @@ class PlacedPart:
     side: Side
     """The wearer's."""
     face: Face
-
-
-def named_part(name: str) -> Part | None:
-    """The part that a panel's name speaks of; None when it says nothing."""
-    return next((part for pattern, part in _NAMES if pattern.search(name)), None)
 
 
 @dataclass(frozen=True)

@@ -125,6 +125,7 @@ async def export(name: str, format: str, request: Request) -> Response:
         "prompt": content["prompt"],
         "seed": content["seed"],
         "color": shown["color"],
+        "looks": shown.get("looks", {}).get("parts", []),
     }
     return await exported(studio, shown["pattern"], shown["mesh"], format, facts)
 
@@ -187,6 +188,7 @@ async def _write_garment(studio: Studio, project: StoredProject) -> list[str]:
         "prompt": content["prompt"],
         "seed": content["seed"],
         "color": shown["color"],
+        "looks": shown.get("looks", {}).get("parts", []),
     }
     try:
         await studio.do(

@@ -134,7 +134,12 @@ async def alter(asked: AlterRequest, request: Request) -> Response:
     """A pattern recut to chips and sliders."""
     changes = [change.model_dump() for change in asked.changes]
     answer = await studio_of(request).do(
-        "alter", pattern=asked.pattern, changes=changes, sew=asked.sew, color=asked.color
+        "alter",
+        pattern=asked.pattern,
+        changes=changes,
+        sew=asked.sew,
+        color=asked.color,
+        looks=[look.model_dump() for look in asked.looks],
     )
     return json_answer(answer)
 
@@ -143,7 +148,7 @@ async def alter(asked: AlterRequest, request: Request) -> Response:
 async def export(asked: ExportRequest, request: Request) -> Response:
     """A pattern or garment as a file."""
     studio = studio_of(request)
-    facts = asked.model_dump(include={"title", "prompt", "seed", "color"})
+    facts = asked.model_dump(include={"title", "prompt", "seed", "color", "looks"})
     return await exported(studio, asked.pattern, asked.mesh, asked.format, facts)
 
 

@@ -13,6 +13,7 @@ from swifttailor.pattern import Finding, Pattern, Reading, read_specification, t
 from swifttailor.pattern.trims.names import TRIMS, trim_said
 from swifttailor.studio.bench.chips import EMPTY_READING, change_line, reading_of, shown_chips, sliders
 from swifttailor.studio.bench.mesh_files import garment_record
+from swifttailor.studio.bench.part_looks import looks_of
 from swifttailor.studio.bench.pattern_facts import check, finding_infos, seam_infos
 from swifttailor.studio.bench.trim_blocks import trim_marks
 from swifttailor.studio.bench.wearers import wearing
@@ -92,6 +93,7 @@ def document(
         else {"accepted": bool(quality["accepted"]), "reasons": list(quality["reasons"])},
         "garment": state if garment is not None else "none",
         "color": (garment.color if garment is not None else None) or cloth_color(pattern),
+        "looks": looks_of(garment),
         "fabric": "cotton",
         "edge_length": edge_length,
         "seed": None,

@@ -14,6 +14,7 @@ from swifttailor.errors import GeometryError, InputError, SwiftTailorError
 from swifttailor.garment.folder import DRAWING, OF_A_GARMENT, PATTERN, write_files
 from swifttailor.garment.formats import MESH_ENDINGS, write_garment_mesh
 from swifttailor.garment.garment import Garment
+from swifttailor.garment.part_looks import LOOKS
 from swifttailor.garment.triangle_mesh import mesh_of_garment
 from swifttailor.output_folder import OutputFolder
 from swifttailor.pattern import Pattern
@@ -21,6 +22,7 @@ from swifttailor.pattern.svg import write_svg
 from swifttailor.studio.bench import sewing_exports
 from swifttailor.studio.bench.documents import Work, read_pattern
 from swifttailor.studio.bench.mesh_files import garment_of, same_pattern
+from swifttailor.studio.bench.part_looks import in_cloth
 from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.mesh_record import MeshRecord
 from swifttailor.studio.worker.link import Link
@@ -41,7 +43,7 @@ def export(
         pattern: What is shown.
         mesh: Its garment, where there is one.
         format: Ending without the dot, or ``zip`` of everything.
-        facts: What is known besides, for the report: title, prompt, seed, color.
+        facts: What is known besides, for the report: title, prompt, seed, color, looks.
     """
     shown = read_pattern(pattern).pattern.canonical()
     shown = replace(shown, name=facts.get("title") or shown.name)
@@ -125,9 +127,9 @@ def _body(garment: Garment) -> Body:
 
 def _described(garment: Garment, facts: dict[str, Any]) -> Garment:
     known = {name: facts[name] for name in ("title", "prompt", "seed") if facts.get(name) not in (None, "")}
-    return replace(
-        garment, color=facts.get("color") or garment.color, report=garment.report | {"studio": known}
-    )
+    garment = in_cloth(garment, facts.get("color"), facts.get("looks") or ())
+    said = {LOOKS: [look.to_json() for look in garment.looks]} if garment.looks else {}
+    return replace(garment, report=garment.report | {"studio": known} | said)
 
 
 def _zip(garment: Garment, place: Path) -> bytes:

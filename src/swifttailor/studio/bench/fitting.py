@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from swifttailor.errors import InputError, SwiftTailorError
 from swifttailor.pattern.drafted_for import DraftedFor
 from swifttailor.studio.bench.documents import Work, document, read_pattern, tailored_document, unsewable
 from swifttailor.studio.bench.own_bodies import own_bodies
+from swifttailor.studio.bench.part_looks import in_cloth
 from swifttailor.studio.bench.wearer_options import LABELS, measures_of_mesh, shown_measures
 from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.worker.link import Link
@@ -29,6 +31,7 @@ def fit(
     called: str = "",
     body: str | None = None,
     color: str | None = None,
+    looks: Sequence[dict[str, Any]] = (),
 ) -> Work:
     """A pattern refitted to a body and sewn on it.
 
@@ -42,6 +45,7 @@ def fit(
         called: What the body is called; made up of size and measures where it is empty.
         body: Name of a mesh that was loaded, in place of size, figure and measures.
         color: Of the cloth.
+        looks: Of its parts, as requests have them.
 
     Raises:
         InputError: There is no such size or figure, no body has these measures, or the mesh is not kept.
@@ -68,8 +72,7 @@ def fit(
         made = worn.tailor.sew(fitted)
     except SwiftTailorError as error:
         return document(fitted, origin="fit", unsewable=unsewable(error), **more)
-    if color is not None:
-        made = replace(made, garment=replace(made.garment, color=color))
+    made = replace(made, garment=in_cloth(made.garment, color, looks))
     for_whom = "the default body" if named is None else named.name
     more |= {"changes": [f"Refitted to {for_whom}."], "seed": None}
     return tailored_document(made, origin="fit", prompt="", **more)

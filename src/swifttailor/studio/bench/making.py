@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -10,6 +11,7 @@ from swifttailor.body import Body
 from swifttailor.errors import SwiftTailorError
 from swifttailor.pattern.drafted_for import DraftedFor
 from swifttailor.studio.bench.documents import Work, read_pattern, tailored_document
+from swifttailor.studio.bench.part_looks import in_cloth, looks_read
 from swifttailor.studio.bench.tasks import tailor
 from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.worker.link import Link
@@ -44,7 +46,14 @@ def generate(
 
 
 def edit(
-    link: Link, *, pattern: dict[str, Any], instruction: str, color: str | None, seed: int, finish: bool
+    link: Link,
+    *,
+    pattern: dict[str, Any],
+    instruction: str,
+    color: str | None,
+    seed: int,
+    finish: bool,
+    looks: Sequence[dict[str, Any]] = (),
 ) -> Work:
     """A pattern changed as words say, and its garment."""
     original = read_pattern(pattern).pattern.canonical()
@@ -53,19 +62,34 @@ def edit(
     own = named is not None and named.mesh is not None
     own = own and hear_wearer(instruction, instruction=True).wearer is None
     body = wearing(named).body if own else None
-    order = Order(instruction, edit=original, color=color, seed=seed, finish=finish, body=body)
+    order = Order(
+        instruction,
+        edit=original,
+        color=color,
+        looks=looks_read(looks),
+        seed=seed,
+        finish=finish,
+        body=body,
+    )
     return _made(link, order, origin="edit", prompt=instruction)
 
 
-def sew(link: Link, *, pattern: dict[str, Any], edge_length: float, repair: bool, color: str | None) -> Work:
+def sew(
+    link: Link,
+    *,
+    pattern: dict[str, Any],
+    edge_length: float,
+    repair: bool,
+    color: str | None,
+    looks: Sequence[dict[str, Any]] = (),
+) -> Work:
     """The garment of a pattern."""
     original = read_pattern(pattern).pattern.canonical()
     link.stage("sewing", 0.0)
     made = wearing(original.drafted_for).tailor.sew(
         original, edge_length=edge_length, repair=repair, progress=link.stage
     )
-    if color is not None:
-        made = replace(made, garment=replace(made.garment, color=color))
+    made = replace(made, garment=in_cloth(made.garment, color, looks))
     work = tailored_document(made, origin="sew", prompt="", edge_length=edge_length, seed=None)
     return Work({"documents": [work.answer], "failures": []}, work.meshes)
 

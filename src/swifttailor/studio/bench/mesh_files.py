@@ -49,6 +49,8 @@ def garment_record(garment: Garment, edge_length: float) -> MeshRecord:
         "edges": [place for place, _ in edges],
         "color": garment.color,
     }
+    if garment.looks:
+        header["looks"] = [look.to_json() for look in garment.looks]
     trims, of_trims = trim_blocks(replace(garment, vertices=vertices))
     if trims:
         header["trims"] = trims
@@ -66,7 +68,9 @@ def garment_record(garment: Garment, edge_length: float) -> MeshRecord:
     }
     data = pack_mesh(header, blocks)
     pattern = json.dumps(to_specification(mesh.pattern), separators=(",", ":"), allow_nan=False)
-    return MeshRecord(name_of(data), data, pattern, edge_length, plain(garment.report), garment.color)
+    return MeshRecord(
+        name_of(data), data, pattern, edge_length, plain(garment.report), garment.color, garment.looks
+    )
 
 
 def garment_of(record: MeshRecord) -> Garment:
@@ -92,7 +96,8 @@ def garment_of(record: MeshRecord) -> Garment:
         "panels": len(pattern.panels),
         "stitches": len(pattern.stitches),
     }
-    return Garment(mesh, flat.reshape(-1, 3)[mesh.representative], report | record.report, record.color)
+    vertices = flat.reshape(-1, 3)[mesh.representative]
+    return Garment(mesh, vertices, report | record.report, record.color, looks=record.looks)
 
 
 def same_pattern(first: Pattern, second: Pattern) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any
@@ -20,6 +21,7 @@ from swifttailor.panel_mesh import mesh_pattern
 from swifttailor.pattern import Pattern, Severity
 from swifttailor.studio.bench.documents import Work, document, read_pattern
 from swifttailor.studio.bench.mesh_files import garment_of, garment_record, same_pattern
+from swifttailor.studio.bench.part_looks import in_cloth
 from swifttailor.studio.bench.pattern_facts import check
 from swifttailor.studio.bench.wearers import wearing
 from swifttailor.studio.mesh_record import MeshRecord
@@ -75,6 +77,7 @@ def drape(
     fabric: str,
     edge_length: float | None,
     color: str | None,
+    looks: Sequence[dict[str, Any]] = (),
 ) -> Work:
     """A garment sewn together by physics from its flat panels."""
     original = _sewable(pattern)
@@ -83,7 +86,8 @@ def drape(
     watched = _Watched(link, edge_length)
     body = wearing(original.drafted_for).body
     flat = mesh_pattern(original, edge_length)
-    watched.begin(Garment(flat, flat.welded_mean(_placed(original, flat)), {}, color))
+    placed = Garment(flat, flat.welded_mean(_placed(original, flat)), {}, color)
+    watched.begin(in_cloth(placed, color, looks))
 
     def run() -> Garment:
         return drape_pattern(
@@ -109,6 +113,7 @@ def finish(
     fabric: str,
     edge_length: float | None,
     color: str | None,
+    looks: Sequence[dict[str, Any]] = (),
 ) -> Work:
     """A garment hung to rest from where the network has sewn it, or from where it hangs already."""
     original = _sewable(pattern)
@@ -122,7 +127,7 @@ def finish(
     edge_length = edge_length or USUAL_EDGE_CM
     if garment is None:
         garment = worn.tailor.sew(original, edge_length=edge_length).garment
-    garment = replace(garment, color=color or garment.color)
+    garment = in_cloth(garment, color, looks)
     watched = _Watched(link, edge_length)
     watched.begin(garment)
 
@@ -148,9 +153,9 @@ def _hung(
 ) -> Work:
     """The document of what a simulation leaves, stopped or not."""
     assert watched.garment is not None
-    color = watched.garment.color
+    color, looks = watched.garment.color, watched.garment.looks
     try:
-        garment, stopped = replace(run(), color=color), False
+        garment, stopped = replace(run(), color=color, looks=looks), False
     except StoppedError:
         garment, stopped = watched.garment, True
     notes = ["Stopped before it came to rest."] if stopped else []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -23,6 +24,7 @@ from swifttailor.studio.bench.documents import (
     unsewable,
 )
 from swifttailor.studio.bench.mesh_files import garment_record
+from swifttailor.studio.bench.part_looks import in_cloth
 from swifttailor.studio.bench.pattern_facts import body_probe, check, finding_infos, seam_infos
 from swifttailor.studio.bench.trim_blocks import trim_marks
 from swifttailor.studio.bench.wearers import wearing
@@ -132,6 +134,7 @@ def alter(
     changes: list[dict[str, Any]],
     sew: bool = True,
     color: str | None = None,
+    looks: Sequence[dict[str, Any]] = (),
 ) -> Work:
     """A pattern recut to chips and sliders, and sewn."""
     original = read_pattern(pattern).pattern.canonical()
@@ -154,7 +157,7 @@ def alter(
     altered = replace(altered, drafted_for=original.drafted_for)
     link.stage("sewing", 0.0)
     work = _sewn_document(
-        altered, Reading(altered, ()), origin="alter", sew=sew, title=original.name, color=color
+        altered, Reading(altered, ()), origin="alter", sew=sew, title=original.name, color=color, looks=looks
     )
     facts = facts_of(altered)
 
@@ -177,7 +180,14 @@ def alter(
 
 
 def _sewn_document(
-    pattern: Pattern, reading: Reading, *, origin: str, sew: bool, title: str, color: str | None = None
+    pattern: Pattern,
+    reading: Reading,
+    *,
+    origin: str,
+    sew: bool,
+    title: str,
+    color: str | None = None,
+    looks: Sequence[dict[str, Any]] = (),
 ) -> Work:
     more: dict[str, Any] = {"title": title} | ({} if color is None else {"color": color})
     if not sew:
@@ -188,8 +198,7 @@ def _sewn_document(
         return document(
             pattern, origin=origin, reader_findings=reading.findings, unsewable=unsewable(error), **more
         )
-    if color is not None:
-        made = replace(made, garment=replace(made.garment, color=color))
+    made = replace(made, garment=in_cloth(made.garment, color, looks))
     mended = ["Mended, since it could not be sewn as it was."] if made.changes else []
     read = [f"{f.code}: {f.message}" for f in reading.findings]
     return tailored_document(made, origin=origin, prompt="", seed=None, notes=[*mended, *read], **more)

@@ -9,7 +9,7 @@ import numpy as np
 from swifttailor.arrays import Array
 from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
-from swifttailor.garment.trim_meshes import trim_parts
+from swifttailor.garment.trim_parts import trim_parts
 from swifttailor.pattern import Pattern
 from swifttailor.pattern.trims import Belt, Button, Trim, place_trims
 
@@ -33,6 +33,7 @@ def trim_blocks(garment: Garment) -> tuple[list[dict[str, Any]], dict[str, Array
             "vertices": len(part.vertices),
             "triangles": len(part.faces),
             "lines": len(part.lines),
+            **({"color": part.color} if part.is_own_color else {}),
         }
         for part in parts
     ]

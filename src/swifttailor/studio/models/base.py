@@ -56,6 +56,18 @@ class Model(BaseModel):
     model_config = ConfigDict(allow_inf_nan=False, extra="forbid", populate_by_name=True)
 
 
+class PartLook(Model):
+    """How a part of a garment looks, where that is otherwise than the rest: `garment.part_looks`."""
+
+    part: Annotated[str, StringConstraints(pattern="^[a-z_]{2,20}$")]
+    color: Color | None = None
+    cloth: Annotated[str, StringConstraints(pattern="^[a-z]{2,20}$")] | None = None
+    opacity: Annotated[float, Field(ge=0.0, le=1.0)] | None = None
+
+
+PartLooks = Annotated[list[PartLook], Field(max_length=64)]
+
+
 class ErrorInfo(Model):
     """What went wrong, for people."""
 

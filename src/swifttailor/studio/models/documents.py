@@ -10,6 +10,7 @@ from swifttailor.studio.models.base import (
     ErrorInfo,
     FabricName,
     Model,
+    PartLooks,
     PatternJson,
     Severity,
     Source,
@@ -140,6 +141,24 @@ class QualityInfo(Model):
     reasons: list[str]
 
 
+class PanelLook(Model):
+    """How a panel looks."""
+
+    color: str | None
+    """None: as the garment."""
+    opacity: float
+    """Share of what lies beneath that it hides."""
+
+
+class Looks(Model):
+    """Which parts look otherwise than the rest."""
+
+    parts: PartLooks = Field(default_factory=list)
+    """As requests take them."""
+    panels: dict[str, PanelLook] = Field(default_factory=dict)
+    """The panels that these are, by name."""
+
+
 class Document(Model):
     """A pattern and its garment: what all work answers with."""
 
@@ -162,6 +181,7 @@ class Document(Model):
     quality: QualityInfo | None
     garment: GarmentState
     color: str | None
+    looks: Looks = Field(default_factory=Looks)
     fabric: FabricName
     edge_length: float
     seed: int | None

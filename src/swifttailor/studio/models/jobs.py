@@ -18,6 +18,7 @@ from swifttailor.studio.models.base import (
     MeshName,
     Model,
     Part,
+    PartLooks,
     PatternJson,
     Prompt,
     Seed,
@@ -67,6 +68,7 @@ class EditJob(Model):
     pattern: PatternJson
     instruction: Annotated[Prompt, Field(min_length=1)]
     color: Color | None = None
+    looks: PartLooks = Field(default_factory=list)
     seed: Seed = 0
     finish: bool = False
 
@@ -79,6 +81,7 @@ class SewJob(Model):
     edge_length: EdgeLength = 2.0
     repair: bool = False
     color: Color | None = None
+    looks: PartLooks = Field(default_factory=list)
 
 
 class DrapeJob(Model):
@@ -91,6 +94,7 @@ class DrapeJob(Model):
     edge_length: EdgeLength | None = None
     """Of the mesh, cm; to finish a garment, that of its mesh when None, else 2."""
     color: Color | None = None
+    looks: PartLooks = Field(default_factory=list)
 
 
 class AlterJob(Model):
@@ -100,6 +104,7 @@ class AlterJob(Model):
     pattern: PatternJson
     changes: Annotated[list[ChangeRequest], Field(min_length=1, max_length=MOST_CHANGES)]
     color: Color | None = None
+    looks: PartLooks = Field(default_factory=list)
 
 
 JobRequest = Annotated[GenerateJob | EditJob | SewJob | DrapeJob | AlterJob, Field(discriminator="kind")]

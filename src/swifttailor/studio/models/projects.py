@@ -19,7 +19,7 @@ from swifttailor.studio.models.base import (
     Unit,
     UnitOrNone,
 )
-from swifttailor.studio.models.documents import Document
+from swifttailor.studio.models.documents import Document, Looks
 
 MOST_VERSIONS = 200
 
@@ -55,6 +55,7 @@ class ProjectVersion(Model):
     pattern: PatternJson
     mesh: MeshName | None = None
     color: Color | None = None
+    looks: Looks = Field(default_factory=Looks)
     seed: Seed | None = None
 
 

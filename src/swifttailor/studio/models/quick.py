@@ -15,6 +15,7 @@ from swifttailor.studio.models.base import (
     Measures,
     MeshName,
     Model,
+    PartLooks,
     PatternJson,
     Prompt,
     Seed,
@@ -104,6 +105,7 @@ class AlterRequest(Model):
     changes: Annotated[list[ChangeRequest], Field(min_length=1, max_length=MOST_CHANGES)]
     sew: bool = True
     color: Color | None = None
+    looks: PartLooks = Field(default_factory=list)
 
 
 class LiveRequest(Model):
@@ -143,6 +145,7 @@ class FitRequest(Model):
     body: MeshName | None = None
     """A mesh that was loaded (`BodyAnswer`), in place of size, figure and measures."""
     color: Color | None = None
+    looks: PartLooks = Field(default_factory=list)
 
     @model_validator(mode="after")
     def _one_body(self) -> FitRequest:
@@ -206,5 +209,6 @@ class ExportRequest(Model):
     format: Annotated[str, StringConstraints(pattern="^[a-z]{2,5}$")]
     title: Title = ""
     color: Color | None = None
+    looks: PartLooks = Field(default_factory=list)
     prompt: Prompt = ""
     seed: Seed | None = None

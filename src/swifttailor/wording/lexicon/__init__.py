@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from swifttailor.first_use import loaded_on_first_use
 
 if TYPE_CHECKING:
+    from swifttailor.wording.lexicon.colors import NamedColor
     from swifttailor.wording.lexicon.conflicts import exclude
     from swifttailor.wording.lexicon.entries import Entry
     from swifttailor.wording.lexicon.foreign import foreign_language
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
         WordReading,
         read_words,
     )
+    from swifttailor.wording.lexicon.said_looks import SaidLook
     from swifttailor.wording.lexicon.vocabulary import all_entries, cannot_texts
 
 _PUBLIC = {
@@ -25,6 +27,8 @@ _PUBLIC = {
     "Entry": "entries",
     "Implication": "reading",
     "Lack": "reading",
+    "NamedColor": "colors",
+    "SaidLook": "said_looks",
     "WordMark": "reading",
     "WordReading": "reading",
     "all_entries": "vocabulary",
@@ -39,6 +43,8 @@ __all__ = [
     "Entry",
     "Implication",
     "Lack",
+    "NamedColor",
+    "SaidLook",
     "WordMark",
     "WordReading",
     "all_entries",

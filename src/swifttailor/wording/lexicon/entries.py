@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from swifttailor.describing.claims import Claim
+from swifttailor.garment.part_looks import OPACITIES, PANEL_PARTS
 from swifttailor.pattern.drafts.draft_names import NamedDraft
 from swifttailor.pattern.trims.names import TRIMS
 from swifttailor.wording.claim_marks import claims_in
@@ -53,7 +54,19 @@ MOTIFS = ("flowers", "leaves", "blotches", "spots", "shapes")
 _SIZES = ("width", "gap", "angle", "spacing", "radius", "repeat")
 _PRINT_MARKS = (*_SIZES, "motif", "inks")
 _ONE_VALUE = ("part", "cloth", "rgb", "shade", "print", "motif", "negates", "worn", *_SIZES)
-_MARKS = ("usual", "likely", "against", "without", "cannot", "of", "inks", "draft", "trim", *_ONE_VALUE)
+_MARKS = (
+    "usual",
+    "likely",
+    "against",
+    "without",
+    "cannot",
+    "of",
+    "inks",
+    "draft",
+    "trim",
+    "look",
+    *_ONE_VALUE,
+)
 _WORDS = ("ambiguous", "plural")
 LONGEST_GLOSS = 120
 """Characters."""
@@ -127,6 +140,8 @@ class Entry:
     """The name of the garment that is made for it where none is named: of the beach, a sundress."""
     trims: tuple[str, ...] = ()
     """Which trims of `swifttailor.pattern.trims` are meant by what it says cannot be made of panels."""
+    looks: tuple[tuple[str, str | None], ...] = ()
+    """Sheer cloths, or ``contrast``, and the part of a garment that has them; None: what is spoken of."""
 
     @property
     def name(self) -> str:
@@ -217,7 +232,21 @@ def entry_of(row: Row, cannot: Mapping[str, str], known_of: frozenset[str]) -> E
         _drafts(row) if "draft" in options else (),
         one["worn"].replace("_", " ") if "worn" in one else None,
         _trims(row) if "trim" in options else (),
+        _looks(row) if "look" in options else (),
     )
+
+
+def _looks(row: Row) -> tuple[tuple[str, str | None], ...]:
+    found = []
+    for text in row.options["look"]:
+        cloth, _, part = text.partition("(")
+        part = part.removesuffix(")")
+        if cloth.removeprefix("lined_") not in (*OPACITIES, "contrast"):
+            row.wrong(f"look:{cloth} is none of {', '.join(OPACITIES)}, contrast.")
+        if part and part not in PANEL_PARTS:
+            row.wrong(f"look:{text}: '{part}' is none of {', '.join(PANEL_PARTS)}.")
+        found.append((cloth, part or None))
+    return tuple(found)
 
 
 def _trims(row: Row) -> tuple[str, ...]:

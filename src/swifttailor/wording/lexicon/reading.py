@@ -15,6 +15,7 @@ from swifttailor.wording.lexicon.entries import Certainty, Entry, NamedPrint
 from swifttailor.wording.lexicon.inflection import Language
 from swifttailor.wording.lexicon.marking import find_words
 from swifttailor.wording.lexicon.meanings import Meaning, Role, meanings
+from swifttailor.wording.lexicon.said_looks import WHOLE, SaidLook, said_looks
 from swifttailor.wording.lexicon.two_places import of_two_places
 from swifttailor.wording.lexicon.vocabulary import vocabulary
 from swifttailor.wording.word_tables import Dialect
@@ -48,6 +49,8 @@ class WordMark:
     """None where the word is unknown."""
     role: Role
     denied: bool = False
+    part: str | None = None
+    """The part of a garment that it names, or that its last word names: "bell sleeves"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,11 +97,16 @@ class WordReading:
     lacks: tuple[Lack, ...]
     contradictions: tuple[Contradiction, ...]
     colors: tuple[NamedColor, ...]
+    """Of the garment; those of its parts are in `looks`."""
     prints: tuple[NamedPrint, ...]
     cloths: tuple[str, ...]
     """Fabrics of `swifttailor.draping`."""
     sizes: tuple[str, ...]
     """As the text has them."""
+    looks: tuple[SaidLook, ...] = ()
+    """Of parts that look otherwise than the garment, and sheer cloths."""
+    color_marks: tuple[WordMark, ...] = ()
+    """The words of `colors`."""
 
     @property
     def unknown(self) -> tuple[str, ...]:
@@ -135,7 +143,13 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
     denied = denied_words(words, language)
     marks = [
         WordMark(
-            w.found.start, w.found.end, text[w.found.start : w.found.end], w.entries, w.role, k in denied
+            w.found.start,
+            w.found.end,
+            text[w.found.start : w.found.end],
+            w.entries,
+            w.role,
+            k in denied,
+            w.part,
         )
         for k, w in enumerate(words)
     ]
@@ -154,6 +168,11 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
         kept = _with_kind(kept, never)
     kept = _fitting_kind(kept, kind)
     meant = [mark for mark in marks if not mark.denied]
+    looks = said_looks(text, marks, language)
+    elsewhere = {id(mark) for look in looks if look.part != WHOLE for mark in look.marks}
+    dyed = [m for m in meant if any(e.category == "colors" and e.color for e in m.entries)]
+    colors = zip(dyed, named_colors([(m.word, m.entries) for m in meant]), strict=True)
+    colors = [(mark, color) for mark, color in colors if id(mark) not in elsewhere]
     return WordReading(
         language,
         tuple(marks),
@@ -161,14 +180,21 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
         tuple(never),
         _lacks(meant),
         _contradictions(text, implied),
-        named_colors([(m.word, m.entries) for m in meant]),
+        tuple([color for _, color in colors]),
         tuple([entry.print for mark in meant for entry in mark.entries if entry.print is not None]),
         tuple(
             dict.fromkeys(
-                [e.cloth for m in meant for e in m.entries if e.cloth is not None and e.category == "fabrics"]
+                [
+                    e.cloth
+                    for m in meant
+                    for e in m.entries
+                    if e.cloth is not None and e.category == "fabrics" and id(m) not in elsewhere
+                ]
             )
         ),
         tuple([mark.word for mark in meant if any("sizes" in entry.cannot for entry in mark.entries)]),
+        looks,
+        tuple([mark for mark, _ in colors]),
     )
 
 

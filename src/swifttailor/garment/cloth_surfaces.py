@@ -1,0 +1,216 @@
+"""The cloth of a garment as the renderer draws it: one surface, or one for each look of its parts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from swifttailor.arrays import Array
+from swifttailor.garment.cloth_color import cloth_color
+from swifttailor.garment.cloth_print import cloth_at
+from swifttailor.garment.trim_colors import DARK, DARKEST
+from swifttailor.render.color import GREY, Color, to_linear
+from swifttailor.render.surface import LineSet, Surface
+
+if TYPE_CHECKING:
+    from swifttailor.garment.cloth_print import ClothPrint
+    from swifttailor.garment.garment import Garment
+    from swifttailor.garment.part_looks import PanelLook
+    from swifttailor.render.prints import KnownPrint
+
+_SHEEN = {"silk": 0.22, "denim": 0.06, "twill": 0.08, "leather": 0.16, "polyester": 0.16, "swimwear": 0.16}
+_GLOSS = {"silk": 0.08, "leather": 0.10, "polyester": 0.04, "swimwear": 0.05}
+"""Of cloths that shine otherwise than cotton does."""
+_WOVEN, _REPEATS_CM = ("stripes", "checks", "plaid"), 48.0
+"""Prints that go through to the wrong side, and a width over which they repeat."""
+ON_DARK = -1.3
+"""How much lighter seams are than dark cloth, in previews."""
+
+
+@dataclass(frozen=True, eq=False)
+class SeenCloth:
+    """Panels of one print and one opacity."""
+
+    surface: Surface
+    opacity: float = 1.0
+    """Share of what lies beneath that it hides; of lace what its net hides."""
+    figures: KnownPrint | None = None
+    """The same of lace at each place, as a print of greys; None of other cloth."""
+    figures_at: Array | None = None
+    """(m, 3, 2) where on the cloth the corners of the faces lie, cm; goes with `figures`."""
+
+
+def cloth_surface(
+    garment: Garment,
+    color: Color | None = None,
+    *,
+    tint_panels: bool = True,
+    lines: bool = True,
+    seen_on_dark: bool = False,
+) -> Surface:
+    """The garment as the renderer draws it, all in one cloth.
+
+    Args:
+        garment: Any garment.
+        color: Right side of the cloth; the inside is a little darker and greyer, as that of dyed cloth is.
+            None: the garment's own (`cloth_color`).
+        tint_panels: Whether neighbouring panels differ a little in lightness.
+        lines: Whether seams and hems are drawn.
+        seen_on_dark: Whether they are lighter than dark cloth, on which darker ones would not be seen.
+    """
+    base = np.maximum(
+        to_linear(garment.color or cloth_color(garment.pattern) if color is None else color), DARKEST
+    )
+    right = np.broadcast_to(base, (len(garment.faces), 3))
+    if tint_panels:
+        right = base * _tints(garment)[garment.mesh.face_panel][:, None]
+    printed = garment.print if color is None else None
+    inside, grey = _inside(base, printed)
+    dark = np.full(len(garment.pattern.panels), grey < DARK)
+    drawn = _lines(garment, dark, seen_on_dark) if lines else ()
+    return _surface(garment, garment.faces, right, inside, drawn, printed, None)
+
+
+def cloth_surfaces(garment: Garment, color: Color | None = None) -> list[SeenCloth]:
+    """The garment as previews draw it: one surface, or several where parts of it look otherwise.
+
+    Args:
+        garment: Any garment.
+        color: Right side of all of the cloth; None: each part has its own.
+    """
+    if color is not None or not garment.looks:
+        return [SeenCloth(cloth_surface(garment, color, seen_on_dark=True))]
+    from swifttailor.garment.part_looks import looks_of_panels
+
+    looks = looks_of_panels(garment)
+    own = garment.color or cloth_color(garment.pattern)
+    base = np.array([np.maximum(to_linear(look.color or own), DARKEST) for look in looks])
+    prints = [_print_of(garment, look, look.color or own) for look in looks]
+    kinds = [(printed, look.opacity, look.lace) for printed, look in zip(prints, looks, strict=True)]
+    insides = [_inside(*pair) for pair in zip(base, prints, strict=True)]
+    wrong, dark = np.array([inside for inside, _ in insides]), np.array([grey < DARK for _, grey in insides])
+    right = base * _tints(garment)[:, None]
+    order = [k for k, kind in enumerate(kinds) if kinds.index(kind) == k]
+    found = []
+    for k in order:
+        alike = np.array([kind == kinds[k] for kind in kinds])
+        shown = alike[garment.mesh.face_panel]
+        if not shown.any():
+            continue
+        panel = garment.mesh.face_panel[shown]
+        faces = garment.faces[shown]
+        drawn = _lines(garment, dark, True, shown)
+        printed, opacity, lace = kinds[k]
+        surface = _surface(garment, faces, right[panel], wrong[panel], drawn, printed, shown)
+        if lace and opacity < 1.0:
+            from swifttailor.garment.lace import lace_opacity
+
+            found.append(SeenCloth(surface, opacity, lace_opacity(opacity), cloth_at(garment)[shown]))
+        else:
+            found.append(SeenCloth(surface, opacity))
+    return found
+
+
+def _print_of(garment: Garment, look: PanelLook, color: str) -> ClothPrint | None:
+    """What is printed on a panel: what is on the garment, unless it has a colour or cloth of its own."""
+    if look.lace:
+        from swifttailor.garment.lace import lined_lace
+
+        return None if look.is_sheer else lined_lace(color)
+    return garment.print if look.color is None else None
+
+
+def _tints(garment: Garment) -> Array:
+    """(panels,) how light each panel is beside the others: a little, so that they can be told apart."""
+    # Golden-ratio steps keep consecutive panels apart whatever their number.
+    return 0.90 + 0.20 * ((np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0)
+
+
+def _inside(base: Array, printed: ClothPrint | None) -> tuple[Array, float]:
+    """The wrong side (3,) of cloth of a colour (3,) or print, linear light; and how light the cloth is."""
+    if printed is not None:
+        base = np.maximum(_wrong_side(printed), DARKEST)
+    grey = float(base @ GREY)
+    return 0.78 * (0.75 * base + 0.25 * grey) + 0.002, grey
+
+
+def _lines(
+    garment: Garment, dark: Array, seen_on_dark: bool, shown: Array | None = None
+) -> tuple[LineSet, ...]:
+    """Seams and hems.
+
+    Args:
+        garment: Any garment.
+        dark: (panels,) bool: whose cloth is too dark for darker lines.
+        seen_on_dark: Whether lines on dark cloth are lighter than it.
+        shown: (f,) bool: the faces whose lines are wanted; None: all of them.
+    """
+    seams, borders = _seam_edges(garment), border_edges(garment.faces)
+    if shown is not None:
+        reached = _reached(garment, shown)
+        seams, borders = (edges[reached[edges].all(axis=1)] for edges in (seams, borders))
+    hems = LineSet(borders, strength=0.30, width=1.2)
+    darker, lighter = LineSet(seams, strength=0.42, width=1.1), LineSet(seams, strength=ON_DARK, width=1.1)
+    if not seen_on_dark or not dark.any():
+        return darker, hems
+    if dark.all():
+        return lighter, hems
+    on_light = _reached(garment, ~dark[garment.mesh.face_panel])[seams].all(axis=1)
+    return replace(darker, edges=seams[on_light]), replace(lighter, edges=seams[~on_light]), hems
+
+
+def _reached(garment: Garment, faces: Array) -> Array:
+    """(v,) bool: the vertices of some faces (f,) bool."""
+    reached = np.zeros(len(garment.vertices), bool)
+    reached[garment.faces[faces]] = True
+    return reached
+
+
+def _surface(
+    garment: Garment,
+    faces: Array,
+    right: Array,
+    inside: Array,
+    lines: tuple[LineSet, ...],
+    printed: ClothPrint | None,
+    shown: Array | None,
+) -> Surface:
+    """The surface of some faces (m, 3); `shown` (f,) tells them among the garment's, None: all of them."""
+    at = None if printed is None else cloth_at(garment)
+    return Surface(
+        garment.vertices,
+        faces,
+        np.clip(right, 0, 1),
+        inside,
+        lines=lines,
+        lift=0.35,
+        sheen=_SHEEN.get(garment.cloth or "", 0.10),
+        gloss=_GLOSS.get(garment.cloth or "", 0.0),
+        print=None if printed is None else printed.drawn(),
+        print_at=at if at is None or shown is None else at[shown],
+    )
+
+
+def _wrong_side(printed: ClothPrint) -> Array:
+    """(3,) linear light: of what is printed the first colour, of what is woven the mean of all."""
+    if printed.kind not in _WOVEN:
+        return to_linear(printed.colors[0])
+    across = np.linspace(0.0, _REPEATS_CM, 64)
+    return printed.drawn().colors(np.stack(np.meshgrid(across, across), axis=-1).reshape(-1, 2)).mean(axis=0)
+
+
+def _seam_edges(garment: Garment) -> Array:
+    parts = [
+        np.stack([s.vertices[:-1], s.vertices[1:]], axis=1) for s in garment.seams if len(s.vertices) > 1
+    ]
+    return np.concatenate(parts) if parts else np.zeros((0, 2), np.int32)
+
+
+def border_edges(faces: Array) -> Array:
+    """(n, 2) vertex indices of the edges that only one of the faces (m, 3) has."""
+    edges = np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1).astype(np.int64)
+    key = edges[:, 0] * (int(faces.max(initial=0)) + 1) + edges[:, 1]
+    _, first, count = np.unique(key, return_index=True, return_counts=True)
+    return edges[first[count == 1]].astype(np.int32)

@@ -1,0 +1,170 @@
+"""How parts of a garment are to look by a text: which colour, sheer or not, and what is assumed of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from swifttailor.garment.cloth_print import ClothPrint
+from swifttailor.garment.part_looks import OPACITIES, PARTS, SEVERAL_LAYERS, PartLook, merged
+from swifttailor.wording.lexicon import NamedColor, SaidLook
+
+_LINED = frozenset({"lace", "tulle", "chiffon", "organza"})
+"""Sheer cloths that whole garments of some kinds are made of on a lining."""
+_LINED_KINDS = frozenset({"dress", "skirt", "trousers", "shorts", "jumpsuit", "playsuit"})
+_OF_NET = frozenset({"tulle", "net", "organza"})
+"""Cloths that skirts have several layers of."""
+_SKIRTED = frozenset({"dress", "skirt"})
+_LINED_BEFORE = "lined_"
+_CONTRAST, _OTHER = "contrast", "other"
+_ON_LIGHT, _ON_DARK = NamedColor("navy", "1f2a44"), NamedColor("off-white", "f4f1e8")
+_LIGHT_FROM = 150.0
+"""Brightness from which cloth counts as light, 0 to 255."""
+
+
+@dataclass(frozen=True)
+class HeardLooks:
+    """What is to look otherwise than the rest."""
+
+    looks: tuple[PartLook, ...] = ()
+    refused: tuple[str, ...] = ()
+    """What of it no garment can have, in words."""
+    assumed: tuple[str, ...] = ()
+    """What of it nobody said, in words."""
+    said: frozenset[str] = frozenset()
+    """The parts that the text itself speaks of."""
+
+    def __bool__(self) -> bool:
+        return bool(self.looks or self.refused)
+
+
+NO_LOOKS = HeardLooks()
+
+
+def heard_looks(
+    told: Sequence[SaidLook], kind: str | None, color: str | None, printed: ClothPrint | None
+) -> HeardLooks:
+    """The looks that a text asks for.
+
+    Args:
+        told: By the lexicon.
+        kind: Of the garment; None where it is not known.
+        color: Of the garment, ``#rrggbb``; None where nothing tells it.
+        printed: On its cloth.
+    """
+    found: list[PartLook] = []
+    refused: list[str] = []
+    assumed: list[str] = []
+    said = [look for look in told if look.said]
+    spoken = frozenset([look.part for look in said])
+    said += [look for look in told if not look.said and look.part not in spoken]
+    general = [look for look in said if look.part == "all" and look.cloth is not None]
+    for look in (*general, *[look for look in said if look not in general]):
+        if not look.part:
+            continue  # a thing of its own: that it cannot be made is said anyway
+        if look.cloth == _OTHER:
+            refused.append(f"another cloth of the {look.noun.lower()}")
+            continue
+        if look.part not in PARTS:
+            refused.append(f"another {'look' if look.color is None else 'colour'} of the {look.noun.lower()}")
+            continue
+        if look.cloth == _CONTRAST:
+            shown = _contrast(printed.colors[0] if printed is not None else color)
+            assumed.append(f"{look.part.replace('_', ' ')} in {shown.words}")
+            found = _with(found, PartLook(look.part, f"#{shown.rgb}"))
+        elif look.part == "all":
+            found, lining = _of_whole(found, look.cloth or "", kind, said)
+            assumed += lining
+        else:
+            found, lining = _of_part(found, look, general)
+            assumed += lining
+    return HeardLooks(tuple(found), tuple(dict.fromkeys(refused)), tuple(dict.fromkeys(assumed)), spoken)
+
+
+def look_refused(look: PartLook) -> str:
+    """What is said of a look that a garment cannot have, as it has no such part of its own."""
+    return f"another {'look' if look.color is None else 'colour'} of the {look.part.replace('_', ' ')}"
+
+
+def look_line(look: PartLook) -> str:
+    """A look in words: "collar in #f4f1e8", "sleeves of lace, sheer"."""
+    part = "all of it" if look.part == "all" else look.part.replace("_", " ")
+    color = "" if look.color is None else f" in {look.color}"
+    if look.cloth is None:
+        return f"{part}{color}"
+    if look.cloth == "opaque":
+        return f"{part}{color} opaque"
+    how = "sheer" if look.cloth == "sheer" else f"of {look.cloth}, sheer"
+    if look.opacity is not None:
+        how = f"of {look.cloth}, " + ("lined" if look.opacity >= 1.0 else "in several layers")
+    return f"{part}{color} {how}"
+
+
+def _of_whole(
+    found: list[PartLook], cloth: str, kind: str | None, said: Sequence[SaidLook]
+) -> tuple[list[PartLook], list[str]]:
+    """All of the garment in a sheer cloth: on a lining where that is usual, but for sleeves."""
+    if cloth == "opaque":
+        return [*[look for look in found if look.part != "all"], PartLook("all", None, cloth)], []
+    if cloth.startswith(_LINED_BEFORE):
+        return _with(found, PartLook("all", None, cloth.removeprefix(_LINED_BEFORE), 1.0)), []
+    own = [look for look in found if look.part == "all" and look.cloth is not None]
+    if own:
+        # "Sheer mesh" is one cloth, named twice, and "a sheer chiffon dress" has no lining.
+        named = own[0].cloth if own[0].cloth != "sheer" else cloth
+        bare = cloth in _LINED and own[0].cloth in _LINED
+        return (found if bare else [PartLook("all", None, named)]), []
+    sheer = any(look.part == "all" and look.cloth not in (*_LINED, None) for look in said)
+    if cloth not in _LINED or kind not in _LINED_KINDS or sheer:
+        return _with(found, PartLook("all", None, cloth)), []
+    lined = [PartLook("all", None, cloth, 1.0)]
+    assumed = "lined, so that nothing shows through"
+    if cloth in _OF_NET and kind in _SKIRTED:
+        lined.append(PartLook("skirt", None, cloth, SEVERAL_LAYERS))
+        assumed = "a skirt of several layers" + ("" if kind == "skirt" else "; the rest lined")
+    if kind in ("dress", "jumpsuit", "playsuit"):
+        lined.append(PartLook("sleeves", None, cloth))
+        assumed += "; sleeves, if it has any, without lining"
+    return [*found, *lined], [assumed]
+
+
+def _of_part(
+    found: list[PartLook], look: SaidLook, general: Sequence[SaidLook]
+) -> tuple[list[PartLook], list[str]]:
+    color = None if look.color is None else f"#{look.color.rgb}"
+    cloth, opacity = look.cloth, None
+    old = next((one for one in found if one.part == look.part), None)
+    if color is not None and old is not None and old.color is not None:
+        color = old.color  # of several colours the first is used
+    if cloth is None:
+        return _with(found, PartLook(look.part, color)), []
+    if cloth.startswith(_LINED_BEFORE):
+        cloth, opacity = cloth.removeprefix(_LINED_BEFORE), 1.0
+    if cloth == "sheer":  # "chiffon dress with a sheer skirt"; "sheer lace sleeves"
+        whole = [one.cloth for one in general if one.cloth in OPACITIES and one.cloth != "opaque"]
+        before = old.cloth if old is not None and old.opacity is None else None
+        cloth = before or next((one for one in whole if one is not None), cloth)
+        if before is not None:
+            return found, []
+    assumed = []
+    if cloth in _OF_NET and look.part == "skirt" and not _is_sheer(look, general):
+        opacity, assumed = SEVERAL_LAYERS, ["a skirt of several layers"]
+    if cloth == "lace" and look.part in ("bodice", "skirt"):
+        opacity, assumed = 1.0, [f"the {look.part} lined, so that nothing shows through"]
+    return _with(found, PartLook(look.part, color, cloth, opacity)), assumed
+
+
+def _is_sheer(look: SaidLook, general: Sequence[SaidLook]) -> bool:
+    return look.cloth == "sheer"
+
+
+def _with(found: list[PartLook], look: PartLook) -> list[PartLook]:
+    return list(merged(found, [look]))
+
+
+def _contrast(color: str | None) -> NamedColor:
+    """A colour that is told from another at a glance; most that nobody names are dark."""
+    if color is None:
+        return _ON_DARK
+    red, green, blue = (int(color[k : k + 2], 16) for k in (1, 3, 5))
+    return _ON_LIGHT if 0.3 * red + 0.59 * green + 0.11 * blue >= _LIGHT_FROM else _ON_DARK

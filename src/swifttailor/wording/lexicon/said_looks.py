@@ -1,0 +1,354 @@
+"""Which words of a text say how parts look: a white collar, sleeves in navy, a skirt of tulle.
+
+A colour or a sheer cloth is said of the noun that it stands before, adjectives between; of a part that it
+stands behind in "sleeves in black", "the collar is white" and "sleeves of lace"; else of the whole garment.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from swifttailor.wording.lexicon.colors import NamedColor, named_colors
+from swifttailor.wording.lexicon.entries import Entry
+from swifttailor.wording.lexicon.inflection import Language
+
+if TYPE_CHECKING:
+    from swifttailor.wording.lexicon.reading import WordMark
+
+WHOLE = "all"
+"""The part that is the whole garment."""
+OPAQUE, OTHER = "opaque", "other"
+_KNITS = frozenset({"jersey", "rib-knit", "sweatshirt", "ponte", "fleece"})
+"""Cloths that collars, cuffs and bands usually are of."""
+_PUT_ON = {
+    "buttons": "buttons",
+    "zip": "zip",
+    "belt": "belt",
+    "belt_accessory": "belt",
+    "pockets": "pockets",
+    "drawstring": "drawstring",
+}
+"""By key of what cannot be made of panels, what is put on for it."""
+_PARTS_OF_WHOLE = {"skirt": "skirt", "trousers": "legs", "shorts": "legs", "top": "bodice", "tunic": "bodice"}
+"""Kinds that are named as a part of another: "a dress with a tulle skirt"."""
+_BETWEEN = frozenset(
+    {
+        *("styles", "fits", "lengths", "occasions", "colors", "shades", "prints", "fabrics", "sizes"),
+        *("degrees", "numbers"),
+    }
+)
+"""Categories of words between a look and its noun."""
+_AND = frozenset({"and", "&", "und", "et", "y", "e", "en", "plus"})
+_LINKS = frozenset(
+    "in of from made out is are be being should must become to look as a an the only all entirely completely "
+    "aus von ist sind en de sont est di sono van zijn um uma com both each please turn stay go".split()
+)
+"""Words between a part and how it looks behind it."""
+_SAYS_SO = frozenset("is are be should must become of ist sind sont est sono zijn aus de di van".split())
+_ARTICLES = frozenset("a an the its his her my".split())
+_DEFINITE = frozenset("the its his her my".split())
+_NOUN_FIRST: frozenset[Language] = frozenset({"fr", "es", "it", "pt"})
+"""Languages in which colours stand behind their noun."""
+_WITH = frozenset("with mit met con col com avec à au aux in im ad al da mid og".split())
+"""First words of names of details that another noun stands before: "met wijde pijpen"."""
+_PLURAL_PRINT = re.compile(r"s$", re.IGNORECASE)
+_APART = re.compile(r"[,;:.!?\n()|]")
+_MOST_BETWEEN = 6
+
+
+@dataclass(frozen=True, slots=True)
+class SaidLook:
+    """That a part looks otherwise, or that the whole garment is of a sheer cloth."""
+
+    part: str
+    """A part that words can name, `WHOLE`, or something that is put on: "buttons"."""
+    noun: str
+    """As the text has it; empty of the whole garment."""
+    color: NamedColor | None = None
+    cloth: str | None = None
+    """A key of `garment.part_looks.OPACITIES`, with ``lined_`` before what lies on a lining; or
+    ``contrast``: another colour than the garment's; or ``other``: a cloth that is not sheer."""
+    said: bool = True
+    """Whether a word about the look says so; otherwise the name of a garment implies it."""
+    marks: tuple[WordMark, ...] = ()
+    """The words for the look."""
+    noun_marks: tuple[WordMark, ...] = ()
+    """The words for the part."""
+
+
+def said_looks(text: str, marks: Sequence[WordMark], language: Language) -> tuple[SaidLook, ...]:
+    """The looks that a text says, in its order.
+
+    Args:
+        text: That was read.
+        marks: Its words.
+        language: Of the text.
+    """
+    if not any(_is_look(mark) or _is_cloth(mark) or _own_looks(mark) for mark in marks):
+        return ()
+    reader = _Reader(text, marks, language)
+    found: list[SaidLook] = []
+    for k, mark in enumerate(marks):
+        if mark.role == "theirs":
+            continue
+        found += reader.by_name(k)
+        if _is_look(mark) or _is_cloth(mark):
+            found += reader.of_word(k)
+    return tuple(found)
+
+
+class _Reader:
+    """One text, and what its words are said of."""
+
+    def __init__(self, text: str, marks: Sequence[WordMark], language: Language) -> None:
+        self._text, self._marks, self._language = text, marks, language
+        self._names_garment = any(mark.role == "garment" for mark in marks)
+
+    def by_name(self, k: int) -> list[SaidLook]:
+        """What the word k says together with its noun: "illusion sleeves", or implies: a tulle skirt."""
+        mark = self._marks[k]
+        part = _part_of_garment(mark)
+        found = []
+        for entry in mark.entries:
+            for cloth, own in () if mark.denied or mark.role in ("second", "like") else entry.looks:
+                if _is_look(mark):
+                    continue
+                where = own or part or (mark.part if mark.role == "word" else None) or WHOLE
+                said = mark.role != "garment" or own is None
+                found.append(SaidLook(where, mark.word, None, cloth, said, (), (mark,)))
+        return found
+
+    def of_word(self, k: int) -> list[SaidLook]:
+        """What the look k says, and of what."""
+        mark = self._marks[k]
+        cloth = next((cloth for entry in mark.entries for cloth, _ in entry.looks), None)
+        color = _color(self._marks, k)
+        if mark.denied:
+            if cloth is None or cloth == "contrast":
+                return []
+            color, cloth = None, OPAQUE
+        nouns = self._before(k)
+        nouns = self._behind(k) if nouns is None else nouns
+        if cloth is None and color is None:  # of another cloth, which is not seen
+            cloth, nouns = OTHER, [] if mark.denied else [(j, part) for j, part in nouns if part]
+            if not nouns:
+                return []
+        if not nouns:
+            return [] if cloth in (None, "contrast") else [SaidLook(WHOLE, "", None, cloth, True, (mark,))]
+        shade = self._shade(k)
+        return [
+            SaidLook(part, self._marks[j].word, color, cloth, True, (*shade, mark), (self._marks[j],))
+            for j, part in nouns
+        ]
+
+    def _shade(self, k: int) -> tuple[WordMark, ...]:
+        before = self._marks[k - 1] if k else None
+        return (before,) if before is not None and any(e.shade for e in before.entries) else ()
+
+    def _before(self, k: int) -> list[tuple[int, str]] | None:
+        """Places and parts of the nouns that a look stands before; [] of the garment, None: before none."""
+        j = k + 1
+        if self._language in _NOUN_FIRST and (noun := self._right_before(k)) is not None:
+            part = self._part(self._marks[noun])
+            return [] if part is None else [(noun, part)]
+        while j < len(self._marks) and j - k <= _MOST_BETWEEN and not self._is_apart(j):
+            mark = self._marks[j]
+            if self._is_noun(mark):
+                return self._nouns_from(j, k)
+            if _category(mark) == "prints" and _PLURAL_PRINT.search(mark.word):
+                return []
+            joins = mark.word.lower() in _AND and j + 1 < len(self._marks) and _is_look(self._marks[j + 1])
+            if not joins and mark.entries and _category(mark) not in _BETWEEN:
+                return [] if _category(mark) == "generic" else None
+            j += 1
+        return None
+
+    def _right_before(self, k: int) -> int | None:
+        """The noun that a look follows, other looks between: "col blanc"."""
+        for j in range(k - 1, -1, -1):
+            mark = self._marks[j]
+            if self._is_apart(j + 1):
+                return None
+            if self._is_noun(mark):
+                return j
+            if not (_is_look(mark) or any(e.shade for e in mark.entries)):
+                return None
+        return None
+
+    def _nouns_from(self, j: int, k: int) -> list[tuple[int, str]]:
+        """The noun j with those that are joined to it: "white collar and cuffs"."""
+        last = j
+        while (
+            last + 1 < len(self._marks) and self._is_close(last + 1) and self._is_noun(self._marks[last + 1])
+        ):
+            last += 1
+        first, noun = self._marks[j], self._marks[last]
+        if last > j and noun.entries[0].category == "garments":
+            bare = _category(first) == "parts" and " " not in first.word and j == k + 1
+            return [(j, first.part or "")] if bare else []
+        part = self._part(noun)
+        if part is None:
+            return []
+        found = [(last, part)]
+        while (after := self._joined(last)) is not None:
+            last = after
+            found.append((last, self._part(self._marks[last]) or ""))
+        return found
+
+    def _joined(self, k: int) -> int | None:
+        """The bare part that is joined to the noun k, and has no look of its own."""
+        j = k + 1
+        between = []
+        while j < len(self._marks) and self._marks[j].word.lower() in _AND | _ARTICLES:
+            between.append(self._marks[j].word.lower())
+            j += 1
+        if j >= len(self._marks) or not self._is_bare_part(j) or set(between) & {"a", "an"}:
+            return None
+        apart = _APART.search(self._text[self._marks[k].end : self._marks[j].start])
+        if apart is not None or not set(between) & _AND:
+            listed = apart is not None and apart[0] == "," and not between and self._joined(j) is not None
+            return j if listed else None
+        return None if self._has_look_behind(j) else j
+
+    def _has_look_behind(self, j: int) -> bool:
+        rest = self._marks[j + 1 : j + 4]
+        links = [mark.word.lower() in _LINKS for mark in rest]
+        return any(_is_look(mark) and all(links[:n]) and n for n, mark in enumerate(rest))
+
+    def _behind(self, k: int) -> list[tuple[int, str]]:
+        """The part that a look stands behind; none where it is said of the garment."""
+        links = []
+        for j in range(k - 1, max(-1, k - _MOST_BETWEEN), -1):
+            if self._is_apart(j + 1):
+                return []
+            mark, word = self._marks[j], self._marks[j].word.lower()
+            if self._is_noun(mark):
+                part = self._part(mark)
+                return [] if part is None or not self._is_said(j, links, k) else self._all_before(j, part)
+            if word in _LINKS:
+                links.append(word)
+            elif not (_is_look(mark) or any(e.shade for e in mark.entries) or word in _AND):
+                if _category(mark) != "degrees":
+                    return []
+        return []
+
+    def _all_before(self, j: int, part: str) -> list[tuple[int, str]]:
+        """The part j with those that it is joined to: "make the collar and cuffs white"."""
+        found = [(j, part)]
+        for k in range(j - 2, max(-1, j - 4), -1):
+            if self._is_bare_part(k) and self._joins(k, j):
+                return [*self._all_before(k, self._part(self._marks[k]) or ""), *found]
+        return found
+
+    def _joins(self, k: int, j: int) -> bool:
+        words = {mark.word.lower() for mark in self._marks[k + 1 : j]}
+        return bool(words & _AND) and words <= _AND | _DEFINITE and not self._is_said_before(k)
+
+    def _is_said_before(self, k: int) -> bool:
+        """Whether the part k has a look of its own: "a red collar and sleeves in white"."""
+        return k > 0 and _is_look(self._marks[k - 1])
+
+    def _is_said(self, j: int, links: Sequence[str], k: int) -> bool:
+        """Whether a look behind the part j is its own: that of "a dress with long sleeves in navy" is not."""
+        if set(links) & _SAYS_SO or not self._names_garment or not links:
+            return True
+        if j and self._marks[j - 1].word.lower().split()[-1] in _DEFINITE:
+            return True
+        mine = _category(self._marks[k])
+        return any(
+            _is_look(mark) and _category(mark) == mine and self._before(n) == []
+            for n, mark in enumerate(self._marks)
+            if n != k
+        ) or any(
+            mark.role == "garment" and n + 1 < len(self._marks) and _is_look(self._marks[n + 1])
+            for n, mark in enumerate(self._marks)
+        )
+
+    def _is_bare_part(self, j: int) -> bool:
+        mark = self._marks[j]
+        return _category(mark) == "parts" and self._is_noun(mark) and bool(self._part(mark))
+
+    def _is_noun(self, mark: WordMark) -> bool:
+        """Whether looks can be said of it; of what is not there, as "no sleeves", none can."""
+        if not mark.entries:
+            return False
+        if any(claim.value == "none" for entry in mark.entries for claim in entry.claims("certain")):
+            return False
+        category = _category(mark)
+        if category in ("garments", "accessories", "parts"):
+            return True
+        if category == "styles" and (mark.part is not None or _put_on(mark) or _is_detail(mark)):
+            return not mark.word.lower().endswith(("ed", "less"))
+        return False
+
+    def _part(self, mark: WordMark) -> str | None:
+        """What a noun is of the garment: a part, something that is put on, or a thing of its own (``""``)."""
+        if _category(mark) in ("garments", "accessories"):
+            return _part_of_garment(mark) or ("" if mark.role in ("second", "theirs") else None)
+        return mark.part or _put_on(mark) or ""
+
+    def _is_apart(self, j: int) -> bool:
+        first, _, more = self._marks[j].word.lower().partition(" ")
+        return (bool(more) and first in _WITH) or bool(
+            _APART.search(self._text[self._marks[j - 1].end : self._marks[j].start])
+        )
+
+    def _is_close(self, j: int) -> bool:
+        return (
+            not self._is_apart(j)
+            and self._text[self._marks[j - 1].end : self._marks[j].start].strip(" -") == ""
+        )
+
+
+def _category(mark: WordMark) -> str:
+    return mark.entries[0].category if mark.entries else ""
+
+
+def _is_look(mark: WordMark) -> bool:
+    """Whether a word says nothing but how something looks."""
+    return any(
+        (entry.category == "colors" and entry.color is not None)
+        or (entry.category in ("fabrics", "shades") and entry.looks)
+        for entry in mark.entries
+    )
+
+
+def _is_cloth(mark: WordMark) -> bool:
+    """Whether it names a cloth that is not sheer."""
+    return any(
+        e.category == "fabrics" and e.cloth is not None and e.cloth not in _KNITS and not e.looks
+        for e in mark.entries
+    )
+
+
+def _own_looks(mark: WordMark) -> bool:
+    return any(entry.looks for entry in mark.entries)
+
+
+def _color(marks: Sequence[WordMark], k: int) -> NamedColor | None:
+    """The colour that the word k names, with the shade before it."""
+    pairs: list[tuple[str, Sequence[Entry]]] = [(m.word, m.entries) for m in marks[max(0, k - 1) : k + 1]]
+    if k and any(e.category == "colors" and e.color for e in marks[k - 1].entries):
+        pairs = pairs[1:]
+    found = named_colors(pairs)
+    return found[0] if found else None
+
+
+def _part_of_garment(mark: WordMark) -> str | None:
+    """The part that a garment is named as, where it is one of another: the skirt of a dress."""
+    if mark.role != "part":
+        return None
+    kinds = [kind for entry in mark.entries for kind in entry.kinds]
+    return next((_PARTS_OF_WHOLE[kind] for kind in kinds if kind in _PARTS_OF_WHOLE), None)
+
+
+def _put_on(mark: WordMark) -> str | None:
+    return next((_PUT_ON[what] for e in mark.entries for what in e.cannot if what in _PUT_ON), None)
+
+
+def _is_detail(mark: WordMark) -> bool:
+    """Whether it is a thing of its own on a garment that cannot be made: piping, a bow."""
+    return any(entry.cannot for entry in mark.entries)
