@@ -12,6 +12,7 @@ from swifttailor.describing.measuring import measure_facts
 from swifttailor.errors import InputError, NothingAskedError
 from swifttailor.garment.cloth_color import PALETTE, cloth_color
 from swifttailor.garment.garment import Garment
+from swifttailor.garment.part_looks import PartLook
 from swifttailor.garment.triangle_mesh import mesh_of_garment
 from swifttailor.pattern import write_pattern
 from swifttailor.pattern.drafts import draft
@@ -177,6 +178,36 @@ def test_a_print_alone_changes_the_print_alone_and_is_kept(tailor, tmp_path):
     shorter = tailor.edit(DRESS, "make it 5 cm shorter", print=striped.garment.print)
     assert shorter.garment.print == striped.garment.print
     assert tailor.edit(DRESS, "in plain red", print=striped.garment.print).garment.print is None
+
+
+def test_looks_of_parts_alone_cut_nothing_and_are_kept(tailor, tmp_path):
+    red = PartLook("skirt", "#ff0000")
+    made = tailor.edit(DRESS, "make the skirt red")
+    assert made.pattern == DRESS.canonical() and made.garment.looks == (red,) and not made.needs_a_look
+    assert made.report["looks"] == [{"part": "skirt", "color": "#ff0000"}]
+    assert "Parts in a look of their own: skirt in red (#ff0000)." in made.notes
+    sheer = tailor.edit(DRESS, "make the skirt sheer", looks=made.garment.looks)
+    assert sheer.garment.looks == (PartLook("skirt", "#ff0000", "sheer"),)
+    sheer.save(tmp_path, preview=False, images=False)
+    assert Garment.load(tmp_path).looks == sheer.garment.looks
+    longer = tailor.edit(DRESS, "make it 5 cm longer", looks=sheer.garment.looks)
+    assert longer.garment.looks == sheer.garment.looks and longer.pattern != DRESS.canonical()
+    assert tailor.edit(DRESS, "make it opaque", looks=sheer.garment.looks).garment.looks == (red,)
+    assert "looks" not in tailor.edit(DRESS, "make it 5 cm longer").report
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("orange shoulders", "another colour of the shoulders"),
+        ("make the hood orange", "another colour of the hood"),
+        ("make the buttons gold", "another colour of the buttons"),
+    ],
+)
+def test_looks_of_what_is_no_part_of_a_garment_are_said_to_be_impossible(tailor, text, said):
+    made = tailor.edit(DRESS, text)
+    assert made.needs_a_look and made.garment.looks == () and made.pattern == DRESS.canonical()
+    assert f"Cannot be made: {said}." in made.notes
 
 
 @pytest.mark.parametrize(

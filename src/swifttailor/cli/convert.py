@@ -275,13 +275,17 @@ class Convert:
         write_garment_mesh(mesh, self.target, overwrite=self.overwrite)
 
     def _dressed(self, source: Path) -> TriangleMesh:
-        """The garment of a folder, in its colour, with its print."""
+        """The garment of a folder, in its colours, with its print."""
         from swifttailor.garment.cloth_color import cloth_color
-        from swifttailor.garment.folder import PATTERN
+        from swifttailor.garment.folder import PATTERN, REPORT
+        from swifttailor.garment.folder_reader import read_report
         from swifttailor.garment.formats import read_garment_mesh
+        from swifttailor.garment.part_looks import stated_looks
         from swifttailor.pattern import load_pattern
 
-        if self.print is None:
+        report = self.source / REPORT
+        looks = stated_looks(read_report(report)) if report.is_file() else ()
+        if self.print is None and not looks:
             mesh = read_garment_mesh(source)
             pattern = self.source / PATTERN
             if pattern.is_file():
@@ -292,6 +296,8 @@ class Convert:
         from swifttailor.making.cloth_print import cloth_print
 
         garment = Garment.load(self.source)
+        if self.print is None:
+            return mesh_of_garment(garment if self.color is None else replace(garment, color=self.color))
         return replace(mesh_of_garment(garment), print=cloth_print(garment, self.print, self.print_width))
 
     def _colored(self, mesh: TriangleMesh) -> TriangleMesh:

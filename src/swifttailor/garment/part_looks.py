@@ -143,8 +143,7 @@ def has_part(pattern: Pattern, part: str) -> bool:
     """Whether a garment has a part that can look otherwise than the rest of it."""
     if part in TRIMS_OF_PARTS:
         return any(trim in TRIMS_OF_PARTS[part] for trim in pattern.trims)
-    names = panels_of(pattern, part)
-    return bool(names) and (part == "all" or len(names) < len(pattern.panels))
+    return bool(panels_of(pattern, part))
 
 
 def looks_of_panels(garment: Garment) -> tuple[PanelLook, ...]:

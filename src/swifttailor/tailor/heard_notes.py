@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from swifttailor.tailor.fabric_asked import SEWN_FABRIC, fabric_unmet
 from swifttailor.tailor.order import one_line
-from swifttailor.wishes.heard_looks import look_line
 
 if TYPE_CHECKING:
     from swifttailor.tailor.reading import Wanted
@@ -33,7 +32,7 @@ def heard_report(wanted: Wanted) -> dict[str, Any]:
         "refused": [f"{claim.name}: {claim.value}" for claim in heard.never],
         "color": heard.color,
         "print": None if heard.print is None else heard.print.to_json(),
-        "looks": [look_line(look) for look in heard.looks.looks],
+        "looks": list(heard.looks.lines),
         "looks_assumed": list(heard.looks.assumed),
         "cloth": heard.cloth,
         "cloth_unmet": fabric_unmet(wanted) is not None,
@@ -85,7 +84,7 @@ def heard_notes(wanted: Wanted) -> list[str]:
 
         found.append(f"Print: {print_line(heard.print)}.")
     if heard.looks.looks:
-        found.append(f"Parts in a look of their own: {'; '.join(map(look_line, heard.looks.looks))}.")
+        found.append(f"Parts in a look of their own: {'; '.join(heard.looks.lines)}.")
     if heard.looks.looks and heard.looks.assumed:
         found.append(f"Assumed of it: {'; '.join(heard.looks.assumed)}.")
     found += _fabric_notes(wanted)

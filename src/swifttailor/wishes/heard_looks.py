@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from types import MappingProxyType
 
 from swifttailor.garment.cloth_print import ClothPrint
 from swifttailor.garment.part_looks import OPACITIES, PARTS, SEVERAL_LAYERS, PartLook, merged
@@ -16,6 +17,8 @@ _OF_NET = frozenset({"tulle", "net", "organza"})
 """Cloths that skirts have several layers of."""
 _SKIRTED = frozenset({"dress", "skirt"})
 _LINED_BEFORE = "lined_"
+_ARE_ALL = (("skirt", "skirt"), ("trousers", "legs"), ("shorts", "legs"))
+"""Kinds of garments that are nothing but a part of others."""
 _CONTRAST, _OTHER = "contrast", "other"
 _ON_LIGHT, _ON_DARK = NamedColor("navy", "1f2a44"), NamedColor("off-white", "f4f1e8")
 _LIGHT_FROM = 150.0
@@ -33,6 +36,13 @@ class HeardLooks:
     """What of it nobody said, in words."""
     said: frozenset[str] = frozenset()
     """The parts that the text itself speaks of."""
+    names: tuple[tuple[str, str], ...] = ()
+    """Colours, ``#rrggbb``, and what the text calls them."""
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """The looks in words: "collar in white (#ffffff)", "sleeves of lace, sheer"."""
+        return tuple([look_line(look, dict(self.names)) for look in self.looks])
 
     def __bool__(self) -> bool:
         return bool(self.looks or self.refused)
@@ -60,6 +70,8 @@ def heard_looks(
     said += [look for look in told if not look.said and look.part not in spoken]
     general = [look for look in said if look.part == "all" and look.cloth is not None]
     for look in (*general, *[look for look in said if look not in general]):
+        if (kind, look.part) in _ARE_ALL:
+            look = replace(look, part="all")
         if not look.part:
             continue  # a thing of its own: that it cannot be made is said anyway
         if look.cloth == _OTHER:
@@ -72,13 +84,20 @@ def heard_looks(
             shown = _contrast(printed.colors[0] if printed is not None else color)
             assumed.append(f"{look.part.replace('_', ' ')} in {shown.words}")
             found = _with(found, PartLook(look.part, f"#{shown.rgb}"))
-        elif look.part == "all":
+        elif look.part == "all" and look.cloth is not None:
             found, lining = _of_whole(found, look.cloth or "", kind, said)
             assumed += lining
         else:
             found, lining = _of_part(found, look, general)
             assumed += lining
-    return HeardLooks(tuple(found), tuple(dict.fromkeys(refused)), tuple(dict.fromkeys(assumed)), spoken)
+    names = {f"#{look.color.rgb}": look.color.words.lower() for look in said if look.color is not None}
+    return HeardLooks(
+        tuple(found),
+        tuple(dict.fromkeys(refused)),
+        tuple(dict.fromkeys(assumed)),
+        spoken,
+        tuple(names.items()),
+    )
 
 
 def look_refused(look: PartLook) -> str:
@@ -86,10 +105,17 @@ def look_refused(look: PartLook) -> str:
     return f"another {'look' if look.color is None else 'colour'} of the {look.part.replace('_', ' ')}"
 
 
-def look_line(look: PartLook) -> str:
-    """A look in words: "collar in #f4f1e8", "sleeves of lace, sheer"."""
+def look_line(look: PartLook, names: Mapping[str, str] = MappingProxyType({})) -> str:
+    """A look in words.
+
+    Args:
+        look: Of a part.
+        names: What colours, ``#rrggbb``, are called.
+    """
     part = "all of it" if look.part == "all" else look.part.replace("_", " ")
     color = "" if look.color is None else f" in {look.color}"
+    if look.color in names:
+        color = f" in {names[look.color]} ({look.color})"
     if look.cloth is None:
         return f"{part}{color}"
     if look.cloth == "opaque":

@@ -14,7 +14,6 @@ from swifttailor.pattern.trims.names import trim_said
 from swifttailor.recutting.set_dimension import Span, dimension_spans
 from swifttailor.studio.bench.claim_labels import claim_label, claim_unit, dimension_group
 from swifttailor.tailor.order import one_line
-from swifttailor.wishes.heard_looks import look_line
 from swifttailor.wishes.reader import Wish
 
 if TYPE_CHECKING:
@@ -166,7 +165,7 @@ def reading_of(made: Tailored, facts: GarmentFacts | None) -> dict[str, Any]:
     put_on, meant = made.answer.put_on, made.answer.meant
     done += trim_chips(made.pattern, [name for name in put_on if name not in meant], source="text")
     assumed += trim_chips(made.pattern, meant, source="text")
-    done += [text_chip(look_line(k), list_name="look", number=k.part) for k in heard.looks.looks]
+    done += [text_chip(t, list_name="look", number=k) for k, t in enumerate(heard.looks.lines)]
     assumed += [text_chip(t, list_name="assumed", number=k) for k, t in enumerate(heard.looks.assumed)]
     texts = [*heard.cannot, *heard.left_out]
     cannot = [*missed, *(text_chip(t, list_name="cannot", number=k) for k, t in enumerate(texts))]

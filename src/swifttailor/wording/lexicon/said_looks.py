@@ -231,7 +231,7 @@ class _Reader:
             if word in _LINKS:
                 links.append(word)
             elif not (_is_look(mark) or any(e.shade for e in mark.entries) or word in _AND):
-                if _category(mark) != "degrees":
+                if _category(mark) not in ("degrees", "negations"):
                     return []
         return []
 
