@@ -200,7 +200,6 @@ def test_looks_of_parts_alone_cut_nothing_and_are_kept(tailor, tmp_path):
     ("text", "said"),
     [
         ("orange shoulders", "another colour of the shoulders"),
-        ("make the hood orange", "another colour of the hood"),
         ("make the buttons gold", "another colour of the buttons"),
     ],
 )

@@ -114,7 +114,7 @@ def look_line(look: PartLook, names: Mapping[str, str] = MappingProxyType({})) -
     """
     part = "all of it" if look.part == "all" else look.part.replace("_", " ")
     color = "" if look.color is None else f" in {look.color}"
-    if look.color in names:
+    if look.color is not None and look.color in names:
         color = f" in {names[look.color]} ({look.color})"
     if look.cloth is None:
         return f"{part}{color}"
