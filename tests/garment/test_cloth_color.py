@@ -8,7 +8,7 @@ import pytest
 import swifttailor
 from swifttailor.garment.cloth_color import PALETTE, cloth_color
 from swifttailor.garment.cloth_print import ClothPrint
-from swifttailor.garment.cloth_surfaces import cloth_surface
+from swifttailor.garment.cloth_surfaces import cloth_surface, cloth_surfaces
 from swifttailor.garment.glb import glb_bytes
 from swifttailor.garment.triangle_mesh import mesh_of_garment
 from swifttailor.render.color import BACKGROUND, BODY, to_linear
@@ -53,3 +53,16 @@ def test_the_wrong_side_of_printed_cloth_has_the_hue_of_its_first_colour(tube):
     assert red > 2 * green and red > 2 * blue
     red, green, blue = cloth_surface(replace(tube, print=dots), "#2020c0").back_color
     assert blue > 2 * red, "a colour that is asked for goes first"
+
+
+def test_what_is_woven_is_seen_on_both_sides(tube):
+    """Under the folds of a kilt its tartan goes on; a printed flower does not go through the cloth."""
+    checks = ClothPrint("checks", ("#ffffff", "#202020"), {"width": 2.0})
+    right, wrong = (seen.surface for seen in cloth_surfaces(replace(tube, print=checks)))
+    assert right.back_color is None and wrong.back_color is None, "each is drawn from its own side"
+    assert np.array_equal(wrong.faces, right.faces[:, ::-1])
+    assert np.array_equal(wrong.print_at, right.print_at[:, ::-1]), "the same threads at the same place"
+    assert not wrong.lines
+    dots = ClothPrint("dots", ("#ffffff", "#202020"), {})
+    (only,) = cloth_surfaces(replace(tube, print=dots))
+    assert only.surface.back_color is not None

@@ -81,7 +81,8 @@ def cloth_surfaces(garment: Garment, color: Color | None = None) -> list[SeenClo
         color: Right side of all of the cloth; None: each part has its own.
     """
     if color is not None or not garment.looks:
-        return [SeenCloth(cloth_surface(garment, color, seen_on_dark=True))]
+        whole = SeenCloth(cloth_surface(garment, color, seen_on_dark=True))
+        return _both_sides(whole, garment.print if color is None else None)
     from swifttailor.garment.part_looks import looks_of_panels
 
     looks = looks_of_panels(garment)
@@ -109,8 +110,23 @@ def cloth_surfaces(garment: Garment, color: Color | None = None) -> list[SeenClo
 
             found.append(SeenCloth(surface, opacity, lace_opacity(opacity), cloth_at(garment)[shown]))
         else:
-            found.append(SeenCloth(surface, opacity))
+            found += _both_sides(SeenCloth(surface, opacity), printed)
     return found
+
+
+def _both_sides(seen: SeenCloth, printed: ClothPrint | None) -> list[SeenCloth]:
+    """Cloth, and its wrong side where what is woven into it is seen there, too: under the folds of a kilt."""
+    front = seen.surface
+    if printed is None or printed.kind not in _WOVEN or front.print_at is None:
+        return [seen]
+    behind = replace(
+        front,
+        faces=np.ascontiguousarray(front.faces[:, ::-1]),
+        print_at=np.ascontiguousarray(front.print_at[:, ::-1]),
+        back_color=None,
+        lines=(),
+    )
+    return [replace(seen, surface=replace(front, back_color=None)), replace(seen, surface=behind)]
 
 
 def _print_of(garment: Garment, look: PanelLook, color: str) -> ClothPrint | None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from swifttailor.body.wearer import body_of
 from swifttailor.clock import Clock
-from swifttailor.errors import InputError, SwiftTailorError
+from swifttailor.errors import InputError, NothingAskedError, SwiftTailorError
 from swifttailor.garment_sewer.sewer import BATCH, GarmentSewer
 from swifttailor.pattern import Pattern, check_pattern
 from swifttailor.pattern.check import require_no_errors
@@ -250,19 +250,35 @@ class Tailor(Workshop):
 
         clock = clock or Clock()
         clock.restart()
-        wanted = [self.read(order) for order in orders]
+        asked = [self._read_or_refused(order) for order in orders]
         clock.stop("reading")
+        wanted = [one for one in asked if not isinstance(one, NothingAskedError)]
         samples = [(one, one.order.seed + k) for one in wanted for k in range(one.order.samples)]
-        return write_patterns(
-            lambda: self.pattern_maker,
-            self.garment_sewer,
-            samples,
-            clock,
-            self.library_for(orders),
-            lambda: self.pattern_library,
-            self.designer_for(orders),
-            self.picture_reader if any(one.part is not None for one in wanted) else None,
+        if not samples:
+            return [one for one in asked if isinstance(one, NothingAskedError)]
+        written = iter(
+            write_patterns(
+                lambda: self.pattern_maker,
+                self.garment_sewer,
+                samples,
+                clock,
+                self.library_for(orders),
+                lambda: self.pattern_library,
+                self.designer_for(orders),
+                self.picture_reader if any(one.part is not None for one in wanted) else None,
+            )
         )
+        return [
+            one if isinstance(one, NothingAskedError) else next(written)
+            for one, order in zip(asked, orders, strict=True)
+            for _ in range(order.samples)
+        ]
+
+    def _read_or_refused(self, order: Order) -> Wanted | NothingAskedError:
+        try:
+            return self.read(order)
+        except NothingAskedError as refused:
+            return refused
 
     def read(self, order: Order) -> Wanted:
         """What an order asks for, before anything is made.
