@@ -8,7 +8,8 @@ from functools import cached_property
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.cloth_print import ClothPrint
-from swifttailor.pattern.drafts.draft_names import DRAFT_KINDS, NamedDraft
+from swifttailor.pattern.drafts.draft_names import ARMHOLES, DRAFT_KINDS, NamedDraft
+from swifttailor.wishes.armholes_as_asked import armholes_as_asked
 from swifttailor.wishes.asked_hems import hem_as_asked
 from swifttailor.wishes.button_counts import closed_as_counted
 from swifttailor.wishes.drafts_as_asked import draft_as_asked
@@ -133,7 +134,7 @@ class Heard:
         sure += self._standing_necks if not any(claim.name in _NECKS for claim in sure) else []
         sure += [_STRAIGHT] if _FLARED in self.never and not any(c.name == "skirt" for c in sure) else []
         named = _with_one_collar([as_not_refused(draft, self.never) for draft in named])
-        fitting = [draft_as_asked(draft, sure) for draft in named]
+        fitting = [draft_as_asked(armholes_as_asked(draft, self.lacks), sure) for draft in named]
         if not named and self.kind in (None, "top") and self._tells_no_garment:
             fitting = [draft_as_asked(_WHATEVER, sure)]
         elif not any(fitting):  # a blouse without a collar has nothing of the shirt that blouses begin from
@@ -141,10 +142,11 @@ class Heard:
             fitting = [draft_of_name(entry, self.kind or "", sure) for entry in kinds]
             if not any(self.kind in entry.kinds for entry in self._meant):
                 fitting = [draft_of_kind(self.kind, sure)]
+        fitting = [armholes_as_asked(draft, self.lacks) for draft in fitting if draft is not None]
         wanted = {lack.what for lack in self.lacks if lack.said}
         if asks_for_sailor_collar(entries):
-            fitting = [with_sailor_collar(draft) for draft in fitting if draft is not None]
-        closed = [closed_as_counted(draft, self.text) for draft in fitting if draft is not None]
+            fitting = [with_sailor_collar(draft) for draft in fitting]
+        closed = [closed_as_counted(draft, self.text) for draft in fitting]
         hemmed = [hem_as_asked(draft, sure, wanted, self._denied) for draft in closed]
         found = dict.fromkeys(hemmed)
         return tuple(sorted(found, key=lambda draft: wanted.isdisjoint(draft.shows)))
@@ -163,8 +165,14 @@ class Heard:
         return replace(self, looks=heard_looks(said, self.kind, self.color, self.print))
 
     def made_as(self, draft: NamedDraft) -> Heard:
-        """The same, where the garment begins from a draft: what that shows is no longer lacking."""
-        return replace(self, lacks=tuple([lack for lack in self.lacks if lack.what not in draft.shows]))
+        """The same, where the garment begins from a draft: what that shows is no longer lacking.
+
+        Nor is what a name means of armholes, where it has others that the text asks for.
+        """
+        shown = set(draft.shows)
+        others = ARMHOLES if ARMHOLES & shown else frozenset()
+        lacks = [k for k in self.lacks if k.what not in shown and (k.said or k.what not in others)]
+        return replace(self, lacks=tuple(lacks))
 
     def _told_beside(self, entry: Entry) -> int:
         """How many things are told of the garment that the name of it does not mean anyway."""

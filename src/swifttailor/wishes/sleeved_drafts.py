@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
-from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.pattern.drafts.draft_names import ARMHOLE, NamedDraft
 
 _SET_IN = (
     "skater-dress",
@@ -51,6 +51,8 @@ _WIDE = {"arm_ease": 18.0, "sleeve_end": 46.0}
 """Of sleeves that are to be wide."""
 _ENDS: Mapping[float, float] = {16.0: 33.0, 22.0: 33.0, 32.0: 31.0, 44.0: 28.0, 60.0: 24.0, 64.0: 24.0}
 """Width around at the end of plain sleeves of those lengths, cm."""
+_WIDE_END = 34.0
+"""The same of sleeves that are cut in one with a coat."""
 _FULL_ARM, _FULL_END = 16.0, 46.0
 """Room around the arm and width at the cuff of the full sleeves of shirts, cm."""
 
@@ -67,6 +69,8 @@ def sleeves_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if Claim("sleeves", "none") in claims:
         return draft
     options = dict(draft.options)
+    if options.get(ARMHOLE) == "cut-in-one":  # wide where they begin
+        return _cut_in_one(draft, claims)
     if shape is None:
         return _with_plain_sleeves(draft, claims)
     if draft.name in _CUFFED and shape == "balloon":
@@ -92,6 +96,16 @@ def _with_plain_sleeves(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraf
         return draft
     options |= {"sleeves": True, "sleeve_length": told[0], "sleeve_end": _ENDS[told[0]]}
     return replace(draft, options=tuple(options.items()))
+
+
+def _cut_in_one(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
+    """A draft whose sleeves are cut in one with the body, with sleeves of the length that is told."""
+    told = _told_lengths(claims)
+    if not told:
+        return draft
+    end = _WIDE_END if draft.name == "coat" else _ENDS[told[0]]
+    long = {"sleeve_length": told[0], "sleeve_end": end}
+    return replace(draft, options=tuple({**dict(draft.options), **long}.items()))
 
 
 def _told_lengths(claims: Sequence[Claim]) -> list[float]:

@@ -11,7 +11,8 @@ import numpy as np
 from swifttailor.describing.facts import Armhole, ArmholeShape, NeckHalf, Neckline, NeckShape
 from swifttailor.describing.measuring.anatomy import Anatomy, Border
 from swifttailor.describing.measuring.chain import Line, edge_runs
-from swifttailor.describing.measuring.parts import Face, Part
+from swifttailor.describing.measuring.parts import Face, Part, Side
+from swifttailor.describing.measuring.shoulders import as_cut, sleeve_neck
 from swifttailor.pattern import EdgeRef, Panel
 
 _LEVEL_DEGREES = 22.0
@@ -53,8 +54,8 @@ def measure_neckline(anatomy: Anatomy, face: Face, shoulders: tuple[bool, bool])
                 halves[name] = _measure_half(line)
         else:
             line = max(lines, key=lambda each: each.length)
-            name = "left" if line.points[:, 0].mean() > 0 else "right"
-            halves[name] = _measure_half(_outward(line))
+            name: Side = "left" if line.points[:, 0].mean() > 0 else "right"
+            halves[name] = _measure_half(_on_sleeve(anatomy, name, face, _outward(line)))
     left, right = (
         halves.get(s) if covered else None for s, covered in zip(("left", "right"), shoulders, strict=True)
     )
@@ -105,6 +106,18 @@ def _outward(line: Line) -> Line:
     """The line from the middle of the body to the shoulder."""
     first, last = np.abs(line.points[[0, -1], 0])
     return line if first < last else line.turned_round()
+
+
+def _on_sleeve(anatomy: Anatomy, side: Side, face: Face, line: Line) -> Line:
+    """Half a neckline that may go on along the edge of a raglan sleeve, to its shoulder."""
+    for ref in sleeve_neck(anatomy, side, face):
+        more = Line.along(anatomy.pattern.panel(ref.panel), [ref.edge])
+        flat = np.column_stack([more.points, np.zeros(len(more.points))])
+        points = as_cut(anatomy, ref, flat)[:, :2]
+        near = [float(np.hypot(*(end - line.points[-1]))) for end in points[[0, -1]]]
+        points = points if near[0] < near[1] else points[::-1]
+        line = Line(np.concatenate([line.points, points[1:]]), line.joints)
+    return line
 
 
 def _halves(line: Line) -> tuple[Line, Line]:

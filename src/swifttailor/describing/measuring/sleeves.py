@@ -6,10 +6,13 @@ from typing import Literal
 
 import numpy as np
 
+from swifttailor.arrays import Floats
 from swifttailor.describing.facts import Cuff, Sleeve
 from swifttailor.describing.measuring.anatomy import Anatomy, Border
 from swifttailor.describing.measuring.parts import ARM_PARTS, Part
+from swifttailor.describing.measuring.shoulders import as_cut, shoulder_seam
 from swifttailor.describing.measuring.slices import width_in_plane
+from swifttailor.describing.measuring.wings import Wing, find_wing, wing_width
 from swifttailor.pattern import EdgeRef, Panel
 
 FLOUNCE_FLARE = 1.15
@@ -21,7 +24,8 @@ def measure_sleeve(anatomy: Anatomy, side: Literal["left", "right"]) -> Sleeve |
     """Measures the sleeve of one side; None without one."""
     panels = anatomy.panels(Part.SLEEVE, side=side)
     if not panels:
-        return None
+        wing = find_wing(anatomy, side)
+        return _cut_in_one(anatomy, side, wing) if wing else None
     names = {p.name for p in panels}
     head = anatomy.seam(Part.SLEEVE, Part.TORSO, side=side)
     ends = _ends(anatomy, names, side)
@@ -36,6 +40,25 @@ def measure_sleeve(anatomy: Anatomy, side: Literal["left", "right"]) -> Sleeve |
         head_gather=head.gather,
         end_gather=joined.gather,
         cuff=cuff,
+    )
+
+
+def _cut_in_one(anatomy: Anatomy, side: Literal["left", "right"], wing: Wing) -> Sleeve:
+    """Measures a sleeve that is part of the torso panels."""
+    cloth = anatomy.cloth
+    samples = np.concatenate([cloth.samples[ref] for ref in wing.over])
+    tip = int(np.abs(cloth.world[samples, 0]).argmin())
+    length = _from_tip(anatomy, side, samples[tip], cloth.world[samples[tip]], list(wing.end))
+    end_width = sum(map(anatomy.edge_length, wing.end))
+    joined = anatomy.seam(Part.TORSO, Part.CUFF, side=side)
+    return Sleeve(
+        length=length,
+        upper_width=wing_width(anatomy, wing),
+        end_width=end_width,
+        opening=_opening(anatomy, side, end_width),
+        head_gather=1.0,
+        end_gather=joined.gather,
+        cuff=measure_cuff(anatomy, Part.TORSO, Part.CUFF, side),
     )
 
 
@@ -90,12 +113,27 @@ def _length(
     cloth = anatomy.cloth
     if not head or not ends:
         return 0.0
-    armhole = np.concatenate([cloth.samples[b] for _, b in head])
-    tip = armhole[cloth.world[armhole, 1].argmax()]
+    own = shoulder_seam(anatomy, side)
+    if own is not None and anatomy.part_of(own.own[0]) is Part.SLEEVE:  # a raglan one
+        samples = np.concatenate([cloth.samples[r] for r in own.own])
+        places = np.concatenate([as_cut(anatomy, r, cloth.world[cloth.samples[r]]) for r in own.own])
+        tip = int(np.abs(places[:, 0]).argmax())
+    else:
+        samples = np.concatenate([cloth.samples[b] for _, b in head])
+        places = cloth.world[samples]
+        tip = int(places[:, 1].argmax())
+    return _from_tip(anatomy, side, samples[tip], places[tip], ends)
+
+
+def _from_tip(
+    anatomy: Anatomy, side: Literal["left", "right"], sample: int, place: Floats, ends: list[EdgeRef]
+) -> float:
+    """From the shoulder tip of the body, a sample near which lies at a place (3,), to the end of all, cm."""
+    cloth = anatomy.cloth
     cuffs = {p.name for p in anatomy.panels(Part.CUFF, side=side)}
     last = [r for r in anatomy.free_edges(Part.CUFF) if r.panel in cuffs] or ends
-    way = cloth.distances(cloth.node[[tip]])[cloth.nodes(last)]
-    beyond = (abs(float(cloth.world[tip, 0])) - anatomy.figure.shoulder_x) * np.hypot(1, anatomy.figure.slope)
+    way = cloth.distances(cloth.node[[sample]])[cloth.nodes(last)]
+    beyond = (abs(float(place[0])) - anatomy.figure.shoulder_x) * np.hypot(1, anatomy.figure.slope)
     return float(way.min() + beyond)
 
 

@@ -38,11 +38,16 @@ def width_in_plane(panel: Panel, normal: ArrayLike, offset: float) -> float:
     return float((places[1::2] - places[::2]).sum())
 
 
-def half_widths(panel: Panel, levels: Sequence[float]) -> Floats:
+def half_widths(panel: Panel, levels: Sequence[float], *, inmost: bool = False) -> Floats:
     """How far a placed panel reaches from its side of the middle to its outer edge at some heights, cm.
 
     Necklines and darts on the way are passed over, so that a bodice can be measured through them. For a
     panel across the middle it is the whole distance between its outer edges.
+
+    Args:
+        panel: Any panel.
+        levels: The heights, cm.
+        inmost: Look no further than to where the panel first ends: what lies beyond is a sleeve of its cloth.
     """
     points = panel.to_world(panel.outline(_OUTLINE_CM))
     low, high = float(points[:, 0].min()), float(points[:, 0].max())
@@ -50,8 +55,12 @@ def half_widths(panel: Panel, levels: Sequence[float]) -> Floats:
     widths = np.zeros(len(levels))
     for k, level in enumerate(levels):
         cuts = _cuts(points, level)
+        if inmost:
+            cuts = _from_middle(points, cuts)
         if len(cuts):
-            widths[k] = np.ptp(cuts) if across else cuts.max() - low if high > -low else high - cuts.min()
+            widths[k] = (
+                np.ptp(cuts) if across or inmost else cuts.max() - low if high > -low else high - cuts.min()
+            )
     return widths
 
 
@@ -62,11 +71,29 @@ def lies_across(panel: Panel) -> bool:
     return min(-low, high) > 0.2 * (high - low)
 
 
-def whole_widths(panels: Sequence[Panel], levels: Sequence[float]) -> Floats:
-    """From outer edge to outer edge of placed panels of one face at some heights, cm."""
+def whole_widths(panels: Sequence[Panel], levels: Sequence[float], *, inmost: bool = False) -> Floats:
+    """From outer edge to outer edge of placed panels of one face at some heights, cm.
+
+    Args:
+        panels: Of the face.
+        levels: The heights, cm.
+        inmost: As `half_widths` has it, for the halves of a face that reach over each other.
+    """
     outlines = [panel.to_world(panel.outline(_OUTLINE_CM)) for panel in panels]
-    cuts = [np.concatenate([_cuts(points, level) for points in outlines]) for level in levels]
-    return np.array([np.ptp(each) if len(each) else 0.0 for each in cuts])
+    widths = np.zeros(len(levels))
+    for k, level in enumerate(levels):
+        cuts = [_cuts(points, level) for points in outlines]
+        if inmost:
+            cuts = [_from_middle(points, each) for points, each in zip(outlines, cuts, strict=True)]
+        joined = np.concatenate(cuts)
+        widths[k] = np.ptp(joined) if len(joined) else 0.0
+    return widths
+
+
+def _from_middle(points: Floats, cuts: Floats) -> Floats:
+    """Where the outline of a half passes a height in the middle and at the side."""
+    ordered = np.sort(cuts)
+    return ordered[:2] if points[:, 0].mean() > 0 else ordered[-2:]
 
 
 def _cuts(points: Floats, level: float) -> Floats:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Literal
 
 import numpy as np
 
@@ -12,12 +13,14 @@ from swifttailor.describing.measuring.neckline import measure_armhole
 from swifttailor.describing.measuring.parts import LOWER_PARTS, Part
 from swifttailor.describing.measuring.slices import half_widths, lies_across, whole_widths
 from swifttailor.describing.measuring.wear import Worn
+from swifttailor.describing.measuring.wings import find_wing, wing_underarm
 from swifttailor.pattern import EdgeRef, Panel
 
 _BELOW_UNDERARM_CM = (0.2, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
 _AROUND_WAIST_CM = (-1.0, 0.0, 1.0)
 _BELOW_WAIST_CM = 4.0
 _STAND_FLARE = 1.15
+_SIDES: tuple[Literal["left", "right"], ...] = ("left", "right")
 
 
 def measure_torso(anatomy: Anatomy, worn: Worn) -> Torso | None:
@@ -29,12 +32,13 @@ def measure_torso(anatomy: Anatomy, worn: Worn) -> Torso | None:
     underarm, placed = _underarm(anatomy, worn)
     lower_level = float(worn.levels(anatomy, lower).mean()) if lower else anatomy.figure.waist_y
     lower_edge = sum(map(anatomy.edge_length, lower))
-    waist = _girth(panels, placed - (underarm - anatomy.figure.waist_y), _AROUND_WAIST_CM)
+    winged = find_wing(anatomy, "left") is not None or find_wing(anatomy, "right") is not None
+    waist = _girth(panels, placed - (underarm - anatomy.figure.waist_y), _AROUND_WAIST_CM, winged=winged)
     if lower_level > anatomy.figure.waist_y - _BELOW_WAIST_CM or underarm < anatomy.figure.waist_y + 3.0:
         waist = lower_edge
-    chest = _girth(panels, placed, _BELOW_UNDERARM_CM)
+    chest = _girth(panels, placed, _BELOW_UNDERARM_CM, winged=winged)
     left, right = worn.shoulders
-    sleeved = {s: bool(anatomy.panels(Part.SLEEVE, side=s)) for s in ("left", "right")}
+    sleeved = {s: bool(anatomy.panels(Part.SLEEVE, side=s) or find_wing(anatomy, s)) for s in _SIDES}
     return Torso(
         left_shoulder=left.length if left else None,
         right_shoulder=right.length if right else None,
@@ -78,7 +82,7 @@ def measure_collar(anatomy: Anatomy) -> Collar | None:
     that is turned down over a stand, but where it goes all around, as roll necks do.
     """
     panels = anatomy.panels(Part.COLLAR)
-    seam = anatomy.seam(Part.COLLAR, Part.TORSO)
+    seam = anatomy.seam(Part.COLLAR, {Part.TORSO, Part.SLEEVE})
     if not panels or not seam.pairs:
         return None
     cloth = anatomy.cloth
@@ -114,22 +118,33 @@ def _lower_edges(anatomy: Anatomy) -> tuple[tuple[EdgeRef, ...], float]:
     return (*seam.own, *free), seam.gather
 
 
-def _girth(panels: Sequence[Panel], level: float, below: Sequence[float]) -> float:
-    """Girth at a placed height, cm: of several cuts the widest, since a dart may open into one of them."""
+def _girth(panels: Sequence[Panel], level: float, below: Sequence[float], *, winged: bool = False) -> float:
+    """Girth at a placed height, cm: of several cuts the widest, since a dart may open into one of them.
+
+    Args:
+        panels: Of the torso.
+        level: The height, cm.
+        below: How far below it is looked as well, cm.
+        winged: Whether sleeves are cut in one with them, which hang beside the body and do not count.
+    """
     levels = [level - b for b in below]
     girth = 0.0
     for back in (False, True):
         face = [p for p in panels if (p.normal()[2] < 0) == back]
         if len(face) > 1 and any(map(lies_across, face)):  # one front runs on into the other's half
-            girth += float(whole_widths(face, levels).max())
+            girth += float(whole_widths(face, levels, inmost=winged).max())
         else:
-            girth += sum(float(half_widths(p, levels).max()) for p in face)
+            girth += sum(float(half_widths(p, levels, inmost=winged).max()) for p in face)
     return girth
 
 
 def _underarm(anatomy: Anatomy, worn: Worn) -> tuple[float, float]:
     """Height of the underarm as worn and as placed, cm; of the lowest upper border where there is none."""
     cloth = anatomy.cloth
+    wing = find_wing(anatomy, "left") or find_wing(anatomy, "right")
+    if wing is not None:
+        sample = wing_underarm(anatomy, wing)
+        return float(worn.level[cloth.node[sample]]), float(cloth.world[sample, 1])
     refs = [r for loop in anatomy.loops(Border.ARM) for r in loop.edges if anatomy.part_of(r) is Part.TORSO]
     refs += anatomy.seam(Part.TORSO, Part.SLEEVE).own
     if not refs and anatomy.top is not None:

@@ -18,6 +18,7 @@ from swifttailor.arrays import Floats, read_only
 from swifttailor.describing.measuring.anatomy import Anatomy, Seam
 from swifttailor.describing.measuring.neckline import bare_back_edges, below_strap
 from swifttailor.describing.measuring.parts import LOWER_PARTS, Part
+from swifttailor.describing.measuring.shoulders import as_cut, shoulder_seam
 from swifttailor.pattern import EdgeRef
 from swifttailor.pattern.drafts.figure import Figure
 
@@ -35,7 +36,6 @@ WELL_BELOW_HIPS_CM = 12.0
 LIGHT_CM2 = 15_000.0
 """A skirt or trousers of less cloth leave a tight waist where it fits; `HEAVY_CM2` pull it down."""
 HEAVY_CM2 = 30_000.0
-_SHOULDER_REGION_CM = 16.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,28 +74,6 @@ def wear(anatomy: Anatomy) -> Worn:
     return Worn(read_only(level), top, shoulders, lifted)
 
 
-def shoulder_seam(anatomy: Anatomy, side: str) -> Seam | None:
-    """The seam on one shoulder, seen from the front panels; None where that shoulder is bare."""
-    whole = anatomy.seam(Part.TORSO, Part.TORSO, face="front")
-    torso = anatomy.panels(Part.TORSO)
-    if not torso:
-        return None
-    highest = max(float(p.to_world(p.vertices)[:, 1].max()) for p in torso)
-    pairs = []
-    for a, b in whole.pairs:
-        if anatomy.parts[b.panel].face == "front":
-            continue
-        start, end = anatomy.cloth.world[anatomy.cloth.samples[a][[0, -1]]]
-        middle = (start + end) / 2
-        flat = abs(end[0] - start[0]) > abs(end[1] - start[1])
-        if flat and middle[1] > highest - _SHOULDER_REGION_CM and (middle[0] > 0) == (side == "left"):
-            pairs.append((a, b))
-    if not pairs:
-        return None
-    own, other = (sum(map(anatomy.edge_length, refs)) for refs in zip(*pairs, strict=True))
-    return Seam(tuple(pairs), own, other)
-
-
 def fitting_level(figure: Figure, girth: float) -> float:
     """The height below which a closed band of that girth cannot slide, cm; minus infinity past the hips."""
     if girth > figure.hips.girth:
@@ -112,13 +90,12 @@ def _hangers(
     sewn = [ref for seam in shoulders if seam for ref in seam.own]
     if sewn:
         samples = np.concatenate([cloth.samples[ref] for ref in sewn])
-        levels = figure.neck_y - figure.slope * np.maximum(
-            np.abs(cloth.world[samples, 0]) - figure.neck_x, 0.0
-        )
+        placed = np.concatenate([as_cut(anatomy, ref, cloth.world[cloth.samples[ref]]) for ref in sewn])
+        levels = figure.neck_y - figure.slope * np.maximum(np.abs(placed[:, 0]) - figure.neck_x, 0.0)
         nodes = cloth.node[samples]
         bare = _bare_edges(anatomy, shoulders)
         if bare:
-            lift = float((levels - cloth.world[samples, 1]).mean())
+            lift = float((levels - placed[:, 1]).mean())
             more = np.concatenate([cloth.samples[ref] for ref in bare])
             nodes = np.concatenate([nodes, cloth.node[more]])
             levels = np.concatenate([levels, np.minimum(cloth.world[more, 1] + lift, figure.neck_y)])

@@ -6,7 +6,6 @@ from swifttailor.pattern.drafts.cutting_table import CuttingTable, turned
 from swifttailor.pattern.drafts.figure import ANKLE_X_PER_HIPS, Figure, Halves
 from swifttailor.pattern.drafts.joins import sew_sides
 from swifttailor.pattern.drafts.outline import Outline, annular_sector
-from swifttailor.pattern.drafts.sleeve import place_on_arm
 
 CONTOUR = 0.2
 """Part of the body's widening below the waist that a waistband follows; a fully shaped one slides down."""
@@ -73,7 +72,7 @@ def lay_sleeve_cuff(table: CuttingTable, figure: Figure, at: float, ease: float,
 
     Args:
         table: Must already hold the left sleeve.
-        figure: Gives the arm's direction and girth.
+        figure: Gives the arm's girth.
         at: Where the cuff begins, from the shoulder along the arm, cm.
         ease: Room on top of the arm's girth there, cm; the cuff is no wider than the sleeve's end, and split
             like it.
@@ -87,7 +86,15 @@ def lay_sleeve_cuff(table: CuttingTable, figure: Figure, at: float, ease: float,
         outline = Outline(start, -half).line("under", start + height, -half)
         outline.line("end", start + height, 0.0).line("top", start, 0.0).line("join", start, -half)
         name = f"sl_left_cuff_{side}"
-        place_on_arm(table, figure, name, turned(outline.closed(), -90.0), turn=90.0)
+        sleeve = table.pieces[f"left_sleeve_{side}"].placement
+        table.lay(
+            name,
+            turned(outline.closed(), -90.0),
+            label="arm",
+            at=sleeve.translation,
+            rotation=(0.0, 0.0, 90.0 + sleeve.rotation[2]),
+            back=side == "b",
+        )
         table.seam(f"left_sleeve_{side}.hem", f"{name}.join", gathered=True)
     table.seam("sl_left_cuff_f.top", "sl_left_cuff_b.top")
     table.seam("sl_left_cuff_f.under", "sl_left_cuff_b.under")

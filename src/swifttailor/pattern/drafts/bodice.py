@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from swifttailor.pattern.drafts.cutting_table import CuttingTable, Piece
-from swifttailor.pattern.drafts.figure import Figure
+from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.neckline import Neckline, draw_neckline
 from swifttailor.pattern.drafts.outline import Outline, Point, Side
 
@@ -92,9 +92,19 @@ def armhole(outline: Outline, tip: Point, slope: float, scoop: float) -> None:
     outline.cubic("armhole", inward, (tip[0] - slope * reach, tip[1] - reach), tip)
 
 
-def shoulder_tip_x(figure: Figure, neckline: Neckline, extension: float) -> float:
-    """Distance of the armhole's upper end from the middle; at least 3 cm of shoulder remain, cm."""
-    widest = figure.shoulder_x + min(extension, min(figure.bust.front, figure.bust.back) - figure.shoulder_x)
+def shoulder_tip_x(
+    figure: Figure, neckline: Neckline, extension: float, chest: Halves | None = None
+) -> float:
+    """Distance of the armhole's upper end from the middle; at least 3 cm of shoulder remain, cm.
+
+    Args:
+        figure: The body.
+        neckline: Where the shoulder begins.
+        extension: Beyond the shoulder tip, cm.
+        chest: Half widths at the underarm, beyond which no shoulder reaches; those of the body when None.
+    """
+    chest = chest or figure.bust
+    widest = figure.shoulder_x + min(extension, min(chest.front, chest.back) - figure.shoulder_x)
     return max(widest, neckline.start_x(figure) + 3.0)
 
 
@@ -115,7 +125,7 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
         shaping = 0.0
     widening += shape.flare / 4
     rise = _hem_rise(max(widening, 0.0), under_y - hem_y, chest.girth / 4 + widening)
-    tip_x = shoulder_tip_x(figure, shape.neckline, shape.shoulder_extension)
+    tip_x = shoulder_tip_x(figure, shape.neckline, shape.shoulder_extension, chest)
     neck_x = shape.neckline.start_x(figure)
     slit = shape.front_slit
     if shape.front_closed_to is not None:

@@ -134,12 +134,27 @@ class CuttingTable:
         """Cuts an edge that is sewn in one, and what it is sewn to, at a fraction of the edge's length."""
         piece, name = self._resolve(edge)
         (side,) = piece.find(name)
-        (seam,) = [k for k, pair in enumerate(self._stitches) if side.serial in pair]
-        (partner,) = {*self._stitches.pop(seam)} - {side.serial}
-        other, twin = next((p, s) for p in self.pieces.values() for s in p.sides if s.serial == partner)
+        self.cut_side(piece, side, fraction)
+
+    def cut_side(self, piece: Piece, side: Side, fraction: float) -> None:
+        """Cuts one edge of a piece, and what it may be sewn to, at a fraction of the edge's length."""
+        seams = [k for k, pair in enumerate(self._stitches) if side.serial in pair]
         ours = self._cut([(piece, side)], [0.0, 1.0], [fraction], against=False)
-        theirs = self._cut([(other, twin)], [0.0, 1.0], [fraction], against=True)
-        self._stitches += [(a.serial, b.serial) for (_, a), (_, b) in zip(ours, theirs, strict=True)]
+        if not seams:
+            return
+        pair = self._stitches.pop(seams[0])
+        (partner,) = {*pair} - {side.serial}
+        other, twin = next((p, s) for p in self.pieces.values() for s in p.sides if s.serial == partner)
+        theirs = self._cut([(other, twin)], [0.0, 1.0], [fraction], against=pair not in self._folded)
+        stitches = [(a.serial, b.serial) for (_, a), (_, b) in zip(ours, theirs, strict=True)]
+        self._stitches += stitches
+        self._folded.update(stitches if pair in self._folded else ())
+
+    def replace_sides(self, piece: Piece, at: int, count: int, new: list[Side]) -> None:
+        """Puts other edges in the place of some that follow each other; seams of these are undone."""
+        gone = {side.serial for side in piece.sides[at : at + count]}
+        piece.sides[at : at + count] = new
+        self._stitches = [pair for pair in self._stitches if not gone.intersection(pair)]
 
     def mirror(self) -> None:
         """Adds the right-hand twin of every left-hand piece, and of every seam between left-hand pieces."""

@@ -41,6 +41,12 @@ SleeveEnd = Annotated[
     float,
     Option("Width around at the sleeve's end; at most that at the underarm.", "cm", 18.0, 50.0),
 ]
+ShoulderExtension = Annotated[
+    float,
+    Option(
+        "How far the shoulder seam reaches over the shoulder tip: 6 and more is dropped.", "cm", 0.0, 10.0
+    ),
+]
 Sleeves = Annotated[bool, Option("Set in sleeves.")]
 WaistShaping = Annotated[float, Option("How far each side seam bends inward at the waist.", "cm", 0.0, 4.0)]
 CapEase = Annotated[float, Option("Fullness of the sleeve cap over the armhole.", "%", 0.0, 6.0)]

@@ -113,6 +113,9 @@ class NamedDraft:
         if collar is not None:
             shown = (*[key for key in shown if key not in _COLLAR_KEYS], *collar)
         stretches = bool(dict(self.options).get("stretch", self.name in STRETCHING))
+        shown = (*shown, *_ARMHOLES_SHOW.get(str(dict(self.options).get(ARMHOLE, "")), ()))
+        if float(dict(self.options).get(DROPPED_BY, 0.0)) >= DROPPED_CM:
+            shown = (*shown, DROPPED)
         curves = [CURVED_HEM] if dict(self.options).get(HEM_RISE, 0.0) else []
         return (*shown, *(["open_front"] if opens else ()), *(["stretch"] if stretches else ()), *curves)
 
@@ -137,7 +140,8 @@ class NamedDraft:
         bib = _OF_BIBS if self.name in ("dungarees", "pinafore", "apron") else ()
         broad = (("straps", "wide"),) if bib and STRAP_WIDTH in dict(self.options) else ()
         high = (("slit_size", "high"),) if float(dict(self.options).get(SIDE_SLITS, 0.0)) >= HIGH_CM else ()
-        shown = (_OF_STANDS if stands else (), slits, falls, bib, broad, high)
+        wings = _OF_WINGS if dict(self.options).get(ARMHOLE) == "cut-in-one" else ()
+        shown = (_OF_STANDS if stands else (), slits, falls, bib, broad, high, wings)
         return (*DRAFTS_ARE.get(self.name, ()), *[claim for claims in shown for claim in claims])
 
     @property
@@ -168,6 +172,15 @@ HEM_RISE, CURVED_HEM = "hem_rise", "curved_hem"
 """The option of hems that are curved like a shirt's, and what they are in the lexicon's ``cannot.txt``."""
 SIDE_SLITS = "side_slits"
 """The option of slits in garments that have no skirt of their own to be measured."""
+ARMHOLE, DROPPED_BY = "armhole", "shoulder_extension"
+"""The options of how sleeves are joined, and of how far the shoulder seam reaches over the shoulder tip."""
+RAGLAN, CUT_IN_ONE, DROPPED = "raglan", "cut_in_one", "dropped_shoulder"
+"""Keys of ``cannot.txt``: of sleeves that drafts with these options have."""
+ARMHOLES = frozenset({RAGLAN, CUT_IN_ONE, DROPPED})
+_ARMHOLES_SHOW: Mapping[str, tuple[str, ...]] = {"raglan": (RAGLAN,), "cut-in-one": (CUT_IN_ONE,)}
+DROPPED_CM = 6.0
+"""Armholes so far beyond the shoulder tip lie on the upper arm."""
+_OF_WINGS = (("sleeve_shape", "wide"),)
 ROOMY_CM = 7.0
 """With so much room on top of the hips drafts look loose there; with more, they stand off at the sides."""
 A_LINE_CM = 12.0

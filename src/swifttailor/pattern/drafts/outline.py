@@ -109,6 +109,13 @@ class Outline:
         assert math.dist(self._at, side.start) < 1e-6, f"the edge begins at {side.start}, not at {self._at}"
         return self._add(side.name, side.end, side.curve)
 
+    def adopt(self, side: Side) -> Outline:
+        """An edge of another outline, with its identity: what is sewn to it stays so."""
+        assert math.dist(self._at, side.start) < 1e-6, f"the edge begins at {side.start}, not at {self._at}"
+        self.sides.append(side)
+        self._at = side.end
+        return self
+
     def darted_line(self, name: str, end: Point, darts: list[Dart]) -> Outline:
         """A straight seam line to `end` with darts pointing into the panel.
 

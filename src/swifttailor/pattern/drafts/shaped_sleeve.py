@@ -2,19 +2,38 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Annotated, Literal
 
 from swifttailor.pattern.drafts.band import lay_sleeve_cuff
+from swifttailor.pattern.drafts.cut_in_one import CutInOne, cut_sleeve_in_one
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure
 from swifttailor.pattern.drafts.options import Option
+from swifttailor.pattern.drafts.raglan import lay_raglan_sleeve
 from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
 
 SleeveShape = Literal["plain", "puffed", "balloon", "bell"]
 SleeveShapeOption = Annotated[
     SleeveShape,
     Option("Puffed: gathered at the shoulder. Balloon: full, gathered into a cuff. Bell: widens to the end."),
+]
+ArmholeCut = Literal["set-in", "raglan", "cut-in-one"]
+ArmholeCutOption = Annotated[
+    ArmholeCut,
+    Option(
+        "Set-in: sewn to an armhole, as puffed ones always are. Raglan: the seams run on to the neckline. "
+        "Cut-in-one: of the same cloth as front and back."
+    ),
+]
+RaglanOption = Annotated[
+    Literal["set-in", "raglan"],
+    Option("Set-in: sewn to an armhole, as puffed ones always are. Raglan: the seams run to the neckline."),
+]
+WingOption = Annotated[
+    float,
+    Option("How far below the underarm sleeves that are cut in one begin, at the side.", "cm", 2.0, 30.0),
 ]
 LONG_CM = 45.0
 """Longer puffed sleeves are close below their heads; shorter ones are gathered into a band."""
@@ -29,36 +48,59 @@ BAND_CM, BAND_EASE = 3.0, 3.0
 """Height of the band of a short sleeve and its room around the arm, cm."""
 CUFF_CM, CUFF_EASE = 6.0, 4.0
 """The same of the cuff of a long one."""
+LEAST_END_EASE = 4.0
+"""Room around the arm at the ends of sleeves that are cut in one, cm at least."""
 BELL_SHARE, LARGEST_BELL_CM = 0.5, 26.0
 """By which part of its length a bell sleeve is wider at its end than at the underarm, and the most."""
 
 
-def lay_shaped_sleeve(table: CuttingTable, figure: Figure, shape: SleeveShape, plain: Sleeve) -> None:
+def lay_shaped_sleeve(
+    table: CuttingTable,
+    figure: Figure,
+    shape: SleeveShape,
+    plain: Sleeve,
+    armhole: ArmholeCut = "set-in",
+    wing: float = 8.0,
+) -> None:
     """Lays the left sleeve and sews it to the left torso, which must already lie on the table.
 
     Args:
-        table: Where it goes.
+        table: Where it goes. Before raglan sleeves, what is sewn to the neckline must lie there too.
         figure: Gives the arm's direction and girths.
         shape: Of the sleeve.
         plain: What a plain one would be; its length counts, and its widths where the shape says nothing else.
+        armhole: How it is joined to the torso.
+        wing: How far below the underarm a sleeve that is cut in one begins, cm.
     """
+    if armhole == "cut-in-one" and shape != "puffed":
+        bell = min(BELL_SHARE * plain.length, LARGEST_BELL_CM) if shape == "bell" else 0.0
+        width = max(plain.end_width, figure.arm_girth(plain.length) + LEAST_END_EASE) + bell
+        cut_sleeve_in_one(table, figure, CutInOne(plain.length, width, wing, plain.shoulder_extension))
+        return
+    lay = lay_raglan_sleeve if armhole == "raglan" and shape != "puffed" else lay_sleeve
     if shape == "plain":
-        lay_sleeve(table, figure, plain)
+        lay(table, figure, plain)
     elif shape == "bell":
-        lay_sleeve(table, figure, replace(plain, flare=min(BELL_SHARE * plain.length, LARGEST_BELL_CM)))
+        lay(table, figure, replace(plain, flare=min(BELL_SHARE * plain.length, LARGEST_BELL_CM)))
     elif shape == "puffed" and plain.length >= LONG_CM:
         full = replace(plain, arm_ease=LEG_OF_MUTTON_EASE, cap_ease=LEG_OF_MUTTON_CAP)
-        lay_sleeve(table, figure, full)
+        lay(table, figure, full)
     else:
-        _lay_gathered(table, figure, shape, plain)
+        _lay_gathered(table, figure, shape, plain, lay)
 
 
-def _lay_gathered(table: CuttingTable, figure: Figure, shape: SleeveShape, plain: Sleeve) -> None:
+def _lay_gathered(
+    table: CuttingTable,
+    figure: Figure,
+    shape: SleeveShape,
+    plain: Sleeve,
+    lay: Callable[[CuttingTable, Figure, Sleeve], None],
+) -> None:
     """Lays a sleeve that is as wide at its end as at the underarm, and gathered into a band or cuff."""
     length = max(plain.length, SHORTEST_CM)
     height, ease = (CUFF_CM, CUFF_EASE) if length >= LONG_CM else (BAND_CM, BAND_EASE)
     room, cap = (PUFF_EASE, PUFF_CAP) if shape == "puffed" else (BALLOON_EASE, BALLOON_CAP)
     wide = figure.upper_arm + room
     full = replace(plain, length=length - height, arm_ease=room, cap_ease=cap, end_width=wide)
-    lay_sleeve(table, figure, full)
+    lay(table, figure, full)
     lay_sleeve_cuff(table, figure, length - height, ease, height)

@@ -94,7 +94,6 @@ def place_on_arm(
     name: str,
     outline: Outline,
     *,
-    turn: float = 0.0,
     tip: Point | None = None,
 ) -> None:
     """Lays a panel drawn with x along the arm from the shoulder tip and y across it.
@@ -103,8 +102,7 @@ def place_on_arm(
         table: Must already hold the left torso, whose armhole says where the arm begins.
         figure: Gives the arm's direction.
         name: Panel name; those ending in ``_b`` stand behind the arm.
-        outline: Closed counter-clockwise outline, its axes turned back by `turn`.
-        turn: Degrees by which the panel's own axes are turned against the arm's.
+        outline: Closed counter-clockwise outline.
         tip: Of the shoulder, local cm; None where the armhole of the torso reaches it.
     """
     back = name.endswith("_b")
@@ -113,7 +111,7 @@ def place_on_arm(
     along, up = (math.cos(angle), -math.sin(angle)), (math.sin(angle), math.cos(angle))
     x, y = (tip[k] + GAP * along[k] + LIFT * up[k] for k in (0, 1))
     z = ARM_Z + (-CLEARANCE if back else CLEARANCE + 3.0)
-    rotation = (0.0, 0.0, turn - figure.arm_angle)
+    rotation = (0.0, 0.0, -figure.arm_angle)
     table.lay(name, outline, label="arm", at=(x, y, z), rotation=rotation, back=back)
 
 
@@ -136,7 +134,7 @@ def fit_cap(front: float, back: float, width: float, highest: float) -> Cap:
         return at(LOWEST_CAP)
     if excess(highest) >= 0:
         return at(highest)
-    return at(_root(excess, LOWEST_CAP, highest, 1e-4))
+    return at(find_root(excess, LOWEST_CAP, highest, 1e-4))
 
 
 def _cap_curve(outline: Outline, height: float, half: float, front: bool) -> None:
@@ -153,10 +151,11 @@ def _half_width(height: float, length: float, front: bool) -> float:
         _cap_curve(outline, height, half, front)
         return outline.sides[0].length - length
 
-    return _root(excess, 0.3 * length, length, 1e-9)
+    return find_root(excess, 0.3 * length, length, 1e-9)
 
 
-def _root(function: Callable[[float], float], low: float, high: float, tolerance: float) -> float:
+def find_root(function: Callable[[float], float], low: float, high: float, tolerance: float) -> float:
+    """Where a function is zero between two places that it has different signs at."""
     from scipy.optimize import brentq  # takes a tenth of a second to load
 
     root = brentq(function, low, high, xtol=tolerance)

@@ -9,6 +9,7 @@ from typing import Annotated, Literal
 from swifttailor.pattern.drafts import declared
 from swifttailor.pattern.drafts.band import lay_sleeve_cuff, lay_waist_band
 from swifttailor.pattern.drafts.bodice import LooseBodice, lay_loose_bodice, sew_centres
+from swifttailor.pattern.drafts.cut_in_one import lay_cuff_of_one
 from swifttailor.pattern.drafts.cutting_table import CuttingTable
 from swifttailor.pattern.drafts.figure import Figure, Halves
 from swifttailor.pattern.drafts.hood import Hood, lay_hood, sew_hood
@@ -16,7 +17,14 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import CollarHeight, NeckCollar, SewnCollarOption
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.drafts.shaped_sleeve import (
+    ArmholeCut,
+    ArmholeCutOption,
+    RaglanOption,
+    WingOption,
+    lay_shaped_sleeve,
+)
+from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.drafts.stand_collar import lay_stand_collar, sew_collar
 from swifttailor.pattern.pattern import Pattern
 
@@ -33,9 +41,7 @@ class BandedOptions:
     neck_widening: declared.HighNeckWidening = 2.0
     neck_depth: declared.HighNeckDepth = 9.5
     armhole_drop: declared.ArmholeDrop = 4.5
-    shoulder_extension: Annotated[
-        float, Option("How far the shoulder seam reaches over the shoulder tip.", "cm", 0.0, 5.0)
-    ] = 2.0
+    shoulder_extension: declared.ShoulderExtension = 2.0
     sleeve_length: declared.SleeveLength = 58.0
     arm_ease: declared.ArmEase = 12.0
     sleeve_end: declared.SleeveEnd = 28.0
@@ -63,6 +69,8 @@ class SweatshirtOptions(BandedOptions):
     ] = "none"
     collar_height: CollarHeight = 4.5
     sleeves: declared.Sleeves = True
+    armhole: ArmholeCutOption = "set-in"
+    wing: WingOption = 8.0
 
 
 def draft_sweatshirt(options: SweatshirtOptions, measurements: Measurements) -> Pattern:
@@ -70,8 +78,10 @@ def draft_sweatshirt(options: SweatshirtOptions, measurements: Measurements) -> 
     figure, table = Figure.of(measurements), CuttingTable("sweatshirt")
     collar = NeckCollar(options.collar, 0.0, options.collar_height)
     neckline = Neckline(options.neckline, options.neck_widening, options.neck_depth, 2.0)
-    _lay_left(table, figure, options, collar.neckline(neckline), sleeves=options.sleeves)
+    _lay_bodice(table, figure, options, collar.neckline(neckline), sleeves=options.sleeves)
     collar.lay(table, figure)
+    if options.sleeves:
+        _lay_sleeve(table, figure, options, options.armhole, options.wing)
     return _finished(table, figure, options, collar.sew)
 
 
@@ -84,14 +94,16 @@ class BomberJacketOptions(BandedOptions):
     neck_widening: declared.CloseNeckWidening = 0.0
     neck_depth: declared.HighNeckDepth = 8.0
     collar_height: Annotated[float, Option("Height of the collar.", "cm", 2.0, 6.0)] = 4.0
+    armhole: RaglanOption = "set-in"
 
 
 def draft_bomber_jacket(options: BomberJacketOptions, measurements: Measurements) -> Pattern:
     """Drafts the bomber jacket for a body: zipped up, so closed in front; its collar stands."""
     figure, table = Figure.of(measurements), CuttingTable("bomber-jacket")
     neckline = Neckline("round", options.neck_widening, options.neck_depth, 1.5)
-    _lay_left(table, figure, options, neckline)
+    _lay_bodice(table, figure, options, neckline)
     lay_stand_collar(table, figure, options.collar_height)
+    _lay_sleeve(table, figure, options, options.armhole)
     return _finished(table, figure, options, sew_collar)
 
 
@@ -116,10 +128,10 @@ def draft_denim_jacket(options: DenimJacketOptions, measurements: Measurements) 
     """Drafts the denim jacket for a body: buttoned up, so closed in front."""
     figure, table = Figure.of(measurements), CuttingTable("denim-jacket")
     collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
-    _lay_left(
-        table, figure, options, collar.neckline(Neckline("v", options.neck_widening, options.neck_depth, 1.5))
-    )
+    neckline = Neckline("v", options.neck_widening, options.neck_depth, 1.5)
+    _lay_bodice(table, figure, options, collar.neckline(neckline))
     collar.lay(table, figure)
+    _lay_sleeve(table, figure, options)
     return _finished(table, figure, options, collar.sew)
 
 
@@ -133,14 +145,16 @@ class HoodieOptions(BandedOptions):
     neck_depth: declared.HighNeckDepth = 10.0
     hood_height: declared.HoodHeight = 4.0
     hood_depth: declared.HoodDepth = 4.0
+    armhole: RaglanOption = "set-in"
 
 
 def draft_hoodie(options: HoodieOptions, measurements: Measurements) -> Pattern:
     """Drafts the hoodie for a body."""
     figure, table = Figure.of(measurements), CuttingTable("hoodie")
     neckline = Neckline("round", options.neck_widening, options.neck_depth, 2.0)
-    _lay_left(table, figure, options, neckline)
+    _lay_bodice(table, figure, options, neckline)
     lay_hood(table, figure, Hood(options.hood_height, options.hood_depth))
+    _lay_sleeve(table, figure, options, options.armhole)
     return _finished(table, figure, options, sew_hood)
 
 
@@ -155,10 +169,10 @@ def _band_height(options: BandedOptions) -> float:
     return min(options.hem_band_height, max(options.length - 2.0, _SHORT_BAND_CM))
 
 
-def _lay_left(
+def _lay_bodice(
     table: CuttingTable, figure: Figure, options: BandedOptions, neckline: Neckline, *, sleeves: bool = True
 ) -> None:
-    """Lays the left half of torso and sleeve."""
+    """Lays the left half of the torso."""
     extension = options.shoulder_extension if sleeves else -_INSET_CM
     bodice = LooseBodice(
         neckline,
@@ -169,8 +183,16 @@ def _lay_left(
         shoulder_extension=extension,
     )
     lay_loose_bodice(table, figure, bodice)
-    if not sleeves:
-        return
+
+
+def _lay_sleeve(
+    table: CuttingTable,
+    figure: Figure,
+    options: BandedOptions,
+    armhole: ArmholeCut = "set-in",
+    wing: float = 8.0,
+) -> None:
+    """Lays the left sleeve and its cuff."""
     cuff = min(options.cuff_height, options.sleeve_length - 10.0) if options.cuffs else 0.0
     sleeve = Sleeve(
         options.sleeve_length - max(cuff, 0.0),
@@ -179,9 +201,10 @@ def _lay_left(
         0.01,
         options.shoulder_extension,
     )
-    lay_sleeve(table, figure, sleeve)
+    lay_shaped_sleeve(table, figure, "plain", sleeve, armhole, wing)
     if options.cuffs:
-        lay_sleeve_cuff(table, figure, options.sleeve_length - cuff, options.cuff_ease, cuff)
+        lay_cuff = lay_cuff_of_one if armhole == "cut-in-one" else lay_sleeve_cuff
+        lay_cuff(table, figure, options.sleeve_length - cuff, options.cuff_ease, cuff)
 
 
 def _finished(

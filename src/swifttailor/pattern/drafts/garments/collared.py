@@ -15,8 +15,15 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import CollarHeight, NeckCollar, SewnCollarOption
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
-from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.drafts.shaped_sleeve import (
+    ArmholeCut,
+    ArmholeCutOption,
+    RaglanOption,
+    SleeveShapeOption,
+    WingOption,
+    lay_shaped_sleeve,
+)
+from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.pattern import Pattern
 
 _HEM_OPENING_CM = 3.0
@@ -68,6 +75,7 @@ class ShirtOptions(PoloShirtOptions):
     cuff_height: declared.CuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
     sleeve_shape: SleeveShapeOption = "plain"
+    armhole: RaglanOption = "set-in"
     hem_opening: declared.HemOpening = 4.0
     hem_rise: declared.HemRise = 0.0
 
@@ -101,11 +109,13 @@ def _lay_left(
         side_rise=options.hem_rise if isinstance(options, ShirtOptions) else 0.0,
     )
     lay_loose_bodice(table, figure, bodice)
-    if sleeve is not None:
-        shape = options.sleeve_shape if isinstance(options, ShirtOptions) else "plain"
-        plain = Sleeve(sleeve, options.arm_ease, options.sleeve_end, 0.01)
-        lay_shaped_sleeve(table, figure, shape, plain)
     collar.lay(table, figure)
+    if sleeve is not None:
+        plain = Sleeve(sleeve, options.arm_ease, options.sleeve_end, 0.01)
+        if isinstance(options, ShirtOptions):
+            lay_shaped_sleeve(table, figure, options.sleeve_shape, plain, options.armhole)
+        else:
+            lay_shaped_sleeve(table, figure, "plain", plain)
 
 
 def _finished(table: CuttingTable, collar: NeckCollar, opening: float = 0.0) -> Pattern:
@@ -161,21 +171,30 @@ class CoatOptions(BlazerOptions):
     sleeve_end: declared.SleeveEnd = 31.0
     standing: Annotated[bool, Option("Sew a collar that stands to a close neck instead of lapels.")] = False
     collar_height: CollarHeight = 5.0
+    shoulder_extension: declared.ShoulderExtension = 0.0
+    armhole: ArmholeCutOption = "set-in"
+    wing: WingOption = 8.0
 
 
 def draft_coat(options: CoatOptions, measurements: Measurements) -> Pattern:
     """Drafts the coat for a body: a longer, wider blazer."""
     collar = NeckCollar("standing", 0.0, options.collar_height) if options.standing else None
-    return _with_lapels("coat", options, measurements, collar)
+    return _with_lapels("coat", options, measurements, collar, options.armhole, options.wing)
 
 
 def _with_lapels(
-    name: str, options: BlazerOptions, measurements: Measurements, collar: NeckCollar | None = None
+    name: str,
+    options: BlazerOptions,
+    measurements: Measurements,
+    collar: NeckCollar | None = None,
+    armhole: ArmholeCut = "set-in",
+    wing: float = 8.0,
 ) -> Pattern:
     """Lays and sews a blazer or coat with lapels, or with another collar."""
     figure = Figure.of(measurements)
     table = CuttingTable(name)
     neckline = Neckline("v", options.neck_widening, options.neck_depth, 1.5)
+    extension = options.shoulder_extension if isinstance(options, CoatOptions) else 0.0
     bodice = LooseBodice(
         neckline if collar is None else collar.neckline(neckline),
         options.chest_ease,
@@ -183,15 +202,17 @@ def _with_lapels(
         options.armhole_drop,
         hip_ease=7.0,
         flare=options.flare,
+        shoulder_extension=extension,
         waist_shaping=options.waist_shaping,
         front_opening=options.opening,
         front_closed_to=options.closed_to,
     )
     lay_loose_bodice(table, figure, bodice)
-    lay_sleeve(table, figure, Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.02))
     if collar is None:
         lay_fold_collar(table, FoldCollar(options.collar_width, options.lapels, options.lapel_width))
         collar = NeckCollar("folded", options.collar_width, 0.0)
     else:
         collar.lay(table, figure)
+    sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.02, extension)
+    lay_shaped_sleeve(table, figure, "plain", sleeve, armhole, wing)
     return _finished(table, collar, options.opening)

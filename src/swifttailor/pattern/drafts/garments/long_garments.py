@@ -14,8 +14,15 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import CollarHeight, CollarOption, NeckCollar
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.shaped_sleeve import SleeveShape, SleeveShapeOption, lay_shaped_sleeve
-from swifttailor.pattern.drafts.sleeve import Sleeve, lay_sleeve
+from swifttailor.pattern.drafts.shaped_sleeve import (
+    ArmholeCutOption,
+    RaglanOption,
+    SleeveShape,
+    SleeveShapeOption,
+    WingOption,
+    lay_shaped_sleeve,
+)
+from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.pattern import Pattern
 
 LongNeckDepth = Annotated[
@@ -43,9 +50,7 @@ class RobeOptions:
     neck_widening: declared.NeckWidening = 1.5
     neck_depth: LongNeckDepth = 34.0
     armhole_drop: DeepArmhole = 10.0
-    shoulder_extension: Annotated[
-        float, Option("How far the shoulder seam reaches over the shoulder tip.", "cm", 0.0, 5.0)
-    ] = 3.0
+    shoulder_extension: declared.ShoulderExtension = 3.0
     front_slit: Annotated[
         float, Option("Length of the front that is open from the hem up.", "cm", 0.0, 70.0)
     ] = 52.0
@@ -88,13 +93,12 @@ class HoodedCoatOptions:
     opening: declared.OverlapOrOpening = -14.0
     closed_to: declared.ClosedTo = 2.0
     armhole_drop: declared.ArmholeDrop = 4.5
-    shoulder_extension: Annotated[
-        float, Option("How far the shoulder seam reaches over the shoulder tip.", "cm", 0.0, 5.0)
-    ] = 2.0
+    shoulder_extension: declared.ShoulderExtension = 2.0
     sleeves: declared.Sleeves = True
     sleeve_length: declared.SleeveLength = 60.0
     arm_ease: declared.ArmEase = 13.0
     sleeve_end: declared.SleeveEnd = 32.0
+    armhole: RaglanOption = "set-in"
     side_slits: declared.SideSlits = 0.0
 
 
@@ -114,10 +118,11 @@ def draft_hooded_coat(options: HoodedCoatOptions, measurements: Measurements) ->
         side_slits=options.side_slits,
     )
     lay_loose_bodice(table, figure, bodice)
+    lay_hood(table, figure, Hood(options.hood_height, options.hood_depth))
     if options.sleeves:
         shape = (options.arm_ease, options.sleeve_end, 0.01, options.shoulder_extension)
-        lay_sleeve(table, figure, Sleeve(options.sleeve_length, *shape))
-    lay_hood(table, figure, Hood(options.hood_height, options.hood_depth))
+        sleeve = Sleeve(options.sleeve_length, *shape)
+        lay_shaped_sleeve(table, figure, "plain", sleeve, options.armhole)
     table.mirror()
     overlap_fronts(table, options.opening)
     sew_centres(table)
@@ -232,11 +237,14 @@ class ShiftDressOptions:
     neck_depth: declared.NeckDepth = 10.5
     back_neck_depth: declared.BackNeckDepth = 3.0
     armhole_drop: declared.ArmholeDrop = 2.0
+    shoulder_extension: declared.ShoulderExtension = 0.0
     sleeves: declared.Sleeves = False
     sleeve_length: declared.SleeveLength = 24.0
     arm_ease: declared.ArmEase = 7.0
     sleeve_end: declared.SleeveEnd = 33.0
     sleeve_shape: SleeveShapeOption = "plain"
+    armhole: ArmholeCutOption = "set-in"
+    wing: WingOption = 8.0
     side_slits: declared.SideSlits = 0.0
     hem_rise: declared.HemRise = 0.0
     collar: CollarOption = "none"
@@ -256,21 +264,24 @@ def _from_the_shoulders(
     table = CuttingTable(name)
     asked = Neckline(options.neckline, options.neck_widening, options.neck_depth, options.back_neck_depth)
     collar = NeckCollar(options.collar, options.collar_width, options.collar_height)
+    extension = options.shoulder_extension if isinstance(options, ShiftDressOptions) else 0.0
     bodice = LooseBodice(
         collar.neckline(asked),
         options.chest_ease,
         options.length,
         options.armhole_drop,
         flare=options.flare,
-        shoulder_extension=0.0 if options.sleeves else -1.5,
+        shoulder_extension=extension if options.sleeves else -1.5,
         side_slits=options.side_slits if isinstance(options, ShiftDressOptions) else 0.0,
         side_rise=options.hem_rise if isinstance(options, ShiftDressOptions) else 0.0,
     )
     lay_loose_bodice(table, figure, bodice)
-    if options.sleeves:
-        sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
-        lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
     collar.lay(table, figure)
+    if options.sleeves:
+        sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01, extension)
+        cut = options.armhole if isinstance(options, ShiftDressOptions) else "set-in"
+        wing = options.wing if isinstance(options, ShiftDressOptions) else 0.0
+        lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve, cut, wing)
     table.mirror()
     sew_centres(table)
     collar.sew(table)

@@ -13,7 +13,12 @@ from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern.drafts.neck_collar import NeckCollar
 from swifttailor.pattern.drafts.neckline import Neckline
 from swifttailor.pattern.drafts.options import Option
-from swifttailor.pattern.drafts.shaped_sleeve import SleeveShapeOption, lay_shaped_sleeve
+from swifttailor.pattern.drafts.shaped_sleeve import (
+    ArmholeCutOption,
+    SleeveShapeOption,
+    WingOption,
+    lay_shaped_sleeve,
+)
 from swifttailor.pattern.drafts.sleeve import Sleeve
 from swifttailor.pattern.pattern import Pattern
 
@@ -39,11 +44,14 @@ class TShirtOptions:
     neck_depth: declared.NeckDepth = 9.5
     back_neck_depth: declared.BackNeckDepth = 2.5
     armhole_drop: declared.ArmholeDrop = 2.5
+    shoulder_extension: declared.ShoulderExtension = 0.0
     sleeve_length: declared.SleeveLength = 22.0
     arm_ease: declared.ArmEase = 7.0
     sleeve_end: declared.SleeveEnd = 34.0
     cap_ease: declared.CapEase = 1.0
     sleeve_shape: SleeveShapeOption = "plain"
+    armhole: ArmholeCutOption = "set-in"
+    wing: WingOption = 8.0
     side_slits: declared.SideSlits = 0.0
     hem_rise: declared.HemRise = 0.0
     waist_shaping: declared.WaistShaping = 0.0
@@ -61,13 +69,20 @@ def draft_t_shirt(options: TShirtOptions, measurements: Measurements) -> Pattern
         options.length,
         options.armhole_drop,
         flare=options.flare,
+        shoulder_extension=options.shoulder_extension,
         side_slits=options.side_slits,
         side_rise=options.hem_rise,
         waist_shaping=options.waist_shaping,
     )
     lay_loose_bodice(table, figure, bodice)
-    sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, options.cap_ease / 100)
-    lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
+    sleeve = Sleeve(
+        options.sleeve_length,
+        options.arm_ease,
+        options.sleeve_end,
+        options.cap_ease / 100,
+        options.shoulder_extension,
+    )
+    lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve, options.armhole, options.wing)
     table.mirror()
     sew_centres(table)
     return table.finish()
@@ -135,6 +150,8 @@ class TurtleneckOptions:
     arm_ease: declared.ArmEase = 6.0
     sleeve_end: declared.SleeveEnd = 22.0
     sleeve_shape: SleeveShapeOption = "plain"
+    armhole: ArmholeCutOption = "set-in"
+    wing: WingOption = 8.0
     side_slits: declared.SideSlits = 0.0
     waist_shaping: declared.WaistShaping = 0.0
     opening: declared.OverlapOrOpening = 0.0
@@ -159,12 +176,12 @@ def draft_turtleneck(options: TurtleneckOptions, measurements: Measurements) -> 
         front_closed_to=options.closed_to,
     )
     lay_loose_bodice(table, figure, bodice)
-    if options.sleeves:
-        sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
-        lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
     rolled = options.rolled and not options.opening
     collar = NeckCollar("rolled" if rolled else "standing", 0.0, options.collar_height)
     collar.lay(table, figure)
+    if options.sleeves:
+        sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
+        lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve, options.armhole, options.wing)
     table.mirror()
     overlap_fronts(table, options.opening)
     sew_centres(table)
@@ -186,10 +203,13 @@ class CardiganOptions:
     opening: declared.OverlapOrOpening = -5.0
     closed_to: declared.ClosedTo = 8.0
     armhole_drop: declared.ArmholeDrop = 2.5
+    shoulder_extension: declared.ShoulderExtension = 0.0
     sleeve_length: declared.SleeveLength = 58.5
     arm_ease: declared.ArmEase = 8.0
     sleeve_end: declared.SleeveEnd = 25.0
     sleeve_shape: SleeveShapeOption = "plain"
+    armhole: ArmholeCutOption = "set-in"
+    wing: WingOption = 8.0
 
 
 def draft_cardigan(options: CardiganOptions, measurements: Measurements) -> Pattern:
@@ -202,12 +222,15 @@ def draft_cardigan(options: CardiganOptions, measurements: Measurements) -> Patt
         options.length,
         options.armhole_drop,
         flare=options.flare,
+        shoulder_extension=options.shoulder_extension,
         front_opening=options.opening,
         front_closed_to=options.closed_to,
     )
     lay_loose_bodice(table, figure, bodice)
-    sleeve = Sleeve(options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01)
-    lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve)
+    sleeve = Sleeve(
+        options.sleeve_length, options.arm_ease, options.sleeve_end, 0.01, options.shoulder_extension
+    )
+    lay_shaped_sleeve(table, figure, options.sleeve_shape, sleeve, options.armhole, options.wing)
     table.mirror()
     overlap_fronts(table, options.opening)
     sew_centres(table)

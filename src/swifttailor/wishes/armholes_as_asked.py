@@ -1,0 +1,98 @@
+"""Named drafts with sleeves joined as a text asks: raglan, cut in one with the body, at dropped shoulders."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from swifttailor.pattern.drafts.draft_names import (
+    ARMHOLE,
+    CUT_IN_ONE,
+    DROPPED,
+    DROPPED_BY,
+    RAGLAN,
+    NamedDraft,
+)
+from swifttailor.wording.lexicon import Lack
+
+_RAGLAN = frozenset(
+    {
+        "t-shirt",
+        "shirt",
+        "turtleneck",
+        "cardigan",
+        "sweatshirt",
+        "hoodie",
+        "bomber-jacket",
+        "coat",
+        "hooded-coat",
+        "shift-dress",
+    }
+)
+"""Drafts with that option."""
+_IN_ONE = frozenset({"t-shirt", "turtleneck", "cardigan", "sweatshirt", "coat", "shift-dress"})
+_DROPPED = frozenset(
+    {
+        "t-shirt",
+        "cardigan",
+        "sweatshirt",
+        "hoodie",
+        "bomber-jacket",
+        "denim-jacket",
+        "coat",
+        "hooded-coat",
+        "shift-dress",
+        "robe",
+        "kaftan",
+    }
+)
+_ROOM: Mapping[str, float] = {"chest_ease": 18.0, "armhole_drop": 6.0, "arm_ease": 12.0}
+"""Least room that goes with dropped shoulders, cm; with shallower armholes the arms come out of them."""
+_DROPPED_CM = 7.5
+_OPEN_NECK: Mapping[str, float] = {"chest_ease": 12.0, "neck_widening": 3.0, "back_neck_depth": 5.0}
+_OF_WINGS: Mapping[str, Mapping[str, float]] = {
+    "t-shirt": _OPEN_NECK,
+    "shift-dress": _OPEN_NECK,
+    "sweatshirt": {"chest_ease": 14.0, "neck_widening": 3.0},
+    "coat": {"chest_ease": 16.0},
+}
+"""The same of sleeves that are cut in one: a close neckline stands off beside and behind the neck."""
+_WING_CM, _COAT_WING_CM = 18.0, 10.0
+"""Where such sleeves begin, cm below the underarm."""
+_SLEEVED = ("shift-dress",)
+"""Drafts that have sleeves only where an option says so."""
+
+
+def armholes_as_asked(draft: NamedDraft, lacks: Sequence[Lack]) -> NamedDraft:
+    """A draft with the armholes or sleeves that are asked for, where it can have them; others as they are.
+
+    Args:
+        draft: As a table names it, or as it goes with what else is asked for.
+        lacks: What the text asks for, which counts first, and what names in it mean, that is not made
+            otherwise.
+    """
+    options = dict(draft.options)
+    puffed = options.get("sleeve_shape") == "puffed"
+    if ARMHOLE in options or options.get("sleeves") is False:
+        return draft
+    for lack in sorted(lacks, key=lambda each: not each.said):
+        if lack.what == CUT_IN_ONE and draft.name in _IN_ONE and not puffed:
+            wing = _COAT_WING_CM if draft.name == "coat" else _WING_CM
+            roomy = _with_room(options, _OF_WINGS.get(draft.name, {}))
+            return _with(draft, {**roomy, ARMHOLE: "cut-in-one", "wing": wing})
+        if lack.what == RAGLAN and draft.name in _RAGLAN and not puffed:
+            return _with(draft, {**options, ARMHOLE: "raglan"})
+        if lack.what == DROPPED and draft.name in _DROPPED:
+            return _with(draft, {**_with_room(options, _ROOM), DROPPED_BY: _DROPPED_CM})
+    return draft
+
+
+def _with_room(options: Mapping[str, float | bool | str], least: Mapping[str, float]) -> dict[str, Any]:
+    return {**options, **{name: max(float(options.get(name, 0.0)), room) for name, room in least.items()}}
+
+
+def _with(draft: NamedDraft, options: Mapping[str, float | bool | str]) -> NamedDraft:
+    if draft.name in _SLEEVED:
+        options = {"sleeves": True, **options}
+    return replace(draft, options=tuple(options.items()))
