@@ -15,6 +15,7 @@ from swifttailor.pattern import EdgeRef
 GATHERED = 1.05
 """An edge that is longer than its partner by a larger factor, and by `GATHERED_CM`, is gathered."""
 EASED = 1.01
+_AT_NECK = (Part.COLLAR, Part.HOOD)
 GATHERED_CM = 0.3
 
 
@@ -87,7 +88,21 @@ def find_seams(sewn: SewnPattern) -> tuple[Seam, ...]:
         first = sewn.pattern.stitches[row[0]]
         role = SeamRole.DART if first.first in darts else _role(sewn, row)
         seams.append(Seam(role, tuple(_in_line(sewn, row)), (first.first.panel, first.second.panel)))
-    return tuple(sorted(seams, key=lambda s: (s.role.rank, s.stitches)))
+    return tuple(sorted(seams, key=lambda s: (_turn(s, raglan=_is_raglan(sewn)), s.stitches)))
+
+
+def _is_raglan(sewn: SewnPattern) -> bool:
+    """Whether sleeves border the neckline, which is whole only when they are sewn in."""
+    return any(
+        {sewn.panel(ref.panel).placed.part for ref in stitch.sides} in ({Part.SLEEVE, c} for c in _AT_NECK)
+        for stitch in sewn.pattern.stitches
+    )
+
+
+def _turn(seam: Seam, *, raglan: bool) -> float:
+    """When a seam is sewn."""
+    late = raglan and seam.role is SeamRole.NECKLINE
+    return SeamRole.ARMHOLE.rank + 0.5 if late else seam.role.rank
 
 
 def gather(own: float, other: float) -> str:
@@ -179,7 +194,12 @@ def _torso_role(sewn: SewnPattern, row: Sequence[int]) -> SeamRole:
         if a.side == b.side:
             return SeamRole.SHAPING
         return SeamRole.CENTRE_BACK if a.face == "back" else SeamRole.CENTRE_FRONT
-    return SeamRole.SIDE if _is_upright(sewn, row) else SeamRole.SHOULDER
+    # Under sleeves that are cut in one with the body it runs on along the arm.
+    middle = (
+        sewn.pattern.panel(first.panel).to_world(sewn.pattern.panel(first.panel).outline(0.5))[:, 1].mean()
+    )
+    low = bool(_ends(sewn, row)[..., 1].mean() < middle)
+    return SeamRole.SIDE if low or _is_upright(sewn, row) else SeamRole.SHOULDER
 
 
 def _ends(sewn: SewnPattern, row: Sequence[int]) -> np.ndarray:

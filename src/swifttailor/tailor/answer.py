@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from swifttailor.parameter_reader.reader import Design
     from swifttailor.pattern_maker.asking.confidence import Confidence
     from swifttailor.pattern_maker.maker import WrittenPattern
+    from swifttailor.tailor.drafted import DraftCandidate
     from swifttailor.tailor.reading import Wanted
     from swifttailor.tailor.refining import Refinement
     from swifttailor.wishes.reader import Wish
@@ -45,6 +46,8 @@ class Answer:
     """The design parameters that it was drafted from; None where it was not."""
     draft: str = ""
     """Name of the draft that it is cut from; empty where it was not."""
+    drafted: DraftCandidate | None = None
+    """That draft, which can be made for other bodies."""
     anew: Literal["", "half", "all"] = ""
     """How much of an edited pattern was made anew from a known one, which cutting did not lead to."""
     cuts: tuple[str, ...] = ()

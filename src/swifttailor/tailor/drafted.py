@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from swifttailor.errors import InputError
-from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.pattern import Pattern
+from swifttailor.pattern.drafts.draft_names import ARMHOLE, NamedDraft
+from swifttailor.pattern.drafts.measurements import Measurements
 from swifttailor.pattern_maker.maker import WrittenPattern
 from swifttailor.tailor.known import LEAST_CLOSE
 from swifttailor.tailor.reading import Wanted
@@ -39,12 +41,21 @@ class DraftCandidate:
 
     def take(self) -> WrittenPattern:
         """The pattern, for the default body."""
+        return WrittenPattern(self.made_for(None))
+
+    def made_for(self, measurements: Measurements | None) -> Pattern:
+        """The pattern for a body; the default body when None."""
         from swifttailor.pattern.drafts import draft
 
         options: dict[str, Any] = dict(self.draft.options)
         if not self.plain:
             options |= self._varied(options)
-        return WrittenPattern(draft(self.name, **options))
+        return draft(self.name, measurements=measurements, **options)
+
+    @property
+    def has_wings(self) -> bool:
+        """Whether its sleeves are cut in one with the body, so that it must be drafted anew for each body."""
+        return dict(self.draft.options).get(ARMHOLE) == "cut-in-one"
 
     def _varied(self, options: dict[str, Any]) -> dict[str, float]:
         from swifttailor.pattern.drafts import find_draft

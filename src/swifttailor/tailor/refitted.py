@@ -5,11 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 
 from swifttailor.body import Body
+from swifttailor.pattern import Pattern
 from swifttailor.tailor.answer import Answer
 
 
 def refitted(answer: Answer, body: Body) -> Answer:
     """An answer with its pattern refitted to a body; as it is where it was drafted for that body.
+
+    Sleeves that are cut in one with the body would grow as the trunk does and point past the arms: where
+    nothing else was cut, such a pattern is drafted anew.
 
     Raises:
         SwiftTailorError: Its pattern cannot be sewn, or the body cannot be measured.
@@ -18,4 +22,16 @@ def refitted(answer: Answer, body: Body) -> Answer:
 
     if body.made_for is not None and answer.pattern.drafted_for == body.made_for:
         return answer
-    return replace(answer, pattern=fit(answer.pattern, body), prepared=None, fitted_to=body.name)
+    pattern = _drafted_anew(answer, body) or fit(answer.pattern, body)
+    return replace(answer, pattern=pattern, prepared=None, fitted_to=body.name)
+
+
+def _drafted_anew(answer: Answer, body: Body) -> Pattern | None:
+    """The draft of an answer, made for a body; None where it is to be refitted."""
+    begun = answer.drafted
+    if begun is None or not begun.has_wings or answer.cuts:
+        return None
+    made = begun.made_for(body.measurements)
+    if [panel.name for panel in made.panels] != [panel.name for panel in answer.pattern.panels]:
+        return None
+    return replace(answer.pattern, panels=made.panels, stitches=made.stitches, drafted_for=body.made_for)

@@ -131,7 +131,7 @@ def write_patterns(
             begins = drafts[k][attempt] if attempt < begun[k] else None
             if begins is not None:
                 answer = fit(found[k].written, wanted.begun_from(begins.draft), drafted=True)
-                answer = replace(answer, seed=seed, draft=begins.name)
+                answer = replace(answer, seed=seed, draft=begins.name, drafted=begins)
             else:
                 answer = cut_from(found[k], wanted, seed)
             clock.stop("altering")

@@ -13,8 +13,8 @@ from swifttailor.describing.measuring.wings import find_wing
 from swifttailor.pattern import EdgeRef
 
 _SHOULDER_REGION_CM = 16.0
-_PAST_TIP_CM = 7.0
-"""So far beyond the shoulder tip a sleeve may stand that brings the shoulder with it."""
+_PAST_TIP_CM = 10.0
+"""So far beyond the shoulder tip, laid back on the torso, a shoulder may end that is part of a sleeve."""
 
 
 def shoulder_seam(anatomy: Anatomy, side: Literal["left", "right"]) -> Seam | None:
@@ -38,6 +38,14 @@ def shoulder_seam(anatomy: Anatomy, side: Literal["left", "right"]) -> Seam | No
     return None
 
 
+def sleeves_carry_shoulders(anatomy: Anatomy) -> bool:
+    """Whether the garment hangs from its sleeves, as with raglan ones: without them shoulders are bare."""
+    return any(
+        seam is not None and anatomy.part_of(seam.own[0]) is Part.SLEEVE
+        for seam in (shoulder_seam(anatomy, "left"), shoulder_seam(anatomy, "right"))
+    )
+
+
 def _on_shoulder(
     anatomy: Anatomy, ref: EdgeRef, part: Part, side: Literal["left", "right"], highest: float
 ) -> bool:
@@ -49,7 +57,8 @@ def _on_shoulder(
         wing = find_wing(anatomy, side)
         over_arm = wing is not None and ref in wing.over
         return not over_arm and abs(end[0] - start[0]) > abs(end[1] - start[1])
-    inner, outer = sorted((abs(start[0]), abs(end[0])))
+    points = as_cut(anatomy, ref, np.array([start, end]))
+    inner, outer = sorted(np.abs(points[:, 0]).tolist())
     tip = anatomy.figure.shoulder_x
     return inner < tip and outer < tip + _PAST_TIP_CM
 

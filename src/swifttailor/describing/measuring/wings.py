@@ -50,8 +50,9 @@ def find_wing(anatomy: Anatomy, side: Literal["left", "right"]) -> Wing | None:
         outer, inner = cloth.world[samples[at_end.index(True)]], cloth.world[samples[at_end.index(False)]]
         if abs(inner[0]) < reach or abs(outer[0]) <= abs(inner[0]):
             continue
-        middle = np.mean([cloth.world[cloth.samples[ref], 1].mean() for ref in end if ref.panel == own.panel])
-        (over if outer[1] > middle else under).append(own)
+        heights = [cloth.world[cloth.samples[ref], 1].mean() for ref in end if ref.panel == own.panel]
+        if heights:
+            (over if outer[1] > np.mean(heights) else under).append(own)
     return Wing(tuple(over), tuple(under), end) if over and under else None
 
 

@@ -13,6 +13,7 @@ from swifttailor.describing.measuring.parts import (
     Part,
     Side,
 )
+from swifttailor.describing.measuring.shoulders import sleeves_carry_shoulders
 from swifttailor.describing.measuring.skirts import skirt_rows, upper_edges
 from swifttailor.pattern import EdgeRef, Pattern
 from swifttailor.recutting.table.checking import SEAM_TOLERANCE
@@ -220,8 +221,10 @@ def let_out_skirt(cutter: Cutter) -> Pattern | None:
 
 
 def remove_parts(cutter: Cutter, *parts: Part) -> Pattern | None:
-    """Takes off all panels of some parts, where there are any of the first."""
+    """Takes off all panels of some parts, where there are any of the first and nothing hangs from them."""
     if not cutter.anatomy.has(parts[0]):
+        return None
+    if Part.SLEEVE in parts and sleeves_carry_shoulders(cutter.anatomy):
         return None
     return remove_panels(cutter.pattern, cutter.names(*parts))
 
@@ -241,7 +244,9 @@ def remove_upper(cutter: Cutter) -> Pattern | None:
 
 
 def remove_sleeve(cutter: Cutter, side: Side) -> Pattern | None:
-    """Takes one of two sleeves off."""
+    """Takes one of two sleeves off, where shoulders are no part of them."""
+    if sleeves_carry_shoulders(cutter.anatomy):
+        return None
     names = [p.name for p in cutter.anatomy.panels((Part.SLEEVE, Part.CUFF), side)]
     both = all(cutter.anatomy.panels(Part.SLEEVE, s) for s in _SIDES)
     return remove_panels(cutter.pattern, names) if names and both else None

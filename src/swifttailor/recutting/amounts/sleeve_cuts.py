@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from swifttailor.describing.measuring.parts import Part, Side
+from swifttailor.describing.measuring.wings import find_wing
 from swifttailor.pattern import Pattern
 from swifttailor.recutting.table.cutter import Cutter
 from swifttailor.recutting.ways.armholes import lengthen_shoulders, lower_underarms
@@ -59,7 +60,11 @@ def gather_sleeve_ends(cutter: Cutter, factor: float) -> Pattern | None:
 
 def free_armholes(cutter: Cutter) -> list[Hole]:
     """Those of a garment without sleeves; none where one is of another shape."""
-    if cutter.anatomy.has(Part.SLEEVE):
+    if (
+        cutter.anatomy.has(Part.SLEEVE)
+        or find_wing(cutter.anatomy, "left")
+        or find_wing(cutter.anatomy, "right")
+    ):
         return []
     holes = [
         find_hole(cutter.anatomy, "left" if k == 0 else "right")
@@ -89,7 +94,7 @@ def add_sleeves(cutter: Cutter, length: float, sides: Sequence[Side] = _SIDES) -
     """
     holes = []
     for side in sides:
-        if side == "middle" or cutter.anatomy.panels(Part.SLEEVE, side):
+        if side == "middle" or cutter.anatomy.panels(Part.SLEEVE, side) or find_wing(cutter.anatomy, side):
             continue
         hole = find_hole(cutter.anatomy, side) if cutter.worn.shoulders[side == "right"] else None
         if hole is None:
