@@ -11,6 +11,7 @@ from swifttailor.making.made_for import made_for
 from swifttailor.making.seams import SeamRole, gather
 from swifttailor.making.sewing_steps import sewing_steps, steps_markdown
 from swifttailor.pattern.drafted_for import DraftedFor
+from swifttailor.pattern.drafts import draft
 
 
 def test_every_stitch_is_closed_once(plans):
@@ -96,3 +97,16 @@ def test_steps_say_whom_the_pattern_is_for(draft_plans):
         (DraftedFor("me.obj"), "me.obj"),
     ):
         assert made_for(replace(pattern, drafted_for=named)) == words
+
+
+def test_collars_are_sewn_on_after_raglan_sleeves_and_before_set_in_ones():
+    for armhole, later in (("raglan", True), ("set-in", False)):
+        seams = cutting_plan(draft("sweatshirt", collar="standing", armhole=armhole)).seams
+        roles = [seam.role for seam in seams]
+        assert (roles.index(SeamRole.NECKLINE) > roles.index(SeamRole.ARMHOLE)) is later
+
+
+def test_seams_under_sleeves_that_are_cut_in_one_are_side_seams():
+    seams = cutting_plan(draft("t-shirt", armhole="cut-in-one", sleeve_length=56.0)).seams
+    roles = [seam.role for seam in seams]
+    assert roles.count(SeamRole.SIDE) == 2 and roles.count(SeamRole.SHOULDER) == 2

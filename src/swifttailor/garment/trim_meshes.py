@@ -10,7 +10,7 @@ from scipy.spatial import ConvexHull, KDTree, QhullError
 
 from swifttailor.arrays import Array, Floats, Ints
 from swifttailor.garment.cloth_print import flat_places
-from swifttailor.pattern.names import body_region
+from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.pattern.trims.placing import place_trims
 from swifttailor.pattern.trims.shapes import Belt, Button, Patch
 
@@ -259,9 +259,7 @@ def _ball(middle: Array, radii: tuple[float, float, float]) -> tuple[Floats, Int
 
 def _around(garment: Garment, height: float) -> Array | None:
     """(`_BELT_SIDES`, 2) x and z of what is stretched around the cloth of the trunk at a height."""
-    trunk = np.array([body_region(panel.name, panel.label) != "arm" for panel in garment.pattern.panels])
-    flat = trunk[garment.mesh.flat_panel]
-    points = garment.flat_positions[flat]
+    points = garment.flat_positions[around_trunk(garment)]
     near = points[np.abs(points[:, 1] - height) <= _BELT_REACH][:, [0, 2]]
     if len(near) < 8:
         return None

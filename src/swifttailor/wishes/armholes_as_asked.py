@@ -35,6 +35,7 @@ _IN_ONE = frozenset({"t-shirt", "turtleneck", "cardigan", "sweatshirt", "coat", 
 _DROPPED = frozenset(
     {
         "t-shirt",
+        "shirt",
         "cardigan",
         "sweatshirt",
         "hoodie",

@@ -8,6 +8,7 @@ from dataclasses import replace
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import (
     APRON_HEMS,
+    ARMHOLE,
     BARE_SHOULDERED,
     COLLARED,
     ROLLED,
@@ -162,6 +163,9 @@ _CROPPED: Mapping[str, tuple[str, Mapping[str, float]]] = {
     ),
 }
 """Where the hems of drafts are that are asked to end above the hips, cm below the waist, and their room."""
+_WITH_WINGS_CM: Mapping[str, float] = {"t-shirt": 8.0, "sweatshirt": 12.0}
+"""Hems of tops whose sleeves are cut in one lie at least so far below the waist, cm: above shorter ones such
+sleeves do not follow the arm."""
 _CROPPED_EASE_CM = 12.0
 """Wider ones stand off where they end."""
 
@@ -179,7 +183,9 @@ def _cropped(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
     if not asked:
         return draft
     options = {**dict(draft.options), "length": asked[0]}
-    if asked[0] < 0:
+    if options.get(ARMHOLE) == "cut-in-one":
+        options["length"] = max(asked[0], _WITH_WINGS_CM.get(draft.name, 8.0))
+    elif asked[0] < 0:
         options[room] = min(float(options.get(room, _CROPPED_EASE_CM)), _CROPPED_EASE_CM)
     return replace(draft, options=tuple(options.items()))
 

@@ -75,6 +75,7 @@ class ShirtOptions(PoloShirtOptions):
     cuff_height: declared.CuffHeight = 6.0
     cuff_ease: declared.CuffWidth = 5.0
     sleeve_shape: SleeveShapeOption = "plain"
+    shoulder_extension: declared.ShoulderExtension = 0.0
     armhole: RaglanOption = "set-in"
     hem_opening: declared.HemOpening = 4.0
     hem_rise: declared.HemRise = 0.0
@@ -96,14 +97,16 @@ def _lay_left(
     table: CuttingTable, figure: Figure, options: PoloShirtOptions, sleeve: float | None, collar: NeckCollar
 ) -> None:
     """Lays the left half of torso, sleeve and collar; `sleeve` is its length alone, cm, None without one."""
-    opening = options.hem_opening if isinstance(options, ShirtOptions) else 0.0
+    opening, extension = (
+        (options.hem_opening, options.shoulder_extension) if isinstance(options, ShirtOptions) else (0.0, 0.0)
+    )
     bodice = LooseBodice(
         collar.neckline(Neckline("v", options.neck_widening, options.neck_depth, 1.5)),
         options.chest_ease,
         options.length,
         options.armhole_drop,
         flare=options.flare,
-        shoulder_extension=0.0 if sleeve is not None else -_INSET_CM,
+        shoulder_extension=extension if sleeve is not None else -_INSET_CM,
         front_slit=opening,
         front_opening=_HEM_OPENING_CM if opening else 0.0,
         side_rise=options.hem_rise if isinstance(options, ShirtOptions) else 0.0,
@@ -111,7 +114,7 @@ def _lay_left(
     lay_loose_bodice(table, figure, bodice)
     collar.lay(table, figure)
     if sleeve is not None:
-        plain = Sleeve(sleeve, options.arm_ease, options.sleeve_end, 0.01)
+        plain = Sleeve(sleeve, options.arm_ease, options.sleeve_end, 0.01, extension)
         if isinstance(options, ShirtOptions):
             lay_shaped_sleeve(table, figure, options.sleeve_shape, plain, options.armhole)
         else:

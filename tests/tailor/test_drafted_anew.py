@@ -1,0 +1,42 @@
+"""Sleeves that are cut in one with the body are drafted for each body, not refitted with the trunk."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from swifttailor.body import Body
+from swifttailor.pattern.drafts import draft
+from swifttailor.pattern.drafts.draft_names import NamedDraft
+from swifttailor.tailor.answer import Answer
+from swifttailor.tailor.drafted import DraftCandidate
+from swifttailor.tailor.refitted import refitted
+
+
+@pytest.fixture(scope="module")
+def wearer():
+    body = Body.default()
+    return replace(body, measurements=replace(body.measurements, bust=112.0, arm_length=60.0), name="other")
+
+
+def answer(armhole, **more):
+    begun = DraftCandidate(
+        NamedDraft("t-shirt", (("armhole", armhole), ("sleeve_length", 50.0))), 0, plain=True
+    )
+    return Answer(replace(begun.take().pattern, trims=("tie belt",)), draft=begun.name, drafted=begun, **more)
+
+
+def test_wings_are_drafted_for_the_body_and_keep_what_is_put_on(wearer):
+    made = refitted(answer("cut-in-one"), wearer)
+    wanted = draft("t-shirt", measurements=wearer.measurements, armhole="cut-in-one", sleeve_length=50.0)
+    assert made.pattern.panels == wanted.panels and made.pattern.trims == ("tie belt",)
+    assert made.fitted_to == "other"
+
+
+@pytest.mark.parametrize(("armhole", "cuts"), [("raglan", ()), ("cut-in-one", ("hem 4.0 cm shorter",))])
+def test_others_are_refitted(monkeypatch, wearer, armhole, cuts):
+    monkeypatch.setattr(
+        "swifttailor.refitting.refitted.fit", lambda pattern, body: replace(pattern, name="fit")
+    )
+    assert refitted(answer(armhole, cuts=cuts), wearer).pattern.name == "fit"
