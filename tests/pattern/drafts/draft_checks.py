@@ -54,6 +54,8 @@ def is_gathered(pattern: Pattern, stitch: Stitch) -> bool:
     )
     if pattern.name == "tiered-skirt" and all(n.startswith("skirt") for n in names):
         return True
+    if any("torso" in n for n in names) and any("cuff" in n for n in names):
+        return True  # sleeves that are cut in one, into their cuffs
     if pattern.name in GATHERED_AT_THE_WAIST and any(n.startswith("skirt") for n in names):
         return any("torso" in n for n in names)
     return cap or cuff or (band and len(names) == 2 and not all(n.startswith("wb_") for n in names))
