@@ -164,7 +164,9 @@ def test_what_is_no_garment_is_not_made(tailor, text):
         tailor.generate(text)
 
 
-@pytest.mark.parametrize("text", ["something to go with my hat", "a red one", "a dress and a scarf"])
+@pytest.mark.parametrize(
+    "text", ["something to go with my hat", "a red one", "a dress and a scarf", "a suit"]
+)
 def test_what_may_be_a_garment_is_made(tailor, text):
     assert tailor.generate(text, attempts=1).pattern.panels
 

@@ -518,3 +518,8 @@ def test_long_texts_begin_from_a_draft_that_has_all_they_ask_for():
     heard = hear_description(text, Saying())
     assert len(heard.sure) > 7 and heard.drafts[0].name == "skater-dress"
     assert not hear_description(text + ", three tiers and godets", Saying()).drafts, "no draft has these"
+
+
+def test_numbers_of_buttons_are_understood():
+    assert hear_description("a polo shirt, 3 button placket", Saying()).unread == ()
+    assert hear_description("a polo shirt, 3 wuzzles", Saying()).unread

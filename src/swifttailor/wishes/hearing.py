@@ -15,6 +15,7 @@ from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Change, Gain
 from swifttailor.garment.part_looks import OPACITIES
 from swifttailor.wishes.accounting import subjects_spoken_of, unaccounted
+from swifttailor.wishes.button_counts import buttons_stated
 from swifttailor.wishes.deep_cuffs import without_deep_cuffs
 from swifttailor.wishes.heard import HEARD_NOTHING, Heard
 from swifttailor.wishes.kind_of_details import (
@@ -167,7 +168,8 @@ def _heard_description(text: str, reader: WishReader) -> Heard:
     changes = _changes(found)
     slits = len([c for c in changes if isinstance(c, Gain) and c.claim.name == "slit"])
     heard = [m.mention for m in measures if m.claim or (not m.mention.is_length and m.mention.value <= slits)]
-    known = " ".join([*words.sizes, *[text[one.start : one.end] for one in heard]])
+    counted = [str(buttons_stated(text) or "")]
+    known = " ".join([*words.sizes, *counted, *[text[one.start : one.end] for one in heard]])
     unread = *words.unknown, *[n for n in unread_numbers(text, changes) if n not in known]
     sure, likely = sure_wishes(found), likely_wishes(found)
     silent = unaccounted(

@@ -42,7 +42,7 @@ def asks_for_none(heard: Heard, text: str) -> str:
         *first, last = NAMES.values()
         languages = f"{', '.join(first)} or {last}"
         return _NOTHING_KNOWN.format(text=quoted, languages=languages, near=near)
-    named = [mark for mark in known if _category(mark) == _NOT_MADE]
+    named = [m for m in known if _category(m) == _NOT_MADE and not any(e.worn for e in m.entries)]
     others = [mark for mark in words.marks if mark not in named and _category(mark) not in _TELL_NO_GARMENT]
     # A garment that an occasion stands for is written before the text, and is none of its words.
     others = [mark for mark in others if mark.word.lower() in text.lower()]
