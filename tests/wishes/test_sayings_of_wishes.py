@@ -75,6 +75,8 @@ def reader() -> WishReader:
         ("a skirt to dance salsa in", {"kind=skirt", "skirt=flared"}),
         ("a jacket, but it mustn't have a hood", {"kind=top"}),
         ("a pant, very large down", {"kind=trousers"}),
+        ("a pant, very large down, tight up", {"kind=trousers", "legs=flared"}),
+        ("a cool dress with sleeves to cover my arms a little", {"kind=dress", "sleeves=elbow"}),
         ("pantalon large taille haute", {"kind=trousers", "legs=wide", "rise=high"}),
         ("Trompetenrock", {"kind=skirt", "skirt=fitted base"}),
     ],
