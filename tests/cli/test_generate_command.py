@@ -94,8 +94,19 @@ def test_several_samples_get_a_folder_each_and_a_sheet(write, tmp_path, capsys):
     script = [draft("t-shirt"), crossed(draft("t-shirt")), draft("fitted-skirt")], [crossed(draft("t-shirt"))]
     write(*script)
     out = tmp_path / "out"
-    arguments = ("generate", "some <wuzzles>", "--out", out, "--samples", 3, "--seed", 5, "--attempts", 2)
-    assert command(*arguments, "--json") == 1
+    arguments = (
+        "generate",
+        "some <wuzzles>",
+        "--out",
+        out,
+        "--source",
+        "writer",
+        "--samples",
+        3,
+        "--seed",
+        5,
+    )
+    assert command(*arguments, "--attempts", 2, "--json") == 1
     reports = json.loads(capsys.readouterr().out)
     assert [Path(r["folder"]).name for r in reports] == ["seed-5", "seed-6", "seed-7"]
     assert ["error" in r for r in reports] == [False, True, False]
@@ -127,7 +138,9 @@ def test_nothing_made_is_exit_code_2_and_leaves_nothing(write, tmp_path, capsys)
 
 def test_a_warning_is_exit_code_1(write, tmp_path, capsys):
     write([draft("t-shirt")])
-    assert command("generate", "一条长裙", "--out", tmp_path / "out", "--no-preview") == 1
+    assert (
+        command("generate", "一条长裙", "--source", "writer", "--out", tmp_path / "out", "--no-preview") == 1
+    )
     said = capsys.readouterr().out
     assert said.count("warning: The text is in a script") == 1
 

@@ -16,6 +16,7 @@ from swifttailor.pattern.check.repair import Repair
 from swifttailor.pattern.drafts import draft
 from swifttailor.pattern_maker import maker as maker_module
 from swifttailor.pattern_maker.maker import PatternMaker
+from swifttailor.wishes.heard import Heard
 
 TINY = Path(__file__).parents[1] / "pattern_maker" / "tiny_maker.zip"
 TINY_SEWER = Path(__file__).parents[1] / "garment_sewer" / "tiny_sewer.onnx"
@@ -126,6 +127,7 @@ def test_without_options_it_measures_what_generate_and_edit_do(files, tmp_path, 
         return [given(shirt if draw else replace(shirt, stitches=shirt.stitches[1:])) for _ in requests]
 
     monkeypatch.setattr(PatternMaker, "generate_all", answer)
+    monkeypatch.setattr(Heard, "drafts", ())  # else nobody is asked to write
     out = tmp_path / "out"
     asked = arguments(files, out, "--sewer-weights", str(TINY_SEWER), "--samples", "0", "--pictures", "0")
     assert run([*asked, "--limit", "1"]) == 0

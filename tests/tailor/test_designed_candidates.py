@@ -12,7 +12,7 @@ from seeing import Seeing, worn
 
 from swifttailor.describing.claims import Claim
 from swifttailor.describing.measuring import measure_facts
-from swifttailor.errors import InputError
+from swifttailor.errors import InputError, NothingAskedError
 from swifttailor.parameter_reader.reader import ParameterReader
 from swifttailor.pattern.drafts import draft
 from swifttailor.picture_reader.seen_design import SeenDesign
@@ -120,7 +120,7 @@ def test_one_of_several_sources_can_be_chosen(sewer, eyes, library):
     assert tailor.generate("a midi skirt", source="designs").answer.design is not None
     both = tailor.generate("a midi skirt", image=PICTURE).answer
     assert both.design is not None and not both.verdict.open, "a draft, cut to the words"
-    with pytest.raises(InputError, match="Design parameters are read in what is understood"):
+    with pytest.raises(NothingAskedError, match="no word of it is known"):
         tailor.generate("zzz", source="designs")
     with pytest.raises(InputError, match="Drafts of designs are there to be altered"):
         Order("longer", edit=draft("t-shirt"), source="designs")

@@ -188,7 +188,7 @@ def test_attempts_end_when_everything_holds(dress, shirt):
 def test_what_cannot_be_sewn_is_written_again_and_of_all_the_best_is_taken(shirt):
     trousers = swifttailor.draft("trousers")
     wish = Wish(Gain(Claim("bodice", "darted")), 0.9)
-    order = Order("a wuzzle", attempts=2)
+    order = Order("a wuzzle", attempts=2, source="writer")
     fitted = answer(Scripted(trousers, shirt), order, Reading(wish), Mannequin(trousers))
     assert fitted.attempt == 1 and fitted.failures == ("no room on the mannequin",)
     assert [w.claim.value for w in fitted.verdict.open] == ["darted"]

@@ -12,7 +12,7 @@ from swifttailor.wishes.hearing import hear_description
 from swifttailor.wishes.labels import change_of, statement_labels
 from swifttailor.wishes.reader import Wish, WishReader
 from swifttailor.wishes.whole_sides import is_of_one_side, speaks_of_sides
-from swifttailor.wishes.whole_wish import DOUBTED, DOUBTED_WORD, LIKELY, MEANT, described_as_a_whole
+from swifttailor.wishes.whole_wish import DOUBTED, LIKELY, MEANT, described_as_a_whole
 from swifttailor.wording.lexicon import SURENESS, exclude
 
 DRESS, SHORTS = Gain(Claim("kind", "dress")), Gain(Claim("kind", "shorts"))
@@ -36,16 +36,13 @@ def test_what_words_do_not_say_the_whole_does():
 def test_what_the_network_all_but_excludes_was_misheard():
     assert together([DRESS, LONG], {DRESS: 1.0, LONG: DOUBTED - 0.01}) == [DRESS]
     assert together([DRESS, LONG], {DRESS: 1.0, LONG: DOUBTED}) == [DRESS, LONG]
-    doubted = {DRESS: 1.0, LONG: DOUBTED_WORD}
-    assert together([DRESS, LONG], doubted, said=[LONG]) == [DRESS, LONG], "a word says it"
-    assert together([DRESS, LONG], {DRESS: 1.0, LONG: 0.0}, said=[LONG]) == [DRESS]
-    for how in ("stated", "named"):
+    for how in ("stated", "named", "said"):
         assert together([DRESS, LONG], {DRESS: 1.0, LONG: 0.0}, **{how: [LONG]}) == [DRESS, LONG]
 
 
 def test_what_a_name_usually_means_does_not_take_the_place_of_a_detail():
     hip, cropped = Gain(Claim("top_hem", "hip")), Gain(Claim("top_hem", "cropped"))
-    whole = {hip: MEANT, cropped: DOUBTED_WORD}
+    whole = {hip: MEANT, cropped: 0.0}
     assert together([cropped], whole, said=[cropped]) == [hip]
     assert together([cropped], whole, said=[cropped], outdone=[hip]) == [cropped]
     assert together([cropped], whole, outdone=[hip]) == [hip], "no word says it"
@@ -112,10 +109,8 @@ def test_the_package_hears_what_no_table_has(text, meant):
     assert meant.items() <= said.items()
 
 
-def test_a_length_that_a_word_says_is_made_where_nothing_else_is_heard_of_it():
+def test_a_length_that_a_word_says_stands_unless_another_is_meant():
     maxi, mini = Gain(Claim("skirt_hem", "maxi")), Gain(Claim("skirt_hem", "mini"))
-    heard = [Wish(DRESS, 0.97), Wish(maxi, 0.97)]
-    found = described_as_a_whole(heard, {DRESS: 1.0, maxi: 0.0}, said=[maxi])
-    assert [(w.change, w.certainty) for w in found] == [(DRESS, 0.97), (maxi, SURENESS["likely"])]
+    assert together([DRESS, maxi], {DRESS: 1.0, maxi: 0.0}, said=[maxi]) == [DRESS, maxi]
     assert together([DRESS, maxi], {DRESS: 1.0, maxi: 0.0, mini: 0.9}, said=[maxi]) == [DRESS, mini]
     assert together([DRESS, maxi], {DRESS: 1.0, maxi: 0.0}) == [DRESS], "no word says it"

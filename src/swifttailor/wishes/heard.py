@@ -140,7 +140,7 @@ class Heard:
         elif not any(fitting):  # a blouse without a collar has nothing of the shirt that blouses begin from
             kinds = [e for e in entries if self.kind in e.kinds and (named or not e.drafts)]
             fitting = [draft_of_name(entry, self.kind or "", sure) for entry in kinds]
-            if not any(self.kind in entry.kinds for entry in self._meant):
+            if self._says_details and not any(self.kind in entry.kinds for entry in self._meant):
                 fitting = [draft_of_kind(self.kind, sure)]
         fitting = [armholes_as_asked(draft, self.lacks) for draft in fitting if draft is not None]
         wanted = {lack.what for lack in self.lacks if lack.said}
@@ -215,6 +215,13 @@ class Heard:
         known = [entry for entry in self._meant if entry.category != "function"]
         told = self.words is not None and bool(self.words.colors or self.words.cloths or known)
         return told and not any(entry.category == "garments" for entry in self._meant)
+
+    @property
+    def _says_details(self) -> bool:
+        """Whether its words themselves tell something of how the garment is cut."""
+        return self.words is not None and any(
+            i.said and i.claim.name != "kind" for i in self.words.implications
+        )
 
     @property
     def _worn_beside(self) -> list[Entry]:

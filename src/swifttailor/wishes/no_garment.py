@@ -36,7 +36,7 @@ def asks_for_none(heard: Heard, text: str) -> str:
     quoted = text if len(text) <= _SHOWN else f"{text[: _SHOWN - 4]} ..."
     told = bool(words.colors or words.cloths or heard.print or heard.cannot)
     known = [mark for mark in words.marks if _category(mark) not in (None, "function")]
-    guessed = bool(heard.sure or heard.likely) and not heard.unread
+    guessed = bool(heard.sure or heard.likely)
     if not (told or known or guessed):
         near = f". Names that are spelt alike: {', '.join(heard.near)}" if heard.near else _LIKE
         *first, last = NAMES.values()

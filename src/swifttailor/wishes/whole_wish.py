@@ -24,8 +24,8 @@ SURE_OF_KIND = 0.95
 _MADE_GLADLY = frozenset({"skirt_hem", "top_hem", "leg_hem", "waistband", "skirt", "hips"})
 """Lengths, bands and shapes of skirts: who reads them in a word is seldom wrong, and they take nothing else
 away."""
-DOUBTED, DOUBTED_WORD = 0.1, 0.02
-"""Less than this speaks against what was read elsewhere, and against what a word of a detail means."""
+DOUBTED = 0.1
+"""Less than this speaks against what was read elsewhere than in a word of a detail."""
 
 
 def described_as_a_whole(
@@ -59,9 +59,9 @@ def described_as_a_whole(
     known = not kinds or whole.get(kinds[0], 0.0) >= LIKELY
 
     def stands(wish: Wish) -> bool:
-        if not known or wish.change in stated or wish.change in named:
+        if not known or any(wish.change in sure for sure in (stated, named, said)):
             return True
-        return whole.get(wish.change, 1.0) >= (DOUBTED_WORD if wish.change in said else DOUBTED)
+        return whole.get(wish.change, 1.0) >= DOUBTED
 
     kept = [wish for wish in found if stands(wish)]
     likely = [(change, chance) for change, chance in whole.items() if chance >= LIKELY]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from swifttailor.describing.claims import Claim
 from swifttailor.describing.differences import Gain
 from swifttailor.wishes.heard import Heard
 from swifttailor.wording.claim_kinds import fits_kind, implied_kind
@@ -18,6 +19,7 @@ _DETAILS = 2
 """So many different things have to be said before they tell what a garment is."""
 _SHORTEST_DRESS_CM = 75.0
 """From the shoulder to the hem; what is shorter is a top."""
+_DRESS = Claim("kind", "dress")
 _DRESS_LENGTHS = frozenset({"midi", "maxi", "ankle", "floor"})
 """What belongs to skirts and trousers alone, and lengths that tell of a dress where none of it is named."""
 
@@ -63,13 +65,13 @@ def _worn_for(heard: Heard) -> str | None:
 def _is_likely_a_dress(heard: Heard) -> bool:
     marks = () if heard.words is None else heard.words.marks
     claims = [w.change.claim for w in heard.sure if isinstance(w.change, Gain)]
-    if any(mark.role in (*_NAMES, "second") for mark in marks) or heard.kind == "dress":
+    guessed = [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
+    if any(mark.role in (*_NAMES, "second") for mark in marks) or _DRESS in guessed:
         return False
     if any(claim.name in ("kind", *_OF_LOWER) for claim in claims) or (heard.unread and not claims):
         return False
     if any(claim.name == "length_cm" and float(claim.value) < _SHORTEST_DRESS_CM for claim in claims):
         return False
-    guessed = [w.change.claim for w in heard.likely if isinstance(w.change, Gain)]
     return any(claim.name == "skirt_hem" and claim.value in _DRESS_LENGTHS for claim in (*claims, *guessed))
 
 

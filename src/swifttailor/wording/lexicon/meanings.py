@@ -195,10 +195,17 @@ def _can_hold(whole: Meaning, part: Meaning) -> bool:
     return any(kinds & _PART_OF.get(each, frozenset()) for each in part.entries[0].kinds)
 
 
+_STYLED = ("style", "styled", "type", "inspired", "look")
+"""What makes of a garment's name a manner: a qipao style top."""
+
+
 def _followed_by_garment(words: Sequence[Meaning], k: int) -> bool:
-    if k + 1 >= len(words) or words[k].found.gap in ("pause", "stop"):
+    after = k + 1
+    if after < len(words) and words[after].found.word in _STYLED and words[k].found.gap != "pause":
+        after += 1
+    if after >= len(words) or any(words[j].found.gap in ("pause", "stop") for j in range(k, after)):
         return False
-    return words[k + 1].category == "garments"
+    return words[after].category == "garments"
 
 
 def _is_theirs(words: Sequence[Meaning], k: int) -> bool:

@@ -154,13 +154,14 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
         for k, w in enumerate(words)
     ]
     implied, never = [], []
+    kinds = _kinds_named(words)
     for word, mark in zip(words, marks, strict=True):
         if mark.denied:
             without, refused = _refused(mark)
             implied += without
             never += refused
         else:
-            implied += _implied(word, mark)
+            implied += [one for one in _implied(word, mark) if word.role != "like" or _has_place(one, kinds)]
     implied = _exact_lengths(implied, language)
     never = list(dict.fromkeys(never))
     kept = _settled([i for i in implied if i.claim not in never])
@@ -196,6 +197,16 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
         looks,
         tuple([mark for mark, _ in colors]),
     )
+
+
+def _kinds_named(words: Sequence[Meaning]) -> frozenset[str]:
+    """Kinds of the garment that is asked for; none where no word names one."""
+    return frozenset().union(*[e.kinds for w in words if w.role == "garment" for e in w.entries])
+
+
+def _has_place(one: Implication, kinds: frozenset[str]) -> bool:
+    """Whether a garment can have what another that it is like implies: a qipao-style top has no slits."""
+    return not kinds or any(fits_kind(one.claim.name, kind) for kind in kinds)
 
 
 _HELD_BY = ("waistband", "rise")
