@@ -16,7 +16,10 @@ _COUNTS: dict[str, float] = {word: float(k) for k, word in enumerate(_WORDS)} | 
     word: float(value) for word, value in _TENS.items()
 }
 _CM = {"mm": 0.1, "cm": 1.0, "m": 100.0, "in": CM_PER_INCH, "ft": 12 * CM_PER_INCH}
-_SPOKEN = r"millimet(?:re|er)s?|centimet(?:re|er)s?|met(?:re|er)s?|inch(?:es)?|foot|feet"
+_SPOKEN = (
+    r"millimet(?:re|er)s?|centimet(?:re|er)s?|met(?:re|er)s?|inch(?:es)?|foot|feet"
+    r"|[cz]ent[ií]m(?:eter|[eè]tres?|etri|etro|[eé]tros?)n?|pouces?|zoll|pulgadas?|polegadas?|pollic[ei]|duim"
+)
 _SPOKEN_SMALL = r"centimet(?:re|er)s?|cms?|inch(?:es)?"
 _UNIT = rf"{_SPOKEN}|mm|cms?|m|ins?|ft|[\"\u201d\u2033]"
 _FEW = {"couple": 2.0, "few": 3.0, "a": 1.0}
@@ -77,8 +80,8 @@ def _mention(found: re.Match[str]) -> Mention:
 
 
 def _unit(unit: str) -> str:
-    if unit.startswith(("c", "mm", "milli")):
-        return "cm" if unit.startswith("c") else "mm"
+    if unit.startswith(("c", "zenti", "mm", "milli")):
+        return "mm" if unit.startswith("m") else "cm"
     if unit.startswith("f"):
         return "ft"
     return "m" if unit.startswith("m") else "in"

@@ -26,6 +26,23 @@ _SHORT_SYLLABLE = re.compile(r"[^aeiou]*[aeiou][^aeiou]")
 """Doubles its last letter in Dutch before an ending: "losse" is of "los", "lose" is not."""
 _LITTLE = ("pjes", "tjes", "jes", "pje", "tje", "je")
 """Endings of what is little in Dutch: "mouwtjes"."""
+_LITTLE_SPANISH: Mapping[str, tuple[str, ...]] = {
+    **{f"cit{end}": ("",) for end in ("o", "a", "os", "as")},
+    **{f"it{end}": ("o", "a", "") for end in ("o", "os")},
+    **{f"it{end}": ("a", "o", "") for end in ("a", "as")},
+}
+"""Endings of what is little, and of what it is little: "faldita", "cortito", "pantaloncito"."""
+_LITTLE_ITALIAN: Mapping[str, tuple[str, ...]] = {
+    **{f"in{end}": ("o", "a") for end in "oi"},
+    **{f"in{end}": ("a", "o") for end in "ae"},
+}
+_HARD = (("qu", "c"), ("gu", "g"), ("ch", "c"))
+"""How a consonant is spelt before an "i", and elsewhere: "rebequita" of "rebeca"."""
+_LITTLE_PORTUGUESE: Mapping[str, tuple[str, ...]] = {
+    **{f"zinh{end}": ("",) for end in ("o", "a", "os", "as")},
+    **{f"inh{end}": ("o", "a", "") for end in ("o", "os")},
+    **{f"inh{end}": ("a", "o", "") for end in ("a", "as")},
+}
 
 
 def base_forms(word: str, language: Language) -> tuple[tuple[str, bool | None], ...]:
@@ -80,7 +97,23 @@ def _spanish(word: str) -> list[tuple[str, bool | None]]:
         (word[: -len(end)], None) for end in ("s", "es") if word.endswith(end)
     ]
     found += [(f"{word[: -len(end)]}o", None) for end in ("a", "as") if word.endswith(end)]
-    return found
+    return found + _of_little(word, _LITTLE_SPANISH)
+
+
+def _of_little(word: str, endings: Mapping[str, tuple[str, ...]]) -> list[tuple[str, bool | None]]:
+    """What a word can be the little one of: faldita of falda, chaquetita of chaqueta, manguinha of manga.
+
+    Args:
+        word: In lower case.
+        endings: Those of what is little, the longest first, and what stands in their place.
+    """
+    for little, bases in endings.items():
+        stem = word.removesuffix(little)
+        if stem == word or len(stem) < SHORTEST:
+            continue
+        stems = [stem, *[f"{stem[:-2]}{hard}" for soft, hard in _HARD if stem.endswith(soft)]]
+        return [(f"{each}{base}", None) for each in stems for base in bases]
+    return []
 
 
 def _italian(word: str) -> list[tuple[str, bool | None]]:
@@ -90,7 +123,7 @@ def _italian(word: str) -> list[tuple[str, bool | None]]:
         found += [f"{stem[:-1]}{base}" for base in "ao"]
     elif end in ("e", "i"):  # grigi and grige, camicie and camice
         found += [f"{stem.removesuffix('i')}{base}" for base in ("io", "ia")]
-    return [(base, None) for base in found]
+    return [(base, None) for base in found] + _of_little(word, _LITTLE_ITALIAN)
 
 
 def _dutch(word: str) -> list[tuple[str, bool | None]]:
@@ -119,7 +152,7 @@ def _portuguese(word: str) -> list[tuple[str, bool | None]]:
     found += [f"{word[: -len(end)]}o" for end in ("a", "as") if word.endswith(end)]
     others = (("is", "l"), ("ns", "m"), ("ões", "ão"), ("ã", "ão"), ("eis", "el"))
     found += [f"{word[: -len(end)]}{base}" for end, base in others if word.endswith(end)]
-    return [(base, None) for base in found]
+    return [(base, None) for base in found] + _of_little(word, _LITTLE_PORTUGUESE)
 
 
 _FORMS = {

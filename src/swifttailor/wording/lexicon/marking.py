@@ -20,6 +20,8 @@ _SHARING: frozenset[Language] = frozenset(["it", "nl", "pt"])
 """These languages: "in", "over", "top" and "is" are Dutch, "no" and "in" Italian."""
 _ALSO_FOREIGN: Mapping[str, Language] = {"gonna": "it"}
 """Words of English that name garments elsewhere: English where not all of the text is of that language."""
+_NOUNS_FIRST: Mapping[str, Language] = {"robe": "fr", "salopette": "fr"}
+"""Words of English that name other garments where they stand first: "robe bustier", not "satin robe"."""
 _JOINED = 3
 """Letters of each of two words that may be one word of the tables: "jump suit"."""
 _LINKS: Mapping[Language, tuple[str, ...]] = {
@@ -64,6 +66,8 @@ def find_words(text: str, language: Language | None = None) -> tuple[Language, t
     english = _found(text, "en")
     unknown = sum(not found.senses for found in english)
     alike = next((_ALSO_FOREIGN[found.word] for found in english if found.word in _ALSO_FOREIGN), None)
+    if alike is None and len(english) > 1:
+        alike = _NOUNS_FIRST.get(text.split()[0].lower()) if text.split() else None
     if alike is not None and _is_wholly_of(text, alike):
         return alike, _found(text, alike)
     others = LANGUAGES[1:]

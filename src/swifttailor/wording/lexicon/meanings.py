@@ -88,6 +88,7 @@ def meanings(
     *,
     kind: str | None = None,
     dialect: Dialect | None = None,
+    denied: frozenset[int] = frozenset(),
 ) -> list[Meaning]:
     """The words of a text with their meanings.
 
@@ -96,6 +97,7 @@ def meanings(
         known: The words of their language.
         kind: Of the garment that is spoken of, where that is known.
         dialect: Whose meanings come first: "pants" are trousers or underwear.
+        denied: Places of words that are denied: no garment of them is asked for where another is named.
     """
     chosen = [_first_choice(word, dialect) for word in words]
     garments = [k for k, senses in enumerate(chosen) if senses and senses[0].entry.category == "garments"]
@@ -112,7 +114,7 @@ def meanings(
         Meaning(word, tuple([s.entry for s in senses]), part=_part(word, senses, known))
         for word, senses in zip(words, chosen, strict=True)
     ]
-    result = _with_roles(result, kind)
+    result = _with_roles(result, kind, denied)
     for k, meaning in enumerate(result):
         if meaning.role == "word" and any(sense.entry.of for sense in chosen[k]):
             result[k] = _said_of(result, k, chosen[k], kind, known)
@@ -161,12 +163,13 @@ def _kinds(chosen: Sequence[tuple[Sense, ...]], garments: Sequence[int], kind: s
     return named | ({kind} if kind is not None else frozenset())
 
 
-def _with_roles(words: list[Meaning], kind: str | None) -> list[Meaning]:
+def _with_roles(words: list[Meaning], kind: str | None, denied: frozenset[int]) -> list[Meaning]:
     """Finds the garment that is asked for, and what the others are to it."""
     named = [k for k, word in enumerate(words) if word.category in WORN]
     heads = [k for k in named if not _followed_by_garment(words, k)]
     garments = [k for k in heads if words[k].category == "garments"]
     free = [k for k in garments if not _is_theirs(words, k)] or garments
+    free = [k for k in free if k not in denied] or free
     main = next((k for k in free if words[k].entries[0].kinds), free[0] if free else None)
     if main is not None and kind is None:
         whole = next((k for k in free if _can_hold(words[k], words[main])), None)

@@ -141,6 +141,8 @@ def _reading(text: str, language: Language, kind: str | None, dialect: Dialect |
     found = find_words(text, language)[1]
     words = meanings(found, vocabulary(language), kind=kind, dialect=dialect)
     denied = denied_words(words, language)
+    if any(words[k].role == "garment" for k in denied):  # "no skirt but trousers": the trousers are asked for
+        words = meanings(found, vocabulary(language), kind=kind, dialect=dialect, denied=denied)
     marks = [
         WordMark(
             w.found.start,
