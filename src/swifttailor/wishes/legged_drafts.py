@@ -66,7 +66,7 @@ def _with_legs(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
             asked = _LEGS[str(claim.value)] if claim.name == "legs" and claim.value in known else {}
             closer = float(options.get("leg_ease", _CLOSEST)) < _LEGS["slim"]["leg_ease"]
             options |= {} if claim == _SLIM and closer else asked
-    if draft.name == "trousers" and _WIDE in claims and options.get("leg_ease", _CLOSEST) < _WIDE_CM:
+    if draft.name == "trousers" and _WIDE in claims and float(options.get("leg_ease", _CLOSEST)) < _WIDE_CM:
         options |= _LEGS["wide"]
     if DRAFT_KINDS[draft.name] == "trousers":
         for claim in claims:
