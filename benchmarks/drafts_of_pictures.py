@@ -56,10 +56,12 @@ def main() -> None:
     parser.add_argument("--again", action="store_true", help="also as they are after the second reading")
     parser.add_argument("--weights", type=Path, help="another picture reader")
     parser.add_argument("--plain-reader-weights", type=Path, help="another one for plain pictures")
+    parser.add_argument("--plain-neck-weights", type=Path, help="another one for necks of plain pictures")
     options = parser.parse_args()
     eyes = PictureReader.load()
-    if options.weights or options.plain_reader_weights:
-        plain = [options.plain_reader_weights or SHIPPED_PLAIN[0], *SHIPPED_PLAIN[1:]]
+    others = (options.plain_reader_weights, options.plain_neck_weights, None)
+    if options.weights or any(others):
+        plain = [other or shipped for other, shipped in zip(others, SHIPPED_PLAIN, strict=True)]
         eyes = PictureReader.load(options.weights, plain=plain)
     tailor = Tailor(picture_reader=eyes)
     shown = read(tailor, options)

@@ -29,6 +29,7 @@ _FILES = {
     "voices": WORDS / "fresh" / "prompts_voices.jsonl",
     "persons": WORDS / "fresh" / "prompts_persons.jsonl",
     "persons_after": WORDS / "fresh" / "prompts_persons_after.jsonl",
+    "five": WORDS / "fresh" / "prompts_of_five.jsonl",
     "rehearsal": WORDS / "rehearsal" / "prompts.jsonl",
 }
 

@@ -53,7 +53,7 @@ SLITS = [Claim("slit", "left"), Claim("slit", "right")]
         (
             "off-shoulder-dress(length=44)",
             [Claim("skirt", "circle"), Claim("skirt_hem", "midi")],
-            "off-shoulder-dress(length=44;waist_seam=true;skirt_fraction=0.9)",
+            "off-shoulder-dress(length=44;waist_seam=true;skirt_fraction=1)",
         ),
         ("sweatshirt(arm_ease=16)", [Claim("hood", "hood")], "hoodie(arm_ease=16)"),
         (

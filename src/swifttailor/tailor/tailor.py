@@ -123,6 +123,8 @@ class Tailor(Workshop):
 
         Raises:
             InputError: An argument, the picture or the weights cannot be used.
+            NothingAskedError: The text asks for no garment that could be made.
+            NothingSeenError: There is no garment in a picture, and no text.
             PatternError: None of the patterns that were tried can be sewn.
         """
         order = Order(
@@ -246,39 +248,28 @@ class Tailor(Workshop):
             SwiftTailorError: The orders cannot be answered at all.
         """
         # Sewing alone does without them, and starts a fifth of a second earlier.
+        from swifttailor.tailor.refused_orders import read_or_refused, with_refused
         from swifttailor.tailor.writing import write_patterns
 
         clock = clock or Clock()
         clock.restart()
-        asked = [self._read_or_refused(order) for order in orders]
+        asked = [read_or_refused(self.read, order) for order in orders]
         clock.stop("reading")
         wanted = [one for one in asked if not isinstance(one, NothingAskedError)]
         samples = [(one, one.order.seed + k) for one in wanted for k in range(one.order.samples)]
         if not samples:
-            return [one for one in asked if isinstance(one, NothingAskedError)]
-        written = iter(
-            write_patterns(
-                lambda: self.pattern_maker,
-                self.garment_sewer,
-                samples,
-                clock,
-                self.library_for(orders),
-                lambda: self.pattern_library,
-                self.designer_for(orders),
-                self.picture_reader if any(one.part is not None for one in wanted) else None,
-            )
+            return with_refused(asked, orders, [])
+        written = write_patterns(
+            lambda: self.pattern_maker,
+            self.garment_sewer,
+            samples,
+            clock,
+            self.library_for(orders),
+            lambda: self.pattern_library,
+            self.designer_for(orders),
+            self.picture_reader if any(one.part is not None for one in wanted) else None,
         )
-        return [
-            one if isinstance(one, NothingAskedError) else next(written)
-            for one, order in zip(asked, orders, strict=True)
-            for _ in range(order.samples)
-        ]
-
-    def _read_or_refused(self, order: Order) -> Wanted | NothingAskedError:
-        try:
-            return self.read(order)
-        except NothingAskedError as refused:
-            return refused
+        return with_refused(asked, orders, written)
 
     def read(self, order: Order) -> Wanted:
         """What an order asks for, before anything is made.

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from swifttailor.describing.claims import Claim
 from swifttailor.pattern.drafts.draft_names import STRAP_WIDTH, NamedDraft
+from swifttailor.wishes.held_drafts import CIRCLES
 
 _ON_STRAPS, _THIN = ("camisole", "strappy-dress", "strappy-jumpsuit"), Claim("straps", "narrow")
 _THIN_CM = 1.2
@@ -23,16 +24,7 @@ _HANGS = frozenset(
     }
 )
 """What a dress with a seam at the waist and a skirt cut from a circle is not."""
-_SKIRTS: Mapping[str, float] = {
-    "a-line": 0.3,
-    "flared": 0.5,
-    "half circle": 0.5,
-    "three-quarter circle": 0.75,
-    "circle": 0.9,
-    "more than a circle": 1.25,
-    "gathered": 0.8,
-}
-"""Parts of a circle, by what a skirt is called."""
+_SKIRTS: Mapping[str, float] = {**CIRCLES, "gathered": 0.8}
 _LENGTHS: Mapping[str, float] = {
     "mini": 42.0,
     "above the knee": 50.0,

@@ -122,14 +122,13 @@ class Heard:
         kind = _CUT_AS.get(self.kind or "", self.kind)
         order = _names_first if self.kind in ("shorts", "playsuit") else _says_less
         entries = sorted(self._meant, key=order)
-        claims = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
-        if len(claims) < len(self.sure) or not covers(self.kind, claims):  # known patterns have more
+        sure = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
+        if len(sure) < len(self.sure) or not covers(self.kind, sure):  # known patterns have more
             entries = [e for e in entries if self._told_beside(e) <= _most_told(e)]
         beside = self._worn_beside
         entries = [e for e in entries if e not in beside]
         named = [draft for entry in entries for draft in entry.drafts]
         named = [draft for draft in named if DRAFT_KINDS[draft.name] == kind]
-        sure = [w.change.claim for w in self.sure if isinstance(w.change, Gain)]
         sure += [] if any(claim.name in _AT_SHOULDERS for claim in sure) else self._likely_bare
         sure += self._standing_necks if not any(claim.name in _NECKS for claim in sure) else []
         sure += [_STRAIGHT] if _FLARED in self.never and not any(c.name == "skirt" for c in sure) else []

@@ -24,7 +24,7 @@ from swifttailor.wishes.sayings import plainly
 from swifttailor.wishes.spoken_amounts import share_of
 from swifttailor.wishes.spoken_changes import SpokenChanges, spoken_changes
 from swifttailor.wishes.spoken_clauses import SpokenClause, other_than
-from swifttailor.wishes.spoken_measures import SpokenMeasure, same_number, spoken_measures
+from swifttailor.wishes.spoken_measures import is_of_another, spoken_measures
 from swifttailor.wishes.spoken_of import OF_LEGS, ONE_LEG, is_of_places, parts_spoken_of
 from swifttailor.wishes.stated_figures import (
     by_the_number,
@@ -114,7 +114,7 @@ def _heard_changes(text: str, reader: WishReader, facts: GarmentFacts | None) ->
             and not stepped
             and not text[: measure.mention.start].rstrip().lower().endswith(" by")
             and not _is_strange(clause, words)
-            and not any(_is_of_another(measure, change) for change in clause.changes)
+            and not any(is_of_another(measure, change) for change in clause.changes)
         ):
             stated[clause.start] = measure
             told.append(Gain(measure.claim))
@@ -303,13 +303,6 @@ def _adds(change: Change, told: Sequence[Change], spoken: SpokenChanges, words: 
 def _clear(spoken: SpokenChanges) -> list[Change]:
     """What clauses ask for of which all words are accounted for."""
     return [change for clause in spoken.clauses if not clause.left_over for change in clause.changes]
-
-
-def _is_of_another(measure: SpokenMeasure, change: Change) -> bool:
-    """Whether a number was read as that of something else: "slit in front, about 30 cm" is no length."""
-    if not isinstance(change, Gain) or not change.claim.name.endswith("_cm") or measure.claim is None:
-        return False
-    return change.claim.name != measure.claim.name and same_number(measure, change.claim.value)
 
 
 def _is_strap(mark: WordMark) -> bool:

@@ -54,7 +54,7 @@ _LENGTHS: Mapping[str, float] = {
 """Of skirts, where no option says otherwise, cm."""
 _LONGEST_CM, _SHORTEST_CM = 100.0, 36.0
 _SLIP = "slip-dress"
-_CIRCLES: Mapping[str, float] = {
+CIRCLES: Mapping[str, float] = {
     "a-line": 0.3,
     "flared": 0.5,
     "half circle": 0.5,
@@ -89,9 +89,9 @@ def held_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         if shape == "gathered":
             options.setdefault("gathers", _GATHERS)
         elif claim.value == "flared" and shape == "circle":
-            options.setdefault("skirt_fraction", _CIRCLES["flared"])
+            options.setdefault("skirt_fraction", CIRCLES["flared"])
         elif shape == "circle":
-            options["skirt_fraction"] = _CIRCLES[str(claim.value)]
+            options["skirt_fraction"] = CIRCLES[str(claim.value)]
     if draft.name == _SLIP:
         waisted = any(_asked_skirt(claim) or claim == Claim("waist_seam", "natural") for claim in claims)
         if hold == "straps" and not waisted:
@@ -104,7 +104,7 @@ def held_as_asked(draft: NamedDraft, claims: Sequence[Claim]) -> NamedDraft:
         return NamedDraft(name, (*own_options.items(), *flags))
     length = float(options.get("skirt_length", _LENGTHS[draft.name]))
     options |= {"skirt_length": min(max(length, _SHORTEST_CM), _LONGEST_CM)}
-    options.setdefault("skirt_fraction", _CIRCLES["flared"])
+    options.setdefault("skirt_fraction", CIRCLES["flared"])
     kept = [(key, value) for key, value in options.items() if key in _OF_SKIRT[skirt]]
     return NamedDraft(name, (*kept, *flags))
 
@@ -143,7 +143,7 @@ def _asked_hold(claims: Sequence[Claim]) -> Hold | None:
 def _asked_skirt(claim: Claim) -> Skirt | None:
     if claim.name != "skirt":
         return None
-    if claim.value in _CIRCLES:
+    if claim.value in CIRCLES:
         return "circle"
     if claim.value in ("gathered", _FLOUNCE):
         return "gathered" if claim.value == "gathered" else "flounce"

@@ -13,6 +13,7 @@ from functools import cache, lru_cache
 from pathlib import Path
 
 from swifttailor.describing.claims import CLAIM_TYPES, Claim
+from swifttailor.describing.differences import Change, Gain
 from swifttailor.wishes.mentions import Mention, find_mentions
 from swifttailor.wording.numbers import CM_PER_INCH
 from swifttailor.wording.word_tables import read_table
@@ -277,3 +278,10 @@ def _any_of(words: Sequence[str]) -> re.Pattern[str]:
 def same_number(measure: SpokenMeasure, value: object) -> bool:
     """Whether a number that something else read is the number of a measure."""
     return isinstance(value, float | int) and abs(measure.mention.value - value) < 0.05
+
+
+def is_of_another(measure: SpokenMeasure, change: Change) -> bool:
+    """Whether its number was read as that of something else: "slit in front, about 30 cm" is no length."""
+    if not isinstance(change, Gain) or not change.claim.name.endswith("_cm") or measure.claim is None:
+        return False
+    return change.claim.name != measure.claim.name and same_number(measure, change.claim.value)
