@@ -72,6 +72,15 @@ def test_the_rehearsal_is_in_the_vocabulary_and_nearly_all_new():
         assert len(known & texts) <= 12  # "no slit" is said by many
 
 
+def test_the_wishes_of_five_writers_are_in_the_vocabulary_and_nearly_all_new():
+    wishes = read_people_prompts(WORDS / "fresh" / "prompts_of_five.jsonl")
+    texts = {prompt.text.lower() for prompt in wishes}
+    known = {p.text.lower() for half in HALVES for p in read_half(half, "prompts")}
+    assert len(wishes) == 800 and len(texts) >= 750, "two of five may think of the same name"
+    assert len(known & texts) <= 40, "many say no more than what a garment is called"
+    assert all(any(e.claim == "kind" for e in p.expect) for p in wishes if len(p.text.split()) == 1)
+
+
 @pytest.mark.parametrize("name", FILES)
 def test_texts_are_unique_and_the_halves_are_those_of_the_lot(name):
     paths = [WORDS / half / f"{name}.jsonl" for half in HALVES]
