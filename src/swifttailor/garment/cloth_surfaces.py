@@ -11,6 +11,7 @@ from swifttailor.arrays import Array
 from swifttailor.garment.cloth_color import cloth_color
 from swifttailor.garment.cloth_print import cloth_at
 from swifttailor.garment.trim_colors import DARK, DARKEST
+from swifttailor.pattern.centre_seams import needless_centre_seams
 from swifttailor.render.color import GREY, Color, to_linear
 from swifttailor.render.surface import LineSet, Surface
 
@@ -141,7 +142,7 @@ def _print_of(garment: Garment, look: PanelLook, color: str) -> ClothPrint | Non
 def _tints(garment: Garment) -> Array:
     """(panels,) how light each panel is beside the others: a little, so that they can be told apart."""
     # Golden-ratio steps keep consecutive panels apart whatever their number.
-    return 0.90 + 0.20 * ((np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0)
+    return 0.97 + 0.06 * ((np.arange(len(garment.pattern.panels)) * 0.618034) % 1.0)
 
 
 def _inside(base: Array, printed: ClothPrint | None) -> tuple[Array, float]:
@@ -163,7 +164,7 @@ def _lines(
         seen_on_dark: Whether lines on dark cloth are lighter than it.
         shown: (f,) bool: the faces whose lines are wanted; None: all of them.
     """
-    seams, borders = _seam_edges(garment), border_edges(garment.faces)
+    seams, borders = _seam_edges(garment, seen_on_dark), border_edges(garment.faces)
     if shown is not None:
         reached = _reached(garment, shown)
         seams, borders = (edges[reached[edges].all(axis=1)] for edges in (seams, borders))
@@ -217,9 +218,20 @@ def _wrong_side(printed: ClothPrint) -> Array:
     return printed.drawn().colors(np.stack(np.meshgrid(across, across), axis=-1).reshape(-1, 2)).mean(axis=0)
 
 
-def _seam_edges(garment: Garment) -> Array:
+def _seam_edges(garment: Garment, as_worn: bool) -> Array:
+    """(n, 2) vertex indices of seams; `as_worn` without those that vanish where cloth is cut on the fold."""
+    needless = needless_centre_seams(garment.pattern) if as_worn else frozenset[int]()
+    if needless and garment.looks:
+        from swifttailor.garment.part_looks import looks_of_panels
+
+        names = [panel.name for panel in garment.pattern.panels]
+        looks = dict(zip(names, looks_of_panels(garment), strict=True))
+        stitches = garment.pattern.stitches
+        needless = {k for k in needless if len({looks[side.panel] for side in stitches[k].sides}) == 1}
     parts = [
-        np.stack([s.vertices[:-1], s.vertices[1:]], axis=1) for s in garment.seams if len(s.vertices) > 1
+        np.stack([s.vertices[:-1], s.vertices[1:]], axis=1)
+        for s in garment.seams
+        if len(s.vertices) > 1 and s.stitch not in needless
     ]
     return np.concatenate(parts) if parts else np.zeros((0, 2), np.int32)
 
