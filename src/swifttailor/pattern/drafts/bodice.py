@@ -38,6 +38,10 @@ OVERLAP_Z = 6.0
 """So far behind the upper front the lower one stands before draping, cm."""
 _LEVEL_TO, _LEVEL_FROM = 0.55, 0.72
 """As parts of the way to the side, controls of a hem that is level in the middle and again at the side."""
+_PER_SHAPING = 2.0
+"""Width around at the hem for each centimetre by which the sides are bent in."""
+_FURTHEST_BEHIND_CM, _HALVINGS = 3.0, 24
+"""So far back may the side seam run; and steps until front and back side are equally long."""
 SHORTEST_SLIT, _OPEN_SHARE = 1.0, 0.8
 """What would be open for less is closed, cm; the share of the centre that may be open."""
 
@@ -117,12 +121,14 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     hem_y = figure.waist_y - shape.length
     under_y = max(figure.armpit_y - shape.armhole_drop, hem_y + SIDE_MINIMUM)
     body = figure.girth_below_waist(shape.length).eased(shape.hip_ease)
-    # Front and back side seams slant alike, so that they are equally long.
     widening = max(body.girth - chest.girth, 0.0) / 4 if shape.length > 0 else 0.0
     shaping = shape.waist_shaping
     if shaping and shape.length < SHORT_CM:  # what ends at the waist narrows down to it
         widening = min(max((body.girth - chest.girth) / 4, -shaping), widening)
         shaping = 0.0
+    elif shaping:  # above the hem bent sides are narrower than straight ones, and the seat holds them up
+        least = body.girth + _PER_SHAPING * shaping - chest.girth
+        widening = max(widening, least / 4)
     widening += shape.flare / 4
     rise = _hem_rise(max(widening, 0.0), under_y - hem_y, chest.girth / 4 + widening)
     tip_x = shoulder_tip_x(figure, shape.neckline, shape.shoulder_extension, chest)
@@ -130,24 +136,32 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     slit = shape.front_slit
     if shape.front_closed_to is not None:
         slit = max(shape.length - shape.front_closed_to, 0.0) if shape.front_opening else 0.0
+    behind = _behind(chest, body, widening, under_y - hem_y) if shape.length > 0 else 0.0
+    length = None
     for side, half in (("f", chest.front), ("b", chest.back)):
         front = side == "f"
+        hem_x = half + widening + (-behind if front else behind)
         drop = LOOSE_HEM_BALANCE * figure.front_fullness if front else 0.0
         start = max(shape.front_opening, 0.0) if front else 0.0
+        curved = shape.side_rise > 0.0
+        hem_end = min(hem_y + rise + shape.side_rise, under_y - SIDE_MINIMUM) if curved else hem_y + rise
+        corner, underarm = (hem_x, hem_end), (half, under_y)
+        if length is None:
+            length = _side_length(corner, underarm, shaping)
+        else:
+            corner = _as_long(length, corner, underarm, shaping)
         outline = Outline(start, hem_y - drop)
         if front and shape.front_point:
             outline.line("hem", POINT_X, hem_y - drop - shape.front_point)
-            outline.line("hem", half + widening, hem_y + rise)
-        elif shape.side_rise > 0.0:
-            side = half + widening, min(hem_y + rise + shape.side_rise, under_y - SIDE_MINIMUM)
-            across = (start + _LEVEL_TO * (side[0] - start), hem_y - drop)
-            outline.cubic("hem", across, (start + _LEVEL_FROM * (side[0] - start), side[1]), side)
-        elif rise + drop > 0.01:
-            middle = ((half + widening) * 0.6, hem_y - drop)
-            outline.quadratic("hem", middle, (half + widening, hem_y + rise))
+            outline.line("hem", *corner)
+        elif curved:
+            across = (start + _LEVEL_TO * (hem_x - start), hem_y - drop)
+            outline.cubic("hem", across, (start + _LEVEL_FROM * (hem_x - start), corner[1]), corner)
+        elif abs(corner[1] - hem_y) + drop > 0.01:
+            outline.quadratic("hem", (hem_x * 0.6, hem_y - drop), corner)
         else:
-            outline.line("hem", half + widening, hem_y)
-        _draw_side(outline, (half, under_y), shaping, shape.side_slits)
+            outline.line("hem", *corner)
+        _draw_side(outline, underarm, shaping, shape.side_slits)
         scoop = 0.72 if front else 0.5
         shoulder = (neck_x, tip_x)
         lay_torso_half(
@@ -164,9 +178,48 @@ def lay_loose_bodice(table: CuttingTable, figure: Figure, shape: LooseBodice) ->
     sew_torso(table)
 
 
+def _behind(chest: Halves, body: Halves, widening: float, side: float) -> float:
+    """How far the side seam runs back down to the hem, cm, so that front and back have equal room there.
+
+    More of the girth lies in front at the bust and behind at the hips: a back as narrow there as at the chest
+    is held up by the seat, and its cloth gathers above.
+
+    Args:
+        chest: Half widths at the underarm.
+        body: Half widths of the body at the hem.
+        widening: How much wider each half is at the hem than at the underarm.
+        side: Height of the side seam, cm; of a short one that slants much, both sides could not be as long.
+    """
+    room = (chest.front - body.front) - (chest.back - body.back)
+    furthest = min(_FURTHEST_BEHIND_CM, side**2 / (8 * max(abs(widening), 1.0)))
+    return min(max(room / 2, 0.0), furthest)
+
+
+def _side(corner: Point, underarm: Point, shaping: float) -> Outline:
+    """The side seam alone, up from the hem, bent inward by `shaping` cm."""
+    outline = Outline(*corner)
+    _draw_side(outline, underarm, shaping, 0.0)
+    return outline
+
+
+def _side_length(corner: Point, underarm: Point, shaping: float) -> float:
+    """Length of the side seam, cm."""
+    return sum(side.length for side in _side(corner, underarm, shaping).sides)
+
+
+def _as_long(length: float, corner: Point, underarm: Point, shaping: float) -> Point:
+    """The corner at the hem, moved up or down until the side seam has a length, cm."""
+    x, y = corner
+    low, high = y - length, underarm[1] - 0.5 * SIDE_MINIMUM
+    for _ in range(_HALVINGS):
+        y = (low + high) / 2
+        low, high = (y, high) if _side_length((x, y), underarm, shaping) > length else (low, y)
+    return x, y
+
+
 def _draw_side(outline: Outline, underarm: Point, shaping: float, slit: float) -> None:
-    """Draws the side seam up to the underarm, bent inward by `shaping` cm; front and back alike."""
-    x, y = outline.sides[-1].end
+    """Draws the side seam up to the underarm, bent inward by `shaping` cm."""
+    x, y = outline.at
     if not shaping:
         share = min(slit / math.dist((x, y), underarm), _OPEN_SHARE)
         if slit >= SHORTEST_SLIT:

@@ -86,6 +86,11 @@ class Outline:
         """Serials of the two legs of each dart."""
         self._at: Point = (float(x), float(y))
 
+    @property
+    def at(self) -> Point:
+        """Where it has come to, local cm."""
+        return self._at
+
     def line(self, name: str, x: float, y: float) -> Outline:
         """A straight edge to (x, y)."""
         return self._add(name, (x, y), Line())

@@ -1,0 +1,33 @@
+"""Loose tops: front and back have equal room over the hips, and both side seams are equally long."""
+
+import numpy as np
+import pytest
+
+import swifttailor
+from swifttailor import Body
+from swifttailor.pattern.drafts.figure import Figure
+
+FIGURE = Figure.of(Body.default().measurements)
+
+
+def hem_half(pattern: swifttailor.Pattern, side: str) -> float:
+    """Half of the width of the hem of the left front or back, cm."""
+    corners = pattern.panel(f"left_{side}torso").vertices
+    return float(np.abs(corners[corners[:, 1] < corners[:, 1].min() + 8.0, 0]).max())
+
+
+@pytest.mark.parametrize("options", [{}, {"waist_shaping": 3.0, "chest_ease": 3.0}, {"flare": 12.0}])
+def test_front_and_back_have_equal_room_at_the_hem(options: dict[str, float]) -> None:
+    pattern = swifttailor.draft("t-shirt", length=22.0, **options)
+    body = FIGURE.girth_below_waist(22.0)
+    front, back = (hem_half(pattern, side) for side in "fb")
+    assert front - body.front == pytest.approx(back - body.back, abs=0.05)
+    assert front + back > body.front + body.back + 1.0
+
+
+def test_bent_sides_end_wider_than_straight_ones() -> None:
+    straight, bent = (
+        swifttailor.draft("t-shirt", length=22.0, chest_ease=3.0, waist_shaping=w) for w in (0.0, 3.0)
+    )
+
+    assert sum(hem_half(bent, s) for s in "fb") >= sum(hem_half(straight, s) for s in "fb") + 1.0
