@@ -55,6 +55,10 @@ TRIMMED = {
     "puffer": ("bomber-jacket", ("zip", "quilting")),
     "turned-up trousers": ("trousers", ("fly", "turn-ups")),
     "tunic": ("shirt-dress", ("patch pockets", "slant pockets")),
+    "dirndl": ("skater-dress", ("neck frill", "lacing", "apron", "hem frill")),
+    "blouse": ("shirt", ("neck bow", "sleeve frills", "edging")),
+    "slip": ("camisole", ("lace trim", "waist bow")),
+    "flapper dress": ("drop-waist-dress", ("hem fringe", "neck cord")),
 }
 """Name of a draft and what is put on it: between them all trims that there are."""
 

@@ -70,7 +70,13 @@ TRIMS_OF_PARTS: Mapping[str, tuple[str, ...]] = {
         *("side pockets", "slant pockets", "back pockets", "cargo pockets"),
     ),
     "belt": ("tie belt", "buckle belt"),
-    "drawstring": ("drawstring",),
+    "drawstring": ("drawstring", "neck cord"),
+    "frills": ("neck frill", "sleeve frills", "hem frill"),
+    "fringe": ("hem fringe",),
+    "edging": ("edging", "lace trim"),
+    "bow": ("neck bow", "waist bow"),
+    "lacing": ("lacing",),
+    "apron": ("apron",),
 }
 """What is put on a garment and may have a colour of its own, and which trims it is."""
 PANEL_PARTS = tuple(_PARTS)

@@ -25,9 +25,23 @@ _LOOKS_COLORED: Mapping[str, tuple[str, ...]] = {
     "pockets": ("cloth",),
     "belt": ("cloth", "leather"),
     "drawstring": ("cloth", "dark"),
+    "frills": ("cloth",),
+    "fringe": ("cloth",),
+    "edging": ("cloth",),
+    "bow": ("cloth",),
+    "lacing": ("dark",),
+    "apron": ("cloth",),
 }
 """Of what is put on, the parts that have that colour: a buckle is metal whatever its belt is."""
 _COLORS = {"metal": "#8d8f94", "leather": "#4a3226"}
+_IN_ANOTHER: Mapping[str, tuple[str, str]] = {
+    "apron": ("#f3efe6", "#5d6f86"),
+    "edging": ("#f3efe6", "#33415c"),
+    "lace trim": ("#f3efe6", "#c9bfae"),
+}
+"""What is of another colour than the cloth, where none is told: on darker cloth, and on light cloth."""
+_LIGHT = 0.55
+"""Linear light of cloth from which on it is light."""
 _LIGHT_BUTTON, _DARK_BUTTON = "#bdb6a8", "#6b5a49"
 
 
@@ -52,6 +66,9 @@ def trim_color(
             return np.maximum(to_linear(own), DARKEST)
         ground = (color_of_panel(garment, panel) if panel else None) or ground
     cloth = np.maximum(to_linear(ground), DARKEST)
+    if trim in _IN_ANOTHER:  # or nobody would see it
+        pale, deep = _IN_ANOTHER[trim]
+        return to_linear(pale if float(cloth @ GREY) < _LIGHT else deep)
     if look == "cloth":
         return 0.94 * cloth
     if look == "dark":

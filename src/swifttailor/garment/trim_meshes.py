@@ -10,9 +10,11 @@ from scipy.spatial import ConvexHull, KDTree, QhullError
 
 from swifttailor.arrays import Array, Floats, Ints
 from swifttailor.garment.cloth_print import flat_places
+from swifttailor.garment.trim_decorations import bow_meshes, frill_meshes
+from swifttailor.garment.trim_pieces import AROUND, TrimMesh, ball, front_of
 from swifttailor.garment.trunk_cloth import around_trunk
 from swifttailor.pattern.trims.placing import place_trims
-from swifttailor.pattern.trims.shapes import Belt, Button, Patch
+from swifttailor.pattern.trims.shapes import Belt, Bow, Button, Frill, Patch
 
 if TYPE_CHECKING:
     from swifttailor.garment.garment import Garment
@@ -24,7 +26,6 @@ _LIFT = {"cloth": 0.30, "dark": 0.42, "metal": 0.36}
 _QUILTING_LIFT = 0.14
 """Stitches through wadding lie deeper than those on top of pockets."""
 _BUTTON_LIFT, _BUTTON_HEIGHT = 0.34, 0.22
-_ROUND = 16
 _BELT_LIFT, _BELT_SIDES, _BELT_REACH = 0.5, 96, 2.5
 _TAIL, _KNOT = 26.0, 2.2
 _NO_AREA = 1e-5
@@ -34,29 +35,6 @@ _NEAR = 12
 _INSIDE = 1e-6
 """Least weight, below 0, of points that count as inside of a face."""
 _MOST_AT_ONCE = 4_000_000
-
-
-@dataclass(frozen=True, eq=False)
-class TrimMesh:
-    """One piece of a trim in space."""
-
-    trim: str
-    """A name of `pattern.trims.TRIMS`."""
-    look: str
-    """``cloth``, ``dark``, ``metal``, ``button`` or ``leather``."""
-    vertices: Floats
-    """(n, 3) cm."""
-    faces: Ints
-    """(f, 3)."""
-    lines: Ints
-    """(k, 2) edges that show: of what is sewn on, its border."""
-    cloth_at: Floats | None = None
-    """(f, 3, 2) where on the cloth the corners of the faces lie, cm, so that prints run on over pockets; None
-    of what is not of the garment's cloth, or goes around it."""
-    flat: Floats | None = None
-    """(n, 2) the vertices on their panel, panel-local cm; None of what goes around the body."""
-    panel: str = ""
-    """Name of the panel that it lies on; empty of what goes around the body."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +63,11 @@ def trim_meshes(garment: Garment) -> list[TrimMesh]:
             found += _belt(garment, piece)
         elif isinstance(piece, Button):
             found.append(_button(garment, piece))
+        elif isinstance(piece, Frill):
+            found += frill_meshes(garment, piece)
+        elif isinstance(piece, Bow):
+            on = _on_cloth(garment, piece.panel, np.array([piece.at]))
+            found += bow_meshes(garment, piece, on.points[0], on.normals[0])
         else:
             found.append(_patch(garment, piece, places))
     return found
@@ -142,7 +125,7 @@ def _button(garment: Garment, button: Button) -> TrimMesh:
     on = _on_cloth(garment, button.panel, np.array([button.at]))
     at, normal = on.points[0], on.normals[0]
     u, v = _beside(normal)
-    angle = np.arange(_ROUND) * (2 * np.pi / _ROUND)
+    angle = np.arange(AROUND) * (2 * np.pi / AROUND)
     circle = np.cos(angle)[:, None] * u + np.sin(angle)[:, None] * v
     middle = at + _BUTTON_LIFT * normal
     low, high = (
@@ -150,13 +133,13 @@ def _button(garment: Garment, button: Button) -> TrimMesh:
         middle + 0.8 * button.radius * circle + _BUTTON_HEIGHT * normal,
     )
     vertices = np.concatenate([low, high, [middle + 0.7 * _BUTTON_HEIGHT * normal]])
-    k, after = np.arange(_ROUND), np.roll(np.arange(_ROUND), -1)
-    top = np.full(_ROUND, 2 * _ROUND)
+    k, after = np.arange(AROUND), np.roll(np.arange(AROUND), -1)
+    top = np.full(AROUND, 2 * AROUND)
     faces = np.concatenate(
         [
-            np.stack([k, after, after + _ROUND], axis=1),
-            np.stack([k, after + _ROUND, k + _ROUND], axis=1),
-            np.stack([k + _ROUND, after + _ROUND, top], axis=1),
+            np.stack([k, after, after + AROUND], axis=1),
+            np.stack([k, after + AROUND, k + AROUND], axis=1),
+            np.stack([k + AROUND, after + AROUND, top], axis=1),
         ]
     )
     return TrimMesh(
@@ -223,7 +206,7 @@ def _knot(garment: Garment, belt: Belt, front: Array) -> list[TrimMesh]:
         half = 0.36 * belt.width
         sides = np.stack([middle - half, middle + half], axis=1)
         depth = np.array(
-            [_front_of(garment, x, front[1] - drop) for x, drop in zip(middle, drops, strict=True)]
+            [front_of(garment, x, front[1] - drop) for x, drop in zip(middle, drops, strict=True)]
         )
         depth = np.maximum(np.nan_to_num(depth, nan=-np.inf), front[2] - 0.10 * drops) + 0.45
         vertices = np.stack(
@@ -240,21 +223,8 @@ def _knot(garment: Garment, belt: Belt, front: Array) -> list[TrimMesh]:
             [np.stack([k, k + 2], axis=1), np.stack([k + 1, k + 3], axis=1), [[k[-1] + 2, k[-1] + 3]]]
         )
         pieces.append(TrimMesh(belt.trim, "cloth", vertices, faces.astype(np.int32), edges))
-    knot = _ball(front + np.array([0.0, 0.0, 0.5]), (0.42 * _KNOT, 0.5 * belt.width, 0.55))
+    knot = ball(front + np.array([0.0, 0.0, 0.5]), (0.42 * _KNOT, 0.5 * belt.width, 0.55))
     return [*pieces, TrimMesh(belt.trim, "cloth", *knot, np.zeros((0, 2), int))]
-
-
-def _ball(middle: Array, radii: tuple[float, float, float]) -> tuple[Floats, Ints]:
-    """A coarse ellipsoid."""
-    up, around = np.linspace(-np.pi / 2, np.pi / 2, 7), np.arange(_ROUND) * (2 * np.pi / _ROUND)
-    a, b = np.meshgrid(up, around, indexing="ij")
-    points = np.stack([np.cos(a) * np.sin(b), np.sin(a), np.cos(a) * np.cos(b)], axis=-1)
-    vertices = middle + points.reshape(-1, 3) * radii
-    grid = np.arange(len(vertices)).reshape(a.shape)
-    after = np.roll(grid, -1, axis=1)
-    quads = np.stack([grid[:-1], after[:-1], after[1:], grid[1:]], axis=-1).reshape(-1, 4)
-    # At the poles a ring is one point, and half of each quad has no area.
-    return vertices, np.concatenate([quads[_ROUND:, [0, 1, 2]], quads[:-_ROUND, [0, 2, 3]]]).astype(np.int32)
 
 
 def _around(garment: Garment, height: float) -> Array | None:
@@ -274,13 +244,6 @@ def _around(garment: Garment, height: float) -> Array | None:
     room = -(hull.equations[:, :2] @ middle + hull.equations[:, 2])
     reach = np.where(along > 1e-9, room / np.where(along > 1e-9, along, 1.0), np.inf).min(axis=1)
     return middle + (reach + _BELT_LIFT)[:, None] * ways
-
-
-def _front_of(garment: Garment, x: float, y: float) -> float:
-    """The z of the foremost vertex near a place, NaN where there is none."""
-    away = np.abs(garment.vertices[:, :2] - (x, y)).max(axis=1)
-    near = away < 2.0
-    return float(garment.vertices[near, 2].max()) if near.any() else float("nan")
 
 
 def _on_cloth(garment: Garment, panel: str, flat: Array) -> _OnCloth:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from swifttailor.describing.measuring.parts import Part
 from swifttailor.making.closings import Closing
+from swifttailor.making.decoration_steps import decorations
 from swifttailor.making.notions import buttons
 from swifttailor.making.pieces import CuttingPlan
 from swifttailor.making.seams import SeamRole
@@ -31,6 +32,7 @@ class TrimStep:
 def trim_steps(plan: CuttingPlan) -> list[TrimStep]:
     """The steps of all that is put on a garment, in the order of sewing."""
     found = [*_pockets(plan), *_openings(plan), *_others(plan), *_zips(plan), *_fronts(plan), *_waist(plan)]
+    found += [TrimStep(FINISHES + 0.7, title, (text,)) for title, text in decorations(plan)]
     return sorted(found, key=lambda step: step.rank)
 
 

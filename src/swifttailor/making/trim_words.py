@@ -36,6 +36,8 @@ _LINES: Mapping[str, str] = {
     "quilting": "",
     "double-breasted buttons": "edge of the upper front",
     "drawstring": "cord",
+    "neck cord": "cord",
+    "lacing": "lacing",
 }
 
 

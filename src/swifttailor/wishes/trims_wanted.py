@@ -16,16 +16,23 @@ _POCKETS = tuple(name for name in TRIMS if "pocket" in name)
 _BUTTONS = tuple(name for name in LIKE_EACH_OTHER[0] if "zip" not in name)
 _ZIPS = ("zip", "half zip", "back zip", "side zip", "fly")
 _BELTS = ("tie belt", "buckle belt")
+_FRILLS = ("neck frill", "sleeve frills", "hem frill")
 TRIMS_OF: Mapping[str, tuple[str, ...]] = {
     "pockets": _POCKETS,
     "buttons": (*_BUTTONS, "fly"),
     "zip": _ZIPS,
     "belt": _BELTS,
     "belt_accessory": _BELTS,
-    "drawstring": ("drawstring",),
+    "drawstring": ("drawstring", "neck cord"),
     "turn_ups": ("turn-ups",),
     "padding": ("quilting",),
-    "ties": ("tie belt",),
+    "ties": ("tie belt", "neck bow", "waist bow"),
+    "braid": ("edging",),
+    "lace": ("lace trim",),
+    "frills": _FRILLS,
+    "lacing": ("lacing",),
+    "fringe": ("hem fringe",),
+    "apron": ("apron",),
 }
 """By key of what cannot be made of panels, which trims can stand for it."""
 _JACKETS = frozenset(
@@ -43,6 +50,9 @@ _JACKETS = frozenset(
 )
 """Drafts that are buttoned without a band."""
 _WRAPS = frozenset({"wrap-dress", "wrap-top", "robe"})
+_HOODED = frozenset({"hoodie", "hooded-coat"})
+_SAID_ALONE = frozenset({"lace", "braid"})
+"""What is put on only where the text itself asks for it."""
 _LOWER = ("trousers", "shorts")
 _DENIM = "denim"
 _DETAILS = "styles"
@@ -75,10 +85,10 @@ def trims_wanted(heard: Heard, draft: str = "", kind: str = "") -> tuple[TrimWis
     kind = heard.kind or kind
     found = []
     for lack in heard.lacks:
-        can = TRIMS_OF.get(lack.what, ())
+        can = TRIMS_OF.get(lack.what, ()) if lack.said or lack.what not in _SAID_ALONE else ()
         own = tuple([name for name in _of_garment(heard) if name in can])
         said = tuple([name for name in named if name in can])
-        choices = _usual(lack.what, kind, heard.cloth, draft)
+        choices = _usual(lack.what, kind, heard.cloth, draft) if can else ()
         if said or own:
             alone = sorted(said or own, key=lambda name: name not in own)
             choices = (said or own, *[(name,) for name in alone], *choices)
@@ -145,6 +155,16 @@ def _usual(what: str, kind: str, cloth: str | None, draft: str) -> tuple[tuple[s
         return (("buckle belt",),) if kind in _LOWER else (("tie belt",), ("buckle belt",))
     if what == "ties":
         return (("tie belt",),) if draft in _WRAPS else ()
+    if what == "apron" and draft == what:
+        return ()
+    if what == "frills":
+        return (
+            (("hem frill",),)
+            if kind in ("skirt", "dress")
+            else (("neck frill", "sleeve frills"), ("neck frill",))
+        )
+    if what == "drawstring":
+        return (("neck cord",),) if draft in _HOODED else (("drawstring",), ("neck cord",))
     if what == "padding":
         return ()
     return tuple([(name,) for name in TRIMS_OF.get(what, ())])

@@ -49,6 +49,17 @@ SHOULD_HAVE = {
     "quilting": ("bomber-jacket", "coat", "turtleneck"),
     "turn-ups": ("trousers", "jeans"),
     "drawstring": ("joggers", "pull-on-trousers"),
+    "neck cord": ("hoodie", "sweatshirt"),
+    "neck frill": (*TOPS, "shirt-dress"),
+    "sleeve frills": ("t-shirt", "shirt", "shirt-dress"),
+    "hem frill": (*SKIRTS, *DRESSES, "t-shirt"),
+    "hem fringe": (*SKIRTS, *DRESSES, "denim-jacket"),
+    "edging": (*SKIRTS, *DRESSES, *TOPS),
+    "lace trim": (*SKIRTS, *DRESSES, "camisole"),
+    "neck bow": (*TOPS, "shirt-dress"),
+    "waist bow": ("skater-dress", "fitted-dress", "fitted-skirt"),
+    "lacing": ("t-shirt", "shirt", "skater-dress", "bustier"),
+    "apron": ("skater-dress", "gathered-skirt", "circle-skirt"),
 }
 CHILDREN = (60.0, 92.0, 110.0, 128.0, 152.0)
 SOME = tuple(info for info in list_drafts() if info.name not in ("gored-skirt", "pleated-skirt"))
@@ -74,7 +85,9 @@ def test_has_its_place_on_the_drafts_that_should_have_it(name, drafts):
         ("fly", "fitted-skirt"), ("back pockets", "t-shirt"), ("cargo pockets", "shirt-dress"),
         ("kangaroo pocket", "jeans"), ("buttons", "jeans"), ("patch pockets", "bustier"),
         ("chest pocket", "bandeau"), ("drawstring", "shirt"), ("half zip", "fitted-skirt"),
-        ("slant pockets", "pleated-skirt"), ("bib pocket", "trousers"),
+        ("slant pockets", "pleated-skirt"), ("bib pocket", "trousers"), ("neck frill", "fitted-skirt"),
+        ("sleeve frills", "tank-top"), ("hem frill", "jeans"), ("neck frill", "hoodie"), ("apron", "t-shirt"),
+        ("neck bow", "trousers"), ("lacing", "jeans"),
     ],
 )  # fmt: skip
 def test_has_none_on_others(name, draft_name, drafts):

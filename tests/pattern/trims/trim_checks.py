@@ -8,7 +8,7 @@ import numpy as np
 import shapely
 
 from swifttailor.pattern import Pattern
-from swifttailor.pattern.trims import Belt, Button, Patch, Trim
+from swifttailor.pattern.trims import Belt, Bow, Button, Frill, Patch, Trim
 
 ON_PANEL = 0.05
 """How far corners may lie beside their panel, cm."""
@@ -18,7 +18,7 @@ IN_PAIRS = (
 )  # fmt: skip
 
 
-def corners(trim: Patch | Button) -> np.ndarray:
+def corners(trim: Patch | Button | Bow) -> np.ndarray:
     """(n, 2) panel-local cm."""
     return trim.outline if isinstance(trim, Patch) else np.array([trim.at])
 
@@ -28,6 +28,12 @@ def assert_on_panels(pattern: Pattern, trims: tuple[Trim, ...]) -> None:
     for trim in trims:
         if isinstance(trim, Belt):
             assert 0 < trim.width < 12 and 20 < trim.height < 160, trim
+            continue
+        if isinstance(trim, Frill):
+            sewn = {side for stitch in pattern.stitches for side in stitch.sides}
+            assert trim.edges and not sewn & set(trim.edges), "frills are sewn to free edges"
+            assert len(set(trim.edges)) == len(trim.edges) and all(map(pattern.has_edge, trim.edges))
+            assert 0 < trim.depth < 20, trim
             continue
         panel = shapely.Polygon(pattern.panel(trim.panel).outline(0.002))
         points = corners(trim)

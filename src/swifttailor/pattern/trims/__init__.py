@@ -1,14 +1,16 @@
-"""Pockets, buttons, zips and belts: what is put on a garment and holds no panels together."""
+"""Pockets, buttons, belts, frills: what is put on a garment and holds no panels together."""
 
 from swifttailor.pattern.trims.names import LIKE_EACH_OTHER, TRIMS, trims_read
 from swifttailor.pattern.trims.placing import place_trims, trims_that_fit
-from swifttailor.pattern.trims.shapes import Belt, Button, Patch, Trim
+from swifttailor.pattern.trims.shapes import Belt, Bow, Button, Frill, Patch, Trim
 
 __all__ = [
     "LIKE_EACH_OTHER",
     "TRIMS",
     "Belt",
+    "Bow",
     "Button",
+    "Frill",
     "Patch",
     "Trim",
     "place_trims",

@@ -32,11 +32,25 @@ TRIMS: Mapping[str, str] = {
     "quilting": "lines of quilting",
     "turn-ups": "turned-up leg ends",
     "drawstring": "a drawstring at the waist",
+    "neck cord": "a cord at the neck",
+    "neck frill": "a frill around the neck",
+    "sleeve frills": "frills at the ends of the sleeves",
+    "hem frill": "a frill along the hem",
+    "hem fringe": "fringe along the hem",
+    "edging": "edging in another colour",
+    "lace trim": "a lace trim along the edges",
+    "neck bow": "a bow at the neck",
+    "waist bow": "a bow at the waist",
+    "lacing": "lacing down the front",
+    "apron": "an apron in front",
 }
 """By name, what each is for people. None joins panels, so none changes how a garment is cut or hangs."""
 LIKE_EACH_OTHER = (
     ("buttons", "button placket", "double-breasted buttons", "zip", "polo placket", "half zip"),
     ("tie belt", "buckle belt", "drawstring"),
+    ("hem frill", "hem fringe"),
+    ("edging", "lace trim"),
+    ("neck frill", "neck bow", "neck cord"),
 )
 """Groups of which a garment has one at most."""
 MOST_BUTTONS = 20

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from swifttailor.pattern.pattern import Pattern
-from swifttailor.pattern.trims import belts, fastenings, pockets, quilting
+from swifttailor.pattern.trims import belts, decorations, fastenings, pockets, quilting
 from swifttailor.pattern.trims.chalk import Chalk
 from swifttailor.pattern.trims.shapes import Trim
 
@@ -34,6 +34,17 @@ _PLACES: Mapping[str, Callable[[Chalk, str], list[Trim]]] = {
     "quilting": quilting.quilted,
     "turn-ups": belts.turn_ups,
     "drawstring": belts.drawstring,
+    "neck cord": decorations.neck_cord,
+    "neck frill": decorations.neck_frill,
+    "sleeve frills": decorations.sleeve_frills,
+    "hem frill": decorations.hem_frill,
+    "hem fringe": decorations.hem_frill,
+    "edging": decorations.edging,
+    "lace trim": decorations.edging,
+    "neck bow": decorations.neck_bow,
+    "waist bow": decorations.waist_bow,
+    "lacing": decorations.lacing,
+    "apron": decorations.apron,
 }
 """How each of `names.TRIMS` is marked."""
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from swifttailor.arrays import Floats
+from swifttailor.pattern.pattern import EdgeRef
 
 Look = Literal["cloth", "dark", "metal"]
 
@@ -55,4 +56,31 @@ class Belt:
     """cm."""
 
 
-Trim = Patch | Button | Belt
+@dataclass(frozen=True)
+class Frill:
+    """A strip that is sewn to free edges: gathered, cut into threads, or flat."""
+
+    trim: str
+    edges: tuple[EdgeRef, ...]
+    """Free edges of panels, in any order."""
+    depth: float
+    """How far it goes beyond them, cm; of a flat one, how wide it is."""
+    kind: Literal["gathered", "threads", "flat"] = "gathered"
+    """Flat ones lie on the cloth."""
+
+
+@dataclass(frozen=True)
+class Bow:
+    """A bow with two loops and two ends that hang."""
+
+    trim: str
+    panel: str
+    at: tuple[float, float]
+    """Its knot, panel-local cm."""
+    width: float
+    """Of both loops together, cm."""
+    tail: float
+    """Length of the ends, cm."""
+
+
+Trim = Patch | Button | Belt | Frill | Bow

@@ -11,7 +11,10 @@ from swifttailor.errors import SwiftTailorError
 from swifttailor.garment.garment import Garment
 from swifttailor.garment.trim_parts import trim_parts
 from swifttailor.pattern import Pattern
-from swifttailor.pattern.trims import Belt, Button, Trim, place_trims
+from swifttailor.pattern.trims import Belt, Bow, Button, Frill, Trim, place_trims
+
+_KNOT = 9.0
+"""A bow's width over the radius of the mark of its knot."""
 
 
 def trim_blocks(garment: Garment) -> tuple[list[dict[str, Any]], dict[str, Array]]:
@@ -50,7 +53,8 @@ def trim_blocks(garment: Garment) -> tuple[list[dict[str, Any]], dict[str, Array
 def trim_marks(pattern: Pattern) -> list[dict[str, Any]]:
     """Where the trims of a pattern lie on its panels: `models.documents.TrimMark`.
 
-    Belts lie on no panel. A pattern that cannot be measured, as while a point of it is dragged, has no marks.
+    Belts and frills lie on no panel. A pattern that cannot be measured, as while a point of it is dragged,
+    has no marks.
     """
     if not pattern.trims:
         return []
@@ -61,11 +65,14 @@ def trim_marks(pattern: Pattern) -> list[dict[str, Any]]:
 
 
 def _mark(piece: Trim) -> list[dict[str, Any]]:
-    if isinstance(piece, Belt):
+    if isinstance(piece, Belt | Frill):
         return []
     common = {"trim": piece.trim, "panel": piece.panel}
     if isinstance(piece, Button):
         return [common | {"kind": "button", "points": _rounded([piece.at]), "radius": round(piece.radius, 2)}]
+    if isinstance(piece, Bow):
+        knot = round(piece.width / _KNOT, 2)
+        return [common | {"kind": "button", "points": _rounded([piece.at]), "radius": knot}]
     if piece.is_cut:
         return [common | {"kind": "outline", "points": _rounded(piece.outline), "radius": 0.0}]
     kind = "zip" if piece.look == "metal" else "line"

@@ -30,6 +30,13 @@ _PUT_ON = {
     "belt_accessory": "belt",
     "pockets": "pockets",
     "drawstring": "drawstring",
+    "frills": "frills",
+    "fringe": "fringe",
+    "lacing": "lacing",
+    "apron": "apron",
+    "braid": "edging",
+    "lace": "edging",
+    "ties": "bow",
 }
 """By key of what cannot be made of panels, what is put on for it."""
 _PARTS_OF_WHOLE = {"skirt": "skirt", "trousers": "legs", "shorts": "legs", "top": "bodice", "tunic": "bodice"}

@@ -1,0 +1,198 @@
+"""Frills, fringe and bows of a garment as small meshes that follow its sewn edges."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from swifttailor.arrays import Array, Floats, Ints
+from swifttailor.garment.trim_pieces import TrimMesh, ball, front_of
+from swifttailor.pattern.trims.shapes import Bow, Frill
+
+if TYPE_CHECKING:
+    from swifttailor.garment.garment import Garment
+
+_STEP = 0.7
+"""Distance of the columns of a frill, cm."""
+_ROWS = 5
+_WAVE, _SWING = 0.75, 0.22
+"""Length of a frill's waves and how far they swing at its border, as parts of its depth."""
+_LIFT = 0.25
+"""A frill lies so far above the cloth where it is sewn on, cm."""
+_FLAT_LIFT = 0.2
+"""So much higher do flat strips lie, which bend less than the cloth, cm."""
+_HANGS = 0.7
+"""How much of a strip's direction is down, of one that hangs."""
+_STANDS_OUT = 0.6
+"""How much of that of a frill around the neck is away from the body."""
+_THREADS_APART, _THREAD = 0.8, 0.18
+"""Of fringe: distance of its threads and half their width, cm."""
+_LOOP_HEIGHT, _LOOP_DEPTH, _RIBBON = 0.17, 1.0, 2.4
+"""Of a bow: height of a loop as a part of its width, its depth and the width of its ends, cm."""
+
+
+def frill_meshes(garment: Garment, frill: Frill) -> list[TrimMesh]:
+    """A strip along each run of its edges.
+
+    Args:
+        garment: What it is on.
+        frill: Where it is sewn on.
+    """
+    found = []
+    for line, away, normals in _runs(garment, frill):
+        if frill.kind == "flat":
+            vertices, faces, lines = _strip(
+                line + _FLAT_LIFT * normals, -away, normals, frill.depth, swing=0.0
+            )
+            found.append(TrimMesh(frill.trim, "cloth", vertices, faces, lines))
+            continue
+        around_neck = frill.trim == "neck frill"
+        lean = _STANDS_OUT * normals if around_neck else np.array([0.0, -_HANGS, 0.0])
+        ways = away + (lean if around_neck or "hem" in frill.trim else 0.0)
+        ways /= np.maximum(np.linalg.norm(ways, axis=1, keepdims=True), 1e-9)
+        make = _threads if frill.kind == "threads" else _strip
+        vertices, faces, lines = make(line, ways, normals, frill.depth)
+        found.append(TrimMesh(frill.trim, "cloth", vertices, faces, lines))
+    return found
+
+
+def bow_meshes(garment: Garment, bow: Bow, at: Array, normal: Array) -> list[TrimMesh]:
+    """Two loops, a knot and two ends.
+
+    Args:
+        garment: What it is on.
+        bow: Its size.
+        at: (3,) where on the cloth its knot is, cm.
+        normal: (3,) of the cloth there.
+    """
+    middle = at + 1.1 * normal
+    found = []
+    for side in (-1.0, 1.0):
+        loop = middle + np.array([side * 0.27 * bow.width, 0.25, 0.0])
+        radii = 0.25 * bow.width, _LOOP_HEIGHT * bow.width, _LOOP_DEPTH
+        vertices, faces = ball(loop, radii)
+        taper = 0.35 + 0.65 * np.clip(np.abs(vertices[:, 0] - middle[0]) / (0.45 * bow.width), 0.0, 1.0)
+        vertices[:, 1] = loop[1] + taper * (vertices[:, 1] - loop[1])
+        found.append(TrimMesh(bow.trim, "cloth", vertices, faces, _outline_of(vertices, loop)))
+        found.append(_end(garment, bow, middle, side))
+    knot, faces = ball(middle + np.array([0.0, 0.0, 0.4]), (0.09 * bow.width, 0.10 * bow.width, 0.9))
+    return [*found, TrimMesh(bow.trim, "cloth", knot, faces, np.zeros((0, 2), np.int32))]
+
+
+def _end(garment: Garment, bow: Bow, knot: Array, side: float) -> TrimMesh:
+    """A ribbon that hangs from the knot, before the cloth."""
+    drops = np.linspace(0.0, bow.tail, 9)
+    middle = knot[0] + side * (0.8 + 0.14 * drops)
+    half = 0.5 * _RIBBON * (0.45 + 0.55 * np.clip(drops / 5.0, 0.0, 1.0))
+    x = np.stack([middle - half, middle + half], axis=1)
+    y = np.broadcast_to((knot[1] - drops)[:, None], x.shape)
+    cloth = [front_of(garment, at, knot[1] - drop) for at, drop in zip(middle, drops, strict=True)]
+    depth = np.maximum(np.nan_to_num(cloth, nan=-np.inf), knot[2] - 0.1 * drops) + 0.5
+    z = np.broadcast_to(np.maximum.accumulate(depth)[:, None], x.shape)
+    vertices = np.stack([x, y, z], axis=-1).reshape(-1, 3)
+    k = 2 * np.arange(len(drops) - 1)
+    faces = np.concatenate([np.stack([k, k + 2, k + 3], axis=1), np.stack([k, k + 3, k + 1], axis=1)])
+    edges = np.concatenate([np.stack([k, k + 2], axis=1), np.stack([k + 1, k + 3], axis=1)])
+    lines = np.concatenate([edges, [[len(vertices) - 2, len(vertices) - 1]]])
+    return TrimMesh(bow.trim, "cloth", vertices, faces.astype(np.int32), lines.astype(np.int32))
+
+
+def _outline_of(vertices: Floats, middle: Array) -> Ints:
+    """(k, 2) of a loop: its ring as it is seen from the front."""
+    from scipy.spatial import ConvexHull
+
+    ring = ConvexHull((vertices - middle)[:, :2]).vertices.astype(np.int32)
+    return np.stack([ring, np.roll(ring, -1)], axis=1)
+
+
+def _runs(garment: Garment, frill: Frill) -> Iterator[tuple[Floats, Floats, Floats]]:
+    """Along each run of its edges, evenly spaced: points, ways away from the cloth, normals; (n, 3) each."""
+    mesh = garment.mesh
+    after: dict[int, set[int]] = {}
+    for ref in frill.edges:
+        flat = mesh.edge_vertices[mesh.pattern.panel_index(ref.panel)][ref.edge]
+        welded = mesh.weld[flat].tolist()
+        for a, b in itertools.pairwise(welded):
+            if a != b:
+                after.setdefault(a, set()).add(b)
+                after.setdefault(b, set()).add(a)
+    inside = _inward(garment)
+    for run in _chains(after):
+        points = garment.vertices[run]
+        away = -inside[run]
+        along = np.gradient(points, axis=0)
+        along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
+        away -= (away * along).sum(axis=1, keepdims=True) * along
+        away /= np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-9)
+        at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+        if at[-1] < 2 * _STEP:
+            continue
+        even = np.linspace(0.0, at[-1], max(int(at[-1] / _STEP), 3) + 1)
+        rows = [
+            np.stack([np.interp(even, at, each[:, k]) for k in range(3)], axis=1)
+            for each in (points, away, garment.vertex_normals[run])
+        ]
+        yield rows[0], rows[1], rows[2]
+
+
+def _inward(garment: Garment) -> Floats:
+    """(v, 3) from every vertex to the middle of the faces around it."""
+    centres = garment.vertices[garment.faces].mean(axis=1)
+    total, count = np.zeros_like(garment.vertices), np.zeros(len(garment.vertices))
+    for corner in range(3):
+        np.add.at(total, garment.faces[:, corner], centres)
+        np.add.at(count, garment.faces[:, corner], 1.0)
+    return total / np.maximum(count, 1.0)[:, None] - garment.vertices
+
+
+def _chains(after: dict[int, set[int]]) -> Iterator[list[int]]:
+    """Vertices of each connected run in order; of a closed one the first comes last again."""
+    left = {vertex: set(others) for vertex, others in after.items()}
+    for start in sorted(left, key=lambda vertex: (len(left[vertex]) != 1, vertex)):
+        while left[start]:
+            run = [start]
+            while left[run[-1]]:
+                here = run[-1]
+                there = min(left[here])
+                left[here].discard(there)
+                left[there].discard(here)
+                run.append(there)
+            if len(run) > 2:
+                yield run
+
+
+def _strip(
+    line: Floats, ways: Floats, normals: Floats, depth: float, swing: float = _SWING
+) -> tuple[Floats, Ints, Ints]:
+    """A gathered strip: waves that grow towards its border. Vertices, faces and lines that show."""
+    at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+    waves = max(round(float(at[-1]) / (_WAVE * depth)), 1)
+    phase = 2 * np.pi * waves * at / at[-1]
+    share = np.linspace(0.0, 1.0, _ROWS)[:, None, None]
+    away = swing * depth * share * np.sin(phase)[:, None]
+    rows = line + share * depth * ways + (_LIFT + away) * normals
+    count = len(line)
+    grid = np.arange(_ROWS * count).reshape(_ROWS, count)
+    quads = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=-1).reshape(-1, 4)
+    faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]).astype(np.int32)
+    lines = np.concatenate([np.stack([row[:-1], row[1:]], axis=1) for row in (grid[0], grid[-1])])
+    return rows.reshape(-1, 3), faces, lines.astype(np.int32)
+
+
+def _threads(line: Floats, ways: Floats, normals: Floats, depth: float) -> tuple[Floats, Ints, Ints]:
+    """Threads that hang beside each other; vertices, faces, and no lines."""
+    at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+    places = np.arange(0.5 * _THREADS_APART, at[-1], _THREADS_APART)
+    index = np.clip(np.searchsorted(at, places) - 1, 0, len(line) - 2)
+    along = line[index + 1] - line[index]
+    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
+    root = line[index] + (places - at[index])[:, None] * along + _LIFT * normals[index]
+    tip = root + depth * (0.94 + 0.06 * np.cos(7.0 * places))[:, None] * ways[index]
+    corners = [root - _THREAD * along, root + _THREAD * along, tip + _THREAD * along, tip - _THREAD * along]
+    vertices = np.stack(corners, axis=1).reshape(-1, 3)
+    k = 4 * np.arange(len(places))
+    faces = np.concatenate([np.stack([k, k + 1, k + 2], axis=1), np.stack([k, k + 2, k + 3], axis=1)])
+    return vertices, faces.astype(np.int32), np.zeros((0, 2), np.int32)

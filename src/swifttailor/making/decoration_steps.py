@@ -1,0 +1,73 @@
+"""The sewing steps of what is put on for its looks: frills, fringe, edging, bows, lacing, cords, aprons."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+from swifttailor.making.pieces import CuttingPlan
+from swifttailor.pattern.trims import Frill
+
+_FULLNESS = 1.8
+"""How many times as long as its edge a strip is that is gathered."""
+_TITLES: Mapping[str, str] = {
+    "neck frill": "Frill around the neck",
+    "sleeve frills": "Frills at the sleeves",
+    "hem frill": "Frill along the hem",
+    "hem fringe": "Fringe",
+    "edging": "Edging",
+    "lace trim": "Lace",
+}
+_OTHERS: Mapping[str, tuple[str, str]] = {
+    "neck cord": (
+        "Cord at the neck",
+        "Set two eyelets where the cord is marked, and draw it through the edge of the hood or the neckline.",
+    ),
+    "neck bow": (
+        "Bow at the neck",
+        "Cut a band of 140 by 12 cm, fold it lengthwise, sew around it but for a gap, turn it, and sew its "
+        "middle to the back of the neck. Tie it in front.",
+    ),
+    "waist bow": (
+        "Bow at the waist",
+        "Cut a band of 120 by 12 cm, fold it lengthwise, sew around it but for a gap, and turn it. Tie it, "
+        "and fasten its knot to the middle of the waist.",
+    ),
+    "lacing": (
+        "Lacing",
+        "Set eyelets at the outer ends of the marked lines, and lace a cord of 2 m through them.",
+    ),
+    "apron": (
+        "Apron",
+        "Cut the marked piece once more, with allowances. Hem its sides and lower edge, and catch its upper "
+        "edge in the seam of the waist.",
+    ),
+}
+
+
+def decorations(plan: CuttingPlan) -> Iterator[tuple[str, str]]:
+    """Title and text of each step, in the order in which the pattern names what is put on."""
+    seen = set()
+    for trim in plan.trims:
+        if trim.trim in seen:
+            continue
+        seen.add(trim.trim)
+        if isinstance(trim, Frill):
+            yield _TITLES[trim.trim], _frill(plan, trim)
+        elif trim.trim in _OTHERS:
+            yield _OTHERS[trim.trim]
+
+
+def _frill(plan: CuttingPlan, frill: Frill) -> str:
+    """What to cut for a strip, and how it is sewn on."""
+    pattern = plan.sewn.pattern
+    edges = [ref for ref in frill.edges if any(panel.name == ref.panel for panel in pattern.panels)]
+    length = sum(pattern.edge_length(ref) for ref in edges if pattern.has_edge(ref))
+    if frill.kind == "gathered":
+        strip = 10 * math.ceil(_FULLNESS * length / 10)
+        return (
+            f"Cut strips {frill.depth + 2:.0f} cm wide, {strip} cm in all. Hem one long edge, gather the "
+            f"other to {length:.0f} cm, and sew it to the edge, right sides together."
+        )
+    what = "fringe" if frill.kind == "threads" else "ribbon or braid" if frill.trim == "edging" else "lace"
+    return f"Sew {length:.0f} cm of {what}, {frill.depth:.1f} cm wide, along the finished edges."

@@ -1,0 +1,93 @@
+"""Edges that nothing is sewn to, by where they lie: around the neck, at the ends of sleeves, at the hem."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from swifttailor.arrays import Floats
+from swifttailor.pattern.panel import Panel
+from swifttailor.pattern.pattern import EdgeRef, Pattern
+
+_ARM_WORDS = ("sleeve", "cuff")
+_NECK_WORDS = ("torso", "collar", "hood")
+_LEVEL = 0.8
+"""A hem runs aside at least so many times as far as it rises."""
+_HEM_CM, _PANELS_CM = 5.0, 30.0
+"""A hem reaches so near to the lowest point of its panel, and that to the lowest of the garment, cm."""
+_SHORTEST_CM = 1.0
+
+
+def neck_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
+    """Free edges around the neck: those of the collar where there is one, else of front and back.
+
+    None of a strapless garment, or of one with a hood.
+    """
+    found = [each for each in _free(pattern) if any(word in each[0].panel for word in _NECK_WORDS)]
+    if any("hood" in ref.panel for ref, _ in found) or not any("torso" in p.name for p in pattern.panels):
+        return ()
+    collars = [ref for ref, _ in found if "collar" in ref.panel]
+    if collars:
+        tops = {ref: points[:, 1].mean() for ref, points in found if "collar" in ref.panel}
+        return tuple([ref for ref in collars if tops[ref] >= max(tops.values()) - 3.0])
+    return tuple([ref for ref, points in found if _around_neck(pattern.panel(ref.panel), ref, points)])
+
+
+def sleeve_ends(pattern: Pattern) -> tuple[EdgeRef, ...]:
+    """Free edges at the ends of sleeves and cuffs."""
+    return tuple([ref for ref, _ in _free(pattern) if _is_of_sleeve(ref.panel)])
+
+
+def hem_edges(pattern: Pattern) -> tuple[EdgeRef, ...]:
+    """Free edges along the hem of a skirt, dress or top; none of trousers."""
+    if any(panel.name.startswith("pant_") for panel in pattern.panels):
+        return ()
+    below = [each for each in _free(pattern) if not _is_of_sleeve(each[0].panel)]
+    lowest = {ref: _lowest(pattern.panel(ref.panel)) for ref, _ in below}
+    garment = min(lowest.values(), default=0.0)
+    return tuple(
+        [
+            ref
+            for ref, points in below
+            if lowest[ref] <= garment + _PANELS_CM
+            and points[:, 1].min() <= lowest[ref] + _HEM_CM
+            and _is_level(points)
+        ]
+    )
+
+
+def _lowest(panel: Panel) -> float:
+    """Height of the lowest point of a panel, cm."""
+    return float(panel.to_world(panel.outline(0.5))[:, 1].min())
+
+
+def _is_of_sleeve(panel: str) -> bool:
+    """Whether a panel is of a sleeve or its cuff; armholes are sewn, so its free edges are at the end."""
+    return any(word in panel for word in _ARM_WORDS) and not panel.startswith("pant_")
+
+
+def _is_level(points: Floats) -> bool:
+    """Whether an edge ends about as high as it begins, as a hem does, which may be bent between."""
+    across = points[-1] - points[0]
+    return float(np.linalg.norm(across[[0, 2]])) >= _LEVEL * abs(float(across[1]))
+
+
+def _around_neck(panel: Panel, ref: EdgeRef, points: Floats) -> bool:
+    """Whether a free edge of a front or back runs from the shoulder to the middle."""
+    outline = panel.to_world(panel.outline(0.5))
+    high, low = float(outline[:, 1].max()), float(outline[:, 1].min())
+    above = float(points[:, 1].max()) >= high - 1.0 and float(points[:, 1].min()) > low + 0.35 * (high - low)
+    widest = float(np.abs(outline[:, 0]).max())
+    inner = np.abs(points[:, 0])
+    return above and float(inner.min()) < 3.0 and float(inner.max()) < 0.9 * widest
+
+
+def _free(pattern: Pattern) -> Iterator[tuple[EdgeRef, Floats]]:
+    """Every free edge with points along it in space (n, 3), cm."""
+    sewn = {side for stitch in pattern.stitches for side in stitch.sides}
+    for panel in pattern.panels:
+        for k in range(len(panel.edges)):
+            ref = EdgeRef(panel.name, k)
+            if ref not in sewn and panel.edge_length(k) >= _SHORTEST_CM:
+                yield ref, panel.to_world(panel.sample_edge(k, 9))
